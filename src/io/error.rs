@@ -1,0 +1,139 @@
+//! Errors and notes that say where.
+
+use std::fmt;
+
+/// A place in an input file.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum Place {
+    /// The file as a whole.
+    #[default]
+    File,
+    /// A line, counted from 1.
+    Line(u64),
+    /// A byte offset, counted from 0.
+    Byte(u64),
+    /// A JSON pointer into a glTF document, such as `/accessors/3`.
+    Json(String),
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Place::File => Ok(()),
+            Place::Line(line) => write!(out, "line {line}"),
+            Place::Byte(offset) => write!(out, "byte {offset}"),
+            Place::Json(pointer) => write!(out, "{pointer}"),
+        }
+    }
+}
+
+/// What kind of fault stopped a reader.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Problem {
+    /// The file could not be read.
+    Io,
+    /// The bytes are not of the format.
+    Syntax,
+    /// The file ends too early.
+    Truncated,
+    /// An index, count or offset that points outside.
+    Range,
+    /// A position that is infinite or not a number.
+    NonFinite,
+    /// Right, but beyond a limit of this program.
+    Limit,
+    /// A feature that this program does not handle, named in the message.
+    Unsupported,
+    /// A file that is needed and not there, or that may not be read.
+    Companion,
+}
+
+/// Why a file could not be read: where, what was found, and what to do about it.
+///
+/// It prints as `line 12: a face refers to vertex 9, but 8 are defined; fix the index or …`. The caller puts the
+/// file's name in front.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ReadError {
+    /// The kind of fault.
+    pub problem: Problem,
+    /// Where it is.
+    pub place: Place,
+    /// What was found.
+    pub found: String,
+    /// What to do.
+    pub advice: String,
+}
+
+impl ReadError {
+    /// An error at a place, with what was found and what to do.
+    pub fn new(problem: Problem, place: Place, found: impl Into<String>, advice: impl Into<String>) -> Self {
+        Self { problem, place, found: found.into(), advice: advice.into() }
+    }
+}
+
+impl fmt::Display for ReadError {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.place != Place::File {
+            write!(out, "{}: ", self.place)?;
+        }
+        out.write_str(&self.found)?;
+        if !self.advice.is_empty() {
+            write!(out, "; {}", self.advice)?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for ReadError {}
+
+/// How much a note matters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Severity {
+    /// For information.
+    Note,
+    /// Something in the input was repaired or skipped, or something could not be kept.
+    Warning,
+}
+
+/// A remark about an input or an output.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Note {
+    /// How much it matters.
+    pub severity: Severity,
+    /// Where.
+    pub place: Place,
+    /// What.
+    pub text: String,
+}
+
+impl Note {
+    /// A warning at a place.
+    pub fn warning(place: Place, text: impl Into<String>) -> Self {
+        Self { severity: Severity::Warning, place, text: text.into() }
+    }
+
+    /// A remark about the file as a whole.
+    pub fn note(text: impl Into<String>) -> Self {
+        Self { severity: Severity::Note, place: Place::File, text: text.into() }
+    }
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.place {
+            Place::File => out.write_str(&self.text),
+            _ => write!(out, "{}: {}", self.place, self.text),
+        }
+    }
+}
+
+/// Why an output could not be made.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum WriteError {
+    /// The format cannot hold this, and leaving it out would be wrong.
+    #[error("{0}")]
+    Unsupported(String),
+    /// The output would be larger than the format can count.
+    #[error("{0}")]
+    TooLarge(String),
+}

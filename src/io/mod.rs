@@ -1,0 +1,14 @@
+//! Bytes to meshes and back (layer 2): OBJ, glTF and GLB, PLY, STL.
+//!
+//! A file is read into a [`Loaded`]: plain [`Mesh`]es, plus the document that they came from. Writing back to
+//! the same format edits that document, so that everything else in it survives byte for byte; writing to
+//! another format makes a new file from the meshes.
+
+mod error;
+mod format;
+mod loaded;
+
+pub use error::{Note, Place, Problem, ReadError, Severity, WriteError};
+pub use format::Format;
+pub use loaded::{Document, Emit, FileNode, Limits, Loaded, NonFinite, NormalFormat, OutputContent, OutputFile, Part, PartEdit};
+pub use loaded::{ReadOptions, TangentPolicy, WriteOptions, Written};

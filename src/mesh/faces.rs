@@ -1,0 +1,123 @@
+//! Faces as polygons of any size, in compressed rows.
+
+use std::ops::Range;
+
+/// The polygons of a mesh: for every face the vertices of its corners, in order.
+///
+/// A *corner* is one vertex of one face. Corners are numbered through: face 0 has the first ones, face 1
+/// the next, and so on; everything that varies round a vertex (normals, uv) is stored per corner number.
+/// The edge that leaves corner `c` towards the next corner of its face is *half-edge* `c`.
+///
+/// When every face is a triangle no offsets are stored: corner `c` belongs to face `c / 3`.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Faces {
+    corners: Vec<u32>,
+    /// Where each face starts, with the total at the end; `None` while all faces are triangles.
+    offsets: Option<Vec<u32>>,
+}
+
+impl Faces {
+    /// An empty list.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Triangles from a flat list of vertices, three a face.
+    ///
+    /// # Panics
+    /// If the length is not a multiple of three.
+    pub fn triangles(corners: Vec<u32>) -> Self {
+        assert!(corners.len().is_multiple_of(3), "{} corners do not make whole triangles", corners.len());
+        Self { corners, offsets: None }
+    }
+
+    /// An empty list with room for `corners` corners.
+    pub fn with_capacity(corners: usize) -> Self {
+        Self { corners: Vec::with_capacity(corners), offsets: None }
+    }
+
+    /// Appends a face. Faces of fewer than three corners are stored as they are; [`MeshBuilder`] refuses them.
+    ///
+    /// [`MeshBuilder`]: super::MeshBuilder
+    pub fn push(&mut self, face: &[u32]) {
+        if face.len() != 3 && self.offsets.is_none() {
+            self.offsets = Some((0..=self.corners.len() as u32).step_by(3).collect());
+        }
+        self.corners.extend_from_slice(face);
+        if let Some(offsets) = &mut self.offsets {
+            offsets.push(self.corners.len() as u32);
+        }
+    }
+
+    /// The number of faces.
+    pub fn len(&self) -> usize {
+        match &self.offsets {
+            Some(offsets) => offsets.len() - 1,
+            None => self.corners.len() / 3,
+        }
+    }
+
+    /// Whether there is no face.
+    pub fn is_empty(&self) -> bool {
+        self.corners.is_empty() && self.len() == 0
+    }
+
+    /// Whether the list is stored as plain triangles.
+    pub fn is_triangles(&self) -> bool {
+        self.offsets.is_none()
+    }
+
+    /// The number of corners of all faces.
+    pub fn corner_count(&self) -> usize {
+        self.corners.len()
+    }
+
+    /// The vertex of every corner.
+    pub fn corners(&self) -> &[u32] {
+        &self.corners
+    }
+
+    /// Where each face starts, with the total at the end; `None` for plain triangles.
+    pub fn offsets(&self) -> Option<&[u32]> {
+        self.offsets.as_deref()
+    }
+
+    /// The corner numbers of one face.
+    #[inline]
+    pub fn range(&self, face: usize) -> Range<usize> {
+        match &self.offsets {
+            Some(offsets) => offsets[face] as usize..offsets[face + 1] as usize,
+            None => 3 * face..3 * face + 3,
+        }
+    }
+
+    /// The vertices of one face.
+    #[inline]
+    pub fn face(&self, face: usize) -> &[u32] {
+        &self.corners[self.range(face)]
+    }
+
+    /// Each face's corner numbers, in order.
+    pub fn ranges(&self) -> impl ExactSizeIterator<Item = Range<usize>> + '_ {
+        (0..self.len()).map(|face| self.range(face))
+    }
+
+    /// Each face's vertices, in order.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> + '_ {
+        (0..self.len()).map(|face| self.face(face))
+    }
+
+    /// The face that each corner belongs to.
+    pub fn owners(&self) -> Vec<u32> {
+        let mut owners = Vec::with_capacity(self.corner_count());
+        for (face, range) in self.ranges().enumerate() {
+            owners.extend(std::iter::repeat_n(face as u32, range.len()));
+        }
+        owners
+    }
+
+    /// The largest number of corners of a face; 0 without faces.
+    pub fn max_arity(&self) -> usize {
+        self.ranges().map(|range| range.len()).max().unwrap_or(0)
+    }
+}

@@ -1,0 +1,77 @@
+//! A polygon mesh and its topology (layer 1).
+
+mod build;
+mod column;
+mod faces;
+mod select;
+mod split;
+
+pub use build::{MeshBuilder, MeshError};
+pub use column::{Column, ColumnIndex, Columns, FaceLabels, NONE, SmoothingGroups};
+pub use faces::Faces;
+pub use select::FaceEdit;
+pub use split::{VertexSplit, split_vertices};
+
+use glam::DVec3;
+
+/// The precision that positions had where they came from. It sets the height below which the direction of a
+/// face is noise of the file's own rounding.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Storage {
+    /// Every coordinate is an `f32` value (binary STL, glTF, binary PLY `float` and integers).
+    F32,
+    /// Doubles, or decimal text.
+    #[default]
+    F64,
+}
+
+/// A polygon mesh: positions, faces of three corners or more, and optional [`Columns`].
+///
+/// Built by [`MeshBuilder`], which checks once that every corner's vertex exists, that each face has three
+/// corners or more, that positions are finite and that columns fit. Degenerate *geometry* is allowed: two
+/// corners may be the same vertex, a face may have no area.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    positions: Vec<DVec3>,
+    storage: Storage,
+    faces: Faces,
+    columns: Columns,
+}
+
+impl Mesh {
+    /// Position of every vertex.
+    pub fn positions(&self) -> &[DVec3] {
+        &self.positions
+    }
+
+    /// The precision that the positions came with.
+    pub fn storage(&self) -> Storage {
+        self.storage
+    }
+
+    /// The faces.
+    pub fn faces(&self) -> &Faces {
+        &self.faces
+    }
+
+    /// Everything optional.
+    pub fn columns(&self) -> &Columns {
+        &self.columns
+    }
+
+    /// The number of vertices, referenced or not.
+    pub fn vertex_count(&self) -> usize {
+        self.positions.len()
+    }
+
+    /// The number of faces.
+    pub fn face_count(&self) -> usize {
+        self.faces.len()
+    }
+
+    /// Smallest and largest corner of the bounding box; `None` without vertices.
+    pub fn bounds(&self) -> Option<(DVec3, DVec3)> {
+        let first = *self.positions.first()?;
+        Some(self.positions.iter().fold((first, first), |(low, high), &p| (low.min(p), high.max(p))))
+    }
+}

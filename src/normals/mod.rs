@@ -1,0 +1,1 @@
+//! Face, vertex and corner normals (layer 2).
