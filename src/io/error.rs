@@ -113,7 +113,7 @@ impl Note {
     }
 
     /// A remark about the file as a whole.
-    pub fn note(text: impl Into<String>) -> Self {
+    pub fn remark(text: impl Into<String>) -> Self {
         Self { severity: Severity::Note, place: Place::File, text: text.into() }
     }
 }
