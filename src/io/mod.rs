@@ -10,5 +10,8 @@ mod loaded;
 
 pub use error::{Note, Place, Problem, ReadError, Severity, WriteError};
 pub use format::Format;
-pub use loaded::{Document, Emit, FileNode, Limits, Loaded, NonFinite, NormalFormat, OutputContent, OutputFile, Part, PartEdit};
+pub use loaded::{
+    Document, Emit, FileNode, Limits, Loaded, NonFinite, NormalFormat, OutputContent, OutputFile, Part,
+    PartEdit,
+};
 pub use loaded::{ReadOptions, TangentPolicy, WriteOptions, Written};

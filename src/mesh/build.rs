@@ -1,6 +1,6 @@
 //! The one place where a mesh is checked.
 
-use super::{Columns, ColumnIndex, Faces, Mesh, NONE, Storage};
+use super::{ColumnIndex, Columns, Faces, Mesh, NONE, Storage};
 use glam::DVec3;
 
 /// Why raw data do not make a [`Mesh`].
@@ -172,7 +172,8 @@ impl MeshBuilder {
         for target in &columns.morph_targets {
             length("morph target displacements", target.len(), vertices)?;
         }
-        let loose = columns.hard_edges.iter().flatten().chain(&columns.points).chain(columns.lines.iter().flatten());
+        let loose =
+            columns.hard_edges.iter().flatten().chain(&columns.points).chain(columns.lines.iter().flatten());
         for &index in loose {
             if index as usize >= vertices {
                 return Err(MeshError::ColumnIndex { what: "vertices", index, count: vertices });
@@ -190,10 +191,12 @@ impl MeshBuilder {
             ColumnIndex::PerCorner(index) if index.len() != self.faces.corner_count() => {
                 Err(MeshError::ColumnLength { what, found: index.len(), expected: self.faces.corner_count() })
             }
-            ColumnIndex::PerCorner(index) => match index.iter().find(|&&i| i != NONE && i as usize >= count) {
-                Some(&index) => Err(MeshError::ColumnIndex { what, index, count }),
-                None => Ok(()),
-            },
+            ColumnIndex::PerCorner(index) => {
+                match index.iter().find(|&&i| i != NONE && i as usize >= count) {
+                    Some(&index) => Err(MeshError::ColumnIndex { what, index, count }),
+                    None => Ok(()),
+                }
+            }
         }
     }
 }

@@ -1,0 +1,74 @@
+//! Why a normal had to be made up, and how often.
+
+/// Why a face or a corner has no normal of its own. It got a documented unit fallback instead.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum FaultReason {
+    /// A face whose area is exactly zero.
+    ZeroArea,
+    /// A face lower than the rounding of its own coordinates: its direction is noise.
+    BelowStorage,
+    /// Weighted face normals that cancel: Σ|w| / |Σ w n̂| above 1e6.
+    CancellingFan,
+    /// A position that is infinite or not a number.
+    NonFinite,
+    /// Exponents that `f64` cannot hold.
+    OutOfRange,
+    /// A vertex that no face uses.
+    Unreferenced,
+}
+
+impl FaultReason {
+    /// All reasons.
+    pub const ALL: [FaultReason; 6] = [
+        FaultReason::ZeroArea,
+        FaultReason::BelowStorage,
+        FaultReason::CancellingFan,
+        FaultReason::NonFinite,
+        FaultReason::OutOfRange,
+        FaultReason::Unreferenced,
+    ];
+
+    /// The name used in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            FaultReason::ZeroArea => "ZeroArea",
+            FaultReason::BelowStorage => "BelowStorage",
+            FaultReason::CancellingFan => "CancellingFan",
+            FaultReason::NonFinite => "NonFinite",
+            FaultReason::OutOfRange => "OutOfRange",
+            FaultReason::Unreferenced => "Unreferenced",
+        }
+    }
+}
+
+/// One fault at one element (a face, a corner or a vertex, by the list that it stands in).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Fault {
+    /// Number of the element.
+    pub index: u32,
+    /// Why.
+    pub reason: FaultReason,
+}
+
+/// All faults of one computation, each list ascending by element.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Faults {
+    /// Faces that add nothing to sums, or whose normal is made up.
+    pub faces: Vec<Fault>,
+    /// Corners whose normal is made up.
+    pub corners: Vec<Fault>,
+    /// Vertices whose normal is made up.
+    pub vertices: Vec<Fault>,
+}
+
+impl Faults {
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.faces.is_empty() && self.corners.is_empty() && self.vertices.is_empty()
+    }
+
+    /// How often a list has a reason.
+    pub fn count(list: &[Fault], reason: FaultReason) -> usize {
+        list.iter().filter(|fault| fault.reason == reason).count()
+    }
+}

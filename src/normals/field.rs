@@ -1,0 +1,69 @@
+//! The result: one normal per (vertex, smooth group).
+
+use super::Faults;
+use crate::mesh::Column;
+use glam::DVec3;
+
+/// The normals of a mesh.
+///
+/// `normals` has one value per (vertex, smooth group), never merged across vertices, ordered by vertex and then
+/// by the lowest corner of the group, and one index a corner. Every value is finite and of unit length.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NormalField {
+    /// The normals; the index is per corner.
+    pub normals: Column<DVec3>,
+    /// The vertex of each entry of `normals.values`.
+    pub entry_vertex: Vec<u32>,
+    /// Unit normal of every face.
+    pub face_normals: Vec<DVec3>,
+    /// Unit normals of each morph target's shape, one per entry.
+    pub morph_normals: Vec<Vec<DVec3>>,
+    /// Where a normal had to be made up.
+    pub faults: Faults,
+    /// What was found on the way.
+    pub summary: Summary,
+}
+
+/// Counts of a computation, for reports.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Summary {
+    /// Vertices that a face uses.
+    pub referenced_vertices: usize,
+    /// Entries minus referenced vertices.
+    pub splits: usize,
+    /// Edges, each counted once, by what they are.
+    pub edges: EdgeCounts,
+    /// Edges whose dihedral angle is within 0.1° of the crease angle.
+    pub near_crease: usize,
+    /// The crease angle applied, in degrees; `None` where smoothing groups decide alone.
+    pub crease_degrees: Option<f64>,
+    /// Clusters of welded positions wider than twice the welding distance.
+    pub wide_clusters: usize,
+    /// Quadric fits that fell back to the angle mean.
+    pub quadric_fallbacks: usize,
+    /// Faces before the first `s` statement of an OBJ file, where groups were honoured.
+    pub faces_before_groups: usize,
+    /// Whether `fast` left its promised range and `faithful` was used instead.
+    pub fast_declined: bool,
+}
+
+/// Edges by what they are. An edge that is hard for several reasons is counted under the first that applies.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct EdgeCounts {
+    /// Smooth edges between two faces.
+    pub smooth: usize,
+    /// Edges of one face only.
+    pub boundary: usize,
+    /// Edges of more than two faces.
+    pub non_manifold: usize,
+    /// Edges that two faces run through the same way.
+    pub inconsistent: usize,
+    /// Coincident edges that could be joined in several ways, and were not.
+    pub ambiguous: usize,
+    /// Hard for a smoothing group, a material, a uv seam, an authored normal or a listed edge.
+    pub marked: usize,
+    /// Hard for their angle.
+    pub crease: usize,
+    /// Among all of them, joined by welding.
+    pub welded: usize,
+}

@@ -1,0 +1,163 @@
+//! What determines a normal: the recipe, apart from everything that must not change one bit of it.
+
+use crate::num::Degrees;
+
+/// How much each face counts in the mean at a corner. With edges e1, e2 from the corner, the interior angle α
+/// between them and the unit face normal n̂, the mean is the unit vector of Σ w n̂.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Weight {
+    /// w = 1 (Gouraud 1971): depends on how the surface happens to be cut into faces.
+    Uniform,
+    /// w = area of the whole face: cheapest, drawn towards large faces.
+    Area,
+    /// w = α (Thürmer & Wüthrich 1998): does not change when flat parts are triangulated differently.
+    #[default]
+    Angle,
+    /// w = α · area.
+    AngleArea,
+    /// w = |e1×e2| / (|e1|² |e2|²) (Max 1999): exact where the vertices lie on a sphere.
+    Max,
+    /// w = 1 / (|e1| |e2|).
+    Edge,
+    /// The normal of a least-squares quadric through the two-ring: second order, slow.
+    Quadric,
+}
+
+impl Weight {
+    /// All weights.
+    pub const ALL: [Weight; 7] = [
+        Weight::Uniform,
+        Weight::Area,
+        Weight::Angle,
+        Weight::AngleArea,
+        Weight::Max,
+        Weight::Edge,
+        Weight::Quadric,
+    ];
+
+    /// The name used on the command line and in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Weight::Uniform => "uniform",
+            Weight::Area => "area",
+            Weight::Angle => "angle",
+            Weight::AngleArea => "angle-area",
+            Weight::Max => "max",
+            Weight::Edge => "edge",
+            Weight::Quadric => "quadric",
+        }
+    }
+}
+
+/// When the dihedral angle makes an edge hard.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Crease {
+    /// [`Crease::DEFAULT_ANGLE`], unless smoothing groups decide.
+    #[default]
+    Default,
+    /// This angle, beside smoothing groups where there are any. 0: every edge is hard; 180: none.
+    Angle(Degrees),
+}
+
+impl Crease {
+    /// The angle used where none was given and no smoothing groups decide.
+    pub const DEFAULT_ANGLE: Degrees = Degrees(40.0);
+    /// No edge is hard for its angle.
+    pub const OFF: Crease = Crease::Angle(Degrees(180.0));
+}
+
+/// What hard edges do to the faces round a vertex.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum CreaseRule {
+    /// Hard edges cut the fan into smooth groups with one normal each.
+    #[default]
+    Fan,
+    /// Each corner averages those faces of the fan whose normals are within the angle of its own face's.
+    Cone,
+}
+
+/// What smoothing groups of a file do.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Groups {
+    /// They decide which edges are hard.
+    #[default]
+    Honour,
+    /// They are left aside.
+    Ignore,
+}
+
+/// Further kinds of hard edges.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct HardEdges {
+    /// Where texture coordinates of the two sides differ at either end.
+    pub uv: bool,
+    /// Between faces of different materials.
+    pub material: bool,
+    /// Where stored normals of the two sides differ by more than 0.1° at either end.
+    pub authored: bool,
+}
+
+/// Which coincident edges are joined for smoothing.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Weld {
+    /// Those whose ends have the same coordinates to the bit, with −0 = +0.
+    #[default]
+    Exact,
+    /// None.
+    Off,
+    /// Those whose ends are closer than this fraction of the bounding box's diagonal, chains included.
+    Relative(f64),
+}
+
+/// What faces thinner than the rounding of their coordinates count.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Slivers {
+    /// Nothing, unless a smooth group has no other face.
+    #[default]
+    Exclude,
+    /// As any other face.
+    Keep,
+}
+
+/// How carefully to compute.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Precision {
+    /// Right to the last bit of the output at any magnitude, offset or thinness.
+    #[default]
+    Faithful,
+    /// `f32` arithmetic, for edges of 1e-6 to 1e6, faces of height/length ≥ 1e-3 and valence ≤ 1000.
+    Fast,
+}
+
+/// Whether hard edges give a vertex several normals.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Scope {
+    /// One normal per vertex and smooth group.
+    #[default]
+    Corner,
+    /// One normal per vertex: all faces at it and at vertices joined to it by a welded edge; no edge is hard.
+    Vertex,
+}
+
+/// Everything that determines the normals of a mesh.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct NormalRecipe {
+    /// How much each face counts.
+    pub weight: Weight,
+    /// When the angle makes an edge hard.
+    pub crease: Crease,
+    /// What hard edges do.
+    pub rule: CreaseRule,
+    /// What smoothing groups do.
+    pub groups: Groups,
+    /// Further hard edges.
+    pub hard_edges: HardEdges,
+    /// Which coincident edges are joined.
+    pub weld: Weld,
+    /// What slivers count.
+    pub slivers: Slivers,
+    /// How carefully to compute.
+    pub precision: Precision,
+    /// Whether hard edges give a vertex several normals.
+    pub scope: Scope,
+}
