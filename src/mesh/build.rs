@@ -1,5 +1,6 @@
 //! The one place where a mesh is checked.
 
+use super::topology::MAX_CORNERS;
 use super::{ColumnIndex, Columns, Faces, Mesh, NONE, Storage};
 use glam::DVec3;
 
@@ -52,8 +53,8 @@ pub enum MeshError {
         /// How many values there are.
         count: usize,
     },
-    /// More corners or vertices than 32-bit indices can count.
-    #[error("the mesh has {count} {what}, more than 32-bit indices can count")]
+    /// More vertices than 2³² − 1, or more corners than 2³⁰.
+    #[error("the mesh has {count} {what}, more than this program can count")]
     TooLarge {
         /// What there is too much of.
         what: &'static str,
@@ -124,11 +125,13 @@ impl MeshBuilder {
     }
 
     fn check_faces(&self) -> Result<(), MeshError> {
-        // `NONE` marks absence in indices, so the last usable number is one below it.
-        for (what, count) in [("vertices", self.positions.len()), ("corners", self.faces.corner_count())] {
-            if count >= NONE as usize {
-                return Err(MeshError::TooLarge { what, count });
-            }
+        // `NONE` marks absence in indices, so the last usable vertex is one below it.
+        let limits = [
+            ("vertices", self.positions.len(), NONE as usize),
+            ("corners", self.faces.corner_count(), MAX_CORNERS),
+        ];
+        if let Some(&(what, count, _)) = limits.iter().find(|(_, count, limit)| count > limit) {
+            return Err(MeshError::TooLarge { what, count });
         }
         let count = self.positions.len();
         if !self.faces.is_triangles()

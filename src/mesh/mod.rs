@@ -2,15 +2,21 @@
 
 mod build;
 mod column;
+mod edges;
 mod faces;
+mod rings;
 mod select;
 mod split;
+mod topology;
+mod weld;
 
 pub use build::{MeshBuilder, MeshError};
 pub use column::{Column, ColumnIndex, Columns, FaceLabels, NONE, SmoothingGroups};
 pub use faces::Faces;
 pub use select::FaceEdit;
 pub use split::{VertexSplit, split_vertices};
+pub use topology::{Link, Topology};
+pub use weld::Weld;
 
 use glam::DVec3;
 

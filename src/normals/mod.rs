@@ -4,8 +4,7 @@ mod fault;
 mod field;
 mod recipe;
 
+pub use crate::mesh::Weld;
 pub use fault::{Fault, FaultReason, Faults};
 pub use field::{EdgeCounts, NormalField, Summary};
-pub use recipe::{
-    Crease, CreaseRule, Groups, HardEdges, NormalRecipe, Precision, Scope, Slivers, Weight, Weld,
-};
+pub use recipe::{Crease, CreaseRule, Groups, HardEdges, NormalRecipe, Precision, Scope, Slivers, Weight};

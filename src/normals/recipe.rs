@@ -1,5 +1,6 @@
 //! What determines a normal: the recipe, apart from everything that must not change one bit of it.
 
+use crate::mesh::Weld;
 use crate::num::Degrees;
 
 /// How much each face counts in the mean at a corner. With edges e1, e2 from the corner, the interior angle α
@@ -95,18 +96,6 @@ pub struct HardEdges {
     pub material: bool,
     /// Where stored normals of the two sides differ by more than 0.1° at either end.
     pub authored: bool,
-}
-
-/// Which coincident edges are joined for smoothing.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Weld {
-    /// Those whose ends have the same coordinates to the bit, with −0 = +0.
-    #[default]
-    Exact,
-    /// None.
-    Off,
-    /// Those whose ends are closer than this fraction of the bounding box's diagonal, chains included.
-    Relative(f64),
 }
 
 /// What faces thinner than the rounding of their coordinates count.

@@ -1,0 +1,163 @@
+//! Matching half-edges to edges, vertex by vertex.
+//!
+//! All half-edges of an edge {a, b} are seen from the corners at `a` alone: those that leave for `b`, and those
+//! that arrive from `b`. So each vertex can be matched by itself, in parallel and in any order, without a table
+//! of edges.
+
+use super::Faces;
+use super::rings::{Rings, Scatter};
+use super::topology::{Link, PackedLink};
+use rayon::prelude::*;
+
+/// No vertex: a half-edge that collapsed, or the padding of a short ring.
+const NOWHERE: u32 = u32::MAX;
+
+/// Rings up to this valence are compared all with all in fixed arrays, which compilers turn into vector
+/// compares; longer ones are sorted. Six is the mean valence of a triangle mesh.
+const SMALL: usize = 16;
+
+/// One corner of a ring: the half-edge that leaves the vertex here, and the one that arrives.
+#[derive(Clone, Copy)]
+struct Spoke {
+    leaving: u32,
+    to: u32,
+    arriving: u32,
+    from: u32,
+}
+
+/// Finds the [`Link`] of each half-edge by vertex index.
+pub(super) struct EdgeMatcher<'a> {
+    faces: &'a Faces,
+    owners: &'a [u32],
+    /// Faces of fewer than three distinct vertices; empty for triangles, where the corners themselves tell.
+    collapsed: Vec<bool>,
+}
+
+impl<'a> EdgeMatcher<'a> {
+    pub(super) fn new(faces: &'a Faces, owners: &'a [u32]) -> Self {
+        let collapsed =
+            if faces.is_triangles() { Vec::new() } else { faces.iter().map(is_collapsed).collect() };
+        Self { faces, owners, collapsed }
+    }
+
+    /// The link of every half-edge.
+    pub(super) fn links(&self, rings: &Rings) -> Vec<PackedLink> {
+        const CHUNK: usize = 2048;
+        let links = Scatter::new(self.faces.corner_count(), 0);
+        let chunks = rings.len().div_ceil(CHUNK);
+        (0..chunks).into_par_iter().for_each_init(Vec::new, |spokes, chunk| {
+            for vertex in chunk * CHUNK..((chunk + 1) * CHUNK).min(rings.len()) {
+                let ring = rings.at(vertex);
+                spokes.clear();
+                spokes.extend(ring.iter().map(|&corner| self.spoke(vertex as u32, corner)));
+                let set = |half_edge: u32, link| links.set(half_edge, PackedLink::new(link).bits());
+                for spoke in spokes.iter().filter(|spoke| spoke.to == NOWHERE) {
+                    set(spoke.leaving, Link::Collapsed);
+                }
+                if spokes.len() <= SMALL { match_small(spokes, set) } else { match_large(spokes, set) }
+            }
+        });
+        links.into_vec().into_iter().map(PackedLink::from_bits).collect()
+    }
+
+    #[inline]
+    fn spoke(&self, vertex: u32, corner: u32) -> Spoke {
+        let corners = self.faces.corners();
+        let (next, previous, collapsed) = if self.owners.is_empty() {
+            let place = corner % 3;
+            let next = if place == 2 { corner - 2 } else { corner + 1 };
+            let previous = if place == 0 { corner + 2 } else { corner - 1 };
+            (next, previous, corners[next as usize] == corners[previous as usize])
+        } else {
+            let face = self.owners[corner as usize] as usize;
+            let range = self.faces.range(face);
+            let (start, last) = (range.start as u32, range.end as u32 - 1);
+            let next = if corner == last { start } else { corner + 1 };
+            let previous = if corner == start { last } else { corner - 1 };
+            (next, previous, self.collapsed[face])
+        };
+        let (mut to, mut from) = (corners[next as usize], corners[previous as usize]);
+        // A triangle with two equal vertices is no surface at all: its edges must not stand between the faces
+        // on its two sides. A polygon that merely repeats a vertex goes on without the empty edge.
+        let collapsed = collapsed || (self.owners.is_empty() && (to == vertex || from == vertex));
+        if collapsed || to == vertex {
+            to = NOWHERE;
+        }
+        if collapsed || from == vertex {
+            from = NOWHERE;
+        }
+        Spoke { leaving: corner, to, arriving: previous, from }
+    }
+}
+
+/// Whether a face has fewer than three distinct vertices.
+pub(super) fn is_collapsed(face: &[u32]) -> bool {
+    let first = face[0];
+    let Some(&second) = face.iter().find(|&&v| v != first) else { return true };
+    !face.iter().any(|&v| v != first && v != second)
+}
+
+/// What a half-edge meets, from the number of half-edges that run its way and against it.
+#[inline]
+fn decide(same: u32, against: u32, twin: impl FnOnce() -> u32, double: impl FnOnce() -> u32) -> Link {
+    match (same, against) {
+        (1, 1) => Link::Twin(twin()),
+        (1, 0) => Link::Boundary,
+        (2, 0) => Link::Inconsistent(double()),
+        _ => Link::NonManifold,
+    }
+}
+
+fn match_small(spokes: &[Spoke], set: impl Fn(u32, Link)) {
+    let (mut to, mut from) = ([NOWHERE; SMALL], [NOWHERE; SMALL]);
+    for (i, spoke) in spokes.iter().enumerate() {
+        (to[i], from[i]) = (spoke.to, spoke.from);
+    }
+    let width = if spokes.len() <= SMALL / 2 { SMALL / 2 } else { SMALL };
+    for (i, spoke) in spokes.iter().enumerate().filter(|(_, spoke)| spoke.to != NOWHERE) {
+        let (same, against, same_at, against_at) = if width == SMALL {
+            tally(&to, &from, spoke.to)
+        } else {
+            let (to, from): (&[u32; SMALL / 2], &[u32; SMALL / 2]) =
+                (to[..SMALL / 2].try_into().expect("half"), from[..SMALL / 2].try_into().expect("half"));
+            tally(to, from, spoke.to)
+        };
+        let link = decide(
+            same,
+            against,
+            || spokes[against_at as usize].arriving,
+            || spokes[same_at as usize - i].leaving,
+        );
+        set(spoke.leaving, link);
+    }
+}
+
+/// How many entries of `to` and `from` equal a vertex, and the sums of their places.
+#[inline]
+fn tally<const N: usize>(to: &[u32; N], from: &[u32; N], vertex: u32) -> (u32, u32, u32, u32) {
+    let (mut same, mut against, mut same_at, mut against_at) = (0, 0, 0, 0);
+    for j in 0..N {
+        let (s, a) = (u32::from(to[j] == vertex), u32::from(from[j] == vertex));
+        same += s;
+        against += a;
+        same_at += s * j as u32;
+        against_at += a * j as u32;
+    }
+    (same, against, same_at, against_at)
+}
+
+fn match_large(spokes: &[Spoke], set: impl Fn(u32, Link)) {
+    let mut ends: Vec<(u32, bool, u32)> = Vec::with_capacity(2 * spokes.len());
+    for spoke in spokes {
+        ends.extend((spoke.to != NOWHERE).then_some((spoke.to, false, spoke.leaving)));
+        ends.extend((spoke.from != NOWHERE).then_some((spoke.from, true, spoke.arriving)));
+    }
+    ends.sort_unstable();
+    for edge in ends.chunk_by(|a, b| a.0 == b.0) {
+        let same = edge.partition_point(|end| !end.1);
+        for (i, &(_, _, leaving)) in edge[..same].iter().enumerate() {
+            let link = decide(same as u32, (edge.len() - same) as u32, || edge[same].2, || edge[1 - i].2);
+            set(leaving, link);
+        }
+    }
+}

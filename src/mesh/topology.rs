@@ -1,0 +1,361 @@
+//! Which faces meet at which edges.
+//!
+//! Half-edge `c` runs from the vertex of corner `c` to the vertex of the next corner of its face. Two half-edges
+//! that run opposite ways between the same two vertices are *twins*: there the surface goes on from one face to
+//! the other. Every half-edge has a [`Link`] that says what it meets.
+
+use super::edges::EdgeMatcher;
+use super::rings::Rings;
+use super::weld::{self, Weld};
+use super::{Faces, Mesh};
+use glam::DVec3;
+
+/// What a half-edge meets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Link {
+    /// The opposite half-edge of the one other face at this edge, by vertex index.
+    Twin(u32),
+    /// As [`Link::Twin`], but found by coincident positions: both edges are boundary by index.
+    Welded(u32),
+    /// The only other half-edge here runs the same way: one of the two faces is turned round.
+    Inconsistent(u32),
+    /// No other face.
+    Boundary,
+    /// More than two faces.
+    NonManifold,
+    /// Boundary by index, and several coincident edges could be joined to it: none is.
+    Ambiguous,
+    /// The two ends are one vertex, or the face has fewer than three distinct vertices: no edge at all.
+    Collapsed,
+}
+
+/// Two bits of kind above 30 bits of partner: half-edges and their links are read far more often than anything
+/// else of a mesh, so they stay within four bytes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct PackedLink(u32);
+
+const PARTNER_BITS: u32 = 30;
+const PARTNER_MASK: u32 = (1 << PARTNER_BITS) - 1;
+
+/// Most corners a mesh may have: what [`PackedLink`] can count.
+pub(super) const MAX_CORNERS: usize = 1 << PARTNER_BITS;
+
+impl PackedLink {
+    pub(super) const BOUNDARY: Self = Self(3 << PARTNER_BITS);
+
+    pub(super) fn new(link: Link) -> Self {
+        Self(match link {
+            Link::Twin(half_edge) => half_edge,
+            Link::Welded(half_edge) => 1 << PARTNER_BITS | half_edge,
+            Link::Inconsistent(half_edge) => 2 << PARTNER_BITS | half_edge,
+            Link::Boundary => 3 << PARTNER_BITS,
+            Link::NonManifold => 3 << PARTNER_BITS | 1,
+            Link::Ambiguous => 3 << PARTNER_BITS | 2,
+            Link::Collapsed => 3 << PARTNER_BITS | 3,
+        })
+    }
+
+    pub(super) fn bits(self) -> u32 {
+        self.0
+    }
+
+    pub(super) fn from_bits(bits: u32) -> Self {
+        Self(bits)
+    }
+
+    #[inline]
+    fn unpack(self) -> Link {
+        let partner = self.0 & PARTNER_MASK;
+        match (self.0 >> PARTNER_BITS, partner) {
+            (0, _) => Link::Twin(partner),
+            (1, _) => Link::Welded(partner),
+            (2, _) => Link::Inconsistent(partner),
+            (_, 0) => Link::Boundary,
+            (_, 1) => Link::NonManifold,
+            (_, 2) => Link::Ambiguous,
+            _ => Link::Collapsed,
+        }
+    }
+
+    /// The half-edge across, where the surface goes on.
+    #[inline]
+    fn across(self) -> Option<u32> {
+        (self.0 < 2 << PARTNER_BITS).then_some(self.0 & PARTNER_MASK)
+    }
+}
+
+/// Edges and fans of a mesh, made from its faces; positions matter only for welding.
+///
+/// The caller holds it: nothing is cached inside [`Mesh`]. Memory: 8 bytes a corner and 4 a vertex.
+#[derive(Clone, Debug)]
+pub struct Topology {
+    links: Vec<PackedLink>,
+    rings: Rings,
+    /// The face of each corner; empty for plain triangles.
+    owners: Vec<u32>,
+    /// Whether a vertex has a welded half-edge; empty if there is none at all.
+    welded_vertices: Vec<bool>,
+    wide_clusters: usize,
+}
+
+impl Topology {
+    /// Finds what every half-edge meets. `weld` joins coincident boundary edges for smoothing; two positions
+    /// coincide only if they do so in every morph target as well.
+    ///
+    /// Linear in corners (but for vertices of very high valence, which are sorted), parallel, and the same for
+    /// any thread count.
+    pub fn build(mesh: &Mesh, weld: Weld) -> Self {
+        let shapes: Vec<&[DVec3]> = mesh.columns().morph_targets.iter().map(Vec::as_slice).collect();
+        let mut topology = Self::by_index(mesh.faces(), mesh.vertex_count());
+        if weld != Weld::Off {
+            topology.weld(mesh.faces(), mesh.positions(), &shapes, weld);
+        }
+        topology
+    }
+
+    /// As [`build`](Self::build), by vertex index alone.
+    pub fn by_index(faces: &Faces, vertex_count: usize) -> Self {
+        let owners = if faces.is_triangles() { Vec::new() } else { faces.owners() };
+        let rings = Rings::build(faces.corners(), vertex_count);
+        let links = EdgeMatcher::new(faces, &owners).links(&rings);
+        Self { links, rings, owners, welded_vertices: Vec::new(), wide_clusters: 0 }
+    }
+
+    /// Joins boundary edges whose ends coincide.
+    pub(crate) fn weld(&mut self, faces: &Faces, positions: &[DVec3], shapes: &[&[DVec3]], weld: Weld) {
+        let open: Vec<u32> = (0..self.links.len() as u32)
+            .filter(|&h| self.links[h as usize] == PackedLink::BOUNDARY)
+            .collect();
+        if open.is_empty() {
+            return;
+        }
+        let joined = weld::join(faces, &self.owners, &open, positions, shapes, weld);
+        self.wide_clusters = joined.wide_clusters;
+        for &(half_edge, link) in &joined.links {
+            self.links[half_edge as usize] = PackedLink::new(link);
+            if let Link::Welded(_) = link {
+                if self.welded_vertices.is_empty() {
+                    self.welded_vertices = vec![false; positions.len()];
+                }
+                let (tail, head) = self.ends(faces, half_edge);
+                self.welded_vertices[tail as usize] = true;
+                self.welded_vertices[head as usize] = true;
+            }
+        }
+    }
+
+    /// What a half-edge meets.
+    #[inline]
+    pub fn link(&self, half_edge: u32) -> Link {
+        self.links[half_edge as usize].unpack()
+    }
+
+    /// The half-edge across, where the surface goes on ([`Link::Twin`] and [`Link::Welded`]).
+    #[inline]
+    pub fn across(&self, half_edge: u32) -> Option<u32> {
+        self.links[half_edge as usize].across()
+    }
+
+    /// The face of a corner.
+    #[inline]
+    pub fn face_of(&self, corner: u32) -> u32 {
+        if self.owners.is_empty() { corner / 3 } else { self.owners[corner as usize] }
+    }
+
+    /// The next corner of the same face.
+    #[inline]
+    pub fn next(&self, faces: &Faces, corner: u32) -> u32 {
+        if self.owners.is_empty() {
+            return if corner % 3 == 2 { corner - 2 } else { corner + 1 };
+        }
+        let range = faces.range(self.owners[corner as usize] as usize);
+        if corner as usize + 1 == range.end { range.start as u32 } else { corner + 1 }
+    }
+
+    /// The previous corner of the same face.
+    #[inline]
+    pub fn previous(&self, faces: &Faces, corner: u32) -> u32 {
+        if self.owners.is_empty() {
+            return if corner.is_multiple_of(3) { corner + 2 } else { corner - 1 };
+        }
+        let range = faces.range(self.owners[corner as usize] as usize);
+        if corner as usize == range.start { range.end as u32 - 1 } else { corner - 1 }
+    }
+
+    /// The two vertices of a half-edge.
+    pub fn ends(&self, faces: &Faces, half_edge: u32) -> (u32, u32) {
+        let corners = faces.corners();
+        (corners[half_edge as usize], corners[self.next(faces, half_edge) as usize])
+    }
+
+    /// The corners at a vertex, ascending.
+    pub fn corners_at(&self, vertex: u32) -> &[u32] {
+        self.rings.at(vertex as usize)
+    }
+
+    /// Whether an edge at this vertex is joined to one of another vertex: its fan goes on there.
+    #[inline]
+    pub fn is_welded(&self, vertex: u32) -> bool {
+        !self.welded_vertices.is_empty() && self.welded_vertices[vertex as usize]
+    }
+
+    /// Whether any two edges are joined by welding.
+    pub fn has_welds(&self) -> bool {
+        !self.welded_vertices.is_empty()
+    }
+
+    /// Clusters of positions that chains of short distances made wider than twice the welding distance.
+    pub fn wide_clusters(&self) -> usize {
+        self.wide_clusters
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{Columns, MeshBuilder};
+
+    fn mesh(positions: &[[f64; 3]], faces: &[&[u32]]) -> Mesh {
+        let mut list = Faces::new();
+        faces.iter().for_each(|face| list.push(face));
+        let positions = positions.iter().map(|&p| DVec3::from(p)).collect();
+        MeshBuilder { positions, faces: list, ..MeshBuilder::default() }.build().unwrap()
+    }
+
+    /// Every relation must be seen alike from both sides.
+    fn check_symmetry(topology: &Topology, corners: usize) {
+        for h in 0..corners as u32 {
+            match topology.link(h) {
+                Link::Twin(t) => assert_eq!(topology.link(t), Link::Twin(h)),
+                Link::Welded(t) => assert_eq!(topology.link(t), Link::Welded(h)),
+                Link::Inconsistent(t) => assert_eq!(topology.link(t), Link::Inconsistent(h)),
+                _ => {}
+            }
+        }
+    }
+
+    const SQUARE: [[f64; 3]; 4] = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]];
+
+    #[test]
+    fn two_triangles_share_an_edge() {
+        let topology = Topology::by_index(mesh(&SQUARE, &[&[0, 1, 2], &[0, 2, 3]]).faces(), 4);
+        assert_eq!(topology.link(2), Link::Twin(3));
+        assert_eq!(topology.link(3), Link::Twin(2));
+        assert_eq!(topology.link(0), Link::Boundary);
+        assert_eq!(topology.corners_at(2), [2, 4]);
+    }
+
+    #[test]
+    fn same_way_is_inconsistent_and_three_faces_are_non_manifold() {
+        let topology = Topology::by_index(mesh(&SQUARE, &[&[0, 1, 2], &[2, 0, 3]]).faces(), 4);
+        assert_eq!(topology.link(2), Link::Inconsistent(3));
+        let topology = Topology::by_index(mesh(&SQUARE, &[&[0, 1, 2], &[1, 0, 3], &[1, 0, 2]]).faces(), 4);
+        assert_eq!(topology.link(0), Link::NonManifold);
+        assert_eq!(topology.link(3), Link::NonManifold);
+        check_symmetry(&topology, 9);
+    }
+
+    #[test]
+    fn a_collapsed_triangle_does_not_stand_between_its_neighbours() {
+        let topology = Topology::by_index(mesh(&SQUARE, &[&[0, 1, 2], &[0, 2, 2], &[0, 2, 3]]).faces(), 4);
+        assert_eq!(topology.link(2), Link::Twin(6));
+        assert_eq!([3, 4, 5].map(|h| topology.link(h)), [Link::Collapsed; 3]);
+        let topology = Topology::by_index(mesh(&SQUARE, &[&[0, 1, 2], &[0, 2, 2, 3]]).faces(), 4);
+        assert_eq!(topology.link(2), Link::Twin(3));
+        assert_eq!(topology.link(4), Link::Collapsed);
+    }
+
+    /// A fan long enough to leave the small matcher must match like short ones.
+    #[test]
+    fn long_fans_match_like_short_ones() {
+        for valence in [3u32, 7, 8, 9, 15, 16, 17, 40] {
+            let positions: Vec<[f64; 3]> = (0..=valence).map(|i| [f64::from(i), 1.0, 0.0]).collect();
+            let faces: Vec<[u32; 3]> = (0..valence).map(|i| [0, 1 + i, 1 + (i + 1) % valence]).collect();
+            let faces: Vec<&[u32]> = faces.iter().map(|f| f.as_slice()).collect();
+            let topology = Topology::by_index(mesh(&positions, &faces).faces(), valence as usize + 1);
+            for face in 0..valence {
+                assert_eq!(topology.link(3 * face + 2), Link::Twin(3 * ((face + 1) % valence)), "{valence}");
+                assert_eq!(topology.link(3 * face + 1), Link::Boundary);
+            }
+            check_symmetry(&topology, 3 * valence as usize);
+        }
+    }
+
+    const SOUP: [[f64; 3]; 6] =
+        [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [-0., 0., 0.], [1., 1., 0.], [0., 1., 0.]];
+
+    #[test]
+    fn coincident_boundary_edges_are_joined() {
+        let soup = mesh(&SOUP, &[&[0, 1, 2], &[3, 4, 5]]);
+        let topology = Topology::build(&soup, Weld::Exact);
+        assert_eq!(topology.link(2), Link::Welded(3));
+        assert_eq!([0, 1, 2, 3, 4, 5].map(|v| topology.is_welded(v)), [true, false, true, true, true, false]);
+        assert_eq!(Topology::build(&soup, Weld::Off).link(2), Link::Boundary);
+        let turned = Topology::build(&mesh(&SOUP, &[&[0, 1, 2], &[4, 3, 5]]), Weld::Exact);
+        assert_eq!(turned.link(2), Link::Inconsistent(3));
+    }
+
+    #[test]
+    fn sheets_back_to_back_stay_apart() {
+        let positions: Vec<[f64; 3]> = [SOUP, SOUP].concat();
+        let faces: [&[u32]; 4] = [&[0, 1, 2], &[3, 4, 5], &[7, 6, 8], &[10, 9, 11]];
+        let topology = Topology::build(&mesh(&positions, &faces), Weld::Exact);
+        assert_eq!(topology.link(2), Link::Ambiguous);
+        assert_eq!(topology.link(0), Link::Welded(6), "the outer rims have one partner each");
+    }
+
+    #[test]
+    fn near_positions_join_within_a_fraction_of_the_diagonal() {
+        let mut soup = SOUP;
+        soup[4] = [1.0, 1.0 + 1e-7, 0.0];
+        let soup = mesh(&soup, &[&[0, 1, 2], &[3, 4, 5]]);
+        assert_eq!(Topology::build(&soup, Weld::Exact).link(2), Link::Boundary);
+        assert_eq!(Topology::build(&soup, Weld::Relative(1e-6)).link(2), Link::Welded(3));
+        assert_eq!(Topology::build(&soup, Weld::Relative(1e-8)).link(2), Link::Boundary);
+    }
+
+    /// A chain of short steps makes one class of any width; the report says so.
+    #[test]
+    fn wide_clusters_are_counted() {
+        let positions: Vec<[f64; 3]> = (0..12)
+            .map(|i| [if i < 9 { 1e-3 * f64::from(i) } else { 1.0 }, f64::from(i / 9 * i), 0.0])
+            .collect();
+        let faces: Vec<[u32; 3]> = (0..9).map(|i| [i, 9 + i % 3, 9 + (i + 1) % 3]).collect();
+        let faces: Vec<&[u32]> = faces.iter().map(|f| f.as_slice()).collect();
+        let chain = mesh(&positions, &faces);
+        let diagonal = {
+            let (low, high) = chain.bounds().unwrap();
+            (high - low).length()
+        };
+        assert_eq!(Topology::build(&chain, Weld::Relative(1.1e-3 / diagonal)).wide_clusters(), 1);
+        assert_eq!(Topology::build(&chain, Weld::Relative(0.9e-3 / diagonal)).wide_clusters(), 0);
+    }
+
+    #[test]
+    fn a_morph_target_keeps_coincident_edges_apart() {
+        let soup = mesh(&SOUP, &[&[0, 1, 2], &[3, 4, 5]]);
+        let moved = |by: f64| {
+            MeshBuilder {
+                positions: soup.positions().to_vec(),
+                faces: soup.faces().clone(),
+                columns: Columns {
+                    morph_targets: vec![vec![
+                        DVec3::ZERO,
+                        DVec3::ZERO,
+                        DVec3::ZERO,
+                        DVec3::splat(by),
+                        DVec3::ZERO,
+                        DVec3::ZERO,
+                    ]],
+                    ..Columns::default()
+                },
+                ..MeshBuilder::default()
+            }
+            .build()
+            .unwrap()
+        };
+        assert_eq!(Topology::build(&moved(0.0), Weld::Exact).link(2), Link::Welded(3));
+        assert_eq!(Topology::build(&moved(0.5), Weld::Exact).link(2), Link::Boundary);
+        assert_eq!(Topology::build(&moved(0.5), Weld::Relative(1e-3)).link(2), Link::Boundary);
+    }
+}

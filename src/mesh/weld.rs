@@ -1,0 +1,198 @@
+//! Joining boundary edges at coincident positions, for smoothing only.
+//!
+//! Vertices, texture coordinates and everything else stay apart; only the faces on the two sides of a seam learn
+//! of each other.
+
+use super::Faces;
+use super::edges::is_collapsed;
+use super::topology::Link;
+use glam::DVec3;
+use rayon::prelude::*;
+use rustc_hash::FxHashMap;
+
+/// Which coincident edges are joined for smoothing.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Weld {
+    /// Those whose ends have the same coordinates to the bit, with −0 = +0.
+    #[default]
+    Exact,
+    /// None.
+    Off,
+    /// Those whose ends are closer than this fraction of the bounding box's diagonal, chains included.
+    Relative(f64),
+}
+
+/// What welding found.
+pub(super) struct Joined {
+    /// New links of half-edges that were boundary.
+    pub(super) links: Vec<(u32, Link)>,
+    /// Clusters wider than twice the welding distance.
+    pub(super) wide_clusters: usize,
+}
+
+/// Pairs the open half-edges whose ends coincide.
+pub(super) fn join(
+    faces: &Faces,
+    owners: &[u32],
+    open: &[u32],
+    positions: &[DVec3],
+    shapes: &[&[DVec3]],
+    weld: Weld,
+) -> Joined {
+    let face_of = |half_edge: u32| match owners {
+        [] => half_edge as usize / 3,
+        owners => owners[half_edge as usize] as usize,
+    };
+    let ends = |half_edge: u32| {
+        let range = faces.range(face_of(half_edge));
+        let next = if half_edge as usize + 1 == range.end { range.start } else { half_edge as usize + 1 };
+        (faces.corners()[half_edge as usize], faces.corners()[next])
+    };
+    let mut rim: Vec<u32> = open.iter().flat_map(|&h| <[u32; 2]>::from(ends(h))).collect();
+    rim.par_sort_unstable();
+    rim.dedup();
+    let Classes { of_rim, wide_clusters } = match weld {
+        Weld::Off => return Joined { links: Vec::new(), wide_clusters: 0 },
+        Weld::Exact => exact_classes(&rim, positions, shapes),
+        Weld::Relative(fraction) => near_classes(&rim, positions, shapes, fraction),
+    };
+    let class = |vertex: u32| of_rim[rim.binary_search(&vertex).expect("a rim vertex")];
+
+    // (lower class, higher class, whether it runs downwards, half-edge)
+    let mut edges: Vec<(u32, u32, bool, u32)> = open
+        .par_iter()
+        .filter_map(|&h| {
+            let (a, b) = ends(h);
+            let (a, b) = (class(a), class(b));
+            // An edge of no length, and the edges of a face that has only two places left, join nothing: such a
+            // face must not stand between its neighbours.
+            let face = faces.face(face_of(h));
+            let places = || face.iter().map(|v| rim.binary_search(v).map_or(u32::MAX - v, |i| of_rim[i]));
+            let flat = a == b || face.len() == 3 && is_collapsed(&places().collect::<Vec<_>>());
+            (!flat).then_some((a.min(b), a.max(b), a > b, h))
+        })
+        .collect();
+    edges.par_sort_unstable();
+    let mut links = Vec::new();
+    for edge in edges.chunk_by(|x, y| (x.0, x.1) == (y.0, y.1)) {
+        match *edge {
+            [_] => {}
+            [x, y] if x.2 != y.2 => links.extend([(x.3, Link::Welded(y.3)), (y.3, Link::Welded(x.3))]),
+            [x, y] => links.extend([(x.3, Link::Inconsistent(y.3)), (y.3, Link::Inconsistent(x.3))]),
+            _ => links.extend(edge.iter().map(|x| (x.3, Link::Ambiguous))),
+        }
+    }
+    Joined { links, wide_clusters }
+}
+
+/// Which rim vertices coincide: one class number for each, in the order of the rim.
+struct Classes {
+    of_rim: Vec<u32>,
+    wide_clusters: usize,
+}
+
+/// The bits of a position, with −0 taken as +0.
+fn key(p: DVec3) -> [u64; 3] {
+    (p + DVec3::ZERO).to_array().map(f64::to_bits)
+}
+
+fn exact_classes(rim: &[u32], positions: &[DVec3], shapes: &[&[DVec3]]) -> Classes {
+    let mut first: FxHashMap<[u64; 3], u32> = FxHashMap::default();
+    let mut of_rim: Vec<u32> = Vec::with_capacity(rim.len());
+    for &vertex in rim {
+        let fresh = first.len() as u32;
+        of_rim.push(*first.entry(key(positions[vertex as usize])).or_insert(fresh));
+    }
+    // Each morph target refines the classes: two vertices stay together only if it moves them alike.
+    for shape in shapes {
+        let mut finer: FxHashMap<(u32, [u64; 3]), u32> = FxHashMap::default();
+        for (class, &vertex) in of_rim.iter_mut().zip(rim) {
+            let fresh = finer.len() as u32;
+            *class = *finer.entry((*class, key(shape[vertex as usize]))).or_insert(fresh);
+        }
+    }
+    Classes { of_rim, wide_clusters: 0 }
+}
+
+/// Connected components of "closer than ε", found over a grid of cells of size ε.
+fn near_classes(rim: &[u32], positions: &[DVec3], shapes: &[&[DVec3]], fraction: f64) -> Classes {
+    let (low, high) = positions
+        .iter()
+        .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), &p| (low.min(p), high.max(p)));
+    // Everything is measured in units of the largest extent, so no square can leave the range of a double.
+    let extent = (high - low).max_element();
+    if extent.is_nan() || extent <= 0.0 || fraction <= 0.0 {
+        return exact_classes(rim, positions, shapes);
+    }
+    let epsilon = fraction * ((high - low) / extent).length();
+    let place = |vertex: u32| (positions[vertex as usize] - low) / extent;
+    // Cells of ε/√3: their members are all close to each other, so crowds cost nothing, and whatever is close to
+    // a member lies at most two cells off.
+    let size = epsilon / 3f64.sqrt();
+    let cell = |p: DVec3| (p / size).floor().to_array().map(|x| x.clamp(-9.0e18, 9.0e18) as i64);
+    let near = |i: u32, j: u32| {
+        let (a, b) = (rim[i as usize], rim[j as usize]);
+        (place(a) - place(b)).length() < epsilon
+            && shapes.iter().all(|s| ((s[a as usize] - s[b as usize]) / extent).length() < epsilon)
+    };
+    let mut sets = DisjointSets::new(rim.len());
+    let mut cells: FxHashMap<[i64; 3], Vec<u32>> = FxHashMap::default();
+    for (i, &vertex) in rim.iter().enumerate() {
+        cells.entry(cell(place(vertex))).or_default().push(i as u32);
+    }
+    // Morph targets can tell apart what stands at one place; without them a cell is one set.
+    let cells_are_sets = shapes.is_empty();
+    if cells_are_sets {
+        cells.values().flat_map(|members| members.windows(2)).for_each(|pair| sets.union(pair[0], pair[1]));
+    }
+    for (&[x, y, z], members) in &cells {
+        // Half of the 5³ cells round this one; the other half finds this one in its turn.
+        for offset in 62..125i64 {
+            let neighbour = [x + offset % 5 - 2, y + offset / 5 % 5 - 2, z + offset / 25 - 2];
+            let Some(others) = cells.get(&neighbour) else { continue };
+            'pairs: for &i in members {
+                for &j in others {
+                    let joined = sets.find(i) == sets.find(j);
+                    if joined && cells_are_sets {
+                        break 'pairs;
+                    }
+                    if !joined && near(i, j) {
+                        sets.union(i, j);
+                    }
+                }
+            }
+        }
+    }
+    let of_rim: Vec<u32> = (0..rim.len() as u32).map(|i| sets.find(i)).collect();
+    let mut boxes: FxHashMap<u32, (DVec3, DVec3)> = FxHashMap::default();
+    for (&class, &vertex) in of_rim.iter().zip(rim) {
+        let p = place(vertex);
+        let span = boxes.entry(class).or_insert((p, p));
+        *span = (span.0.min(p), span.1.max(p));
+    }
+    let wide_clusters = boxes.values().filter(|(low, high)| (*high - *low).length() > 2.0 * epsilon).count();
+    Classes { of_rim, wide_clusters }
+}
+
+/// Union-find in which the lowest member stands for its set, so that the order of unions does not show.
+pub(super) struct DisjointSets(Vec<u32>);
+
+impl DisjointSets {
+    pub(super) fn new(len: usize) -> Self {
+        Self((0..len as u32).collect())
+    }
+
+    pub(super) fn find(&mut self, mut item: u32) -> u32 {
+        while self.0[item as usize] != item {
+            let up = self.0[self.0[item as usize] as usize];
+            self.0[item as usize] = up;
+            item = up;
+        }
+        item
+    }
+
+    pub(super) fn union(&mut self, a: u32, b: u32) {
+        let (a, b) = (self.find(a), self.find(b));
+        self.0[a.max(b) as usize] = a.min(b);
+    }
+}
