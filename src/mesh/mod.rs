@@ -9,6 +9,7 @@ mod select;
 mod split;
 mod topology;
 mod weld;
+mod triangulate;
 
 pub use build::{MeshBuilder, MeshError};
 pub use column::{Column, ColumnIndex, Columns, FaceLabels, NONE, SmoothingGroups};
@@ -17,6 +18,7 @@ pub use select::FaceEdit;
 pub use split::{VertexSplit, split_vertices};
 pub use topology::{Link, Topology};
 pub use weld::Weld;
+pub use triangulate::{Triangulation, triangulate};
 
 use glam::DVec3;
 
