@@ -8,17 +8,19 @@ mod rings;
 mod select;
 mod split;
 mod topology;
-mod weld;
 mod triangulate;
+mod weld;
 
 pub use build::{MeshBuilder, MeshError};
 pub use column::{Column, ColumnIndex, Columns, FaceLabels, NONE, SmoothingGroups};
 pub use faces::Faces;
+pub(crate) use rings::Scatter;
 pub use select::FaceEdit;
 pub use split::{VertexSplit, split_vertices};
 pub use topology::{Link, Topology};
-pub use weld::Weld;
 pub use triangulate::{Triangulation, triangulate};
+pub(crate) use weld::DisjointSets;
+pub use weld::Weld;
 
 use glam::DVec3;
 

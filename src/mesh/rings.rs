@@ -106,19 +106,24 @@ fn accumulate(counts: &mut [u32]) {
 }
 
 /// Writes to places that belong to one thread each, though not in one piece.
-pub(super) struct Scatter(Vec<AtomicU32>);
+pub(crate) struct Scatter(Vec<AtomicU32>);
 
 impl Scatter {
-    pub(super) fn new(len: usize, value: u32) -> Self {
+    pub(crate) fn new(len: usize, value: u32) -> Self {
         Self((0..len).into_par_iter().map(|_| AtomicU32::new(value)).collect())
     }
 
     #[inline]
-    pub(super) fn set(&self, index: u32, value: u32) {
+    pub(crate) fn set(&self, index: u32, value: u32) {
         self.0[index as usize].store(value, Relaxed);
     }
 
-    pub(super) fn into_vec(self) -> Vec<u32> {
+    #[inline]
+    pub(crate) fn get(&self, index: u32) -> u32 {
+        self.0[index as usize].load(Relaxed)
+    }
+
+    pub(crate) fn into_vec(self) -> Vec<u32> {
         self.0.into_par_iter().map(AtomicU32::into_inner).collect()
     }
 }

@@ -9,6 +9,7 @@ use super::rings::Rings;
 use super::weld::{self, Weld};
 use super::{Faces, Mesh};
 use glam::DVec3;
+use rayon::prelude::*;
 
 /// What a half-edge meets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,6 +43,7 @@ pub(super) const MAX_CORNERS: usize = 1 << PARTNER_BITS;
 
 impl PackedLink {
     pub(super) const BOUNDARY: Self = Self(3 << PARTNER_BITS);
+    pub(super) const NON_MANIFOLD: Self = Self(3 << PARTNER_BITS | 1);
 
     pub(super) fn new(link: Link) -> Self {
         Self(match link {
@@ -86,16 +88,20 @@ impl PackedLink {
 
 /// Edges and fans of a mesh, made from its faces; positions matter only for welding.
 ///
-/// The caller holds it: nothing is cached inside [`Mesh`]. Memory: 8 bytes a corner and 4 a vertex.
+/// The caller holds it: nothing is cached inside [`Mesh`]. Memory: 8 bytes a corner and 4 a
+/// vertex; with polygons 4 more a corner and a face.
 #[derive(Clone, Debug)]
 pub struct Topology {
     links: Vec<PackedLink>,
     rings: Rings,
-    /// The face of each corner; empty for plain triangles.
+    /// The face of each corner and where each face starts; empty for plain triangles.
     owners: Vec<u32>,
+    starts: Vec<u32>,
     /// Whether a vertex has a welded half-edge; empty if there is none at all.
     welded_vertices: Vec<bool>,
     wide_clusters: usize,
+    non_manifold: usize,
+    ambiguous: usize,
 }
 
 impl Topology {
@@ -116,9 +122,29 @@ impl Topology {
     /// As [`build`](Self::build), by vertex index alone.
     pub fn by_index(faces: &Faces, vertex_count: usize) -> Self {
         let owners = if faces.is_triangles() { Vec::new() } else { faces.owners() };
+        let starts = faces.offsets().map_or_else(Vec::new, <[u32]>::to_vec);
         let rings = Rings::build(faces.corners(), vertex_count);
         let links = EdgeMatcher::new(faces, &owners).links(&rings);
-        Self { links, rings, owners, welded_vertices: Vec::new(), wide_clusters: 0 }
+        let mut topology = Self {
+            links,
+            rings,
+            owners,
+            starts,
+            welded_vertices: Vec::new(),
+            wide_clusters: 0,
+            non_manifold: 0,
+            ambiguous: 0,
+        };
+        let mut crowded: Vec<(u32, u32)> = (0..faces.corner_count() as u32)
+            .into_par_iter()
+            .filter(|&h| topology.links[h as usize] == PackedLink::NON_MANIFOLD)
+            .map(|h| topology.ends(faces.corners(), h))
+            .map(|(a, b)| (a.min(b), a.max(b)))
+            .collect();
+        crowded.par_sort_unstable();
+        crowded.dedup();
+        topology.non_manifold = crowded.len();
+        topology
     }
 
     /// Joins boundary edges whose ends coincide.
@@ -130,14 +156,14 @@ impl Topology {
             return;
         }
         let joined = weld::join(faces, &self.owners, &open, positions, shapes, weld);
-        self.wide_clusters = joined.wide_clusters;
+        (self.wide_clusters, self.ambiguous) = (joined.wide_clusters, joined.ambiguous);
         for &(half_edge, link) in &joined.links {
             self.links[half_edge as usize] = PackedLink::new(link);
             if let Link::Welded(_) = link {
                 if self.welded_vertices.is_empty() {
                     self.welded_vertices = vec![false; positions.len()];
                 }
-                let (tail, head) = self.ends(faces, half_edge);
+                let (tail, head) = self.ends(faces.corners(), half_edge);
                 self.welded_vertices[tail as usize] = true;
                 self.welded_vertices[head as usize] = true;
             }
@@ -164,28 +190,28 @@ impl Topology {
 
     /// The next corner of the same face.
     #[inline]
-    pub fn next(&self, faces: &Faces, corner: u32) -> u32 {
+    pub fn next(&self, corner: u32) -> u32 {
         if self.owners.is_empty() {
             return if corner % 3 == 2 { corner - 2 } else { corner + 1 };
         }
-        let range = faces.range(self.owners[corner as usize] as usize);
-        if corner as usize + 1 == range.end { range.start as u32 } else { corner + 1 }
+        let face = self.owners[corner as usize] as usize;
+        if corner + 1 == self.starts[face + 1] { self.starts[face] } else { corner + 1 }
     }
 
     /// The previous corner of the same face.
     #[inline]
-    pub fn previous(&self, faces: &Faces, corner: u32) -> u32 {
+    pub fn previous(&self, corner: u32) -> u32 {
         if self.owners.is_empty() {
             return if corner.is_multiple_of(3) { corner + 2 } else { corner - 1 };
         }
-        let range = faces.range(self.owners[corner as usize] as usize);
-        if corner as usize == range.start { range.end as u32 - 1 } else { corner - 1 }
+        let face = self.owners[corner as usize] as usize;
+        if corner == self.starts[face] { self.starts[face + 1] - 1 } else { corner - 1 }
     }
 
-    /// The two vertices of a half-edge.
-    pub fn ends(&self, faces: &Faces, half_edge: u32) -> (u32, u32) {
-        let corners = faces.corners();
-        (corners[half_edge as usize], corners[self.next(faces, half_edge) as usize])
+    /// The two vertices of a half-edge, given the vertex of every corner.
+    #[inline]
+    pub fn ends(&self, corner_vertices: &[u32], half_edge: u32) -> (u32, u32) {
+        (corner_vertices[half_edge as usize], corner_vertices[self.next(half_edge) as usize])
     }
 
     /// The corners at a vertex, ascending.
@@ -202,6 +228,16 @@ impl Topology {
     /// Whether any two edges are joined by welding.
     pub fn has_welds(&self) -> bool {
         !self.welded_vertices.is_empty()
+    }
+
+    /// How many edges have more than two faces, by vertex index.
+    pub fn non_manifold_edges(&self) -> usize {
+        self.non_manifold
+    }
+
+    /// At how many places several coincident boundary edges could be joined, and none was.
+    pub fn ambiguous_edges(&self) -> usize {
+        self.ambiguous
     }
 
     /// Clusters of positions that chains of short distances made wider than twice the welding distance.

@@ -28,6 +28,8 @@ pub(super) struct Joined {
     pub(super) links: Vec<(u32, Link)>,
     /// Clusters wider than twice the welding distance.
     pub(super) wide_clusters: usize,
+    /// Places where several coincident edges could be joined, and none was.
+    pub(super) ambiguous: usize,
 }
 
 /// Pairs the open half-edges whose ends coincide.
@@ -52,7 +54,7 @@ pub(super) fn join(
     rim.par_sort_unstable();
     rim.dedup();
     let Classes { of_rim, wide_clusters } = match weld {
-        Weld::Off => return Joined { links: Vec::new(), wide_clusters: 0 },
+        Weld::Off => return Joined { links: Vec::new(), wide_clusters: 0, ambiguous: 0 },
         Weld::Exact => exact_classes(&rim, positions, shapes),
         Weld::Relative(fraction) => near_classes(&rim, positions, shapes, fraction),
     };
@@ -73,16 +75,19 @@ pub(super) fn join(
         })
         .collect();
     edges.par_sort_unstable();
-    let mut links = Vec::new();
+    let (mut links, mut ambiguous) = (Vec::new(), 0);
     for edge in edges.chunk_by(|x, y| (x.0, x.1) == (y.0, y.1)) {
         match *edge {
             [_] => {}
             [x, y] if x.2 != y.2 => links.extend([(x.3, Link::Welded(y.3)), (y.3, Link::Welded(x.3))]),
             [x, y] => links.extend([(x.3, Link::Inconsistent(y.3)), (y.3, Link::Inconsistent(x.3))]),
-            _ => links.extend(edge.iter().map(|x| (x.3, Link::Ambiguous))),
+            _ => {
+                ambiguous += 1;
+                links.extend(edge.iter().map(|x| (x.3, Link::Ambiguous)));
+            }
         }
     }
-    Joined { links, wide_clusters }
+    Joined { links, wide_clusters, ambiguous }
 }
 
 /// Which rim vertices coincide: one class number for each, in the order of the rim.
@@ -175,14 +180,14 @@ fn near_classes(rim: &[u32], positions: &[DVec3], shapes: &[&[DVec3]], fraction:
 }
 
 /// Union-find in which the lowest member stands for its set, so that the order of unions does not show.
-pub(super) struct DisjointSets(Vec<u32>);
+pub(crate) struct DisjointSets(Vec<u32>);
 
 impl DisjointSets {
-    pub(super) fn new(len: usize) -> Self {
+    pub(crate) fn new(len: usize) -> Self {
         Self((0..len as u32).collect())
     }
 
-    pub(super) fn find(&mut self, mut item: u32) -> u32 {
+    pub(crate) fn find(&mut self, mut item: u32) -> u32 {
         while self.0[item as usize] != item {
             let up = self.0[self.0[item as usize] as usize];
             self.0[item as usize] = up;
@@ -191,7 +196,7 @@ impl DisjointSets {
         item
     }
 
-    pub(super) fn union(&mut self, a: u32, b: u32) {
+    pub(crate) fn union(&mut self, a: u32, b: u32) {
         let (a, b) = (self.find(a), self.find(b));
         self.0[a.max(b) as usize] = a.min(b);
     }
