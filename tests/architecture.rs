@@ -64,6 +64,7 @@ const OUTSIDE: &[(&str, &[&str])] = &[
     ("tempfile", &["cli"]),
     ("thiserror", &["num", "mesh", "surface", "io", "normals", "raster", "pipeline"]),
     ("tobj", &["io"]),
+    ("zmij", &["io"]),
 ];
 
 /// The audited files that may hold `unsafe`: run-time choice of an instruction set.

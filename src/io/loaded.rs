@@ -1,5 +1,6 @@
 //! What a reader gives and what a writer takes.
 
+use super::obj::ObjDocument;
 use super::{Format, Note};
 use crate::mesh::{Column, FaceEdit, Mesh};
 use glam::{DMat4, DVec3};
@@ -88,6 +89,8 @@ pub struct FileNode {
 pub enum Document {
     /// Nothing kept: the file can only be written as new.
     None,
+    /// An OBJ file.
+    Obj(Box<ObjDocument>),
 }
 
 /// What changes in one part.

@@ -4,10 +4,15 @@
 //! the same format edits that document, so that everything else in it survives byte for byte; writing to
 //! another format makes a new file from the meshes.
 
+mod companion;
+mod decimal;
+mod dispatch;
 mod error;
 mod format;
 mod loaded;
+pub mod obj;
 
+pub use dispatch::{edit, read, write};
 pub use error::{Note, Place, Problem, ReadError, Severity, WriteError};
 pub use format::Format;
 pub use loaded::{

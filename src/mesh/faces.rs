@@ -31,6 +31,19 @@ impl Faces {
         Self { corners, offsets: None }
     }
 
+    /// Polygons from a flat list of vertices and where each face starts in it, with the total at the end. If all
+    /// are triangles they are stored as such.
+    ///
+    /// # Panics
+    /// If the offsets do not ascend from 0 to the number of corners.
+    pub fn polygons(corners: Vec<u32>, offsets: Vec<u32>) -> Self {
+        let ends = (offsets.first().copied(), offsets.last().map(|&last| last as usize));
+        assert_eq!(ends, (Some(0), Some(corners.len())), "offsets run from 0 to the number of corners");
+        assert!(offsets.is_sorted(), "offsets ascend");
+        let is_triangles = offsets.windows(2).all(|pair| pair[1] - pair[0] == 3);
+        Self { corners, offsets: (!is_triangles).then_some(offsets) }
+    }
+
     /// An empty list with room for `corners` corners.
     pub fn with_capacity(corners: usize) -> Self {
         Self { corners: Vec::with_capacity(corners), offsets: None }

@@ -1,0 +1,131 @@
+//! Files beside the input, and which of them may be read.
+
+use super::ReadOptions;
+use std::fmt;
+use std::path::{Component, Path, PathBuf};
+
+/// Why a companion is not read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Refusal {
+    /// It is named by a URL or a network path.
+    Remote,
+    /// It is outside the folder that companions may come from.
+    Outside,
+    /// It is not there, or no regular file.
+    Missing,
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(match self {
+            Refusal::Remote => "is on a network or named by a URL, and was not read",
+            Refusal::Outside => "is outside the input's folder and was not read (--root widens it)",
+            Refusal::Missing => "was not found",
+        })
+    }
+}
+
+/// The folders that companion files are looked for in.
+pub(super) struct Companions {
+    base: PathBuf,
+    root: Option<PathBuf>,
+}
+
+impl Companions {
+    /// Companions of a file in the folder `base`; from nowhere outside it, or outside the root of the options.
+    pub fn new(base: &Path, options: &ReadOptions) -> Self {
+        // The folder of a bare file name is the empty path.
+        let base = if base.as_os_str().is_empty() { Path::new(".") } else { base };
+        let root = options.root.as_deref().unwrap_or(base).canonicalize().ok();
+        Self { base: base.to_owned(), root }
+    }
+
+    /// The file that a name refers to from the folder `folder`, relative to the input's. Symbolic links are followed
+    /// before the place is judged.
+    pub fn find(&self, folder: &Path, name: &str) -> Result<PathBuf, Refusal> {
+        let scheme = name.split_once(':').map_or("", |(scheme, _)| scheme);
+        let is_url = scheme.len() > 1
+            && scheme.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"+-.".contains(&byte));
+        if is_url || name.starts_with("//") || name.starts_with("\\\\") {
+            return Err(Refusal::Remote);
+        }
+        let folder = self.base.join(folder);
+        let found = folder.join(name).canonicalize();
+        let path = found.or_else(|_| folder.join(name.replace('\\', "/")).canonicalize());
+        let path = path.map_err(|_| Refusal::Missing)?;
+        if !self.root.as_ref().is_some_and(|root| path.starts_with(root)) {
+            return Err(Refusal::Outside);
+        }
+        if path.is_file() { Ok(path) } else { Err(Refusal::Missing) }
+    }
+}
+
+/// The name that a companion has beside the output so that the output's reference finds it; `None` if that would be
+/// outside the output's folder.
+pub(super) fn output_name(folder: &Path, name: &str) -> Option<String> {
+    let path = folder.join(name.replace('\\', "/"));
+    let mut parts = Vec::new();
+    for part in path.components() {
+        match part {
+            Component::Normal(part) => parts.push(part.to_str()?),
+            Component::CurDir => {}
+            Component::ParentDir => drop(parts.pop()?),
+            _ => return None,
+        }
+    }
+    (!parts.is_empty()).then(|| parts.join("/"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fs;
+
+    #[test]
+    fn companions_stay_inside_their_folder() {
+        let outer = tempfile::tempdir().unwrap();
+        let inner = outer.path().join("in");
+        fs::create_dir_all(inner.join("sub")).unwrap();
+        for name in ["out.mtl", "in/a b.mtl", "in/sub/c.mtl"] {
+            fs::write(outer.path().join(name), "").unwrap();
+        }
+        let companions = Companions::new(&inner, &ReadOptions::default());
+        let find = |name: &str| companions.find(Path::new(""), name);
+        assert!(find("a b.mtl").is_ok() && find("sub/c.mtl").is_ok() && find("sub\\c.mtl").is_ok());
+        assert!(find("./sub/../a b.mtl").is_ok());
+        assert_eq!(companions.find(Path::new("sub"), "../../out.mtl"), Err(Refusal::Outside));
+        assert_eq!(find("../out.mtl"), Err(Refusal::Outside));
+        assert_eq!(find(outer.path().join("out.mtl").to_str().unwrap()), Err(Refusal::Outside));
+        assert_eq!(find("none.mtl"), Err(Refusal::Missing));
+        assert_eq!(find("sub"), Err(Refusal::Missing), "a folder");
+        assert_eq!(find("nul\0.mtl"), Err(Refusal::Missing));
+        for name in ["http://host/a.mtl", "file:///etc/passwd", "//host/share/a.mtl", "\\\\host\\a.mtl"] {
+            assert_eq!(find(name), Err(Refusal::Remote), "{name}");
+        }
+        let root = ReadOptions { root: Some(outer.path().to_owned()), ..ReadOptions::default() };
+        assert!(Companions::new(&inner, &root).find(Path::new(""), "../out.mtl").is_ok());
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn links_do_not_lead_outside() {
+        let outer = tempfile::tempdir().unwrap();
+        let inner = outer.path().join("in");
+        fs::create_dir(&inner).unwrap();
+        fs::write(outer.path().join("out.mtl"), "").unwrap();
+        std::os::unix::fs::symlink(outer.path().join("out.mtl"), inner.join("link.mtl")).unwrap();
+        let companions = Companions::new(&inner, &ReadOptions::default());
+        assert_eq!(companions.find(Path::new(""), "link.mtl"), Err(Refusal::Outside));
+    }
+
+    #[test]
+    fn output_names_are_relative_and_inside() {
+        let name = |folder: &str, name: &str| output_name(Path::new(folder), name);
+        assert_eq!(name("", "./a.mtl").as_deref(), Some("a.mtl"));
+        assert_eq!(name("sub", "tex\\b c.png").as_deref(), Some("sub/tex/b c.png"));
+        assert_eq!(name("sub", "../b.png").as_deref(), Some("b.png"));
+        assert_eq!(name("sub", "../../sub/b.png"), None);
+        assert_eq!(name("", "/etc/passwd"), None);
+        assert_eq!(name("", ""), None);
+    }
+}

@@ -1,0 +1,51 @@
+//! One door for all formats.
+
+use super::obj;
+use super::{Document, Format, Loaded, Part, PartEdit, Place, Problem, ReadError, ReadOptions};
+use super::{WriteError, WriteOptions, Written};
+use std::path::Path;
+
+/// Reads a file of a known format. `base` is its folder, where companion files are looked for; `None` for a stream.
+///
+/// # Errors
+/// What the format's reader says: where, what was found, what to do.
+pub fn read(
+    format: Format,
+    bytes: Vec<u8>,
+    base: Option<&Path>,
+    options: &ReadOptions,
+) -> Result<Loaded, ReadError> {
+    match format {
+        Format::Obj => obj::read(bytes, base, options),
+        other => Err(ReadError::new(
+            Problem::Unsupported,
+            Place::File,
+            format!("{other} files cannot be read"),
+            "convert the file first",
+        )),
+    }
+}
+
+/// Writes a file again in its own format with changes, one entry of `edits` a part; all else survives byte for byte.
+///
+/// # Errors
+/// [`WriteError::Unsupported`] for what the format cannot hold.
+pub fn edit(loaded: &Loaded, edits: &[PartEdit], options: &WriteOptions) -> Result<Written, WriteError> {
+    match &loaded.document {
+        Document::Obj(document) => obj::edit(document, loaded, edits, options),
+        Document::None => {
+            Err(WriteError::Unsupported("no document was kept to edit; write a new file".to_owned()))
+        }
+    }
+}
+
+/// Writes a new file.
+///
+/// # Errors
+/// [`WriteError::Unsupported`] for what the format cannot hold.
+pub fn write(format: Format, parts: &[Part], options: &WriteOptions) -> Result<Written, WriteError> {
+    match format {
+        Format::Obj => obj::write(parts, options),
+        other => Err(WriteError::Unsupported(format!("{other} files cannot be written"))),
+    }
+}

@@ -1,0 +1,230 @@
+//! Writing an OBJ back into its own text.
+//!
+//! Every byte outside `vn` and `f` lines is copied. The text is read statement by statement, as the reader did, so
+//! that the n-th face here is the n-th face there. In `f` lines only normal indices change: vertices and texture
+//! coordinates keep their spelling (indices that count back stay right because no `v` or `vt` moves), and so do
+//! blanks, continuations and comments between them.
+
+use super::ObjDocument;
+use super::lexer::{Cursor, Keyword, Statement, statements};
+use super::renumber::Renumbering;
+use crate::io::decimal::push_integer;
+use crate::io::{Emit, Loaded, PartEdit, WriteError, WriteOptions, Written};
+use crate::mesh::{ColumnIndex, Mesh};
+use std::ops::Range;
+
+/// The document with the edit applied.
+///
+/// # Errors
+/// [`WriteError::Unsupported`] for one normal a face, which OBJ does not have, and where free-form surfaces refer to
+/// normals by number.
+pub(in crate::io) fn edit(
+    document: &ObjDocument,
+    loaded: &Loaded,
+    edits: &[PartEdit],
+    options: &WriteOptions,
+) -> Result<Written, WriteError> {
+    if options.emit == Emit::Face {
+        return Err(WriteError::Unsupported(
+            "OBJ has no normals of faces; write those of corners".to_owned(),
+        ));
+    }
+    let mesh = &loaded.parts[0].mesh;
+    let edit = &edits[0];
+    let bytes =
+        if changes_nothing(mesh, edit) { document.text.clone() } else { edited(document, mesh, edit)? };
+    let vertices = mesh.vertex_count() as u64;
+    Ok(Written { bytes, companions: document.companions.clone(), vertices, ..Written::default() })
+}
+
+fn changes_nothing(mesh: &Mesh, edit: &PartEdit) -> bool {
+    if !edit.faces.is_empty() {
+        return false;
+    }
+    let Some(new) = &edit.normals else { return true };
+    let Some(stored) = &mesh.columns().normals else { return false };
+    let (ColumnIndex::PerCorner(new_index), ColumnIndex::PerCorner(index)) = (&new.index, &stored.index)
+    else {
+        return false;
+    };
+    edit.kept == stored.values.len() && new_index == index
+}
+
+fn edited(document: &ObjDocument, mesh: &Mesh, edit: &PartEdit) -> Result<Vec<u8>, WriteError> {
+    let text = &document.text;
+    let renumbering = match &edit.normals {
+        Some(_) if document.surface_normals => {
+            let text =
+                "free-form surfaces of this OBJ refer to normals by number; write another format".to_owned();
+            return Err(WriteError::Unsupported(text));
+        }
+        Some(normals) => Some(Renumbering::new(mesh, edit, normals, document.normals_before)),
+        None => None,
+    };
+    let mut editor = Editor {
+        text,
+        mesh,
+        edit,
+        renumbering: renumbering.as_ref(),
+        out: Vec::with_capacity(text.len() + text.len() / 4),
+        copied: 0,
+        tokens: Vec::new(),
+        order: Vec::new(),
+        face: 0,
+        normal: 0,
+        dropped: 0,
+        reversed: 0,
+    };
+    let mut to_insert = renumbering.as_ref();
+    for statement in statements(text) {
+        if statement.start >= document.insertion
+            && let Some(renumbering) = to_insert.take()
+        {
+            editor.copy_to(document.insertion);
+            renumbering.push_lines(line_end(text), &mut editor.out);
+        }
+        match statement.keyword {
+            Keyword::Normal => editor.normal_line(statement),
+            Keyword::Face => editor.face_line(statement),
+            _ => {}
+        }
+    }
+    editor.copy_to(text.len());
+    Ok(editor.out)
+}
+
+/// How the lines of a text end, judged by its first.
+fn line_end(text: &[u8]) -> &'static [u8] {
+    match memchr::memchr2(b'\n', b'\r', text).map(|at| &text[at..]) {
+        Some([b'\r', b'\n', ..]) => b"\r\n",
+        Some([b'\r', ..]) => b"\r",
+        _ => b"\n",
+    }
+}
+
+/// One corner of a face line: where it is, and where its `v` or `v/vt` ends.
+#[derive(Clone)]
+struct Token {
+    span: Range<usize>,
+    head: usize,
+}
+
+struct Editor<'a> {
+    text: &'a [u8],
+    mesh: &'a Mesh,
+    edit: &'a PartEdit,
+    /// `None` if normals stay as they are.
+    renumbering: Option<&'a Renumbering<'a>>,
+    out: Vec<u8>,
+    /// How much of the text is in `out` or left out.
+    copied: usize,
+    tokens: Vec<Token>,
+    order: Vec<u32>,
+    face: usize,
+    normal: usize,
+    /// How many of the dropped and of the reversed faces have been met.
+    dropped: usize,
+    reversed: usize,
+}
+
+impl Editor<'_> {
+    fn copy_to(&mut self, end: usize) {
+        self.out.extend_from_slice(&self.text[self.copied..end]);
+        self.copied = end;
+    }
+
+    fn leave_out(&mut self, statement: Statement) {
+        self.copy_to(statement.start);
+        self.copied = statement.end;
+    }
+
+    fn normal_line(&mut self, statement: Statement) {
+        if self.renumbering.is_some_and(|renumbering| !renumbering.keeps(self.normal)) {
+            self.leave_out(statement);
+        }
+        self.normal += 1;
+    }
+
+    fn face_line(&mut self, statement: Statement) {
+        self.find_tokens(statement.arguments);
+        if self.tokens.len() < 3 {
+            // The reader skipped this one. It may refer to normals that are no longer there.
+            if self.renumbering.is_some() {
+                self.rewrite(None);
+            }
+            return;
+        }
+        let face = self.face;
+        self.face += 1;
+        if next_is(&self.edit.faces.dropped, &mut self.dropped, face) {
+            // It may be named as reversed as well.
+            next_is(&self.edit.faces.reversed, &mut self.reversed, face);
+            return self.leave_out(statement);
+        }
+        let reversed = next_is(&self.edit.faces.reversed, &mut self.reversed, face);
+        if !reversed && self.renumbering.is_none() {
+            return;
+        }
+        let corners = self.mesh.faces().range(face);
+        self.order.clear();
+        self.order.extend(0..corners.len() as u32);
+        if reversed {
+            self.order[1..].reverse();
+        }
+        self.rewrite(Some(corners));
+    }
+
+    fn find_tokens(&mut self, arguments: usize) {
+        self.tokens.clear();
+        let mut cursor = Cursor::new(self.text, arguments);
+        loop {
+            cursor.skip_blanks();
+            if cursor.at_statement_end() {
+                return;
+            }
+            let start = cursor.at;
+            let token = cursor.token();
+            self.tokens.push(Token { span: start..cursor.at, head: start + head_length(token) });
+        }
+    }
+
+    /// Writes the tokens of a face line in their new order with their new normals; without corners, in the old one
+    /// with none.
+    fn rewrite(&mut self, corners: Option<Range<usize>>) {
+        let tokens = std::mem::take(&mut self.tokens);
+        for (place, token) in tokens.iter().enumerate() {
+            self.copy_to(token.span.start);
+            self.copied = token.span.end;
+            let from = corners.as_ref().map_or(place, |_| self.order[place] as usize);
+            let source = &tokens[from];
+            let Some(renumbering) = self.renumbering else {
+                self.out.extend_from_slice(&self.text[source.span.clone()]);
+                continue;
+            };
+            let head = &self.text[source.span.start..source.head];
+            self.out.extend_from_slice(head);
+            if let Some(number) =
+                corners.as_ref().and_then(|corners| renumbering.of_corner(corners.start + from))
+            {
+                self.out.extend_from_slice(if head.contains(&b'/') { b"/" } else { b"//" });
+                push_integer(&mut self.out, number.into());
+            }
+        }
+        self.tokens = tokens;
+    }
+}
+
+/// Whether `face` is the next of an ascending list of which `met` have been met.
+fn next_is(faces: &[u32], met: &mut usize, face: usize) -> bool {
+    let is_next = faces.get(*met).is_some_and(|&next| next as usize == face);
+    *met += usize::from(is_next);
+    is_next
+}
+
+/// The length of `v` or `v/vt` in a corner; a slash without a number behind it does not count.
+fn head_length(token: &[u8]) -> usize {
+    let mut slashes = token.iter().enumerate().filter(|&(_, &byte)| byte == b'/').map(|(at, _)| at);
+    let Some(first) = slashes.next() else { return token.len() };
+    let second = slashes.next().unwrap_or(token.len());
+    if second == first + 1 { first } else { second }
+}

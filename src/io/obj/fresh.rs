@@ -1,0 +1,217 @@
+//! A new OBJ from any meshes.
+
+use crate::io::decimal::{push_f32, push_f64, push_integer};
+use crate::io::{Emit, Note, Part, Place, WriteError, WriteOptions, Written};
+use crate::mesh::{Column, FaceLabels, Mesh, NONE, Storage};
+
+/// An OBJ of all parts, each an object of its own, with `vn` shared where a mesh shares them.
+///
+/// Positions are written with the digits that bring back the `f32` that they were, or else the `f64`.
+///
+/// # Errors
+/// [`WriteError::Unsupported`] for one normal a face, which OBJ does not have.
+pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Written, WriteError> {
+    if options.emit == Emit::Face {
+        return Err(WriteError::Unsupported(
+            "OBJ has no normals of faces; write those of corners".to_owned(),
+        ));
+    }
+    let mut writer = Writer::default();
+    writer.out.extend_from_slice(concat!("# crease ", env!("CARGO_PKG_VERSION"), "\n").as_bytes());
+    for part in parts {
+        writer.part(part);
+    }
+    let notes = lost(parts);
+    let vertices = writer.vertices;
+    Ok(Written { bytes: writer.out, notes, vertices, ..Written::default() })
+}
+
+/// What OBJ cannot hold.
+fn lost(parts: &[Part]) -> Vec<Note> {
+    let mut notes = Vec::new();
+    let mut warn = |any: &dyn Fn(&Mesh) -> bool, text: &str| {
+        if parts.iter().any(|part| any(&part.mesh)) {
+            notes.push(Note::warning(Place::File, text));
+        }
+    };
+    let has_opacity = |mesh: &Mesh| mesh.columns().colors.iter().flatten().any(|color| color[3] != 1.0);
+    warn(&|mesh| !mesh.columns().morph_targets.is_empty(), "OBJ has no morph targets: they were left out");
+    warn(&|mesh| !mesh.columns().hard_edges.is_empty(), "OBJ has no marks of hard edges: they were left out");
+    warn(&has_opacity, "OBJ colours have no opacity: it was left out");
+    let names_materials = |mesh: &Mesh| mesh.columns().materials.is_some();
+    if parts.iter().any(|part| names_materials(&part.mesh)) {
+        notes.push(Note::remark("materials are named by usemtl; no material library was written"));
+    }
+    notes
+}
+
+#[derive(Default)]
+struct Writer {
+    out: Vec<u8>,
+    /// Lines written so far, which later indices count from.
+    vertices: u64,
+    uvs: u64,
+    normals: u64,
+    /// What the parts so far leave in force.
+    labels: Option<Labels>,
+}
+
+/// Label statements that are in force.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct Labels {
+    object: u32,
+    material: u32,
+    smoothing: Option<u32>,
+}
+
+impl Labels {
+    /// What a file starts with.
+    const NONE: Labels = Labels { object: NONE, material: NONE, smoothing: None };
+}
+
+impl Writer {
+    fn part(&mut self, part: &Part) {
+        let mesh = &part.mesh;
+        self.named("o", &part.name);
+        self.positions(mesh);
+        for uv in mesh.columns().uvs.iter().flat_map(|uvs| &uvs.values) {
+            self.numbers("vt", mesh.storage(), &uv.to_array());
+        }
+        for normal in mesh.columns().normals.iter().flat_map(|normals| &normals.values) {
+            self.numbers("vn", Storage::F32, &normal.to_array());
+        }
+        self.faces(mesh);
+        self.loose(mesh);
+        self.vertices += mesh.vertex_count() as u64;
+        self.uvs += mesh.columns().uvs.as_ref().map_or(0, |uvs| uvs.values.len() as u64);
+        self.normals += mesh.columns().normals.as_ref().map_or(0, |normals| normals.values.len() as u64);
+    }
+
+    fn positions(&mut self, mesh: &Mesh) {
+        let colors = mesh.columns().colors.as_deref();
+        for (vertex, position) in mesh.positions().iter().enumerate() {
+            self.numbers("v", mesh.storage(), &position.to_array());
+            if let Some(colors) = colors {
+                self.out.pop();
+                for &value in &colors[vertex][..3] {
+                    self.out.push(b' ');
+                    push_f32(&mut self.out, value);
+                }
+                self.out.push(b'\n');
+            }
+        }
+    }
+
+    fn numbers(&mut self, keyword: &str, storage: Storage, values: &[f64]) {
+        self.out.extend_from_slice(keyword.as_bytes());
+        for &value in values {
+            self.out.push(b' ');
+            match storage {
+                Storage::F32 => push_f32(&mut self.out, value as f32),
+                Storage::F64 => push_f64(&mut self.out, value),
+            }
+        }
+        self.out.push(b'\n');
+    }
+
+    fn named(&mut self, keyword: &str, name: &str) {
+        if name.trim().is_empty() {
+            return;
+        }
+        self.out.extend_from_slice(keyword.as_bytes());
+        self.out.push(b' ');
+        // A line end in a name would start a statement, and a backslash at its end would continue it.
+        let name = name.trim().trim_end_matches('\\');
+        self.out.extend(name.bytes().map(|byte| if matches!(byte, b'\n' | b'\r') { b' ' } else { byte }));
+        self.out.push(b'\n');
+    }
+
+    fn faces(&mut self, mesh: &Mesh) {
+        let columns = mesh.columns();
+        let mut current = Labels::NONE;
+        if let Some(left) = self.labels {
+            self.change_labels(mesh, left, current);
+        }
+        for (face, range) in mesh.faces().ranges().enumerate() {
+            let label =
+                |labels: &Option<FaceLabels>| labels.as_ref().map_or(NONE, |labels| labels.of_face[face]);
+            let labels = Labels {
+                object: label(&columns.objects),
+                material: label(&columns.materials),
+                smoothing: columns.smoothing.as_ref().map(|groups| groups.of_face[face]),
+            };
+            if labels != current {
+                self.change_labels(mesh, current, labels);
+                current = labels;
+            }
+            self.out.push(b'f');
+            for corner in range {
+                self.corner(mesh, corner);
+            }
+            self.out.push(b'\n');
+        }
+        self.labels = Some(current);
+    }
+
+    fn change_labels(&mut self, mesh: &Mesh, old: Labels, new: Labels) {
+        for (keyword, labels, old, new) in [
+            ("g", &mesh.columns().objects, old.object, new.object),
+            ("usemtl", &mesh.columns().materials, old.material, new.material),
+        ] {
+            match labels.as_ref().and_then(|labels| labels.names.get(new as usize)) {
+                _ if old == new => {}
+                Some(name) => self.named(keyword, name),
+                // Without a name it means the default one.
+                None => self.out.extend([keyword.as_bytes(), b"\n"].concat()),
+            }
+        }
+        match new.smoothing {
+            smoothing if smoothing == old.smoothing => {}
+            Some(group @ 1..) => {
+                self.out.extend_from_slice(b"s ");
+                push_integer(&mut self.out, group.into());
+                self.out.push(b'\n');
+            }
+            _ => self.out.extend_from_slice(b"s off\n"),
+        }
+    }
+
+    fn corner(&mut self, mesh: &Mesh, corner: usize) {
+        let vertex = mesh.faces().corners()[corner];
+        let columns = mesh.columns();
+        self.index(b" ", vertex.into(), self.vertices);
+        let uv = slot(&columns.uvs, corner, vertex);
+        if let Some(uv) = uv {
+            self.index(b"/", uv, self.uvs);
+        }
+        if let Some(normal) = slot(&columns.normals, corner, vertex) {
+            self.index(if uv.is_some() { b"/" } else { b"//" }, normal, self.normals);
+        }
+    }
+
+    fn index(&mut self, before: &[u8], index: u64, base: u64) {
+        self.out.extend_from_slice(before);
+        push_integer(&mut self.out, base + index + 1);
+    }
+
+    fn loose(&mut self, mesh: &Mesh) {
+        for line in &mesh.columns().lines {
+            self.vertex_list(b"l", line);
+        }
+        for point in &mesh.columns().points {
+            self.vertex_list(b"p", std::slice::from_ref(point));
+        }
+    }
+
+    fn vertex_list(&mut self, keyword: &[u8], vertices: &[u32]) {
+        self.out.extend_from_slice(keyword);
+        for &vertex in vertices {
+            self.index(b" ", vertex.into(), self.vertices);
+        }
+        self.out.push(b'\n');
+    }
+}
+
+fn slot<T>(column: &Option<Column<T>>, corner: usize, vertex: u32) -> Option<u64> {
+    column.as_ref()?.slot(corner, vertex).map(u64::from)
+}

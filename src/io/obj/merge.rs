@@ -1,0 +1,289 @@
+//! Stretches of a file put together, in order, into one mesh.
+
+use super::indices::Indices;
+use super::labels::Labels;
+use super::lexer::{Cursor, Keyword, shown};
+use super::locate::{Counts, Target, arguments_of, first_bad_reference};
+use super::remarks::{Remark, Remarks};
+use super::stretch::{Fault, Label, LabelKind, NO_COLOR, Stretch};
+use crate::io::{NonFinite, Note, Problem};
+use crate::mesh::{Column, Columns, Faces, Mesh, MeshBuilder, MeshError, NONE, Storage};
+use glam::{DVec2, DVec3};
+use std::ops::Range;
+
+/// A whole file.
+pub(super) struct Merged {
+    pub mesh: Mesh,
+    pub non_finite_faces: Vec<u32>,
+    pub remarks: Remarks,
+    pub notes: Vec<Note>,
+    /// The names of material libraries, where they stand in the text.
+    pub libraries: Vec<Range<usize>>,
+}
+
+/// The file so far, growing by one stretch at a time.
+#[derive(Default)]
+struct Growing {
+    positions: Vec<DVec3>,
+    colors: Vec<[f32; 4]>,
+    uvs: Vec<DVec2>,
+    normals: Vec<DVec3>,
+    corners: Vec<u32>,
+    face_offsets: Vec<u32>,
+    corner_uvs: Vec<u32>,
+    corner_normals: Vec<u32>,
+    points: Vec<u32>,
+    lines: Vec<Vec<u32>>,
+    labels: Vec<Label>,
+    remarks: Remarks,
+}
+
+pub(super) fn merge(text: &[u8], stretches: Vec<Stretch>, non_finite: NonFinite) -> Result<Merged, Fault> {
+    let mut file = Growing::with_room_for(&stretches)?;
+    for stretch in stretches {
+        file.append(stretch);
+    }
+    let counts = Counts { vertices: file.positions.len(), uvs: file.uvs.len(), normals: file.normals.len() };
+    file.check_vertices(text, counts)?;
+    file.forget_bad_attributes(text, counts);
+    file.finish(text, non_finite)
+}
+
+impl Growing {
+    fn with_room_for(stretches: &[Stretch]) -> Result<Self, Fault> {
+        let sum = |count: fn(&Stretch) -> usize| stretches.iter().map(count).sum::<usize>();
+        let (vertices, corners) = (sum(|s| s.positions.len()), sum(|s| s.corners.values.len()));
+        for (what, count) in [("vertices", vertices), ("corners", corners)] {
+            if count >= NONE as usize - 1 {
+                return Err(too_many(what, count));
+            }
+        }
+        let mut file = Growing::default();
+        // A single stretch gives its vectors away instead of having them copied.
+        if stretches.len() > 1 {
+            file.positions.reserve_exact(vertices);
+            file.corners.reserve_exact(corners);
+            file.uvs.reserve_exact(sum(|s| s.uvs.len()));
+            file.normals.reserve_exact(sum(|s| s.normals.len()));
+            if stretches.iter().any(|s| !s.corner_uvs.values.is_empty()) {
+                file.corner_uvs.reserve_exact(corners);
+            }
+            if stretches.iter().any(|s| !s.corner_normals.values.is_empty()) {
+                file.corner_normals.reserve_exact(corners);
+            }
+        }
+        if stretches.iter().any(|s| s.face_ends.is_some()) {
+            file.face_offsets.push(0);
+        }
+        Ok(file)
+    }
+
+    fn append(&mut self, mut stretch: Stretch) {
+        let (vertices, corners) = (self.positions.len(), self.corners.len());
+        let faces = self.face_count() as u32;
+        stretch.corners.resolve(vertices);
+        stretch.points.resolve(vertices);
+        stretch.lines.resolve(vertices);
+        stretch.corner_uvs.resolve(self.uvs.len());
+        stretch.corner_normals.resolve(self.normals.len());
+        self.append_colors(stretch.colors, stretch.positions.len());
+        if !self.face_offsets.is_empty() {
+            let base = corners as u32;
+            match stretch.face_ends {
+                Some(ends) => self.face_offsets.extend(ends.iter().map(|end| base + end)),
+                None => self
+                    .face_offsets
+                    .extend((3..=stretch.corners.values.len() as u32).step_by(3).map(|end| base + end)),
+            }
+        }
+        append_aligned(&mut self.corner_uvs, stretch.corner_uvs, corners);
+        append_aligned(&mut self.corner_normals, stretch.corner_normals, corners);
+        append(&mut self.corners, stretch.corners.values);
+        append(&mut self.positions, stretch.positions);
+        append(&mut self.uvs, stretch.uvs);
+        append(&mut self.normals, stretch.normals);
+        append(&mut self.points, stretch.points.values);
+        let mut start = 0;
+        for end in stretch.line_ends {
+            self.lines.push(stretch.lines.values[start..end as usize].to_vec());
+            start = end as usize;
+        }
+        self.labels
+            .extend(stretch.labels.into_iter().map(|label| Label { face: label.face + faces, ..label }));
+        self.remarks.merge(&stretch.remarks);
+    }
+
+    fn append_colors(&mut self, colors: Vec<[f32; 4]>, vertices: usize) {
+        if colors.is_empty() && self.colors.is_empty() {
+            return;
+        }
+        self.colors.resize(self.positions.len(), NO_COLOR);
+        self.colors.extend(colors);
+        self.colors.resize(self.positions.len() + vertices, NO_COLOR);
+    }
+
+    fn face_count(&self) -> usize {
+        match self.face_offsets.len() {
+            0 => self.corners.len() / 3,
+            offsets => offsets - 1,
+        }
+    }
+
+    fn check_vertices(&self, text: &[u8], counts: Counts) -> Result<(), Fault> {
+        let highest = self.corners.iter().chain(&self.points).chain(self.lines.iter().flatten()).max();
+        if highest.is_none_or(|&vertex| (vertex as usize) < counts.vertices) {
+            return Ok(());
+        }
+        Err(match first_bad_reference(text, counts, Target::Vertex) {
+            Some(bad) => bad.into_fault(counts),
+            None => too_many("vertices", counts.vertices),
+        })
+    }
+
+    /// References to texture coordinates and normals that do not exist, and to texture coordinates that are not
+    /// finite, become absent. Normals that are not finite stay: to find and replace them is this program's job.
+    fn forget_bad_attributes(&mut self, text: &[u8], counts: Counts) {
+        for (index, count, target, remark) in [
+            (&mut self.corner_uvs, counts.uvs, Target::Uv, Remark::UvOutOfRange),
+            (&mut self.corner_normals, counts.normals, Target::Normal, Remark::NormalOutOfRange),
+        ] {
+            let mut bad = 0;
+            for slot in index.iter_mut().filter(|slot| **slot != NONE && **slot as usize >= count) {
+                *slot = NONE;
+                bad += 1;
+            }
+            if bad > 0 {
+                let offset = first_bad_reference(text, counts, target).map_or(0, |bad| bad.offset);
+                self.remarks.add_many(remark, bad, offset);
+            }
+        }
+        if let Some(first) = self.uvs.iter().position(|uv| !uv.is_finite()) {
+            let offset = arguments_of(text, Keyword::TextureCoordinate, first).unwrap_or(0);
+            let bad: Vec<bool> = self.uvs.iter().map(|uv| !uv.is_finite()).collect();
+            for slot in self.corner_uvs.iter_mut().filter(|slot| **slot != NONE && bad[**slot as usize]) {
+                *slot = NONE;
+            }
+            for uv in self.uvs.iter_mut().filter(|uv| !uv.is_finite()) {
+                *uv = DVec2::ZERO;
+            }
+            self.remarks.add_many(Remark::UvNotFinite, bad.iter().filter(|&&bad| bad).count() as u64, offset);
+        }
+    }
+
+    fn finish(mut self, text: &[u8], non_finite: NonFinite) -> Result<Merged, Fault> {
+        let mut notes = Vec::new();
+        let corner_count = self.corners.len();
+        let labels = Labels { text, faces: self.face_count(), all: std::mem::take(&mut self.labels) };
+        let columns = Columns {
+            normals: column(self.normals, self.corner_normals, corner_count),
+            uvs: column(self.uvs, self.corner_uvs, corner_count),
+            colors: finish_colors(self.colors, &mut notes),
+            smoothing: labels.smoothing(&mut self.remarks),
+            materials: labels.names(LabelKind::Material),
+            objects: labels.objects(),
+            points: self.points,
+            lines: self.lines,
+            ..Columns::default()
+        };
+        let faces = match self.face_offsets.is_empty() {
+            true => Faces::triangles(self.corners),
+            false => Faces::polygons(self.corners, self.face_offsets),
+        };
+        let builder = MeshBuilder { positions: self.positions, storage: Storage::F64, faces, columns };
+        let built = match non_finite {
+            NonFinite::Refuse => builder.build().map(|mesh| (mesh, Vec::new())),
+            NonFinite::DropFaces => builder.build_dropping_non_finite(),
+        };
+        let (mesh, non_finite_faces) = built.map_err(|error| mesh_fault(text, &error))?;
+        let libraries = labels.all.into_iter().filter(|label| label.kind == LabelKind::Library);
+        let libraries = libraries.map(|label| label.name).collect();
+        Ok(Merged { mesh, non_finite_faces, remarks: self.remarks, notes, libraries })
+    }
+}
+
+fn append<T>(all: &mut Vec<T>, mut more: Vec<T>) {
+    if all.capacity() == 0 {
+        *all = more;
+    } else {
+        all.append(&mut more);
+    }
+}
+
+/// Appends an index that may be shorter than its corners, or missing, to one that starts at corner 0.
+fn append_aligned(all: &mut Vec<u32>, more: Indices, corners_before: usize) {
+    if !more.values.is_empty() {
+        if corners_before > all.len() {
+            all.resize(corners_before, NONE);
+        }
+        append(all, more.values);
+    }
+}
+
+fn column<T>(values: Vec<T>, mut index: Vec<u32>, corners: usize) -> Option<Column<T>> {
+    if index.iter().all(|&slot| slot == NONE) {
+        return None;
+    }
+    index.resize(corners, NONE);
+    Some(Column::per_corner(values, index))
+}
+
+/// Vertices without a colour get white, the neutral one; colours of 0 to 255 are brought to 0 to 1.
+fn finish_colors(mut colors: Vec<[f32; 4]>, notes: &mut Vec<Note>) -> Option<Vec<[f32; 4]>> {
+    if colors.is_empty() {
+        return None;
+    }
+    let missing = colors.iter().filter(|color| color.iter().all(|value| value.is_nan())).count();
+    if missing > 0 {
+        notes.push(Note::remark(format!(
+            "{missing} of {} vertices have no colour and get white",
+            colors.len()
+        )));
+    }
+    let is_bytes = colors.iter().flatten().any(|&value| value > 1.0);
+    if is_bytes {
+        notes.push(Note::remark("vertex colours go beyond 1 and are taken as 0 to 255"));
+    }
+    for color in &mut colors {
+        for value in &mut *color {
+            if value.is_nan() {
+                *value = 1.0;
+                continue;
+            }
+            *value = (if is_bytes { *value / 255.0 } else { *value }).clamp(0.0, 1.0);
+        }
+    }
+    Some(colors)
+}
+
+fn too_many(what: &str, count: usize) -> Fault {
+    Fault {
+        offset: 0,
+        problem: Problem::Limit,
+        found: format!("{count} {what}, more than 32-bit indices can count"),
+        advice: "split the file",
+    }
+}
+
+fn mesh_fault(text: &[u8], error: &MeshError) -> Fault {
+    let MeshError::NonFinite { vertex, .. } = *error else {
+        return Fault {
+            offset: 0,
+            problem: Problem::Limit,
+            found: error.to_string(),
+            advice: "split the file",
+        };
+    };
+    let offset = arguments_of(text, Keyword::Vertex, vertex).unwrap_or(0);
+    let mut cursor = Cursor::new(text, offset);
+    let mut spelled = Vec::new();
+    for _ in 0..3 {
+        cursor.skip_blanks();
+        spelled.push(shown(cursor.token()));
+    }
+    Fault {
+        offset,
+        problem: Problem::NonFinite,
+        found: format!("vertex {} is at ({}), which is not finite", vertex + 1, spelled.join(", ")),
+        advice: "correct it, or use --force to drop the faces at such vertices",
+    }
+}

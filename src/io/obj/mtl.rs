@@ -1,0 +1,289 @@
+//! Material libraries: which materials they define, and which files have to go along with a copy of them.
+
+use super::lexer::{name_text, shown};
+use crate::io::companion::{Companions, Refusal, output_name};
+use crate::io::{Note, OutputContent, OutputFile, Place, ReadOptions};
+use crate::mesh::FaceLabels;
+use rustc_hash::FxHashSet;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::io::{Cursor, Read};
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+/// Most libraries and textures that are looked for. Real files have a handful; a hostile one must not cost a million
+/// file look-ups.
+const MOST_FILES: usize = 1000;
+
+/// Largest library that is read.
+const MOST_BYTES: u64 = 64 << 20;
+
+/// What was found.
+#[derive(Debug, Default)]
+pub(super) struct Materials {
+    /// Libraries and textures, to be copied beside an output in another folder.
+    pub files: Vec<OutputFile>,
+    pub notes: Vec<Note>,
+}
+
+/// Finds the libraries that `mtllib` statements name, and the textures that these name.
+pub(super) fn find(
+    text: &[u8],
+    statements: &[Range<usize>],
+    used: Option<&FaceLabels>,
+    base: &Path,
+    options: &ReadOptions,
+) -> Materials {
+    let mut search = Search::new(Companions::new(base, options));
+    let mut seen = FxHashSet::default();
+    for statement in statements {
+        let names = name_text(&text[statement.clone()]);
+        if seen.insert(names.clone()) {
+            search.libraries(&names);
+        }
+    }
+    search.finish(used)
+}
+
+struct Search {
+    companions: Companions,
+    looked_for: usize,
+    files: BTreeMap<String, PathBuf>,
+    /// Names of companions that are not read, by reason.
+    refused: BTreeMap<Refusal, BTreeSet<String>>,
+    /// Names for which a copy cannot be put where the output looks for it.
+    out_of_place: BTreeSet<String>,
+    defined: FxHashSet<String>,
+}
+
+impl Search {
+    fn new(companions: Companions) -> Self {
+        Self {
+            companions,
+            looked_for: 0,
+            files: BTreeMap::new(),
+            refused: BTreeMap::new(),
+            out_of_place: BTreeSet::new(),
+            defined: FxHashSet::default(),
+        }
+    }
+
+    /// One `mtllib` statement: one name with blanks in it, if there is such a file, or else several names.
+    fn libraries(&mut self, names: &str) {
+        if self.companions.find(Path::new(""), names).is_ok() {
+            return self.library(names);
+        }
+        for name in split_names(names) {
+            self.library(name);
+        }
+    }
+
+    fn library(&mut self, name: &str) {
+        let Some(path) = self.file(Path::new(""), name) else { return };
+        let mut bytes = Vec::new();
+        let read = fs::File::open(&path).and_then(|file| file.take(MOST_BYTES).read_to_end(&mut bytes));
+        if read.is_err() {
+            self.refused.entry(Refusal::Missing).or_default().insert(name.to_owned());
+            return;
+        }
+        let folder = Path::new(name).parent().unwrap_or(Path::new("")).to_owned();
+        for material in materials(&bytes) {
+            for texture in textures(&material) {
+                self.file(&folder, texture);
+            }
+            self.defined.insert(material.name);
+        }
+    }
+
+    fn file(&mut self, folder: &Path, name: &str) -> Option<PathBuf> {
+        self.looked_for += 1;
+        if self.looked_for > MOST_FILES {
+            return None;
+        }
+        match self.companions.find(folder, name) {
+            Ok(path) => {
+                match output_name(folder, name) {
+                    Some(output) => drop(self.files.insert(output, path.clone())),
+                    None => drop(self.out_of_place.insert(name.to_owned())),
+                }
+                Some(path)
+            }
+            Err(refusal) => {
+                self.refused.entry(refusal).or_default().insert(name.to_owned());
+                None
+            }
+        }
+    }
+
+    fn finish(self, used: Option<&FaceLabels>) -> Materials {
+        let mut notes = Vec::new();
+        let mut warn = |names: &BTreeSet<String>, what: &str| {
+            let Some(first) = names.first() else { return };
+            let more = if names.len() > 1 {
+                format!(" (and {} more like it)", names.len() - 1)
+            } else {
+                String::new()
+            };
+            notes.push(Note::warning(Place::File, format!("`{}` {what}{more}", shown(first.as_bytes()))));
+        };
+        for (refusal, names) in &self.refused {
+            warn(names, &format!("{refusal}; materials and textures are only carried along"));
+        }
+        warn(
+            &self.out_of_place,
+            "cannot be copied along with an output in another folder: its name leads out of it",
+        );
+        if self.looked_for > MOST_FILES {
+            let text = format!(
+                "the file names {} material libraries and textures; {MOST_FILES} were looked for",
+                self.looked_for
+            );
+            notes.push(Note::warning(Place::File, text));
+        }
+        // Where a library is missing, so may be the definition.
+        if self.refused.is_empty() && !self.defined.is_empty() {
+            let undefined =
+                used.into_iter().flat_map(|labels| &labels.names).find(|&name| !self.defined.contains(name));
+            notes.extend(undefined.map(|name| {
+                let name = shown(name.as_bytes());
+                Note::remark(format!("`{name}` is used as a material, but no library defines it"))
+            }));
+        }
+        let files = self.files.into_iter();
+        let files =
+            files.map(|(name, path)| OutputFile { name, content: OutputContent::CopyOf(path) }).collect();
+        Materials { files, notes }
+    }
+}
+
+/// Several names in one statement: each ends in `.mtl`, or where none does, at a blank.
+fn split_names(names: &str) -> Vec<&str> {
+    let mut found = Vec::new();
+    let mut rest = names.trim();
+    while !rest.is_empty() {
+        let lower = rest.to_ascii_lowercase();
+        let end = lower.match_indices(".mtl").map(|(at, dot)| at + dot.len());
+        let mut end =
+            end.filter(|&end| lower[end..].is_empty() || lower[end..].starts_with(char::is_whitespace));
+        let end = end.next().or_else(|| rest.find(char::is_whitespace)).unwrap_or(rest.len());
+        found.push(&rest[..end]);
+        rest = rest[end..].trim_start();
+    }
+    found
+}
+
+/// The materials of a library. Only statements that name materials and textures are handed on: `tobj` panics at a
+/// colour with fewer than three numbers, and gives up at bytes that are not UTF-8 and at numbers that are none.
+fn materials(library: &[u8]) -> Vec<tobj::Material> {
+    let mut kept = String::new();
+    for line in library.split(|&byte| matches!(byte, b'\n' | b'\r')) {
+        let line = name_text(line.trim_ascii());
+        let Some((word, argument)) = line.split_once(char::is_whitespace) else { continue };
+        if !argument.trim().is_empty() && (word == "newmtl" || is_texture(word)) {
+            kept.push_str(&line);
+            kept.push('\n');
+        }
+    }
+    tobj::load_mtl_buf(&mut Cursor::new(kept)).map(|(materials, _)| materials).unwrap_or_default()
+}
+
+fn is_texture(word: &str) -> bool {
+    let word = word.to_ascii_lowercase();
+    word.starts_with("map_") || ["bump", "norm", "disp", "decal", "refl"].contains(&&*word)
+}
+
+/// The texture files of a material, in a fixed order.
+fn textures(material: &tobj::Material) -> BTreeSet<&str> {
+    let known = [
+        &material.ambient_texture,
+        &material.diffuse_texture,
+        &material.specular_texture,
+        &material.normal_texture,
+        &material.shininess_texture,
+        &material.dissolve_texture,
+    ];
+    let others = material.unknown_param.iter().filter(|(word, _)| is_texture(word)).map(|(_, value)| value);
+    known
+        .into_iter()
+        .flatten()
+        .chain(others)
+        .map(|value| without_options(value))
+        .filter(|name| !name.is_empty())
+        .collect()
+}
+
+/// The file name of a texture statement, which may have blanks and options such as `-bm 0.5` in front.
+fn without_options(value: &str) -> &str {
+    let mut rest = value.trim();
+    while let Some((option, behind)) =
+        rest.split_once(char::is_whitespace).filter(|(option, _)| option.starts_with('-'))
+    {
+        let most = match option {
+            "-o" | "-s" | "-t" => 3,
+            "-mm" => 2,
+            _ => 1,
+        };
+        rest = behind.trim_start();
+        for argument in 0..most {
+            let (word, behind) = rest.split_once(char::is_whitespace).unwrap_or((rest, ""));
+            // All but the first of up to three numbers may be left out.
+            if argument > 0 && word.parse::<f32>().is_err() {
+                break;
+            }
+            rest = behind.trim_start();
+        }
+    }
+    rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn statements_name_one_file_or_several() {
+        assert_eq!(split_names("a.mtl b.MTL"), ["a.mtl", "b.MTL"]);
+        assert_eq!(split_names(" my file.mtl  other.mtl "), ["my file.mtl", "other.mtl"]);
+        assert_eq!(split_names("cube.mat"), ["cube.mat"]);
+        assert_eq!(split_names("a.mtlx b.mtl c"), ["a.mtlx b.mtl", "c"]);
+        assert!(split_names("").is_empty());
+    }
+
+    #[test]
+    fn broken_libraries_do_not_stop_anything() {
+        let library =
+            b"newmtl \nKa 0.5\nnewmtl red\nKd 1 x\nNs\nillum 99999\nmap_Kd -s 1 1 -bm 0.2 my tex.png\n\
+            \xff\xfe\nbump -o 0 b.png\nmap_Kd\nrefl -type sphere r.png\r\nnewmtl gr\xfcn\rmap_d t.png";
+        let found = materials(library);
+        let names: Vec<&str> = found.iter().map(|material| &*material.name).collect();
+        assert_eq!(names, ["red", "grün"]);
+        assert_eq!(textures(&found[0]).into_iter().collect::<Vec<_>>(), ["b.png", "my tex.png", "r.png"]);
+        assert_eq!(textures(&found[1]).into_iter().collect::<Vec<_>>(), ["t.png"]);
+    }
+
+    #[test]
+    fn what_is_found_goes_along_and_what_is_not_is_said() {
+        let outer = tempfile::tempdir().unwrap();
+        let folder = outer.path().join("in");
+        fs::create_dir_all(folder.join("m")).unwrap();
+        fs::write(
+            folder.join("m/a.mtl"),
+            "newmtl x\nmap_Kd t.png\nmap_d ../u.png\nrefl ../../in/v.png\nmap_Ks gone.png\n",
+        )
+        .unwrap();
+        fs::write(folder.join("m/t.png"), "").unwrap();
+        fs::write(folder.join("u.png"), "").unwrap();
+        fs::write(folder.join("v.png"), "").unwrap();
+        let text = b"m/a.mtl ../../b.mtl /etc/hostname";
+        let found = find(text, &[0..text.len()], None, &folder, &ReadOptions::default());
+        let names: Vec<&str> = found.files.iter().map(|file| &*file.name).collect();
+        assert_eq!(names, ["m/a.mtl", "m/t.png", "u.png"]);
+        let said: Vec<String> = found.notes.iter().map(ToString::to_string).collect();
+        assert!(said.iter().any(|text| text.contains("outside")), "{said:?}");
+        assert!(
+            said.iter().any(|text| text.contains("`gone.png`") || text.contains("was not found")),
+            "{said:?}"
+        );
+        assert!(said.iter().any(|text| text.contains("`../../in/v.png` cannot be copied")), "{said:?}");
+    }
+}

@@ -1,0 +1,97 @@
+//! The numbers of normals in an edited OBJ.
+
+use crate::io::PartEdit;
+use crate::io::decimal::push_f32;
+use crate::mesh::{Column, Mesh};
+use glam::DVec3;
+use rustc_hash::FxHashMap;
+use std::ops::Range;
+
+/// Which `vn` lines stay, which are new, and the number that each value gets.
+///
+/// The file's own normals that are still referred to keep their lines; the others are left out. New ones are put in
+/// one block among them, equal ones once. A number is the place of a line in the output, counted from 1.
+pub(super) struct Renumbering<'a> {
+    mesh: &'a Mesh,
+    normals: &'a Column<DVec3>,
+    /// The number of each value of the column, 0 where it needs no line.
+    numbers: Vec<u32>,
+    kept: usize,
+    /// The new normals, as they are written.
+    new: Vec<[f32; 3]>,
+}
+
+impl<'a> Renumbering<'a> {
+    /// `before` of the file's own normals stand in front of the place for new ones.
+    pub fn new(mesh: &'a Mesh, edit: &PartEdit, normals: &'a Column<DVec3>, before: usize) -> Self {
+        let count = normals.values.len();
+        let kept = edit.kept.min(count);
+        let numbers = vec![0; count];
+        let mut renumbering = Self { mesh, normals, numbers, kept, new: Vec::new() };
+        let is_used = renumbering.used(edit);
+        let before = before.min(kept);
+        let next = renumbering.number_kept(0..before, &is_used, 1);
+        let next = renumbering.number_new(&is_used, next);
+        renumbering.number_kept(before..kept, &is_used, next);
+        renumbering
+    }
+
+    fn slot(&self, corner: usize) -> Option<usize> {
+        self.normals.slot(corner, self.mesh.faces().corners()[corner]).map(|slot| slot as usize)
+    }
+
+    fn used(&self, edit: &PartEdit) -> Vec<bool> {
+        let mut is_used = vec![false; self.normals.values.len()];
+        let mut dropped = edit.faces.dropped.iter().peekable();
+        for (face, range) in self.mesh.faces().ranges().enumerate() {
+            if dropped.next_if(|&&next| next as usize == face).is_none() {
+                for slot in range.filter_map(|corner| self.slot(corner)) {
+                    is_used[slot] = true;
+                }
+            }
+        }
+        is_used
+    }
+
+    fn number_kept(&mut self, slots: Range<usize>, is_used: &[bool], mut next: u32) -> u32 {
+        for slot in slots.filter(|&slot| is_used[slot]) {
+            self.numbers[slot] = next;
+            next += 1;
+        }
+        next
+    }
+
+    fn number_new(&mut self, is_used: &[bool], first: u32) -> u32 {
+        let mut known: FxHashMap<[u32; 3], u32> = FxHashMap::default();
+        for slot in (self.kept..is_used.len()).filter(|&slot| is_used[slot]) {
+            let value = self.normals.values[slot].as_vec3().to_array();
+            self.numbers[slot] = *known.entry(value.map(f32::to_bits)).or_insert_with(|| {
+                self.new.push(value);
+                first + self.new.len() as u32 - 1
+            });
+        }
+        first + self.new.len() as u32
+    }
+
+    /// Whether the line of the file's `normal`-th normal, counted from 0, stays.
+    pub fn keeps(&self, normal: usize) -> bool {
+        normal < self.kept && self.numbers[normal] != 0
+    }
+
+    /// The number of a corner's normal, if it has one.
+    pub fn of_corner(&self, corner: usize) -> Option<u32> {
+        self.slot(corner).map(|slot| self.numbers[slot])
+    }
+
+    /// Appends the lines of the new normals.
+    pub fn push_lines(&self, line_end: &[u8], out: &mut Vec<u8>) {
+        for value in &self.new {
+            out.extend_from_slice(b"vn");
+            for &component in value {
+                out.push(b' ');
+                push_f32(out, component);
+            }
+            out.extend_from_slice(line_end);
+        }
+    }
+}
