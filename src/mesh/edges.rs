@@ -35,8 +35,11 @@ pub(super) struct EdgeMatcher<'a> {
 
 impl<'a> EdgeMatcher<'a> {
     pub(super) fn new(faces: &'a Faces, owners: &'a [u32]) -> Self {
-        let collapsed =
-            if faces.is_triangles() { Vec::new() } else { faces.iter().map(is_collapsed).collect() };
+        let collapsed = if faces.is_triangles() {
+            Vec::new()
+        } else {
+            faces.iter().map(|face| is_collapsed(face.iter())).collect()
+        };
         Self { faces, owners, collapsed }
     }
 
@@ -90,11 +93,11 @@ impl<'a> EdgeMatcher<'a> {
     }
 }
 
-/// Whether a face has fewer than three distinct vertices.
-pub(super) fn is_collapsed(face: &[u32]) -> bool {
-    let first = face[0];
-    let Some(&second) = face.iter().find(|&&v| v != first) else { return true };
-    !face.iter().any(|&v| v != first && v != second)
+/// Whether a face has fewer than three distinct vertices, or places.
+pub(super) fn is_collapsed<T: PartialEq>(mut vertices: impl Iterator<Item = T>) -> bool {
+    let Some(first) = vertices.next() else { return true };
+    let Some(second) = vertices.find(|v| *v != first) else { return true };
+    !vertices.any(|v| v != first && v != second)
 }
 
 /// What a half-edge meets, from the number of half-edges that run its way and against it.

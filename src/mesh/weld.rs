@@ -70,7 +70,7 @@ pub(super) fn join(
             // face must not stand between its neighbours.
             let face = faces.face(face_of(h));
             let places = || face.iter().map(|v| rim.binary_search(v).map_or(u32::MAX - v, |i| of_rim[i]));
-            let flat = a == b || face.len() == 3 && is_collapsed(&places().collect::<Vec<_>>());
+            let flat = a == b || face.len() == 3 && is_collapsed(places());
             (!flat).then_some((a.min(b), a.max(b), a > b, h))
         })
         .collect();

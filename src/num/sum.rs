@@ -1,0 +1,57 @@
+//! Sums that carry their own rounding errors along.
+
+use std::ops::AddAssign;
+
+/// A sum whose rounding errors are summed beside it (Neumaier 1974; the error by Knuth's branch-free two-sum).
+/// Its value is as accurate as a sum in twice the precision, rounded once.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct CompensatedSum {
+    sum: f64,
+    lost: f64,
+}
+
+impl CompensatedSum {
+    /// The sum so far.
+    #[inline]
+    pub fn value(self) -> f64 {
+        self.sum + self.lost
+    }
+}
+
+impl AddAssign<f64> for CompensatedSum {
+    #[inline]
+    fn add_assign(&mut self, term: f64) {
+        let sum = self.sum + term;
+        let added = sum - self.sum;
+        self.lost += (self.sum - (sum - added)) + (term - added);
+        self.sum = sum;
+    }
+}
+
+impl AddAssign for CompensatedSum {
+    #[inline]
+    fn add_assign(&mut self, other: Self) {
+        *self += other.sum;
+        self.lost += other.lost;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cancelling_terms_leave_what_is_small() {
+        let terms = [1e16, 1.0, -1e16, 1e-5, 3e30, -3e30];
+        let mut sum = CompensatedSum::default();
+        terms.iter().for_each(|&term| sum += term);
+        assert_eq!(sum.value(), 1.0 + 1e-5);
+        assert_ne!(terms.iter().sum::<f64>(), 1.0 + 1e-5);
+
+        let mut halves = [CompensatedSum::default(); 2];
+        terms.iter().enumerate().for_each(|(i, &term)| halves[i / 3] += term);
+        let mut joined = halves[0];
+        joined += halves[1];
+        assert_eq!(joined.value(), 1.0 + 1e-5);
+    }
+}
