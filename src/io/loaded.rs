@@ -91,6 +91,8 @@ pub enum Document {
     None,
     /// An OBJ file.
     Obj(Box<ObjDocument>),
+    /// glTF, in either spelling.
+    Gltf(Box<super::gltf::GltfDocument>),
 }
 
 /// What changes in one part.

@@ -9,6 +9,7 @@ mod decimal;
 mod dispatch;
 mod error;
 mod format;
+pub mod gltf;
 mod loaded;
 pub mod obj;
 

@@ -1,0 +1,145 @@
+//! Typed access to the members of JSON objects, with errors that say where.
+
+use super::json::{Json, Kind, Value};
+use crate::io::{Place, Problem, ReadError};
+use std::borrow::Cow;
+
+/// The place of an object in a document: up to two numbered steps, such as `/meshes/3/primitives/1`.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct At {
+    steps: [Option<(&'static str, usize)>; 2],
+}
+
+impl At {
+    pub(super) fn new(list: &'static str, number: usize) -> At {
+        At { steps: [Some((list, number)), None] }
+    }
+
+    pub(super) fn then(self, list: &'static str, number: usize) -> At {
+        At { steps: [self.steps[0], Some((list, number))] }
+    }
+
+    pub(super) fn place(self) -> Place {
+        Place::Json(self.pointer())
+    }
+
+    pub(super) fn member(self, name: &str) -> Place {
+        Place::Json(format!("{}/{name}", self.pointer()))
+    }
+
+    fn pointer(self) -> String {
+        self.steps.iter().flatten().map(|(list, number)| format!("/{list}/{number}")).collect()
+    }
+}
+
+/// An object whose members are read by name and type.
+#[derive(Clone, Copy)]
+pub(super) struct Fields<'a> {
+    pub(super) json: &'a Json,
+    pub(super) object: Value,
+    pub(super) at: At,
+}
+
+impl<'a> Fields<'a> {
+    /// The fields of a value, which must be an object.
+    pub(super) fn new(json: &'a Json, object: Value, at: At) -> Result<Self, ReadError> {
+        if json.kind(object) == Kind::Object {
+            Ok(Self { json, object, at })
+        } else {
+            Err(mismatch(json, object, at.place(), "an object"))
+        }
+    }
+
+    /// A non-negative integer.
+    pub(super) fn integer(&self, name: &str) -> Result<Option<u64>, ReadError> {
+        self.typed(name, "a non-negative integer", |value| self.json.integer(value))
+    }
+
+    /// The number of an element in another list.
+    pub(super) fn index(&self, name: &str) -> Result<Option<usize>, ReadError> {
+        let index = self.integer(name)?;
+        Ok(index.map(|index| usize::try_from(index).unwrap_or(usize::MAX)))
+    }
+
+    /// A non-negative integer that has to be there.
+    pub(super) fn required(&self, name: &str) -> Result<u64, ReadError> {
+        self.integer(name)?.ok_or_else(|| self.missing(name))
+    }
+
+    pub(super) fn boolean(&self, name: &str) -> Result<Option<bool>, ReadError> {
+        self.typed(name, "true or false", |value| self.json.boolean(value))
+    }
+
+    pub(super) fn string(&self, name: &str) -> Result<Option<Cow<'a, str>>, ReadError> {
+        let json = self.json;
+        self.typed(name, "a string", |value| json.string(value))
+    }
+
+    /// A list of exactly `N` numbers, all finite.
+    pub(super) fn numbers<const N: usize>(&self, name: &str) -> Result<Option<[f64; N]>, ReadError> {
+        self.typed(name, "a list of finite numbers of the right length", |value| {
+            let mut numbers = [0.0; N];
+            let mut elements = self.json.elements(value);
+            for number in &mut numbers {
+                *number = self.json.number(elements.next()?).filter(|n| n.is_finite())?;
+            }
+            elements.next().is_none().then_some(numbers)
+        })
+    }
+
+    pub(super) fn object(&self, name: &str) -> Result<Option<Value>, ReadError> {
+        self.typed(name, "an object", |value| (self.json.kind(value) == Kind::Object).then_some(value))
+    }
+
+    pub(super) fn array(&self, name: &str) -> Result<Option<Value>, ReadError> {
+        self.typed(name, "a list", |value| (self.json.kind(value) == Kind::Array).then_some(value))
+    }
+
+    /// A list of element numbers; empty if there is none.
+    pub(super) fn indices(&self, name: &str) -> Result<Vec<usize>, ReadError> {
+        let Some(array) = self.array(name)? else { return Ok(Vec::new()) };
+        let index = |value| {
+            let index = self.json.integer(value).and_then(|index| usize::try_from(index).ok());
+            index.ok_or_else(|| mismatch(self.json, value, self.at.member(name), "a non-negative integer"))
+        };
+        self.json.elements(array).map(index).collect()
+    }
+
+    /// An extension object by name, if there.
+    pub(super) fn extension(&self, name: &str) -> Option<Value> {
+        let extensions = self.json.member(self.object, "extensions")?;
+        self.json.member(extensions, name)
+    }
+
+    pub(super) fn missing(&self, name: &str) -> ReadError {
+        let found = format!("no `{name}`, which glTF requires");
+        ReadError::new(Problem::Syntax, self.at.place(), found, "export the file again")
+    }
+
+    fn typed<T>(
+        &self,
+        name: &str,
+        wanted: &str,
+        get: impl Fn(Value) -> Option<T>,
+    ) -> Result<Option<T>, ReadError> {
+        let Some(value) = self.json.member(self.object, name) else { return Ok(None) };
+        match get(value) {
+            Some(typed) => Ok(Some(typed)),
+            None => Err(mismatch(self.json, value, self.at.member(name), wanted)),
+        }
+    }
+}
+
+fn mismatch(json: &Json, value: Value, place: Place, wanted: &str) -> ReadError {
+    let raw = json.raw(value);
+    let short: String = raw.chars().take(40).collect();
+    let dots = if short.len() < raw.len() { "..." } else { "" };
+    let found = format!("{short}{dots} where {wanted} should be");
+    ReadError::new(Problem::Syntax, place, found, "export the file again")
+}
+
+/// An error about an element number that is too large.
+pub(super) fn dangling(place: Place, what: &str, index: usize, count: usize) -> ReadError {
+    let found = format!("{what} {index} is asked for, but there are only {count}");
+    ReadError::new(Problem::Range, place, found, "the file is broken; export it again")
+}

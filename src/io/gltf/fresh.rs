@@ -1,0 +1,394 @@
+//! A new glTF file from meshes.
+
+use super::container;
+use super::data::{Array, Blob, Bounds, Target, accessor_json, view_json};
+use super::json::quoted;
+use super::primitive::mode;
+use super::uri;
+use crate::io::{
+    Format, Note, OutputContent, OutputFile, Part, Place, Severity, WriteError, WriteOptions, Written,
+};
+use crate::mesh::{
+    Column, ColumnIndex, FaceLabels, Mesh, NONE, Storage, VertexSplit, split_vertices, triangulate,
+};
+use glam::DVec3;
+use rustc_hash::FxHashMap;
+use std::borrow::Cow;
+use std::fmt::Write as _;
+
+/// Writes a new `.glb` or `.gltf` of meshes: one mesh and one node a part, one primitive a material.
+///
+/// Positions and normals are rounded to `f32`. Vertices are split where corners differ in normal or uv; polygons
+/// are cut into triangles. Faces with a corner without a normal become a primitive without normals, which glTF
+/// draws flat. A `.gltf` keeps its data in a companion `<stem>.bin`, or inside if there is no stem.
+///
+/// # Errors
+/// [`WriteError::Unsupported`] for a position beyond the range of `f32`; [`WriteError::TooLarge`] for a GLB
+/// beyond 4 GiB.
+pub fn write(parts: &[Part], to: Format, options: &WriteOptions) -> Result<Written, WriteError> {
+    let mut file = File::default();
+    let mut written = Written::default();
+    for part in parts {
+        file.part(part, &mut written)?;
+    }
+    let embed = |data: &[&[u8]]| uri::encode_data(&data.concat());
+    if to == Format::Glb {
+        let json = file.json(None);
+        written.bytes = container::glb(&json, &file.blob.pieces())?;
+    } else if file.blob.length == 0 {
+        written.bytes = file.json(None).into_bytes();
+    } else if let Some(stem) = &options.stem {
+        let name = format!("{stem}.bin");
+        written.bytes = file.json(Some(&uri::percent_encoded(&name))).into_bytes();
+        let content = OutputContent::Bytes(file.blob.pieces().concat());
+        written.companions.push(OutputFile { name, content });
+    } else {
+        written.bytes = file.json(Some(&embed(&file.blob.pieces()))).into_bytes();
+    }
+    Ok(written)
+}
+
+#[derive(Default)]
+struct File<'a> {
+    blob: Blob<'a>,
+    views: Vec<String>,
+    accessors: Vec<String>,
+    meshes: Vec<String>,
+    nodes: Vec<String>,
+    materials: Vec<String>,
+    material_numbers: FxHashMap<&'a str, usize>,
+}
+
+impl<'a> File<'a> {
+    fn json(&self, buffer_uri: Option<&str>) -> String {
+        let generator = concat!("crease ", env!("CARGO_PKG_VERSION"));
+        let mut json = format!("{{\"asset\":{{\"version\":\"2.0\",\"generator\":{}}}", quoted(generator));
+        if !self.nodes.is_empty() {
+            let all: Vec<String> = (0..self.nodes.len()).map(|node| node.to_string()).collect();
+            let _ = write!(json, ",\"scene\":0,\"scenes\":[{{\"nodes\":[{}]}}]", all.join(","));
+        }
+        let lists = [
+            ("nodes", &self.nodes),
+            ("meshes", &self.meshes),
+            ("materials", &self.materials),
+            ("accessors", &self.accessors),
+            ("bufferViews", &self.views),
+        ];
+        for (name, list) in lists.into_iter().filter(|(_, list)| !list.is_empty()) {
+            let _ = write!(json, ",\"{name}\":[{}]", list.join(","));
+        }
+        if self.blob.length > 0 {
+            let uri = buffer_uri.map_or(String::new(), |uri| format!(",\"uri\":{}", quoted(uri)));
+            let _ = write!(json, ",\"buffers\":[{{\"byteLength\":{}{uri}}}]", self.blob.length);
+        }
+        json.push('}');
+        json
+    }
+
+    fn part(&mut self, part: &'a Part, written: &mut Written) -> Result<(), WriteError> {
+        let mesh = &part.mesh;
+        if mesh.vertex_count() == 0 {
+            return Ok(());
+        }
+        let shape = Shape::new(mesh, written);
+        let attributes = self.attributes(mesh, &shape, written)?;
+        let mut primitives = Vec::new();
+        self.solids(mesh, shape, &attributes, &mut primitives);
+        self.loose(mesh, &attributes, &mut primitives);
+        if !mesh.columns().morph_targets.is_empty() {
+            written
+                .notes
+                .push(warning(part, "morph targets cannot be carried into a new file; they are left out"));
+        }
+        let name =
+            if part.name.is_empty() { String::new() } else { format!(",\"name\":{}", quoted(&part.name)) };
+        self.nodes.push(format!("{{\"mesh\":{}{name}}}", self.meshes.len()));
+        self.meshes.push(format!("{{\"primitives\":[{}]{name}}}", primitives.join(",")));
+        Ok(())
+    }
+
+    /// Stores the vertex attributes, which all primitives of the part share.
+    fn attributes(
+        &mut self,
+        mesh: &Mesh,
+        shape: &Shape<'_>,
+        written: &mut Written,
+    ) -> Result<Attributes, WriteError> {
+        let columns = mesh.columns();
+        let vertices = shape.vertex_count(mesh);
+        written.vertices += vertices as u64;
+        written.added_vertices += (vertices - mesh.vertex_count()) as u64;
+        let (positions, bounds) = positions(mesh, shape.split.as_ref(), &mut written.notes)?;
+        let mut loose =
+            format!("\"POSITION\":{}", self.store(Array::Vec3(positions), Target::Vertices, Some(&bounds)));
+        if let Some(colors) = &columns.colors {
+            let clamped = |color: &[f32; 4]| color.map(|c| if c > 0.0 { c.min(1.0) } else { 0.0 });
+            let colors = (0..vertices).map(|v| clamped(&colors[shape.source(v)])).collect();
+            let _ = write!(loose, ",\"COLOR_0\":{}", self.store(Array::Vec4(colors), Target::Vertices, None));
+        }
+        let mut flat = loose.clone();
+        if let Some(uvs) = &columns.uvs {
+            // glTF counts v from the top of the image, meshes count from the bottom.
+            let values = shape.values(uvs, [0.0; 2], |uv| [uv.x as f32, (1.0 - uv.y) as f32]);
+            let _ =
+                write!(flat, ",\"TEXCOORD_0\":{}", self.store(Array::Vec2(values), Target::Vertices, None));
+        }
+        let mut full = flat.clone();
+        if let Some(normals) = &columns.normals {
+            let values = shape.values(normals, [0.0, 0.0, 1.0], |n| n.as_vec3().to_array());
+            let _ = write!(full, ",\"NORMAL\":{}", self.store(Array::Vec3(values), Target::Vertices, None));
+        }
+        Ok(Attributes { loose, flat, full })
+    }
+
+    /// The triangles, a primitive for each material, apart for faces without normals.
+    fn solids(
+        &mut self,
+        mesh: &'a Mesh,
+        shape: Shape<'a>,
+        attributes: &Attributes,
+        primitives: &mut Vec<String>,
+    ) {
+        let vertices = shape.vertex_count(mesh);
+        let groups = shape.groups(mesh);
+        let mut vertex_of = shape.vertex_of;
+        for (group, corners) in groups {
+            let indices = match corners {
+                None => std::mem::take(&mut vertex_of),
+                Some(corners) => corners.iter().map(|&corner| vertex_of[corner as usize]).collect(),
+            };
+            let indices = self.store(Array::indices(indices, vertices), Target::Indices, None);
+            let list = if group.flat { &attributes.flat } else { &attributes.full };
+            let mut json = format!("{{\"attributes\":{{{list}}},\"indices\":{indices}");
+            if let (Some(labels), true) = (&mesh.columns().materials, group.label != NONE) {
+                let _ = write!(json, ",\"material\":{}", self.material(labels, group.label));
+            }
+            json.push('}');
+            primitives.push(json);
+        }
+    }
+
+    /// Points and lines; a mesh with nothing but vertices is drawn as points.
+    fn loose(&mut self, mesh: &'a Mesh, attributes: &Attributes, primitives: &mut Vec<String>) {
+        let columns = mesh.columns();
+        let vertices = mesh.vertex_count();
+        let mut primitive = |file: &mut Self, mode: u64, indices: Cow<'a, [u32]>| {
+            let indices = file.store(Array::indices(indices, vertices), Target::Indices, None);
+            let list = &attributes.loose;
+            primitives.push(format!("{{\"attributes\":{{{list}}},\"indices\":{indices},\"mode\":{mode}}}"));
+        };
+        if !columns.points.is_empty() {
+            primitive(self, mode::POINTS, Cow::Borrowed(&columns.points));
+        }
+        match columns.lines.as_slice() {
+            [] => {}
+            [line] => primitive(self, mode::LINE_STRIP, Cow::Borrowed(line)),
+            lines => {
+                let segments = lines.iter().flat_map(|line| line.windows(2)).flatten();
+                primitive(self, mode::LINES, segments.copied().collect());
+            }
+        }
+        if mesh.face_count() == 0 && columns.points.is_empty() && columns.lines.is_empty() {
+            let list = &attributes.loose;
+            primitives.push(format!("{{\"attributes\":{{{list}}},\"mode\":{}}}", mode::POINTS));
+        }
+    }
+
+    fn material(&mut self, labels: &'a FaceLabels, label: u32) -> usize {
+        let name = labels.names[label as usize].as_str();
+        *self.material_numbers.entry(name).or_insert_with(|| {
+            self.materials.push(format!("{{\"name\":{}}}", quoted(name)));
+            self.materials.len() - 1
+        })
+    }
+
+    fn store(&mut self, array: Array<'a>, target: Target, bounds: Option<&Bounds>) -> usize {
+        let (format, length) = (array.format(), array.bytes().len());
+        let offset = self.blob.push(array);
+        self.views.push(view_json(0, offset, length, None, target));
+        self.accessors.push(accessor_json(self.views.len() - 1, format, length / format.size(), bounds));
+        self.accessors.len() - 1
+    }
+}
+
+/// The members of a primitive's `attributes`: of points and lines, of flat faces, of faces with normals.
+struct Attributes {
+    loose: String,
+    flat: String,
+    full: String,
+}
+
+/// Triangles that become one primitive.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+struct Group {
+    label: u32,
+    flat: bool,
+}
+
+/// How the corners of a mesh become triangles and vertices.
+struct Shape<'a> {
+    /// The written vertex of every corner.
+    vertex_of: Cow<'a, [u32]>,
+    /// Corner numbers, three a triangle, and the face of each; `None` if the faces are triangles already.
+    triangles: Option<(Vec<u32>, Vec<u32>)>,
+    /// `None` if no vertex has to be split. Its `corners` are in `vertex_of`.
+    split: Option<VertexSplit>,
+}
+
+impl<'a> Shape<'a> {
+    fn new(mesh: &'a Mesh, written: &mut Written) -> Self {
+        let columns = mesh.columns();
+        let triangles = (!mesh.faces().is_triangles()).then(|| {
+            let cut = triangulate(mesh);
+            if !cut.failed.is_empty() {
+                let text = format!(
+                    "{} polygons cross themselves or have no area; they are written as fans (the first is face {})",
+                    cut.failed.len(),
+                    cut.failed[0]
+                );
+                written.notes.push(Note::warning(Place::File, text));
+            }
+            (cut.triangles.into_flattened(), cut.source_face)
+        });
+        let normal_keys = columns.normals.as_ref().and_then(corner_keys);
+        let uv_keys = columns.uvs.as_ref().and_then(corner_keys);
+        let keys: Vec<&[u32]> = normal_keys.into_iter().chain(uv_keys).collect();
+        let corners = mesh.faces().corners();
+        if keys.is_empty() {
+            return Self { vertex_of: Cow::Borrowed(corners), triangles, split: None };
+        }
+        let mut split = split_vertices(mesh.vertex_count(), corners, &keys);
+        Self { vertex_of: Cow::Owned(std::mem::take(&mut split.corners)), triangles, split: Some(split) }
+    }
+
+    fn vertex_count(&self, mesh: &Mesh) -> usize {
+        self.split.as_ref().map_or(mesh.vertex_count(), |split| split.source.len())
+    }
+
+    /// The vertex of the mesh behind a written one.
+    fn source(&self, vertex: usize) -> usize {
+        self.split.as_ref().map_or(vertex, |split| split.source[vertex] as usize)
+    }
+
+    /// The value of every written vertex, `default` where no corner has one.
+    fn values<T, U: Copy>(&self, column: &Column<T>, default: U, convert: impl Fn(&T) -> U) -> Vec<U> {
+        match (&self.split, &column.index) {
+            (None, _) => column.values.iter().map(convert).collect(),
+            (Some(split), ColumnIndex::PerVertex) => {
+                split.source.iter().map(|&v| convert(&column.values[v as usize])).collect()
+            }
+            (Some(split), ColumnIndex::PerCorner(_)) => {
+                let value = |(&sample, &source): (&u32, &u32)| match sample {
+                    NONE => default,
+                    sample => column.get(sample as usize, source).map_or(default, &convert),
+                };
+                split.sample.iter().zip(&split.source).map(value).collect()
+            }
+        }
+    }
+
+    /// The corners of the triangles of each primitive; `None` for every corner of the mesh in order.
+    fn groups(&self, mesh: &Mesh) -> Vec<(Group, Option<Vec<u32>>)> {
+        let faces = mesh.face_count();
+        if faces == 0 {
+            return Vec::new();
+        }
+        let flat = faces_without_normals(mesh);
+        let labels = mesh.columns().materials.as_ref();
+        let of_face = |face: u32| Group {
+            label: labels.map_or(NONE, |labels| labels.of_face[face as usize]),
+            flat: flat.as_ref().is_some_and(|flat| flat[face as usize]),
+        };
+        let first = of_face(0);
+        if (1..faces as u32).all(|face| of_face(face) == first) {
+            return vec![(first, self.triangles.as_ref().map(|(corners, _)| corners.clone()))];
+        }
+        let mut groups: Vec<(Group, Vec<u32>)> = Vec::new();
+        let mut numbers: FxHashMap<Group, usize> = FxHashMap::default();
+        for triangle in 0..self.triangles.as_ref().map_or(faces, |(_, faces)| faces.len()) {
+            let (face, corners) = match &self.triangles {
+                None => (triangle as u32, [0, 1, 2].map(|k| (3 * triangle + k) as u32)),
+                Some((corners, faces)) => (faces[triangle], [0, 1, 2].map(|k| corners[3 * triangle + k])),
+            };
+            let group = of_face(face);
+            let number = *numbers.entry(group).or_insert_with(|| {
+                groups.push((group, Vec::new()));
+                groups.len() - 1
+            });
+            groups[number].1.extend(corners);
+        }
+        groups.into_iter().map(|(group, corners)| (group, Some(corners))).collect()
+    }
+}
+
+fn corner_keys<T>(column: &Column<T>) -> Option<&[u32]> {
+    match &column.index {
+        ColumnIndex::PerVertex => None,
+        ColumnIndex::PerCorner(index) => Some(index),
+    }
+}
+
+/// Which faces have a corner without a normal; `None` if all have all or no normals are there at all.
+fn faces_without_normals(mesh: &Mesh) -> Option<Vec<bool>> {
+    let index = mesh.columns().normals.as_ref().and_then(corner_keys)?;
+    if !index.contains(&NONE) {
+        return None;
+    }
+    Some(mesh.faces().ranges().map(|range| index[range].contains(&NONE)).collect())
+}
+
+/// Positions as `f32`, and their bounds.
+fn positions(
+    mesh: &Mesh,
+    split: Option<&VertexSplit>,
+    notes: &mut Vec<Note>,
+) -> Result<(Vec<[f32; 3]>, Bounds), WriteError> {
+    let round = |p: &DVec3| [p.x as f32, p.y as f32, p.z as f32];
+    let rounded: Vec<[f32; 3]> = mesh.positions().iter().map(round).collect();
+    let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
+    for p in &rounded {
+        for axis in 0..3 {
+            low[axis] = low[axis].min(p[axis]);
+            high[axis] = high[axis].max(p[axis]);
+        }
+    }
+    if low.iter().chain(&high).any(|bound| bound.is_infinite()) {
+        let vertex = rounded.iter().position(|p| p.iter().any(|x| x.is_infinite())).unwrap_or(0);
+        let DVec3 { x, y, z } = mesh.positions()[vertex];
+        let text = format!(
+            "vertex {vertex} at ({x:e}, {y:e}, {z:e}) is beyond the range of the 32-bit floats of glTF"
+        );
+        return Err(WriteError::Unsupported(format!("{text}; scale the model, or write PLY or OBJ")));
+    }
+    if mesh.storage() == Storage::F64 {
+        note_displacement(mesh, &rounded, notes);
+    }
+    let double = |bound: [f32; 3]| bound.map(f64::from).to_vec();
+    let bounds = Bounds { low: double(low), high: double(high) };
+    let rounded = match split {
+        Some(split) => split.source.iter().map(|&v| rounded[v as usize]).collect(),
+        None => rounded,
+    };
+    Ok((rounded, bounds))
+}
+
+/// Tells when rounding to `f32` moves vertices far for the size of the model. Around the origin it costs at most
+/// 2⁻²⁵ of the size; far from it, or near the smallest numbers, it can cost everything.
+fn note_displacement(mesh: &Mesh, rounded: &[[f32; 3]], notes: &mut Vec<Note>) {
+    let moved = |(p, q): (&DVec3, &[f32; 3])| p.distance(DVec3::new(q[0].into(), q[1].into(), q[2].into()));
+    let largest = mesh.positions().iter().zip(rounded).map(moved).fold(0.0, f64::max);
+    let size = mesh.bounds().map_or(0.0, |(low, high)| low.distance(high));
+    if size > 0.0 && largest > size / f64::from(1 << 20) {
+        let text = format!(
+            "rounding positions to 32-bit floats moves vertices by up to {largest:.3e}, {:.1e} of the model's size; \
+             move it nearer to the origin, or write PLY or OBJ",
+            largest / size
+        );
+        notes.push(Note::warning(Place::File, text));
+    }
+}
+
+fn warning(part: &Part, text: &str) -> Note {
+    let text = if part.name.is_empty() { text.to_owned() } else { format!("{}: {text}", part.name) };
+    Note { severity: Severity::Warning, place: Place::File, text }
+}

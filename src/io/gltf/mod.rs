@@ -1,0 +1,131 @@
+//! glTF 2.0, as `.gltf` and `.glb`: read, edited without loss, written new.
+//!
+//! Reading gives one [`Part`](super::Part) a glTF mesh, with all its primitives in it. Editing changes the
+//! document's own text and bytes in the few places that must change: JSON is spliced by byte span, binary data
+//! are patched in place or appended, and all else stays as it was, extensions and extras and the spelling of
+//! numbers included.
+//!
+//! Standard: Khronos, *glTF 2.0 Specification*, 2021, with `KHR_mesh_quantization`.
+
+#![allow(dead_code)] // until editing uses the rest
+
+mod accessor;
+mod buffers;
+mod container;
+mod data;
+mod document;
+mod extensions;
+mod fields;
+mod fresh;
+mod json;
+mod mesh;
+mod nodes;
+mod primitive;
+mod uri;
+
+pub use fresh::write;
+
+use super::{Document, Format, Loaded, Note, Place, Problem, ReadError, ReadOptions};
+use buffers::Buffers;
+use container::Glb;
+use document::Records;
+use fields::{At, Fields};
+use json::Json;
+use mesh::{Assembler, Layout, VertexSource};
+use rustc_hash::{FxHashMap, FxHashSet};
+use std::cell::Cell;
+use std::path::{Path, PathBuf};
+
+/// A glTF document, kept for editing.
+#[derive(Clone, Debug)]
+pub struct GltfDocument {
+    records: Records,
+    buffers: Buffers,
+    /// The chunks of the file, if it is a GLB.
+    glb: Option<Glb>,
+    /// Sets of vertex accessors that primitives use together.
+    sources: Vec<VertexSource>,
+    /// How each part is made of primitives, one a mesh.
+    layouts: Vec<Layout>,
+    /// Image files that the document refers to and that are there: relative name and path.
+    images: Vec<(String, PathBuf)>,
+}
+
+/// Reads a glTF document in either spelling. `base` is the folder of the file, where its buffers are looked for;
+/// images are not opened.
+///
+/// # Errors
+/// A [`ReadError`] with a JSON pointer or a byte offset for what is broken, out of range, compressed without a
+/// plain copy, requires an unknown extension, or cannot be found.
+pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Result<Loaded, ReadError> {
+    let mut notes = Vec::new();
+    if bytes.len() as u64 > options.limits.bytes {
+        let found = format!("{} bytes, more than the limit of {}", bytes.len(), options.limits.bytes);
+        return Err(ReadError::new(Problem::Limit, Place::File, found, "split the file"));
+    }
+    let (glb, json, file) = if container::is_glb(&bytes) {
+        let glb = Glb::parse(&bytes, &mut notes)?;
+        let span = glb.json();
+        let json = Json::parse(bytes[span.clone()].to_vec(), span.start as u64, options.limits.json_depth)?;
+        (Some(glb), json, bytes)
+    } else {
+        if bytes.starts_with(b"\xEF\xBB\xBF") {
+            notes.push(Note::warning(
+                Place::Byte(0),
+                "a byte order mark, which glTF does not allow; it is kept",
+            ));
+        }
+        (None, Json::parse(bytes, 0, options.limits.json_depth)?, Vec::new())
+    };
+    let input = file.len().max(json.text().len()) as u64;
+    let records = Records::new(json, &mut notes)?;
+    let json = &records.json;
+    let root = Fields { json, object: json.root(), at: At::default() };
+    extensions::check(&root, &mut notes)?;
+    let bin = glb.as_ref().and_then(Glb::bin);
+    let buffers = buffers::load(json, &records.buffers, file, bin, base, options)?;
+    let images = buffers::check_images(json, &document::list(&root, "images")?, base, options, &mut notes)?;
+    let nodes = nodes::read(json, records.meshes.len(), &mut notes)?;
+
+    // A value takes at most six times its stored bytes when decoded; twelve times allows for shared ones.
+    let memory = 12 * (input + buffers.total()) + 24 * options.limits.implied_elements;
+    let implied_limit = options.limits.implied_elements;
+    let source =
+        accessor::Source { records: &records, buffers: &buffers, implied_limit, memory: Cell::new(memory) };
+    let mut assembler = Assembler {
+        source,
+        non_finite: options.non_finite,
+        sources: Vec::new(),
+        numbers: FxHashMap::default(),
+        material_names: material_names(&records)?,
+    };
+    let (mut parts, mut layouts) = (Vec::new(), Vec::new());
+    for mesh in 0..records.meshes.len() {
+        let (part, layout) = assembler.part(mesh, &mut notes)?;
+        parts.push(part);
+        layouts.push(layout);
+    }
+    let sources = assembler.sources;
+    let format = if glb.is_some() { Format::Glb } else { Format::Gltf };
+    let document = GltfDocument { records, buffers, glb, sources, layouts, images };
+    Ok(Loaded { format, parts, nodes, notes, document: Document::Gltf(Box::new(document)) })
+}
+
+/// A name for each material, no two alike, so that formats which know materials by name keep them apart.
+fn material_names(records: &Records) -> Result<Vec<String>, ReadError> {
+    let mut taken: FxHashSet<String> = FxHashSet::default();
+    let mut names = Vec::with_capacity(records.materials.len());
+    for (number, &object) in records.materials.iter().enumerate() {
+        let fields = Fields { json: &records.json, object, at: At::new("materials", number) };
+        let mut name = fields.string("name")?.unwrap_or_default().into_owned();
+        if name.is_empty() {
+            name = format!("material{number}");
+        }
+        if !taken.insert(name.clone()) {
+            name = format!("{name}.{number}");
+            taken.insert(name.clone());
+        }
+        names.push(name);
+    }
+    Ok(names)
+}
