@@ -1,6 +1,6 @@
 //! One door for all formats.
 
-use super::obj;
+use super::{gltf, obj};
 use super::{Document, Format, Loaded, Part, PartEdit, Place, Problem, ReadError, ReadOptions};
 use super::{WriteError, WriteOptions, Written};
 use std::path::Path;
@@ -17,6 +17,7 @@ pub fn read(
 ) -> Result<Loaded, ReadError> {
     match format {
         Format::Obj => obj::read(bytes, base, options),
+        Format::Gltf | Format::Glb => gltf::read(bytes, base, options),
         other => Err(ReadError::new(
             Problem::Unsupported,
             Place::File,
@@ -33,7 +34,7 @@ pub fn read(
 pub fn edit(loaded: &Loaded, edits: &[PartEdit], options: &WriteOptions) -> Result<Written, WriteError> {
     match &loaded.document {
         Document::Obj(document) => obj::edit(document, loaded, edits, options),
-        Document::None => {
+        Document::None | Document::Gltf(_) => {
             Err(WriteError::Unsupported("no document was kept to edit; write a new file".to_owned()))
         }
     }
@@ -46,6 +47,7 @@ pub fn edit(loaded: &Loaded, edits: &[PartEdit], options: &WriteOptions) -> Resu
 pub fn write(format: Format, parts: &[Part], options: &WriteOptions) -> Result<Written, WriteError> {
     match format {
         Format::Obj => obj::write(parts, options),
+        Format::Gltf | Format::Glb => gltf::write(parts, format, options),
         other => Err(WriteError::Unsupported(format!("{other} files cannot be written"))),
     }
 }

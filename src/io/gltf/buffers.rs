@@ -3,6 +3,7 @@
 use super::fields::{At, Fields};
 use super::json::{Json, Value};
 use super::uri::{self, Uri};
+use crate::io::companion::{Companions, Refusal};
 use crate::io::{Note, Place, Problem, ReadError, ReadOptions};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
@@ -88,7 +89,12 @@ pub(super) fn load(
                     return Err(ReadError::new(Problem::Companion, place, found, advice));
                 }
                 Uri::File(name) => {
-                    let path = uri::locate(&name, base, options, place.clone())?;
+                    let path = companion(base, options, &name).map_err(|why| {
+                        let found = format!("the buffer {name:?} {why}");
+                        let advice =
+                            "put it beside the document; a stream has no folder, there it must be inside";
+                        ReadError::new(Problem::Companion, place.clone(), found, advice)
+                    })?;
                     let bytes = match files.get(&path) {
                         Some(bytes) => bytes.clone(),
                         None => {
@@ -114,6 +120,11 @@ pub(super) fn load(
         list.push(Buffer { storage, length: length.min(available) });
     }
     Ok(Buffers { file, list })
+}
+
+fn companion(base: Option<&Path>, options: &ReadOptions, name: &str) -> Result<PathBuf, Refusal> {
+    let folder = base.or(options.root.as_deref()).ok_or(Refusal::Missing)?;
+    Companions::new(folder, options).find(Path::new(""), name)
 }
 
 fn is_fallback(fields: &Fields<'_>) -> bool {
@@ -157,16 +168,16 @@ pub(super) fn check_images(
             Uri::Elsewhere => {
                 absent.push((place, "is not a file of this folder, and is not looked at".into()))
             }
-            Uri::File(name) => match uri::locate(&name, base, options, place.clone()) {
+            Uri::File(name) => match companion(base, options, &name) {
                 Ok(path) => present.push((name, path)),
-                Err(error) => absent.push((place, error.found)),
+                Err(why) => absent.push((place, format!("{name:?} {why}"))),
             },
         }
     }
     if let Some((place, why)) = absent.first() {
         let more =
             if absent.len() > 1 { format!(" (and {} more images)", absent.len() - 1) } else { String::new() };
-        notes.push(Note::warning(place.clone(), format!("image: {why}{more}; the mesh is read without it")));
+        notes.push(Note::warning(place.clone(), format!("the image {why}{more}")));
     }
     Ok(present)
 }

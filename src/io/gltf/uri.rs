@@ -1,9 +1,8 @@
 //! Buffer and image addresses: data URIs and files below a folder, nothing else.
 
-use crate::io::{Place, Problem, ReadError, ReadOptions};
+use crate::io::{Place, Problem, ReadError};
 use base64::Engine;
 use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
-use std::path::{Path, PathBuf};
 
 /// What an address is.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -51,42 +50,6 @@ pub(super) fn encode_data(bytes: &[u8]) -> String {
     let mut uri = String::from("data:application/octet-stream;base64,");
     base64::engine::general_purpose::STANDARD.encode_string(bytes, &mut uri);
     uri
-}
-
-/// The file behind a relative address, which must lie below the folder that may be read.
-pub(super) fn locate(
-    name: &str,
-    base: Option<&Path>,
-    options: &ReadOptions,
-    place: Place,
-) -> Result<PathBuf, ReadError> {
-    let refused =
-        |found: String, advice: &str| ReadError::new(Problem::Companion, place.clone(), found, advice);
-    let base = base.or(options.root.as_deref()).ok_or_else(|| {
-        refused(
-            format!("the file {name:?} is needed, but the input came without a folder"),
-            "read from a file, or name the folder with --root",
-        )
-    })?;
-    // An empty base is the folder of a bare file name.
-    let base = if base.as_os_str().is_empty() { Path::new(".") } else { base };
-    let root = options.root.as_deref().unwrap_or(base);
-    let absent = |error: std::io::Error| {
-        refused(
-            format!("the file {name:?} is needed and cannot be read ({error})"),
-            "put it beside the document",
-        )
-    };
-    let path = base.join(name).canonicalize().map_err(absent)?;
-    let root = root.canonicalize().map_err(absent)?;
-    if !path.starts_with(&root) {
-        let found = format!("the file {name:?} is outside the folder of the document");
-        return Err(refused(found, "allow a wider folder with --root, or move the file"));
-    }
-    if !path.is_file() {
-        return Err(refused(format!("{name:?} is not a plain file"), "put a file beside the document"));
-    }
-    Ok(path)
 }
 
 fn percent_decoded(text: &str) -> String {
@@ -151,24 +114,5 @@ mod tests {
         assert!(decode_data("data:x;base64,A*", Place::File).is_err());
         assert!(decode_data("data:x;base64", Place::File).is_err());
         assert_eq!(Uri::parse(&percent_encoded("ü 1.bin")), Uri::File("ü 1.bin".into()));
-    }
-
-    #[test]
-    fn files_outside_the_folder_are_refused() {
-        let folder = std::env::temp_dir().join(format!("crease-uri-{}", std::process::id()));
-        std::fs::create_dir_all(folder.join("in")).unwrap();
-        std::fs::write(folder.join("secret"), b"x").unwrap();
-        std::fs::write(folder.join("in/open"), b"x").unwrap();
-        let (inner, narrow) = (folder.join("in"), ReadOptions::default());
-        let locate = |name: &str, options: &ReadOptions| locate(name, Some(&inner), options, Place::File);
-        assert!(locate("open", &narrow).is_ok());
-        let error = locate("../secret", &narrow).unwrap_err();
-        assert_eq!(error.problem, Problem::Companion);
-        assert!(locate(folder.join("secret").to_str().unwrap(), &narrow).is_err());
-        let wide = ReadOptions { root: Some(folder.clone()), ..ReadOptions::default() };
-        assert!(locate("../secret", &wide).is_ok());
-        assert!(locate("missing", &wide).is_err());
-        assert!(locate(".", &wide).is_err(), "a folder is no buffer");
-        std::fs::remove_dir_all(&folder).unwrap();
     }
 }
