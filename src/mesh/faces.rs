@@ -129,8 +129,70 @@ impl Faces {
         owners
     }
 
+    /// The faces, borrowed.
+    pub(crate) fn view(&self) -> FacesRef<'_> {
+        FacesRef { corners: &self.corners, offsets: self.offsets.as_deref() }
+    }
+
     /// The largest number of corners of a face; 0 without faces.
     pub fn max_arity(&self) -> usize {
         self.ranges().map(|range| range.len()).max().unwrap_or(0)
+    }
+}
+
+/// Borrowed faces: of a mesh, or triangles of a caller's own slice.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct FacesRef<'a> {
+    corners: &'a [u32],
+    /// As in [`Faces`].
+    offsets: Option<&'a [u32]>,
+}
+
+impl<'a> FacesRef<'a> {
+    /// Triangles of a slice.
+    pub(crate) fn triangles(triangles: &'a [[u32; 3]]) -> Self {
+        Self { corners: triangles.as_flattened(), offsets: None }
+    }
+
+    /// The number of faces.
+    #[inline]
+    pub(crate) fn len(self) -> usize {
+        match self.offsets {
+            Some(offsets) => offsets.len() - 1,
+            None => self.corners.len() / 3,
+        }
+    }
+
+    /// Whether all faces are triangles.
+    #[inline]
+    pub(crate) fn is_triangles(self) -> bool {
+        self.offsets.is_none()
+    }
+
+    /// The vertex of every corner.
+    #[inline]
+    pub(crate) fn corners(self) -> &'a [u32] {
+        self.corners
+    }
+
+    /// The number of the first corner of a face, or the total for the face past the last.
+    #[inline(always)]
+    pub(crate) fn start(self, face: usize) -> usize {
+        match self.offsets {
+            Some(offsets) => offsets[face] as usize,
+            None => 3 * face,
+        }
+    }
+
+    /// The corner numbers of one face.
+    #[inline(always)]
+    pub(crate) fn range(self, face: usize) -> Range<usize> {
+        self.start(face)..self.start(face + 1)
+    }
+
+    /// The vertices of one face.
+    #[inline(always)]
+    pub(crate) fn face(self, face: usize) -> &'a [u32] {
+        &self.corners[self.range(face)]
     }
 }

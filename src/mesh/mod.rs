@@ -15,6 +15,7 @@ mod weld;
 pub use build::{MeshBuilder, MeshError};
 pub use column::{Column, ColumnIndex, Columns, FaceLabels, NONE, SmoothingGroups};
 pub use faces::Faces;
+pub(crate) use faces::FacesRef;
 pub use orient::{Orient, Orientation, orient};
 pub(crate) use rings::Scatter;
 pub use select::FaceEdit;

@@ -1,9 +1,24 @@
 //! Numbers without meshes (layer 0).
 
 mod angle;
+mod corner_angle;
+mod dispatch;
+mod exact;
+mod product;
 mod scale;
 mod sum;
+#[cfg(test)]
+pub(crate) mod test_numbers;
+mod unit;
 
 pub use angle::{Degrees, Radians};
 pub use scale::unit_scale;
 pub use sum::CompensatedSum;
+pub use unit::UnitVec3;
+
+pub(crate) use corner_angle::corner_angle;
+pub(crate) use dispatch::{Kernel, dispatch};
+pub(crate) use exact::ExactSum;
+pub(crate) use product::{Product, difference_of_products};
+pub(crate) use sum::two_difference;
+pub(crate) use unit::{direction, exponent, power_of_two, scale, squared_length};

@@ -2,6 +2,20 @@
 
 use std::ops::AddAssign;
 
+/// `(s, e)` with s = fl(a+b) and s + e = a + b exactly (Knuth 1969).
+#[inline(always)]
+pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    let added = sum - a;
+    (sum, (a - (sum - added)) + (b - added))
+}
+
+/// `(d, e)` with d = fl(a−b) and d + e = a − b exactly.
+#[inline(always)]
+pub(crate) fn two_difference(a: f64, b: f64) -> (f64, f64) {
+    two_sum(a, -b)
+}
+
 /// A sum whose rounding errors are summed beside it (Neumaier 1974; the error by Knuth's branch-free two-sum).
 /// Its value is as accurate as a sum in twice the precision, rounded once.
 #[derive(Clone, Copy, Debug, Default)]
@@ -11,6 +25,12 @@ pub struct CompensatedSum {
 }
 
 impl CompensatedSum {
+    /// Adds what is small beside the sum, such as the rounding error of a term.
+    #[inline]
+    pub(crate) fn correct(&mut self, error: f64) {
+        self.lost += error;
+    }
+
     /// The sum so far.
     #[inline]
     pub fn value(self) -> f64 {
@@ -21,10 +41,9 @@ impl CompensatedSum {
 impl AddAssign<f64> for CompensatedSum {
     #[inline]
     fn add_assign(&mut self, term: f64) {
-        let sum = self.sum + term;
-        let added = sum - self.sum;
-        self.lost += (self.sum - (sum - added)) + (term - added);
+        let (sum, error) = two_sum(self.sum, term);
         self.sum = sum;
+        self.lost += error;
     }
 }
 
@@ -39,6 +58,14 @@ impl AddAssign for CompensatedSum {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn sums_and_differences_lose_nothing() {
+        assert_eq!(two_sum(1.0, 1e-30), (1.0, 1e-30));
+        assert_eq!(two_sum(1e-30, 1.0), (1.0, 1e-30));
+        assert_eq!(two_difference(1e-30, 1.0), (-1.0, 1e-30));
+        assert_eq!(two_difference(0.1, 0.1), (0.0, 0.0));
+    }
 
     #[test]
     fn cancelling_terms_leave_what_is_small() {

@@ -1,0 +1,112 @@
+//! Normals of faces.
+
+use super::block::{BlockTerms, Corners, LANES, block_terms};
+use super::corner_terms::CornerTerms;
+use super::emit::Emit;
+use super::face_shape::FaceState;
+use super::positions::{Positions, Source, Visitor};
+use super::weight::Uniform;
+use crate::mesh::FacesRef;
+use crate::num::{self, Kernel, Product};
+use glam::DVec3;
+use rayon::prelude::*;
+
+/// Normals of all faces of a mesh.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct FaceNormals {
+    /// Unit normal of each face; the zero vector where there is no direction.
+    pub(crate) unit: Vec<DVec3>,
+    /// What each face is worth.
+    pub(crate) state: Vec<FaceState>,
+}
+
+/// Computes the normal of every face.
+pub(crate) fn face_normals(faces: FacesRef, positions: Positions) -> FaceNormals {
+    let mut normals =
+        FaceNormals { unit: vec![DVec3::ZERO; faces.len()], state: vec![FaceState::Counted; faces.len()] };
+    face_normals_into(faces, positions, &mut normals.unit, &mut normals.state);
+    normals
+}
+
+/// The same into the caller's slices, one entry a face; zero vectors where there is no direction.
+pub(crate) fn face_normals_into<O: Emit>(
+    faces: FacesRef,
+    positions: Positions,
+    unit: &mut [O],
+    state: &mut [FaceState],
+) {
+    positions.visit(AllFaces { faces, unit, state });
+}
+
+/// Faces that one task computes.
+const TASK: usize = 4096;
+
+struct AllFaces<'a, O> {
+    faces: FacesRef<'a>,
+    unit: &'a mut [O],
+    state: &'a mut [FaceState],
+}
+
+impl<O: Emit> Visitor for AllFaces<'_, O> {
+    type Output = ();
+
+    fn visit<S: Source>(self, source: S) {
+        let Self { faces, unit, state } = self;
+        let task = |(task, (unit, state)): (usize, (&mut [O], &mut [FaceState]))| {
+            num::dispatch(SomeFaces { faces, source, first: task * TASK, unit, state });
+        };
+        if rayon::current_num_threads() <= 1 {
+            unit.chunks_mut(TASK).zip(state.chunks_mut(TASK)).enumerate().for_each(task);
+        } else {
+            unit.par_chunks_mut(TASK).zip(state.par_chunks_mut(TASK)).enumerate().for_each(task);
+        }
+    }
+}
+
+/// The faces from `first` on, as many as there is room for.
+struct SomeFaces<'a, S, O> {
+    faces: FacesRef<'a>,
+    source: S,
+    first: usize,
+    unit: &'a mut [O],
+    state: &'a mut [FaceState],
+}
+
+impl<S: Source, O: Emit> Kernel for SomeFaces<'_, S, O> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<P: Product>(mut self) {
+        let mut scalar = CornerTerms::default();
+        if !self.faces.is_triangles() {
+            for at in 0..self.unit.len() {
+                self.face::<P>(at, &mut scalar);
+            }
+            return;
+        }
+        let (mut corners, mut terms) = (Corners::new(), BlockTerms::new());
+        let triangles = self.faces.corners().as_chunks::<3>().0;
+        for start in (0..self.unit.len()).step_by(LANES) {
+            let count = LANES.min(self.unit.len() - start);
+            corners.gather(&triangles[self.first + start..self.first + start + count], self.source);
+            block_terms::<P, S, Uniform>(&corners, self.source, &mut terms);
+            for lane in 0..count {
+                if terms.settled[lane] == 0 {
+                    self.face::<P>(start + lane, &mut scalar);
+                    continue;
+                }
+                let [x, y, z, _] = terms.vectors[lane];
+                self.unit[start + lane] = O::emit(DVec3::new(x, y, z));
+                self.state[start + lane] = FaceState::Counted;
+            }
+        }
+    }
+}
+
+impl<S: Source, O: Emit> SomeFaces<'_, S, O> {
+    fn face<P: Product>(&mut self, at: usize, scalar: &mut CornerTerms) {
+        let shape = scalar.shape::<P, S>(self.faces, self.source, self.first + at);
+        self.unit[at] = O::emit(shape.unit);
+        self.state[at] = shape.state;
+    }
+}

@@ -1,0 +1,292 @@
+//! Normals of triangles in the caller's own slices: the same kernels, without building a mesh.
+
+use super::emit::Emit;
+use super::face::face_normals_into;
+use super::face_shape::FaceState;
+use super::fallback::{neighbour_normals, orphans};
+use super::positions::Positions;
+use super::sums::{SlotState, SumRequest, SumScratch, weighted_sums_into};
+use super::{Fault, FaultReason, Faults, Slivers, Weight};
+use crate::mesh::{FacesRef, Storage};
+use crate::num::{self, Kernel, Product};
+use glam::DVec3;
+
+/// The type of coordinates: `f32` or `f64`.
+#[expect(private_bounds, reason = "sealed: the kernels know these two types")]
+pub trait Coordinate: Vector {}
+
+impl Coordinate for f32 {}
+impl Coordinate for f64 {}
+
+/// What the kernels need of a coordinate type.
+trait Vector: Copy + Sized {
+    type Normal: Emit;
+
+    fn positions(points: &[[Self; 3]]) -> Positions<'_>;
+    fn normals(normals: &mut [[Self; 3]]) -> &mut [Self::Normal];
+    fn widen(normal: [Self; 3]) -> DVec3;
+}
+
+impl Vector for f32 {
+    type Normal = [f32; 3];
+
+    fn positions(points: &[[f32; 3]]) -> Positions<'_> {
+        Positions::F32(points)
+    }
+
+    fn normals(normals: &mut [[f32; 3]]) -> &mut [[f32; 3]] {
+        normals
+    }
+
+    fn widen(normal: [f32; 3]) -> DVec3 {
+        DVec3::from(normal.map(f64::from))
+    }
+}
+
+impl Vector for f64 {
+    type Normal = DVec3;
+
+    fn positions(points: &[[f64; 3]]) -> Positions<'_> {
+        Positions::F64(bytemuck::cast_slice(points), Storage::F64)
+    }
+
+    fn normals(normals: &mut [[f64; 3]]) -> &mut [DVec3] {
+        bytemuck::cast_slice_mut(normals)
+    }
+
+    fn widen(normal: [f64; 3]) -> DVec3 {
+        DVec3::from(normal)
+    }
+}
+
+/// Why slices do not go together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum SliceError {
+    /// A triangle names a vertex that is not there.
+    #[error("triangle {triangle} refers to vertex {vertex}, but there are only {count}")]
+    VertexOutOfRange {
+        /// The triangle, counted from 0.
+        triangle: usize,
+        /// The vertex that it asks for, counted from 0.
+        vertex: u32,
+        /// How many positions there are.
+        count: usize,
+    },
+    /// The slice for normals does not have one entry for each element.
+    #[error("there is room for {found} normals; {expected} were expected")]
+    OutputLength {
+        /// Entries of the slice.
+        found: usize,
+        /// Entries needed.
+        expected: usize,
+    },
+    /// More vertices or corners than 32-bit indices can count.
+    #[error("{count} {what} are more than 32-bit indices can count")]
+    TooLarge {
+        /// What there is too much of.
+        what: &'static str,
+        /// How much.
+        count: usize,
+    },
+    /// [`Weight::Quadric`] looks past the faces of a vertex, which takes a mesh with its topology.
+    #[error("the quadric weight needs a mesh with topology; compute it from a NormalRecipe")]
+    QuadricNeedsMesh,
+}
+
+/// Memory for intermediate results, to be used again: a second call of the same size allocates next to nothing.
+#[derive(Default)]
+pub struct Scratch {
+    sums: SumScratch,
+    slots: Vec<SlotState>,
+    faces: Vec<FaceState>,
+}
+
+impl Scratch {
+    /// Empty.
+    pub fn new() -> Self {
+        Self::default()
+    }
+}
+
+/// Computes the unit normal of every triangle, (P1−P0)×(P2−P0) made unit.
+///
+/// With `f32` each component is within 1 ulp of the true one, at any magnitude, offset or thinness; with `f64` the normal
+/// is within 1e-12 rad. A triangle without direction gets the unit sum of those that share an edge (two vertices) with it,
+/// else +Z. Every normal is finite and unit.
+///
+/// Uses the threads of rayon's current pool; the result does not depend on their number. Time is linear in triangles.
+///
+/// `Faults::faces` of the result lists the triangles whose normal is made up, and with
+/// [`BelowStorage`](FaultReason::BelowStorage) those whose own normal is noise of the rounding of their coordinates.
+///
+/// ```
+/// use crease::normals::{Scratch, face_normals};
+///
+/// let positions = [[0.0_f32, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0]];
+/// let mut normals = [[0.0; 3]];
+/// let faults = face_normals(&positions, &[[0, 1, 2]], &mut Scratch::new(), &mut normals)?;
+/// assert_eq!(normals, [[0.0, 0.0, 1.0]]);
+/// assert!(faults.is_empty());
+/// # Ok::<(), crease::normals::SliceError>(())
+/// ```
+///
+/// # Errors
+/// If slices do not go together; see [`SliceError`]. Nothing is written then.
+pub fn face_normals<T: Coordinate>(
+    positions: &[[T; 3]],
+    triangles: &[[u32; 3]],
+    scratch: &mut Scratch,
+    normals: &mut [[T; 3]],
+) -> Result<Faults, SliceError> {
+    check(positions.len(), triangles, triangles.len(), normals.len())?;
+    let faces = FacesRef::triangles(triangles);
+    let states = &mut scratch.faces;
+    states.clear();
+    states.resize(triangles.len(), FaceState::Counted);
+    face_normals_into(faces, T::positions(positions), T::normals(normals), states);
+
+    let odd = |(face, &state): (usize, &FaceState)| fault(face as u32, state);
+    let faults = Faults { faces: states.iter().enumerate().filter_map(odd).collect(), ..Faults::default() };
+    let without: Vec<u32> = faults
+        .faces
+        .iter()
+        .map(|fault| fault.index)
+        .filter(|&face| !states[face as usize].has_direction())
+        .collect();
+    if !without.is_empty() {
+        let defined = |face: usize| states[face].has_direction().then(|| T::widen(normals[face]));
+        let made_up = neighbour_normals(faces, &without, defined);
+        let normals = T::normals(normals);
+        for (&face, normal) in without.iter().zip(made_up) {
+            normals[face as usize] = T::Normal::emit(normal);
+        }
+    }
+    Ok(faults)
+}
+
+/// Computes a unit normal for every vertex: the mean of the normals of its triangles by a weight. No edge is hard, and
+/// vertices that lie at the same place stay apart.
+///
+/// With `f32` positions everything is computed in double precision and rounded once. Triangles of zero area add
+/// nothing; nor do slivers with [`Slivers::Exclude`], unless a vertex has no other triangle. A vertex with one triangle gets
+/// its normal to the bit. Where a sum cancels (κ = Σ|w|/|Σ w n̂| > 10⁶) or nothing adds to it, the vertex gets the unit
+/// sum of the defined normals at it, else the first of them by lexicographic value, else +Z. Every normal is finite
+/// and unit.
+///
+/// Each sum runs in ascending triangle index on the threads of rayon's current pool: their number does not change a bit.
+/// Multiplying positions by a power of two does not either, as long as they stay normal numbers. Time is linear in
+/// triangles.
+///
+/// `Faults::vertices` of the result lists the vertices whose normal is made up, `Faults::faces` the triangles that
+/// added nothing.
+///
+/// ```
+/// use crease::normals::{FaultReason, Scratch, Slivers, Weight, vertex_normals};
+///
+/// // A roof of two slopes, and a vertex that nothing uses.
+/// let positions = [[0.0_f32, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, -1.0], [-1.0, 0.0, -1.0], [9.0, 9.0, 9.0]];
+/// let triangles = [[0, 2, 1], [0, 1, 3]];
+/// let mut normals = [[0.0; 3]; 5];
+/// let mut scratch = Scratch::new();
+/// let faults =
+///     vertex_normals(&positions, &triangles, Weight::Angle, Slivers::Exclude, &mut scratch, &mut normals)?;
+/// assert_eq!(normals[0], [0.0, 0.0, 1.0]);
+/// assert_eq!(faults.vertices.len(), 1);
+/// assert_eq!(faults.vertices[0].reason, FaultReason::Unreferenced);
+/// # Ok::<(), crease::normals::SliceError>(())
+/// ```
+///
+/// # Errors
+/// If slices do not go together; see [`SliceError`]. Nothing is written then.
+pub fn vertex_normals<T: Coordinate>(
+    positions: &[[T; 3]],
+    triangles: &[[u32; 3]],
+    weight: Weight,
+    slivers: Slivers,
+    scratch: &mut Scratch,
+    normals: &mut [[T; 3]],
+) -> Result<Faults, SliceError> {
+    if weight == Weight::Quadric {
+        return Err(SliceError::QuadricNeedsMesh);
+    }
+    check(positions.len(), triangles, positions.len(), normals.len())?;
+    let (faces, points) = (FacesRef::triangles(triangles), T::positions(positions));
+    let request = SumRequest {
+        faces,
+        positions: points,
+        target: faces.corners(),
+        slots: positions.len(),
+        weight,
+        slivers,
+    };
+    let states = &mut scratch.slots;
+    states.resize(positions.len(), SlotState::Empty);
+    let normals = T::normals(normals);
+    let odd = weighted_sums_into(&request, &mut scratch.sums, normals, states);
+
+    let added = |state: FaceState| state == FaceState::Sliver && slivers == Slivers::Keep;
+    let odd = odd.into_iter().filter(|&(_, state)| !added(state));
+    let mut faults =
+        Faults { faces: odd.filter_map(|(face, state)| fault(face, state)).collect(), ..Faults::default() };
+    let undefined =
+        |(vertex, &state): (usize, &SlotState)| (state != SlotState::Good).then_some(vertex as u32);
+    let undefined: Vec<u32> = states.iter().enumerate().filter_map(undefined).collect();
+    for orphan in orphans(faces, points, &undefined) {
+        normals[orphan.vertex as usize] = T::Normal::emit(orphan.stand_in);
+        let reason = match states[orphan.vertex as usize] {
+            SlotState::Cancelling => FaultReason::CancellingFan,
+            _ if !orphan.referenced => FaultReason::Unreferenced,
+            _ => fault_reason(orphan.cause).unwrap_or(FaultReason::CancellingFan),
+        };
+        faults.vertices.push(Fault { index: orphan.vertex, reason });
+    }
+    Ok(faults)
+}
+
+/// What a face's state is called in reports.
+pub(crate) fn fault_reason(state: FaceState) -> Option<FaultReason> {
+    match state {
+        FaceState::Counted => None,
+        FaceState::Sliver => Some(FaultReason::BelowStorage),
+        FaceState::ZeroArea => Some(FaultReason::ZeroArea),
+        FaceState::OutOfRange => Some(FaultReason::OutOfRange),
+        FaceState::NonFinite => Some(FaultReason::NonFinite),
+    }
+}
+
+fn fault(index: u32, state: FaceState) -> Option<Fault> {
+    fault_reason(state).map(|reason| Fault { index, reason })
+}
+
+/// That every vertex exists and the output has the right length.
+fn check(vertices: usize, triangles: &[[u32; 3]], expected: usize, found: usize) -> Result<(), SliceError> {
+    for (what, count) in [("vertices", vertices), ("corners", 3 * triangles.len())] {
+        if count >= crate::mesh::NONE as usize {
+            return Err(SliceError::TooLarge { what, count });
+        }
+    }
+    if found != expected {
+        return Err(SliceError::OutputLength { found, expected });
+    }
+    if num::dispatch(Highest(triangles)).is_none_or(|highest| (highest as usize) < vertices) {
+        return Ok(());
+    }
+    let mut all = triangles.iter().enumerate().flat_map(|(triangle, corners)| corners.map(|v| (triangle, v)));
+    match all.find(|&(_, vertex)| vertex as usize >= vertices) {
+        Some((triangle, vertex)) => Err(SliceError::VertexOutOfRange { triangle, vertex, count: vertices }),
+        None => Ok(()),
+    }
+}
+
+/// The highest vertex number; a kernel so that it is compiled with the widest instructions.
+struct Highest<'a>(&'a [[u32; 3]]);
+
+impl Kernel for Highest<'_> {
+    type Output = Option<u32>;
+
+    #[inline(always)]
+    fn run<P: Product>(self) -> Option<u32> {
+        let corners = self.0.as_flattened();
+        (!corners.is_empty()).then(|| corners.iter().fold(0, |highest, &vertex| highest.max(vertex)))
+    }
+}
