@@ -259,7 +259,7 @@ mod tests {
     #[test]
     fn scattered_faces_are_turned_back() {
         let good = sphere(2, DVec3::ZERO, 1.0);
-        assert_eq!(run(&good, Orient::Outward).reversed, []);
+        assert!(run(&good, Orient::Outward).reversed.is_empty());
         for wrong in [vec![0], vec![3, 4, 5, 70], (0..60).map(|i| 2 * i).collect()] {
             let mesh = turned(&good, wrong.iter().copied());
             for policy in [Orient::Consistent, Orient::Outward] {
