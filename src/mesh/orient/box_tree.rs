@@ -71,14 +71,12 @@ impl BoxTree {
     }
 
     /// Offers every item of every run whose boxes all `enter`, until `found` breaks. Each box and each item
-    /// costs one unit of the budget, to which `found` may add its own costs.
-    ///
-    /// Returns whether the budget was enough.
+    /// costs one unit of the budget. Returns whether that was enough.
     pub(super) fn visit(
         &self,
         budget: &mut usize,
         enter: impl Fn(Bounds) -> bool,
-        mut found: impl FnMut(u32, &mut usize) -> ControlFlow<()>,
+        mut found: impl FnMut(u32) -> ControlFlow<()>,
     ) -> bool {
         let top = self.levels.len() - 1;
         let mut open: Vec<(usize, usize)> = (0..self.levels[top].len()).map(|i| (top, i)).collect();
@@ -96,7 +94,7 @@ impl BoxTree {
             }
             for &item in &self.items[children] {
                 *budget = budget.saturating_sub(1);
-                if found(item, budget).is_break() {
+                if found(item).is_break() {
                     return true;
                 }
             }
@@ -149,7 +147,7 @@ mod tests {
             let enough = tree.visit(
                 &mut plenty,
                 |bounds| bounds.overlaps(probe),
-                |item, _| {
+                |item| {
                     found.extend(boxes[item as usize].overlaps(probe).then_some(item));
                     ControlFlow::Continue(())
                 },
@@ -157,7 +155,7 @@ mod tests {
             found.sort_unstable();
             assert!(enough);
             assert_eq!(found, scan);
-            let enough = tree.visit(&mut little, |_| true, |_, _| ControlFlow::Continue(()));
+            let enough = tree.visit(&mut little, |_| true, |_| ControlFlow::Continue(()));
             assert_eq!(enough, count <= BRANCH, "{count}");
         }
     }

@@ -470,4 +470,26 @@ mod tests {
         assert_eq!((one.closed, one.cavities), (3, 1));
         assert!([2, 3, 8].iter().all(|&threads| with(threads) == one));
     }
+
+    /// Each of n tetrahedra within all larger ones is a question of n² answers. Few get them all; of many, those
+    /// that the budget leaves out are counted and stay.
+    #[test]
+    fn searches_without_end_are_cut_short() {
+        let nested = |count: u32| {
+            let tetrahedra: Vec<Mesh> = (0..count)
+                .map(|i| {
+                    let (low, size) = (DVec3::splat(-0.2 * f64::from(i)), f64::from(i + 1));
+                    let corners = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z].map(|p| low + size * p);
+                    build(corners.to_vec(), &[vec![0, 2, 1], vec![0, 1, 3], vec![0, 3, 2], vec![1, 2, 3]])
+                })
+                .collect();
+            run(&union(&tetrahedra), Orient::Outward)
+        };
+        let few = nested(201);
+        assert_eq!((few.closed, few.cavities, few.undecided), (201, 100, 0));
+        let many = nested(30_000);
+        assert!(many.undecided > 20_000, "{}", many.undecided);
+        assert_eq!(many.reversed.len(), 4 * many.cavities);
+        assert!(many.undecided + many.cavities < many.closed);
+    }
 }

@@ -5,9 +5,8 @@
 //! meet are found in a [`BoxTree`]; every decision is taken with a bound on its rounding error, and points that
 //! lie too close to a surface for that have no say.
 //!
-//! Work is linear in faces and n log n in shells, apart from the faces that rays meet. Surfaces made so that
-//! every ray meets most faces would be quadratic; each ray has a budget, and a shell with a ray that used it up
-//! is left undecided.
+//! Work is n log n in faces, apart from the triangles that rays meet. Surfaces made so that every ray meets most
+//! triangles would be quadratic: each ray has a budget, and a shell with a ray that used it up is undecided.
 
 use super::box_tree::{Bounds, BoxTree};
 use super::probe::{Probe, probes};
@@ -19,11 +18,9 @@ use std::ops::ControlFlow;
 /// What a search for boxes round a box may cost; beyond, it is taken to have been successful.
 const BOX_BUDGET: usize = 512;
 
-/// What a ray may always cost.
-const RAY_BUDGET: usize = 512;
-
-/// What all rays together may cost beyond that, shared out evenly: about a second of work.
-const SHARED_RAY_BUDGET: usize = 1 << 27;
+/// What all rays together may cost, shared out evenly: so much, and so much for each triangle. A ray through
+/// a million triangles of well-shaped shells costs some hundreds.
+const RAY_BUDGET: (usize, usize) = (1 << 26, 256);
 
 /// In how many other shells each shell lies; `None` where that cannot be told. Shells are closed components, as
 /// lists of faces; `against` tells which faces run against the others of their shell.
@@ -52,10 +49,10 @@ pub(super) fn depths(mesh: &Mesh, against: &[bool], shells: &[&[u32]]) -> Vec<Op
         })
         .collect();
     let walls = Walls::new(mesh, against, shells, &outer);
-    let budget = RAY_BUDGET + SHARED_RAY_BUDGET / rays;
+    let budget = (RAY_BUDGET.0 + RAY_BUDGET.1 * walls.triangles.len()) / rays;
     (0..shells.len())
         .into_par_iter()
-        .map(|shell| if inner[shell] { walls.depth(shell as u32, &bounds, shells, budget) } else { Some(0) })
+        .map(|s| if inner[s] { walls.depth(s as u32, shells[s], &bounds, budget) } else { Some(0) })
         .collect()
 }
 
@@ -68,25 +65,24 @@ pub(super) fn face_bounds(mesh: &Mesh, faces: &[u32]) -> Bounds {
 /// Whether a tree has an item that `hits`, or the search became too long.
 fn finds(tree: &BoxTree, enter: impl Fn(Bounds) -> bool, hits: impl Fn(u32) -> bool) -> bool {
     let mut hit = false;
-    let enough = tree.visit(&mut { BOX_BUDGET }, enter, |item, _| {
+    let enough = tree.visit(&mut { BOX_BUDGET }, enter, |item| {
         hit = hits(item);
         if hit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
     hit || !enough
 }
 
-/// The faces that rays can meet.
+/// The triangles that rays can meet.
 struct Walls<'a> {
     mesh: &'a Mesh,
-    against: &'a [bool],
-    /// (face, shell) of every item of the tree.
-    items: Vec<(u32, u32)>,
+    /// The shell and the vertices of each; all of a shell agree.
+    triangles: Vec<(u32, [u32; 3])>,
     tree: BoxTree,
-    /// Brings all coordinates below 1, so that products of three stay in range.
+    /// Brings all coordinates below 1, so that differences stay in range.
     scale: f64,
 }
 
-/// Where a point lies as to one shell.
+/// Where a point lies as to one shell, if not outside.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Place {
     Inside,
@@ -94,27 +90,41 @@ enum Place {
 }
 
 impl<'a> Walls<'a> {
-    fn new(mesh: &'a Mesh, against: &'a [bool], shells: &[&[u32]], outer: &[u32]) -> Self {
-        let items: Vec<(u32, u32)> = outer
+    fn new(mesh: &'a Mesh, against: &[bool], shells: &[&[u32]], outer: &[u32]) -> Self {
+        let fan = |face: u32| {
+            let corners = mesh.faces().face(face as usize);
+            let against = against[face as usize];
+            corners[1..].windows(2).map(move |edge| {
+                let [a, b] = if against { [edge[1], edge[0]] } else { [edge[0], edge[1]] };
+                [corners[0], a, b]
+            })
+        };
+        let triangles: Vec<(u32, [u32; 3])> = outer
             .iter()
-            .flat_map(|&shell| shells[shell as usize].iter().map(move |&face| (face, shell)))
+            .flat_map(|&shell| shells[shell as usize].iter().map(move |&face| (shell, face)))
+            .flat_map(|(shell, face)| fan(face).map(move |triangle| (shell, triangle)))
             .collect();
         let largest = mesh.bounds().map_or(0.0, |(low, high)| low.abs().max(high.abs()).max_element());
         let scale = unit_scale(largest);
-        let tree = BoxTree::build(items.len(), |item| {
-            let Bounds { low, high } = face_bounds(mesh, &[items[item as usize].0]);
-            Bounds { low: low * scale, high: high * scale }
+        let tree = BoxTree::build(triangles.len(), |item| {
+            let (_, triangle) = triangles[item as usize];
+            Bounds::of(triangle.iter().map(|&vertex| scale * mesh.positions()[vertex as usize]))
         });
-        Self { mesh, against, items, tree, scale }
+        Self { mesh, triangles, tree, scale }
     }
 
-    fn depth(&self, shell: u32, bounds: &[Bounds], shells: &[&[u32]], budget: usize) -> Option<u32> {
-        let probes = probes(self.mesh, shells[shell as usize], self.scale);
+    /// In how many others a shell lies.
+    fn depth(&self, shell: u32, faces: &[u32], bounds: &[Bounds], budget: usize) -> Option<u32> {
+        let probes = probes(self.mesh, faces, self.scale);
         let mut places: Vec<(u32, Place)> = Vec::new();
         for probe in &probes {
-            places.extend(self.round(shell, probe, budget)?);
+            let mut round = self.round(shell, probe, budget)?;
+            round.retain(|&(other, _)| bounds[other as usize].contains(bounds[shell as usize]));
+            if round.is_empty() {
+                return Some(0);
+            }
+            places.extend(round);
         }
-        places.retain(|&(other, _)| bounds[other as usize].contains(bounds[shell as usize]));
         places.sort_unstable_by_key(|&(other, _)| other);
         let mut depth = 0;
         for of_shell in places.chunk_by(|a, b| a.0 == b.0) {
@@ -128,28 +138,20 @@ impl<'a> Walls<'a> {
         Some(depth)
     }
 
-    /// The shells that a point lies in or too close to; `None` if the budget did not reach.
+    /// The other shells that a point lies in or too close to; `None` if the budget did not reach.
     fn round(&self, own: u32, probe: &Probe, mut budget: usize) -> Option<Vec<(u32, Place)>> {
-        let mut crossings: Vec<(u32, Option<i32>)> = Vec::new();
         let at = probe.at;
         let reach = |node: Bounds| {
             let (low, high) = (node.low - probe.blur, node.high + probe.blur);
             low.x <= at.x && at.x <= high.x && low.y <= at.y && at.y <= high.y && at.z <= high.z
         };
-        let enough = self.tree.visit(&mut budget, reach, |item, budget| {
-            let (face, shell) = self.items[item as usize];
-            if shell == own {
-                return ControlFlow::Continue(());
-            }
-            let corners = self.mesh.faces().face(face as usize);
-            *budget = budget.saturating_sub(corners.len() - 3);
-            let place = |vertex: u32| self.mesh.positions()[vertex as usize] * self.scale;
-            let sign = if self.against[face as usize] { -1 } else { 1 };
-            for edge in corners[1..].windows(2) {
-                let crossing = probe.crossing(place(corners[0]), place(edge[0]), place(edge[1]));
-                if crossing != Some(0) {
-                    crossings.push((shell, crossing.map(|crossing| crossing * sign)));
-                }
+        let mut crossings: Vec<(u32, Option<i32>)> = Vec::new();
+        let enough = self.tree.visit(&mut budget, reach, |item| {
+            let (shell, triangle) = self.triangles[item as usize];
+            if shell != own {
+                let [a, b, c] = triangle.map(|vertex| self.scale * self.mesh.positions()[vertex as usize]);
+                let crossing = probe.crossing(a, b, c);
+                crossings.extend((crossing != Some(0)).then_some((shell, crossing)));
             }
             ControlFlow::Continue(())
         });
