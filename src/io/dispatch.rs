@@ -1,8 +1,8 @@
 //! One door for all formats.
 
-use super::{gltf, obj};
 use super::{Document, Format, Loaded, Part, PartEdit, Place, Problem, ReadError, ReadOptions};
 use super::{WriteError, WriteOptions, Written};
+use super::{gltf, obj};
 use std::path::Path;
 
 /// Reads a file of a known format. `base` is its folder, where companion files are looked for; `None` for a stream.

@@ -4,6 +4,7 @@ mod polygon;
 mod quad;
 
 use super::Mesh;
+use crate::num::unit_scale;
 use glam::DVec3;
 
 /// The faces of a mesh as triangles.
@@ -35,7 +36,8 @@ pub struct Triangulation {
 ///   vector area, summed relative to the first corner. Corners on a straight edge, holes joined to the outside
 ///   by a bridge of two coincident edges, and repeated positions are right.
 ///
-/// Scaling all positions by a power of two changes nothing as long as they stay normal numbers.
+/// All polygons together may cost a few seconds; one of many thousand needle-like corners that wants more counts
+/// as failed. Scaling all positions by a power of two changes nothing as long as they stay normal numbers.
 /// Cost: a few nanoseconds for each triangle, tens for a quad, some microseconds for a larger polygon, n log n
 /// in its corners.
 pub fn triangulate(mesh: &Mesh) -> Triangulation {
@@ -47,12 +49,13 @@ pub fn triangulate(mesh: &Mesh) -> Triangulation {
         failed: Vec::new(),
     };
     let mut points = Vec::new();
+    let mut budget = polygon::Budget::for_corners(faces.corner_count());
     for (face, range) in faces.ranges().enumerate() {
         let (first, arity) = (range.start as u32, range.len());
         if arity > 3 {
             points.clear();
             points.extend(faces.corners()[range].iter().map(|&v| mesh.positions()[v as usize]));
-            if !cut(&mut points, first, &mut out.triangles) {
+            if !cut(&mut points, first, &mut budget, &mut out.triangles) {
                 out.failed.push(face as u32);
                 out.triangles.extend((1..arity as u32 - 1).map(|k| [first, first + k, first + k + 1]));
             }
@@ -65,7 +68,12 @@ pub fn triangulate(mesh: &Mesh) -> Triangulation {
 }
 
 /// Appends the triangles of one polygon, or nothing if it cannot be done.
-fn cut(points: &mut [DVec3], first: u32, triangles: &mut Vec<[u32; 3]>) -> bool {
+fn cut(
+    points: &mut [DVec3],
+    first: u32,
+    budget: &mut polygon::Budget,
+    triangles: &mut Vec<[u32; 3]>,
+) -> bool {
     // The lexicographic order is that of the stored positions: subtraction may round two apart into one.
     let lowest = quad::lowest(points);
     normalise(points);
@@ -74,7 +82,7 @@ fn cut(points: &mut [DVec3], first: u32, triangles: &mut Vec<[u32; 3]>) -> bool 
         triangles.extend(cut.map(|triangle| triangle.map(|corner| first + corner)));
         return true;
     }
-    let Some(cut) = polygon::cut(points) else { return false };
+    let Some(cut) = polygon::cut(points, budget) else { return false };
     debug_assert_eq!(cut.len(), points.len() - 2);
     triangles.extend(cut.iter().map(|triangle| triangle.map(|corner| first + corner)));
     true
@@ -90,16 +98,11 @@ fn normalise(points: &mut [DVec3]) {
     rescale(points);
 }
 
-/// Multiplies by the power of two that brings the largest coordinate into 1..4. Twice, because the reciprocal of
-/// a subnormal number's power is out of range.
+/// Multiplies by the power of two that brings the largest coordinate to about one. Twice, because one power of two
+/// does not lift a subnormal number so far.
 fn rescale(points: &mut [DVec3]) {
     for _ in 0..2 {
-        let largest = points.iter().fold(0.0, |m: f64, p| m.max(p.abs().max_element()));
-        let exponent = largest.to_bits() >> 52;
-        if (1023..1025).contains(&exponent) || largest == 0.0 {
-            return;
-        }
-        let scale = f64::from_bits((2046 - exponent).clamp(1, 2046) << 52);
+        let scale = unit_scale(points.iter().fold(0.0, |m, p| p.abs().max_element().max(m)));
         points.iter_mut().for_each(|p| *p *= scale);
     }
 }

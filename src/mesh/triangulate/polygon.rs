@@ -2,22 +2,43 @@
 
 use glam::{DVec2, DVec3};
 use rustc_hash::FxHashMap;
-use spade::handles::{DirectedEdgeHandle, FaceHandle, PossiblyOuterTag};
-use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
+use spade::handles::{DirectedEdgeHandle, FaceHandle, FixedVertexHandle, PossiblyOuterTag};
+use spade::{ConstrainedDelaunayTriangulation, LineIntersectionIterator, Point2, Triangulation};
 
-type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>>;
+/// Points are found from a hierarchy of samples, so that inserting one costs log n.
+type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>, (), (), (), spade::HierarchyHintGenerator<f64>>;
 type Edge<'a> = DirectedEdgeHandle<'a, Point2<f64>, (), spade::CdtEdge<()>, ()>;
 type Face<'a> = FaceHandle<'a, PossiblyOuterTag, Point2<f64>, (), spade::CdtEdge<()>, ()>;
 
+/// How much work polygons may make beyond n log n. An edge of the polygon that crosses `c` edges of the Delaunay
+/// triangulation of its corners costs `c²`: there are few of these in a polygon that anyone has drawn, but a bundle
+/// of thousands of needles can be made to cost hours.
+pub(super) struct Budget {
+    squared_crossings: u64,
+}
+
+impl Budget {
+    /// Enough for any honest mesh of so many corners, and a few seconds at most.
+    pub(super) fn for_corners(count: usize) -> Self {
+        Self { squared_crossings: (1 << 25) + 64 * count as u64 }
+    }
+
+    fn spend(&mut self, crossings: usize) -> Option<()> {
+        let crossings = crossings as u64;
+        self.squared_crossings = self.squared_crossings.checked_sub(crossings.checked_mul(crossings)?)?;
+        Some(())
+    }
+}
+
 /// The `n - 2` triangles of a polygon whose first point is the origin and whose size is about one; `None` if its
-/// projection has no area, crosses itself, or touches itself with a corner inside an edge.
-pub(super) fn cut(points: &[DVec3]) -> Option<Vec<[u32; 3]>> {
+/// projection has no area, crosses itself, touches itself with a corner inside an edge, or exceeds the budget.
+pub(super) fn cut(points: &[DVec3], budget: &mut Budget) -> Option<Vec<[u32; 3]>> {
     let flat = project(points)?;
     let (mut triangles, ring) = clip_empty_ears(&flat);
     if ring.len() < 3 {
         return None;
     }
-    triangles.extend(Ring::new(&flat, &ring).triangles()?);
+    triangles.extend(Ring::new(&flat, &ring).triangles(budget)?);
     (triangles.len() == points.len() - 2).then_some(triangles)
 }
 
@@ -94,28 +115,75 @@ impl<'a> Ring<'a> {
                 })
             })
             .collect();
-        Self { corners, point_of, points, edges: FxHashMap::default() }
+        let mut ring = Self { corners, point_of, points, edges: FxHashMap::default() };
+        ring.shuffle();
+        ring
     }
 
-    fn triangles(mut self) -> Option<Vec<[u32; 3]>> {
+    /// Numbers the points in the order in which they are inserted: a large triangle first, then at random. Then no
+    /// arrangement of corners (all but one on a line, on a circle, on a parabola) costs more than n log n.
+    fn shuffle(&mut self) {
+        let count = self.points.len();
+        let mut order = random_order(count);
+        let from_first = |k: u32| {
+            (self.points[k as usize].x - self.points[0].x, self.points[k as usize].y - self.points[0].y)
+        };
+        let furthest = |distance: &dyn Fn(u32) -> f64| {
+            (0..count as u32).max_by(|&a, &b| distance(a).total_cmp(&distance(b)))
+        };
+        let far = furthest(&|k| from_first(k).0.abs() + from_first(k).1.abs()).unwrap_or(0);
+        let (x, y) = from_first(far);
+        let apex = furthest(&|k| (x * from_first(k).1 - y * from_first(k).0).abs()).unwrap_or(0);
+        for (front, number) in [0, far, apex].into_iter().enumerate().take(count) {
+            if let Some(at) = order[front..].iter().position(|&k| k == number) {
+                order.swap(front, front + at);
+            }
+        }
+        let mut rank = vec![0; count];
+        for (place, &number) in order.iter().enumerate() {
+            rank[number as usize] = place as u32;
+        }
+        self.points = order.iter().map(|&k| self.points[k as usize]).collect();
+        self.point_of.iter_mut().for_each(|k| *k = rank[*k as usize]);
+    }
+
+    fn triangles(mut self, budget: &mut Budget) -> Option<Vec<[u32; 3]>> {
         let count = self.corners.len();
-        let mut constraints = Vec::with_capacity(count);
         for place in 0..count {
             let edge = (self.point_of[place], self.point_of[(place + 1) % count]);
             // An edge that is run through twice in one direction bounds a region that is covered twice.
             if self.edges.insert(edge, place as u32).is_some() {
                 return None;
             }
-            constraints.push([edge.0 as usize, edge.1 as usize]);
         }
-        let mut conflicts = 0;
-        let points = std::mem::take(&mut self.points);
-        let cdt = Cdt::try_bulk_load_cdt(points, constraints, |_| conflicts += 1).ok()?;
-        if conflicts > 0 {
-            return None;
-        }
+        let cdt = self.triangulation(budget)?;
         let inside = self.inside(&cdt)?;
         self.label(&cdt, &inside)
+    }
+
+    /// The triangulation, vertex `k` of which is point `k`; `None` if edges of the polygon cross.
+    fn triangulation(&self, budget: &mut Budget) -> Option<Cdt> {
+        let mut cdt = Cdt::new();
+        for (number, &point) in self.points.iter().enumerate() {
+            if cdt.insert(point).ok()?.index() != number {
+                return None;
+            }
+        }
+        let count = self.corners.len();
+        // At random again, because an edge that divides a bundle of edges shortens the way of the others.
+        for place in random_order(count) {
+            let place = place as usize;
+            let [from, to] = [self.point_of[place], self.point_of[(place + 1) % count]]
+                .map(|point| FixedVertexHandle::from_index(point as usize));
+            if cdt.exists_constraint(from, to) {
+                continue;
+            }
+            budget.spend(LineIntersectionIterator::new_from_handles(&cdt, from, to).count())?;
+            if cdt.try_add_constraint(from, to).is_empty() {
+                return None;
+            }
+        }
+        Some(cdt)
     }
 
     fn place(&self, edge: Edge<'_>) -> Option<u32> {
@@ -182,4 +250,16 @@ impl<'a> Ring<'a> {
         }
         Some(triangles)
     }
+}
+
+/// The numbers below `count`, shuffled, always the same way.
+fn random_order(count: usize) -> Vec<u32> {
+    let mut order: Vec<u32> = (0..count as u32).collect();
+    let mut state = 0x9e37_79b9_7f4a_7c15_u64;
+    for k in (1..count).rev() {
+        // Knuth's MMIX generator; its high bits are the good ones.
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        order.swap(k, (state >> 33) as usize % (k + 1));
+    }
+    order
 }

@@ -262,3 +262,28 @@ fn triangles_pass_through_among_polygons() {
     assert_eq!(out.triangles, [[0, 1, 2], [3, 4, 5], [3, 5, 6], [7, 8, 9]]);
     assert_eq!(out.source_face, [0, 1, 1, 2]);
 }
+
+/// Inputs on which a plain bulk load or insertion of edges in order takes minutes.
+#[test]
+fn hostile_polygons_end() {
+    let n = 20_000;
+    let mut triangle: Vec<_> = (0..n).map(|k| DVec3::new(k as f64, 0.0, 0.0)).collect();
+    triangle.push(DVec3::new(0.5 * n as f64, 1e5, 0.0));
+    check("all but one corner on a line", &triangle);
+    // Needles from side to side, with rows of corners above and below.
+    let along = |k: usize| (k as f64 + 0.5) / n as f64;
+    let mut needles: Vec<_> = (0..n).map(|k| DVec3::new((k % 2) as f64, 1e-3 * along(k), 0.0)).collect();
+    needles.extend((0..n).map(|k| DVec3::new(1.0 - along(k), 0.002 + 1e-4 * (k % 7) as f64, 0.0)));
+    needles.extend([DVec3::new(-0.5, 0.002, 0.0), DVec3::new(-0.5, 0.0, 0.0)]);
+    needles.extend((0..n).map(|k| DVec3::new(1.4 * along(k) - 0.5, -0.002, 0.0)));
+    needles.push(DVec3::new(0.9, -0.001, 0.0));
+    assert_eq!(triangulate(&polygon(needles)).failed, [0]);
+    let golden = 2.399963229728653;
+    let star: Vec<_> = (0..n)
+        .map(|k| {
+            let (y, x) = libm::sincos(golden * k as f64);
+            DVec3::new(x, y, 0.0)
+        })
+        .collect();
+    assert_eq!(triangulate(&polygon(star)).failed, [0]);
+}
