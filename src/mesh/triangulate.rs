@@ -102,7 +102,7 @@ fn normalise(points: &mut [DVec3]) {
 /// does not lift a subnormal number so far.
 fn rescale(points: &mut [DVec3]) {
     for _ in 0..2 {
-        let scale = unit_scale(points.iter().fold(0.0, |m, p| p.abs().max_element().max(m)));
+        let scale = unit_scale(points.iter().fold(0.0, |m: f64, p| m.max(p.abs().max_element())));
         points.iter_mut().for_each(|p| *p *= scale);
     }
 }
