@@ -11,6 +11,7 @@ mod error;
 mod format;
 pub mod gltf;
 mod loaded;
+mod number;
 pub mod obj;
 
 pub use dispatch::{edit, read, write};

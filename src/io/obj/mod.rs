@@ -17,11 +17,11 @@ mod lexer;
 mod locate;
 mod merge;
 mod mtl;
-mod number;
 mod remarks;
 mod renumber;
 mod stretch;
 
+use super::number;
 use super::{Document, Format, Loaded, OutputFile, Part, Place, Problem, ReadError, ReadOptions};
 pub(super) use edit::edit;
 pub(super) use fresh::write;

@@ -63,7 +63,7 @@ fn digits(text: &[u8], mut at: usize, mantissa: &mut u64) -> usize {
 /// The number at the front of a text and its length in bytes; `None` if there is none or if it is too unusual
 /// for the quick way, which is for [`float`] to find out.
 #[inline]
-pub(super) fn quick_float(text: &[u8]) -> Option<(f64, usize)> {
+pub(in crate::io) fn quick_float(text: &[u8]) -> Option<(f64, usize)> {
     let first = *text.first()?;
     let negative = first == b'-';
     let start = usize::from(negative || first == b'+');
@@ -92,7 +92,7 @@ pub(super) fn quick_float(text: &[u8]) -> Option<(f64, usize)> {
 
 /// The number that a whole token spells, possibly infinite or not a number; `None` if it is no number. The C
 /// libraries' `nan(…)`, `-nan(ind)`, `1.#INF` and `-1.#IND` count as what they are.
-pub(super) fn float(token: &[u8]) -> Option<f64> {
+pub(in crate::io) fn float(token: &[u8]) -> Option<f64> {
     if let Some((value, length)) = quick_float(token)
         && length == token.len()
     {
@@ -126,7 +126,7 @@ pub(super) fn float(token: &[u8]) -> Option<f64> {
 /// The integer at the front of a text, with or without a sign, and its length in bytes. What an `i64` cannot hold
 /// becomes the nearest that it can.
 #[inline]
-pub(super) fn index(text: &[u8]) -> Option<(i64, usize)> {
+pub(in crate::io) fn index(text: &[u8]) -> Option<(i64, usize)> {
     let first = *text.first()?;
     let negative = first == b'-';
     let start = usize::from(negative || first == b'+');
