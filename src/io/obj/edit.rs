@@ -228,3 +228,115 @@ fn head_length(token: &[u8]) -> usize {
     let second = slashes.next().unwrap_or(token.len());
     if second == first + 1 { first } else { second }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::io::{self, Format, Loaded, PartEdit, ReadOptions, WriteOptions};
+    use crate::mesh::{Column, FaceEdit, NONE};
+    use glam::DVec3;
+
+    fn load(text: &str) -> Loaded {
+        io::read(Format::Obj, text.as_bytes().to_vec(), None, &ReadOptions::default()).unwrap()
+    }
+
+    fn edited(text: &str, edit: PartEdit) -> String {
+        let written = io::edit(&load(text), &[edit], &WriteOptions::default()).unwrap();
+        String::from_utf8(written.bytes).unwrap()
+    }
+
+    fn normals(values: &[DVec3], index: &[u32], kept: usize) -> PartEdit {
+        let normals = Some(Column::per_corner(values.to_vec(), index.to_vec()));
+        PartEdit { normals, kept, ..PartEdit::default() }
+    }
+
+    const POINTS: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
+
+    #[test]
+    fn new_normals_come_before_the_first_face() {
+        let text = format!("{POINTS}vt 0 0\ns 1\nf 1 2/1 3/-1 # x\n# y\nf -4/1/ 3//  \\\n\t2/1\nl 1 2\n");
+        let edit = normals(&[DVec3::Z, DVec3::X, DVec3::Z, DVec3::Y], &[0, 0, 1, 2, 1, NONE], 0);
+        assert_eq!(
+            edited(&text, edit),
+            format!(
+                "{POINTS}vt 0 0\ns 1\nvn 0 0 1\nvn 1 0 0\nf 1//1 2/1/1 3/-1/2 # x\n# y\nf -4/1/1 3//2  \\\n\t2/1\nl 1 2\n"
+            )
+        );
+    }
+
+    #[test]
+    fn old_normals_make_room_where_they_were() {
+        let text =
+            format!("vn 5 5 5\n{POINTS}vn 1 0 0 # a\r\n# b\nf 1//1 2//2 3//-1\nvn 0 1 0\nf 1//3 2 4\n");
+        let edit = normals(&[DVec3::NEG_Z], &[0; 6], 0);
+        assert_eq!(
+            edited(&text, edit),
+            format!("{POINTS}vn 0 0 -1\n# b\nf 1//1 2//1 3//1\nf 1//1 2//1 4//1\n")
+        );
+    }
+
+    #[test]
+    fn kept_normals_keep_their_text_and_are_counted_anew() {
+        let text = format!("{POINTS}vn 0.0 0 1.00\nvn 9 9 9\nf 1//1 2//2 3//3\nvn 0 1e0 0\nf 1//-1 2 4\n");
+        let stored = [DVec3::Z, DVec3::splat(9.0), DVec3::Y];
+        let edit = normals(&[&stored[..], &[DVec3::X]].concat(), &[0, 3, 2, 2, 3, 3], 3);
+        assert_eq!(
+            edited(&text, edit),
+            format!("{POINTS}vn 0.0 0 1.00\nvn 1 0 0\nf 1//1 2//2 3//3\nvn 0 1e0 0\nf 1//3 2//2 4//2\n")
+        );
+    }
+
+    #[test]
+    fn nothing_to_change_changes_nothing() {
+        let text = format!("{POINTS}vn 0 0 1\n\n f  1//1 2//-1\t3\nf 1 2\nvn nan 0 0\n");
+        assert_eq!(edited(&text, PartEdit::default()), text);
+        let stored = load(&text).parts[0].mesh.columns().normals.clone();
+        let edit = PartEdit { normals: stored, kept: 2, ..PartEdit::default() };
+        assert_eq!(edited(&text, edit), text);
+    }
+
+    #[test]
+    fn dropped_and_reversed_faces_with_their_normals_as_they_are() {
+        let text =
+            format!("{POINTS}vn 0 0 1\nvt 1 1\nf 1//1 2 3/1\nf 1 2\nf 2 3 \\\n 4\nf 1 2/1\t3//1 4 # q\n");
+        let faces = FaceEdit { dropped: vec![1], reversed: vec![0, 1, 2] };
+        let edit = PartEdit { faces, ..PartEdit::default() };
+        assert_eq!(
+            edited(&text, edit),
+            format!("{POINTS}vn 0 0 1\nvt 1 1\nf 1//1 3/1 2\nf 1 2\nf 1 4\t3//1 2/1 # q\n")
+        );
+    }
+
+    #[test]
+    fn reversed_faces_with_new_normals_and_texture_coordinates_at_their_corners() {
+        let text = format!("{POINTS}vt 1 1\nvn 1 1 1\nf 1 2//1\nf 1/1 2 3\n");
+        let faces = FaceEdit { dropped: Vec::new(), reversed: vec![0] };
+        let edit = PartEdit { faces, ..normals(&[DVec3::X, DVec3::Y, DVec3::Z], &[0, 1, 2], 0) };
+        assert_eq!(
+            edited(&text, edit),
+            format!("{POINTS}vt 1 1\nvn 1 0 0\nvn 0 1 0\nvn 0 0 1\nf 1 2\nf 1/1/1 3//3 2//2\n")
+        );
+    }
+
+    #[test]
+    fn line_ends_and_marks_stay() {
+        let text = "\u{feff}v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3";
+        let edit = normals(&[DVec3::Z], &[0; 3], 0);
+        assert_eq!(
+            edited(text, edit.clone()),
+            "\u{feff}v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nvn 0 0 1\r\nf 1//1 2//1 3//1"
+        );
+        assert_eq!(
+            edited("f 1 2 3\rv 0 0 0\rv 1 0 0\rv 0 1 0\r", edit),
+            "vn 0 0 1\rf 1//1 2//1 3//1\rv 0 0 0\rv 1 0 0\rv 0 1 0\r"
+        );
+    }
+
+    #[test]
+    fn surfaces_that_count_normals_are_not_left_pointing_elsewhere() {
+        let text = format!("{POINTS}vn 0 0 1\nf 1 2 3\nsurf 0 1 0 1 1/1/1\n");
+        let loaded = load(&text);
+        let edit = normals(&[DVec3::X], &[0; 3], 0);
+        assert!(io::edit(&loaded, &[edit], &WriteOptions::default()).is_err());
+        assert_eq!(edited(&text, PartEdit::default()), text);
+    }
+}

@@ -215,3 +215,71 @@ impl Writer {
 fn slot<T>(column: &Option<Column<T>>, corner: usize, vertex: u32) -> Option<u64> {
     column.as_ref()?.slot(corner, vertex).map(u64::from)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::{Format, ReadOptions, read};
+    use crate::mesh::{Columns, Faces, MeshBuilder, SmoothingGroups};
+    use glam::{DVec2, DVec3};
+
+    fn written(parts: &[Part]) -> String {
+        let written = write(parts, &WriteOptions::default()).unwrap();
+        String::from_utf8(written.bytes).unwrap().split_once('\n').unwrap().1.to_owned()
+    }
+
+    fn part(name: &str, columns: Columns) -> Part {
+        let mesh = MeshBuilder {
+            positions: vec![DVec3::ZERO, DVec3::X * f64::from(0.1_f32), DVec3::Y, DVec3::ONE],
+            storage: Storage::F32,
+            faces: Faces::polygons(vec![0, 1, 2, 0, 1, 3, 2], vec![0, 3, 7]),
+            columns,
+        };
+        Part { name: name.to_owned(), mesh: mesh.build().unwrap(), non_finite_faces: Vec::new() }
+    }
+
+    #[test]
+    fn everything_that_obj_has() {
+        let labels = |of_face: &[u32], names: &[&str]| {
+            let names = names.iter().map(|&name| name.to_owned()).collect();
+            Some(FaceLabels { of_face: of_face.to_vec(), names })
+        };
+        let columns = Columns {
+            normals: Some(Column::per_corner(vec![DVec3::Z], vec![0, 0, NONE, 0, 0, 0, 0])),
+            uvs: Some(Column::per_vertex(vec![DVec2::ZERO; 4])),
+            smoothing: Some(SmoothingGroups { of_face: vec![0, 3], before_first: 0 }),
+            materials: labels(&[NONE, 0], &["red\n"]),
+            objects: labels(&[0, 1], &["a", "b\\"]),
+            points: vec![3],
+            lines: vec![vec![0, 3, 1]],
+            ..Columns::default()
+        };
+        let second = Columns { colors: Some(vec![[0.5, 0.25, 1.0, 1.0]; 4]), ..Columns::default() };
+        let text = written(&[part("one", columns), part(" ", second)]);
+        assert_eq!(
+            text,
+            "o one\nv 0 0 0\nv 0.1 0 0\nv 0 1 0\nv 1 1 1\nvt 0 0\nvt 0 0\nvt 0 0\nvt 0 0\nvn 0 0 1\n\
+             g a\ns off\nf 1/1/1 2/2/1 3/3\ng b\nusemtl red\ns 3\nf 1/1/1 2/2/1 4/4/1 3/3/1\nl 1 4 2\np 4\n\
+             v 0 0 0 0.5 0.25 1\nv 0.1 0 0 0.5 0.25 1\nv 0 1 0 0.5 0.25 1\nv 1 1 1 0.5 0.25 1\n\
+             g\nusemtl\ns off\nf 5 6 7\nf 5 6 8 7\n"
+        );
+        let back = read(Format::Obj, text.into_bytes(), None, &ReadOptions::default()).unwrap();
+        let columns = back.parts[0].mesh.columns();
+        assert_eq!(columns.materials.as_ref().unwrap().of_face, [NONE, 0, NONE, NONE]);
+        assert_eq!(columns.smoothing.as_ref().unwrap().of_face, [0, 3, 0, 0]);
+    }
+
+    #[test]
+    fn what_is_lost_is_said() {
+        let columns = Columns {
+            colors: Some(vec![[1.0, 1.0, 1.0, 0.5]; 4]),
+            hard_edges: vec![[0, 1]],
+            morph_targets: vec![vec![DVec3::ZERO; 4]],
+            ..Columns::default()
+        };
+        let written = write(&[part("", columns)], &WriteOptions::default()).unwrap();
+        assert_eq!(written.notes.len(), 3);
+        let faces = WriteOptions { emit: Emit::Face, ..WriteOptions::default() };
+        assert!(write(&[part("", Columns::default())], &faces).is_err());
+    }
+}
