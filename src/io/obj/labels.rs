@@ -22,11 +22,11 @@ impl<'a> Labels<'a> {
 
     /// The materials, objects or groups of faces; `None` if no face has one. An empty name sets none.
     pub fn names(&self, kind: LabelKind) -> Option<FaceLabels> {
+        self.of(kind).find(|(_, name)| !name.is_empty())?;
         let mut numbers: FxHashMap<&[u8], u32> = FxHashMap::default();
         let mut labels = FaceLabels { of_face: Vec::new(), names: Vec::new() };
         let mut current = NONE;
         for (face, name) in self.of(kind) {
-            // Faces in front of the first statement need room too, but not if there is nothing to say about any.
             labels.of_face.resize(face, current);
             current = match name {
                 [] => NONE,

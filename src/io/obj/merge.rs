@@ -1,6 +1,6 @@
 //! Stretches of a file put together, in order, into one mesh.
 
-use super::indices::Indices;
+use super::indices::{Indices, NOWHERE};
 use super::labels::Labels;
 use super::lexer::{Cursor, Keyword, shown};
 use super::locate::{Counts, Target, arguments_of, first_bad_reference};
@@ -23,12 +23,13 @@ pub(super) struct Merged {
 
 /// The file so far, growing by one stretch at a time.
 #[derive(Default)]
-struct Growing {
+pub(super) struct File {
     positions: Vec<DVec3>,
     colors: Vec<[f32; 4]>,
     uvs: Vec<DVec2>,
     normals: Vec<DVec3>,
     corners: Vec<u32>,
+    /// Empty while all faces are triangles.
     face_offsets: Vec<u32>,
     corner_uvs: Vec<u32>,
     corner_normals: Vec<u32>,
@@ -36,66 +37,30 @@ struct Growing {
     lines: Vec<Vec<u32>>,
     labels: Vec<Label>,
     remarks: Remarks,
+    has_faces: bool,
+    /// Where new normals go, and how many there are in front of it; final once there are faces.
+    pub insertion: (usize, usize),
+    pub surface_normals: bool,
+    pub statements: u64,
 }
 
-pub(super) fn merge(text: &[u8], stretches: Vec<Stretch>, non_finite: NonFinite) -> Result<Merged, Fault> {
-    let mut file = Growing::with_room_for(&stretches)?;
-    for stretch in stretches {
-        file.append(stretch);
-    }
-    let counts = Counts { vertices: file.positions.len(), uvs: file.uvs.len(), normals: file.normals.len() };
-    file.check_vertices(text, counts)?;
-    file.forget_bad_attributes(text, counts);
-    file.finish(text, non_finite)
-}
-
-impl Growing {
-    fn with_room_for(stretches: &[Stretch]) -> Result<Self, Fault> {
-        let sum = |count: fn(&Stretch) -> usize| stretches.iter().map(count).sum::<usize>();
-        let (vertices, corners) = (sum(|s| s.positions.len()), sum(|s| s.corners.values.len()));
-        for (what, count) in [("vertices", vertices), ("corners", corners)] {
-            if count >= NONE as usize - 1 {
-                return Err(too_many(what, count));
-            }
-        }
-        let mut file = Growing::default();
-        // A single stretch gives its vectors away instead of having them copied.
-        if stretches.len() > 1 {
-            file.positions.reserve_exact(vertices);
-            file.corners.reserve_exact(corners);
-            file.uvs.reserve_exact(sum(|s| s.uvs.len()));
-            file.normals.reserve_exact(sum(|s| s.normals.len()));
-            if stretches.iter().any(|s| !s.corner_uvs.values.is_empty()) {
-                file.corner_uvs.reserve_exact(corners);
-            }
-            if stretches.iter().any(|s| !s.corner_normals.values.is_empty()) {
-                file.corner_normals.reserve_exact(corners);
-            }
-        }
-        if stretches.iter().any(|s| s.face_ends.is_some()) {
-            file.face_offsets.push(0);
-        }
-        Ok(file)
-    }
-
-    fn append(&mut self, mut stretch: Stretch) {
+impl File {
+    /// Appends what a stretch says.
+    pub fn append(&mut self, mut stretch: Stretch) -> Result<(), Fault> {
         let (vertices, corners) = (self.positions.len(), self.corners.len());
-        let faces = self.face_count() as u32;
+        check_count("vertices", vertices + stretch.positions.len())?;
+        check_count("corners", corners + stretch.corners.values.len())?;
+        self.find_insertion(&stretch);
         stretch.corners.resolve(vertices);
         stretch.points.resolve(vertices);
         stretch.lines.resolve(vertices);
         stretch.corner_uvs.resolve(self.uvs.len());
         stretch.corner_normals.resolve(self.normals.len());
+        let faces = self.face_count() as u32;
+        self.labels
+            .extend(stretch.labels.into_iter().map(|label| Label { face: label.face + faces, ..label }));
+        self.append_face_ends(stretch.face_ends, stretch.corners.values.len());
         self.append_colors(stretch.colors, stretch.positions.len());
-        if !self.face_offsets.is_empty() {
-            let base = corners as u32;
-            match stretch.face_ends {
-                Some(ends) => self.face_offsets.extend(ends.iter().map(|end| base + end)),
-                None => self
-                    .face_offsets
-                    .extend((3..=stretch.corners.values.len() as u32).step_by(3).map(|end| base + end)),
-            }
-        }
         append_aligned(&mut self.corner_uvs, stretch.corner_uvs, corners);
         append_aligned(&mut self.corner_normals, stretch.corner_normals, corners);
         append(&mut self.corners, stretch.corners.values);
@@ -108,9 +73,40 @@ impl Growing {
             self.lines.push(stretch.lines.values[start..end as usize].to_vec());
             start = end as usize;
         }
-        self.labels
-            .extend(stretch.labels.into_iter().map(|label| Label { face: label.face + faces, ..label }));
         self.remarks.merge(&stretch.remarks);
+        self.surface_normals |= stretch.surface_normals;
+        self.statements += stretch.statements;
+        Ok(())
+    }
+
+    /// New normals go behind the last one in front of the first face, or else in front of that face.
+    fn find_insertion(&mut self, stretch: &Stretch) {
+        if self.has_faces {
+            return;
+        }
+        if let Some((at, count)) = stretch.leading_normals {
+            self.insertion = (at, self.normals.len() + count);
+        }
+        if let Some(face) = stretch.first_face {
+            self.has_faces = true;
+            if self.insertion.1 == 0 {
+                self.insertion.0 = face;
+            }
+        }
+    }
+
+    fn append_face_ends(&mut self, ends: Option<Vec<u32>>, corners: usize) {
+        if ends.is_none() && self.face_offsets.is_empty() {
+            return;
+        }
+        let base = self.corners.len() as u32;
+        if self.face_offsets.is_empty() {
+            self.face_offsets.extend((0..=base).step_by(3));
+        }
+        match ends {
+            Some(ends) => self.face_offsets.extend(ends.iter().map(|end| base + end)),
+            None => self.face_offsets.extend((3..=corners as u32).step_by(3).map(|end| base + end)),
+        }
     }
 
     fn append_colors(&mut self, colors: Vec<[f32; 4]>, vertices: usize) {
@@ -170,7 +166,12 @@ impl Growing {
         }
     }
 
-    fn finish(mut self, text: &[u8], non_finite: NonFinite) -> Result<Merged, Fault> {
+    /// Checks what only the whole file can tell and makes the mesh.
+    pub fn finish(mut self, text: &[u8], non_finite: NonFinite) -> Result<Merged, Fault> {
+        let counts =
+            Counts { vertices: self.positions.len(), uvs: self.uvs.len(), normals: self.normals.len() };
+        self.check_vertices(text, counts)?;
+        self.forget_bad_attributes(text, counts);
         let mut notes = Vec::new();
         let corner_count = self.corners.len();
         let labels = Labels { text, faces: self.face_count(), all: std::mem::take(&mut self.labels) };
@@ -253,6 +254,11 @@ fn finish_colors(mut colors: Vec<[f32; 4]>, notes: &mut Vec<Note>) -> Option<Vec
         }
     }
     Some(colors)
+}
+
+/// Two numbers are set aside: for absence, and for what cannot be.
+fn check_count(what: &str, count: usize) -> Result<(), Fault> {
+    if count < NOWHERE as usize { Ok(()) } else { Err(too_many(what, count)) }
 }
 
 fn too_many(what: &str, count: usize) -> Fault {

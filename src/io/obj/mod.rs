@@ -26,6 +26,7 @@ use super::{Document, Format, Loaded, OutputFile, Part, Place, Problem, ReadErro
 pub(super) use edit::edit;
 pub(super) use fresh::write;
 use lexer::{line_and_column, next_line_start, text_start};
+use merge::File;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::path::Path;
@@ -33,6 +34,9 @@ use stretch::{Fault, Stretch};
 
 /// Bytes that are parsed in one go. It does not depend on the number of threads, nor does anything else here.
 const STRETCH: usize = 1 << 20;
+
+/// Stretches that are parsed before they are put together.
+const BATCH: usize = 8;
 
 /// An OBJ file as it was read.
 #[derive(Clone, Debug)]
@@ -69,11 +73,12 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
         };
         ReadError::new(fault.problem, Place::Line(line), found, fault.advice)
     };
-    let stretches = parse(&bytes).map_err(place)?;
-    check_statements(&bytes, &stretches)?;
-    let (insertion, normals_before) = insertion(&stretches);
-    let surface_normals = stretches.iter().any(|stretch| stretch.surface_normals);
-    let merged = merge::merge(&bytes, stretches, options.non_finite).map_err(place)?;
+    let file = parse(&bytes).map_err(place)?;
+    if file.statements == 0 {
+        check_is_blank(&bytes)?;
+    }
+    let ((insertion, normals_before), surface_normals) = (file.insertion, file.surface_normals);
+    let merged = file.finish(&bytes, options.non_finite).map_err(place)?;
     let mut notes = merged.remarks.notes(&bytes);
     notes.extend(merged.notes);
     let materials = base.map(|base| {
@@ -93,15 +98,24 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
     Ok(Loaded { format: Format::Obj, parts: vec![part], nodes: Vec::new(), notes, document })
 }
 
-fn parse(text: &[u8]) -> Result<Vec<Stretch>, Fault> {
+/// Parses stretches on all threads while those parsed before are put together, a few at a time: so little more than
+/// the mesh itself is in memory.
+fn parse(text: &[u8]) -> Result<File, Fault> {
+    let parse_all = |ranges: &[Range<usize>]| -> Vec<Result<Stretch, Fault>> {
+        ranges.par_iter().map(|range| stretch::parse(text, range.clone())).collect()
+    };
     let ranges = ranges(text);
-    if let [range] = &ranges[..] {
-        return Ok(vec![stretch::parse(text, range.clone())?]);
+    let mut file = File::default();
+    let mut parsed = Vec::new();
+    for ranges in ranges.chunks(BATCH) {
+        // The first fault in file order counts, whichever was met first.
+        let append = || parsed.into_iter().try_for_each(|stretch| file.append(stretch?));
+        let (appended, next) = rayon::join(append, || parse_all(ranges));
+        appended?;
+        parsed = next;
     }
-    let parsed: Vec<Result<Stretch, Fault>> =
-        ranges.into_par_iter().map(|range| stretch::parse(text, range)).collect();
-    // The first fault in file order, whichever was met first.
-    parsed.into_iter().collect()
+    parsed.into_iter().try_for_each(|stretch| file.append(stretch?))?;
+    Ok(file)
 }
 
 fn ranges(text: &[u8]) -> Vec<Range<usize>> {
@@ -115,21 +129,6 @@ fn ranges(text: &[u8]) -> Vec<Range<usize>> {
         }
         start = end;
     }
-}
-
-/// Where new normals go, and how many `vn` lines are in front of that.
-fn insertion(stretches: &[Stretch]) -> (usize, usize) {
-    let (mut place, mut before) = (None, 0);
-    for stretch in stretches {
-        if let Some((at, count)) = stretch.leading_normals {
-            place = Some((at, before + count));
-        }
-        if let Some(face) = stretch.first_face {
-            return place.unwrap_or((face, 0));
-        }
-        before += stretch.normals.len();
-    }
-    place.unwrap_or((0, 0))
 }
 
 fn check_encoding(bytes: &[u8]) -> Result<(), ReadError> {
@@ -151,10 +150,8 @@ fn check_encoding(bytes: &[u8]) -> Result<(), ReadError> {
     Err(ReadError::new(Problem::Unsupported, Place::File, found, "save it as UTF-8 or plain ASCII"))
 }
 
-fn check_statements(text: &[u8], stretches: &[Stretch]) -> Result<(), ReadError> {
-    if stretches.iter().any(|stretch| stretch.statements > 0) {
-        return Ok(());
-    }
+/// Refuses a file that has statements, but none of OBJ.
+fn check_is_blank(text: &[u8]) -> Result<(), ReadError> {
     let unknown = lexer::statements(text).find(|statement| statement.keyword == lexer::Keyword::Unknown);
     let Some(unknown) = unknown else { return Ok(()) };
     let mut cursor = lexer::Cursor::new(text, unknown.start);
