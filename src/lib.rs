@@ -1,8 +1,51 @@
-//! Mesh normals: compute them, split them where a surface should stay sharp, write them back.
+//! Mesh **normals**: compute them, split them where a surface should stay sharp, and write them back into the
+//! file that they belong to, with everything else untouched.
+//!
+//! # A tour
+//! Bytes become a [`mesh::Mesh`], a [`normals::NormalRecipe`] says what is wanted, and the answer is a
+//! [`normals::NormalField`]: one unit normal per vertex and smooth group, and one index a corner.
+//!
+//! ```
+//! use crease::io::{Format, ReadOptions, read_bytes};
+//! use crease::normals::{NormalRecipe, Weight, compute};
+//!
+//! let roof = b"v 0 0 0\nv 4 0 0\nv 4 1 1\nv 0 1 1\nv 4 2 0\nv 0 2 0\nf 1 2 3 4\nf 4 3 5 6\n";
+//! let loaded = read_bytes(roof.to_vec(), Some(Format::Obj), None, &ReadOptions::default())?;
+//! let recipe = NormalRecipe { weight: Weight::Max, ..NormalRecipe::default() };
+//! let field = compute(&loaded.parts[0].mesh, &recipe);
+//! // The ridge is a right angle, over the default crease angle of 40°: its two vertices have two normals each.
+//! assert_eq!((field.summary.edges.crease, field.summary.splits), (1, 2));
+//! # Ok::<(), crease::io::ReadError>(())
+//! ```
+//!
+//! Code that has its own arrays needs no mesh: [`normals::slices`] works on `&[[f32; 3]]` and `&[[u32; 3]]` with
+//! the same kernels.
 //!
 //! # Conventions
-//! Right-handed space, y up, counter-clockwise front faces; screen y down with pixel centres at +0.5; radians
-//! inside and degrees at the command line and in reports; colour linear until a named transfer step.
+//! - Right-handed space, y up, counter-clockwise front faces; screen y down with pixel centres at +0.5.
+//! - Radians inside, degrees at the command line and in reports.
+//! - Colour is linear until a named transfer step.
+//! - A *corner* is one vertex of one face; *half-edge* `c` leaves corner `c` for the next corner of its face.
+//! - No absolute epsilon: scaling a mesh by a power of two changes no bit of a faithful normal.
+//! - The same input gives the same bytes at any number of threads and with any CPU's instruction set.
+//!
+//! # Layers
+//! `num` (numbers) ← `mesh` (polygons and topology) ← `io` (files), `normals` (this crate's subject) ←
+//! `pipeline` (file to file) ← the command-line program. A module uses only lower ones; a test holds that.
+//!
+//! # Sources
+//! - H. Gouraud, *Continuous shading of curved surfaces*, IEEE Trans. Computers C-20(6), 1971: the uniform mean.
+//! - G. Thürmer, C. A. Wüthrich, *Computing vertex normals from polygonal facets*, JGT 3(1):43–46, 1998: angles.
+//! - N. Max, *Weights for computing vertex normals from facet normals*, JGT 4(2):1–6, 1999.
+//! - S. Jin, R. R. Lewis, D. West, *A comparison of algorithms for vertex normal computation*, Visual Computer
+//!   21:71–82, 2005.
+//! - M. Cornea, J. Harrison, P. T. P. Tang, *Scientific computing on Itanium-based systems*, 2002, and
+//!   C.-P. Jeannerod, N. Louvet, J.-M. Muller, *Further analysis of Kahan's algorithm for the accurate computation
+//!   of 2×2 determinants*, Math. Comp. 82:2245–2264, 2013: differences of products.
+//! - T. J. Dekker, *A floating-point technique for extending the available precision*, Numer. Math. 18, 1971, and
+//!   J. R. Shewchuk, *Adaptive precision floating-point arithmetic and fast robust geometric predicates*, DCG 18,
+//!   1997: exact sums and products.
+//! - M. Meyer, H. Lee, A. Barr, M. Desbrun and others on discrete surfaces are cited where they are used.
 
 pub mod io;
 pub mod mesh;

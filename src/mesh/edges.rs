@@ -4,7 +4,7 @@
 //! that arrive from `b`. So each vertex can be matched by itself, in parallel and in any order, without a table
 //! of edges.
 
-use super::Faces;
+use super::FacesRef;
 use super::rings::{Rings, Scatter};
 use super::topology::{Link, PackedLink};
 use rayon::prelude::*;
@@ -27,18 +27,18 @@ struct Spoke {
 
 /// Finds the [`Link`] of each half-edge by vertex index.
 pub(super) struct EdgeMatcher<'a> {
-    faces: &'a Faces,
+    faces: FacesRef<'a>,
     owners: &'a [u32],
     /// Faces of fewer than three distinct vertices; empty for triangles, where the corners themselves tell.
     collapsed: Vec<bool>,
 }
 
 impl<'a> EdgeMatcher<'a> {
-    pub(super) fn new(faces: &'a Faces, owners: &'a [u32]) -> Self {
+    pub(super) fn new(faces: FacesRef<'a>, owners: &'a [u32]) -> Self {
         let collapsed = if faces.is_triangles() {
             Vec::new()
         } else {
-            faces.iter().map(|face| is_collapsed(face.iter())).collect()
+            (0..faces.len()).map(|face| is_collapsed(faces.face(face).iter())).collect()
         };
         Self { faces, owners, collapsed }
     }
@@ -46,7 +46,7 @@ impl<'a> EdgeMatcher<'a> {
     /// The link of every half-edge.
     pub(super) fn links(&self, rings: &Rings) -> Vec<PackedLink> {
         const CHUNK: usize = 2048;
-        let links = Scatter::new(self.faces.corner_count(), 0);
+        let links = Scatter::new(self.faces.corners().len(), 0);
         let chunks = rings.len().div_ceil(CHUNK);
         (0..chunks).into_par_iter().for_each_init(Vec::new, |spokes, chunk| {
             for vertex in chunk * CHUNK..((chunk + 1) * CHUNK).min(rings.len()) {

@@ -195,4 +195,14 @@ impl<'a> FacesRef<'a> {
     pub(crate) fn face(self, face: usize) -> &'a [u32] {
         &self.corners[self.range(face)]
     }
+
+    /// The face of each corner and where each face starts; both empty for plain triangles, where arithmetic tells.
+    pub(crate) fn owners_and_starts(self) -> (Vec<u32>, Vec<u32>) {
+        let Some(offsets) = self.offsets else { return (Vec::new(), Vec::new()) };
+        let mut owners = Vec::with_capacity(self.corners.len());
+        for (face, pair) in offsets.windows(2).enumerate() {
+            owners.extend(std::iter::repeat_n(face as u32, (pair[1] - pair[0]) as usize));
+        }
+        (owners, offsets.to_vec())
+    }
 }

@@ -7,7 +7,7 @@
 use super::edges::EdgeMatcher;
 use super::rings::Rings;
 use super::weld::{self, Weld};
-use super::{Faces, Mesh};
+use super::{Faces, FacesRef, Mesh};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -121,8 +121,12 @@ impl Topology {
 
     /// As [`build`](Self::build), by vertex index alone.
     pub fn by_index(faces: &Faces, vertex_count: usize) -> Self {
-        let owners = if faces.is_triangles() { Vec::new() } else { faces.owners() };
-        let starts = faces.offsets().map_or_else(Vec::new, <[u32]>::to_vec);
+        Self::of_view(faces.view(), vertex_count)
+    }
+
+    /// As [`by_index`](Self::by_index), for faces of any owner.
+    pub(crate) fn of_view(faces: FacesRef, vertex_count: usize) -> Self {
+        let (owners, starts) = faces.owners_and_starts();
         let rings = Rings::build(faces.corners(), vertex_count);
         let links = EdgeMatcher::new(faces, &owners).links(&rings);
         let mut topology = Self {
@@ -135,7 +139,7 @@ impl Topology {
             non_manifold: 0,
             ambiguous: 0,
         };
-        let mut crowded: Vec<(u32, u32)> = (0..faces.corner_count() as u32)
+        let mut crowded: Vec<(u32, u32)> = (0..faces.corners().len() as u32)
             .into_par_iter()
             .filter(|&h| topology.links[h as usize] == PackedLink::NON_MANIFOLD)
             .map(|h| topology.ends(faces.corners(), h))

@@ -18,9 +18,12 @@ pub(crate) fn stand_in(normals: &[DVec3]) -> DVec3 {
     if state == SlotState::Good {
         return sum;
     }
-    let lexicographic =
-        |a: &&DVec3, b: &&DVec3| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)).then(a.z.total_cmp(&b.z));
-    normals.iter().min_by(lexicographic).copied().unwrap_or(LAST_RESORT)
+    normals.iter().copied().min_by(lexicographic).unwrap_or(LAST_RESORT)
+}
+
+/// The order in which one of several normals is chosen that nothing else tells apart.
+pub(crate) fn lexicographic(a: &DVec3, b: &DVec3) -> std::cmp::Ordering {
+    a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)).then(a.z.total_cmp(&b.z))
 }
 
 /// A vertex without a normal: what stands in, and the worst that befell its faces.

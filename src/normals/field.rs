@@ -41,6 +41,10 @@ pub struct Summary {
     pub wide_clusters: usize,
     /// Quadric fits that fell back to the angle mean.
     pub quadric_fallbacks: usize,
+    /// Fans too large for the cone rule, cut by the fan rule instead.
+    pub cone_declined: usize,
+    /// Entries whose normal in a morph target's shape had to be that of the base shape.
+    pub morph_fallbacks: usize,
     /// Faces before the first `s` statement of an OBJ file, where groups were honoured.
     pub faces_before_groups: usize,
     /// Whether `fast` left its promised range and `faithful` was used instead.

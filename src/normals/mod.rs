@@ -1,28 +1,41 @@
 //! Face, vertex and corner normals (layer 2).
 
 mod block;
+mod compute;
+mod cone;
 mod corner_terms;
+mod crease;
 mod emit;
 mod face;
 mod face_shape;
 mod fallback;
+mod fans;
 mod fault;
 mod field;
 mod gather;
+mod groups;
+mod hard;
+mod made_up;
 mod part;
 mod partition;
 mod positions;
 mod recipe;
+mod replace;
 mod slices;
 mod sliver;
 mod sums;
+mod tally;
 mod term;
 #[cfg(test)]
 mod test_meshes;
 mod weight;
 
 pub use crate::mesh::Weld;
+pub use compute::{compute, compute_on};
+pub(crate) use face::FaceNormals;
+pub(crate) use face_shape::FaceState;
 pub use fault::{Fault, FaultReason, Faults};
 pub use field::{EdgeCounts, NormalField, Summary};
 pub use recipe::{Crease, CreaseRule, Groups, HardEdges, NormalRecipe, Precision, Scope, Slivers, Weight};
+pub use replace::{Broken, LENGTH_TOLERANCE, Replacement, When, replace};
 pub use slices::{Coordinate, Scratch, SliceError, face_normals, vertex_normals};

@@ -1,0 +1,342 @@
+//! From a mesh and a recipe to a field of normals.
+
+use super::crease::CreaseTest;
+use super::face::face_normals;
+use super::fans::FanWalker;
+use super::gather::TermTable;
+use super::groups::{Members, SmoothGroups};
+use super::hard::{Marks, applied_angle};
+use super::made_up::{MadeUp, face_faults};
+use super::positions::Positions;
+use super::sums::{SlotState, SumRequest, Sums, weighted_sums};
+use super::tally::edge_counts;
+use super::{
+    CreaseRule, FaceNormals, Fault, FaultReason, Faults, Groups, NormalField, NormalRecipe, Scope, Summary,
+};
+use crate::mesh::{Column, Mesh, Storage, Topology};
+use crate::num::Degrees;
+use glam::DVec3;
+use rayon::prelude::*;
+
+/// Computes the normals of a mesh.
+///
+/// Builds the topology that the recipe's welding asks for; a caller that has it already uses [`compute_on`].
+///
+/// ```
+/// use crease::mesh::{Faces, MeshBuilder};
+/// use crease::normals::{NormalRecipe, compute};
+/// use glam::DVec3;
+///
+/// // A ridge of 90° between two triangles: over the default crease angle, so each side keeps its own normal.
+/// let mesh = MeshBuilder {
+///     positions: vec![DVec3::ZERO, DVec3::Y, DVec3::new(1.0, 0.0, 0.0), DVec3::new(0.0, 0.0, -1.0)],
+///     faces: Faces::triangles(vec![0, 2, 1, 0, 1, 3]),
+///     ..MeshBuilder::default()
+/// }
+/// .build()?;
+/// let field = compute(&mesh, &NormalRecipe::default());
+/// assert_eq!(field.summary.splits, 2);
+/// assert_eq!(field.normals.get(0, 0), Some(&DVec3::Z));
+/// # Ok::<(), crease::mesh::MeshError>(())
+/// ```
+pub fn compute(mesh: &Mesh, recipe: &NormalRecipe) -> NormalField {
+    compute_on(mesh, &Topology::build(mesh, recipe.weld), recipe)
+}
+
+/// As [`compute`], on a topology built before, with the welding that it was built with.
+pub fn compute_on(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe) -> NormalField {
+    let shape = Shape::new(mesh, Positions::F64(mesh.positions(), mesh.storage()));
+    let angle = applied_angle(mesh, recipe);
+    let marks = Marks::new(mesh, topology, recipe);
+    let walker = FanWalker {
+        faces: mesh.faces().view(),
+        topology,
+        marks: &marks,
+        normals: &shape.faces,
+        crease: CreaseTest::new(angle),
+    };
+    let mut summary = Summary {
+        crease_degrees: angle.map(|Degrees(angle)| angle),
+        wide_clusters: topology.wide_clusters(),
+        faces_before_groups: faces_before_groups(mesh, recipe),
+        ..Summary::default()
+    };
+    (summary.edges, summary.near_crease) = edge_counts(&walker);
+    let groups = match (recipe.scope, recipe.rule) {
+        (Scope::Vertex, _) => SmoothGroups::per_vertex(mesh.faces().view(), topology, mesh.vertex_count()),
+        (Scope::Corner, CreaseRule::Fan) => SmoothGroups::by_fan(&walker, mesh.vertex_count()),
+        (Scope::Corner, CreaseRule::Cone) => {
+            let (groups, declined) = SmoothGroups::by_cone(&walker, mesh.vertex_count());
+            summary.cone_declined = declined;
+            groups
+        }
+    };
+    summary.referenced_vertices = count_runs(&groups.entry_vertex);
+    summary.splits = groups.entry_vertex.len() - summary.referenced_vertices;
+
+    let filled = shape.entries(mesh, topology, recipe, &groups);
+    summary.quadric_fallbacks = filled.quadric_fallbacks;
+    let mut morph_normals = Vec::new();
+    for target in &mesh.columns().morph_targets {
+        let moved: Vec<DVec3> = mesh.positions().iter().zip(target).map(|(&p, &by)| p + by).collect();
+        // The sum of two f32 values need not be one.
+        let moved = Shape::new(mesh, Positions::F64(&moved, Storage::F64));
+        let mut normals = moved.entries(mesh, topology, recipe, &groups);
+        // A shape that loses a normal keeps that of the base: no displacement rather than an arbitrary one.
+        summary.morph_fallbacks += normals.made_up.len();
+        for &(entry, _) in &normals.made_up {
+            normals.values[entry as usize] = filled.values[entry as usize];
+        }
+        morph_normals.push(normals.values);
+    }
+
+    let makeup = MadeUp::new(mesh.faces(), topology, &shape.faces);
+    let mut face_normals = shape.faces.unit.clone();
+    for (face, normal) in face_normals.iter_mut().enumerate().filter(|(_, normal)| **normal == DVec3::ZERO) {
+        *normal = makeup.for_face(face as u32);
+    }
+    let faults = Faults {
+        faces: face_faults(&shape.faces),
+        corners: corner_faults(&groups.corner_entry, &filled.made_up),
+        vertices: unreferenced(&groups.entry_vertex, mesh.vertex_count()),
+    };
+    NormalField {
+        normals: Column::per_corner(filled.values, groups.corner_entry),
+        entry_vertex: groups.entry_vertex,
+        face_normals,
+        morph_normals,
+        faults,
+        summary,
+    }
+}
+
+/// A mesh in one of its shapes: its own, or a morph target's.
+struct Shape<'a> {
+    positions: Positions<'a>,
+    faces: FaceNormals,
+}
+
+impl<'a> Shape<'a> {
+    fn new(mesh: &Mesh, positions: Positions<'a>) -> Self {
+        Self { positions, faces: face_normals(mesh.faces().view(), positions) }
+    }
+
+    /// The normal of every entry.
+    fn entries(
+        &self,
+        mesh: &Mesh,
+        topology: &Topology,
+        recipe: &NormalRecipe,
+        groups: &SmoothGroups,
+    ) -> Entries {
+        let target = groups.corner_slots();
+        let request = SumRequest {
+            faces: mesh.faces().view(),
+            positions: self.positions,
+            target: &target,
+            slots: groups.entry_vertex.len(),
+            weight: recipe.weight,
+            slivers: recipe.slivers,
+        };
+        let mut sums = match &groups.members {
+            None => weighted_sums(&request),
+            Some(members) => gather_sums(&request, members),
+        };
+        let made_up = self.make_up(mesh, topology, &target, &mut sums);
+        let values = match &groups.entry_slot {
+            None => sums.unit,
+            Some(slots) => slots.iter().map(|&slot| sums.unit[slot as usize]).collect(),
+        };
+        let reason = |slot: u32| made_up.binary_search_by_key(&slot, |&(s, _)| s).ok().map(|i| made_up[i].1);
+        let entries = (0..values.len() as u32).filter(|_| !made_up.is_empty());
+        let made_up = entries.filter_map(|e| reason(groups.slot(e)).map(|reason| (e, reason))).collect();
+        Entries { values, made_up, quadric_fallbacks: 0 }
+    }
+
+    /// Fills in slots without a normal. Gives them with the reason, ascending.
+    fn make_up(
+        &self,
+        mesh: &Mesh,
+        topology: &Topology,
+        target: &[u32],
+        sums: &mut Sums,
+    ) -> Vec<(u32, FaultReason)> {
+        let good = |slot: u32| sums.state[slot as usize] == SlotState::Good;
+        let corners = target.iter().enumerate();
+        let mut bare: Vec<(u32, u32)> =
+            corners.filter(|&(_, &slot)| !good(slot)).map(|(corner, &slot)| (slot, corner as u32)).collect();
+        bare.sort_unstable();
+        let mut makeup = MadeUp::new(mesh.faces(), topology, &self.faces);
+        let mut made_up = Vec::new();
+        for slot in bare.chunk_by(|a, b| a.0 == b.0) {
+            let corners: Vec<u32> = slot.iter().map(|&(_, corner)| corner).collect();
+            let number = slot[0].0 as usize;
+            let reason = match sums.state[number] {
+                SlotState::Cancelling => FaultReason::CancellingFan,
+                _ => makeup.reason(corners[0]),
+            };
+            sums.unit[number] = makeup.for_corners(&corners);
+            made_up.push((number as u32, reason));
+        }
+        made_up
+    }
+}
+
+/// Sums over explicit lists of corners: the cone rule, where a face counts in several groups.
+fn gather_sums(request: &SumRequest, members: &Members) -> Sums {
+    let table = TermTable::new(request.faces, request.positions, request.weight, request.slivers);
+    let slots = (0..request.slots as u32).into_par_iter();
+    let (unit, state) = slots.map_init(Vec::new, |terms, slot| table.mean(members.row(slot), terms)).unzip();
+    Sums { unit, state }
+}
+
+/// The normals of all entries.
+struct Entries {
+    values: Vec<DVec3>,
+    /// Entries whose normal is made up, ascending, with the reason.
+    made_up: Vec<(u32, FaultReason)>,
+    quadric_fallbacks: usize,
+}
+
+/// How many different values an ascending list has.
+fn count_runs(ascending: &[u32]) -> usize {
+    ascending.chunk_by(|a, b| a == b).count()
+}
+
+fn faces_before_groups(mesh: &Mesh, recipe: &NormalRecipe) -> usize {
+    let smoothing = mesh.columns().smoothing.as_ref().filter(|_| recipe.groups == Groups::Honour);
+    smoothing.map_or(0, |smoothing| smoothing.before_first)
+}
+
+/// The corners of entries whose normal was made up, with the reason.
+fn corner_faults(corner_entry: &[u32], made_up: &[(u32, FaultReason)]) -> Vec<Fault> {
+    if made_up.is_empty() {
+        return Vec::new();
+    }
+    let reason = |entry: u32| made_up.binary_search_by_key(&entry, |&(e, _)| e).ok().map(|i| made_up[i].1);
+    let corners = corner_entry.iter().enumerate();
+    corners.filter_map(|(c, &entry)| reason(entry).map(|reason| Fault { index: c as u32, reason })).collect()
+}
+
+/// The vertices that no entry belongs to.
+fn unreferenced(entry_vertex: &[u32], vertex_count: usize) -> Vec<Fault> {
+    let mut entries = entry_vertex.iter().copied().peekable();
+    let vertices = 0..vertex_count as u32;
+    vertices
+        .filter(|&vertex| {
+            let mut used = false;
+            while entries.next_if_eq(&vertex).is_some() {
+                used = true;
+            }
+            !used
+        })
+        .map(|index| Fault { index, reason: FaultReason::Unreferenced })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{Columns, Faces, MeshBuilder, SmoothingGroups, Weld};
+    use crate::normals::{Crease, HardEdges, Weight};
+
+    const CUBE: [[u32; 4]; 6] =
+        [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+
+    fn cube(columns: Columns) -> Mesh {
+        let mut faces = Faces::new();
+        CUBE.iter().for_each(|face| faces.push(face));
+        let bit = |i: u32, b: u32| f64::from(i >> b & 1);
+        let positions = (0..8).map(|i| DVec3::new(bit(i, 0), bit(i, 1), bit(i, 2))).collect();
+        MeshBuilder { positions, faces, columns, ..MeshBuilder::default() }.build().unwrap()
+    }
+
+    #[test]
+    fn a_cube_is_sharp_by_default_and_round_without_creases() {
+        let sharp = compute(&cube(Columns::default()), &NormalRecipe::default());
+        assert_eq!((sharp.summary.edges.crease, sharp.summary.splits), (12, 16));
+        assert!(sharp.faults.is_empty());
+        for weight in Weight::ALL {
+            let recipe = NormalRecipe { crease: Crease::OFF, weight, ..NormalRecipe::default() };
+            let round = compute(&cube(Columns::default()), &recipe);
+            assert_eq!((round.summary.edges.smooth, round.summary.splits), (12, 0));
+            for (normal, &vertex) in round.normals.values.iter().zip(&round.entry_vertex) {
+                let out = cube(Columns::default()).positions()[vertex as usize] - DVec3::splat(0.5);
+                // Every weight gives three equal shares; what remains is rounding.
+                assert!((*normal - out.normalize()).length() < 1e-15, "{weight:?} {normal}");
+            }
+        }
+    }
+
+    #[test]
+    fn smoothing_groups_decide_alone_unless_an_angle_is_typed() {
+        // All sides in group 1 but the last, which is off.
+        let smoothing = SmoothingGroups { of_face: vec![1, 1, 1, 1, 1, 0], before_first: 0 };
+        let mesh = cube(Columns { smoothing: Some(smoothing), ..Columns::default() });
+        let by_groups = compute(&mesh, &NormalRecipe::default());
+        assert_eq!((by_groups.summary.edges.marked, by_groups.summary.edges.crease), (4, 0));
+        assert_eq!((by_groups.summary.splits, by_groups.summary.crease_degrees), (4, None));
+        let typed = NormalRecipe { crease: Crease::Angle(Degrees(40.0)), ..NormalRecipe::default() };
+        assert_eq!(compute(&mesh, &typed).summary.edges.crease, 8);
+        let ignored = NormalRecipe { groups: Groups::Ignore, ..NormalRecipe::default() };
+        assert_eq!(compute(&mesh, &ignored).summary.edges.crease, 12);
+    }
+
+    #[test]
+    fn listed_edges_are_hard_and_one_normal_a_vertex_ignores_them() {
+        let mesh = cube(Columns { hard_edges: vec![[1, 0], [0, 2], [0, 4]], ..Columns::default() });
+        let recipe = NormalRecipe { crease: Crease::OFF, ..NormalRecipe::default() };
+        assert_eq!(compute(&mesh, &recipe).summary.splits, 2);
+        let per_vertex = NormalRecipe { scope: Scope::Vertex, ..recipe };
+        assert_eq!(compute(&mesh, &per_vertex).summary.splits, 0);
+    }
+
+    #[test]
+    fn stored_normals_can_mark_edges() {
+        let normals: Vec<DVec3> = CUBE
+            .iter()
+            .map(|face| {
+                let p = |i: usize| cube(Columns::default()).positions()[face[i] as usize];
+                (p(1) - p(0)).cross(p(2) - p(0))
+            })
+            .collect();
+        let index = (0..24).map(|corner| corner / 4).collect();
+        let mesh = cube(Columns { normals: Some(Column::per_corner(normals, index)), ..Columns::default() });
+        let hard_edges = HardEdges { authored: true, ..HardEdges::default() };
+        let recipe = NormalRecipe { crease: Crease::OFF, hard_edges, ..NormalRecipe::default() };
+        assert_eq!(compute(&mesh, &recipe).summary.edges.marked, 12);
+    }
+
+    /// The two sides of a leaf cancel at every vertex that they share: the result is one of them, and is counted.
+    #[test]
+    fn cancelling_fans_get_a_unit_normal_and_a_fault() {
+        let mesh = MeshBuilder {
+            positions: vec![DVec3::ZERO, DVec3::X, DVec3::Y],
+            faces: Faces::triangles(vec![0, 1, 2, 2, 1, 0]),
+            ..MeshBuilder::default()
+        }
+        .build()
+        .unwrap();
+        let recipe = NormalRecipe { crease: Crease::OFF, weld: Weld::Off, ..NormalRecipe::default() };
+        let leaf = compute(&mesh, &recipe);
+        assert_eq!(leaf.normals.values, [DVec3::NEG_Z; 3], "the first by value");
+        assert_eq!(Faults::count(&leaf.faults.corners, FaultReason::CancellingFan), 6);
+    }
+
+    #[test]
+    fn unused_vertices_and_empty_faces_are_counted() {
+        let mesh = MeshBuilder {
+            positions: vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::X * 2.0, DVec3::Z],
+            faces: Faces::triangles(vec![0, 1, 2, 0, 3, 1]),
+            ..MeshBuilder::default()
+        }
+        .build()
+        .unwrap();
+        let field = compute(&mesh, &NormalRecipe::default());
+        assert_eq!(field.faults.vertices, [Fault { index: 4, reason: FaultReason::Unreferenced }]);
+        assert_eq!(field.faults.faces, [Fault { index: 1, reason: FaultReason::ZeroArea }]);
+        // The empty face borrows the normal of its neighbour.
+        assert_eq!(field.face_normals, [DVec3::Z; 2]);
+        assert!(field.normals.values.iter().all(|&normal| normal == DVec3::Z));
+    }
+}

@@ -1,0 +1,124 @@
+//! The crease test: is the dihedral angle over the limit?
+
+use crate::num::Degrees;
+use glam::DVec3;
+
+/// Added to the crease angle, in degrees, so that a chamfer modelled exactly at it stays smooth when positions
+/// hold five digits or more relative to its edges.
+const SLACK_DEGREES: f64 = 0.01;
+
+/// Edges this close to the crease angle, in degrees, are counted in the report: a small change of the angle or
+/// of the model turns them over.
+const NEAR_DEGREES: f64 = 0.1;
+
+/// Most by which the dot product of two unit normals in f64 can differ from the cosine of their angle: both are
+/// rounded (3 × 2⁻⁵³ each) and so are three products and two sums; 2⁻⁴⁸ leaves room for all of it.
+const DOT_ERROR: f64 = 1.0 / (1u64 << 48) as f64;
+
+/// Compares angles between unit normals with a limit.
+///
+/// The verdict is that of `atan2(|a×b|, a·b)`. The dot product only serves as a filter: where it is further from
+/// the limit's cosine than its own error, it settles the matter, and the arc tangent is not computed.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct AngleLimit {
+    radians: f64,
+    surely_over: f64,
+    surely_under: f64,
+}
+
+impl AngleLimit {
+    /// A limit in degrees.
+    pub(crate) fn degrees(degrees: f64) -> Self {
+        let radians = degrees.to_radians();
+        let cosine = libm::cos(radians.clamp(0.0, std::f64::consts::PI));
+        Self { radians, surely_over: cosine - DOT_ERROR, surely_under: cosine + DOT_ERROR }
+    }
+
+    /// Whether the angle between two unit vectors is over the limit.
+    #[inline]
+    pub(crate) fn exceeded(&self, a: DVec3, b: DVec3) -> bool {
+        let dot = a.dot(b);
+        if dot > self.surely_under {
+            false
+        } else if dot < self.surely_over {
+            true
+        } else {
+            libm::atan2(a.cross(b).length(), dot) > self.radians
+        }
+    }
+
+    /// Whether the angle between two vectors of any length is over the limit.
+    pub(crate) fn exceeded_by_any(&self, a: DVec3, b: DVec3) -> bool {
+        libm::atan2(a.cross(b).length(), a.dot(b)) > self.radians
+    }
+}
+
+/// A crease angle between 0° (every edge is hard) and 180° (none is).
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum CreaseTest {
+    /// 0°: every edge is hard.
+    Every,
+    /// 180°, or smoothing groups decide alone: no edge is hard for its angle.
+    None,
+    /// In between.
+    Over {
+        /// The angle with its slack.
+        limit: AngleLimit,
+        /// Below and above the angle by what counts as near.
+        near: [AngleLimit; 2],
+    },
+}
+
+impl CreaseTest {
+    /// The test for an angle; `None` tests nothing.
+    pub(crate) fn new(angle: Option<Degrees>) -> Self {
+        match angle {
+            None => Self::None,
+            Some(Degrees(angle)) if angle <= 0.0 => Self::Every,
+            Some(Degrees(angle)) if angle >= 180.0 => Self::None,
+            Some(Degrees(angle)) => Self::Over {
+                limit: AngleLimit::degrees(angle + SLACK_DEGREES),
+                near: [AngleLimit::degrees(angle - NEAR_DEGREES), AngleLimit::degrees(angle + NEAR_DEGREES)],
+            },
+        }
+    }
+
+    /// Whether an edge between faces of these unit normals is near the crease angle.
+    pub(crate) fn is_near(&self, a: DVec3, b: DVec3) -> bool {
+        matches!(self, Self::Over { near: [low, high], .. } if low.exceeded(a, b) && !high.exceeded(a, b))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The filter must never contradict the arc tangent, close to the limit above all.
+    #[test]
+    fn the_filter_agrees_with_the_arc_tangent() {
+        for degrees in [1e-6, 0.01, 0.5, 40.01, 90.0, 179.0, 179.9999] {
+            let limit = AngleLimit::degrees(degrees);
+            let at = f64::to_radians(degrees);
+            for step in -2000..2000 {
+                let angle = at + f64::from(step) * f64::from(step).abs() * 1e-19 * (1.0 + at);
+                let b = DVec3::new(libm::cos(angle), libm::sin(angle), 0.0);
+                let expected = libm::atan2(DVec3::X.cross(b).length(), DVec3::X.dot(b)) > at;
+                assert_eq!(limit.exceeded(DVec3::X, b), expected, "{degrees} {step}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_chamfer_at_the_angle_stays_smooth() {
+        let test = CreaseTest::new(Some(Degrees(45.0)));
+        let CreaseTest::Over { limit, .. } = test else { panic!("45° is tested") };
+        let chamfer = |degrees: f64| {
+            let angle = degrees.to_radians();
+            DVec3::new(libm::cos(angle), libm::sin(angle), 0.0)
+        };
+        assert!(!limit.exceeded(DVec3::X, chamfer(45.009)));
+        assert!(limit.exceeded(DVec3::X, chamfer(45.011)));
+        assert!(test.is_near(DVec3::X, chamfer(44.95)) && test.is_near(DVec3::X, chamfer(45.05)));
+        assert!(!test.is_near(DVec3::X, chamfer(44.85)) && !test.is_near(DVec3::X, chamfer(45.15)));
+    }
+}

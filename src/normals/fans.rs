@@ -1,0 +1,141 @@
+//! Walking round a vertex: fans of corners, and where creases cut them.
+
+use super::crease::CreaseTest;
+use super::hard::Marks;
+use super::{FaceNormals, FaceState};
+use crate::mesh::{FacesRef, Link, Topology};
+
+/// Corners round a vertex in the order in which their faces follow each other across edges that are not hard
+/// for other reasons than their angle.
+#[derive(Default)]
+pub(crate) struct Stretch {
+    pub(crate) corners: Vec<u32>,
+    /// Whether the last corner's face meets the first one's.
+    pub(crate) closed: bool,
+}
+
+/// What a walk needs to know.
+pub(crate) struct FanWalker<'a> {
+    pub(crate) faces: FacesRef<'a>,
+    pub(crate) topology: &'a Topology,
+    pub(crate) marks: &'a Marks<'a>,
+    pub(crate) normals: &'a FaceNormals,
+    pub(crate) crease: CreaseTest,
+}
+
+impl FanWalker<'_> {
+    /// The corner on the far side of the edge that leaves a corner's vertex.
+    #[inline]
+    fn forward(&self, corner: u32) -> Option<u32> {
+        if let Some(across) = self.topology.across(corner) {
+            let crossing = !self.marks.is_marked(corner, across);
+            return crossing.then(|| self.topology.next(across));
+        }
+        // A polygon that repeats a vertex goes on within itself.
+        (self.topology.link(corner) == Link::Collapsed)
+            .then(|| self.topology.next(corner))
+            .filter(|&next| self.faces.corners()[next as usize] == self.faces.corners()[corner as usize])
+    }
+
+    /// The corner on the far side of the edge that arrives at a corner's vertex.
+    #[inline]
+    fn backward(&self, corner: u32) -> Option<u32> {
+        let arriving = self.topology.previous(corner);
+        if let Some(across) = self.topology.across(arriving) {
+            return (!self.marks.is_marked(arriving, across)).then_some(across);
+        }
+        (self.topology.link(arriving) == Link::Collapsed
+            && self.faces.corners()[arriving as usize] == self.faces.corners()[corner as usize])
+            .then_some(arriving)
+    }
+
+    /// Whether a corner is in no fan at all: its face has fewer than three distinct vertices.
+    pub(crate) fn is_stray(&self, corner: u32) -> bool {
+        self.topology.link(corner) == Link::Collapsed
+            && self.topology.link(self.topology.previous(corner)) == Link::Collapsed
+    }
+
+    /// The whole stretch of fan that a corner lies in.
+    pub(crate) fn stretch(&self, start: u32, stretch: &mut Stretch) {
+        stretch.corners.clear();
+        stretch.corners.push(start);
+        let mut corner = start;
+        while let Some(next) = self.forward(corner) {
+            if next == start {
+                stretch.closed = true;
+                return;
+            }
+            stretch.corners.push(next);
+            corner = next;
+        }
+        stretch.closed = false;
+        let ahead = stretch.corners.len();
+        corner = start;
+        while let Some(next) = self.backward(corner) {
+            stretch.corners.push(next);
+            corner = next;
+        }
+        // Backward corners come first, furthest away in front.
+        stretch.corners[ahead..].reverse();
+        stretch.corners.rotate_left(ahead);
+    }
+
+    /// Whether a face has a say in creases: the faces above the sliver threshold, or where a stretch has none,
+    /// all with a direction.
+    fn deciding(&self, stretch: &Stretch) -> impl Fn(u32) -> bool + '_ {
+        let state = |corner: u32| self.normals.state[self.topology.face_of(corner) as usize];
+        let slivers_decide = !stretch.corners.iter().any(|&c| state(c) == FaceState::Counted);
+        move |corner| match state(corner) {
+            FaceState::Counted => true,
+            FaceState::Sliver => slivers_decide,
+            _ => false,
+        }
+    }
+
+    /// Which corners of a stretch have a say, as places in it.
+    pub(crate) fn deciding_places(&self, stretch: &Stretch, places: &mut Vec<usize>) {
+        let decides = self.deciding(stretch);
+        places.clear();
+        places.extend((0..stretch.corners.len()).filter(|&i| decides(stretch.corners[i])));
+    }
+
+    /// The unit normal of a corner's face.
+    #[inline]
+    pub(crate) fn normal(&self, corner: u32) -> glam::DVec3 {
+        self.normals.unit[self.topology.face_of(corner) as usize]
+    }
+
+    /// Where creases cut a stretch: `cuts[i]` is the edge between its corners `i` and `i + 1`, cyclic if closed.
+    /// Returns whether there is any cut.
+    ///
+    /// Each face that has a say is compared with the next one that has; over the limit, every edge between the
+    /// two is hard, so that a sliver in a rounded corner neither makes nor hides a crease.
+    pub(crate) fn cuts(&self, stretch: &Stretch, places: &mut Vec<usize>, cuts: &mut Vec<bool>) -> bool {
+        let count = stretch.corners.len();
+        let edges = if stretch.closed { count } else { count - 1 };
+        cuts.clear();
+        cuts.resize(count, false);
+        match self.crease {
+            CreaseTest::None => false,
+            CreaseTest::Every => {
+                cuts[..edges].fill(true);
+                edges > 0
+            }
+            CreaseTest::Over { limit, .. } => {
+                self.deciding_places(stretch, places);
+                let mut any = false;
+                let pairs = places.windows(2).map(|pair| (pair[0], pair[1]));
+                let around = (stretch.closed && places.len() > 1)
+                    .then(|| (places[places.len() - 1], places[0] + count));
+                for (from, to) in pairs.chain(around) {
+                    let (a, b) = (stretch.corners[from], stretch.corners[to % count]);
+                    if limit.exceeded(self.normal(a), self.normal(b)) {
+                        (from..to).for_each(|edge| cuts[edge % count] = true);
+                        any = true;
+                    }
+                }
+                any
+            }
+        }
+    }
+}

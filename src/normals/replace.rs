@@ -1,0 +1,196 @@
+//! Replacing single normals that are missing or broken, and leaving the good ones alone to the bit.
+
+use super::{FaultReason, Faults, NormalField};
+use crate::mesh::{Column, ColumnIndex, Mesh, NONE};
+use glam::DVec3;
+
+/// Which stored normals are replaced.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum When {
+    /// All.
+    #[default]
+    Always,
+    /// Those that are not there.
+    Missing,
+    /// Those that are not there and those that are broken: see [`Broken`].
+    Broken,
+}
+
+/// Most by which the length of a stored normal may differ from 1: the bound of the official glTF validator, a
+/// little over what rounding to 8 bits does (0.006687).
+pub const LENGTH_TOLERANCE: f64 = 0.00674;
+
+/// What is wrong with a stored normal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Broken {
+    /// It is infinite or not a number.
+    NotFinite,
+    /// Its length differs from 1 by more than [`LENGTH_TOLERANCE`].
+    Length,
+    /// It points more than 90° away from the normal of its own face. Not asked of faces that add nothing to
+    /// sums: their own direction means nothing.
+    AgainstFace,
+}
+
+impl Broken {
+    /// All causes.
+    pub const ALL: [Broken; 3] = [Broken::NotFinite, Broken::Length, Broken::AgainstFace];
+
+    /// The name used in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Broken::NotFinite => "NotFinite",
+            Broken::Length => "Length",
+            Broken::AgainstFace => "AgainstFace",
+        }
+    }
+}
+
+/// Stored normals with some replaced.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Replacement {
+    /// First the stored values, untouched and in their order, then the computed ones that are used.
+    pub normals: Column<DVec3>,
+    /// How many of the values are stored ones.
+    pub kept: usize,
+    /// For each value past `kept`, the entry of the [`NormalField`] that it is.
+    pub entries: Vec<u32>,
+    /// Corners that had no normal.
+    pub missing: Vec<u32>,
+    /// Corners whose normal was broken, and why; the first cause in the order of [`Broken::ALL`].
+    pub broken: Vec<(u32, Broken)>,
+}
+
+impl Replacement {
+    /// Whether every corner keeps its stored normal.
+    pub fn is_empty(&self) -> bool {
+        self.missing.is_empty() && self.broken.is_empty()
+    }
+}
+
+/// Replaces the stored normals of single corners by computed ones where the policy says so.
+///
+/// The computed ones are those of the whole mesh: all faces contribute to them, whether or not their corners
+/// have good normals. Replacing twice gives the same as replacing once.
+pub fn replace(mesh: &Mesh, field: &NormalField, when: When) -> Replacement {
+    let corners = mesh.faces().corners();
+    let stored = mesh.columns().normals.as_ref().filter(|_| when != When::Always);
+    let ColumnIndex::PerCorner(entry_of) = &field.normals.index else {
+        unreachable!("a field has one index a corner");
+    };
+    let mut values = stored.map_or_else(Vec::new, |stored| stored.values.clone());
+    let kept = values.len();
+    let mut entries = Vec::new();
+    let mut place_of = vec![NONE; field.normals.values.len()];
+    let (mut missing, mut broken) = (Vec::new(), Vec::new());
+    let mut silent = silent_faces(&field.faults).peekable();
+    let mut index = Vec::with_capacity(corners.len());
+    for (face, range) in mesh.faces().ranges().enumerate() {
+        let is_silent = silent.next_if_eq(&(face as u32)).is_some();
+        let own = (!is_silent).then(|| field.face_normals[face]);
+        for corner in range {
+            let slot = stored.and_then(|stored| stored.slot(corner, corners[corner]));
+            match slot.map(|slot| (slot, fault(values[slot as usize], own))) {
+                Some((slot, cause)) if cause.is_none() || when == When::Missing => {
+                    index.push(slot);
+                    continue;
+                }
+                Some((_, cause)) => broken.extend(cause.map(|cause| (corner as u32, cause))),
+                None => missing.push(corner as u32),
+            }
+            let entry = entry_of[corner];
+            let place = &mut place_of[entry as usize];
+            if *place == NONE {
+                *place = values.len() as u32;
+                values.push(field.normals.values[entry as usize]);
+                entries.push(entry);
+            }
+            index.push(*place);
+        }
+    }
+    Replacement { normals: Column::per_corner(values, index), kept, entries, missing, broken }
+}
+
+/// The faces that add nothing to sums, ascending.
+fn silent_faces(faults: &Faults) -> impl Iterator<Item = u32> + '_ {
+    let adds_nothing = [FaultReason::ZeroArea, FaultReason::BelowStorage, FaultReason::OutOfRange];
+    faults.faces.iter().filter(move |fault| adds_nothing.contains(&fault.reason)).map(|fault| fault.index)
+}
+
+/// What is wrong with a stored normal at a corner of a face with this normal.
+fn fault(stored: DVec3, face: Option<DVec3>) -> Option<Broken> {
+    if !stored.is_finite() {
+        Some(Broken::NotFinite)
+    } else if !((stored.length() - 1.0).abs() <= LENGTH_TOLERANCE) {
+        Some(Broken::Length)
+    } else if face.is_some_and(|face| stored.dot(face) < 0.0) {
+        Some(Broken::AgainstFace)
+    } else {
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{Columns, Faces, MeshBuilder};
+    use crate::normals::{NormalRecipe, compute};
+
+    fn square(normals: Option<Column<DVec3>>) -> Mesh {
+        MeshBuilder {
+            positions: vec![DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::Y],
+            faces: Faces::triangles(vec![0, 1, 2, 0, 2, 3]),
+            columns: Columns { normals, ..Columns::default() },
+            ..MeshBuilder::default()
+        }
+        .build()
+        .unwrap()
+    }
+
+    #[test]
+    fn only_what_is_missing_or_broken_is_replaced() {
+        let good = DVec3::new(0.6, 0.0, 0.8);
+        let stored = vec![good, DVec3::NAN, DVec3::Z * 1.01, DVec3::NEG_Z, DVec3::Z * 1.006];
+        let mesh = square(Some(Column::per_corner(stored, vec![0, 1, 2, 3, 4, NONE])));
+        let field = compute(&mesh, &NormalRecipe::default());
+
+        let missing = replace(&mesh, &field, When::Missing);
+        assert_eq!((missing.missing, missing.broken), (vec![5], vec![]));
+        assert_eq!(missing.normals.index, ColumnIndex::PerCorner(vec![0, 1, 2, 3, 4, 5]));
+
+        let broken = replace(&mesh, &field, When::Broken);
+        let causes = [(1, Broken::NotFinite), (2, Broken::Length), (3, Broken::AgainstFace)];
+        assert_eq!((&broken.missing[..], &broken.broken[..]), (&[5][..], &causes[..]));
+        assert_eq!(broken.kept, 5);
+        assert_eq!(broken.normals.get(0, 0), Some(&good));
+        assert!([1, 2, 3, 5].iter().all(|&corner| broken.normals.get(corner, 0) == Some(&DVec3::Z)));
+
+        // Once replaced, nothing is left to replace.
+        let again = square(Some(broken.normals));
+        assert!(replace(&again, &compute(&again, &NormalRecipe::default()), When::Broken).is_empty());
+    }
+
+    #[test]
+    fn always_keeps_nothing() {
+        let mesh = square(Some(Column::per_vertex(vec![DVec3::Y; 4])));
+        let all = replace(&mesh, &compute(&mesh, &NormalRecipe::default()), When::Always);
+        assert_eq!((all.kept, all.missing.len(), all.broken.len()), (0, 6, 0));
+        assert_eq!(all.normals.values, [DVec3::Z; 4]);
+    }
+
+    /// A face without area has no side that a normal could be on the wrong one of.
+    #[test]
+    fn faces_that_add_nothing_are_not_asked() {
+        let mut columns = Columns::default();
+        columns.normals = Some(Column::per_vertex(vec![DVec3::NEG_Z; 3]));
+        let mesh = MeshBuilder {
+            positions: vec![DVec3::ZERO, DVec3::X, DVec3::X * 2.0],
+            faces: Faces::triangles(vec![0, 1, 2]),
+            columns,
+            ..MeshBuilder::default()
+        }
+        .build()
+        .unwrap();
+        assert!(replace(&mesh, &compute(&mesh, &NormalRecipe::default()), When::Broken).is_empty());
+    }
+}
