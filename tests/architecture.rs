@@ -51,7 +51,7 @@ const OUTSIDE: &[(&str, &[&str])] = &[
     ("ignore", &["cli"]),
     ("image", &["report"]),
     ("indicatif", &["cli"]),
-    ("libm", &["num", "mesh", "surface", "normals", "shade", "quality", "raster", "metric"]),
+    ("libm", &["num", "mesh", "surface", "io", "normals", "shade", "quality", "raster", "metric"]),
     ("memchr", &["io"]),
     (
         "rayon",

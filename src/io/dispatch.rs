@@ -34,7 +34,8 @@ pub fn read(
 pub fn edit(loaded: &Loaded, edits: &[PartEdit], options: &WriteOptions) -> Result<Written, WriteError> {
     match &loaded.document {
         Document::Obj(document) => obj::edit(document, loaded, edits, options),
-        Document::None | Document::Gltf(_) => {
+        Document::Gltf(document) => gltf::edit(document, loaded, edits, loaded.format, options),
+        Document::None => {
             Err(WriteError::Unsupported("no document was kept to edit; write a new file".to_owned()))
         }
     }

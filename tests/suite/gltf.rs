@@ -6,18 +6,18 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// A line of the manifest of real meshes.
-struct Entry {
-    path: PathBuf,
-    name: String,
+pub struct Entry {
+    pub path: PathBuf,
+    pub name: String,
     vertices: Option<usize>,
     faces: Option<usize>,
     normals: String,
-    notes: String,
-    expect: String,
+    pub notes: String,
+    pub expect: String,
 }
 
 /// The glTF files of a folder of the real meshes; empty, and saying so, where they are not there.
-fn entries(folder: &str) -> Vec<Entry> {
+pub fn entries(folder: &str) -> Vec<Entry> {
     let meshes = std::env::var_os("CREASE_MESHES")
         .map_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/meshes"), PathBuf::from);
     let Ok(manifest) = fs::read_to_string(meshes.join("MANIFEST.tsv")) else {
@@ -48,7 +48,7 @@ fn entries(folder: &str) -> Vec<Entry> {
     entries
 }
 
-fn load(path: &Path) -> Result<Loaded, ReadError> {
+pub fn load(path: &Path) -> Result<Loaded, ReadError> {
     read(fs::read(path).unwrap(), path.parent(), &ReadOptions::default())
 }
 
@@ -172,7 +172,7 @@ fn positions_normals_and_indices_agree_with_the_gltf_crate() {
     assert!(compared == 0 || compared > 20, "only {compared} meshes were compared");
 }
 
-fn buffers(document: &gltf::Gltf, folder: &Path) -> Vec<Vec<u8>> {
+pub fn buffers(document: &gltf::Gltf, folder: &Path) -> Vec<Vec<u8>> {
     use base64::Engine;
     let load = |buffer: gltf::Buffer<'_>| match buffer.source() {
         gltf::buffer::Source::Bin => document.blob.clone().unwrap(),

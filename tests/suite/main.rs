@@ -2,3 +2,4 @@
 
 mod data;
 mod gltf;
+mod gltf_edit;

@@ -117,6 +117,7 @@ impl Attributes {
 /// A mesh and the JSON object that it is.
 #[derive(Clone, Debug)]
 pub(super) struct MeshRecord {
+    pub(super) object: Value,
     pub(super) name: String,
     pub(super) primitives: Vec<Primitive>,
 }
@@ -287,7 +288,7 @@ fn mesh(fields: Fields<'_>, accessors: usize, materials: usize) -> Result<MeshRe
         primitive(Fields::new(fields.json, object, at)?, accessors, materials)
     };
     let primitives = objects.enumerate().map(primitive).collect::<Result<_, _>>()?;
-    Ok(MeshRecord { name, primitives })
+    Ok(MeshRecord { object: fields.object, name, primitives })
 }
 
 fn primitive(fields: Fields<'_>, accessors: usize, materials: usize) -> Result<Primitive, ReadError> {

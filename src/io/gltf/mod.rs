@@ -7,22 +7,24 @@
 //!
 //! Standard: Khronos, *glTF 2.0 Specification*, 2021, with `KHR_mesh_quantization`.
 
-#![allow(dead_code)] // until editing uses the rest
-
 mod accessor;
 mod buffers;
 mod container;
 mod data;
 mod document;
+mod edit;
 mod extensions;
 mod fields;
 mod fresh;
 mod json;
 mod mesh;
 mod nodes;
+mod package;
 mod primitive;
+mod splice;
 mod uri;
 
+pub use edit::edit;
 pub use fresh::write;
 
 use super::{Document, Format, Loaded, Note, Place, Problem, ReadError, ReadOptions};
@@ -49,6 +51,17 @@ pub struct GltfDocument {
     layouts: Vec<Layout>,
     /// Image files that the document refers to and that are there: relative name and path.
     images: Vec<(String, PathBuf)>,
+}
+
+impl GltfDocument {
+    /// Whether a top-level list of strings has a certain one.
+    fn lists(&self, list: &str, name: &str) -> bool {
+        let json = &self.records.json;
+        let list = json.member(json.root(), list);
+        list.is_some_and(|list| {
+            json.elements(list).any(|value| json.string(value).is_some_and(|string| string == name))
+        })
+    }
 }
 
 /// Reads a glTF document in either spelling. `base` is the folder of the file, where its buffers are looked for;

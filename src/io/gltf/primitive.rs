@@ -16,13 +16,6 @@ pub(super) mod mode {
     pub const TRIANGLE_FAN: u64 = 6;
 }
 
-impl Primitive {
-    /// Whether it draws triangles.
-    pub(super) fn is_solid(&self) -> bool {
-        (mode::TRIANGLES..=mode::TRIANGLE_FAN).contains(&self.mode)
-    }
-}
-
 /// What a primitive draws, as vertex numbers of its own accessors.
 pub(super) enum Drawn {
     Points(Vec<u32>),

@@ -1,0 +1,261 @@
+//! New normals for the primitives that share one set of vertices.
+
+use super::Remarks;
+use super::indices::rewrite_indices;
+use super::member::Member;
+use super::rows::{Rows, SlotTables, Stored};
+use super::store::{NewData, Store};
+use super::tangents::{Corners, tangents};
+use crate::io::gltf::accessor::Source;
+use crate::io::gltf::data::Target;
+use crate::io::gltf::document::{Component, Format};
+use crate::io::gltf::fields::{At, Fields};
+use crate::io::gltf::json::Value;
+use crate::io::gltf::mesh::VertexSource;
+use crate::io::{ReadError, TangentPolicy, WriteError, WriteOptions};
+use crate::mesh::{NONE, VertexSplit, split_vertices};
+use rustc_hash::FxHashMap;
+use std::borrow::Cow;
+
+/// Primitives with the same vertex accessors, all of which get normals.
+pub(super) struct Group<'g, 'a> {
+    pub(super) vertices: &'g VertexSource,
+    pub(super) members: &'g [Member<'a>],
+    pub(super) source: &'g Source<'a>,
+    pub(super) options: &'g WriteOptions,
+}
+
+/// A tangent for every corner, and its number among the different ones.
+struct CornerTangents {
+    values: Vec<[f32; 4]>,
+    keys: Vec<u32>,
+}
+
+impl Group<'_, '_> {
+    /// Writes what changes. Returns how many vertices were added.
+    pub(super) fn write(
+        &self,
+        store: &mut Store<'_>,
+        tables: &mut SlotTables,
+        remarks: &mut Remarks,
+    ) -> Result<u64, WriteError> {
+        let targets = self.vertices.targets.len();
+        let morph = self.members.iter().all(|member| member.edit.morph_normals.len() >= targets);
+        let stored =
+            Stored::new(self.source, self.vertices, self.options.normal_format, morph).map_err(unreadable)?;
+        let rows = Rows::new(&stored, self.members, tables);
+        remarks.without_normal += rows.missing;
+
+        let count = self.members[0].block.count as usize;
+        let locals: Vec<u32> = self.corners().map(|(member, corner)| member.vertex(corner)).collect();
+        let mut split = split_vertices(count, &locals, &[&rows.of_corner]);
+        let table = rows.gather(&stored, samples(&split, &rows.of_corner));
+        if split.added(count) == 0 && table.is_stored(&stored) {
+            // Normals are what they were; only dropped or turned faces are left to write.
+            for member in self.members {
+                let indices = member.corners.iter().map(|&corner| member.vertex(corner)).collect();
+                rewrite_indices(store, member, indices, count, remarks)?;
+            }
+            return Ok(0);
+        }
+        if !morph && (0..targets).any(|target| self.vertices.target(target, "NORMAL").is_some()) {
+            remarks.stale_deltas += self.members.len();
+        }
+        let new_tangents = self.tangents(&stored, &rows, &locals)?;
+        let table = match &new_tangents {
+            Some(tangents) => {
+                split = split_vertices(count, &locals, &[&rows.of_corner, &tangents.keys]);
+                rows.gather(&stored, samples(&split, &rows.of_corner))
+            }
+            None => table,
+        };
+
+        if stored.format.component != Component::F32 {
+            remarks.quantized = true;
+        }
+        let normals = table.normals(&stored);
+        self.put(store, None, "NORMAL", stored.format, &normals, false);
+        for target in 0..stored.deltas.len() {
+            let deltas = table.deltas(&stored, target);
+            if self.vertices.target(target, "NORMAL").is_none() && deltas.iter().all(|&byte| byte == 0) {
+                continue;
+            }
+            let format = Format::vector(Component::F32, false, 3);
+            self.put(store, Some(target), "NORMAL", format, &deltas, false);
+        }
+        self.write_tangents(store, &split, new_tangents.as_ref(), remarks)?;
+        if split.added(count) > 0 {
+            self.copy_others(store, &split, morph)?;
+        }
+        let mut corners = split.corners.iter();
+        for member in self.members {
+            let indices = corners.by_ref().take(member.corners.len()).copied().collect();
+            rewrite_indices(store, member, indices, split.source.len(), remarks)?;
+            remarks.drop_draco(store, member);
+        }
+        Ok(split.added(count) as u64)
+    }
+
+    fn corners(&self) -> impl Iterator<Item = (&Member<'_>, u32)> {
+        self.members.iter().flat_map(|member| member.corners.iter().map(move |&corner| (member, corner)))
+    }
+
+    /// The JSON objects that list the attributes of the primitives, or of one of their morph targets.
+    fn sites(&self, target: Option<usize>) -> Vec<Value> {
+        let primitives = self.members.iter().map(|member| member.primitive);
+        match target {
+            None => primitives.map(|primitive| primitive.attributes.object).collect(),
+            Some(target) => primitives.map(|primitive| primitive.targets[target].object).collect(),
+        }
+    }
+
+    fn accessor(&self, target: Option<usize>, semantic: &str) -> Option<usize> {
+        match target {
+            None => self.vertices.get(semantic),
+            Some(target) => self.vertices.target(target, semantic),
+        }
+    }
+
+    fn put(
+        &self,
+        store: &mut Store<'_>,
+        target: Option<usize>,
+        semantic: &str,
+        format: Format,
+        bytes: &[u8],
+        same_bounds: bool,
+    ) {
+        let data = NewData {
+            format,
+            count: bytes.len() / format.size(),
+            bytes: Cow::Borrowed(bytes),
+            target: Target::Vertices,
+            same_bounds,
+        };
+        store.put(self.accessor(target, semantic), semantic, &self.sites(target), &data);
+    }
+
+    /// Tangents to go with the new normals, if they are wanted and can be had.
+    fn tangents(
+        &self,
+        stored: &Stored<'_>,
+        rows: &Rows,
+        locals: &[u32],
+    ) -> Result<Option<CornerTangents>, WriteError> {
+        let wanted =
+            self.options.tangents == TangentPolicy::Regenerate && self.vertices.get("TANGENT").is_some();
+        let uv_sets: Option<Vec<usize>> =
+            self.members.iter().map(|member| self.uv_accessor(member)).collect();
+        let Some(uv_sets) = uv_sets.filter(|_| wanted) else { return Ok(None) };
+        let mut values: Vec<[f32; 4]> = Vec::with_capacity(locals.len());
+        for (member, uv_set) in self.members.iter().zip(uv_sets) {
+            let uvs = self.source.elements(uv_set).map_err(unreadable)?.floats::<2>(0.0);
+            let range = values.len()..values.len() + member.corners.len();
+            let finite = |uv: [f32; 2]| uv.map(|x| if x.is_finite() { x } else { 0.0 });
+            let position = |&corner: &u32| {
+                member.mesh.positions()[member.mesh.faces().corners()[corner as usize] as usize]
+            };
+            values.extend(tangents(Corners {
+                positions: member
+                    .corners
+                    .iter()
+                    .map(|corner| position(corner).as_vec3().to_array())
+                    .collect(),
+                normals: rows.of_corner[range.clone()]
+                    .iter()
+                    .map(|&row| stored.decode(rows.row(row)).to_array())
+                    .collect(),
+                uvs: locals[range].iter().map(|&vertex| finite(uvs[vertex as usize])).collect(),
+            }));
+        }
+        let mut numbers: FxHashMap<[u32; 4], u32> = FxHashMap::default();
+        let mut number = |tangent: &[f32; 4]| {
+            let next = numbers.len() as u32;
+            *numbers.entry(tangent.map(f32::to_bits)).or_insert(next)
+        };
+        let keys = values.iter().map(&mut number).collect();
+        Ok(Some(CornerTangents { values, keys }))
+    }
+
+    /// The texture coordinates of the material's normal map, which tangents are for.
+    fn uv_accessor(&self, member: &Member<'_>) -> Option<usize> {
+        let records = self.source.records;
+        let set = member.primitive.material.and_then(|material| {
+            let fields =
+                Fields { json: &records.json, object: records.materials[material], at: At::default() };
+            let map = fields.json.member(fields.object, "normalTexture")?;
+            fields.json.integer(fields.json.member(map, "texCoord")?)
+        });
+        let accessor = self.vertices.get(&format!("TEXCOORD_{}", set.unwrap_or(0)))?;
+        let format = records.accessors[accessor].format?;
+        (format.width == 2 && format.columns == 1 && format.component != Component::U32).then_some(accessor)
+    }
+
+    /// Applies the policy for tangents, which belonged to the old normals.
+    fn write_tangents(
+        &self,
+        store: &mut Store<'_>,
+        split: &VertexSplit,
+        new: Option<&CornerTangents>,
+        remarks: &mut Remarks,
+    ) -> Result<(), WriteError> {
+        let Some(accessor) = self.vertices.get("TANGENT") else { return Ok(()) };
+        let keep = self.options.tangents == TangentPolicy::Keep;
+        if let Some(new) = new {
+            let old = self.source.elements(accessor).map_err(unreadable)?.floats::<4>(0.0);
+            let value = |(&sample, &source): (&u32, &u32)| match sample {
+                NONE => old[source as usize],
+                sample => new.values[sample as usize],
+            };
+            let values: Vec<[f32; 4]> = split.sample.iter().zip(&split.source).map(value).collect();
+            let format = Format::vector(Component::F32, false, 4);
+            self.put(store, None, "TANGENT", format, bytemuck::cast_slice(&values), false);
+        } else if !keep {
+            self.sites(None).into_iter().for_each(|site| store.splices.remove(site, "TANGENT"));
+            remarks.tangents_dropped += self.members.len();
+        }
+        if !keep {
+            for target in 0..self.vertices.targets.len() {
+                self.sites(Some(target)).into_iter().for_each(|site| store.splices.remove(site, "TANGENT"));
+            }
+        }
+        Ok(())
+    }
+
+    /// Copies all other attributes of split vertices.
+    fn copy_others(&self, store: &mut Store<'_>, split: &VertexSplit, morph: bool) -> Result<(), WriteError> {
+        let keep_tangents = self.options.tangents == TangentPolicy::Keep;
+        let targets = (0..self.vertices.targets.len()).map(Some);
+        for target in std::iter::once(None).chain(targets) {
+            let list = match target {
+                None => &self.vertices.attributes,
+                Some(target) => &self.vertices.targets[target],
+            };
+            for (semantic, accessor) in list {
+                let new_normals = semantic == "NORMAL" && (target.is_none() || morph);
+                if new_normals || (semantic == "TANGENT" && !keep_tangents) {
+                    continue;
+                }
+                let elements = self.source.elements(*accessor).map_err(unreadable)?;
+                let (raw, size) = (elements.raw(), elements.format.size());
+                let mut bytes = Vec::with_capacity(size * split.source.len());
+                for &vertex in &split.source {
+                    bytes.extend_from_slice(&raw[vertex as usize * size..(vertex as usize + 1) * size]);
+                }
+                self.put(store, target, semantic, elements.format, &bytes, true);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The row and the old number of every vertex of a split.
+fn samples<'s>(split: &'s VertexSplit, of_corner: &'s [u32]) -> impl Iterator<Item = (u32, u32)> + use<'s> {
+    let row = |sample| if sample == NONE { NONE } else { of_corner[sample as usize] };
+    split.sample.iter().zip(&split.source).map(move |(&sample, &source)| (row(sample), source))
+}
+
+/// Reading checked every attribute, so that this only passes on what should not happen.
+fn unreadable(error: ReadError) -> WriteError {
+    WriteError::Unsupported(error.to_string())
+}

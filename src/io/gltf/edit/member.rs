@@ -1,0 +1,104 @@
+//! Which corners of which primitives an edit concerns.
+
+use crate::io::gltf::GltfDocument;
+use crate::io::gltf::document::Primitive;
+use crate::io::gltf::mesh::{Block, Piece};
+use crate::io::{Loaded, PartEdit};
+use crate::mesh::{Column, Mesh};
+use glam::DVec3;
+use std::ops::Range;
+
+/// The triangles of one primitive, as an edit leaves them.
+pub(super) struct Member<'a> {
+    /// The glTF mesh, which is the part's number too.
+    pub(super) part: usize,
+    pub(super) primitive: &'a Primitive,
+    pub(super) block: &'a Block,
+    pub(super) mesh: &'a Mesh,
+    pub(super) edit: &'a PartEdit,
+    /// The corners that stay, as numbers of the part's mesh, in their new order.
+    pub(super) corners: Vec<u32>,
+    /// Faces were dropped or turned round.
+    pub(super) reshaped: bool,
+}
+
+impl<'a> Member<'a> {
+    /// All primitives that an edit says anything of, in the order of the document.
+    pub(super) fn all(
+        document: &'a GltfDocument,
+        loaded: &'a Loaded,
+        edits: &'a [PartEdit],
+    ) -> Vec<Member<'a>> {
+        let mut members = Vec::new();
+        for (part, (layout, edit)) in document.layouts.iter().zip(edits).enumerate() {
+            if edit.normals.is_none() && edit.faces.is_empty() {
+                continue;
+            }
+            for piece in &layout.pieces {
+                let (corners, reshaped) = order(edit, piece);
+                let member = Member {
+                    part,
+                    primitive: &document.records.meshes[part].primitives[piece.primitive],
+                    block: &layout.blocks[piece.block],
+                    mesh: &loaded.parts[part].mesh,
+                    edit,
+                    corners,
+                    reshaped,
+                };
+                if reshaped || member.has_normals() {
+                    members.push(member);
+                }
+            }
+        }
+        members
+    }
+
+    /// Whether the edit gives any corner a normal.
+    pub(super) fn has_normals(&self) -> bool {
+        let Some(normals) = &self.edit.normals else { return false };
+        self.corners.iter().any(|&corner| self.slot(normals, corner).is_some())
+    }
+
+    /// The vertex of a corner, as a number of the primitive's own accessors.
+    pub(super) fn vertex(&self, corner: u32) -> u32 {
+        self.mesh.faces().corners()[corner as usize] - self.block.first_vertex
+    }
+
+    /// The number of the normal of a corner.
+    pub(super) fn slot(&self, normals: &Column<DVec3>, corner: u32) -> Option<u32> {
+        normals.slot(corner as usize, self.mesh.faces().corners()[corner as usize])
+    }
+
+    /// The element of the stored normals that a number stands for, if it is one of the file's own.
+    pub(super) fn stored_element(&self, slot: u32) -> Option<usize> {
+        if slot as usize >= self.edit.kept {
+            return None;
+        }
+        let element = slot.checked_sub(self.block.first_normal?)?;
+        (element < self.block.count).then_some(element as usize)
+    }
+}
+
+/// The corners of a primitive's faces after dropping and turning, and whether there was any of that.
+fn order(edit: &PartEdit, piece: &Piece) -> (Vec<u32>, bool) {
+    let faces = piece.first_face..piece.first_face + piece.faces;
+    let dropped = within(&edit.faces.dropped, &faces);
+    let reversed = within(&edit.faces.reversed, &faces);
+    if dropped.is_empty() && reversed.is_empty() {
+        return ((3 * faces.start..3 * faces.end).collect(), false);
+    }
+    let mut corners = Vec::with_capacity(3 * faces.len());
+    for face in faces.filter(|&face| edit.faces.keeps(face)) {
+        let first = 3 * face;
+        let (second, third) =
+            if edit.faces.reverses(face) { (first + 2, first + 1) } else { (first + 1, first + 2) };
+        corners.extend([first, second, third]);
+    }
+    (corners, true)
+}
+
+fn within<'a>(sorted: &'a [u32], range: &Range<u32>) -> &'a [u32] {
+    let start = sorted.partition_point(|&face| face < range.start);
+    let end = sorted.partition_point(|&face| face < range.end);
+    &sorted[start..end]
+}

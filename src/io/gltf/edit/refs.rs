@@ -1,0 +1,218 @@
+//! Who refers to what: which accessors, views and bytes may be changed without touching anything else.
+
+use crate::io::gltf::GltfDocument;
+use crate::io::gltf::accessor::Source;
+use crate::io::gltf::buffers::Storage;
+use crate::io::gltf::json::{Json, Kind, Value};
+use rustc_hash::FxHashSet;
+use std::ops::Range;
+
+/// How often each accessor and view is referred to.
+pub(super) struct References {
+    accessors: Vec<u32>,
+    views: Vec<u32>,
+    /// Numbers that stand anywhere in an extension, and so may mean an accessor or a view.
+    pinned: FxHashSet<u64>,
+    /// Accessors whose bytes in the BIN chunk are nobody else's.
+    unaliased: FxHashSet<usize>,
+}
+
+/// Extensions full of numbers that mean materials and variants only.
+const NO_ACCESSORS: &[&str] = &["KHR_materials_variants", "KHR_lights_punctual"];
+
+impl References {
+    pub(super) fn new(document: &GltfDocument) -> References {
+        let records = &document.records;
+        let json = &records.json;
+        let mut accessors = vec![0; records.accessors.len()];
+        let mut count = |accessor: Option<u64>| {
+            let accessor = accessor.and_then(|accessor| accessors.get_mut(usize::try_from(accessor).ok()?));
+            accessor.into_iter().for_each(|count| *count += 1);
+        };
+        for primitive in records.meshes.iter().flat_map(|mesh| &mesh.primitives) {
+            let lists = std::iter::once(&primitive.attributes).chain(&primitive.targets);
+            let attributes = lists
+                .flat_map(|attributes| json.members(attributes.object))
+                .map(|(_, value)| json.integer(value));
+            attributes.chain([primitive.indices.map(|index| index as u64)]).for_each(&mut count);
+        }
+        let integer = |object: Value, name: &str| json.integer(json.member(object, name)?);
+        for animation in elements(json, json.root(), "animations") {
+            for sampler in elements(json, animation, "samplers") {
+                count(integer(sampler, "input"));
+                count(integer(sampler, "output"));
+            }
+        }
+        elements(json, json.root(), "skins").for_each(|skin| count(integer(skin, "inverseBindMatrices")));
+
+        let mut views = vec![0; records.views.len()];
+        let sparse = records.accessors.iter().filter_map(|accessor| accessor.sparse);
+        let of_sparse = sparse.flat_map(|sparse| [sparse.index_view, sparse.value_view]);
+        let of_accessors = records.accessors.iter().filter_map(|accessor| accessor.view);
+        of_accessors.chain(of_sparse).for_each(|view| views[view] += 1);
+        let pinned = pinned(json);
+        let images = elements(json, json.root(), "images").filter_map(|image| integer(image, "bufferView"));
+        let images: Vec<usize> = images.filter_map(|view| usize::try_from(view).ok()).collect();
+        images.iter().for_each(|&view| views.get_mut(view).into_iter().for_each(|count| *count += 1));
+        let other = pinned.iter().filter_map(|&view| usize::try_from(view).ok()).chain(images);
+        let unaliased = unaliased(document, other);
+        References { accessors, views, pinned, unaliased }
+    }
+
+    /// Whether all references to an accessor are the `sites` that a change will go through.
+    pub(super) fn is_only_at(&self, accessor: usize, sites: usize) -> bool {
+        self.accessors[accessor] as usize == sites && !self.pinned.contains(&(accessor as u64))
+    }
+
+    /// Whether one accessor alone uses a view.
+    pub(super) fn is_only_user(&self, view: usize) -> bool {
+        self.views[view] == 1 && !self.pinned.contains(&(view as u64))
+    }
+
+    /// Whether an accessor's bytes are in the BIN chunk and nobody else's.
+    pub(super) fn owns_bytes(&self, accessor: usize) -> bool {
+        self.unaliased.contains(&accessor)
+    }
+}
+
+fn elements<'a>(json: &'a Json, object: Value, name: &str) -> impl Iterator<Item = Value> + use<'a> {
+    json.member(object, name).into_iter().flat_map(|array| json.elements(array))
+}
+
+/// All integers in extensions of what may refer to accessors or views.
+fn pinned(json: &Json) -> FxHashSet<u64> {
+    let mut pinned = FxHashSet::default();
+    let lists = ["meshes", "nodes", "scenes", "skins", "animations", "accessors"];
+    let lists = lists.into_iter().filter_map(|name| json.member(json.root(), name));
+    let objects =
+        lists.flat_map(|list| json.descendants(list)).filter(|&value| json.kind(value) == Kind::Object);
+    for object in objects.chain([json.root()]) {
+        let Some(extensions) = json.member(object, "extensions") else { continue };
+        for (name, extension) in json.members(extensions) {
+            if json.string(name).is_some_and(|name| NO_ACCESSORS.contains(&name.as_ref())) {
+                continue;
+            }
+            pinned.extend(
+                json.descendants(extension).chain([extension]).filter_map(|value| json.integer(value)),
+            );
+        }
+    }
+    pinned
+}
+
+/// Bytes of a buffer that are in use.
+#[derive(Clone)]
+struct Extent {
+    bytes: Range<u64>,
+    stride: u64,
+    size: u64,
+    accessor: Option<usize>,
+}
+
+impl Extent {
+    /// Whether two extents share a byte. Interleaved elements lie between each other without doing so.
+    fn meets(&self, other: &Extent) -> bool {
+        if self.bytes.end <= other.bytes.start || other.bytes.end <= self.bytes.start {
+            return false;
+        }
+        if self.stride != other.stride || self.stride == WHOLE {
+            return true;
+        }
+        let (own, its) = (self.bytes.start % self.stride, other.bytes.start % self.stride);
+        let ahead = if its >= own { its - own } else { its + (self.stride - own) };
+        ahead < self.size || (ahead > 0 && self.stride - ahead < other.size)
+    }
+}
+
+/// The stride of a view that is used from end to end.
+const WHOLE: u64 = u64::MAX;
+
+/// More extents than this that lie in each other are not told apart: their bytes count as shared.
+const LARGEST_CLUSTER: usize = 64;
+
+/// The accessors whose bytes no other accessor shares, nor any of the `other` views.
+fn unaliased(document: &GltfDocument, other: impl Iterator<Item = usize>) -> FxHashSet<usize> {
+    let records = &document.records;
+    let in_bin = |view: usize| {
+        let buffer = &document.buffers.list[records.views[view].buffer];
+        matches!(buffer.storage, Storage::Bin(_))
+    };
+    let mut extents: Vec<Extent> = Vec::new();
+    for (number, accessor) in records.accessors.iter().enumerate() {
+        let stored = accessor.view.filter(|&view| in_bin(view)).zip(accessor.format);
+        if let Some((view, format)) = stored {
+            let (start, size) =
+                (records.views[view].offset.saturating_add(accessor.offset), format.size() as u64);
+            let stride = records.views[view].stride.unwrap_or(size).max(1);
+            let length = stride.saturating_mul(accessor.count.saturating_sub(1)).saturating_add(size);
+            let bytes = start..start.saturating_add(length);
+            extents.push(Extent { bytes, stride, size, accessor: Some(number) });
+        }
+        // Rare enough to take their views as used from end to end.
+        let sparse = accessor.sparse.iter().flat_map(|sparse| [sparse.index_view, sparse.value_view]);
+        extents.extend(sparse.filter(|&view| in_bin(view)).map(|view| whole(document, view)));
+    }
+    let other = other.filter(|&view| view < records.views.len() && in_bin(view));
+    extents.extend(other.map(|view| whole(document, view)));
+    extents.sort_by_key(|extent| (extent.bytes.start, extent.bytes.end, extent.accessor));
+
+    let mut owners = FxHashSet::default();
+    let mut start = 0;
+    while start < extents.len() {
+        let mut reach = extents[start].bytes.end;
+        let mut end = start + 1;
+        while end < extents.len() && extents[end].bytes.start < reach {
+            reach = reach.max(extents[end].bytes.end);
+            end += 1;
+        }
+        let cluster = &extents[start..end];
+        if cluster.len() <= LARGEST_CLUSTER {
+            for (number, extent) in cluster.iter().enumerate() {
+                let alone = !cluster.iter().enumerate().any(|(other, o)| other != number && o.meets(extent));
+                owners.extend(extent.accessor.filter(|_| alone));
+            }
+        }
+        start = end;
+    }
+    owners
+}
+
+fn whole(document: &GltfDocument, view: usize) -> Extent {
+    let view = &document.records.views[view];
+    let bytes = view.offset..view.offset.saturating_add(view.length);
+    Extent { bytes, stride: WHOLE, size: view.length, accessor: None }
+}
+
+/// An accessor reader for a document that was read, and so checked, before.
+pub(super) fn source(document: &GltfDocument) -> Source<'_> {
+    let (implied_limit, memory) = (u64::MAX, std::cell::Cell::new(u64::MAX));
+    Source { records: &document.records, buffers: &document.buffers, implied_limit, memory }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn extent(start: u64, count: u64, size: u64, stride: u64) -> Extent {
+        Extent { bytes: start..start + (count - 1) * stride + size, stride, size, accessor: None }
+    }
+
+    #[test]
+    fn interleaved_elements_do_not_meet() {
+        let positions = extent(100, 10, 12, 24);
+        assert!(!positions.meets(&extent(112, 10, 12, 24)));
+        assert!(positions.meets(&extent(108, 10, 12, 24)));
+        assert!(positions.meets(&extent(88 + 24, 10, 14, 24)), "it runs into the next element");
+        assert!(positions.meets(&positions.clone()));
+        assert!(positions.meets(&extent(112, 10, 12, 20)), "different strides cross sooner or later");
+        assert!(!positions.meets(&extent(0, 10, 10, 10)));
+        // The same against every byte set.
+        let bytes = |e: &Extent| {
+            (e.bytes.clone()).filter(|b| (b - e.bytes.start) % e.stride < e.size).collect::<FxHashSet<_>>()
+        };
+        for start in 90..140 {
+            let other = extent(start, 10, 8, 24);
+            assert_eq!(positions.meets(&other), !bytes(&positions).is_disjoint(&bytes(&other)), "{start}");
+        }
+    }
+}

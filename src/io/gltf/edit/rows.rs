@@ -1,0 +1,220 @@
+//! The values that a vertex can have: a stored normal and the deltas of each morph target, as bytes.
+
+use super::encode;
+use super::member::Member;
+use crate::io::gltf::accessor::Source;
+use crate::io::gltf::document::Format;
+use crate::io::gltf::mesh::VertexSource;
+use crate::io::{NormalFormat, ReadError};
+use crate::mesh::{Column, NONE};
+use glam::{DVec3, Vec3};
+use rustc_hash::FxHashMap;
+use std::borrow::Cow;
+
+/// What a set of vertices has stored so far, and how it will be stored.
+pub(super) struct Stored<'a> {
+    pub(super) format: Format,
+    /// The stored normals, as bytes of `format`; `None` where there are none, or they were stored otherwise.
+    same: Option<Cow<'a, [u8]>>,
+    /// The stored normals as numbers, if there are any.
+    floats: Option<Vec<[f32; 3]>>,
+    /// The stored normal deltas of each morph target that gets new ones.
+    pub(super) deltas: Vec<Option<Vec<[f32; 3]>>>,
+}
+
+impl<'a> Stored<'a> {
+    pub(super) fn new(
+        source: &Source<'a>,
+        vertices: &VertexSource,
+        wanted: NormalFormat,
+        morph: bool,
+    ) -> Result<Self, ReadError> {
+        let elements = vertices.get("NORMAL").map(|accessor| source.elements(accessor)).transpose()?;
+        let format = encode::format(elements.map(|elements| elements.format), wanted);
+        let same = elements.filter(|elements| elements.format == format).map(|elements| elements.raw());
+        let floats = elements.map(|elements| elements.floats(0.0));
+        let delta = |target| {
+            let accessor = vertices.target(target, "NORMAL");
+            accessor.map(|accessor| Ok(source.elements(accessor)?.floats(0.0))).transpose()
+        };
+        let targets = if morph { vertices.targets.len() } else { 0 };
+        let deltas = (0..targets).map(delta).collect::<Result<_, ReadError>>()?;
+        Ok(Self { format, same, floats, deltas })
+    }
+
+    /// Bytes of a row.
+    fn size(&self) -> usize {
+        self.format.size() + 12 * self.deltas.len()
+    }
+
+    /// The row of a vertex as it is stored; +Z where it has no normal.
+    fn push_stored(&self, vertex: usize, out: &mut Vec<u8>) {
+        match (self.stored_bytes(vertex), &self.floats) {
+            (Some(bytes), _) => out.extend_from_slice(bytes),
+            (None, Some(floats)) => {
+                encode::push(Vec3::from_array(floats[vertex]).as_dvec3(), self.format, out)
+            }
+            (None, None) => encode::push(DVec3::Z, self.format, out),
+        }
+        for delta in &self.deltas {
+            push_raw(delta.as_ref().map_or([0.0; 3], |delta| delta[vertex]), out);
+        }
+    }
+
+    /// The row of a normal that an edit gives to a vertex. One of the file's own keeps its bits.
+    fn push_given(&self, member: &Member<'_>, normals: &Column<DVec3>, slot: u32, out: &mut Vec<u8>) {
+        let start = out.len();
+        let element = member.stored_element(slot);
+        match element.and_then(|element| self.stored_bytes(element)) {
+            Some(bytes) => out.extend_from_slice(bytes),
+            None => encode::push(normals.values[slot as usize], self.format, out),
+        }
+        let written = self.decode(&out[start..]);
+        for (target, delta) in self.deltas.iter().enumerate() {
+            match element {
+                // A target without normals leaves the base's normal alone, and so a kept one stays alone too.
+                Some(element) => push_raw(delta.as_ref().map_or([0.0; 3], |delta| delta[element]), out),
+                None => {
+                    let moved = member.edit.morph_normals[target][slot as usize];
+                    encode::push_floats(moved - written.as_dvec3(), out);
+                }
+            }
+        }
+    }
+
+    fn stored_bytes(&self, vertex: usize) -> Option<&[u8]> {
+        let size = self.format.size();
+        self.same.as_ref().map(|bytes| &bytes[vertex * size..(vertex + 1) * size])
+    }
+
+    /// The normal of a row.
+    pub(super) fn decode(&self, row: &[u8]) -> Vec3 {
+        let number = |axis: usize| match self.format.size() {
+            3 => f32::from(row[axis] as i8) / 127.0,
+            6 => f32::from(i16::from_le_bytes([row[2 * axis], row[2 * axis + 1]])) / 32767.0,
+            _ => f32::from_le_bytes([row[4 * axis], row[4 * axis + 1], row[4 * axis + 2], row[4 * axis + 3]]),
+        };
+        Vec3::new(number(0), number(1), number(2)).max(Vec3::NEG_ONE)
+    }
+}
+
+fn push_raw(vector: [f32; 3], out: &mut Vec<u8>) {
+    out.extend_from_slice(bytemuck::bytes_of(&vector));
+}
+
+/// The rows that the corners of a group of primitives ask for, equal ones once.
+pub(super) struct Rows {
+    bytes: Vec<u8>,
+    size: usize,
+    /// The row of each corner, over all members.
+    pub(super) of_corner: Vec<u32>,
+    /// Corners without a normal of their own, among others that have one.
+    pub(super) missing: usize,
+}
+
+impl Rows {
+    pub(super) fn new(stored: &Stored<'_>, members: &[Member<'_>], tables: &mut SlotTables) -> Rows {
+        let mut rows = Rows { bytes: Vec::new(), size: stored.size(), of_corner: Vec::new(), missing: 0 };
+        let mut count = 0;
+        for member in members {
+            let Some(normals) = &member.edit.normals else { continue };
+            let table = tables.table(member.part, normals.values.len());
+            let mut seen = Vec::new();
+            for &corner in &member.corners {
+                let row = match member.slot(normals, corner) {
+                    Some(slot) if table[slot as usize] != NONE => table[slot as usize],
+                    Some(slot) => {
+                        stored.push_given(member, normals, slot, &mut rows.bytes);
+                        table[slot as usize] = count;
+                        seen.push(slot);
+                        count += 1;
+                        count - 1
+                    }
+                    None => {
+                        stored.push_stored(member.vertex(corner) as usize, &mut rows.bytes);
+                        rows.missing += 1;
+                        count += 1;
+                        count - 1
+                    }
+                };
+                rows.of_corner.push(row);
+            }
+            seen.iter().for_each(|&slot| table[slot as usize] = NONE);
+        }
+        rows.merge_equal();
+        rows
+    }
+
+    /// Lets corners with equal rows refer to the first of them.
+    fn merge_equal(&mut self) {
+        let mut first: FxHashMap<&[u8], u32> = FxHashMap::default();
+        let rows = self.bytes.chunks_exact(self.size).zip(0..);
+        let canonical: Vec<u32> = rows.map(|(row, number)| *first.entry(row).or_insert(number)).collect();
+        self.of_corner.iter_mut().for_each(|row| *row = canonical[*row as usize]);
+    }
+
+    pub(super) fn row(&self, number: u32) -> &[u8] {
+        let start = number as usize * self.size;
+        &self.bytes[start..start + self.size]
+    }
+
+    /// The rows of vertices, one after the other: that of the given number, or as stored where it is [`NONE`].
+    pub(super) fn gather(&self, stored: &Stored<'_>, vertices: impl Iterator<Item = (u32, u32)>) -> Table {
+        let mut bytes = Vec::new();
+        for (row, old_vertex) in vertices {
+            if row == NONE {
+                stored.push_stored(old_vertex as usize, &mut bytes);
+            } else {
+                bytes.extend_from_slice(self.row(row));
+            }
+        }
+        Table { bytes, size: self.size }
+    }
+}
+
+/// One row a vertex.
+pub(super) struct Table {
+    bytes: Vec<u8>,
+    size: usize,
+}
+
+impl Table {
+    /// Normals, as bytes without gaps.
+    pub(super) fn normals(&self, stored: &Stored<'_>) -> Vec<u8> {
+        self.column(0, stored.format.size())
+    }
+
+    /// Normal deltas of a morph target.
+    pub(super) fn deltas(&self, stored: &Stored<'_>, target: usize) -> Vec<u8> {
+        self.column(stored.format.size() + 12 * target, 12)
+    }
+
+    /// Whether this is what is stored already.
+    pub(super) fn is_stored(&self, stored: &Stored<'_>) -> bool {
+        let same = stored.same.as_ref().is_some_and(|bytes| **bytes == *self.normals(stored));
+        let delta = |(target, delta): (usize, &Option<Vec<[f32; 3]>>)| {
+            let new = self.deltas(stored, target);
+            match delta {
+                Some(old) => bytemuck::cast_slice::<_, u8>(old) == new,
+                None => new.iter().all(|&byte| byte == 0),
+            }
+        };
+        same && stored.deltas.iter().enumerate().all(delta)
+    }
+
+    fn column(&self, start: usize, size: usize) -> Vec<u8> {
+        self.bytes.chunks_exact(self.size).flat_map(|row| &row[start..start + size]).copied().collect()
+    }
+}
+
+/// For each part, a table from normal numbers to rows, kept empty between groups.
+#[derive(Default)]
+pub(super) struct SlotTables {
+    tables: FxHashMap<usize, Vec<u32>>,
+}
+
+impl SlotTables {
+    fn table(&mut self, part: usize, slots: usize) -> &mut Vec<u32> {
+        self.tables.entry(part).or_insert_with(|| vec![NONE; slots])
+    }
+}
