@@ -44,26 +44,26 @@ impl<'a> EdgeMatcher<'a> {
     }
 
     /// The link of every half-edge.
-    pub(super) fn links(&self, rings: &Rings) -> Vec<PackedLink> {
+    pub(super) fn links(&self, rings: &Rings) -> Scatter {
         const CHUNK: usize = 2048;
         let links = Scatter::new(self.faces.corners().len(), 0);
         let chunks = rings.len().div_ceil(CHUNK);
-        (0..chunks).into_par_iter().for_each_init(Vec::new, |spokes, chunk| {
+        (0..chunks).into_par_iter().for_each(|chunk| {
             for vertex in chunk * CHUNK..((chunk + 1) * CHUNK).min(rings.len()) {
                 let ring = rings.at(vertex);
-                spokes.clear();
-                spokes.extend(ring.iter().map(|&corner| self.spoke(vertex as u32, corner)));
                 let set = |half_edge: u32, link| links.set(half_edge, PackedLink::new(link).bits());
-                for spoke in spokes.iter().filter(|spoke| spoke.to == NOWHERE) {
-                    set(spoke.leaving, Link::Collapsed);
+                let spokes = ring.iter().map(|&corner| self.spoke(vertex as u32, corner));
+                match ring.len() {
+                    0..=8 => match_small::<8>(spokes, set),
+                    9..=SMALL => match_small::<SMALL>(spokes, set),
+                    _ => match_large(spokes, set),
                 }
-                if spokes.len() <= SMALL { match_small(spokes, set) } else { match_large(spokes, set) }
             }
         });
-        links.into_vec().into_iter().map(PackedLink::from_bits).collect()
+        links
     }
 
-    #[inline]
+    #[inline(always)]
     fn spoke(&self, vertex: u32, corner: u32) -> Spoke {
         let corners = self.faces.corners();
         let (next, previous, collapsed) = if self.owners.is_empty() {
@@ -111,23 +111,24 @@ fn decide(same: u32, against: u32, twin: impl FnOnce() -> u32, double: impl FnOn
     }
 }
 
-fn match_small(spokes: &[Spoke], set: impl Fn(u32, Link)) {
-    let (mut to, mut from) = ([NOWHERE; SMALL], [NOWHERE; SMALL]);
-    for (i, spoke) in spokes.iter().enumerate() {
-        (to[i], from[i]) = (spoke.to, spoke.from);
+fn match_small<const N: usize>(ring: impl Iterator<Item = Spoke>, set: impl Fn(u32, Link)) {
+    let (mut to, mut from) = ([NOWHERE; N], [NOWHERE; N]);
+    let mut spokes = [Spoke { leaving: 0, to: NOWHERE, arriving: 0, from: NOWHERE }; N];
+    let mut count = 0;
+    for spoke in ring {
+        (to[count], from[count], spokes[count]) = (spoke.to, spoke.from, spoke);
+        count += 1;
     }
-    let width = if spokes.len() <= SMALL / 2 { SMALL / 2 } else { SMALL };
-    for (i, spoke) in spokes.iter().enumerate().filter(|(_, spoke)| spoke.to != NOWHERE) {
-        let (same, against, same_at, against_at) = if width == SMALL {
-            tally(&to, &from, spoke.to)
-        } else {
-            let (to, from): (&[u32; SMALL / 2], &[u32; SMALL / 2]) =
-                (to[..SMALL / 2].try_into().expect("half"), from[..SMALL / 2].try_into().expect("half"));
-            tally(to, from, spoke.to)
-        };
+    for (i, spoke) in spokes[..count].iter().enumerate() {
+        if spoke.to == NOWHERE {
+            set(spoke.leaving, Link::Collapsed);
+            continue;
+        }
+        let tally = tally(&to, &from, spoke.to);
+        let [same, same_at, against, against_at] = tally.to_le_bytes();
         let link = decide(
-            same,
-            against,
+            same.into(),
+            against.into(),
             || spokes[against_at as usize].arriving,
             || spokes[same_at as usize - i].leaving,
         );
@@ -135,23 +136,25 @@ fn match_small(spokes: &[Spoke], set: impl Fn(u32, Link)) {
     }
 }
 
-/// How many entries of `to` and `from` equal a vertex, and the sums of their places.
+/// How many entries of `to` equal a vertex, the sum of their places, and the same for `from`, a byte each.
 #[inline]
-fn tally<const N: usize>(to: &[u32; N], from: &[u32; N], vertex: u32) -> (u32, u32, u32, u32) {
-    let (mut same, mut against, mut same_at, mut against_at) = (0, 0, 0, 0);
-    for j in 0..N {
-        let (s, a) = (u32::from(to[j] == vertex), u32::from(from[j] == vertex));
-        same += s;
-        against += a;
-        same_at += s * j as u32;
-        against_at += a * j as u32;
+fn tally<const N: usize>(to: &[u32; N], from: &[u32; N], vertex: u32) -> u32 {
+    const { assert!(N * (N - 1) / 2 < 256, "the sum of all places must fit a byte") };
+    let mut tally = 0;
+    for place in 0..N {
+        let one = 1 | (place as u32) << 8;
+        tally += if to[place] == vertex { one } else { 0 };
+        tally += if from[place] == vertex { one << 16 } else { 0 };
     }
-    (same, against, same_at, against_at)
+    tally
 }
 
-fn match_large(spokes: &[Spoke], set: impl Fn(u32, Link)) {
-    let mut ends: Vec<(u32, bool, u32)> = Vec::with_capacity(2 * spokes.len());
-    for spoke in spokes {
+fn match_large(ring: impl Iterator<Item = Spoke>, set: impl Fn(u32, Link)) {
+    let mut ends: Vec<(u32, bool, u32)> = Vec::new();
+    for spoke in ring {
+        if spoke.to == NOWHERE {
+            set(spoke.leaving, Link::Collapsed);
+        }
         ends.extend((spoke.to != NOWHERE).then_some((spoke.to, false, spoke.leaving)));
         ends.extend((spoke.from != NOWHERE).then_some((spoke.from, true, spoke.arriving)));
     }

@@ -105,7 +105,10 @@ fn accumulate(counts: &mut [u32]) {
     }
 }
 
-/// Writes to places that belong to one thread each, though not in one piece.
+/// Numbers that several threads write at once, each to places of its own, though not in one piece.
+///
+/// A relaxed atomic access is a plain load or store; it only tells the compiler that threads share the memory.
+#[derive(Debug)]
 pub(crate) struct Scatter(Vec<AtomicU32>);
 
 impl Scatter {
@@ -122,9 +125,11 @@ impl Scatter {
     pub(crate) fn get(&self, index: u32) -> u32 {
         self.0[index as usize].load(Relaxed)
     }
+}
 
-    pub(crate) fn into_vec(self) -> Vec<u32> {
-        self.0.into_par_iter().map(AtomicU32::into_inner).collect()
+impl Clone for Scatter {
+    fn clone(&self) -> Self {
+        Self(self.0.iter().map(|value| AtomicU32::new(value.load(Relaxed))).collect())
     }
 }
 

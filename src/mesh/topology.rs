@@ -5,7 +5,7 @@
 //! the other. Every half-edge has a [`Link`] that says what it meets.
 
 use super::edges::EdgeMatcher;
-use super::rings::Rings;
+use super::rings::{Rings, Scatter};
 use super::weld::{self, Weld};
 use super::{Faces, FacesRef, Mesh};
 use glam::DVec3;
@@ -61,10 +61,6 @@ impl PackedLink {
         self.0
     }
 
-    pub(super) fn from_bits(bits: u32) -> Self {
-        Self(bits)
-    }
-
     #[inline]
     fn unpack(self) -> Link {
         let partner = self.0 & PARTNER_MASK;
@@ -92,7 +88,7 @@ impl PackedLink {
 /// vertex; with polygons 4 more a corner and a face.
 #[derive(Clone, Debug)]
 pub struct Topology {
-    links: Vec<PackedLink>,
+    links: Scatter,
     rings: Rings,
     /// The face of each corner and where each face starts; empty for plain triangles.
     owners: Vec<u32>,
@@ -141,7 +137,7 @@ impl Topology {
         };
         let mut crowded: Vec<(u32, u32)> = (0..faces.corners().len() as u32)
             .into_par_iter()
-            .filter(|&h| topology.links[h as usize] == PackedLink::NON_MANIFOLD)
+            .filter(|&h| topology.links.get(h) == PackedLink::NON_MANIFOLD.bits())
             .map(|h| topology.ends(faces.corners(), h))
             .map(|(a, b)| (a.min(b), a.max(b)))
             .collect();
@@ -153,8 +149,9 @@ impl Topology {
 
     /// Joins boundary edges whose ends coincide.
     pub(crate) fn weld(&mut self, faces: &Faces, positions: &[DVec3], shapes: &[&[DVec3]], weld: Weld) {
-        let open: Vec<u32> = (0..self.links.len() as u32)
-            .filter(|&h| self.links[h as usize] == PackedLink::BOUNDARY)
+        let open: Vec<u32> = (0..faces.corner_count() as u32)
+            .into_par_iter()
+            .filter(|&h| self.links.get(h) == PackedLink::BOUNDARY.bits())
             .collect();
         if open.is_empty() {
             return;
@@ -162,7 +159,7 @@ impl Topology {
         let joined = weld::join(faces, &self.owners, &open, positions, shapes, weld);
         (self.wide_clusters, self.ambiguous) = (joined.wide_clusters, joined.ambiguous);
         for &(half_edge, link) in &joined.links {
-            self.links[half_edge as usize] = PackedLink::new(link);
+            self.links.set(half_edge, PackedLink::new(link).bits());
             if let Link::Welded(_) = link {
                 if self.welded_vertices.is_empty() {
                     self.welded_vertices = vec![false; positions.len()];
@@ -177,13 +174,13 @@ impl Topology {
     /// What a half-edge meets.
     #[inline]
     pub fn link(&self, half_edge: u32) -> Link {
-        self.links[half_edge as usize].unpack()
+        PackedLink(self.links.get(half_edge)).unpack()
     }
 
     /// The half-edge across, where the surface goes on ([`Link::Twin`] and [`Link::Welded`]).
     #[inline]
     pub fn across(&self, half_edge: u32) -> Option<u32> {
-        self.links[half_edge as usize].across()
+        PackedLink(self.links.get(half_edge)).across()
     }
 
     /// The face of a corner.

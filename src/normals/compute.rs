@@ -8,7 +8,7 @@ use super::groups::{Members, SmoothGroups};
 use super::hard::{Marks, applied_angle};
 use super::made_up::{MadeUp, face_faults};
 use super::positions::Positions;
-use super::sums::{SlotState, SumRequest, Sums, weighted_sums};
+use super::sums::{SumRequest, Sums, weighted_sums};
 use super::tally::edge_counts;
 use super::{
     CreaseRule, FaceNormals, Fault, FaultReason, Faults, Groups, NormalField, NormalRecipe, Scope, Summary,
@@ -90,13 +90,13 @@ pub fn compute_on(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe) -> No
         morph_normals.push(normals.values);
     }
 
-    let makeup = MadeUp::new(mesh.faces(), topology, &shape.faces);
+    let makeup = MadeUp::new(mesh.faces().view(), topology, &shape.faces);
     let mut face_normals = shape.faces.unit.clone();
     for (face, normal) in face_normals.iter_mut().enumerate().filter(|(_, normal)| **normal == DVec3::ZERO) {
         *normal = makeup.for_face(face as u32);
     }
     let faults = Faults {
-        faces: face_faults(&shape.faces),
+        faces: face_faults(&shape.faces, recipe.slivers),
         corners: corner_faults(&groups.corner_entry, &filled.made_up),
         vertices: unreferenced(&groups.entry_vertex, mesh.vertex_count()),
     };
@@ -142,7 +142,8 @@ impl<'a> Shape<'a> {
             None => weighted_sums(&request),
             Some(members) => gather_sums(&request, members),
         };
-        let made_up = self.make_up(mesh, topology, &target, &mut sums);
+        let mut makeup = MadeUp::new(mesh.faces().view(), topology, &self.faces);
+        let made_up = makeup.for_slots(&target, &sums.state, |slot, normal| sums.unit[slot] = normal);
         let values = match &groups.entry_slot {
             None => sums.unit,
             Some(slots) => slots.iter().map(|&slot| sums.unit[slot as usize]).collect(),
@@ -151,34 +152,6 @@ impl<'a> Shape<'a> {
         let entries = (0..values.len() as u32).filter(|_| !made_up.is_empty());
         let made_up = entries.filter_map(|e| reason(groups.slot(e)).map(|reason| (e, reason))).collect();
         Entries { values, made_up, quadric_fallbacks: 0 }
-    }
-
-    /// Fills in slots without a normal. Gives them with the reason, ascending.
-    fn make_up(
-        &self,
-        mesh: &Mesh,
-        topology: &Topology,
-        target: &[u32],
-        sums: &mut Sums,
-    ) -> Vec<(u32, FaultReason)> {
-        let good = |slot: u32| sums.state[slot as usize] == SlotState::Good;
-        let corners = target.iter().enumerate();
-        let mut bare: Vec<(u32, u32)> =
-            corners.filter(|&(_, &slot)| !good(slot)).map(|(corner, &slot)| (slot, corner as u32)).collect();
-        bare.sort_unstable();
-        let mut makeup = MadeUp::new(mesh.faces(), topology, &self.faces);
-        let mut made_up = Vec::new();
-        for slot in bare.chunk_by(|a, b| a.0 == b.0) {
-            let corners: Vec<u32> = slot.iter().map(|&(_, corner)| corner).collect();
-            let number = slot[0].0 as usize;
-            let reason = match sums.state[number] {
-                SlotState::Cancelling => FaultReason::CancellingFan,
-                _ => makeup.reason(corners[0]),
-            };
-            sums.unit[number] = makeup.for_corners(&corners);
-            made_up.push((number as u32, reason));
-        }
-        made_up
     }
 }
 

@@ -47,6 +47,12 @@ impl AngleLimit {
         }
     }
 
+    /// Whether the filter alone tells that the angle is not over the limit.
+    #[inline]
+    pub(crate) fn surely_within(&self, a: DVec3, b: DVec3) -> bool {
+        a.dot(b) > self.surely_under
+    }
+
     /// Whether the angle between two vectors of any length is over the limit.
     pub(crate) fn exceeded_by_any(&self, a: DVec3, b: DVec3) -> bool {
         libm::atan2(a.cross(b).length(), a.dot(b)) > self.radians

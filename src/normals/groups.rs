@@ -157,17 +157,17 @@ impl GroupsAcross {
 /// Labels the corners at one vertex with the number of their group there, from 0, in the order of each group's
 /// lowest corner. Returns how many groups there are.
 fn label_ring(walker: &FanWalker, ring: &[u32], labels: &Scatter, scratch: &mut FanScratch) -> u32 {
+    if walker.is_smooth_ring(ring) {
+        ring.iter().for_each(|&corner| labels.set(corner, 0));
+        return 1;
+    }
     let mut pieces = 0;
     for &start in ring.iter() {
         if labels.get(start) != NONE || walker.is_stray(start) {
             continue;
         }
         walker.stretch(start, &mut scratch.stretch);
-        let cut = walker.cuts(&scratch.stretch, &mut scratch.places, &mut scratch.cuts);
-        if !cut && scratch.stretch.corners.len() == ring.len() {
-            ring.iter().for_each(|&corner| labels.set(corner, 0));
-            return 1;
-        }
+        walker.cuts(&scratch.stretch, &mut scratch.places, &mut scratch.cuts);
         let mut last = 0;
         for_each_piece(&scratch.stretch, &scratch.cuts, |corner, piece| {
             labels.set(corner, pieces + piece);

@@ -14,14 +14,15 @@ use super::fallback::{LAST_RESORT, lexicographic};
 use super::slices::fault_reason;
 use super::sums::SlotState;
 use super::term::uniform_mean;
-use super::{FaceNormals, Fault, FaultReason};
-use crate::mesh::{Faces, Link, Topology};
+use super::{FaceNormals, FaceState, Fault, FaultReason, Slivers};
+use crate::mesh::{FacesRef, Link, Topology};
 use glam::DVec3;
+use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 
 /// Makes up normals. Fans are summed once, however many of their corners ask.
 pub(crate) struct MadeUp<'a> {
-    faces: &'a Faces,
+    faces: FacesRef<'a>,
     topology: &'a Topology,
     normals: &'a FaceNormals,
     /// Number of the fan of each corner met so far.
@@ -36,12 +37,43 @@ struct FanSum {
 }
 
 impl<'a> MadeUp<'a> {
-    pub(crate) fn new(faces: &'a Faces, topology: &'a Topology, normals: &'a FaceNormals) -> Self {
+    pub(crate) fn new(faces: FacesRef<'a>, topology: &'a Topology, normals: &'a FaceNormals) -> Self {
         Self { faces, topology, normals, fan_of: FxHashMap::default(), fans: Vec::new() }
     }
 
+    /// Makes up the normals of all slots whose sum gave none; `target` is the slot of each corner. Gives the slots,
+    /// ascending, with the reason.
+    pub(crate) fn for_slots(
+        &mut self,
+        target: &[u32],
+        state: &[SlotState],
+        mut set: impl FnMut(usize, DVec3),
+    ) -> Vec<(u32, FaultReason)> {
+        if state.par_iter().all(|&state| state == SlotState::Good) {
+            return Vec::new();
+        }
+        let corners = target.iter().enumerate();
+        let mut bare: Vec<(u32, u32)> = corners
+            .filter(|&(_, &slot)| state[slot as usize] != SlotState::Good)
+            .map(|(corner, &slot)| (slot, corner as u32))
+            .collect();
+        bare.sort_unstable();
+        let mut made_up = Vec::new();
+        for slot in bare.chunk_by(|a, b| a.0 == b.0) {
+            let corners: Vec<u32> = slot.iter().map(|&(_, corner)| corner).collect();
+            let number = slot[0].0;
+            let reason = match state[number as usize] {
+                SlotState::Cancelling => FaultReason::CancellingFan,
+                _ => self.reason(corners[0]),
+            };
+            set(number as usize, self.for_corners(&corners));
+            made_up.push((number, reason));
+        }
+        made_up
+    }
+
     /// The normal for a group of corners, any of which stand for it.
-    pub(crate) fn for_corners(&mut self, corners: &[u32]) -> DVec3 {
+    fn for_corners(&mut self, corners: &[u32]) -> DVec3 {
         let mut first: Option<DVec3> = None;
         for &corner in corners {
             let fan = self.fan(corner);
@@ -62,7 +94,7 @@ impl<'a> MadeUp<'a> {
     }
 
     /// What is wrong with a group that no face gives a direction.
-    pub(crate) fn reason(&self, corner: u32) -> FaultReason {
+    fn reason(&self, corner: u32) -> FaultReason {
         let state = self.normals.state[self.topology.face_of(corner) as usize];
         fault_reason(state).unwrap_or(FaultReason::ZeroArea)
     }
@@ -138,8 +170,9 @@ fn unit_sum(directions: &[DVec3]) -> Option<DVec3> {
 }
 
 /// The faults of faces: those that add nothing to sums.
-pub(crate) fn face_faults(normals: &FaceNormals) -> Vec<Fault> {
-    let faults = normals.state.iter().enumerate();
+pub(crate) fn face_faults(normals: &FaceNormals, slivers: Slivers) -> Vec<Fault> {
+    let kept = |state: FaceState| state == FaceState::Sliver && slivers == Slivers::Keep;
+    let faults = normals.state.iter().enumerate().filter(|&(_, &state)| !kept(state));
     faults
         .filter_map(|(i, &state)| fault_reason(state).map(|reason| Fault { index: i as u32, reason }))
         .collect()

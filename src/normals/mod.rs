@@ -3,6 +3,7 @@
 mod block;
 mod compute;
 mod cone;
+mod corner_slices;
 mod corner_terms;
 mod crease;
 mod emit;
@@ -32,6 +33,7 @@ mod weight;
 
 pub use crate::mesh::Weld;
 pub use compute::{compute, compute_on};
+pub use corner_slices::corner_normals;
 pub(crate) use face::FaceNormals;
 pub(crate) use face_shape::FaceState;
 pub use fault::{Fault, FaultReason, Faults};

@@ -19,8 +19,11 @@ impl Coordinate for f32 {}
 impl Coordinate for f64 {}
 
 /// What the kernels need of a coordinate type.
-trait Vector: Copy + Sized {
+pub(super) trait Vector: Copy + Sized + Send + Sync {
     type Normal: Emit;
+
+    /// Room for a normal that is not there yet.
+    const NOTHING: [Self; 3];
 
     fn positions(points: &[[Self; 3]]) -> Positions<'_>;
     fn normals(normals: &mut [[Self; 3]]) -> &mut [Self::Normal];
@@ -29,6 +32,7 @@ trait Vector: Copy + Sized {
 
 impl Vector for f32 {
     type Normal = [f32; 3];
+    const NOTHING: [f32; 3] = [0.0; 3];
 
     fn positions(points: &[[f32; 3]]) -> Positions<'_> {
         Positions::F32(points)
@@ -45,6 +49,7 @@ impl Vector for f32 {
 
 impl Vector for f64 {
     type Normal = DVec3;
+    const NOTHING: [f64; 3] = [0.0; 3];
 
     fn positions(points: &[[f64; 3]]) -> Positions<'_> {
         Positions::F64(bytemuck::cast_slice(points), Storage::F64)
@@ -96,8 +101,8 @@ pub enum SliceError {
 /// Memory for intermediate results, to be used again: a second call of the same size allocates next to nothing.
 #[derive(Default)]
 pub struct Scratch {
-    sums: SumScratch,
-    slots: Vec<SlotState>,
+    pub(super) sums: SumScratch,
+    pub(super) slots: Vec<SlotState>,
     faces: Vec<FaceState>,
 }
 
@@ -259,7 +264,12 @@ fn fault(index: u32, state: FaceState) -> Option<Fault> {
 }
 
 /// That every vertex exists and the output has the right length.
-fn check(vertices: usize, triangles: &[[u32; 3]], expected: usize, found: usize) -> Result<(), SliceError> {
+pub(super) fn check(
+    vertices: usize,
+    triangles: &[[u32; 3]],
+    expected: usize,
+    found: usize,
+) -> Result<(), SliceError> {
     for (what, count) in [("vertices", vertices), ("corners", 3 * triangles.len())] {
         if count >= crate::mesh::NONE as usize {
             return Err(SliceError::TooLarge { what, count });
