@@ -3,3 +3,5 @@
 mod data;
 mod gltf;
 mod gltf_edit;
+mod meshes;
+mod obj;
