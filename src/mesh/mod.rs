@@ -17,7 +17,7 @@ pub use column::{Column, ColumnIndex, Columns, FaceLabels, NONE, SmoothingGroups
 pub use faces::Faces;
 pub(crate) use faces::FacesRef;
 pub use orient::{Orient, Orientation, orient};
-pub(crate) use rings::Scatter;
+pub(crate) use rings::{Rings, Scatter};
 pub use select::FaceEdit;
 pub use split::{VertexSplit, split_vertices};
 pub use topology::{Link, Topology};

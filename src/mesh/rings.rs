@@ -3,16 +3,16 @@
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
-/// For each vertex its corners, ascending.
+/// For each vertex its corners, ascending. Anything else that corners are sorted by will do as well.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Rings {
+pub(crate) struct Rings {
     offsets: Vec<u32>,
     corners: Vec<u32>,
 }
 
 impl Rings {
     /// Counting sort of corners by vertex.
-    pub(super) fn build(corner_vertices: &[u32], vertex_count: usize) -> Self {
+    pub(crate) fn build(corner_vertices: &[u32], vertex_count: usize) -> Self {
         let threads = rayon::current_num_threads();
         if threads > 1 && corner_vertices.len() > 1 << 16 {
             return Self::build_parallel(corner_vertices, vertex_count, threads);
@@ -88,6 +88,11 @@ impl Rings {
     #[inline]
     pub(super) fn at(&self, vertex: usize) -> &[u32] {
         &self.corners[self.offsets[vertex] as usize..self.offsets[vertex + 1] as usize]
+    }
+
+    /// Where the corners of each vertex start, with the total at the end, and the corners.
+    pub(crate) fn into_rows(self) -> (Vec<u32>, Vec<u32>) {
+        (self.offsets, self.corners)
     }
 
     /// The number of vertices.

@@ -8,10 +8,12 @@ use super::groups::{Members, SmoothGroups};
 use super::hard::{Marks, applied_angle};
 use super::made_up::{MadeUp, face_faults};
 use super::positions::Positions;
-use super::sums::{SumRequest, Sums, weighted_sums};
+use super::quadric::{QuadricRequest, quadric_normals};
+use super::sums::{SlotState, SumRequest, Sums, weighted_sums};
 use super::tally::edge_counts;
 use super::{
     CreaseRule, FaceNormals, Fault, FaultReason, Faults, Groups, NormalField, NormalRecipe, Scope, Summary,
+    Weight,
 };
 use crate::mesh::{Column, Mesh, Storage, Topology};
 use crate::num::Degrees;
@@ -45,7 +47,7 @@ pub fn compute(mesh: &Mesh, recipe: &NormalRecipe) -> NormalField {
 
 /// As [`compute`], on a topology built before, with the welding that it was built with.
 pub fn compute_on(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe) -> NormalField {
-    let shape = Shape::new(mesh, Positions::F64(mesh.positions(), mesh.storage()));
+    let shape = Shape::new(mesh, mesh.positions(), mesh.storage());
     let angle = applied_angle(mesh, recipe);
     let marks = Marks::new(mesh, topology, recipe);
     let walker = FanWalker {
@@ -80,7 +82,7 @@ pub fn compute_on(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe) -> No
     for target in &mesh.columns().morph_targets {
         let moved: Vec<DVec3> = mesh.positions().iter().zip(target).map(|(&p, &by)| p + by).collect();
         // The sum of two f32 values need not be one.
-        let moved = Shape::new(mesh, Positions::F64(&moved, Storage::F64));
+        let moved = Shape::new(mesh, &moved, Storage::F64);
         let mut normals = moved.entries(mesh, topology, recipe, &groups);
         // A shape that loses a normal keeps that of the base: no displacement rather than an arbitrary one.
         summary.morph_fallbacks += normals.made_up.len();
@@ -112,13 +114,15 @@ pub fn compute_on(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe) -> No
 
 /// A mesh in one of its shapes: its own, or a morph target's.
 struct Shape<'a> {
+    points: &'a [DVec3],
     positions: Positions<'a>,
     faces: FaceNormals,
 }
 
 impl<'a> Shape<'a> {
-    fn new(mesh: &Mesh, positions: Positions<'a>) -> Self {
-        Self { positions, faces: face_normals(mesh.faces().view(), positions) }
+    fn new(mesh: &Mesh, points: &'a [DVec3], storage: Storage) -> Self {
+        let positions = Positions::F64(points, storage);
+        Self { points, positions, faces: face_normals(mesh.faces().view(), positions) }
     }
 
     /// The normal of every entry.
@@ -142,6 +146,11 @@ impl<'a> Shape<'a> {
             None => weighted_sums(&request),
             Some(members) => gather_sums(&request, members),
         };
+        let quadric_fallbacks = if recipe.weight == Weight::Quadric {
+            self.fit_quadrics(mesh, topology, &target, groups, &mut sums)
+        } else {
+            0
+        };
         let mut makeup = MadeUp::new(mesh.faces().view(), topology, &self.faces);
         let made_up = makeup.for_slots(&target, &sums.state, |slot, normal| sums.unit[slot] = normal);
         let values = match &groups.entry_slot {
@@ -151,7 +160,39 @@ impl<'a> Shape<'a> {
         let reason = |slot: u32| made_up.binary_search_by_key(&slot, |&(s, _)| s).ok().map(|i| made_up[i].1);
         let entries = (0..values.len() as u32).filter(|_| !made_up.is_empty());
         let made_up = entries.filter_map(|e| reason(groups.slot(e)).map(|reason| (e, reason))).collect();
-        Entries { values, made_up, quadric_fallbacks: 0 }
+        Entries { values, made_up, quadric_fallbacks }
+    }
+
+    /// Replaces means by the normals of quadrics where there is a fit. Gives the number of slots without one.
+    fn fit_quadrics(
+        &self,
+        mesh: &Mesh,
+        topology: &Topology,
+        target: &[u32],
+        groups: &SmoothGroups,
+        sums: &mut Sums,
+    ) -> usize {
+        let by_slot;
+        let members = match &groups.members {
+            Some(members) => members,
+            None => {
+                by_slot = Members::by_slot(target, sums.unit.len());
+                &by_slot
+            }
+        };
+        // What is left of a cancelling sum is no frame to fit in.
+        for (unit, _) in sums.unit.iter_mut().zip(&sums.state).filter(|(_, state)| **state != SlotState::Good)
+        {
+            *unit = DVec3::ZERO;
+        }
+        let request = QuadricRequest {
+            corner_vertices: mesh.faces().corners(),
+            topology,
+            positions: self.points,
+            corner_group: target,
+            group_corners: members,
+        };
+        quadric_normals(request, &mut sums.unit)
     }
 }
 

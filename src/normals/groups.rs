@@ -1,7 +1,7 @@
 //! Smooth groups: which corners share a normal.
 
 use super::fans::{FanWalker, Stretch};
-use crate::mesh::{DisjointSets, FacesRef, Link, NONE, Scatter, Topology};
+use crate::mesh::{DisjointSets, FacesRef, Link, NONE, Rings, Scatter, Topology};
 use rayon::prelude::*;
 
 /// The smooth groups of a mesh.
@@ -27,6 +27,14 @@ pub(crate) struct SmoothGroups {
 pub(crate) struct Members {
     pub(crate) offsets: Vec<u32>,
     pub(crate) corners: Vec<u32>,
+}
+
+impl Members {
+    /// The corners that have each slot.
+    pub(crate) fn by_slot(corner_slot: &[u32], slots: usize) -> Self {
+        let (offsets, corners) = Rings::build(corner_slot, slots).into_rows();
+        Self { offsets, corners }
+    }
 }
 
 impl SmoothGroups {

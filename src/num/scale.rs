@@ -1,9 +1,11 @@
 //! Powers of two that bring numbers to a size at which products neither overflow nor vanish.
 
+use super::unit::exponent;
+
 /// The power of two that brings a magnitude into [½, 1). Multiplying by it changes no digit, so what is computed
 /// from the products does not depend on the unit that they came in.
 ///
-/// 1 for zero. Numbers below the normal range come as close to ½ as the largest power that they need allows.
+/// 1 for zero. Numbers below the normal range come as close to ½ as the largest power of two, 2¹⁰²³, brings them.
 ///
 /// ```
 /// assert_eq!(crease::num::unit_scale(6.0), 0.125);
@@ -11,16 +13,7 @@
 /// ```
 #[inline]
 pub fn unit_scale(magnitude: f64) -> f64 {
-    if magnitude == 0.0 {
-        return 1.0;
-    }
-    let exponent = magnitude.to_bits() >> 52 & 0x7ff;
-    match 2045_u64.checked_sub(exponent) {
-        Some(scale @ 1..) => f64::from_bits(scale << 52),
-        // 2⁻¹⁰²³ and 2⁻¹⁰²⁴ are below the normal range themselves.
-        Some(0) => f64::from_bits(1 << 51),
-        None => f64::from_bits(1 << 50),
-    }
+    if magnitude == 0.0 { 1.0 } else { libm::ldexp(1.0, (-1 - exponent(magnitude)).min(1023)) }
 }
 
 #[cfg(test)]
