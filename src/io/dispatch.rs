@@ -2,7 +2,7 @@
 
 use super::{Document, Format, Loaded, Part, PartEdit, Place, Problem, ReadError, ReadOptions};
 use super::{WriteError, WriteOptions, Written};
-use super::{gltf, obj};
+use super::{gltf, obj, stl};
 use std::path::Path;
 
 /// Reads a file of a known format. `base` is its folder, where companion files are looked for; `None` for a stream.
@@ -18,6 +18,7 @@ pub fn read(
     match format {
         Format::Obj => obj::read(bytes, base, options),
         Format::Gltf | Format::Glb => gltf::read(bytes, base, options),
+        Format::Stl => stl::read(bytes, base, options),
         other => Err(ReadError::new(
             Problem::Unsupported,
             Place::File,
@@ -35,6 +36,7 @@ pub fn edit(loaded: &Loaded, edits: &[PartEdit], options: &WriteOptions) -> Resu
     match &loaded.document {
         Document::Obj(document) => obj::edit(document, loaded, edits, options),
         Document::Gltf(document) => gltf::edit(document, loaded, edits, loaded.format, options),
+        Document::Stl(document) => stl::edit(document, loaded, edits, options),
         Document::None => {
             Err(WriteError::Unsupported("no document was kept to edit; write a new file".to_owned()))
         }
@@ -49,6 +51,7 @@ pub fn write(format: Format, parts: &[Part], options: &WriteOptions) -> Result<W
     match format {
         Format::Obj => obj::write(parts, options),
         Format::Gltf | Format::Glb => gltf::write(parts, format, options),
+        Format::Stl => stl::write(parts, options),
         other => Err(WriteError::Unsupported(format!("{other} files cannot be written"))),
     }
 }

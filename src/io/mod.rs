@@ -13,6 +13,9 @@ pub mod gltf;
 mod loaded;
 mod number;
 pub mod obj;
+pub mod stl;
+mod tally;
+mod text;
 
 pub use dispatch::{edit, read, write};
 pub use error::{Note, Place, Problem, ReadError, Severity, WriteError};

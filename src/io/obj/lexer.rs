@@ -5,7 +5,8 @@
 //! in a backslash (a Windows path, say) does not swallow the statement after it. Lines end with LF, CR LF or CR.
 
 use super::number;
-use memchr::{memchr_iter, memchr2, memchr3};
+pub(super) use crate::io::text::{line_and_column, shown};
+use memchr::{memchr2, memchr3};
 use std::ops::Range;
 
 /// What a statement is about.
@@ -270,13 +271,6 @@ pub(super) fn name_text(name: &[u8]) -> String {
     lines.join(" ")
 }
 
-/// A piece of the text for a message: short and printable.
-pub(super) fn shown(bytes: &[u8]) -> String {
-    const LONGEST: usize = 40;
-    let text: String = bytes[..bytes.len().min(LONGEST)].escape_ascii().to_string().replace("\\\\", "\\");
-    if bytes.len() > LONGEST { format!("{text}…") } else { text }
-}
-
 /// A statement of the text.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Statement {
@@ -329,13 +323,4 @@ pub(super) fn next_line_start(text: &[u8], at: usize) -> usize {
             return cursor.at;
         }
     }
-}
-
-/// The number of the physical line that an offset is on, counted from 1, and the column in bytes, likewise.
-pub(super) fn line_and_column(text: &[u8], offset: usize) -> (u64, usize) {
-    let before = &text[..offset.min(text.len())];
-    let feeds = memchr_iter(b'\n', before).count();
-    let lone_returns = memchr_iter(b'\r', before).filter(|&at| text.get(at + 1) != Some(&b'\n')).count();
-    let start = before.iter().rposition(|&byte| is_line_end(byte)).map_or(0, |end| end + 1);
-    ((feeds + lone_returns + 1) as u64, before.len() - start + 1)
 }

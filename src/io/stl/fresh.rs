@@ -1,0 +1,107 @@
+//! A new binary STL from any meshes.
+
+use super::binary::{FACET, FIRST, HEADER, vector_bytes};
+use super::facets::stored;
+use super::vertex_normals_note;
+use crate::io::{Note, Part, Place, WriteError, WriteOptions, Written};
+use crate::mesh::{Columns, Mesh, Storage, triangulate};
+use glam::DVec3;
+
+/// A binary STL of all parts, cut into triangles.
+///
+/// The normal of a facet is the one that the corners of its face share. Where they do not share one, 0 0 0 is
+/// written, by which the format leaves it to the reader.
+///
+/// # Errors
+/// [`WriteError::Unsupported`] for a position beyond the range of `f32`, [`WriteError::TooLarge`] for more facets
+/// than 32 bits count.
+pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Written, WriteError> {
+    let mut bytes = header(parts);
+    let mut count = 0_u64;
+    let mut without_normal = 0_u64;
+    for part in parts {
+        let mesh = &part.mesh;
+        if let Some(far) = mesh.positions().iter().find(|p| p.abs().max_element() > f64::from(f32::MAX)) {
+            let text = format!("the position ({}, {}, {}) is beyond the numbers of STL", far.x, far.y, far.z);
+            return Err(WriteError::Unsupported(format!("{text}; scale the mesh down")));
+        }
+        let triangulation = triangulate(mesh);
+        bytes.reserve(triangulation.triangles.len() * FACET);
+        for (triangle, face) in triangulation.triangles.into_iter().zip(triangulation.source_face) {
+            let normal = shared_normal(mesh, face as usize);
+            without_normal += u64::from(normal.is_none());
+            bytes.extend(vector_bytes(normal.map_or([0.0; 3], stored)));
+            for corner in triangle {
+                let position = mesh.positions()[mesh.faces().corners()[corner as usize] as usize];
+                bytes.extend(vector_bytes(position.as_vec3().to_array()));
+            }
+            bytes.extend([0, 0]);
+            count += 1;
+        }
+    }
+    let counted = u32::try_from(count)
+        .map_err(|_| WriteError::TooLarge(format!("{count} facets are more than STL can count")))?;
+    bytes[HEADER..FIRST].copy_from_slice(&counted.to_le_bytes());
+    let notes = notes(parts, without_normal, options);
+    Ok(Written { bytes, notes, vertices: 3 * count, ..Written::default() })
+}
+
+/// The header, which must not begin with `solid`.
+fn header(parts: &[Part]) -> Vec<u8> {
+    let mut text = concat!("crease ", env!("CARGO_PKG_VERSION")).to_owned();
+    for (k, part) in parts.iter().filter(|part| !part.name.is_empty()).enumerate() {
+        text.push_str(if k == 0 { ": " } else { ", " });
+        text.extend(part.name.chars().map(|c| if (' '..='~').contains(&c) { c } else { '_' }));
+        if text.len() >= HEADER {
+            break;
+        }
+    }
+    let mut bytes = text.into_bytes();
+    bytes.resize(HEADER, 0);
+    bytes.resize(FIRST, 0);
+    bytes
+}
+
+fn shared_normal(mesh: &Mesh, face: usize) -> Option<DVec3> {
+    let normals = mesh.columns().normals.as_ref()?;
+    let mut slots =
+        mesh.faces().range(face).map(|corner| normals.slot(corner, mesh.faces().corners()[corner]));
+    let first = slots.next()??;
+    slots.all(|slot| slot == Some(first)).then(|| normals.values[first as usize])
+}
+
+/// What STL cannot hold.
+fn notes(parts: &[Part], without_normal: u64, options: &WriteOptions) -> Vec<Note> {
+    let mut notes = Vec::new();
+    let any = |test: &dyn Fn(&Mesh) -> bool| parts.iter().any(|part| test(&part.mesh));
+    if any(&|mesh| mesh.face_count() > 0) {
+        notes.extend(vertex_normals_note(options));
+    }
+    let mut warn = |text: String| notes.push(Note::warning(Place::File, text));
+    if without_normal > 0 {
+        warn(format!("{without_normal} facets have no normal of their own: 0 0 0 was written"));
+    }
+    if parts.len() > 1 {
+        warn(format!("STL has no parts: {} were put into one solid", parts.len()));
+    }
+    let columns = |test: fn(&Columns) -> bool| any(&|mesh| test(mesh.columns()));
+    for (lost, what) in [
+        (columns(|columns| columns.uvs.is_some()), "texture coordinates"),
+        (columns(|columns| columns.colors.is_some()), "colours"),
+        (columns(|columns| columns.materials.is_some()), "materials"),
+        (columns(|columns| columns.objects.is_some()), "objects and groups"),
+        (columns(|columns| columns.smoothing.is_some()), "smoothing groups"),
+        (columns(|columns| !columns.morph_targets.is_empty()), "morph targets"),
+        (columns(|columns| !columns.points.is_empty()), "points"),
+        (columns(|columns| !columns.lines.is_empty()), "lines"),
+    ] {
+        if lost {
+            warn(format!("STL has no {what}: they were left out"));
+        }
+    }
+    let is_rounded = |p: &DVec3| p.as_vec3().as_dvec3() != *p;
+    if any(&|mesh| mesh.storage() == Storage::F64 && mesh.positions().iter().any(is_rounded)) {
+        notes.push(Note::remark("positions were rounded to 32-bit numbers"));
+    }
+    notes
+}
