@@ -1,4 +1,4 @@
-//! One door for all formats.
+//! Which module reads and writes which format.
 
 use super::{Document, Format, Loaded, Part, PartEdit, Place, Problem, ReadError, ReadOptions};
 use super::{WriteError, WriteOptions, Written};
@@ -6,10 +6,7 @@ use super::{gltf, obj, stl};
 use std::path::Path;
 
 /// Reads a file of a known format. `base` is its folder, where companion files are looked for; `None` for a stream.
-///
-/// # Errors
-/// What the format's reader says: where, what was found, what to do.
-pub fn read(
+pub(super) fn read(
     format: Format,
     bytes: Vec<u8>,
     base: Option<&Path>,
@@ -28,11 +25,12 @@ pub fn read(
     }
 }
 
-/// Writes a file again in its own format with changes, one entry of `edits` a part; all else survives byte for byte.
-///
-/// # Errors
-/// [`WriteError::Unsupported`] for what the format cannot hold.
-pub fn edit(loaded: &Loaded, edits: &[PartEdit], options: &WriteOptions) -> Result<Written, WriteError> {
+/// Writes a file again in its own format with changes; all else survives byte for byte.
+pub(super) fn edit(
+    loaded: &Loaded,
+    edits: &[PartEdit],
+    options: &WriteOptions,
+) -> Result<Written, WriteError> {
     match &loaded.document {
         Document::Obj(document) => obj::edit(document, loaded, edits, options),
         Document::Gltf(document) => gltf::edit(document, loaded, edits, loaded.format, options),
@@ -44,10 +42,7 @@ pub fn edit(loaded: &Loaded, edits: &[PartEdit], options: &WriteOptions) -> Resu
 }
 
 /// Writes a new file.
-///
-/// # Errors
-/// [`WriteError::Unsupported`] for what the format cannot hold.
-pub fn write(format: Format, parts: &[Part], options: &WriteOptions) -> Result<Written, WriteError> {
+pub(super) fn write(format: Format, parts: &[Part], options: &WriteOptions) -> Result<Written, WriteError> {
     match format {
         Format::Obj => obj::write(parts, options),
         Format::Gltf | Format::Glb => gltf::write(parts, format, options),

@@ -5,6 +5,7 @@
 //! another format makes a new file from the meshes.
 
 mod companion;
+mod convert;
 mod decimal;
 mod dispatch;
 mod error;
@@ -13,11 +14,12 @@ pub mod gltf;
 mod loaded;
 mod number;
 pub mod obj;
+mod open;
 pub mod stl;
 mod tally;
 mod text;
 
-pub use dispatch::{edit, read, write};
+pub use convert::write;
 pub use error::{Note, Place, Problem, ReadError, Severity, WriteError};
 pub use format::Format;
 pub use loaded::{
@@ -25,3 +27,4 @@ pub use loaded::{
     PartEdit,
 };
 pub use loaded::{ReadOptions, TangentPolicy, WriteOptions, Written};
+pub use open::{detect, read, read_bytes};

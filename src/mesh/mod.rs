@@ -9,6 +9,7 @@ mod rings;
 mod select;
 mod split;
 mod topology;
+mod transform;
 mod triangulate;
 mod weld;
 
@@ -21,6 +22,7 @@ pub(crate) use rings::{Rings, Scatter};
 pub use select::FaceEdit;
 pub use split::{VertexSplit, split_vertices};
 pub use topology::{Link, Topology};
+pub use transform::{NormalMatrix, TransformFault, normal_matrix};
 pub use triangulate::{Triangulation, triangulate};
 pub(crate) use weld::DisjointSets;
 pub use weld::Weld;

@@ -236,11 +236,11 @@ mod tests {
     use glam::DVec3;
 
     fn load(text: &str) -> Loaded {
-        io::read(Format::Obj, text.as_bytes().to_vec(), None, &ReadOptions::default()).unwrap()
+        io::read_bytes(text.as_bytes().to_vec(), Some(Format::Obj), None, &ReadOptions::default()).unwrap()
     }
 
     fn edited(text: &str, edit: PartEdit) -> String {
-        let written = io::edit(&load(text), &[edit], &WriteOptions::default()).unwrap();
+        let written = io::write(&load(text), &[edit], Format::Obj, &WriteOptions::default()).unwrap();
         String::from_utf8(written.bytes).unwrap()
     }
 
@@ -336,7 +336,7 @@ mod tests {
         let text = format!("{POINTS}vn 0 0 1\nf 1 2 3\nsurf 0 1 0 1 1/1/1\n");
         let loaded = load(&text);
         let edit = normals(&[DVec3::X], &[0; 3], 0);
-        assert!(io::edit(&loaded, &[edit], &WriteOptions::default()).is_err());
+        assert!(io::write(&loaded, &[edit], Format::Obj, &WriteOptions::default()).is_err());
         assert_eq!(edited(&text, PartEdit::default()), text);
     }
 }

@@ -219,7 +219,7 @@ fn slot<T>(column: &Option<Column<T>>, corner: usize, vertex: u32) -> Option<u64
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::{Format, ReadOptions, read};
+    use crate::io::{Format, ReadOptions, read_bytes};
     use crate::mesh::{Columns, Faces, MeshBuilder, SmoothingGroups};
     use glam::{DVec2, DVec3};
 
@@ -263,7 +263,7 @@ mod tests {
              v 0 0 0 0.5 0.25 1\nv 0.1 0 0 0.5 0.25 1\nv 0 1 0 0.5 0.25 1\nv 1 1 1 0.5 0.25 1\n\
              g\nusemtl\ns off\nf 5 6 7\nf 5 6 8 7\n"
         );
-        let back = read(Format::Obj, text.into_bytes(), None, &ReadOptions::default()).unwrap();
+        let back = read_bytes(text.into_bytes(), Some(Format::Obj), None, &ReadOptions::default()).unwrap();
         let columns = back.parts[0].mesh.columns();
         assert_eq!(columns.materials.as_ref().unwrap().of_face, [NONE, 0, NONE, NONE]);
         assert_eq!(columns.smoothing.as_ref().unwrap().of_face, [0, 3, 0, 0]);

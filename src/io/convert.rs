@@ -1,0 +1,104 @@
+//! Writing: back into the document, or as a new file of another format.
+
+use super::dispatch;
+use super::{Emit, FileNode, Format, Loaded, Note, Part, PartEdit, Place, WriteError, WriteOptions, Written};
+use crate::mesh::{Column, Mesh, TransformFault};
+use glam::DMat4;
+
+/// Writes a file with changes, one entry of `edits` a part (missing ones change nothing).
+///
+/// In its own format the document is edited, and all that does not change survives byte for byte; a file to which
+/// nothing is done is copied. In another format a new file is made: parts stand where the nodes put them, once for
+/// each, and what the format cannot hold is noted.
+///
+/// For STL, and with [`Emit::Face`], the normals are [`PartEdit::face_normals`].
+///
+/// # Errors
+/// [`WriteError`] for what the format cannot hold and may not be left out, or cannot count.
+pub fn write(
+    loaded: &Loaded,
+    edits: &[PartEdit],
+    format: Format,
+    options: &WriteOptions,
+) -> Result<Written, WriteError> {
+    if format == loaded.format {
+        return dispatch::edit(loaded, edits, options);
+    }
+    let mut notes = Vec::new();
+    let parts = placed(loaded, edits, format, options, &mut notes)?;
+    if loaded.format.is_gltf() {
+        let text = "meshes and where they stand were converted; textures, skins, animations, cameras and lights, if \
+                    any, were left out";
+        notes.push(Note::remark(text));
+    }
+    let mut written = dispatch::write(format, &parts, options)?;
+    written.notes.splice(0..0, notes);
+    Ok(written)
+}
+
+/// The parts as they are to be written: edited, and moved to where the nodes put them.
+fn placed(
+    loaded: &Loaded,
+    edits: &[PartEdit],
+    format: Format,
+    options: &WriteOptions,
+    notes: &mut Vec<Note>,
+) -> Result<Vec<Part>, WriteError> {
+    let unchanged = PartEdit::default();
+    let by_face = format == Format::Stl || options.emit == Emit::Face;
+    let edited = |number: usize| {
+        let part = &loaded.parts[number];
+        let mesh = edited_mesh(&part.mesh, edits.get(number).unwrap_or(&unchanged), by_face);
+        Part { name: part.name.clone(), mesh, non_finite_faces: Vec::new() }
+    };
+    if loaded.nodes.is_empty() {
+        return Ok((0..loaded.parts.len()).map(edited).collect());
+    }
+    let mut uses = vec![0_usize; loaded.parts.len()];
+    for node in &loaded.nodes {
+        uses[node.part] += 1;
+    }
+    let unused = uses.iter().filter(|&&uses| uses == 0).count();
+    if unused > 0 {
+        notes.push(Note::warning(Place::File, format!("{unused} meshes that no node shows were left out")));
+    }
+    let mut flattened = 0;
+    let mut parts = Vec::with_capacity(loaded.nodes.len());
+    for node in &loaded.nodes {
+        let mut part = edited(node.part);
+        if node.world_from_part != DMat4::IDENTITY {
+            let had_normals = part.mesh.columns().normals.is_some();
+            part.mesh = part.mesh.transformed(node.world_from_part).map_err(|fault| beyond(fault, node))?;
+            flattened += usize::from(had_normals && part.mesh.columns().normals.is_none());
+        }
+        if !node.name.is_empty() {
+            part.name.clone_from(&node.name);
+        }
+        parts.push(part);
+    }
+    if flattened > 0 {
+        let text = format!("{flattened} nodes flatten their meshes, which have no normals then");
+        notes.push(Note::warning(Place::File, text));
+    }
+    Ok(parts)
+}
+
+fn beyond(TransformFault::Overflow: TransformFault, node: &FileNode) -> WriteError {
+    WriteError::Unsupported(format!(
+        "the node `{}` moves a vertex beyond the range of numbers; correct its transform",
+        node.name
+    ))
+}
+
+/// The mesh with an edit applied, which is given by the corners of the mesh as it is.
+fn edited_mesh(mesh: &Mesh, edit: &PartEdit, by_face: bool) -> Mesh {
+    let normals = match &edit.face_normals {
+        Some(normals) if by_face => Some(Column::per_corner(normals.clone(), mesh.faces().owners())),
+        _ => edit.normals.clone(),
+    };
+    let mesh = match normals {
+        Some(normals) => mesh.clone().with_normals(Some(normals)),
+        None => mesh.clone(),
+    };
+    if edit.faces.is_empty() { mesh } else { mesh.with_faces(&edit.faces) }
+}
