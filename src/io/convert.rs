@@ -8,7 +8,7 @@ use glam::DMat4;
 /// Writes a file with changes, one entry of `edits` a part (missing ones change nothing).
 ///
 /// In its own format the document is edited, and all that does not change survives byte for byte; a file to which
-/// nothing is done is copied. In another format a new file is made: parts stand where the nodes put them, once for
+/// nothing is done is copied. glTF and GLB are one format here. In another format a new file is made: parts stand where the nodes put them, once for
 /// each, and what the format cannot hold is noted.
 ///
 /// For STL, and with [`Emit::Face`], the normals are [`PartEdit::face_normals`].
@@ -21,8 +21,8 @@ pub fn write(
     format: Format,
     options: &WriteOptions,
 ) -> Result<Written, WriteError> {
-    if format == loaded.format {
-        return dispatch::edit(loaded, edits, options);
+    if format == loaded.format || format.is_gltf() && loaded.format.is_gltf() {
+        return dispatch::edit(loaded, edits, format, options);
     }
     let mut notes = Vec::new();
     let parts = placed(loaded, edits, format, options, &mut notes)?;

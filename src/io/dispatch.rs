@@ -25,10 +25,11 @@ pub(super) fn read(
     }
 }
 
-/// Writes a file again in its own format with changes; all else survives byte for byte.
+/// Writes a file again in its own format with changes; all else survives byte for byte. glTF may change its container.
 pub(super) fn edit(
     loaded: &Loaded,
     edits: &[PartEdit],
+    to: Format,
     options: &WriteOptions,
 ) -> Result<Written, WriteError> {
     match &loaded.document {
