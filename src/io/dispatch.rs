@@ -34,7 +34,7 @@ pub(super) fn edit(
 ) -> Result<Written, WriteError> {
     match &loaded.document {
         Document::Obj(document) => obj::edit(document, loaded, edits, options),
-        Document::Gltf(document) => gltf::edit(document, loaded, edits, loaded.format, options),
+        Document::Gltf(document) => gltf::edit(document, loaded, edits, to, options),
         Document::Stl(document) => stl::edit(document, loaded, edits, options),
         Document::None => {
             Err(WriteError::Unsupported("no document was kept to edit; write a new file".to_owned()))
