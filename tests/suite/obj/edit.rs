@@ -7,7 +7,7 @@ use crease::mesh::{Column, FaceEdit, Mesh, NONE};
 use glam::DVec3;
 
 fn edited(bytes: &[u8], edit: PartEdit) -> Vec<u8> {
-    io::edit(&read(bytes).unwrap(), &[edit], &WriteOptions::default()).unwrap().bytes
+    io::write(&read(bytes).unwrap(), &[edit], io::Format::Obj, &WriteOptions::default()).unwrap().bytes
 }
 
 /// Unit vectors that are `f32` values.

@@ -230,7 +230,7 @@ proptest! {
 
         let normals = new_normals(mesh.faces().corner_count(), &mut Random(seed));
         let edit = PartEdit { normals: Some(normals.clone()), ..PartEdit::default() };
-        let output = io::edit(&read(bytes).unwrap(), &[edit], &WriteOptions::default()).unwrap().bytes;
+        let output = io::write(&read(bytes).unwrap(), &[edit], io::Format::Obj, &WriteOptions::default()).unwrap().bytes;
         meaning.check(&output);
         let back = mesh_of(&output);
         let found = at_corners(&back, &back.columns().normals);
@@ -298,7 +298,10 @@ fn any_number_of_threads_reads_the_same() {
     let mesh = first.unwrap();
     let normals = new_normals(mesh.faces().corner_count(), &mut Random(1));
     let edit = PartEdit { normals: Some(normals.clone()), ..PartEdit::default() };
-    let output = io::edit(&read(text.as_bytes()).unwrap(), &[edit], &WriteOptions::default()).unwrap().bytes;
+    let output =
+        io::write(&read(text.as_bytes()).unwrap(), &[edit], io::Format::Obj, &WriteOptions::default())
+            .unwrap()
+            .bytes;
     let back = mesh_of(&output);
     assert!(back.clone().with_normals(None) == mesh.clone().with_normals(None));
     let f32s = |column: Option<Column<DVec3>>| -> Vec<_> {
