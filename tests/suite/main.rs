@@ -3,5 +3,7 @@
 mod data;
 mod gltf;
 mod gltf_edit;
+mod hostile;
 mod meshes;
 mod obj;
+mod random;

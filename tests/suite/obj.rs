@@ -4,6 +4,7 @@ mod edit;
 mod generated;
 mod real;
 
+use crate::random::Random;
 use crease::io::{Loaded, ReadError, ReadOptions, obj};
 use crease::mesh::{Column, ColumnIndex, Mesh};
 
@@ -28,26 +29,5 @@ fn corner_index<T>(column: &Column<T>) -> &[u32] {
     match &column.index {
         ColumnIndex::PerCorner(index) => index,
         ColumnIndex::PerVertex => panic!("OBJ indexes corners"),
-    }
-}
-
-/// Pseudo-random numbers, the same each time (SplitMix64).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    fn below(&mut self, bound: usize) -> usize {
-        (self.next() % bound as u64) as usize
-    }
-
-    fn one_in(&mut self, count: usize) -> bool {
-        self.below(count) == 0
     }
 }

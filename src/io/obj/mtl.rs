@@ -70,12 +70,20 @@ impl Search {
 
     /// One `mtllib` statement: one name with blanks in it, if there is such a file, or else several names.
     fn libraries(&mut self, names: &str) {
-        if self.companions.find(Path::new(""), names).is_ok() {
+        if self.may_look() && self.companions.find(Path::new(""), names).is_ok() {
             return self.library(names);
         }
         for name in split_names(names) {
+            if self.looked_for > MOST_FILES {
+                return;
+            }
             self.library(name);
         }
+    }
+
+    fn may_look(&mut self) -> bool {
+        self.looked_for += 1;
+        self.looked_for <= MOST_FILES
     }
 
     fn library(&mut self, name: &str) {
@@ -96,8 +104,7 @@ impl Search {
     }
 
     fn file(&mut self, folder: &Path, name: &str) -> Option<PathBuf> {
-        self.looked_for += 1;
-        if self.looked_for > MOST_FILES {
+        if !self.may_look() {
             return None;
         }
         match self.companions.find(folder, name) {
@@ -134,10 +141,7 @@ impl Search {
             "cannot be copied along with an output in another folder: its name leads out of it",
         );
         if self.looked_for > MOST_FILES {
-            let text = format!(
-                "the file names {} material libraries and textures; {MOST_FILES} were looked for",
-                self.looked_for
-            );
+            let text = "the file names very many material libraries and textures; not all were looked for";
             notes.push(Note::warning(Place::File, text));
         }
         // Where a library is missing, so may be the definition.
@@ -156,20 +160,24 @@ impl Search {
     }
 }
 
-/// Several names in one statement: each ends in `.mtl`, or where none does, at a blank.
+/// Several names in one statement: each goes on to the next `.mtl`, or where there is none, to a blank.
 fn split_names(names: &str) -> Vec<&str> {
+    const EXTENSION: &str = ".mtl";
+    let lower = names.to_ascii_lowercase();
+    let ends = lower.match_indices(EXTENSION).map(|(at, _)| at + EXTENSION.len());
+    let mut ends = ends.filter(|&end| !names[end..].starts_with(|next: char| !next.is_whitespace()));
     let mut found = Vec::new();
-    let mut rest = names.trim();
-    while !rest.is_empty() {
-        let lower = rest.to_ascii_lowercase();
-        let end = lower.match_indices(".mtl").map(|(at, dot)| at + dot.len());
-        let mut end =
-            end.filter(|&end| lower[end..].is_empty() || lower[end..].starts_with(char::is_whitespace));
-        let end = end.next().or_else(|| rest.find(char::is_whitespace)).unwrap_or(rest.len());
-        found.push(&rest[..end]);
-        rest = rest[end..].trim_start();
+    let mut start = 0;
+    loop {
+        start = names.len() - names[start..].trim_start().len();
+        if start == names.len() {
+            return found;
+        }
+        let blank = || names[start..].find(char::is_whitespace).map_or(names.len(), |length| start + length);
+        let end = ends.next().unwrap_or_else(blank);
+        found.push(&names[start..end]);
+        start = end;
     }
-    found
 }
 
 /// The materials of a library. Only statements that name materials and textures are handed on: `tobj` panics at a

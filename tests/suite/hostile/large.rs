@@ -1,0 +1,110 @@
+//! Large inputs made to be slow or greedy to read.
+//!
+//! Each is read in a process of its own, this test binary again, whose peak memory is then its alone.
+
+use super::patiently;
+use crease::io::{self, Format, ReadOptions};
+use std::fs;
+use std::process::Command;
+
+/// Set for the child process: the format and the path of what it reads.
+const INPUT: &str = "CREASE_HOSTILE_INPUT";
+
+/// Peak memory allowed for an input of 16 MiB.
+const LIMIT: u64 = 512 << 20;
+
+/// A quarter of the size that the limit is for, with a quarter of the limit.
+const SHARE: u64 = 4;
+
+fn repeated(pattern: &str) -> Vec<u8> {
+    pattern.bytes().cycle().take((16 << 20) / SHARE as usize).collect()
+}
+
+/// What to read and how it is called.
+fn inputs() -> Vec<(Format, &'static str, Vec<u8>)> {
+    let start = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    let obj = |pattern: &str| [start.as_bytes(), &repeated(pattern)[..], b"\n"].concat();
+    vec![
+        (Format::Obj, "one line of backslashes", obj("\\")),
+        (Format::Obj, "continued lines of nothing", obj("\\\n")),
+        (Format::Obj, "a continued line of backslashes and blanks", obj("\\ \t\\ \n")),
+        (Format::Obj, "one number", obj("0")),
+        (Format::Obj, "one comment", obj("#")),
+        (Format::Obj, "blank lines", obj("\r")),
+        (Format::Obj, "one face", [start.as_bytes(), b"f", &repeated(" 1")[..]].concat()),
+        (Format::Obj, "faces", obj("f 1 2 3\n")),
+        (Format::Obj, "faces that count back now and then", obj("f 1 -2 3\n")),
+        (Format::Obj, "short faces", obj("f\n")),
+        (Format::Obj, "lines", obj("l 1 2\n")),
+        (Format::Obj, "points", obj("p 1\n")),
+        (Format::Obj, "one long name", [start.as_bytes(), b"f 1 2 3\ng ", &repeated("x")[..]].concat()),
+        (Format::Obj, "groups", obj("g a\ng b\n")),
+        (Format::Obj, "smoothing groups", obj("s a\ns 1\n")),
+        (Format::Obj, "libraries", obj("mtllib a\nmtllib b.mtl c\n")),
+        (
+            Format::Obj,
+            "one statement of libraries",
+            [start.as_bytes(), b"mtllib", &repeated(" a.mtl")[..]].concat(),
+        ),
+        (Format::Obj, "one statement of words", [start.as_bytes(), b"mtllib", &repeated(" a")[..]].concat()),
+        (Format::Obj, "names of their own", numbered("g ")),
+        (Format::Obj, "libraries of their own", numbered("mtllib ")),
+        (Format::Obj, "unknown statements", obj("x\n")),
+        (Format::Obj, "colours", obj("v 0 0 0 1 1 1\n")),
+    ]
+}
+
+/// A statement with another name each time.
+fn numbered(keyword: &str) -> Vec<u8> {
+    let mut text = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".to_vec();
+    for number in 0.. {
+        if text.len() as u64 > (16 << 20) / SHARE {
+            break;
+        }
+        text.extend_from_slice(format!("{keyword}{number}\n").as_bytes());
+    }
+    text
+}
+
+#[test]
+fn large_inputs_take_little_time_and_memory() {
+    if !cfg!(target_os = "linux") {
+        println!("skipped: peak memory is read from /proc");
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    for (format, name, bytes) in inputs() {
+        let path = folder.path().join("input");
+        fs::write(&path, &bytes).unwrap();
+        let mut child = Command::new(std::env::current_exe().unwrap());
+        child.args(["--exact", "hostile::large::the_input_of_a_child_process", "--nocapture"]);
+        child.env(INPUT, format!("{format} {}", path.display()));
+        patiently(name, move || {
+            let output = child.output().unwrap();
+            let said = String::from_utf8_lossy(&output.stdout);
+            assert!(output.status.success(), "{name}: {said}");
+            let peak =
+                said.lines().find_map(|line| line.split_once("peak KiB ")?.1.trim().parse::<u64>().ok());
+            let peak = peak.unwrap_or_else(|| panic!("{name}: no peak in {said}")) << 10;
+            println!("{name}: {} MiB", peak >> 20);
+            assert!(peak < LIMIT / SHARE, "{name} takes {} MiB", peak >> 20);
+        });
+    }
+}
+
+/// Does nothing but in the child process that the test above starts.
+#[test]
+fn the_input_of_a_child_process() {
+    let Ok(input) = std::env::var(INPUT) else { return };
+    let (format, path) = input.split_once(' ').unwrap();
+    let format = Format::ALL.into_iter().find(|known| known.extension() == format).unwrap();
+    let bytes = fs::read(path).unwrap();
+    match io::read(format, bytes, Some(std::path::Path::new(path).parent().unwrap()), &ReadOptions::default())
+    {
+        Ok(loaded) => println!("{} notes", loaded.notes.len()),
+        Err(error) => println!("{error}"),
+    }
+    let status = fs::read_to_string("/proc/self/status").unwrap();
+    let peak = status.lines().find_map(|line| line.strip_prefix("VmHWM:")).unwrap();
+    println!("peak KiB {}", peak.trim_end_matches("kB").trim());
+}
