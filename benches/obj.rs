@@ -60,7 +60,7 @@ fn text(name: &str) -> &'static [u8] {
 }
 
 fn read(bytes: Vec<u8>) -> Loaded {
-    io::read(Format::Obj, bytes, None, &ReadOptions::default()).unwrap()
+    io::read_bytes(bytes, Some(Format::Obj), None, &ReadOptions::default()).unwrap()
 }
 
 #[divan::bench(args = ["plain", "full"])]
@@ -96,13 +96,5 @@ fn edit_normals(bencher: Bencher, name: &str) {
     let normals = positions.iter().map(|position| (*position + 1.0).normalize()).collect();
     let edits = [PartEdit { normals: Some(Column::per_vertex(normals)), ..PartEdit::default() }];
     let bencher = bencher.counter(BytesCount::of_slice(text));
-    bencher.bench_local(|| io::edit(&loaded, &edits, &WriteOptions::default()).unwrap());
-}
-
-#[divan::bench(args = ["plain", "full"])]
-fn write_new(bencher: Bencher, name: &str) {
-    let text = text(name);
-    let loaded = read(text.to_vec());
-    let bencher = bencher.counter(BytesCount::of_slice(text));
-    bencher.bench_local(|| io::write(Format::Obj, &loaded.parts, &WriteOptions::default()).unwrap());
+    bencher.bench_local(|| io::write(&loaded, &edits, Format::Obj, &WriteOptions::default()).unwrap());
 }

@@ -5,8 +5,8 @@
 mod large;
 
 use crate::random::Random;
-use crease::io::{self, Format, Loaded, NonFinite, PartEdit, ReadOptions, WriteOptions};
-use crease::mesh::{Column, Mesh};
+use crease::io::{self, Format, Loaded, NonFinite, Part, PartEdit, ReadOptions, WriteOptions};
+use crease::mesh::{Column, FaceEdit, Mesh};
 use glam::DVec3;
 use std::fs;
 use std::path::Path;
@@ -67,7 +67,7 @@ fn finite(mesh: &Mesh) -> bool {
 /// Reads, and writes what could be read: back to its own format, and anew to others.
 fn try_bytes(name: &str, format: Format, bytes: &[u8], non_finite: NonFinite) {
     let options = ReadOptions { non_finite, ..ReadOptions::default() };
-    let mut loaded = match io::read(format, bytes.to_vec(), None, &options) {
+    let loaded = match io::read_bytes(bytes.to_vec(), Some(format), None, &options) {
         Ok(loaded) => loaded,
         Err(error) => {
             assert!(!error.found.is_empty() && !error.advice.is_empty(), "{name}: {error:?}");
@@ -75,31 +75,21 @@ fn try_bytes(name: &str, format: Format, bytes: &[u8], non_finite: NonFinite) {
         }
     };
     assert!(loaded.parts.iter().all(|part| finite(&part.mesh)), "{name}");
-    let up = |mesh: &Mesh| Column::per_corner(vec![DVec3::Z], vec![0; mesh.faces().corner_count()]);
-    let edits: Vec<PartEdit> = loaded
-        .parts
-        .iter()
-        .map(|part| {
-            let mut edit = PartEdit { normals: Some(up(&part.mesh)), ..PartEdit::default() };
-            edit.faces.dropped.clone_from(&part.non_finite_faces);
-            edit
-        })
-        .collect();
-    if let Ok(written) = io::edit(&loaded, &edits, &WriteOptions::default()) {
-        let again = io::read(format, written.bytes, None, &options);
-        let again = again.unwrap_or_else(|error| panic!("{name}: its edit cannot be read: {error}"));
-        check_normals(name, &again);
-    }
-    for part in &mut loaded.parts {
-        let normals = up(&part.mesh);
-        part.mesh = std::mem::take(&mut part.mesh).with_normals(Some(normals));
-    }
-    for format in [Format::Obj, Format::Glb] {
-        if let Ok(written) = io::write(format, &loaded.parts, &WriteOptions::default()) {
-            let again = io::read(format, written.bytes, None, &ReadOptions::default());
-            check_normals(name, &again.unwrap_or_else(|error| panic!("{name} as {format}: {error}")));
+    let edits: Vec<PartEdit> = loaded.parts.iter().map(upward).collect();
+    for to in [format, Format::Obj, Format::Glb] {
+        if let Ok(written) = io::write(&loaded, &edits, to, &WriteOptions::default()) {
+            let again = io::read_bytes(written.bytes, Some(to), None, &options);
+            check_normals(name, &again.unwrap_or_else(|error| panic!("{name} as {to}: {error}")));
         }
     }
+}
+
+/// Normals that all point up, and no faces at vertices that are nowhere.
+fn upward(part: &Part) -> PartEdit {
+    let faces = FaceEdit { dropped: part.non_finite_faces.clone(), reversed: Vec::new() };
+    let normals = Column::per_corner(vec![DVec3::Z], vec![0; part.mesh.faces().corner_count()]);
+    let face_normals = vec![DVec3::Z; part.mesh.face_count()];
+    PartEdit { faces, normals: Some(normals), face_normals: Some(face_normals), ..PartEdit::default() }
 }
 
 fn check_normals(name: &str, loaded: &Loaded) {

@@ -5,6 +5,7 @@
 use super::patiently;
 use crease::io::{self, Format, ReadOptions};
 use std::fs;
+use std::path::Path;
 use std::process::Command;
 
 /// Set for the child process: the format and the path of what it reads.
@@ -98,9 +99,7 @@ fn the_input_of_a_child_process() {
     let Ok(input) = std::env::var(INPUT) else { return };
     let (format, path) = input.split_once(' ').unwrap();
     let format = Format::ALL.into_iter().find(|known| known.extension() == format).unwrap();
-    let bytes = fs::read(path).unwrap();
-    match io::read(format, bytes, Some(std::path::Path::new(path).parent().unwrap()), &ReadOptions::default())
-    {
+    match io::read(Path::new(path), Some(format), &ReadOptions::default()) {
         Ok(loaded) => println!("{} notes", loaded.notes.len()),
         Err(error) => println!("{error}"),
     }
