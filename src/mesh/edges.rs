@@ -129,24 +129,27 @@ fn match_small<const N: usize>(ring: impl Iterator<Item = Spoke>, set: impl Fn(u
         let link = decide(
             same.into(),
             against.into(),
-            || spokes[against_at as usize].arriving,
-            || spokes[same_at as usize - i].leaving,
+            || spokes[against_at as usize - 1].arriving,
+            || spokes[same_at as usize - 2 - i].leaving,
         );
         set(spoke.leaving, link);
     }
 }
 
-/// How many entries of `to` equal a vertex, the sum of their places, and the same for `from`, a byte each.
+/// How many entries of `to` equal a vertex, the sum of their places counted from 1, and the same for `from`, a
+/// byte each.
+///
+/// Written lane by lane, which compilers turn into a few vector compares.
 #[inline]
 fn tally<const N: usize>(to: &[u32; N], from: &[u32; N], vertex: u32) -> u32 {
-    const { assert!(N * (N - 1) / 2 < 256, "the sum of all places must fit a byte") };
-    let mut tally = 0;
-    for place in 0..N {
-        let one = 1 | (place as u32) << 8;
-        tally += if to[place] == vertex { one } else { 0 };
-        tally += if from[place] == vertex { one << 16 } else { 0 };
+    const { assert!(N * (N + 1) / 2 < 256, "the sum of all places must fit a byte") };
+    let all_ones_if = |equal: bool| 0u32.wrapping_sub(u32::from(equal));
+    let mut lanes = [0; N];
+    for (place, lane) in lanes.iter_mut().enumerate() {
+        let one = 1 | (place as u32 + 1) << 8;
+        *lane = all_ones_if(to[place] == vertex) & one | all_ones_if(from[place] == vertex) & one << 16;
     }
-    tally
+    lanes.iter().sum()
 }
 
 fn match_large(ring: impl Iterator<Item = Spoke>, set: impl Fn(u32, Link)) {
