@@ -6,4 +6,5 @@ mod gltf_edit;
 mod hostile;
 mod meshes;
 mod obj;
+mod orient;
 mod random;
