@@ -38,6 +38,9 @@ pub(in crate::io) fn edit(
 }
 
 fn changes_nothing(mesh: &Mesh, edit: &PartEdit) -> bool {
+    if mesh.face_count() == 0 {
+        return true;
+    }
     if !edit.faces.is_empty() {
         return false;
     }

@@ -1,8 +1,9 @@
 //! A new OBJ from any meshes.
 
+use super::renumber::Renumbering;
 use crate::io::decimal::{push_f32, push_f64, push_integer};
-use crate::io::{Emit, Note, Part, Place, WriteError, WriteOptions, Written};
-use crate::mesh::{Column, FaceLabels, Mesh, NONE, Storage};
+use crate::io::{Emit, Note, Part, PartEdit, Place, WriteError, WriteOptions, Written};
+use crate::mesh::{FaceLabels, Mesh, NONE, Storage};
 
 /// An OBJ of all parts, each an object of its own, with `vn` shared where a mesh shares them.
 ///
@@ -77,14 +78,17 @@ impl Writer {
         for uv in mesh.columns().uvs.iter().flat_map(|uvs| &uvs.values) {
             self.numbers("vt", mesh.storage(), &uv.to_array());
         }
-        for normal in mesh.columns().normals.iter().flat_map(|normals| &normals.values) {
-            self.numbers("vn", Storage::F32, &normal.to_array());
+        // Only those that are referred to, and equal ones once.
+        let normals = mesh.columns().normals.as_ref();
+        let normals = normals.map(|normals| Renumbering::new(mesh, &PartEdit::default(), normals, 0));
+        if let Some(normals) = &normals {
+            normals.push_lines(b"\n", &mut self.out);
         }
-        self.faces(mesh);
+        self.faces(mesh, normals.as_ref());
         self.loose(mesh);
         self.vertices += mesh.vertex_count() as u64;
         self.uvs += mesh.columns().uvs.as_ref().map_or(0, |uvs| uvs.values.len() as u64);
-        self.normals += mesh.columns().normals.as_ref().map_or(0, |normals| normals.values.len() as u64);
+        self.normals += normals.map_or(0, |normals| normals.new_lines());
     }
 
     fn positions(&mut self, mesh: &Mesh) {
@@ -126,7 +130,7 @@ impl Writer {
         self.out.push(b'\n');
     }
 
-    fn faces(&mut self, mesh: &Mesh) {
+    fn faces(&mut self, mesh: &Mesh, normals: Option<&Renumbering<'_>>) {
         let columns = mesh.columns();
         let mut current = Labels::NONE;
         if let Some(left) = self.labels {
@@ -146,7 +150,7 @@ impl Writer {
             }
             self.out.push(b'f');
             for corner in range {
-                self.corner(mesh, corner);
+                self.corner(mesh, normals, corner);
             }
             self.out.push(b'\n');
         }
@@ -176,22 +180,21 @@ impl Writer {
         }
     }
 
-    fn corner(&mut self, mesh: &Mesh, corner: usize) {
+    fn corner(&mut self, mesh: &Mesh, normals: Option<&Renumbering<'_>>, corner: usize) {
         let vertex = mesh.faces().corners()[corner];
-        let columns = mesh.columns();
-        self.index(b" ", vertex.into(), self.vertices);
-        let uv = slot(&columns.uvs, corner, vertex);
+        self.index(b" ", u64::from(vertex) + 1, self.vertices);
+        let uv = mesh.columns().uvs.as_ref().and_then(|uvs| uvs.slot(corner, vertex));
         if let Some(uv) = uv {
-            self.index(b"/", uv, self.uvs);
+            self.index(b"/", u64::from(uv) + 1, self.uvs);
         }
-        if let Some(normal) = slot(&columns.normals, corner, vertex) {
-            self.index(if uv.is_some() { b"/" } else { b"//" }, normal, self.normals);
+        if let Some(normal) = normals.and_then(|normals| normals.of_corner(corner)) {
+            self.index(if uv.is_some() { b"/" } else { b"//" }, normal.into(), self.normals);
         }
     }
 
-    fn index(&mut self, before: &[u8], index: u64, base: u64) {
+    fn index(&mut self, before: &[u8], number: u64, base: u64) {
         self.out.extend_from_slice(before);
-        push_integer(&mut self.out, base + index + 1);
+        push_integer(&mut self.out, base + number);
     }
 
     fn loose(&mut self, mesh: &Mesh) {
@@ -206,21 +209,17 @@ impl Writer {
     fn vertex_list(&mut self, keyword: &[u8], vertices: &[u32]) {
         self.out.extend_from_slice(keyword);
         for &vertex in vertices {
-            self.index(b" ", vertex.into(), self.vertices);
+            self.index(b" ", u64::from(vertex) + 1, self.vertices);
         }
         self.out.push(b'\n');
     }
-}
-
-fn slot<T>(column: &Option<Column<T>>, corner: usize, vertex: u32) -> Option<u64> {
-    column.as_ref()?.slot(corner, vertex).map(u64::from)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::io::{Format, ReadOptions, read_bytes};
-    use crate::mesh::{Columns, Faces, MeshBuilder, SmoothingGroups};
+    use crate::mesh::{Column, Columns, Faces, MeshBuilder, SmoothingGroups};
     use glam::{DVec2, DVec3};
 
     fn written(parts: &[Part]) -> String {

@@ -3,8 +3,8 @@
 //! Line numbers and spans are not stored while parsing: they would cost as much memory as the mesh. The few that a
 //! message needs are found by reading the text again, which is only done once something is wrong.
 
+use super::arguments::Fault;
 use super::lexer::{Cursor, Keyword, statements};
-use super::stretch::Fault;
 use crate::io::Problem;
 
 /// How many vertices, texture coordinates and normals a file defines.

@@ -1,11 +1,12 @@
 //! Stretches of a file put together, in order, into one mesh.
 
+use super::arguments::Fault;
 use super::indices::{Indices, NOWHERE};
 use super::labels::Labels;
 use super::lexer::{Cursor, Keyword, shown};
 use super::locate::{Counts, Target, arguments_of, first_bad_reference};
 use super::remarks::{Remark, Remarks};
-use super::stretch::{Fault, Label, LabelKind, NO_COLOR, Stretch};
+use super::stretch::{Label, LabelKind, NO_COLOR, Stretch};
 use crate::io::{NonFinite, Note, Problem};
 use crate::mesh::{Column, Columns, Faces, Mesh, MeshBuilder, MeshError, NONE, Storage};
 use glam::{DVec2, DVec3};

@@ -9,6 +9,7 @@
 //! comments anywhere; all line ends; any encoding that keeps ASCII. Forward references are accepted. What is not
 //! understood is carried along and noted.
 
+mod arguments;
 mod edit;
 mod fresh;
 mod indices;
@@ -22,7 +23,9 @@ mod renumber;
 mod stretch;
 
 use super::number;
+use super::tally::check_size;
 use super::{Document, Format, Loaded, OutputFile, Part, Place, Problem, ReadError, ReadOptions};
+use arguments::Fault;
 pub(super) use edit::edit;
 pub(super) use fresh::write;
 use lexer::{line_and_column, next_line_start, text_start};
@@ -30,7 +33,7 @@ use merge::File;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::path::Path;
-use stretch::{Fault, Stretch};
+use stretch::Stretch;
 
 /// Bytes that are parsed in one go. It does not depend on the number of threads, nor does anything else here.
 const STRETCH: usize = 1 << 20;
@@ -61,10 +64,7 @@ pub struct ObjDocument {
 /// finite (unless [`ReadOptions::non_finite`] lets them pass). Without: UTF-16 and UTF-32, and bytes that are no OBJ.
 pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Result<Loaded, ReadError> {
     check_encoding(&bytes)?;
-    if bytes.len() as u64 > options.limits.bytes {
-        let found = format!("{} bytes, more than the limit of {}", bytes.len(), options.limits.bytes);
-        return Err(ReadError::new(Problem::Limit, Place::File, found, "raise the limit"));
-    }
+    check_size(&bytes, options)?;
     let place = |fault: Fault| {
         let (line, column) = line_and_column(&bytes, fault.offset);
         let found = match fault.problem {

@@ -1,4 +1,4 @@
-//! The numbers of normals in an edited OBJ.
+//! The numbers of normals in an OBJ that is edited or new.
 
 use crate::io::PartEdit;
 use crate::io::decimal::push_f32;
@@ -81,6 +81,11 @@ impl<'a> Renumbering<'a> {
     /// The number of a corner's normal, if it has one.
     pub fn of_corner(&self, corner: usize) -> Option<u32> {
         self.slot(corner).map(|slot| self.numbers[slot])
+    }
+
+    /// How many lines the new normals need.
+    pub fn new_lines(&self) -> u64 {
+        self.new.len() as u64
     }
 
     /// Appends the lines of the new normals.

@@ -1,7 +1,7 @@
 //! Generated text: what it says is known, so everything that is read can be checked.
 
 use super::{Random, at_corners, mesh_of, read};
-use crease::io::{self, PartEdit, WriteOptions};
+use crease::io::{self, Document, Format, Loaded, PartEdit, WriteOptions};
 use crease::mesh::{Column, NONE};
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
@@ -229,13 +229,18 @@ proptest! {
         prop_assert_eq!(at_corners(&mesh, &mesh.columns().normals), &meaning.corner_normals[..]);
 
         let normals = new_normals(mesh.faces().corner_count(), &mut Random(seed));
-        let edit = PartEdit { normals: Some(normals.clone()), ..PartEdit::default() };
-        let output = io::write(&read(bytes).unwrap(), &[edit], io::Format::Obj, &WriteOptions::default()).unwrap().bytes;
-        meaning.check(&output);
-        let back = mesh_of(&output);
-        let found = at_corners(&back, &back.columns().normals);
-        for (found, asked) in found.into_iter().zip(at_corners(&mesh, &Some(normals))) {
-            prop_assert_eq!(found.map(|normal| normal.as_vec3()), asked.map(|normal| normal.as_vec3()));
+        let edits = [PartEdit { normals: Some(normals.clone()), ..PartEdit::default() }];
+        let loaded = read(bytes).unwrap();
+        // From another format, the same meshes are written anew.
+        let foreign = Loaded { format: Format::Ply, document: Document::None, ..loaded.clone() };
+        for source in [loaded, foreign] {
+            let output = io::write(&source, &edits, Format::Obj, &WriteOptions::default()).unwrap().bytes;
+            meaning.check(&output);
+            let back = mesh_of(&output);
+            let found = at_corners(&back, &back.columns().normals);
+            for (found, asked) in found.into_iter().zip(at_corners(&mesh, &Some(normals.clone()))) {
+                prop_assert_eq!(found.map(|normal| normal.as_vec3()), asked.map(|normal| normal.as_vec3()));
+            }
         }
     }
 }
