@@ -1,5 +1,7 @@
 //! The integration suite.
 
+#![allow(clippy::print_stdout, reason = "a test says what it skips")]
+
 mod data;
 mod gltf;
 mod gltf_edit;

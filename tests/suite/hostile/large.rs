@@ -87,7 +87,6 @@ fn large_inputs_take_little_time_and_memory() {
             let peak =
                 said.lines().find_map(|line| line.split_once("peak KiB ")?.1.trim().parse::<u64>().ok());
             let peak = peak.unwrap_or_else(|| panic!("{name}: no peak in {said}")) << 10;
-            println!("{name}: {} MiB", peak >> 20);
             assert!(peak < LIMIT / SHARE, "{name} takes {} MiB", peak >> 20);
         });
     }

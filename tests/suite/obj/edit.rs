@@ -120,21 +120,16 @@ fn faces_are_dropped_and_reversed_with_all_that_is_theirs() {
         let output = edited(&bytes, PartEdit { faces: faces.clone(), ..PartEdit::default() });
         let back = mesh_of(&output);
         assert_eq!(back.faces(), expected.faces(), "{name}");
-        for (found, asked) in
-            [(at_corners(&back, &back.columns().normals), at_corners(&expected, &expected.columns().normals))]
-        {
-            assert_eq!(found, asked, "{name}");
-        }
+        let normals = [&back, &expected].map(|mesh| at_corners(mesh, &mesh.columns().normals));
+        assert_eq!(normals[0], normals[1], "{name}");
         assert_eq!(
             at_corners(&back, &back.columns().uvs),
             at_corners(&expected, &expected.columns().uvs),
             "{name}"
         );
-        assert_eq!(
-            back.columns().smoothing.as_ref().map(|groups| &groups.of_face),
-            expected.columns().smoothing.as_ref().map(|groups| &groups.of_face),
-            "{name}"
-        );
+        let groups =
+            [&back, &expected].map(|mesh| mesh.columns().smoothing.as_ref().map(|groups| &groups.of_face));
+        assert_eq!(groups[0], groups[1], "{name}");
         assert_eq!(other_lines(&output), other_lines(&bytes), "{name}");
     }
 }
