@@ -2,7 +2,7 @@
 
 use super::{Random, at_corners, mesh_of, read};
 use crease::io::{self, Document, Format, Loaded, PartEdit, WriteOptions};
-use crease::mesh::{Column, NONE};
+use crease::mesh::{Column, ColumnIndex, NONE};
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use std::fmt::Write;
@@ -331,4 +331,25 @@ fn the_first_fault_in_the_file_is_the_one_that_is_told() {
     }
     let unbounded = text + "f 1 2 99999999\r\n";
     assert!(read(unbounded.as_bytes()).unwrap_err().found.contains("vertex 99999999"));
+}
+
+#[test]
+fn kept_normals_are_counted_across_stretches() {
+    // More than a stretch of normals in front of the first face, and one behind it.
+    let count = 200_000;
+    let mut text: String = (0..count).map(|number| format!("vn {number} 0 1\n")).collect();
+    write!(text, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1//1 2//{count} 3//-1\nvn 0 0 7\nf 1//-1 2//-1 3//-1\n")
+        .unwrap();
+    let loaded = read(text.as_bytes()).unwrap();
+    let mut normals = loaded.parts[0].mesh.columns().normals.clone().unwrap();
+    let kept = normals.values.len();
+    assert_eq!(kept, count + 1);
+    normals.values.push(DVec3::X);
+    normals.index =
+        ColumnIndex::PerCorner(vec![0, kept as u32, count as u32 - 1, count as u32, 0, kept as u32]);
+    let asked = Some(normals.clone());
+    let edit = PartEdit { normals: Some(normals), kept, ..PartEdit::default() };
+    let output = io::write(&loaded, &[edit], Format::Obj, &WriteOptions::default()).unwrap().bytes;
+    let back = mesh_of(&output);
+    assert_eq!(at_corners(&back, &back.columns().normals), at_corners(&loaded.parts[0].mesh, &asked));
 }
