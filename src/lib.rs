@@ -51,3 +51,4 @@ pub mod io;
 pub mod mesh;
 pub mod normals;
 pub mod num;
+pub mod pipeline;

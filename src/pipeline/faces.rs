@@ -1,0 +1,149 @@
+//! Faces turned and left out, and the way back to the numbers of the mesh as it was read.
+
+use super::select::Selected;
+use super::{Degenerate, Task};
+use crate::io::{Part, PartEdit};
+use crate::mesh::{Column, ColumnIndex, FaceEdit, Mesh, NONE, Orient, Orientation, Topology, orient};
+use crate::normals::LENGTH_TOLERANCE;
+use glam::DVec3;
+use std::borrow::Cow;
+
+/// A part with its faces as they will stand in the output.
+pub(super) struct Turned<'a> {
+    /// The mesh that normals are computed on.
+    pub(super) mesh: Cow<'a, Mesh>,
+    /// What orientation found, without the list of faces; `None` if it was not asked for.
+    pub(super) orientation: Option<Orientation>,
+    faces: FaceEdit,
+    /// Faces of the mesh as it was read.
+    count: usize,
+}
+
+impl<'a> Turned<'a> {
+    pub(super) fn new(part: &'a Part, task: &Task) -> Self {
+        let count = part.mesh.face_count();
+        let mut faces = FaceEdit { dropped: part.non_finite_faces.clone(), reversed: Vec::new() };
+        let mut orientation = None;
+        if task.orient != Orient::Keep {
+            let present = applied(&part.mesh, &faces);
+            let topology = Topology::build(&present, task.recipe.weld);
+            let mut found = orient(&present, &topology, task.orient);
+            let numbers = as_read(&faces, count);
+            let reversed = std::mem::take(&mut found.reversed);
+            faces.reversed = reversed.into_iter().map(|face| numbers[face as usize]).collect();
+            orientation = Some(found);
+        }
+        if task.flip {
+            faces.reversed =
+                as_read(&faces, count).into_iter().filter(|&face| !faces.reverses(face)).collect();
+        }
+        let mut mesh = applied(&part.mesh, &faces);
+        if let Some(stored) = mesh.columns().normals.as_ref().filter(|_| task.flip) {
+            let turned = opposite(stored, &mesh);
+            mesh = Cow::Owned(mesh.into_owned().with_normals(Some(turned)));
+        }
+        Self { mesh, orientation, faces, count }
+    }
+
+    /// Values of the turned mesh's faces, one for each face as it was read. What is left out gets +z.
+    pub(super) fn faces_as_read(&self, normals: Vec<DVec3>) -> Vec<DVec3> {
+        if self.faces.dropped.is_empty() {
+            return normals;
+        }
+        let mut all = vec![DVec3::Z; self.count];
+        for (face, normal) in as_read(&self.faces, self.count).into_iter().zip(normals) {
+            all[face as usize] = normal;
+        }
+        all
+    }
+
+    /// The change of the part.
+    pub(super) fn edit(self, part: &Part, selected: Selected, degenerate: Degenerate) -> PartEdit {
+        let Selected { normals, kept, mut morph_normals, zero_area, .. } = selected;
+        let mut normals = normals.map(|column| self.corners_as_read(part, column));
+        let mut faces = self.faces;
+        if degenerate == Degenerate::Drop && !zero_area.is_empty() {
+            let numbers = as_read(&faces, self.count);
+            faces.dropped.extend(zero_area.iter().map(|&face| numbers[face as usize]));
+            faces.dropped.sort_unstable();
+            faces.reversed.retain(|face| faces.dropped.binary_search(face).is_err());
+        }
+        if let Some(normals) = normals.as_mut().filter(|_| !faces.dropped.is_empty()) {
+            forget_dropped(normals, &mut morph_normals, kept, &faces, &part.mesh);
+        }
+        PartEdit { faces, normals, kept, face_normals: None, morph_normals }
+    }
+
+    /// A column of the turned mesh with the corners of the mesh as it was read.
+    fn corners_as_read(&self, part: &Part, column: Column<DVec3>) -> Column<DVec3> {
+        let ColumnIndex::PerCorner(index) = &column.index else { return column };
+        if self.faces.is_empty() {
+            return column;
+        }
+        let (_, order) = self.faces.corner_order(part.mesh.faces());
+        let mut all = vec![NONE; part.mesh.faces().corner_count()];
+        for (&corner, &slot) in order.iter().zip(index) {
+            all[corner as usize] = slot;
+        }
+        Column::per_corner(column.values, all)
+    }
+}
+
+fn applied<'a>(mesh: &'a Mesh, faces: &FaceEdit) -> Cow<'a, Mesh> {
+    if faces.is_empty() { Cow::Borrowed(mesh) } else { Cow::Owned(mesh.with_faces(faces)) }
+}
+
+/// Stored normals turned round. They become new values of the file, so what is no unit vector is left out, and
+/// counts as missing.
+fn opposite(stored: &Column<DVec3>, mesh: &Mesh) -> Column<DVec3> {
+    let is_unit = |n: &DVec3| n.is_finite() && (n.length() - 1.0).abs() <= LENGTH_TOLERANCE;
+    let mut index = stored.corner_index(mesh.faces().corners());
+    for slot in index.iter_mut().filter(|slot| **slot != NONE) {
+        if !is_unit(&stored.values[*slot as usize]) {
+            *slot = NONE;
+        }
+    }
+    let values = stored.values.iter().map(|n| if is_unit(n) { -*n } else { DVec3::Z }).collect();
+    Column::per_corner(values, index)
+}
+
+/// The number that each remaining face had.
+fn as_read(faces: &FaceEdit, count: usize) -> Vec<u32> {
+    let mut dropped = faces.dropped.iter().peekable();
+    (0..count as u32).filter(|face| dropped.next_if_eq(&face).is_none()).collect()
+}
+
+/// Leaves out the new values that only dropped faces used, so that no writer stores them.
+fn forget_dropped(
+    normals: &mut Column<DVec3>,
+    morph_normals: &mut [Vec<DVec3>],
+    kept: usize,
+    faces: &FaceEdit,
+    mesh: &Mesh,
+) {
+    let ColumnIndex::PerCorner(index) = &mut normals.index else { return };
+    for &face in &faces.dropped {
+        index[mesh.faces().range(face as usize)].fill(NONE);
+    }
+    let mut used = vec![false; normals.values.len()];
+    used[..kept].fill(true);
+    for &slot in index.iter().filter(|&&slot| slot != NONE) {
+        used[slot as usize] = true;
+    }
+    let mut next = 0;
+    let places: Vec<u32> = used
+        .iter()
+        .map(|&used| {
+            let place = next;
+            next += u32::from(used);
+            place
+        })
+        .collect();
+    for slot in index.iter_mut().filter(|slot| **slot != NONE) {
+        *slot = places[*slot as usize];
+    }
+    for values in morph_normals.iter_mut().chain([&mut normals.values]) {
+        let mut used = used.iter();
+        values.retain(|_| *used.next().expect("one mark a value"));
+    }
+}

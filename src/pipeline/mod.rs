@@ -1,0 +1,268 @@
+//! From a file as it was read to what changes in it (layer 3).
+//!
+//! `io` knows files and `normals` knows meshes; [`revise`] puts them together, part by part: faces without finite
+//! positions go, the rest is turned as asked, normals are computed on the faces as they will stand in the output,
+//! and the result is told in terms of the mesh *as it was read*, which is what [`write`](crate::io::write) wants.
+//!
+//! ```no_run
+//! use crease::{io, pipeline};
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let loaded = io::read("gear.obj".as_ref(), None, &io::ReadOptions::default())?;
+//! let revision = pipeline::revise(&loaded, &pipeline::Task::default(), Some(io::Format::Glb), &|_| {});
+//! let written = io::write(&loaded, &revision.edits, io::Format::Glb, &io::WriteOptions::default())?;
+//! std::fs::write("gear.glb", written.bytes)?;
+//! # Ok(())
+//! # }
+//! ```
+
+mod faces;
+mod outcome;
+mod select;
+
+pub use outcome::{FaultCounts, PartOutcome, ReasonCounts, ReplacedCounts};
+
+use crate::io::{Emit, Format, Loaded, Part, PartEdit};
+use crate::mesh::Orient;
+use crate::normals::{self, NormalRecipe, When};
+use faces::Turned;
+use glam::DVec3;
+use rayon::prelude::*;
+
+/// What shall become of a file.
+#[derive(Clone, Debug, Default)]
+pub struct Task {
+    /// What determines the normals.
+    pub recipe: NormalRecipe,
+    /// Which normals the output carries.
+    pub emit: Emit,
+    /// Which stored normals are replaced.
+    pub when: When,
+    /// How faces are turned. Stored normals that [`when`](Self::when) keeps stay as they are.
+    pub orient: Orient,
+    /// Turn every face round after that, and stored normals that are kept with it.
+    pub flip: bool,
+    /// What happens to faces without area.
+    pub degenerate: Degenerate,
+}
+
+/// What happens to faces whose area is exactly zero.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Degenerate {
+    /// They stay, with a made-up normal.
+    #[default]
+    Keep,
+    /// They are left out of the output. Normals are those of the whole mesh: such faces add nothing to them.
+    Drop,
+}
+
+/// What changes in a file, and what was found on the way.
+#[derive(Clone, Debug, Default)]
+pub struct Revision {
+    /// The change of each part, in the order of [`Loaded::parts`].
+    pub edits: Vec<PartEdit>,
+    /// What was found in each part.
+    pub parts: Vec<PartOutcome>,
+}
+
+/// Works out what a task changes in a file that will be written as `target`; `None` if it will not be written.
+///
+/// `done` is told the number of faces of each part that is finished, from any thread. Parts without faces stay as
+/// they are. The result is the same for any number of threads.
+pub fn revise(
+    loaded: &Loaded,
+    task: &Task,
+    target: Option<Format>,
+    done: &(dyn Fn(usize) + Sync),
+) -> Revision {
+    let (edits, parts) = loaded
+        .parts
+        .par_iter()
+        .map(|part| {
+            let (mut edit, outcome, facets) = revise_part(part, task);
+            let wants_facets = task.emit == Emit::Face || target == Some(Format::Stl);
+            let same_facets = target == Some(Format::Stl) && loaded.format == Format::Stl && edit.is_empty();
+            edit.face_normals = facets.filter(|_| wants_facets && !same_facets);
+            if task.emit == Emit::Face {
+                edit = PartEdit { normals: None, kept: 0, morph_normals: Vec::new(), ..edit };
+            }
+            done(part.mesh.face_count());
+            (edit, outcome)
+        })
+        .unzip();
+    Revision { edits, parts }
+}
+
+/// The change of a part, what was found in it, and one normal a face.
+fn revise_part(part: &Part, task: &Task) -> (PartEdit, PartOutcome, Option<Vec<DVec3>>) {
+    let mut outcome = PartOutcome::new(part);
+    if part.mesh.face_count() == 0 {
+        return (PartEdit::default(), outcome, None);
+    }
+    let turned = Turned::new(part, task);
+    let field = normals::compute(&turned.mesh, &task.recipe);
+    outcome.orientation.clone_from(&turned.orientation);
+    outcome.record(&field);
+
+    let mut selected = select::select(&turned.mesh, field, task);
+    (outcome.kept, outcome.replaced) = (selected.kept_corners, selected.replaced);
+    let facets = turned.faces_as_read(std::mem::take(&mut selected.face_normals));
+    let edit = turned.edit(part, selected, task.degenerate);
+    outcome.reversed_faces = edit.faces.reversed.len();
+    outcome.dropped_faces = edit.faces.dropped.len() - part.non_finite_faces.len();
+    (edit, outcome, Some(facets))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::Document;
+    use crate::mesh::{Column, ColumnIndex, Faces, MeshBuilder, NONE};
+
+    /// A tetrahedron with its third face turned round, a face without area, and a face that stands for one with
+    /// a position that is not finite.
+    fn part(normals: Option<Column<DVec3>>) -> Part {
+        let positions = vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z, DVec3::X * 2.0, DVec3::ONE];
+        let mut faces = Faces::new();
+        for face in [[0, 2, 1], [0, 1, 3], [0, 2, 3], [0, 1, 4], [1, 2, 3], [1, 2, 5]] {
+            faces.push(&face);
+        }
+        let builder = MeshBuilder { positions, faces, ..MeshBuilder::default() };
+        let mut mesh = builder.build().unwrap();
+        if normals.is_some() {
+            mesh = mesh.with_normals(normals);
+        }
+        Part { name: "part".into(), mesh, non_finite_faces: vec![5] }
+    }
+
+    fn revise_one(part: &Part, task: &Task, target: Option<Format>) -> (PartEdit, PartOutcome) {
+        let loaded = Loaded {
+            format: Format::Obj,
+            parts: vec![part.clone()],
+            nodes: Vec::new(),
+            notes: Vec::new(),
+            document: Document::None,
+        };
+        let mut revision = revise(&loaded, task, target, &|_| {});
+        (revision.edits.pop().unwrap(), revision.parts.pop().unwrap())
+    }
+
+    /// The normal at each corner of the output, found in the way of a writer.
+    fn written(part: &Part, edit: &PartEdit) -> Vec<DVec3> {
+        let (_, order) = edit.faces.corner_order(part.mesh.faces());
+        let normals = edit.normals.as_ref().unwrap();
+        let corners = part.mesh.faces().corners();
+        order.iter().map(|&c| *normals.get(c as usize, corners[c as usize]).expect("a normal")).collect()
+    }
+
+    /// What the library computes on the mesh as it stands in the output.
+    fn expected(part: &Part, edit: &PartEdit, task: &Task) -> Vec<DVec3> {
+        let mesh = part.mesh.with_faces(&edit.faces);
+        let field = normals::compute(&mesh, &task.recipe);
+        let corners = mesh.faces().corners();
+        (0..corners.len()).map(|c| *field.normals.get(c, corners[c]).unwrap()).collect()
+    }
+
+    #[test]
+    fn normals_are_those_of_the_output_in_the_numbers_of_the_input() {
+        let part = part(None);
+        for flip in [false, true] {
+            for orient in [Orient::Keep, Orient::Consistent, Orient::Outward] {
+                for degenerate in [Degenerate::Keep, Degenerate::Drop] {
+                    let task = Task { flip, orient, degenerate, ..Task::default() };
+                    let (edit, outcome) = revise_one(&part, &task, None);
+                    let dropped = if degenerate == Degenerate::Drop { &[3, 5][..] } else { &[5] };
+                    assert_eq!(edit.faces.dropped, dropped);
+                    assert_eq!(outcome.dropped_faces + outcome.non_finite_faces, dropped.len());
+                    assert_eq!(outcome.reversed_faces, edit.faces.reversed.len());
+                    assert_eq!(written(&part, &edit), expected(&part, &edit, &task), "{task:?}");
+                    assert_eq!(edit.kept, 0);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn faces_are_turned_by_orientation_and_then_by_flipping() {
+        let part = part(None);
+        let reversed = |orient, flip| {
+            let (edit, outcome) = revise_one(&part, &Task { orient, flip, ..Task::default() }, None);
+            assert_eq!(outcome.orientation.is_some(), orient != Orient::Keep);
+            edit.faces.reversed
+        };
+        let outward = reversed(Orient::Outward, false);
+        assert!(outward.contains(&2) && !outward.contains(&0), "{outward:?}");
+        assert_eq!(reversed(Orient::Keep, true), [0, 1, 2, 3, 4]);
+        let both = reversed(Orient::Outward, true);
+        assert!((0..5).all(|face| outward.contains(&face) != both.contains(&face)), "{both:?}");
+    }
+
+    #[test]
+    fn values_of_dropped_faces_are_forgotten() {
+        let part = part(None);
+        let task = Task { degenerate: Degenerate::Drop, ..Task::default() };
+        let (edit, _) = revise_one(&part, &task, None);
+        let normals = edit.normals.unwrap();
+        let ColumnIndex::PerCorner(index) = &normals.index else { panic!("per corner") };
+        assert_eq!(index.len(), 18);
+        assert!(index[9..12].iter().chain(&index[15..]).all(|&slot| slot == NONE));
+        let used: std::collections::BTreeSet<u32> =
+            index.iter().copied().filter(|&slot| slot != NONE).collect();
+        assert_eq!(used.len(), normals.values.len(), "each value is used");
+    }
+
+    #[test]
+    fn good_stored_normals_stay_and_turned_ones_are_new() {
+        let corner = |face: usize| [[0, 2, 1], [0, 1, 3], [0, 2, 3], [0, 1, 4], [1, 2, 3], [1, 2, 5]][face];
+        let outward = [-DVec3::Z, -DVec3::Y, -DVec3::X, DVec3::Z, DVec3::ONE.normalize(), DVec3::Z];
+        let index: Vec<u32> = (0..6).flat_map(|face| corner(face).map(|_| face as u32)).collect();
+        let stored = Column::per_corner(outward.to_vec(), index);
+        let task = Task { when: When::Missing, ..Task::default() };
+        let (edit, outcome) = revise_one(&part(Some(stored.clone())), &task, Some(Format::Stl));
+        assert!(edit.normals.is_none(), "nothing is missing");
+        assert_eq!((outcome.kept, outcome.replaced.total()), (15, 0));
+        let facets = edit.face_normals.expect("an STL file carries them");
+        assert_eq!(facets[..5], outward[..5]);
+
+        let mut holes = stored.clone();
+        let ColumnIndex::PerCorner(index) = &mut holes.index else { panic!("per corner") };
+        index[0] = NONE;
+        let holed = part(Some(holes));
+        let (edit, outcome) = revise_one(&holed, &task, None);
+        assert_eq!((edit.kept, outcome.replaced.missing), (6, 1));
+        assert_eq!(edit.normals.as_ref().unwrap().values[..6], outward);
+        assert_eq!(written(&holed, &edit)[3], -DVec3::Y);
+
+        let flipped = Task { flip: true, ..task };
+        let turned = part(Some(stored));
+        let (edit, _) = revise_one(&turned, &flipped, None);
+        assert_eq!(edit.kept, 0, "they are no longer the file's own");
+        assert_eq!(written(&turned, &edit)[12], -outward[4]);
+    }
+
+    #[test]
+    fn face_normals_are_given_where_they_are_wanted() {
+        let part = part(None);
+        let facets = |emit, target| {
+            let (edit, _) = revise_one(&part, &Task { emit, ..Task::default() }, target);
+            assert_eq!(edit.normals.is_none(), emit == Emit::Face);
+            edit.face_normals
+        };
+        assert!(facets(Emit::Corner, Some(Format::Ply)).is_none());
+        assert!(facets(Emit::Corner, None).is_none());
+        for (emit, target) in
+            [(Emit::Face, None), (Emit::Face, Some(Format::Ply)), (Emit::Corner, Some(Format::Stl))]
+        {
+            let facets = facets(emit, target).unwrap();
+            assert_eq!(facets.len(), 6, "one a face as it was read");
+            assert_eq!(facets[0], -DVec3::Z);
+        }
+    }
+
+    #[test]
+    fn a_part_without_faces_stays_as_it_is() {
+        let task =
+            Task { flip: true, orient: Orient::Outward, degenerate: Degenerate::Drop, ..Task::default() };
+        let (edit, outcome) = revise_one(&Part::default(), &task, Some(Format::Stl));
+        assert!(edit.is_empty() && outcome.faces == 0);
+    }
+}
