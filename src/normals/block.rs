@@ -1,92 +1,117 @@
 //! Blocks of triangles, laid out so that the compiler computes several at once.
+//!
+//! Everything here is loops over rows of fixed length without branches or calls: what a compiler turns into vector
+//! instructions. The scalar path gives the same bits.
 
 use super::face_shape::Minor;
-use super::positions::Source;
+use super::positions::{Scalar, Source};
 use super::sliver;
 use super::weight::{CornerWeight, TriangleMeasures};
 use crate::mesh::Storage;
 use crate::num::{self, Product, difference_of_products};
 use glam::DVec3;
 
-/// Triangles in a block: enough to fill vectors, few enough that all its arrays stay in the nearest cache.
+/// Triangles in a block: enough to fill vectors, few enough that all rows stay in the nearest cache.
 pub(crate) const LANES: usize = 64;
 
-type Lanes = [f64; LANES];
+type Row<T> = [T; LANES];
 
-/// Coordinates of the corners of up to [`LANES`] triangles, transposed: nine rows, x y z of the first corner, of the
-/// second, of the third.
+/// Coordinates of the corners of a block's triangles, for the first corners, the second and the third. x and y stay
+/// together: they are read and written as one.
 pub(crate) struct Corners<T> {
-    rows: [[T; LANES]; 9],
+    xy: [Row<[T; 2]>; 3],
+    z: [Row<T>; 3],
 }
 
-/// What triangles of a block add to sums; see [`CornerTerms`](super::corner_terms::CornerTerms).
+/// What triangles of a block add to sums; see [`CornerTerms`](super::corner_terms::CornerTerms). Where every corner counts
+/// by area alone, the length beside a vector is only an upper bound.
 pub(crate) struct BlockTerms {
     /// Each face's vector and its length.
-    pub(crate) vectors: [[f64; 4]; LANES],
+    pub(crate) vectors: Row<[f64; 4]>,
     /// The weights of each face's corners.
-    pub(crate) weights: [[f64; 4]; LANES],
+    pub(crate) weights: Row<[f64; 4]>,
     /// Whether the above is right. Where it is not, the face needs the scalar path.
-    pub(crate) settled: [u64; LANES],
+    pub(crate) settled: Row<u64>,
+    /// The same, row by row.
+    columns: [Row<f64>; 7],
 }
 
 impl BlockTerms {
     pub(crate) fn new() -> Self {
-        Self { vectors: [[0.0; 4]; LANES], weights: [[0.0; 4]; LANES], settled: [0; LANES] }
-    }
-}
-
-impl<T: Copy + Default + Into<f64>> Corners<T> {
-    pub(crate) fn new() -> Self {
-        Self { rows: [[T::default(); LANES]; 9] }
-    }
-
-    /// Reads the corners of the given triangles; rows beyond them keep what they had.
-    #[inline(always)]
-    pub(crate) fn gather<S: Source<Scalar = T>>(&mut self, triangles: &[[u32; 3]], source: S) {
-        for (lane, triangle) in triangles.iter().enumerate().take(LANES) {
-            let [a, b, c] = triangle.map(|vertex| source.stored(vertex));
-            for axis in 0..3 {
-                self.rows[axis][lane] = a[axis];
-                self.rows[3 + axis][lane] = b[axis];
-                self.rows[6 + axis][lane] = c[axis];
-            }
+        Self {
+            vectors: [[0.0; 4]; LANES],
+            weights: [[0.0; 4]; LANES],
+            settled: [0; LANES],
+            columns: [[0.0; LANES]; 7],
         }
     }
 
+    /// Whether every one of the first triangles is right.
     #[inline(always)]
-    fn point(&self, corner: usize, lane: usize) -> DVec3 {
-        let row = |axis: usize| self.rows[3 * corner + axis][lane].into();
-        DVec3::new(row(0), row(1), row(2))
+    pub(crate) fn all_settled(&self, count: usize) -> bool {
+        self.settled.iter().take(count).fold(1, |all, &one| all & one) == 1
+    }
+}
+
+impl<T: Scalar> Corners<T> {
+    pub(crate) fn new() -> Self {
+        Self { xy: [[[T::default(); 2]; LANES]; 3], z: [[T::default(); LANES]; 3] }
+    }
+
+    /// Reads the corners of the given triangles; lanes beyond them keep what they had.
+    #[inline(always)]
+    pub(crate) fn gather<S: Source<Scalar = T>>(&mut self, triangles: &[[u32; 3]], source: S) {
+        let Self { xy: [xy0, xy1, xy2], z: [z0, z1, z2] } = self;
+        for (lane, &[a, b, c]) in triangles.iter().enumerate().take(LANES) {
+            (xy0[lane], z0[lane]) = source.stored(a);
+            (xy1[lane], z1[lane]) = source.stored(b);
+            (xy2[lane], z2[lane]) = source.stored(c);
+        }
+    }
+
+    /// The positions of a triangle's corners.
+    #[inline(always)]
+    fn points(&self, lane: usize) -> (DVec3, DVec3, DVec3) {
+        let Self { xy, z } = self;
+        let point = |[x, y]: [T; 2], z: T| DVec3::new(x.into(), y.into(), z.into());
+        (point(xy[0][lane], z[0][lane]), point(xy[1][lane], z[1][lane]), point(xy[2][lane], z[2][lane]))
     }
 
     /// The largest magnitude in the block, and the smallest but zero.
     #[inline(always)]
     fn range(&self) -> (f64, f64) {
-        let (mut largest, mut smallest) = ([0.0_f64; LANES], [f64::INFINITY; LANES]);
-        for row in &self.rows {
+        let (mut largest, mut smallest) = ([T::LOWEST; LANES], [T::HIGHEST; LANES]);
+        let mut take = |lane: usize, x: T| {
+            let (high, low) = (x.magnitude(), x.magnitude_but_zero());
+            largest[lane] = if high > largest[lane] { high } else { largest[lane] };
+            smallest[lane] = if low < smallest[lane] { low } else { smallest[lane] };
+        };
+        for corner in 0..3 {
+            let xy = self.xy[corner].as_flattened();
             for lane in 0..LANES {
-                let x: f64 = row[lane].into();
-                let x = x.abs();
-                // Comparisons so arranged that NaN becomes the largest.
-                largest[lane] = if x <= largest[lane] { largest[lane] } else { x };
-                let x = if x == 0.0 { f64::INFINITY } else { x };
-                smallest[lane] = if x < smallest[lane] { x } else { smallest[lane] };
+                take(lane, xy[lane]);
+            }
+            for lane in 0..LANES {
+                take(lane, xy[LANES + lane]);
+            }
+            for lane in 0..LANES {
+                take(lane, self.z[corner][lane]);
             }
         }
-        let (mut high, mut low) = (0.0, f64::INFINITY);
+        let (mut high, mut low) = (T::LOWEST, T::HIGHEST);
         for lane in 0..LANES {
-            high = if largest[lane] <= high { high } else { largest[lane] };
+            high = if largest[lane] > high { largest[lane] } else { high };
             low = if smallest[lane] < low { smallest[lane] } else { low };
         }
-        (high, low)
+        (T::largest(high), T::smallest(low))
     }
 }
 
 /// Differences of `f32` values are exact in `f64` while no value is this many times as large as another that is not
 /// zero: 24 bits each, 28 between their exponents and one to carry make 53.
 const EXACT_RATIO: f64 = (1 << 28) as f64;
-/// Sums of two squared edges above this keep clear of the subnormal range in everything computed from them.
-const SMALLEST_SQUARES: f64 = 4.909_093_465_297_727e-91; // 2^-300
+/// 2^-300: sums of two squared edges above it keep clear of the subnormal range in everything computed from them.
+const SMALLEST_SQUARES: f64 = 4.909_093_465_297_727e-91;
 
 /// Computes what triangles add to sums, for a whole block.
 #[inline(always)]
@@ -100,12 +125,13 @@ pub(crate) fn block_terms<P: Product, S: Source, W: CornerWeight>(
     // The longest edge is at most |e1| + |e2|, its square at most twice the sum of theirs; and something for the
     // rounding of the test itself.
     let bar = 2.001 * threshold * threshold;
-    if source.storage() == Storage::F32 && largest < EXACT_RATIO * smallest {
+    let single = source.storage() == Storage::F32;
+    if single && largest < EXACT_RATIO * smallest {
         lanes::<P, S, W, false>(corners, bar, terms);
     } else {
         lanes::<P, S, W, true>(corners, bar, terms);
-        if source.storage() == Storage::F32 {
-            settle_exact_differences_only(corners, terms);
+        if single {
+            unsettle_inexact_differences(corners, terms);
         }
     }
 }
@@ -113,18 +139,16 @@ pub(crate) fn block_terms<P: Product, S: Source, W: CornerWeight>(
 /// With `f32` values a component far smaller than the others must be right to an ulp as well: where differences are
 /// not exact, the scalar path watches over that.
 #[inline(always)]
-fn settle_exact_differences_only<T: Copy + Default + Into<f64>>(
-    corners: &Corners<T>,
-    terms: &mut BlockTerms,
-) {
+fn unsettle_inexact_differences<T: Scalar>(corners: &Corners<T>, terms: &mut BlockTerms) {
     for lane in 0..LANES {
-        let [p0, p1, p2] = [0, 1, 2].map(|corner| corners.point(corner, lane));
-        let (low1, low2) = (difference(p1, p0).1, difference(p2, p0).1);
-        let exact = low1.abs() + low2.abs() == DVec3::ZERO;
-        terms.settled[lane] &= u64::from(exact);
+        let (p0, p1, p2) = corners.points(lane);
+        let (u, v) = (difference(p1, p0).1, difference(p2, p0).1);
+        let lost = ((u.x.abs() + u.y.abs()) + u.z.abs()) + ((v.x.abs() + v.y.abs()) + v.z.abs());
+        terms.settled[lane] &= u64::from(lost == 0.0);
     }
 }
 
+/// The difference of two positions without error, as a high and a low part.
 #[inline(always)]
 fn difference(to: DVec3, from: DVec3) -> (DVec3, DVec3) {
     let (x, y, z) = (
@@ -135,18 +159,26 @@ fn difference(to: DVec3, from: DVec3) -> (DVec3, DVec3) {
     (DVec3::new(x.0, y.0, z.0), DVec3::new(x.1, y.1, z.1))
 }
 
-/// u × v by differences of products; with `LOW`, of vectors that have low parts.
+/// u × v by differences of products.
 #[inline(always)]
-fn cross<P: Product, const LOW: bool>(u: (DVec3, DVec3), v: (DVec3, DVec3)) -> DVec3 {
-    let minor = |i: usize, j: usize| {
-        if LOW {
-            let part = |w: (DVec3, DVec3), axis: usize| (w.0[axis], w.1[axis]);
-            Minor { a: part(u, i), b: part(v, j), c: part(u, j), d: part(v, i) }.value::<P>()
-        } else {
-            difference_of_products::<P>(u.0[i], v.0[j], u.0[j], v.0[i])
-        }
-    };
-    DVec3::new(minor(1, 2), minor(2, 0), minor(0, 1))
+fn cross<P: Product>(u: DVec3, v: DVec3) -> DVec3 {
+    DVec3::new(
+        difference_of_products::<P>(u.y, v.z, u.z, v.y),
+        difference_of_products::<P>(u.z, v.x, u.x, v.z),
+        difference_of_products::<P>(u.x, v.y, u.y, v.x),
+    )
+}
+
+/// The same for vectors that have low parts.
+#[inline(always)]
+fn cross_with_low_parts<P: Product>(u: (DVec3, DVec3), v: (DVec3, DVec3)) -> DVec3 {
+    let ((ux, uy, uz), (vx, vy, vz)) =
+        (((u.0.x, u.1.x), (u.0.y, u.1.y), (u.0.z, u.1.z)), ((v.0.x, v.1.x), (v.0.y, v.1.y), (v.0.z, v.1.z)));
+    DVec3::new(
+        Minor { a: uy, b: vz, c: uz, d: vy }.value::<P>(),
+        Minor { a: uz, b: vx, c: ux, d: vz }.value::<P>(),
+        Minor { a: ux, b: vy, c: uy, d: vx }.value::<P>(),
+    )
 }
 
 #[inline(always)]
@@ -155,36 +187,45 @@ fn lanes<P: Product, S: Source, W: CornerWeight, const LOW: bool>(
     bar: f64,
     terms: &mut BlockTerms,
 ) {
-    let mut columns: [Lanes; 7] = [[0.0; LANES]; 7];
+    let BlockTerms { vectors, weights, settled, columns } = terms;
     for lane in 0..LANES {
-        let [p0, p1, p2] = [0, 1, 2].map(|corner| corners.point(corner, lane));
-        let (u, v) = if LOW {
-            (difference(p1, p0), difference(p2, p0))
+        let (p0, p1, p2) = corners.points(lane);
+        let (e1, e2, vector);
+        if LOW {
+            let (u, v) = (difference(p1, p0), difference(p2, p0));
+            (e1, e2, vector) = (u.0, v.0, cross_with_low_parts::<P>(u, v));
         } else {
-            ((p1 - p0, DVec3::ZERO), (p2 - p0, DVec3::ZERO))
-        };
-        let vector = cross::<P, LOW>(u, v);
+            (e1, e2) = (p1 - p0, p2 - p0);
+            vector = cross::<P>(e1, e2);
+        }
         let squared = num::squared_length(vector);
         let length = squared.sqrt();
-        let squares = num::squared_length(u.0) + num::squared_length(v.0);
+        let squares = num::squared_length(e1) + num::squared_length(e2);
         // False for zero areas, slivers and NaN alike.
-        terms.settled[lane] = u64::from((squared > bar * squares) & (squares > SMALLEST_SQUARES));
+        settled[lane] = u64::from((squared > bar * squares) & (squares > SMALLEST_SQUARES));
         let face = if W::BY_AREA { vector } else { vector * (1.0 / length) };
         columns[0][lane] = face.x;
         columns[1][lane] = face.y;
         columns[2][lane] = face.z;
-        columns[3][lane] = if W::BY_AREA { length } else { 1.0 };
+        columns[3][lane] = match (W::BY_AREA, W::EVEN) {
+            // Only an upper bound, which saves the root; see `Finish`.
+            (true, true) => (vector.x.abs() + vector.y.abs()) + vector.z.abs(),
+            (true, false) => length,
+            (false, _) => 1.0,
+        };
         if !W::EVEN {
-            let weights = W::of_triangle(TriangleMeasures::new(length, u.0, v.0, p2 - p1));
+            let weights = W::of_triangle(TriangleMeasures::new(length, e1, e2, p2 - p1));
             columns[4][lane] = weights[0];
             columns[5][lane] = weights[1];
             columns[6][lane] = weights[2];
         }
     }
     for lane in 0..LANES {
-        terms.vectors[lane] = [columns[0][lane], columns[1][lane], columns[2][lane], columns[3][lane]];
-        if !W::EVEN {
-            terms.weights[lane] = [columns[4][lane], columns[5][lane], columns[6][lane], 0.0];
+        vectors[lane] = [columns[0][lane], columns[1][lane], columns[2][lane], columns[3][lane]];
+    }
+    if !W::EVEN {
+        for lane in 0..LANES {
+            weights[lane] = [columns[4][lane], columns[5][lane], columns[6][lane], 0.0];
         }
     }
 }

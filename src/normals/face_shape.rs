@@ -266,7 +266,8 @@ fn area_vector_of_fan<P: Product>(points: &[DVec3], exponent: i32, lossy: bool) 
 
 /// Whether errors of this size turn a vector by less than the bound.
 fn within_angle(vector: DVec3, errors: DVec3) -> bool {
-    vector != DVec3::ZERO && errors.length() <= num::direction(vector).1 * ANGLE_BOUND
+    // Not `length`: errors may be too small to square.
+    vector != DVec3::ZERO && errors.element_sum() <= num::direction(vector).1 * ANGLE_BOUND
 }
 
 /// What is lost at most of one pair where exponents come to the end of what `f64` holds.

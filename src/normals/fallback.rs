@@ -40,6 +40,9 @@ pub(crate) struct Orphan {
 
 /// Looks up the faces of some vertices, given ascending, in one walk over all faces.
 pub(crate) fn orphans(faces: FacesRef, positions: Positions, vertices: &[u32]) -> Vec<Orphan> {
+    if vertices.is_empty() {
+        return Vec::new();
+    }
     positions.visit(Look { faces, vertices })
 }
 

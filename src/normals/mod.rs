@@ -7,12 +7,15 @@ mod corner_slices;
 mod corner_terms;
 mod crease;
 mod emit;
+#[cfg(test)]
+mod exact_tests;
 mod face;
 mod face_shape;
 mod fallback;
 mod fans;
 mod fault;
 mod field;
+mod finish;
 mod gather;
 mod groups;
 mod hard;

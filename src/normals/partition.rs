@@ -6,6 +6,7 @@
 //! walked twice, whatever the vertex order is.
 
 use crate::mesh::FacesRef;
+use crate::num::{self, Kernel, Product};
 use rayon::prelude::*;
 
 /// Faces walked at a time.
@@ -58,9 +59,7 @@ impl Partition {
             .with_min_len(16)
             .map(|block| {
                 let corners = faces.start(block * BLOCK_FACES)..faces.start(end_of(block, faces));
-                target[corners].iter().fold(0, |touched, &slot| {
-                    touched | owners.get(slot as usize >> CHUNK_BITS).map_or(0, |&owner| 1 << owner)
-                })
+                touched(owners, &target[corners])
             })
             .collect_into_vec(&mut self.touched);
     }
@@ -127,39 +126,67 @@ impl Partition {
     }
 }
 
+/// Chunks between the lowest and the highest of a block's slots that are all taken as touched.
+const MANY_CHUNKS: usize = 64;
+
+/// The parts that own some of these slots, as bits; perhaps a few more where that is quicker to tell.
+fn touched(owners: &[u8], slots: &[u32]) -> u64 {
+    let bits = |touched: u64, owner: &u8| touched | 1 << owner;
+    let (low, high) = num::dispatch(Bounds(slots));
+    let chunks = low as usize >> CHUNK_BITS..(high as usize >> CHUNK_BITS) + 1;
+    match owners.get(chunks.clone()) {
+        Some(owners) if chunks.len() <= MANY_CHUNKS => owners.iter().fold(0, bits),
+        _ => slots.iter().filter_map(|&slot| owners.get(slot as usize >> CHUNK_BITS)).fold(0, bits),
+    }
+}
+
+/// Lowest and highest slot; a kernel so that it is compiled with the widest instructions.
+struct Bounds<'a>(&'a [u32]);
+
+impl Kernel for Bounds<'_> {
+    type Output = (u32, u32);
+
+    #[inline(always)]
+    fn run<P: Product>(self) -> (u32, u32) {
+        bounds(self.0)
+    }
+}
+
+/// Lowest and highest slot.
+#[inline(always)]
+pub(crate) fn bounds(slots: &[u32]) -> (u32, u32) {
+    let (mut low, mut high) = (u32::MAX, 0);
+    for &slot in slots {
+        low = low.min(slot);
+        high = high.max(slot);
+    }
+    (low, high)
+}
+
 fn end_of(block: usize, faces: FacesRef) -> usize {
     ((block + 1) * BLOCK_FACES).min(faces.len())
 }
 
 /// How a part numbers its slots.
-pub(crate) trait Numbering: Copy + Send + Sync {
+#[derive(Clone, Copy)]
+pub(crate) enum Numbering<'a> {
+    /// The only part: as they are.
+    Alone,
+    /// Chunk after chunk; this is where the slots of each chunk begin.
+    Chunked(&'a [u32]),
+}
+
+impl Numbering<'_> {
     /// The number of a slot among the part's own; beyond their count for the slots of others and for
     /// [`NONE`](crate::mesh::NONE).
-    fn local(self, slot: u32) -> usize;
-}
-
-/// The only part: as they are.
-#[derive(Clone, Copy)]
-pub(crate) struct Alone;
-
-impl Numbering for Alone {
     #[inline(always)]
-    fn local(self, slot: u32) -> usize {
-        slot as usize
-    }
-}
-
-/// Chunk after chunk.
-#[derive(Clone, Copy)]
-pub(crate) struct Chunked<'a> {
-    /// Where the slots of each chunk begin.
-    pub(crate) starts: &'a [u32],
-}
-
-impl Numbering for Chunked<'_> {
-    #[inline(always)]
-    fn local(self, slot: u32) -> usize {
-        let start = self.starts.get(slot as usize >> CHUNK_BITS).copied().unwrap_or(ELSEWHERE);
-        start as usize + (slot as usize & (CHUNK - 1))
+    pub(crate) fn local(self, slot: u32) -> usize {
+        match self {
+            Numbering::Alone => slot as usize,
+            Numbering::Chunked(starts) => {
+                let start = starts.get(slot as usize >> CHUNK_BITS).copied().unwrap_or(ELSEWHERE);
+                start as usize + (slot as usize & (CHUNK - 1))
+            }
+        }
     }
 }

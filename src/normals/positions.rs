@@ -13,18 +13,92 @@ pub(crate) enum Positions<'a> {
     F64(&'a [DVec3], Storage),
 }
 
+/// A stored coordinate.
+pub(crate) trait Scalar: Copy + Default + Into<f64> {
+    /// Numbers that order like magnitudes.
+    type Order: Copy + PartialOrd;
+    /// Below and above all of them.
+    const LOWEST: Self::Order;
+    const HIGHEST: Self::Order;
+
+    /// Orders by magnitude; NaN comes last.
+    fn magnitude(self) -> Self::Order;
+
+    /// The same with zero last.
+    fn magnitude_but_zero(self) -> Self::Order;
+
+    /// Back to a magnitude.
+    fn largest(order: Self::Order) -> f64;
+
+    /// Back to a magnitude.
+    fn smallest(order: Self::Order) -> f64;
+}
+
+impl Scalar for f32 {
+    // The bits without sign order like magnitudes, and integers compare faster than floating-point numbers.
+    type Order = u32;
+    const LOWEST: u32 = 0;
+    const HIGHEST: u32 = u32::MAX;
+
+    #[inline(always)]
+    fn magnitude(self) -> u32 {
+        self.to_bits() << 1
+    }
+
+    #[inline(always)]
+    fn magnitude_but_zero(self) -> u32 {
+        (self.to_bits() << 1).wrapping_sub(1)
+    }
+
+    #[inline(always)]
+    fn largest(order: u32) -> f64 {
+        f64::from(f32::from_bits(order >> 1))
+    }
+
+    #[inline(always)]
+    fn smallest(order: u32) -> f64 {
+        f64::from(f32::from_bits(order.wrapping_add(1) >> 1))
+    }
+}
+
+impl Scalar for f64 {
+    type Order = f64;
+    const LOWEST: f64 = 0.0;
+    const HIGHEST: f64 = f64::INFINITY;
+
+    #[inline(always)]
+    fn magnitude(self) -> f64 {
+        if self.is_nan() { f64::INFINITY } else { self.abs() }
+    }
+
+    #[inline(always)]
+    fn magnitude_but_zero(self) -> f64 {
+        if self == 0.0 { f64::INFINITY } else { self.abs() }
+    }
+
+    #[inline(always)]
+    fn largest(order: f64) -> f64 {
+        order
+    }
+
+    #[inline(always)]
+    fn smallest(order: f64) -> f64 {
+        order
+    }
+}
+
 /// Where kernels get positions from. Everything is measured in *kernel units*: the caller's own for `f32` values;
 /// for doubles, those times a power of two that brings the largest coordinate to the top of the `f32` range. So
 /// one proof of what can overflow serves both, and scaling a mesh by a power of two cannot change a bit.
 pub(crate) trait Source: Copy + Send + Sync {
     /// What a position's coordinates are stored as.
-    type Scalar: Copy + Default + Into<f64>;
+    type Scalar: Scalar;
 
     /// Whether every coordinate is an `f32` value.
     fn storage(self) -> Storage;
 
-    /// The coordinates of a vertex, in kernel units.
-    fn stored(self, vertex: u32) -> [Self::Scalar; 3];
+    /// The coordinates of a vertex, in kernel units: x and y, and z.
+    fn stored(self, vertex: u32) -> ([Self::Scalar; 2], Self::Scalar);
 
     /// The position of a vertex, in kernel units, and whether that lost bits.
     fn point(self, vertex: u32) -> (DVec3, bool);
@@ -43,8 +117,9 @@ impl Source for Singles<'_> {
     }
 
     #[inline(always)]
-    fn stored(self, vertex: u32) -> [f32; 3] {
-        self.0[vertex as usize]
+    fn stored(self, vertex: u32) -> ([f32; 2], f32) {
+        let [x, y, z] = self.0[vertex as usize];
+        ([x, y], z)
     }
 
     #[inline(always)]
@@ -80,8 +155,9 @@ impl Source for Doubles<'_> {
     }
 
     #[inline(always)]
-    fn stored(self, vertex: u32) -> [f64; 3] {
-        (self.points[vertex as usize] * self.factor).to_array()
+    fn stored(self, vertex: u32) -> ([f64; 2], f64) {
+        let point = self.points[vertex as usize] * self.factor;
+        ([point.x, point.y], point.z)
     }
 
     #[inline(always)]

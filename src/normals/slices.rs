@@ -227,10 +227,10 @@ pub fn vertex_normals<T: Coordinate>(
     let states = &mut scratch.slots;
     states.resize(positions.len(), SlotState::Empty);
     let normals = T::normals(normals);
-    let odd = weighted_sums_into(&request, &mut scratch.sums, normals, states);
+    let outcome = weighted_sums_into(&request, &mut scratch.sums, normals, states);
 
     let added = |state: FaceState| state == FaceState::Sliver && slivers == Slivers::Keep;
-    let odd = odd.into_iter().filter(|&(_, state)| !added(state));
+    let odd = outcome.odd.into_iter().filter(|&(_, state)| !added(state));
     let mut faults =
         Faults { faces: odd.filter_map(|(face, state)| fault(face, state)).collect(), ..Faults::default() };
     let undefined =

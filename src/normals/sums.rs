@@ -2,8 +2,9 @@
 
 use super::emit::Emit;
 use super::face_shape::FaceState;
-use super::part::{Output, Part, Task};
-use super::partition::{Alone, CHUNK, Chunked, Partition};
+use super::finish::{Finish, LookAgain, Output, write};
+use super::part::{Accumulate, Part, Sum, Task};
+use super::partition::{CHUNK, Numbering, Partition};
 use super::positions::{Positions, Source, Visitor};
 use super::weight::{CornerWeight, WeightVisitor, visit_weight};
 use super::{Slivers, Weight};
@@ -11,6 +12,7 @@ use crate::mesh::FacesRef;
 use crate::num;
 use glam::DVec3;
 use rayon::prelude::*;
+use std::marker::PhantomData;
 
 /// A sum with more than this times its own length in weights has cancelled.
 pub(crate) const CANCELLING: f64 = 1e6;
@@ -64,6 +66,14 @@ pub(crate) struct SumScratch {
 /// A face that is not simply counted.
 pub(crate) type OddFace = (u32, FaceState);
 
+/// What is worth knowing beside the sums themselves.
+pub(crate) struct Outcome {
+    /// The faces that are not simply counted, ascending.
+    pub(crate) odd: Vec<OddFace>,
+    /// Whether it is certain that every slot is [`SlotState::Good`].
+    pub(crate) all_good: bool,
+}
+
 /// Adds up Σ w n̂ for every slot, each sum in ascending face index whatever the number of threads.
 ///
 /// Faces without direction add nothing, nor do slivers with [`Slivers::Exclude`], unless a slot has no other face. If
@@ -75,13 +85,13 @@ pub(crate) fn weighted_sums(request: &SumRequest) -> Sums {
     sums
 }
 
-/// The same into the caller's slices, one entry a slot. Gives the faces that are not simply counted, ascending.
+/// The same into the caller's slices, one entry a slot.
 pub(crate) fn weighted_sums_into<O: Emit>(
     request: &SumRequest,
     scratch: &mut SumScratch,
     unit: &mut [O],
     state: &mut [SlotState],
-) -> Vec<OddFace> {
+) -> Outcome {
     request.positions.visit(WithSource { request, scratch, unit, state })
 }
 
@@ -93,9 +103,9 @@ struct WithSource<'a, O> {
 }
 
 impl<O: Emit> Visitor for WithSource<'_, O> {
-    type Output = Vec<OddFace>;
+    type Output = Outcome;
 
-    fn visit<S: Source>(self, source: S) -> Vec<OddFace> {
+    fn visit<S: Source>(self, source: S) -> Outcome {
         visit_weight(self.request.weight, WithWeight { all: self, source })
     }
 }
@@ -106,9 +116,9 @@ struct WithWeight<'a, S, O> {
 }
 
 impl<S: Source, O: Emit> WeightVisitor for WithWeight<'_, S, O> {
-    type Output = Vec<OddFace>;
+    type Output = Outcome;
 
-    fn visit<W: CornerWeight>(self) -> Vec<OddFace> {
+    fn visit<W: CornerWeight>(self) -> Outcome {
         let Self { all: WithSource { request, scratch, unit, state }, source } = self;
         let SumScratch { partition, parts } = scratch;
         partition.fill(request.faces, request.target, request.slots);
@@ -124,14 +134,20 @@ impl<S: Source, O: Emit> WeightVisitor for WithWeight<'_, S, O> {
                 outputs[partition.owner(chunk)].push(Output { first: (chunk * CHUNK) as u32, unit, state });
             }
         }
-        let work = |(number, (part, outputs)): (usize, (&mut Part, Vec<_>))| {
+        let work = |(number, (part, mut outputs)): (usize, (&mut Part, Vec<_>))| {
             let mut starts = std::mem::take(&mut part.starts);
             let slots = partition.number(number, request.slots, &mut starts);
-            let task = |part| Task { request, source, partition, number, slots, part, outputs };
-            if partition.parts() == 1 {
-                num::dispatch(task(part).with::<W, _>(Alone));
-            } else {
-                num::dispatch(task(part).with::<W, _>(Chunked { starts: &starts }));
+            part.sums.clear();
+            part.sums.resize(slots, Sum::default());
+            let numbering =
+                if partition.parts() == 1 { Numbering::Alone } else { Numbering::Chunked(&starts) };
+            let task = Task::<S, W> { request, source, partition, number, numbering, weight: PhantomData };
+            num::dispatch(Accumulate { task, part });
+            num::dispatch(Finish { part, outputs: &mut outputs, areas: W::BY_AREA && W::EVEN });
+            if !part.again.is_empty() {
+                for (slot, unit, state) in num::dispatch(LookAgain { task, part }) {
+                    write(&mut outputs, slot, unit, state);
+                }
             }
             part.starts = starts;
         };
@@ -141,6 +157,7 @@ impl<S: Source, O: Emit> WeightVisitor for WithWeight<'_, S, O> {
             parts.par_iter_mut().zip(outputs).enumerate().for_each(work);
         }
         // Parts are homes of ascending shares of the faces.
-        parts.iter().flat_map(|part| part.odd_at_home.iter().copied()).collect()
+        let odd = parts.iter().flat_map(|part| part.odd_at_home.iter().copied()).collect();
+        Outcome { odd, all_good: parts.iter().all(|part| part.all_good) }
     }
 }

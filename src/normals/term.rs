@@ -59,22 +59,28 @@ pub(crate) fn mean(terms: &[Term], slivers: Slivers) -> (DVec3, SlotState) {
     if weights == 0.0 {
         return uniform_mean(used().map(Term::unit));
     }
-    classify(vector, weights)
+    let (direction, state, _) = classify(vector, weights);
+    (direction, state)
 }
 
 /// The direction of a plain sum of unit vectors.
 pub(crate) fn uniform_mean(units: impl Iterator<Item = DVec3>) -> (DVec3, SlotState) {
     let (vector, count) = units.fold((DVec3::ZERO, 0.0), |(sum, count), unit| (sum + unit, count + 1.0));
-    if count == 0.0 { (DVec3::ZERO, SlotState::Empty) } else { classify(vector, count) }
+    if count == 0.0 {
+        return (DVec3::ZERO, SlotState::Empty);
+    }
+    let (direction, state, _) = classify(vector, count);
+    (direction, state)
 }
 
-/// Direction and worth of Σ w n̂, given Σ w > 0.
+/// Direction and worth of Σ w n̂, given Σ w > 0, and its length.
 #[inline(always)]
-pub(crate) fn classify(vector: DVec3, weights: f64) -> (DVec3, SlotState) {
-    let (direction, length) = num::direction(vector);
-    if weights > CANCELLING * length {
-        // What is left of a sum that cancelled to nothing has no direction either.
-        return (if vector == DVec3::ZERO { vector } else { direction }, SlotState::Cancelling);
+pub(crate) fn classify(vector: DVec3, weights: f64) -> (DVec3, SlotState, f64) {
+    if vector == DVec3::ZERO {
+        // What cancelled to nothing has no direction at all.
+        return (vector, SlotState::Cancelling, 0.0);
     }
-    (direction, SlotState::Good)
+    let (direction, length) = num::direction(vector);
+    let state = if weights > CANCELLING * length { SlotState::Cancelling } else { SlotState::Good };
+    (direction, state, length)
 }

@@ -105,7 +105,13 @@ pub(crate) struct Angle;
 impl CornerWeight for Angle {
     #[inline(always)]
     fn of_triangle(measures: TriangleMeasures) -> [f64; 3] {
-        measures.dots.map(|dot| num::corner_angle(measures.double_area, dot))
+        // Written out: `array::map` would keep the compiler from computing several triangles at once.
+        let TriangleMeasures { double_area, dots, .. } = measures;
+        [
+            num::corner_angle(double_area, dots[0]),
+            num::corner_angle(double_area, dots[1]),
+            num::corner_angle(double_area, dots[2]),
+        ]
     }
 
     fn of_corner(measures: CornerMeasures) -> f64 {
@@ -160,7 +166,8 @@ impl CornerWeight for Edge {
 
     #[inline(always)]
     fn of_triangle(measures: TriangleMeasures) -> [f64; 3] {
-        let [a, b, c] = measures.opposite.map(f64::sqrt);
+        let [a, b, c] = measures.opposite;
+        let (a, b, c) = (a.sqrt(), b.sqrt(), c.sqrt());
         let common = 1.0 / ((a * b) * c);
         [common * a, common * b, common * c]
     }

@@ -19,15 +19,27 @@ pub(crate) trait Kernel {
 #[inline]
 #[allow(unsafe_code)]
 pub(crate) fn dispatch<K: Kernel>(kernel: K) -> K::Output {
-    #[target_feature(enable = "avx2,fma")]
-    fn with_fma<K: Kernel>(kernel: K) -> K::Output {
-        kernel.run::<super::product::Fused>()
+    use super::product::Fused;
+    use std::is_x86_feature_detected as has;
+
+    #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw,avx2,fma")]
+    fn with_avx512<K: Kernel>(kernel: K) -> K::Output {
+        kernel.run::<Fused>()
     }
 
-    if std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma") {
-        // SAFETY: the CPU has just been found to have both instruction sets, which is all that calling this
-        // otherwise safe function asks for.
-        unsafe { with_fma(kernel) }
+    #[target_feature(enable = "avx2,fma")]
+    fn with_avx2<K: Kernel>(kernel: K) -> K::Output {
+        kernel.run::<Fused>()
+    }
+
+    let avx2 = has!("avx2") && has!("fma");
+    if avx2 && has!("avx512f") && has!("avx512vl") && has!("avx512dq") && has!("avx512bw") {
+        // SAFETY: the CPU has just been found to have every instruction set that the function is compiled with,
+        // which is all that calling this otherwise safe function asks for.
+        unsafe { with_avx512(kernel) }
+    } else if avx2 {
+        // SAFETY: as above.
+        unsafe { with_avx2(kernel) }
     } else {
         kernel.run::<Split>()
     }

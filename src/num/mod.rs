@@ -23,4 +23,4 @@ pub(crate) use exact::ExactSum;
 pub(crate) use least_squares::least_squares;
 pub(crate) use product::{Product, difference_of_products};
 pub(crate) use sum::two_difference;
-pub(crate) use unit::{direction, exponent, power_of_two, scale, squared_length};
+pub(crate) use unit::{direction, exponent, is_plain, power_of_two, scale, squared_length};

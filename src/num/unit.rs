@@ -41,8 +41,7 @@ const PLAIN: std::ops::Range<f64> = 1e-120..1e120;
 #[inline(always)]
 pub(crate) fn direction(v: DVec3) -> (DVec3, f64) {
     let squared = squared_length(v);
-    // Written so that a vector in range, which is every one in practice, costs one predictable branch.
-    if PLAIN.start * PLAIN.start <= squared && squared <= PLAIN.end * PLAIN.end {
+    if is_plain(squared) {
         let length = squared.sqrt();
         return (v * (1.0 / length), length);
     }
@@ -50,6 +49,12 @@ pub(crate) fn direction(v: DVec3) -> (DVec3, f64) {
     let scaled = scale(v, -exponent);
     let length = squared_length(scaled).sqrt();
     (scaled * (1.0 / length), libm::ldexp(length, exponent))
+}
+
+/// Whether a squared length has lost nothing: `direction` then takes its plain way, which is every time in practice.
+#[inline(always)]
+pub(crate) fn is_plain(squared: f64) -> bool {
+    (PLAIN.start * PLAIN.start <= squared) & (squared <= PLAIN.end * PLAIN.end)
 }
 
 /// x² + y² + z², added in this order everywhere.

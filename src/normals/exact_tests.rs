@@ -1,0 +1,260 @@
+//! Face normals against exact arithmetic: rational cross products, a 256-bit root.
+
+use super::face::FaceNormals;
+use super::face::face_normals;
+use super::face_shape::FaceState;
+use super::positions::Positions;
+use super::{Scratch, slices};
+use crate::mesh::{Faces, Storage};
+use crate::num::test_numbers::Numbers;
+use dashu::base::{Abs, SquareRoot};
+use dashu::float::{FBig, round::mode::HalfEven};
+use dashu::integer::IBig;
+use glam::DVec3;
+
+type Big = FBig<HalfEven, 2>;
+
+/// How many cases of each kind: the sum over kinds is above 50 000, or a million with `CREASE_LONG=1`.
+fn cases() -> usize {
+    if std::env::var_os("CREASE_LONG").is_some_and(|value| value == "1") { 130_000 } else { 6_500 }
+}
+
+/// A double as a multiple of 2^-1074.
+fn whole(x: f64) -> IBig {
+    let bits = x.to_bits();
+    let (exponent, fraction) = ((bits >> 52 & 0x7ff) as usize, bits & ((1 << 52) - 1));
+    let magnitude =
+        if exponent == 0 { IBig::from(fraction) } else { IBig::from(fraction | 1 << 52) << (exponent - 1) };
+    if x < 0.0 { -magnitude } else { magnitude }
+}
+
+/// Twice the area vector, in units of 2^-2148: Σ Pi × Pi+1, which is exact here wherever the origin is. That it is the
+/// same as the formulas of the kernels is the first thing that this tests.
+fn area_vector(points: &[DVec3]) -> [IBig; 3] {
+    let points: Vec<[IBig; 3]> = points.iter().map(|point| point.to_array().map(whole)).collect();
+    let mut sum = [IBig::ZERO, IBig::ZERO, IBig::ZERO];
+    for (i, p) in points.iter().enumerate() {
+        let q = &points[(i + 1) % points.len()];
+        for (axis, sum) in sum.iter_mut().enumerate() {
+            let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+            *sum += &p[j] * &q[k] - &p[k] * &q[j];
+        }
+    }
+    sum
+}
+
+/// The unit normal to 256 bits; `None` for zero area.
+fn truth(points: &[DVec3]) -> Option<[Big; 3]> {
+    let vector = area_vector(points).map(|x| Big::from_parts(x, 0).with_precision(256).value());
+    let squared = vector.iter().fold(Big::ZERO, |sum, x| sum + x * x);
+    if squared == Big::ZERO {
+        return None;
+    }
+    let length = squared.with_precision(256).value().sqrt();
+    Some(vector.map(|x| x / &length))
+}
+
+fn big(x: f64) -> Big {
+    Big::try_from(x).unwrap().with_precision(256).value()
+}
+
+/// Spacing of `f32` values at a magnitude.
+fn ulp32(x: f64) -> f64 {
+    let exponent = (x.to_bits() >> 52 & 0x7ff) as i32 - 1023;
+    2f64.powi((exponent - 23).max(-149))
+}
+
+/// The largest error of a component in units of the last place of the true one.
+fn error_in_ulps(got: [f32; 3], truth: &[Big; 3]) -> f64 {
+    let error = |(got, truth): (f32, &Big)| {
+        if !got.is_finite() {
+            return f64::INFINITY;
+        }
+        let distance = (big(f64::from(got)) - truth).abs().to_f64().value();
+        distance / ulp32(truth.to_f64().value())
+    };
+    got.into_iter().zip(truth).map(error).fold(0.0, f64::max)
+}
+
+/// The angle between a computed and a true unit vector, to first order.
+fn angle(got: DVec3, truth: &[Big; 3]) -> f64 {
+    let error = |(got, truth): (f64, &Big)| (big(got) - truth).to_f64().value();
+    let errors: Vec<f64> = got.to_array().into_iter().zip(truth).map(error).collect();
+    DVec3::new(errors[0], errors[1], errors[2]).length()
+}
+
+/// Polygons that are hard on cross products, with `f32` coordinates: one kind after the other.
+fn hard_polygon(numbers: &mut Numbers, kind: usize, corners: usize) -> Vec<DVec3> {
+    let any = |numbers: &mut Numbers| loop {
+        let x = f32::from_bits(numbers.bits() as u32);
+        if x.is_finite() {
+            break f64::from(x);
+        }
+    };
+    let point = |numbers: &mut Numbers, scale: f64| {
+        DVec3::from(std::array::from_fn(|_| (2.0 * numbers.unit() - 1.0) * scale))
+    };
+    let round = |p: DVec3| DVec3::from(p.to_array().map(|x| f64::from(x as f32)));
+    let scale = 2f64.powi(numbers.below(235) as i32 - 122);
+    let vertex = |numbers: &mut Numbers, i: usize, first: DVec3, along: DVec3| match kind {
+        // The whole range of f32, subnormals included, every coordinate for itself.
+        0 => DVec3::from(std::array::from_fn(|_| any(numbers))),
+        // Well-shaped, at any scale.
+        1 => point(numbers, scale),
+        // Far from the origin.
+        2 => first * 2f64.powi(10 + i as i32 % 2) + point(numbers, scale * 1e-3),
+        // Nearly collinear: rounding alone gives it an area.
+        3 => first + along * (numbers.unit() * i as f64),
+        // Corners a few steps of f32 apart.
+        4 if i == 1 => first * (1.0 + 3e-7 * numbers.unit()),
+        4 => first + along * i as f64,
+        // A flat face with a tilt at the end of what its exponents allow.
+        5 => DVec3::new(numbers.unit(), numbers.unit(), numbers.unit() * 1e-30 + 1e-36 * i as f64),
+        // Nothing but subnormals.
+        6 => DVec3::from(std::array::from_fn(|_| {
+            f64::from(f32::from_bits(numbers.bits() as u32 & 0x803f_ffff))
+        })),
+        // Small whole numbers: degenerate often, and then exactly.
+        _ => DVec3::from(std::array::from_fn(|_| numbers.below(4) as f64)),
+    };
+    let (first, along) = (point(numbers, scale), point(numbers, scale));
+    let first = if kind >= 5 { vertex(numbers, 0, first, along) } else { first };
+    let mut polygon = vec![round(first)];
+    polygon.extend((1..corners).map(|i| round(vertex(numbers, i, first, along))));
+    polygon
+}
+
+const KINDS: usize = 8;
+
+/// The cross product as it is usually written.
+fn naive(points: &[DVec3]) -> [f32; 3] {
+    let [p, q, r] = [0, 1, 2].map(|i| points[i].as_vec3());
+    let cross = (q - p).cross(r - p);
+    (cross / cross.length()).to_array()
+}
+
+#[test]
+fn triangles_of_f32_are_right_to_an_ulp_or_exactly_degenerate() {
+    let mut numbers = Numbers::new(0xface);
+    let (mut worst, mut degenerate, mut naive_wrong) = (0.0, 0, 0);
+    for kind in 0..KINDS {
+        let polygons: Vec<Vec<DVec3>> = (0..cases()).map(|_| hard_polygon(&mut numbers, kind, 3)).collect();
+        let positions: Vec<[f32; 3]> = polygons.iter().flatten().map(|p| p.as_vec3().to_array()).collect();
+        let triangles: Vec<[u32; 3]> =
+            (0..polygons.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+        let mut normals = vec![[0.0; 3]; polygons.len()];
+        let faults = slices::face_normals(&positions, &triangles, &mut Scratch::new(), &mut normals).unwrap();
+        let mut without =
+            faults.faces.iter().filter(|fault| fault.reason == super::FaultReason::ZeroArea).peekable();
+        for (i, polygon) in polygons.iter().enumerate() {
+            let reported = without.next_if(|fault| fault.index as usize == i).is_some();
+            let Some(truth) = truth(polygon) else {
+                assert!(reported, "kind {kind}: a degenerate triangle was not found: {polygon:?}");
+                degenerate += 1;
+                continue;
+            };
+            assert!(!reported, "kind {kind}: {polygon:?} is not degenerate");
+            let error = error_in_ulps(normals[i], &truth);
+            assert!(error <= 1.0, "kind {kind}: {error} ulp: {polygon:?}");
+            worst = f64::max(worst, error);
+            naive_wrong += usize::from(!(error_in_ulps(naive(polygon), &truth) <= 1.0));
+        }
+    }
+    // Rounding to f32 itself takes half an ulp; f64 arithmetic adds next to nothing.
+    assert!(worst <= 0.500_001, "{worst}");
+    assert!(degenerate > cases() / 20, "{degenerate} degenerate triangles are too few to tell");
+    assert!(naive_wrong > 3 * cases(), "only {naive_wrong} triangles fail a plain f32 cross product");
+}
+
+/// The faces as a mesh of either storage.
+fn normals_of(polygons: &[Vec<DVec3>], storage: Storage) -> FaceNormals {
+    let points: Vec<DVec3> = polygons.iter().flatten().copied().collect();
+    let mut faces = Faces::new();
+    let mut next = 0..;
+    for polygon in polygons {
+        faces.push(&next.by_ref().take(polygon.len()).collect::<Vec<u32>>());
+    }
+    face_normals(faces.view(), Positions::F64(&points, storage))
+}
+
+#[test]
+fn quads_of_f32_are_right_to_an_ulp_or_exactly_degenerate() {
+    let mut numbers = Numbers::new(0xfade);
+    for kind in 0..KINDS {
+        let polygons: Vec<_> = (0..cases() / 5).map(|_| hard_polygon(&mut numbers, kind, 4)).collect();
+        let normals = normals_of(&polygons, Storage::F32);
+        for (i, polygon) in polygons.iter().enumerate() {
+            match truth(polygon) {
+                None => assert_eq!(normals.state[i], FaceState::ZeroArea, "kind {kind}: {polygon:?}"),
+                Some(truth) => {
+                    let error = error_in_ulps(normals.unit[i].as_vec3().to_array(), &truth);
+                    assert!(error <= 0.500_001, "kind {kind}: {error} ulp: {polygon:?}");
+                }
+            }
+        }
+    }
+}
+
+/// What (B) promises.
+fn check_angles(polygons: &[Vec<DVec3>], storage: Storage) -> usize {
+    let normals = normals_of(polygons, storage);
+    let mut out_of_range = 0;
+    for (i, polygon) in polygons.iter().enumerate() {
+        match (truth(polygon), normals.state[i]) {
+            (None, state) => assert_eq!(state, FaceState::ZeroArea, "{polygon:?}"),
+            (Some(_), FaceState::OutOfRange) => out_of_range += 1,
+            (Some(truth), state) => {
+                assert!(state.has_direction(), "{state:?}: {polygon:?}");
+                let error = angle(normals.unit[i], &truth);
+                assert!(error <= 1e-12, "{error:e} rad: {polygon:?}");
+            }
+        }
+    }
+    out_of_range
+}
+
+#[test]
+fn polygons_of_f32_are_right_to_a_millionth_of_a_millionth() {
+    let mut numbers = Numbers::new(0xfeed);
+    for kind in 0..KINDS {
+        let polygons: Vec<_> =
+            (0..cases() / 10).map(|i| hard_polygon(&mut numbers, kind, 5 + i % 7)).collect();
+        assert_eq!(check_angles(&polygons, Storage::F32), 0);
+    }
+}
+
+#[test]
+fn faces_of_f64_are_right_to_a_millionth_of_a_millionth() {
+    let mut numbers = Numbers::new(0xf64);
+    let perturb = |numbers: &mut Numbers, p: DVec3| {
+        DVec3::from(
+            p.to_array().map(|x| x * (1.0 + (numbers.unit() - 0.5) * [0.0, 1e-9, 1e-15][numbers.below(3)])),
+        )
+    };
+    for kind in 0..KINDS {
+        let polygons = (0..cases() / 5).map(|i| {
+            let polygon = hard_polygon(&mut numbers, kind, 3 + i % 5);
+            polygon.into_iter().map(|p| perturb(&mut numbers, p)).collect()
+        });
+        let polygons: Vec<Vec<DVec3>> = polygons.collect();
+        assert_eq!(check_angles(&polygons, Storage::F64), 0, "kind {kind}");
+    }
+}
+
+#[test]
+fn coordinates_at_the_ends_of_f64_are_right_or_reported() {
+    let mut numbers = Numbers::new(0xe308);
+    for exponent in [-1060, -1000, -640, -330, 330, 640, 1000, 1022] {
+        let polygons: Vec<Vec<DVec3>> = (0..200)
+            .map(|i| (0..3 + i % 4).map(|_| DVec3::from(std::array::from_fn(|_| numbers.unit()))).collect())
+            .map(|polygon: Vec<DVec3>| polygon.into_iter().map(|p| crate::num::scale(p, exponent)).collect())
+            .collect();
+        assert_eq!(check_angles(&polygons, Storage::F64), 0, "2^{exponent}");
+    }
+    // Every coordinate anywhere: what cannot be told is reported, and what is not is right.
+    let polygons: Vec<Vec<DVec3>> = (0..2000)
+        .map(|i| (0..3 + i % 3).map(|_| DVec3::from(std::array::from_fn(|_| numbers.spread(1020)))).collect())
+        .collect();
+    let out_of_range = check_angles(&polygons, Storage::F64);
+    assert!((1..2000).contains(&out_of_range), "{out_of_range}");
+}
