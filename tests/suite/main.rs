@@ -2,6 +2,7 @@
 
 #![allow(clippy::print_stdout, reason = "a test says what it skips")]
 
+mod cli;
 mod data;
 mod gltf;
 mod gltf_edit;

@@ -1,0 +1,172 @@
+//! What goes to which stream, and how it looks there.
+
+use super::args::{Color, RunArgs};
+use super::output::forgive_broken_pipe;
+use std::fmt::Write as _;
+use std::io::{self, IsTerminal, Write};
+use std::path::Path;
+
+/// How much is told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Verbosity {
+    Quiet,
+    Normal,
+    Verbose,
+}
+
+/// The streams of this run.
+#[derive(Debug)]
+pub struct Console {
+    pub json: bool,
+    pub verbosity: Verbosity,
+    /// Standard output carries a mesh, so reports go to standard error.
+    reports_to_stderr: bool,
+    report_style: Style,
+    error_style: Style,
+}
+
+/// Whether text may carry colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Style(bool);
+
+impl Style {
+    pub const BOLD: &str = "1";
+    pub const RED: &str = "1;31";
+    pub const YELLOW: &str = "1;33";
+
+    /// Text in a colour, or as it is.
+    pub fn paint(self, colour: &str, text: &str) -> String {
+        if self.0 { format!("\x1b[{colour}m{text}\x1b[0m") } else { text.to_owned() }
+    }
+}
+
+impl Console {
+    pub fn new(run: &RunArgs, color: Color, output: Option<&Path>) -> Self {
+        let reports_to_stderr = output.is_some_and(|path| path.as_os_str() == "-");
+        let variable = |name: &str| std::env::var(name).ok();
+        let style = |terminal| Style(use_color(color, terminal, variable));
+        let error_style = style(io::stderr().is_terminal());
+        Self {
+            json: run.json,
+            verbosity: match (run.quiet, run.verbose) {
+                (true, _) => Verbosity::Quiet,
+                (_, true) => Verbosity::Verbose,
+                _ => Verbosity::Normal,
+            },
+            reports_to_stderr,
+            report_style: if reports_to_stderr { error_style } else { style(io::stdout().is_terminal()) },
+            error_style,
+        }
+    }
+
+    /// Whether standard error is left to the JSON report, so that it can be parsed.
+    fn stderr_is_json(&self) -> bool {
+        self.json && self.reports_to_stderr
+    }
+
+    /// Whether a progress bar may be shown.
+    pub fn may_show_progress(&self) -> bool {
+        self.verbosity > Verbosity::Quiet && !self.stderr_is_json() && io::stderr().is_terminal()
+    }
+
+    /// The style of reports.
+    pub fn report_style(&self) -> Style {
+        self.report_style
+    }
+
+    /// Prints a report, text or JSON, whole lines.
+    pub fn report(&self, text: &str) {
+        if self.reports_to_stderr {
+            print(io::stderr().lock(), text)
+        } else {
+            print(io::stdout().lock(), text)
+        }
+    }
+
+    /// Prints an error.
+    pub fn error(&self, message: &str) {
+        self.remark(Style::RED, "error", message);
+    }
+
+    /// Prints a warning.
+    pub fn warning(&self, message: &str) {
+        self.remark(Style::YELLOW, "warning", message);
+    }
+
+    /// Prints a remark of no consequence.
+    pub fn note(&self, message: &str) {
+        self.remark(Style::BOLD, "note", message);
+    }
+
+    fn remark(&self, colour: &str, kind: &str, message: &str) {
+        if !self.stderr_is_json() {
+            let label = self.error_style.paint(colour, &format!("{kind}:"));
+            print(io::stderr().lock(), &format!("{label} {}\n", escaped(message)));
+        }
+    }
+}
+
+/// Writes text. A reader that has gone away, or a closed stream, does not stop the work: it is the outputs that
+/// count.
+fn print(mut stream: impl Write, text: &str) {
+    let _ = forgive_broken_pipe(stream.write_all(text.as_bytes()).and_then(|()| stream.flush()));
+}
+
+/// Colour by choice, else by environment, else by terminal (no-color.org, bixense.com/clicolors).
+fn use_color(choice: Color, terminal: bool, variable: impl Fn(&str) -> Option<String>) -> bool {
+    let set = |name| variable(name).is_some_and(|value| !value.is_empty());
+    match choice {
+        Color::Always => true,
+        Color::Never => false,
+        Color::Auto if set("NO_COLOR") => false,
+        Color::Auto if variable("CLICOLOR_FORCE").is_some_and(|value| !value.is_empty() && value != "0") => {
+            true
+        }
+        Color::Auto => terminal,
+    }
+}
+
+/// Text that cannot steer a terminal: control characters and marks that turn the direction of writing are
+/// escaped. Names come from files and folders, and may hold anything.
+pub fn escaped(text: &str) -> String {
+    let is_steering = |c: char| {
+        c.is_control()
+            || matches!(c, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+    };
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            _ if !is_steering(c) => out.push(c),
+            '\n' | '\t' | '\r' => out.extend(c.escape_default()),
+            _ => drop(write!(out, "\\u{{{:x}}}", u32::from(c))),
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn control_characters_are_escaped() {
+        assert_eq!(escaped("a\x1b[31mb\nc\u{202e}d é °"), "a\\u{1b}[31mb\\nc\\u{202e}d é °");
+    }
+
+    #[test]
+    fn colour_follows_choice_then_environment_then_terminal() {
+        let with = |color, terminal, names: &[(&str, &str)]| {
+            use_color(color, terminal, |name| {
+                names.iter().find(|(known, _)| *known == name).map(|(_, value)| (*value).to_owned())
+            })
+        };
+        assert!(with(Color::Auto, true, &[]));
+        assert!(!with(Color::Auto, false, &[]));
+        assert!(!with(Color::Auto, true, &[("NO_COLOR", "1"), ("CLICOLOR_FORCE", "1")]));
+        assert!(with(Color::Auto, true, &[("NO_COLOR", "")]));
+        assert!(with(Color::Auto, false, &[("CLICOLOR_FORCE", "1")]));
+        assert!(!with(Color::Auto, false, &[("CLICOLOR_FORCE", "0")]));
+        assert!(with(Color::Always, false, &[("NO_COLOR", "1")]));
+        assert!(!with(Color::Never, true, &[("CLICOLOR_FORCE", "1")]));
+    }
+}

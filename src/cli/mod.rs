@@ -1,0 +1,67 @@
+//! The command-line program: what was typed ([`args`]) becomes a checked [`request`], which is carried out input
+//! by input ([`batch`], [`normals`]) and told about ([`report`], [`text`]).
+
+mod args;
+mod batch;
+mod choice;
+mod console;
+mod docs;
+mod inputs;
+mod normals;
+mod output;
+mod progress;
+mod report;
+mod request;
+mod text;
+
+use args::{Cli, NormalsArgs, Verb};
+use clap::error::ErrorKind;
+use clap::{CommandFactory, Parser};
+use console::Console;
+use request::{Request, RequestError};
+use std::process::ExitCode;
+
+/// What the program tells its caller. Wrong usage ends it in [`usage_error`], with clap's 2.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Exit {
+    Done = 0,
+    BadInput = 3,
+    OutputFailed = 4,
+    PartOfBatch = 5,
+}
+
+/// Runs the program on the arguments that it was started with.
+pub fn main() -> ExitCode {
+    let cli = Cli::parse();
+    let exit = match cli.verb {
+        Verb::Normals(ref args) => normals_verb(args, &cli),
+        Verb::Completions { shell } => docs::completions(shell),
+        Verb::Man { ref verb } => docs::manual(verb.as_deref()),
+    };
+    ExitCode::from(exit as u8)
+}
+
+fn normals_verb(args: &NormalsArgs, cli: &Cli) -> Exit {
+    let console = Console::new(&args.run, cli.color, args.output.output.as_deref());
+    let request = match Request::resolve(args) {
+        Ok(request) => request,
+        Err(RequestError::Usage(message)) => usage_error("normals", message),
+        Err(RequestError::Input(message)) => {
+            console.error(&message);
+            return Exit::BadInput;
+        }
+    };
+    if let Some(threads) = args.run.threads {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
+        pool.expect("the pool has not been used yet");
+    }
+    batch::run(&request, &console)
+}
+
+/// Prints a message and the verb's usage as clap does for its own errors, and ends the program.
+fn usage_error(verb: &str, message: String) -> ! {
+    let mut command = Cli::command();
+    command.build();
+    let verb = command.find_subcommand_mut(verb).expect("a verb of this program");
+    verb.error(ErrorKind::ArgumentConflict, message).exit()
+}

@@ -1,0 +1,135 @@
+//! The verb `normals` on one input: read, compute, write, store.
+
+use super::inputs::Source;
+use super::output::Store;
+use super::progress::{FileProgress, Stage};
+use super::report::{OutputReport, PartReport, Report};
+use super::request::{Job, Request, Target};
+use crease::io::{self, Format, Limits, Loaded, Place, Problem, ReadError, Written};
+use crease::pipeline;
+use std::io::{IsTerminal, Read};
+use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
+
+/// Why an input was not done.
+#[derive(Debug)]
+pub enum Failure {
+    Read(ReadError),
+    Write(String),
+    /// A fault of this program.
+    Internal(String),
+}
+
+/// Carries out one job and writes down in the report what happened, as far as it went.
+pub fn run(
+    job: &Job,
+    request: &Request,
+    store: &mut Store,
+    progress: &FileProgress<'_>,
+    report: &mut Report,
+) -> Result<(), Failure> {
+    progress.stage(Stage::Read);
+    let start = Instant::now();
+    let loaded = read(job, request, report).map_err(Failure::Read)?;
+    report.seconds.read = start.elapsed().as_secs_f64();
+    report.input.format = Some(loaded.format.extension());
+    report.add_notes(&loaded.notes);
+
+    progress.stage(Stage::Compute);
+    let start = Instant::now();
+    let target = (!request.rows).then(|| job.to.unwrap_or(loaded.format));
+    let revision = compute(&loaded, request, target, progress);
+    report.seconds.compute = start.elapsed().as_secs_f64();
+    report.parts = revision.parts.iter().map(PartReport::new).collect();
+    if request.rows {
+        report.add_rows(&revision.edits);
+    }
+    let Some(format) = target else { return Ok(()) };
+
+    progress.stage(Stage::Write);
+    let start = Instant::now();
+    let unchanged = format == loaded.format && revision.edits.iter().all(io::PartEdit::is_empty);
+    let options = io::WriteOptions { stem: stem(job), ..request.write.clone() };
+    let written = io::write(&loaded, &revision.edits, format, &options)
+        .map_err(|error| Failure::Write(error.to_string()))?;
+    drop((loaded, revision));
+    report.add_notes(&written.notes);
+    report.output = Some(OutputReport::new(job.target.as_ref(), format, unchanged, &written));
+    put(job, request, store, written, unchanged)?;
+    report.seconds.write = start.elapsed().as_secs_f64();
+    Ok(())
+}
+
+fn compute(
+    loaded: &Loaded,
+    request: &Request,
+    target: Option<Format>,
+    progress: &FileProgress<'_>,
+) -> pipeline::Revision {
+    let all = loaded.parts.iter().map(|part| part.mesh.face_count()).sum();
+    let done = AtomicUsize::new(0);
+    pipeline::revise(loaded, &request.task, target, &|faces| {
+        let before = done.fetch_add(faces, Ordering::Relaxed);
+        progress.within(Stage::Compute, before + faces, all);
+    })
+}
+
+fn read(job: &Job, request: &Request, report: &mut Report) -> Result<Loaded, ReadError> {
+    match &job.source {
+        Source::File(path) => {
+            report.input.bytes = path.metadata().ok().map(|metadata| metadata.len());
+            io::read(path, job.format, &request.read)
+        }
+        Source::Stdin => {
+            let bytes = read_stdin(&request.read.limits)?;
+            report.input.bytes = Some(bytes.len() as u64);
+            io::read_bytes(bytes, job.format, None, &request.read)
+        }
+    }
+}
+
+fn read_stdin(limits: &Limits) -> Result<Vec<u8>, ReadError> {
+    let stdin = std::io::stdin().lock();
+    let fail = |problem, found: String, advice: &str| ReadError::new(problem, Place::File, found, advice);
+    if stdin.is_terminal() {
+        return Err(fail(
+            Problem::Io,
+            "standard input is a terminal".into(),
+            "pipe a file into it, or name one",
+        ));
+    }
+    let mut bytes = Vec::new();
+    let read = stdin.take(limits.bytes.saturating_add(1)).read_to_end(&mut bytes);
+    read.map_err(|error| fail(Problem::Io, format!("could not read standard input: {error}"), ""))?;
+    if bytes.len() as u64 > limits.bytes {
+        let found = format!("standard input has more than {} bytes", limits.bytes);
+        return Err(fail(Problem::Limit, found, "split it"));
+    }
+    Ok(bytes)
+}
+
+/// The output's name without extension, for files that stand beside it; `None` for a stream.
+fn stem(job: &Job) -> Option<String> {
+    let path: Option<&Path> = match (&job.target, &job.source) {
+        (Some(Target::File(path)), _) | (None, Source::File(path)) => Some(path),
+        _ => None,
+    };
+    Some(path?.file_stem()?.to_string_lossy().into_owned())
+}
+
+fn put(
+    job: &Job,
+    request: &Request,
+    store: &mut Store,
+    written: Written,
+    unchanged: bool,
+) -> Result<(), Failure> {
+    let Some(target) = job.target.as_ref().filter(|_| !request.dry_run) else { return Ok(()) };
+    // An input that stays as it is keeps its time of change too.
+    let is_itself = matches!((target, &job.source), (Target::File(a), Source::File(b)) if a == b);
+    if unchanged && is_itself {
+        return Ok(());
+    }
+    store.store(written, target).map_err(|error| Failure::Write(format!("{error:#}")))
+}

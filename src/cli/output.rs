@@ -1,0 +1,310 @@
+//! Outputs appear whole or not at all.
+//!
+//! Everything is written to temporary files in the folders where it belongs, then renamed: companions first, the
+//! main file last, so that whoever sees the new main file finds its companions. A link is followed to the file
+//! that it names, an existing file keeps its permissions, a new one gets those that the umask leaves.
+
+use super::request::Target;
+use anyhow::{Context, Result, bail, ensure};
+use crease::io::{OutputContent, OutputFile, Written};
+use std::collections::BTreeMap;
+use std::fs::{self, File};
+use std::hash::{DefaultHasher, Hasher};
+use std::io::{self, ErrorKind, Write};
+use std::path::{Component, Path, PathBuf};
+use tempfile::NamedTempFile;
+
+/// Stores outputs and remembers which companions this run has written already.
+#[derive(Debug, Default)]
+pub struct Store {
+    sync: bool,
+    companions: BTreeMap<PathBuf, Mark>,
+}
+
+/// What a companion was, without keeping its bytes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Mark {
+    Bytes { length: usize, hash: u64 },
+    CopyOf(PathBuf),
+}
+
+impl Mark {
+    fn of(content: &OutputContent) -> Self {
+        match content {
+            OutputContent::Bytes(bytes) => {
+                let mut hasher = DefaultHasher::new();
+                hasher.write(bytes);
+                Mark::Bytes { length: bytes.len(), hash: hasher.finish() }
+            }
+            OutputContent::CopyOf(path) => Mark::CopyOf(path.clone()),
+        }
+    }
+}
+
+/// A file that is complete, but not yet at its place.
+enum Staged {
+    Temporary(NamedTempFile, PathBuf),
+    /// A device or a pipe, which cannot be replaced: written to when its turn comes.
+    Direct(PathBuf, Vec<u8>),
+}
+
+impl Store {
+    /// With `sync`, each output is on the disk before its name is.
+    pub fn new(sync: bool) -> Self {
+        Self { sync, companions: BTreeMap::new() }
+    }
+
+    /// Stores an output and the files that belong beside it.
+    ///
+    /// # Errors
+    /// If anything cannot be written; nothing half-written remains then.
+    pub fn store(&mut self, written: Written, target: &Target) -> Result<()> {
+        match target {
+            Target::Stdout => {
+                // A copied companion stands where the input refers to it; standard output has no folder for it.
+                let new = written.companions.iter().find(|c| matches!(c.content, OutputContent::Bytes(_)));
+                if let Some(companion) = new {
+                    bail!("{} would have to stand beside the output; give a file", companion.name);
+                }
+                to_stdout(&written.bytes)
+            }
+            Target::File(path) => self.store_file(written, path),
+        }
+    }
+
+    fn store_file(&mut self, written: Written, path: &Path) -> Result<()> {
+        let path = follow_links(path)?;
+        let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        fs::create_dir_all(folder)
+            .with_context(|| format!("could not make the folder {}", folder.display()))?;
+        let mut staged = Vec::new();
+        let mut claimed = Vec::new();
+        for companion in written.companions {
+            let mark = Mark::of(&companion.content);
+            if let Some((place, file)) = self.companion(companion, &mark, folder, &path)? {
+                staged.extend(file);
+                claimed.push((place, mark));
+            }
+        }
+        staged.push(self.stage(&path, written.bytes)?);
+        for file in staged {
+            file.put(self.sync)?;
+        }
+        self.companions.extend(claimed);
+        Ok(())
+    }
+
+    /// A companion ready to be put at its place; `None` inside if its bytes are there already, outside if it is
+    /// left where it is because its name leads out of the output's folder.
+    fn companion(
+        &self,
+        companion: OutputFile,
+        mark: &Mark,
+        folder: &Path,
+        main: &Path,
+    ) -> Result<Option<(PathBuf, Option<Staged>)>> {
+        let name = Path::new(&companion.name);
+        if !name.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir)) {
+            match companion.content {
+                OutputContent::CopyOf(_) => return Ok(None),
+                OutputContent::Bytes(_) => bail!("{} leads out of the output's folder", companion.name),
+            }
+        }
+        let place = follow_links(&folder.join(name))?;
+        ensure!(place != main, "{} is both the output and a file beside it", companion.name);
+        let twin = self.companions.get(&place);
+        ensure!(
+            twin.is_none_or(|twin| twin == mark),
+            "{} was written for another input of this run, with other content",
+            place.display()
+        );
+        if twin.is_some() {
+            return Ok(Some((place, None)));
+        }
+        let bytes = match companion.content {
+            OutputContent::Bytes(bytes) => bytes,
+            OutputContent::CopyOf(source) if is_same_file(&source, &place) => return Ok(Some((place, None))),
+            OutputContent::CopyOf(source) => {
+                fs::read(&source).with_context(|| format!("could not read {}", source.display()))?
+            }
+        };
+        if let Some(folder) = place.parent() {
+            fs::create_dir_all(folder)
+                .with_context(|| format!("could not make the folder {}", folder.display()))?;
+        }
+        let file = self.stage(&place, bytes)?;
+        Ok(Some((place, Some(file))))
+    }
+
+    fn stage(&self, path: &Path, bytes: Vec<u8>) -> Result<Staged> {
+        let existing = fs::metadata(path).ok();
+        if let Some(existing) = &existing {
+            ensure!(!existing.is_dir(), "{} is a folder", path.display());
+            if !existing.is_file() {
+                return Ok(Staged::Direct(path.to_path_buf(), bytes));
+            }
+            ensure!(!existing.permissions().readonly(), "{} is write-protected", path.display());
+        }
+        let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let write = || -> io::Result<NamedTempFile> {
+            let mut builder = tempfile::Builder::new();
+            builder.prefix(".crease-").suffix(".tmp");
+            // The crate's own default is 0600; a new file shall be as open as the umask allows.
+            #[cfg(unix)]
+            builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+            let mut file = builder.tempfile_in(folder)?;
+            file.write_all(&bytes)?;
+            if let Some(existing) = existing {
+                file.as_file().set_permissions(existing.permissions())?;
+            }
+            if self.sync {
+                file.as_file().sync_all()?;
+            }
+            Ok(file)
+        };
+        let file = write().with_context(|| format!("could not write {}", path.display()))?;
+        Ok(Staged::Temporary(file, path.to_path_buf()))
+    }
+}
+
+impl Staged {
+    fn put(self, sync: bool) -> Result<()> {
+        match self {
+            Staged::Direct(path, bytes) => {
+                let result =
+                    File::options().write(true).open(&path).and_then(|mut file| file.write_all(&bytes));
+                forgive_broken_pipe(result).with_context(|| format!("could not write {}", path.display()))
+            }
+            Staged::Temporary(file, path) => {
+                file.persist(&path).with_context(|| format!("could not replace {}", path.display()))?;
+                if sync && cfg!(unix) {
+                    let folder =
+                        path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+                    File::open(folder).and_then(|folder| folder.sync_all()).with_context(|| {
+                        format!("could not wait for the folder {} to be stored", folder.display())
+                    })?;
+                }
+                Ok(())
+            }
+        }
+    }
+}
+
+/// Writes bytes to standard output. That its reader has gone away is no failure.
+pub fn to_stdout(bytes: &[u8]) -> Result<()> {
+    let mut out = io::stdout().lock();
+    forgive_broken_pipe(out.write_all(bytes).and_then(|()| out.flush()))
+        .context("could not write to standard output")
+}
+
+/// A reader that goes away early, as `head` does, has had what it wanted.
+pub fn forgive_broken_pipe(result: io::Result<()>) -> io::Result<()> {
+    match result {
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+        other => other,
+    }
+}
+
+/// The file behind a chain of links, which need not exist yet.
+fn follow_links(path: &Path) -> Result<PathBuf> {
+    // As many steps as Linux takes before it calls a chain endless.
+    const LONGEST: usize = 40;
+    let mut path = path.to_path_buf();
+    for _ in 0..LONGEST {
+        let Ok(next) = fs::read_link(&path) else { return Ok(path) };
+        path = path.parent().unwrap_or(Path::new("")).join(next);
+    }
+    bail!("{} is a link without an end", path.display())
+}
+
+fn is_same_file(a: &Path, b: &Path) -> bool {
+    matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn written(bytes: &[u8], companions: &[(&str, OutputContent)]) -> Written {
+        let companions = companions
+            .iter()
+            .map(|(name, content)| OutputFile { name: (*name).to_owned(), content: content.clone() })
+            .collect();
+        Written { bytes: bytes.to_vec(), companions, ..Written::default() }
+    }
+
+    fn names(folder: &Path) -> Vec<String> {
+        let mut names: Vec<String> =
+            fs::read_dir(folder).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn companions_go_beside_the_output_and_equal_ones_meet() {
+        let folder = tempfile::tempdir().unwrap();
+        let source = folder.path().join("source.png");
+        fs::write(&source, "picture").unwrap();
+        let out = folder.path().join("deep/out");
+        let mut store = Store::new(true);
+        let companions = [
+            ("a.bin", OutputContent::Bytes(b"bin".to_vec())),
+            ("textures/p.png", OutputContent::CopyOf(source.clone())),
+            ("../outside.png", OutputContent::CopyOf(source.clone())),
+        ];
+        store.store(written(b"main", &companions), &Target::File(out.join("a.gltf"))).unwrap();
+        assert_eq!(names(&out), ["a.bin", "a.gltf", "textures"]);
+        assert_eq!(fs::read(out.join("textures/p.png")).unwrap(), b"picture");
+        assert_eq!(names(folder.path()), ["deep", "source.png"], "nothing outside the output's folder");
+
+        store.store(written(b"main", &companions), &Target::File(out.join("b.gltf"))).unwrap();
+        let other = [("a.bin", OutputContent::Bytes(b"other".to_vec()))];
+        let error = store.store(written(b"main", &other), &Target::File(out.join("c.gltf"))).unwrap_err();
+        assert!(error.to_string().contains("another input"), "{error}");
+        assert_eq!(names(&out), ["a.bin", "a.gltf", "b.gltf", "textures"]);
+        assert_eq!(fs::read(out.join("a.bin")).unwrap(), b"bin");
+    }
+
+    #[test]
+    fn what_cannot_be_stored_leaves_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut store = Store::new(false);
+        let missing = [
+            ("a.bin", OutputContent::Bytes(b"bin".to_vec())),
+            ("p.png", OutputContent::CopyOf(folder.path().join("nowhere.png"))),
+        ];
+        for companions in [&missing[..], &[("../x.bin", OutputContent::Bytes(vec![]))]] {
+            let target = Target::File(folder.path().join("a.gltf"));
+            assert!(store.store(written(b"main", companions), &target).is_err());
+            assert_eq!(names(folder.path()), [""; 0]);
+        }
+        let stream = [("a.bin", OutputContent::Bytes(vec![]))];
+        assert!(store.store(written(b"", &stream), &Target::Stdout).is_err());
+        assert!(store.store(written(b"", &[]), &Target::File(folder.path().to_path_buf())).is_err());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_are_followed_and_permissions_kept() {
+        use std::os::unix::fs::{PermissionsExt, symlink};
+        let folder = tempfile::tempdir().unwrap();
+        let (real, link) = (folder.path().join("real/file.obj"), folder.path().join("link.obj"));
+        symlink("real/file.obj", &link).unwrap();
+        let mut store = Store::new(false);
+        store.store(written(b"one", &[]), &Target::File(link.clone())).unwrap();
+        fs::set_permissions(&real, fs::Permissions::from_mode(0o640)).unwrap();
+        store.store(written(b"two", &[]), &Target::File(link.clone())).unwrap();
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        assert_eq!(fs::read(&real).unwrap(), b"two");
+        assert_eq!(fs::metadata(&real).unwrap().permissions().mode() & 0o777, 0o640);
+
+        fs::set_permissions(&real, fs::Permissions::from_mode(0o444)).unwrap();
+        assert!(store.store(written(b"three", &[]), &Target::File(link)).is_err());
+        assert_eq!(fs::read(&real).unwrap(), b"two");
+
+        let (a, b) = (folder.path().join("a"), folder.path().join("b"));
+        symlink(&b, &a).unwrap();
+        symlink(&a, &b).unwrap();
+        assert!(store.store(written(b"", &[]), &Target::File(a)).is_err());
+    }
+}

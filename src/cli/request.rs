@@ -1,0 +1,243 @@
+//! What was typed, made into what shall be done. Everything that is wrong with a command line is found here,
+//! before anything is read or written.
+
+use super::args::{HardEdge, NormalsArgs, RecipeArgs};
+use super::inputs::{self, Input, Source};
+use crease::io::{Emit, Format, NonFinite, ReadOptions, WriteOptions};
+use crease::normals::{Crease, HardEdges, NormalRecipe, Scope};
+use crease::pipeline::Task;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// Why a request cannot be carried out.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum RequestError {
+    /// The command line is wrong.
+    Usage(String),
+    /// The command line is right, but a folder that it names cannot be used.
+    Input(String),
+}
+
+/// Everything to do, checked.
+#[derive(Debug)]
+pub struct Request {
+    pub jobs: Vec<Job>,
+    pub task: Task,
+    pub read: ReadOptions,
+    pub write: WriteOptions,
+    /// Face normals go into the JSON report.
+    pub rows: bool,
+    pub dry_run: bool,
+    pub sync: bool,
+}
+
+/// One input and its output.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Job {
+    pub source: Source,
+    /// The input's format as typed; `None`: by its content, else by its name.
+    pub format: Option<Format>,
+    /// Where the output goes; `None`: nowhere.
+    pub target: Option<Target>,
+    /// The output's format; `None`: that of the input.
+    pub to: Option<Format>,
+}
+
+/// Where an output goes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Target {
+    Stdout,
+    File(PathBuf),
+}
+
+impl Request {
+    /// Checks what was typed against itself and against the files that are there.
+    pub fn resolve(args: &NormalsArgs) -> Result<Request, RequestError> {
+        let rows = args.normals.emit == Emit::Face && args.run.json && !has_destination(args);
+        if !has_destination(args) && !rows && !args.output.dry_run {
+            return usage(
+                "one of --output, --out-dir and --in-place is needed; --dry-run and --emit face --json go without",
+            );
+        }
+        let found = inputs::expand(&args.inputs, args.output.recursive, args.output.out_dir.as_deref())?;
+        if args.output.output.is_some() && found.len() > 1 {
+            return usage(format!("--output takes one input, not {}; --out-dir takes several", found.len()));
+        }
+        let jobs: Vec<Job> = found.iter().map(|input| job(input, args)).collect::<Result<_, _>>()?;
+        check_collisions(&jobs, args.output.out_dir.is_some())?;
+        Ok(Request {
+            jobs,
+            task: task(args),
+            read: read_options(args),
+            write: WriteOptions {
+                emit: args.normals.emit,
+                tangents: args.gltf.tangents,
+                normal_format: args.gltf.normal_format,
+                ..WriteOptions::default()
+            },
+            rows,
+            dry_run: args.output.dry_run,
+            sync: args.output.sync,
+        })
+    }
+}
+
+fn usage<T>(message: impl Into<String>) -> Result<T, RequestError> {
+    Err(RequestError::Usage(message.into()))
+}
+
+fn has_destination(args: &NormalsArgs) -> bool {
+    let output = &args.output;
+    output.output.is_some() || output.out_dir.is_some() || output.in_place
+}
+
+fn task(args: &NormalsArgs) -> Task {
+    let RecipeArgs { weight, crease, crease_rule, groups, weld, slivers, precision, .. } = args.normals;
+    let hard = |kind| args.normals.hard_edges.contains(&kind);
+    Task {
+        recipe: NormalRecipe {
+            weight,
+            crease: crease.map_or(Crease::Default, Crease::Angle),
+            rule: crease_rule,
+            groups,
+            hard_edges: HardEdges {
+                uv: hard(HardEdge::Uv),
+                material: hard(HardEdge::Material),
+                authored: hard(HardEdge::Authored),
+            },
+            weld,
+            slivers,
+            precision,
+            scope: if args.normals.emit == Emit::Vertex { Scope::Vertex } else { Scope::Corner },
+        },
+        emit: args.normals.emit,
+        when: args.normals.when,
+        orient: args.mesh.orient,
+        flip: args.mesh.flip,
+        degenerate: args.mesh.degenerate,
+    }
+}
+
+fn read_options(args: &NormalsArgs) -> ReadOptions {
+    ReadOptions {
+        root: args.output.root.clone(),
+        non_finite: if args.mesh.force { NonFinite::DropFaces } else { NonFinite::Refuse },
+        ..ReadOptions::default()
+    }
+}
+
+fn job(input: &Input, args: &NormalsArgs) -> Result<Job, RequestError> {
+    let output = &args.output;
+    let named = match &input.source {
+        Source::File(path) => Format::from_path(path),
+        Source::Stdin => None,
+    };
+    let format = output.format.or(named);
+    let (target, to) = if let Some(path) = &output.output {
+        file_target(path, output.to)?
+    } else if let Some(folder) = &output.out_dir {
+        let place = folder_place(input, format, output.to)?;
+        (Some(Target::File(folder.join(place))), output.to)
+    } else if output.in_place {
+        (Some(in_place_target(input, format, output.to)?), output.to)
+    } else {
+        (None, output.to)
+    };
+    let writes = target.is_some() || output.dry_run;
+    if args.normals.emit == Emit::Face && writes {
+        match to.or(format) {
+            None | Some(Format::Ply | Format::Stl) => {}
+            Some(_) if target.is_none() && args.run.json => {}
+            Some(other) => {
+                return usage(format!(
+                    "--emit face writes ply or stl, not {other}; choose one with --to, or give --json and no output"
+                ));
+            }
+        }
+    }
+    Ok(Job { source: input.source.clone(), format: output.format, target, to })
+}
+
+fn file_target(path: &Path, to: Option<Format>) -> Result<(Option<Target>, Option<Format>), RequestError> {
+    if path.as_os_str() == "-" {
+        return Ok((Some(Target::Stdout), to));
+    }
+    if path.is_dir() {
+        return usage(format!("{} is a folder; --out-dir writes into one", path.display()));
+    }
+    let format = match (Format::from_path(path), to) {
+        (Some(named), Some(to)) if named != to => {
+            return usage(format!("{} has the name of a {named} file, but --to says {to}", path.display()));
+        }
+        (None, None) => {
+            return usage(format!("the name of {} does not tell a format; --to does", path.display()));
+        }
+        (named, to) => to.or(named),
+    };
+    Ok((Some(Target::File(path.to_path_buf())), format))
+}
+
+fn folder_place(input: &Input, format: Option<Format>, to: Option<Format>) -> Result<PathBuf, RequestError> {
+    if input.source == Source::Stdin {
+        return usage("standard input has no name to use in --out-dir; --output takes one");
+    }
+    Ok(match to {
+        Some(to) if format != Some(to) || Format::from_path(&input.place) != Some(to) => {
+            input.place.with_extension(to.extension())
+        }
+        _ => input.place.clone(),
+    })
+}
+
+fn in_place_target(
+    input: &Input,
+    format: Option<Format>,
+    to: Option<Format>,
+) -> Result<Target, RequestError> {
+    let Source::File(path) = &input.source else {
+        return usage("standard input cannot be replaced in place; --output - writes to standard output");
+    };
+    match (format, to) {
+        (Some(format), Some(to)) if format != to => usage(format!(
+            "--in-place cannot turn {} from {format} into {to}; give an output",
+            path.display()
+        )),
+        (None, Some(_)) => {
+            usage(format!("--in-place needs --format to know the format of {}", path.display()))
+        }
+        _ => Ok(Target::File(path.clone())),
+    }
+}
+
+/// No two outputs may be one file, and none may be an input unless that is what was asked for.
+fn check_collisions(jobs: &[Job], into_folder: bool) -> Result<(), RequestError> {
+    let real = |path: &Path| path.canonicalize().ok();
+    let mut inputs = BTreeMap::new();
+    for job in jobs {
+        if let Source::File(path) = &job.source {
+            inputs.extend(real(path).map(|real| (real, path)));
+        }
+    }
+    let mut outputs: BTreeMap<PathBuf, &Path> = BTreeMap::new();
+    for job in jobs {
+        let (Some(Target::File(target)), Source::File(source)) = (&job.target, &job.source) else { continue };
+        if let Some(other) = outputs.insert(resolve_parent(target), source) {
+            let (first, second) = (other.display(), source.display());
+            return usage(format!("{first} and {second} would both be written to {}", target.display()));
+        }
+        if into_folder && let Some(input) = real(target).and_then(|real| inputs.get(&real).copied()) {
+            return usage(format!("this would overwrite the input {}; --in-place does so", input.display()));
+        }
+    }
+    Ok(())
+}
+
+/// A path with its folder made absolute, whether or not the file is there.
+fn resolve_parent(path: &Path) -> PathBuf {
+    path.canonicalize().unwrap_or_else(|_| {
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+        let folder = folder.canonicalize().unwrap_or_else(|_| folder.to_path_buf());
+        path.file_name().map_or_else(|| folder.clone(), |name| folder.join(name))
+    })
+}

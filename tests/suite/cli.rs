@@ -1,0 +1,84 @@
+//! The program from outside: arguments, streams, files, exit codes.
+
+mod options;
+mod outputs;
+mod report;
+mod streams;
+mod usage;
+
+use assert_cmd::Command;
+use std::ffi::OsStr;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Output;
+use tempfile::TempDir;
+
+/// A file of `data/`.
+fn data(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("data").join(name)
+}
+
+/// The program, with an environment that does not speak of colour.
+fn crease() -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_crease"));
+    for name in ["NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE"] {
+        command.env_remove(name);
+    }
+    command
+}
+
+/// Runs `crease normals` and takes what it says.
+fn normals<A: AsRef<OsStr>>(args: impl IntoIterator<Item = A>) -> Output {
+    crease().arg("normals").args(args).output().unwrap()
+}
+
+/// As [`normals`], which has to succeed.
+fn succeed<A: AsRef<OsStr>>(args: impl IntoIterator<Item = A>) -> Output {
+    let output = normals(args);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    output
+}
+
+fn code(output: &Output) -> i32 {
+    output.status.code().expect("no signal")
+}
+
+fn text(bytes: &[u8]) -> &str {
+    std::str::from_utf8(bytes).unwrap()
+}
+
+fn path(path: impl AsRef<Path>) -> String {
+    path.as_ref().to_str().unwrap().to_owned()
+}
+
+/// A folder with some files in it.
+fn folder(files: &[(&str, &str)]) -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, content) in files {
+        let path = folder.path().join(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, content).unwrap();
+    }
+    folder
+}
+
+/// All files below a folder, sorted, relative to it.
+fn names(folder: &Path) -> Vec<String> {
+    let mut found = Vec::new();
+    let mut open = vec![folder.to_path_buf()];
+    while let Some(next) = open.pop() {
+        for entry in fs::read_dir(next).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                open.push(path);
+            } else {
+                found.push(path.strip_prefix(folder).unwrap().to_str().unwrap().replace('\\', "/"));
+            }
+        }
+    }
+    found.sort();
+    found
+}
+
+const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+const BAD: &str = "v 0 0 0\nf 1 2 3\n";
