@@ -6,6 +6,7 @@ mod cli;
 mod data;
 mod gltf;
 mod gltf_edit;
+mod gltf_hostile;
 mod hostile;
 mod meshes;
 mod obj;

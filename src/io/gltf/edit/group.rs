@@ -6,7 +6,7 @@ use super::member::Member;
 use super::rows::{Rows, SlotTables, Stored};
 use super::store::{NewData, Store};
 use super::tangents::{Corners, tangents};
-use crate::io::gltf::accessor::Source;
+use crate::io::gltf::accessor::{Elements, Source};
 use crate::io::gltf::data::Target;
 use crate::io::gltf::document::{Component, Format};
 use crate::io::gltf::fields::{At, Fields};
@@ -51,11 +51,7 @@ impl Group<'_, '_> {
         let mut split = split_vertices(count, &locals, &[&rows.of_corner]);
         let table = rows.gather(&stored, samples(&split, &rows.of_corner));
         if split.added(count) == 0 && table.is_stored(&stored) {
-            // Normals are what they were; only dropped or turned faces are left to write.
-            for member in self.members {
-                let indices = member.corners.iter().map(|&corner| member.vertex(corner)).collect();
-                rewrite_indices(store, member, indices, count, remarks)?;
-            }
+            self.write_faces(store, remarks)?;
             return Ok(0);
         }
         if !morph && (0..targets).any(|target| self.vertices.target(target, "NORMAL").is_some()) {
@@ -86,6 +82,8 @@ impl Group<'_, '_> {
         self.write_tangents(store, &split, new_tangents.as_ref(), remarks)?;
         if split.added(count) > 0 {
             self.copy_others(store, &split, morph)?;
+        } else {
+            self.repair_positions(store)?;
         }
         let mut corners = split.corners.iter();
         for member in self.members {
@@ -94,6 +92,34 @@ impl Group<'_, '_> {
             remarks.drop_draco(store, member);
         }
         Ok(split.added(count) as u64)
+    }
+
+    /// Writes faces dropped and turned, where normals are as they were.
+    pub(super) fn write_faces(&self, store: &mut Store<'_>, remarks: &mut Remarks) -> Result<(), WriteError> {
+        self.repair_positions(store)?;
+        for member in self.members {
+            let indices = member.corners.iter().map(|&corner| member.vertex(corner)).collect();
+            rewrite_indices(store, member, indices, member.block.count as usize, remarks)?;
+        }
+        Ok(())
+    }
+
+    /// Puts vertices without a finite position at the origin, where the mesh has them; no face uses them any more.
+    fn repair_positions(&self, store: &mut Store<'_>) -> Result<(), WriteError> {
+        for (target, accessor) in self.lists().filter_map(|(target, list)| Some((target, position(list)?))) {
+            let elements = self.source.elements(accessor).map_err(unreadable)?;
+            if let Some(bytes) = finite(&elements) {
+                self.put(store, target, "POSITION", elements.format, &bytes, false);
+            }
+        }
+        Ok(())
+    }
+
+    /// The attributes of the primitives, then those of each morph target.
+    fn lists(&self) -> impl Iterator<Item = (Option<usize>, &[(String, usize)])> {
+        let targets = self.vertices.targets.iter().enumerate();
+        let targets = targets.map(|(target, list)| (Some(target), list.as_slice()));
+        std::iter::once((None, self.vertices.attributes.as_slice())).chain(targets)
     }
 
     fn corners(&self) -> impl Iterator<Item = (&Member<'_>, u32)> {
@@ -225,28 +251,43 @@ impl Group<'_, '_> {
     /// Copies all other attributes of split vertices.
     fn copy_others(&self, store: &mut Store<'_>, split: &VertexSplit, morph: bool) -> Result<(), WriteError> {
         let keep_tangents = self.options.tangents == TangentPolicy::Keep;
-        let targets = (0..self.vertices.targets.len()).map(Some);
-        for target in std::iter::once(None).chain(targets) {
-            let list = match target {
-                None => &self.vertices.attributes,
-                Some(target) => &self.vertices.targets[target],
-            };
+        for (target, list) in self.lists() {
             for (semantic, accessor) in list {
                 let new_normals = semantic == "NORMAL" && (target.is_none() || morph);
                 if new_normals || (semantic == "TANGENT" && !keep_tangents) {
                     continue;
                 }
                 let elements = self.source.elements(*accessor).map_err(unreadable)?;
-                let (raw, size) = (elements.raw(), elements.format.size());
+                let repaired = if semantic == "POSITION" { finite(&elements) } else { None };
+                let same_bounds = repaired.is_none();
+                let (raw, size) =
+                    (repaired.map_or_else(|| elements.raw(), Cow::Owned), elements.format.size());
                 let mut bytes = Vec::with_capacity(size * split.source.len());
                 for &vertex in &split.source {
                     bytes.extend_from_slice(&raw[vertex as usize * size..(vertex as usize + 1) * size]);
                 }
-                self.put(store, target, semantic, elements.format, &bytes, true);
+                self.put(store, target, semantic, elements.format, &bytes, same_bounds);
             }
         }
         Ok(())
     }
+}
+
+fn position(list: &[(String, usize)]) -> Option<usize> {
+    list.iter().find(|(semantic, _)| semantic == "POSITION").map(|&(_, accessor)| accessor)
+}
+
+/// The elements with zeros for those that are not finite; `None` if all are.
+fn finite(elements: &Elements<'_>) -> Option<Vec<u8>> {
+    let is_finite = |vector: &[f32; 3]| vector.iter().all(|x| x.is_finite());
+    let floats = elements.floats::<3>(0.0);
+    if floats.iter().all(is_finite) {
+        return None;
+    }
+    // Integers are finite, so these are floats.
+    let repaired: Vec<[f32; 3]> =
+        floats.into_iter().map(|v| if is_finite(&v) { v } else { [0.0; 3] }).collect();
+    Some(bytemuck::cast_slice(&repaired).to_vec())
 }
 
 /// The row and the old number of every vertex of a split.

@@ -14,7 +14,6 @@ use super::GltfDocument;
 use super::package;
 use crate::io::{Format, Loaded, Part, PartEdit, WriteError, WriteOptions, Written};
 use group::Group;
-use indices::rewrite_indices;
 use member::Member;
 use remarks::Remarks;
 use rows::SlotTables;
@@ -41,19 +40,18 @@ pub fn edit(
     let mut remarks = Remarks::default();
     let source = refs::source(document);
     let mut tables = SlotTables::default();
-    let mut groups: BTreeMap<usize, Vec<Member<'_>>> = BTreeMap::new();
-    let mut added = 0;
+    let mut groups: BTreeMap<(usize, bool), Vec<Member<'_>>> = BTreeMap::new();
     for member in Member::all(document, loaded, edits) {
-        if member.has_normals() {
-            groups.entry(member.block.source).or_default().push(member);
-        } else {
-            let indices = member.corners.iter().map(|&corner| member.vertex(corner)).collect();
-            rewrite_indices(&mut store, &member, indices, member.block.count as usize, &mut remarks)?;
-        }
+        groups.entry((member.block.source, member.has_normals())).or_default().push(member);
     }
-    for (number, members) in &groups {
+    let mut added = 0;
+    for ((number, new_normals), members) in &groups {
         let group = Group { vertices: &document.sources[*number], members, source: &source, options };
-        added += group.write(&mut store, &mut tables, &mut remarks)?;
+        if *new_normals {
+            added += group.write(&mut store, &mut tables, &mut remarks)?;
+        } else {
+            group.write_faces(&mut store, &mut remarks)?;
+        }
     }
     if remarks.quantized {
         store.require("KHR_mesh_quantization");

@@ -180,30 +180,37 @@ pub(super) struct Table {
 
 impl Table {
     /// Normals, as bytes without gaps.
-    pub(super) fn normals(&self, stored: &Stored<'_>) -> Vec<u8> {
+    pub(super) fn normals(&self, stored: &Stored<'_>) -> Cow<'_, [u8]> {
         self.column(0, stored.format.size())
     }
 
     /// Normal deltas of a morph target.
-    pub(super) fn deltas(&self, stored: &Stored<'_>, target: usize) -> Vec<u8> {
+    pub(super) fn deltas(&self, stored: &Stored<'_>, target: usize) -> Cow<'_, [u8]> {
         self.column(stored.format.size() + 12 * target, 12)
     }
 
     /// Whether this is what is stored already.
     pub(super) fn is_stored(&self, stored: &Stored<'_>) -> bool {
-        let same = stored.same.as_ref().is_some_and(|bytes| **bytes == *self.normals(stored));
+        let same = stored.same.as_ref().is_some_and(|bytes| *bytes == self.normals(stored));
         let delta = |(target, delta): (usize, &Option<Vec<[f32; 3]>>)| {
             let new = self.deltas(stored, target);
             match delta {
-                Some(old) => bytemuck::cast_slice::<_, u8>(old) == new,
+                Some(old) => bytemuck::cast_slice::<_, u8>(old) == &*new,
                 None => new.iter().all(|&byte| byte == 0),
             }
         };
         same && stored.deltas.iter().enumerate().all(delta)
     }
 
-    fn column(&self, start: usize, size: usize) -> Vec<u8> {
-        self.bytes.chunks_exact(self.size).flat_map(|row| &row[start..start + size]).copied().collect()
+    fn column(&self, start: usize, size: usize) -> Cow<'_, [u8]> {
+        if size == self.size {
+            return Cow::Borrowed(&self.bytes);
+        }
+        let mut column = Vec::with_capacity(self.bytes.len() / self.size * size);
+        self.bytes
+            .chunks_exact(self.size)
+            .for_each(|row| column.extend_from_slice(&row[start..start + size]));
+        Cow::Owned(column)
     }
 }
 
