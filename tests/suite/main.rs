@@ -7,6 +7,7 @@ mod data;
 mod gltf;
 mod gltf_edit;
 mod gltf_hostile;
+mod gltf_synthetic;
 mod hostile;
 mod meshes;
 mod obj;

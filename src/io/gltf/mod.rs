@@ -9,6 +9,7 @@
 
 mod accessor;
 mod buffers;
+mod columns;
 mod container;
 mod data;
 mod document;
@@ -21,6 +22,7 @@ mod mesh;
 mod nodes;
 mod package;
 mod primitive;
+mod shape;
 mod splice;
 mod uri;
 
@@ -33,7 +35,7 @@ use container::Glb;
 use document::Records;
 use fields::{At, Fields};
 use json::Json;
-use mesh::{Assembler, Layout, VertexSource};
+use mesh::{Assembler, Layout, Materials, VertexSource};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::cell::Cell;
 use std::path::{Path, PathBuf};
@@ -110,7 +112,7 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
         non_finite: options.non_finite,
         sources: Vec::new(),
         numbers: FxHashMap::default(),
-        material_names: material_names(&records)?,
+        materials: Materials { records: &records, names: FxHashMap::default(), taken: FxHashSet::default() },
     };
     let (mut parts, mut layouts) = (Vec::new(), Vec::new());
     for mesh in 0..records.meshes.len() {
@@ -122,23 +124,4 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
     let format = if glb.is_some() { Format::Glb } else { Format::Gltf };
     let document = GltfDocument { records, buffers, glb, sources, layouts, images };
     Ok(Loaded { format, parts, nodes, notes, document: Document::Gltf(Box::new(document)) })
-}
-
-/// A name for each material, no two alike, so that formats which know materials by name keep them apart.
-fn material_names(records: &Records) -> Result<Vec<String>, ReadError> {
-    let mut taken: FxHashSet<String> = FxHashSet::default();
-    let mut names = Vec::with_capacity(records.materials.len());
-    for (number, &object) in records.materials.iter().enumerate() {
-        let fields = Fields { json: &records.json, object, at: At::new("materials", number) };
-        let mut name = fields.string("name")?.unwrap_or_default().into_owned();
-        if name.is_empty() {
-            name = format!("material{number}");
-        }
-        if !taken.insert(name.clone()) {
-            name = format!("{name}.{number}");
-            taken.insert(name.clone());
-        }
-        names.push(name);
-    }
-    Ok(names)
 }

@@ -11,41 +11,38 @@ pub(super) fn read(json: &Json, meshes: usize, notes: &mut Vec<Note>) -> Result<
     let root = Fields { json, object: json.root(), at: At::default() };
     let nodes = list(&root, "nodes")?;
     let fields = |node: usize| Fields { json, object: nodes[node], at: At::new("nodes", node) };
-    let children =
-        (0..nodes.len()).map(|node| children(&fields(node), nodes.len())).collect::<Result<Vec<_>, _>>()?;
-    let order = tree_order(&children)?;
+    let tree = Tree::new((0..nodes.len()).map(fields), nodes.len())?;
+    let shown = tree.shown(&root)?;
 
     let mut placed = Vec::new();
-    let mut world = vec![DMat4::IDENTITY; nodes.len()];
-    for &node in &order {
-        world[node] *= local_matrix(&fields(node))?;
-        if !world[node].is_finite() {
-            let found = "a node whose place in the world is beyond what numbers can hold";
-            return Err(ReadError::new(
-                Problem::NonFinite,
-                fields(node).at.place(),
-                found,
-                "check its scale",
-            ));
-        }
-        for &child in &children[node] {
-            world[child] = world[node];
-        }
-    }
-    let shown = shown(&root, &children, nodes.len())?;
     let mut skinned_elsewhere = None;
-    for &node in order.iter().filter(|&&node| shown[node]) {
+    // The way from a root to the node at hand, with the place of each node in the world.
+    let mut path: Vec<(u32, DMat4)> = Vec::new();
+    for number in tree.order()? {
+        let node = number as usize;
+        while path.last().is_some_and(|&(above, _)| above != tree.parent[node]) {
+            path.pop();
+        }
         let fields = fields(node);
+        let world = path.last().map_or(DMat4::IDENTITY, |&(_, world)| world) * local_matrix(&fields)?;
+        if !world.is_finite() {
+            let found = "a node whose place in the world is beyond what numbers can hold";
+            return Err(ReadError::new(Problem::NonFinite, fields.at.place(), found, "check its scale"));
+        }
+        path.push((number, world));
         let Some(part) = fields.index("mesh")? else { continue };
         if part >= meshes {
             return Err(dangling(fields.at.member("mesh"), "mesh", part, meshes));
         }
+        if !shown[node] {
+            continue;
+        }
         // Only its joints move a skinned mesh; its node's own transform is ignored, says the standard.
         let skinned = fields.index("skin")?.is_some();
-        if skinned && world[node] != DMat4::IDENTITY {
+        if skinned && world != DMat4::IDENTITY {
             skinned_elsewhere.get_or_insert(node);
         }
-        let world_from_part = if skinned { DMat4::IDENTITY } else { world[node] };
+        let world_from_part = if skinned { DMat4::IDENTITY } else { world };
         let name = fields.string("name")?.unwrap_or_default().into_owned();
         placed.push((node, FileNode { name, part, world_from_part }));
     }
@@ -53,72 +50,94 @@ pub(super) fn read(json: &Json, meshes: usize, notes: &mut Vec<Note>) -> Result<
     Ok(placed.into_iter().map(|(_, node)| node).collect())
 }
 
-fn children(node: &Fields<'_>, count: usize) -> Result<Vec<usize>, ReadError> {
-    let children = node.indices("children")?;
-    match children.iter().find(|&&child| child >= count) {
-        Some(&child) => Err(dangling(node.at.member("children"), "node", child, count)),
-        None => Ok(children),
+/// No node.
+const NOBODY: u32 = u32::MAX;
+
+/// Who is whose child. Numbers are small, since a file may have millions of nodes.
+struct Tree {
+    /// Where each node's children begin in `children`, with the total at the end.
+    first_child: Vec<u32>,
+    children: Vec<u32>,
+    parent: Vec<u32>,
+}
+
+impl Tree {
+    fn new<'a>(nodes: impl Iterator<Item = Fields<'a>>, count: usize) -> Result<Tree, ReadError> {
+        let mut tree = Tree { first_child: vec![0], children: Vec::new(), parent: vec![NOBODY; count] };
+        for (node, fields) in nodes.enumerate() {
+            for child in fields.indices("children")? {
+                let Some(parent) = tree.parent.get_mut(child) else {
+                    return Err(dangling(fields.at.member("children"), "node", child, count));
+                };
+                if *parent != NOBODY {
+                    let found = format!("a node that is a child of node {parent} and of node {node}");
+                    return Err(no_tree(child, found));
+                }
+                *parent = node as u32;
+                tree.children.push(child as u32);
+            }
+            tree.first_child.push(tree.children.len() as u32);
+        }
+        Ok(tree)
+    }
+
+    fn children(&self, node: u32) -> &[u32] {
+        let node = node as usize;
+        &self.children[self.first_child[node] as usize..self.first_child[node + 1] as usize]
+    }
+
+    /// All nodes, each after its parent and before its next sibling.
+    fn order(&self) -> Result<Vec<u32>, ReadError> {
+        let count = self.parent.len();
+        let mut order = Vec::with_capacity(count);
+        let is_root = |&node: &u32| self.parent[node as usize] == NOBODY;
+        let mut open: Vec<u32> = (0..count as u32).rev().filter(is_root).collect();
+        while let Some(node) = open.pop() {
+            order.push(node);
+            open.extend(self.children(node).iter().rev());
+        }
+        if order.len() == count {
+            return Ok(order);
+        }
+        // With one parent each, what no root leads to are cycles and what hangs on them.
+        let mut reached = vec![false; count];
+        order.iter().for_each(|&node| reached[node as usize] = true);
+        let mut node = reached.iter().position(|reached| !reached).unwrap_or(0);
+        while !std::mem::replace(&mut reached[node], true) {
+            node = self.parent[node] as usize;
+        }
+        Err(no_tree(node, "a node that is its own ancestor".to_owned()))
+    }
+
+    /// Which nodes the default scene shows; all, where there is none.
+    fn shown(&self, root: &Fields<'_>) -> Result<Vec<bool>, ReadError> {
+        let count = self.parent.len();
+        let scenes = list(root, "scenes")?;
+        let Some(scene) = root.index("scene")? else { return Ok(vec![true; count]) };
+        let Some(&object) = scenes.get(scene) else {
+            return Err(dangling(root.at.member("scene"), "scene", scene, scenes.len()));
+        };
+        let scene = Fields { json: root.json, object, at: At::new("scenes", scene) };
+        let mut shown = vec![false; count];
+        let mut open: Vec<u32> = Vec::new();
+        for node in scene.indices("nodes")? {
+            if node >= count {
+                return Err(dangling(scene.at.member("nodes"), "node", node, count));
+            }
+            open.push(node as u32);
+        }
+        while let Some(node) = open.pop() {
+            if !std::mem::replace(&mut shown[node as usize], true) {
+                open.extend(self.children(node));
+            }
+        }
+        Ok(shown)
     }
 }
 
-/// All nodes, each after its parent and before its next sibling.
-fn tree_order(children: &[Vec<usize>]) -> Result<Vec<usize>, ReadError> {
-    let mut parent = vec![None; children.len()];
-    for (node, child) in
-        children.iter().enumerate().flat_map(|(node, list)| list.iter().map(move |&child| (node, child)))
-    {
-        if let Some(other) = parent[child].replace(node) {
-            let found = format!("a node that is a child of node {other} and of node {node}");
-            let place = At::new("nodes", child).place();
-            return Err(ReadError::new(
-                Problem::Range,
-                place,
-                found,
-                "nodes must form trees; export the file again",
-            ));
-        }
-    }
-    let mut order = Vec::with_capacity(children.len());
-    let mut open: Vec<usize> = (0..children.len()).rev().filter(|&node| parent[node].is_none()).collect();
-    while let Some(node) = open.pop() {
-        order.push(node);
-        open.extend(children[node].iter().rev());
-    }
-    if order.len() == children.len() {
-        return Ok(order);
-    }
-    // With one parent each, what no root leads to are cycles and what hangs on them.
-    let mut reached = vec![false; children.len()];
-    order.iter().for_each(|&node| reached[node] = true);
-    let mut node = reached.iter().position(|reached| !reached).unwrap_or(0);
-    let mut seen = vec![false; children.len()];
-    while !std::mem::replace(&mut seen[node], true) {
-        node = parent[node].unwrap_or(node);
-    }
+fn no_tree(node: usize, found: String) -> ReadError {
     let place = At::new("nodes", node).place();
-    let found = "a node that is its own ancestor";
-    Err(ReadError::new(Problem::Range, place, found, "nodes must form trees; export the file again"))
-}
-
-/// Which nodes the default scene shows.
-fn shown(root: &Fields<'_>, children: &[Vec<usize>], count: usize) -> Result<Vec<bool>, ReadError> {
-    let scenes = list(root, "scenes")?;
-    let Some(scene) = root.index("scene")? else { return Ok(vec![true; count]) };
-    let Some(&object) = scenes.get(scene) else {
-        return Err(dangling(root.at.member("scene"), "scene", scene, scenes.len()));
-    };
-    let scene = Fields { json: root.json, object, at: At::new("scenes", scene) };
-    let mut shown = vec![false; count];
-    let mut open = scene.indices("nodes")?;
-    if let Some(&node) = open.iter().find(|&&node| node >= count) {
-        return Err(dangling(scene.at.member("nodes"), "node", node, count));
-    }
-    while let Some(node) = open.pop() {
-        if !std::mem::replace(&mut shown[node], true) {
-            open.extend(&children[node]);
-        }
-    }
-    Ok(shown)
+    ReadError::new(Problem::Range, place, found, "nodes must form trees; export the file again")
 }
 
 fn local_matrix(node: &Fields<'_>) -> Result<DMat4, ReadError> {

@@ -71,20 +71,18 @@ impl<'a> Splices<'a> {
     }
 
     /// The text with all changes made.
-    pub(super) fn apply(&self) -> String {
+    pub(super) fn apply(mut self) -> String {
         let mut splices: Vec<(Range<usize>, String)> = Vec::new();
-        let mut objects = self.objects.clone();
-        for (&(object, name), elements) in &self.new_arrays {
-            let list = format!("[{}]", elements.join(","));
-            objects.entry(object).or_default().push((name.to_owned(), Some(list)));
+        for ((object, name), elements) in std::mem::take(&mut self.new_arrays) {
+            self.set(object, name, format!("[{}]", elements.join(",")));
         }
-        for (&object, changes) in &objects {
+        for (&object, changes) in &self.objects {
             object_splices(self.json, object, changes, &mut splices);
         }
         for (&array, elements) in &self.arrays {
             array_splices(self.json, array, elements, &mut splices);
         }
-        splices.extend(self.values.iter().map(|(&value, text)| (self.json.span(value), text.clone())));
+        splices.extend(self.values.into_iter().map(|(value, text)| (self.json.span(value), text)));
         spliced(self.json.text(), 0..self.json.text().len(), splices)
     }
 

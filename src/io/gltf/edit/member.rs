@@ -87,12 +87,15 @@ fn order(edit: &PartEdit, piece: &Piece) -> (Vec<u32>, bool) {
     if dropped.is_empty() && reversed.is_empty() {
         return ((3 * faces.start..3 * faces.end).collect(), false);
     }
+    let (mut dropped, mut reversed) = (dropped.iter().peekable(), reversed.iter().peekable());
     let mut corners = Vec::with_capacity(3 * faces.len());
-    for face in faces.filter(|&face| edit.faces.keeps(face)) {
+    for face in faces {
         let first = 3 * face;
-        let (second, third) =
-            if edit.faces.reverses(face) { (first + 2, first + 1) } else { (first + 1, first + 2) };
-        corners.extend([first, second, third]);
+        let turned = reversed.next_if_eq(&&face).is_some();
+        if dropped.next_if_eq(&&face).is_none() {
+            let (second, third) = if turned { (first + 2, first + 1) } else { (first + 1, first + 2) };
+            corners.extend([first, second, third]);
+        }
     }
     (corners, true)
 }
