@@ -423,3 +423,24 @@ fn ways_to_store_the_same_surface_agree() {
         assert_eq!(area / 2.0, DVec3::Z, "{number}: whole, and facing the viewer");
     }
 }
+
+#[test]
+fn broken_normals_of_unused_vertices_do_not_stay_in_new_ones() {
+    // Four vertices with normals of length 2, of which the triangle uses three.
+    let columns = Columns {
+        normals: Some(Column::per_vertex(vec![DVec3::X * 2.0; 4])),
+        uvs: Some(Column::per_vertex(vec![DVec2::new(f64::NAN, 0.0); 4])),
+        ..Columns::default()
+    };
+    let positions = vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::ONE];
+    let faces = Faces::triangles(vec![0, 1, 2]);
+    let mesh = MeshBuilder { positions, storage: Storage::F32, faces, columns }.build().unwrap();
+    let part = Part { mesh, ..Part::default() };
+    let loaded = open(&write(&[part], Format::Glb, &WriteOptions::default()).unwrap().bytes);
+    assert_eq!(loaded.parts[0].mesh.columns().uvs.as_ref().unwrap().values[0], DVec2::ZERO);
+    let edit =
+        PartEdit { normals: Some(Column::per_corner(vec![DVec3::Y], vec![0; 3])), ..PartEdit::default() };
+    let written = change(&loaded, &[edit], Format::Glb, &WriteOptions::default()).unwrap();
+    let normals = open(&written.bytes).parts[0].mesh.columns().normals.clone().unwrap();
+    assert_eq!(normals.values, [DVec3::Y, DVec3::Y, DVec3::Y, DVec3::Z]);
+}

@@ -25,8 +25,8 @@ impl Assembler<'_> {
             positions.extend(self.vectors(position)?);
         }
         columns.normals = self.normals(layout, &corners, at)?;
-        columns.uvs = self.uvs(layout, &corners, at)?;
-        columns.colors = self.colors(layout, at)?;
+        columns.uvs = self.uvs(layout, &corners, at, notes)?;
+        columns.colors = self.colors(layout, at, notes)?;
         columns.morph_targets = self.morph_targets(layout, positions.len(), at, notes)?;
         let faces = Faces::triangles(corners);
         let builder = MeshBuilder { positions, storage: Storage::F32, faces, columns };
@@ -76,7 +76,30 @@ impl Assembler<'_> {
         self.column(layout, corners, values, |block| block.first_normal, at)
     }
 
-    fn uvs(&self, layout: &Layout, corners: &[u32], at: At) -> Result<Option<Column<DVec2>>, ReadError> {
+    /// Floats for show: what is not a finite number becomes 0, with a warning.
+    fn shown<const N: usize>(
+        &self,
+        accessor: usize,
+        notes: &mut Vec<Note>,
+    ) -> Result<Vec<[f32; N]>, ReadError> {
+        let mut floats = self.source.elements(accessor)?.floats::<N>(1.0);
+        let broken = floats.as_flattened_mut().iter_mut().filter(|x| !x.is_finite());
+        let count = broken.map(|x| *x = 0.0).count();
+        if count > 0 {
+            let text =
+                format!("{count} numbers of texture coordinates or colours are not finite; they count as 0");
+            notes.push(Note::warning(At::new("accessors", accessor).place(), text));
+        }
+        Ok(floats)
+    }
+
+    fn uvs(
+        &self,
+        layout: &Layout,
+        corners: &[u32],
+        at: At,
+        notes: &mut Vec<Note>,
+    ) -> Result<Option<Column<DVec2>>, ReadError> {
         let mut values: Vec<DVec2> = Vec::new();
         let mut first: FxHashMap<u32, u32> = FxHashMap::default();
         for block in layout.blocks.iter().filter(|block| block.solid) {
@@ -84,7 +107,7 @@ impl Assembler<'_> {
             self.source.spend(16 * u64::from(block.count), at)?;
             first.insert(block.first_vertex, values.len() as u32);
             // glTF counts v from the top of the image, meshes count from the bottom.
-            let floats = self.source.elements(accessor)?.floats::<2>(0.0);
+            let floats = self.shown::<2>(accessor, notes)?;
             values.extend(floats.into_iter().map(|[u, v]| DVec2::new(u.into(), 1.0 - f64::from(v))));
         }
         self.column(layout, corners, values, |block| first.get(&block.first_vertex).copied(), at)
@@ -118,7 +141,12 @@ impl Assembler<'_> {
         Ok(Some(Column::per_corner(values, index)))
     }
 
-    fn colors(&self, layout: &Layout, at: At) -> Result<Option<Vec<[f32; 4]>>, ReadError> {
+    fn colors(
+        &self,
+        layout: &Layout,
+        at: At,
+        notes: &mut Vec<Note>,
+    ) -> Result<Option<Vec<[f32; 4]>>, ReadError> {
         let color = |block: &Block| self.sources[block.source].get("COLOR_0");
         if layout.blocks.iter().all(|block| color(block).is_none()) {
             return Ok(None);
@@ -127,7 +155,7 @@ impl Assembler<'_> {
         for block in &layout.blocks {
             self.source.spend(16 * u64::from(block.count), at)?;
             match color(block) {
-                Some(accessor) => colors.extend(self.source.elements(accessor)?.floats::<4>(1.0)),
+                Some(accessor) => colors.extend(self.shown::<4>(accessor, notes)?),
                 // Colours multiply, so that white is the same as none.
                 None => colors.extend(std::iter::repeat_n([1.0; 4], block.count as usize)),
             }
@@ -142,7 +170,7 @@ impl Assembler<'_> {
         at: At,
         notes: &mut Vec<Note>,
     ) -> Result<Vec<Vec<DVec3>>, ReadError> {
-        let counts = layout.blocks.iter().map(|block| self.sources[block.source].targets.len());
+        let counts = layout.blocks.iter().map(|block| self.sources[block.source].targets());
         let count = counts.clone().max().unwrap_or(0);
         if counts.min().unwrap_or(0) < count {
             notes.push(Note::warning(at.place(), "primitives with different numbers of morph targets"));

@@ -27,6 +27,12 @@ impl At {
         Place::Json(format!("{}/{name}", self.pointer()))
     }
 
+    /// The numbers of the two steps; 0 for one that is not there.
+    pub(super) fn numbers(self) -> (usize, usize) {
+        let [first, second] = self.steps.map(|step| step.map_or(0, |(_, number)| number));
+        (first, second)
+    }
+
     fn pointer(self) -> String {
         self.steps.iter().flatten().map(|(list, number)| format!("/{list}/{number}")).collect()
     }

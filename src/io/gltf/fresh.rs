@@ -128,7 +128,8 @@ impl<'a> File<'a> {
         let mut flat = loose.clone();
         if let Some(uvs) = &columns.uvs {
             // glTF counts v from the top of the image, meshes count from the bottom.
-            let values = shape.values(uvs, [0.0; 2], |uv| [uv.x as f32, (1.0 - uv.y) as f32]);
+            let finite = |x: f64| if (x as f32).is_finite() { x as f32 } else { 0.0 };
+            let values = shape.values(uvs, [0.0; 2], |uv| [finite(uv.x), finite(1.0 - uv.y)]);
             let _ =
                 write!(flat, ",\"TEXCOORD_0\":{}", self.store(Array::Vec2(values), Target::Vertices, None));
         }

@@ -7,22 +7,44 @@ use super::primitive::{Drawn, draw};
 use crate::io::{NonFinite, Note, Part, Problem, ReadError};
 use crate::mesh::{Columns, FaceLabels, NONE};
 use rustc_hash::{FxHashMap, FxHashSet};
+use std::hash::{Hash, Hasher};
 
-/// A set of vertex accessors that primitives use together: the vertices that they share.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(super) struct VertexSource {
-    pub(super) attributes: Vec<(String, usize)>,
-    pub(super) targets: Vec<Vec<(String, usize)>>,
-}
+/// The vertex accessors of a primitive. Primitives for which these are equal share their vertices.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct VertexSource<'a>(pub(super) &'a Primitive);
 
-impl VertexSource {
-    pub(super) fn get(&self, semantic: &str) -> Option<usize> {
-        self.attributes.iter().find(|(name, _)| name == semantic).map(|&(_, accessor)| accessor)
+impl<'a> VertexSource<'a> {
+    /// The attributes, then those of each morph target, each list sorted by semantic.
+    pub(super) fn lists(self) -> impl Iterator<Item = (Option<usize>, &'a [(String, usize)])> {
+        let targets = self.0.targets.iter().enumerate();
+        let targets = targets.map(|(number, target)| (Some(number), target.list.as_slice()));
+        std::iter::once((None, self.0.attributes.list.as_slice())).chain(targets)
     }
 
-    pub(super) fn target(&self, target: usize, semantic: &str) -> Option<usize> {
-        let attributes = self.targets.get(target)?;
-        attributes.iter().find(|(name, _)| name == semantic).map(|&(_, accessor)| accessor)
+    pub(super) fn targets(self) -> usize {
+        self.0.targets.len()
+    }
+
+    pub(super) fn get(self, semantic: &str) -> Option<usize> {
+        self.0.attributes.get(semantic)
+    }
+
+    pub(super) fn target(self, target: usize, semantic: &str) -> Option<usize> {
+        self.0.targets.get(target)?.get(semantic)
+    }
+}
+
+impl PartialEq for VertexSource<'_> {
+    fn eq(&self, other: &Self) -> bool {
+        self.lists().eq(other.lists())
+    }
+}
+
+impl Eq for VertexSource<'_> {}
+
+impl Hash for VertexSource<'_> {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.lists().for_each(|list| list.hash(state));
     }
 }
 
@@ -58,15 +80,16 @@ pub(super) struct Piece {
 pub(super) struct Assembler<'a> {
     pub(super) source: Source<'a>,
     pub(super) non_finite: NonFinite,
-    pub(super) sources: Vec<VertexSource>,
-    pub(super) numbers: FxHashMap<VertexSource, usize>,
+    pub(super) sources: Vec<VertexSource<'a>>,
+    pub(super) numbers: FxHashMap<VertexSource<'a>, usize>,
     pub(super) materials: Materials<'a>,
 }
 
-impl Assembler<'_> {
+impl<'a> Assembler<'a> {
     /// Reads one mesh.
     pub(super) fn part(&mut self, mesh: usize, notes: &mut Vec<Note>) -> Result<(Part, Layout), ReadError> {
-        let record = &self.source.records.meshes[mesh];
+        let records: &'a Records = self.source.records;
+        let record = &records.meshes[mesh];
         let mut layout = Layout::default();
         let mut blocks: FxHashMap<usize, usize> = FxHashMap::default();
         let mut corners: Vec<u32> = Vec::new();
@@ -112,26 +135,23 @@ impl Assembler<'_> {
         Ok((Part { name: record.name.clone(), mesh: mesh.0, non_finite_faces: mesh.1 }, layout))
     }
 
-    fn vertex_source(&mut self, primitive: &Primitive) -> Result<usize, ReadError> {
-        let source = VertexSource {
-            attributes: primitive.attributes.list.clone(),
-            targets: primitive.targets.iter().map(|target| target.list.clone()).collect(),
-        };
+    fn vertex_source(&mut self, primitive: &'a Primitive) -> Result<usize, ReadError> {
+        let source = VertexSource(primitive);
         if let Some(&number) = self.numbers.get(&source) {
             return Ok(number);
         }
-        self.check_source(&source, primitive)?;
-        self.sources.push(source.clone());
+        self.check_source(source)?;
+        self.sources.push(source);
         self.numbers.insert(source, self.sources.len() - 1);
         Ok(self.sources.len() - 1)
     }
 
     /// Every attribute must be there in full, decoded or not, so that later no copying can fail.
-    fn check_source(&self, source: &VertexSource, primitive: &Primitive) -> Result<(), ReadError> {
+    fn check_source(&self, source: VertexSource<'_>) -> Result<(), ReadError> {
+        let primitive = source.0;
         let position = source.get("POSITION").unwrap_or_default();
         let count = self.source.records.accessors[position].count;
-        let own = source.attributes.iter();
-        for (semantic, accessor) in own.chain(source.targets.iter().flatten()) {
+        for (semantic, accessor) in source.lists().flat_map(|(_, list)| list) {
             let elements = self.source.elements(*accessor)?;
             let place = || At::new("accessors", *accessor).place();
             if elements.count as u64 != count {
@@ -162,7 +182,7 @@ impl Assembler<'_> {
             .and_then(|extensions| self.source.records.json.member(extensions, super::extensions::DRACO));
         let stored =
             |&(_, accessor): &(String, usize)| self.source.records.accessors[accessor].view.is_some();
-        if compressed.is_some() && !source.attributes.iter().all(stored) {
+        if compressed.is_some() && !primitive.attributes.list.iter().all(stored) {
             let found = "vertices that are only there compressed by KHR_draco_mesh_compression";
             let advice = "decompress the file first, for example with `gltf-transform copy`";
             return Err(ReadError::new(Problem::Unsupported, primitive.at.place(), found, advice));

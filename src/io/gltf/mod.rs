@@ -47,8 +47,8 @@ pub struct GltfDocument {
     buffers: Buffers,
     /// The chunks of the file, if it is a GLB.
     glb: Option<Glb>,
-    /// Sets of vertex accessors that primitives use together.
-    sources: Vec<VertexSource>,
+    /// The primitives, by mesh and number, whose vertices no primitive before them has.
+    sources: Vec<(usize, usize)>,
     /// How each part is made of primitives, one a mesh.
     layouts: Vec<Layout>,
     /// Image files that the document refers to and that are there: relative name and path.
@@ -56,6 +56,11 @@ pub struct GltfDocument {
 }
 
 impl GltfDocument {
+    fn vertex_source(&self, number: usize) -> VertexSource<'_> {
+        let (mesh, primitive) = self.sources[number];
+        VertexSource(&self.records.meshes[mesh].primitives[primitive])
+    }
+
     /// Whether a top-level list of strings has a certain one.
     fn lists(&self, list: &str, name: &str) -> bool {
         let json = &self.records.json;
@@ -120,7 +125,7 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
         parts.push(part);
         layouts.push(layout);
     }
-    let sources = assembler.sources;
+    let sources = assembler.sources.iter().map(|source| source.0.at.numbers()).collect();
     let format = if glb.is_some() { Format::Glb } else { Format::Gltf };
     let document = GltfDocument { records, buffers, glb, sources, layouts, images };
     Ok(Loaded { format, parts, nodes, notes, document: Document::Gltf(Box::new(document)) })

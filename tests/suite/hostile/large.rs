@@ -17,9 +17,25 @@ const LIMIT: u64 = 512 << 20;
 /// A quarter of the size that the limit is for, with a quarter of the limit.
 const SHARE: u64 = 4;
 
+/// A glTF document filled up by repeating an item of one of its lists.
+fn gltf(before: &str, item: &str, after: &str) -> Vec<u8> {
+    let accessor = "{\"componentType\":5126,\"type\":\"VEC3\",\"count\":3}";
+    let mut text = format!("{{\"asset\":{{\"version\":\"2.0\"}},\"accessors\":[{accessor}],{before}");
+    while text.len() + item.len() + after.len() < (16 << 20) / SHARE as usize {
+        text.push_str(item);
+        text.push(',');
+    }
+    text.pop();
+    text.push_str(after);
+    text.into_bytes()
+}
+
 fn repeated(pattern: &str) -> Vec<u8> {
     pattern.bytes().cycle().take((16 << 20) / SHARE as usize).collect()
 }
+
+/// A glTF mesh up to the attributes of its primitive.
+const MESH: &str = "\"meshes\":[{\"primitives\":[{\"attributes\":{";
 
 /// What to read and how it is called.
 fn inputs() -> Vec<(Format, &'static str, Vec<u8>)> {
@@ -52,6 +68,18 @@ fn inputs() -> Vec<(Format, &'static str, Vec<u8>)> {
         (Format::Obj, "libraries of their own", numbered("mtllib ")),
         (Format::Obj, "unknown statements", obj("x\n")),
         (Format::Obj, "colours", obj("v 0 0 0 1 1 1\n")),
+        (Format::Gltf, "open brackets", repeated("[")),
+        (Format::Gltf, "numbers", gltf("\"x\":[", "1", "]}")),
+        (Format::Gltf, "members", gltf("\"x\":{", "\"a\":1", "}}")),
+        (Format::Gltf, "nodes", gltf("\"nodes\":[", "{}", "]}")),
+        (Format::Gltf, "materials", gltf("\"materials\":[", "{}", "]}")),
+        (Format::Gltf, "images", gltf("\"images\":[", "{\"uri\":\"a\"}", "]}")),
+        (Format::Gltf, "attributes", gltf(MESH, "\"a\":0", "}}]}]}")),
+        (
+            Format::Gltf,
+            "targets",
+            gltf(&format!("{MESH}\"POSITION\":0}},\"targets\":["), "{\"POSITION\":0}", "]}]}]}"),
+        ),
     ]
 }
 

@@ -32,7 +32,7 @@ pub(super) fn push_floats(vector: DVec3, out: &mut Vec<u8>) {
 }
 
 /// The bound that the glTF validator puts on |length - 1|.
-const LENGTH_TOLERANCE: f64 = 0.00674;
+pub(super) const LENGTH_TOLERANCE: f64 = 0.00674;
 
 /// A unit vector in steps of 1/`most`: rounded, or where eight bits are too coarse for a unit length, the one of
 /// the eight grid points around it with a good length that is nearest.

@@ -19,7 +19,7 @@ use std::borrow::Cow;
 
 /// Primitives with the same vertex accessors, all of which get normals.
 pub(super) struct Group<'g, 'a> {
-    pub(super) vertices: &'g VertexSource,
+    pub(super) vertices: VertexSource<'g>,
     pub(super) members: &'g [Member<'a>],
     pub(super) source: &'g Source<'a>,
     pub(super) options: &'g WriteOptions,
@@ -39,7 +39,7 @@ impl Group<'_, '_> {
         tables: &mut SlotTables,
         remarks: &mut Remarks,
     ) -> Result<u64, WriteError> {
-        let targets = self.vertices.targets.len();
+        let targets = self.vertices.targets();
         let morph = self.members.iter().all(|member| member.edit.morph_normals.len() >= targets);
         let stored =
             Stored::new(self.source, self.vertices, self.options.normal_format, morph).map_err(unreadable)?;
@@ -58,13 +58,14 @@ impl Group<'_, '_> {
             remarks.stale_deltas += self.members.len();
         }
         let new_tangents = self.tangents(&stored, &rows, &locals)?;
-        let table = match &new_tangents {
+        let mut table = match &new_tangents {
             Some(tangents) => {
                 split = split_vertices(count, &locals, &[&rows.of_corner, &tangents.keys]);
                 rows.gather(&stored, samples(&split, &rows.of_corner))
             }
             None => table,
         };
+        table.mend_unused(&stored, samples(&split, &rows.of_corner));
 
         if stored.format.component != Component::F32 {
             remarks.quantized = true;
@@ -106,20 +107,15 @@ impl Group<'_, '_> {
 
     /// Puts vertices without a finite position at the origin, where the mesh has them; no face uses them any more.
     fn repair_positions(&self, store: &mut Store<'_>) -> Result<(), WriteError> {
-        for (target, accessor) in self.lists().filter_map(|(target, list)| Some((target, position(list)?))) {
+        for (target, accessor) in
+            self.vertices.lists().filter_map(|(target, list)| Some((target, position(list)?)))
+        {
             let elements = self.source.elements(accessor).map_err(unreadable)?;
             if let Some(bytes) = finite(&elements) {
                 self.put(store, target, "POSITION", elements.format, &bytes, false);
             }
         }
         Ok(())
-    }
-
-    /// The attributes of the primitives, then those of each morph target.
-    fn lists(&self) -> impl Iterator<Item = (Option<usize>, &[(String, usize)])> {
-        let targets = self.vertices.targets.iter().enumerate();
-        let targets = targets.map(|(target, list)| (Some(target), list.as_slice()));
-        std::iter::once((None, self.vertices.attributes.as_slice())).chain(targets)
     }
 
     fn corners(&self) -> impl Iterator<Item = (&Member<'_>, u32)> {
@@ -241,7 +237,7 @@ impl Group<'_, '_> {
             remarks.tangents_dropped += self.members.len();
         }
         if !keep {
-            for target in 0..self.vertices.targets.len() {
+            for target in 0..self.vertices.targets() {
                 self.sites(Some(target)).into_iter().for_each(|site| store.splices.remove(site, "TANGENT"));
             }
         }
@@ -251,7 +247,7 @@ impl Group<'_, '_> {
     /// Copies all other attributes of split vertices.
     fn copy_others(&self, store: &mut Store<'_>, split: &VertexSplit, morph: bool) -> Result<(), WriteError> {
         let keep_tangents = self.options.tangents == TangentPolicy::Keep;
-        for (target, list) in self.lists() {
+        for (target, list) in self.vertices.lists() {
             for (semantic, accessor) in list {
                 let new_normals = semantic == "NORMAL" && (target.is_none() || morph);
                 if new_normals || (semantic == "TANGENT" && !keep_tangents) {

@@ -46,7 +46,7 @@ pub fn edit(
     }
     let mut added = 0;
     for ((number, new_normals), members) in &groups {
-        let group = Group { vertices: &document.sources[*number], members, source: &source, options };
+        let group = Group { vertices: document.vertex_source(*number), members, source: &source, options };
         if *new_normals {
             added += group.write(&mut store, &mut tables, &mut remarks)?;
         } else {

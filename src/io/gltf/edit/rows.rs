@@ -25,7 +25,7 @@ pub(super) struct Stored<'a> {
 impl<'a> Stored<'a> {
     pub(super) fn new(
         source: &Source<'a>,
-        vertices: &VertexSource,
+        vertices: VertexSource<'_>,
         wanted: NormalFormat,
         morph: bool,
     ) -> Result<Self, ReadError> {
@@ -37,7 +37,7 @@ impl<'a> Stored<'a> {
             let accessor = vertices.target(target, "NORMAL");
             accessor.map(|accessor| Ok(source.elements(accessor)?.floats(0.0))).transpose()
         };
-        let targets = if morph { vertices.targets.len() } else { 0 };
+        let targets = if morph { vertices.targets() } else { 0 };
         let deltas = (0..targets).map(delta).collect::<Result<_, ReadError>>()?;
         Ok(Self { format, same, floats, deltas })
     }
@@ -79,6 +79,18 @@ impl<'a> Stored<'a> {
                     encode::push_floats(moved - written.as_dvec3(), out);
                 }
             }
+        }
+    }
+
+    /// Makes a stored normal that nothing replaces +Z, if it is not one that a reader would accept.
+    fn mend(&self, row: &mut [u8]) {
+        let length = self.decode(row).as_dvec3().length();
+        // Not a number is not within the tolerance either.
+        let is_unit = (length - 1.0).abs() < encode::LENGTH_TOLERANCE;
+        if !is_unit {
+            let mut up = Vec::new();
+            encode::push(DVec3::Z, self.format, &mut up);
+            row[..up.len()].copy_from_slice(&up);
         }
     }
 
@@ -131,7 +143,9 @@ impl Rows {
                         count - 1
                     }
                     None => {
+                        let start = rows.bytes.len();
                         stored.push_stored(member.vertex(corner) as usize, &mut rows.bytes);
+                        stored.mend(&mut rows.bytes[start..]);
                         rows.missing += 1;
                         count += 1;
                         count - 1
@@ -200,6 +214,15 @@ impl Table {
             }
         };
         same && stored.deltas.iter().enumerate().all(delta)
+    }
+
+    /// Mends the normals of vertices that no corner uses, given the row that each vertex comes from.
+    pub(super) fn mend_unused(&mut self, stored: &Stored<'_>, vertices: impl Iterator<Item = (u32, u32)>) {
+        for (row, _) in
+            self.bytes.chunks_exact_mut(self.size).zip(vertices).filter(|(_, (row, _))| *row == NONE)
+        {
+            stored.mend(row);
+        }
     }
 
     fn column(&self, start: usize, size: usize) -> Cow<'_, [u8]> {
