@@ -1,8 +1,8 @@
 //! Which module reads and writes which format.
 
-use super::{Document, Format, Loaded, Part, PartEdit, Place, Problem, ReadError, ReadOptions};
+use super::{Document, Format, Loaded, Part, PartEdit, ReadError, ReadOptions};
 use super::{WriteError, WriteOptions, Written};
-use super::{gltf, obj, stl};
+use super::{gltf, obj, ply, stl};
 use std::path::Path;
 
 /// Reads a file of a known format. `base` is its folder, where companion files are looked for; `None` for a stream.
@@ -16,12 +16,7 @@ pub(super) fn read(
         Format::Obj => obj::read(bytes, base, options),
         Format::Gltf | Format::Glb => gltf::read(bytes, base, options),
         Format::Stl => stl::read(bytes, base, options),
-        other => Err(ReadError::new(
-            Problem::Unsupported,
-            Place::File,
-            format!("{other} files cannot be read"),
-            "convert the file first",
-        )),
+        Format::Ply => ply::read(bytes, base, options),
     }
 }
 
@@ -35,6 +30,7 @@ pub(super) fn edit(
     match &loaded.document {
         Document::Obj(document) => obj::edit(document, loaded, edits, options),
         Document::Gltf(document) => gltf::edit(document, loaded, edits, to, options),
+        Document::Ply(document) => ply::edit(document, loaded, edits, options),
         Document::Stl(document) => stl::edit(document, loaded, edits, options),
         Document::None => {
             Err(WriteError::Unsupported("no document was kept to edit; write a new file".to_owned()))
@@ -48,6 +44,6 @@ pub(super) fn write(format: Format, parts: &[Part], options: &WriteOptions) -> R
         Format::Obj => obj::write(parts, options),
         Format::Gltf | Format::Glb => gltf::write(parts, format, options),
         Format::Stl => stl::write(parts, options),
-        other => Err(WriteError::Unsupported(format!("{other} files cannot be written"))),
+        Format::Ply => ply::write(parts, options),
     }
 }

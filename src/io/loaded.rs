@@ -93,6 +93,8 @@ pub enum Document {
     Obj(Box<ObjDocument>),
     /// glTF, in either spelling.
     Gltf(Box<super::gltf::GltfDocument>),
+    /// A PLY file.
+    Ply(Box<super::ply::PlyDocument>),
     /// An STL file.
     Stl(Box<super::stl::StlDocument>),
 }

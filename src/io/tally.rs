@@ -19,6 +19,11 @@ impl Tally {
         self.count += 1;
     }
 
+    /// Whether it was met at all.
+    pub fn is_met(self) -> bool {
+        self.count > 0
+    }
+
     /// The warning, if there is any.
     pub fn note(self, place: impl FnOnce(usize) -> Place, text: &str) -> Option<Note> {
         let more = match self.count {

@@ -3,8 +3,9 @@
 use super::binary::{FACET, FIRST, HEADER, vector_bytes};
 use super::facets::stored;
 use super::vertex_normals_note;
+use crate::io::left_out::{Feature, left_out};
 use crate::io::{Note, Part, Place, WriteError, WriteOptions, Written};
-use crate::mesh::{Columns, Mesh, Storage, triangulate};
+use crate::mesh::{Mesh, Storage, triangulate};
 use glam::DVec3;
 
 /// A binary STL of all parts, cut into triangles.
@@ -70,6 +71,17 @@ fn shared_normal(mesh: &Mesh, face: usize) -> Option<DVec3> {
     slots.all(|slot| slot == Some(first)).then(|| normals.values[first as usize])
 }
 
+const NOT_HELD: [Feature; 8] = [
+    Feature::Uvs,
+    Feature::Colors,
+    Feature::Materials,
+    Feature::Objects,
+    Feature::Smoothing,
+    Feature::MorphTargets,
+    Feature::Points,
+    Feature::Lines,
+];
+
 /// What STL cannot hold.
 fn notes(parts: &[Part], without_normal: u64, options: &WriteOptions) -> Vec<Note> {
     let mut notes = Vec::new();
@@ -84,21 +96,7 @@ fn notes(parts: &[Part], without_normal: u64, options: &WriteOptions) -> Vec<Not
     if parts.len() > 1 {
         warn(format!("STL has no parts: {} were put into one solid", parts.len()));
     }
-    let columns = |test: fn(&Columns) -> bool| any(&|mesh| test(mesh.columns()));
-    for (lost, what) in [
-        (columns(|columns| columns.uvs.is_some()), "texture coordinates"),
-        (columns(|columns| columns.colors.is_some()), "colours"),
-        (columns(|columns| columns.materials.is_some()), "materials"),
-        (columns(|columns| columns.objects.is_some()), "objects and groups"),
-        (columns(|columns| columns.smoothing.is_some()), "smoothing groups"),
-        (columns(|columns| !columns.morph_targets.is_empty()), "morph targets"),
-        (columns(|columns| !columns.points.is_empty()), "points"),
-        (columns(|columns| !columns.lines.is_empty()), "lines"),
-    ] {
-        if lost {
-            warn(format!("STL has no {what}: they were left out"));
-        }
-    }
+    notes.extend(left_out("STL", &NOT_HELD, parts));
     let is_rounded = |p: &DVec3| p.as_vec3().as_dvec3() != *p;
     if any(&|mesh| mesh.storage() == Storage::F64 && mesh.positions().iter().any(is_rounded)) {
         notes.push(Note::remark("positions were rounded to 32-bit numbers"));

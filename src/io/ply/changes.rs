@@ -1,0 +1,54 @@
+//! Changes inside bytes that are otherwise copied.
+
+use std::ops::Range;
+
+/// Replacements of pieces of a text, in the order of their places.
+#[derive(Default)]
+pub(super) struct Changes {
+    /// Each piece, and its replacement as a piece of `new`.
+    pieces: Vec<(Range<usize>, Range<usize>)>,
+    new: Vec<u8>,
+}
+
+impl Changes {
+    pub fn clear(&mut self) {
+        self.pieces.clear();
+        self.new.clear();
+    }
+
+    /// Replaces a piece, which may be empty, by what `write` appends. Of several at one place the first comes first.
+    pub fn replace(&mut self, piece: Range<usize>, write: impl FnOnce(&mut Vec<u8>)) {
+        let start = self.new.len();
+        write(&mut self.new);
+        let place = self.pieces.partition_point(|(other, _)| other.start <= piece.start);
+        self.pieces.insert(place, (piece, start..self.new.len()));
+    }
+
+    /// Appends the bytes of `span` to `out`, changed.
+    pub fn copy(&self, bytes: &[u8], span: Range<usize>, out: &mut Vec<u8>) {
+        let mut at = span.start;
+        for (piece, new) in &self.pieces {
+            out.extend_from_slice(&bytes[at..piece.start]);
+            out.extend_from_slice(&self.new[new.clone()]);
+            at = piece.end;
+        }
+        out.extend_from_slice(&bytes[at..span.end]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pieces_are_replaced_in_order_of_place() {
+        let mut changes = Changes::default();
+        changes.replace(4..5, |out| out.extend(b"-four-"));
+        changes.replace(1..1, |out| out.extend(b"<"));
+        changes.replace(1..1, |out| out.extend(b">"));
+        changes.replace(2..4, |_| {});
+        let mut out = Vec::new();
+        changes.copy(b"0123456789", 1..7, &mut out);
+        assert_eq!(out, b"<>1-four-56");
+    }
+}

@@ -1,0 +1,271 @@
+//! Writing a PLY back into its own bytes.
+
+use super::PlyDocument;
+use super::changes::Changes;
+use super::header::{Element, Kind, Property};
+use super::lists::{push_list, reverse_pairs, widened};
+use super::mesh::read_corners;
+use super::normals::NormalFields;
+use super::roles::FaceRole;
+use super::rows::{Fault, Row, Rows};
+use super::scalar::{Encoding, Scalar};
+use crate::io::{Emit, Note, PartEdit, Place, Problem, WriteError, WriteOptions, Written};
+use crate::mesh::{Column, ColumnIndex, Faces, Mesh, NONE, VertexSplit, split_vertices};
+use glam::DVec3;
+
+/// See [`super::edit`].
+pub(super) fn edit(
+    document: &PlyDocument,
+    mesh: &Mesh,
+    edit: &PartEdit,
+    options: &WriteOptions,
+) -> Result<Written, WriteError> {
+    let by_face = options.emit == Emit::Face;
+    let vertex_normals = edit.normals.as_ref().filter(|_| !by_face);
+    let face_normals = edit.face_normals.as_deref().filter(|_| by_face && mesh.face_count() > 0);
+    if edit.faces.is_empty() && vertex_normals.is_none() && face_normals.is_none() {
+        let vertices = mesh.vertex_count() as u64;
+        return Ok(Written { bytes: document.bytes.clone(), vertices, ..Written::default() });
+    }
+    let (faces, order) = edit.faces.corner_order(mesh.faces());
+    let keys = vertex_normals.map_or(Vec::new(), |normals| match &normals.index {
+        ColumnIndex::PerCorner(index) => order.iter().map(|&corner| index[corner as usize]).collect(),
+        ColumnIndex::PerVertex => Vec::new(),
+    });
+    let all_keys = [&keys[..]];
+    let split =
+        split_vertices(mesh.vertex_count(), faces.corners(), if keys.is_empty() { &[] } else { &all_keys });
+    let editor = Editor {
+        document,
+        mesh,
+        edit,
+        vertex_normals,
+        keys,
+        face_normals,
+        faces,
+        split,
+        header: Changes::default(),
+        body: Vec::with_capacity(document.bytes.len() + document.bytes.len() / 4),
+        notes: Vec::new(),
+    };
+    // The rows were read before, so what is wrong is a feature.
+    editor.run().map_err(|fault| WriteError::Unsupported(format!("{}; convert the file first", fault.found)))
+}
+
+struct Editor<'a> {
+    document: &'a PlyDocument,
+    mesh: &'a Mesh,
+    edit: &'a PartEdit,
+    vertex_normals: Option<&'a Column<DVec3>>,
+    /// The normal of each corner that is kept, if they are given by corner.
+    keys: Vec<u32>,
+    face_normals: Option<&'a [DVec3]>,
+    /// The faces that are kept, by old vertices.
+    faces: Faces,
+    split: VertexSplit,
+    header: Changes,
+    body: Vec<u8>,
+    notes: Vec<Note>,
+}
+
+impl Editor<'_> {
+    fn run(mut self) -> Result<Written, Fault> {
+        let document = self.document;
+        let roles = &document.roles;
+        let mut rows = Rows::new(&document.bytes, &document.header, document.shared_lines);
+        for (at, element) in document.header.elements.iter().enumerate() {
+            let start = rows.at;
+            match (&roles.face, &roles.strips) {
+                _ if roles.vertex.element == at && self.vertex_normals.is_some() => {
+                    self.write_vertices(&mut rows, element)?;
+                }
+                (Some(face), _) if face.element == at => self.write_faces(&mut rows, element, face)?,
+                (_, Some(strips)) if strips.element == at && self.faces_change() => {
+                    rows.each(element, |_, _, _| Ok(()))?;
+                    self.replace_strips(element, strips)?;
+                }
+                _ => {
+                    rows.each(element, |_, _, _| Ok(()))?;
+                    self.body.extend_from_slice(&document.bytes[start..rows.at]);
+                }
+            }
+        }
+        self.body.extend_from_slice(&document.bytes[rows.at..]);
+        let mut bytes = Vec::with_capacity(document.header.body + 256 + self.body.len());
+        self.header.copy(&document.bytes, 0..document.header.body, &mut bytes);
+        bytes.append(&mut self.body);
+        let vertices = self.split.source.len() as u64;
+        let added_vertices = self.split.added(self.mesh.vertex_count()) as u64;
+        Ok(Written { bytes, notes: self.notes, vertices, added_vertices, ..Written::default() })
+    }
+
+    fn encoding(&self) -> Encoding {
+        self.document.header.encoding
+    }
+
+    fn recount(&mut self, element: &Element, count: usize) {
+        self.header
+            .replace(element.count_at.clone(), |out| out.extend_from_slice(count.to_string().as_bytes()));
+    }
+
+    /// An ascii row that another follows needs a line end.
+    fn end_line(&mut self) {
+        if self.encoding() == Encoding::Ascii && !matches!(self.body.last(), None | Some(b'\n' | b'\r')) {
+            self.body.extend_from_slice(self.document.header.line_end.as_bytes());
+        }
+    }
+
+    fn write_vertices(&mut self, rows: &mut Rows<'_>, element: &Element) -> Result<(), Fault> {
+        let role = &self.document.roles.vertex;
+        let [.., z] = role.position;
+        let packed = self.document.packed.vertices;
+        let (header, notes) = (&mut self.header, &mut self.notes);
+        let fields = NormalFields::plan(self.document, element, role.normal, packed, z, header, notes)?;
+        let (old, new) = (self.mesh.vertex_count(), self.split.source.len());
+        let mut starts = Vec::with_capacity(if new > old { old } else { 0 });
+        let mut changes = Changes::default();
+        rows.each(element, |vertex, row, rows| {
+            if new > old {
+                starts.push(row.span.start);
+            }
+            changes.clear();
+            fields.change(self.normal(vertex), row, rows, &mut changes)?;
+            changes.copy(rows.bytes, row.span.clone(), &mut self.body);
+            Ok(())
+        })?;
+        if new == old {
+            return Ok(());
+        }
+        let (mut again, mut row) = (rows.clone(), Row::default());
+        for vertex in old..new {
+            self.end_line();
+            let source = self.split.source[vertex] as usize;
+            again.at = starts[source];
+            again.next(element, &mut row)?;
+            changes.clear();
+            // The copy of a vertex that keeps its normal must not keep that of the vertex.
+            let normal = self.normal(vertex);
+            fields.change(normal, &row, &again, &mut changes)?;
+            // Without the blank lines in front.
+            let first = row.fields[0].start;
+            changes.copy(rows.bytes, first..row.span.end, &mut self.body);
+        }
+        self.end_line();
+        self.recount(element, new);
+        Ok(())
+    }
+
+    /// The normal that a vertex, old or new, gets; `None` keeps what is stored.
+    fn normal(&self, vertex: usize) -> Option<DVec3> {
+        let normals = self.vertex_normals?;
+        let slot = match normals.index {
+            ColumnIndex::PerVertex => self.split.source[vertex],
+            ColumnIndex::PerCorner(_) => {
+                let corner = Some(self.split.sample[vertex]).filter(|&corner| corner != NONE)?;
+                Some(self.keys[corner as usize]).filter(|&slot| slot != NONE)?
+            }
+        };
+        // Number `s` of the stored ones is that of vertex `s`, if vertices have any.
+        let is_own = (slot as usize) < self.edit.kept
+            && slot == self.split.source[vertex]
+            && self.document.roles.vertex.normal.is_some();
+        (!is_own).then(|| normals.values[slot as usize])
+    }
+
+    /// Whether strips can no longer say what the faces are.
+    fn faces_change(&self) -> bool {
+        let splits = self.split.added(self.mesh.vertex_count()) > 0;
+        splits || !self.edit.faces.is_empty() || self.face_normals.is_some()
+    }
+
+    /// The type of vertex numbers, widened in the header if need be.
+    fn index_type(&mut self, list: &Property, item: Scalar) -> Scalar {
+        let added = self.split.added(self.mesh.vertex_count()) > 0;
+        let new = if added { widened(item, self.split.source.len() - 1) } else { item };
+        if new != item {
+            let name = new.name(list.sized_name);
+            self.header.replace(list.type_at.clone(), |out| out.extend_from_slice(name.as_bytes()));
+        }
+        new
+    }
+
+    fn write_faces(&mut self, rows: &mut Rows<'_>, element: &Element, role: &FaceRole) -> Result<(), Fault> {
+        let list = &element.properties[role.list];
+        let Kind::List { count, item } = list.kind else { return Ok(()) };
+        let index_type = self.index_type(list, item);
+        // Normals of faces that are turned round are turned round too.
+        let fields =
+            if self.face_normals.is_some() || role.normal.is_some() && !self.edit.faces.reversed.is_empty() {
+                let behind = element.properties.len() - 1;
+                let packed = self.document.packed.faces;
+                let (header, notes) = (&mut self.header, &mut self.notes);
+                Some(NormalFields::plan(self.document, element, role.normal, packed, behind, header, notes)?)
+            } else {
+                None
+            };
+        let stored = self.document.face_normals(self.mesh);
+        let (mut faces_read, mut faces_kept, mut rows_kept) = (0_usize, 0, 0);
+        let (mut corners, mut changes) = (Vec::new(), Changes::default());
+        rows.each(element, |_, row, rows| {
+            read_corners(rows, row, role.list, list.kind, &mut corners)?;
+            changes.clear();
+            // Rows of fewer than three corners are no faces of the mesh.
+            let face = (corners.len() >= 3).then_some(faces_read);
+            faces_read += usize::from(face.is_some());
+            if face.is_some_and(|face| !self.edit.faces.keeps(face as u32)) {
+                return Ok(());
+            }
+            rows_kept += 1;
+            let reversed = face.is_some_and(|face| self.edit.faces.reverses(face as u32));
+            let written = if face.is_some() {
+                faces_kept += 1;
+                &self.split.corners[self.faces.range(faces_kept - 1)]
+            } else {
+                &corners[..]
+            };
+            if written != corners || index_type != item {
+                changes.replace(row.fields[role.list].clone(), |out| {
+                    push_list(out, written, count, index_type, rows.encoding);
+                });
+            }
+            if let (true, Some(uvs)) = (reversed, role.corner_uvs) {
+                reverse_pairs(rows, row, uvs, element.properties[uvs].kind, written.len(), &mut changes);
+            }
+            if let Some(fields) = &fields {
+                let normal = match self.face_normals {
+                    Some(normals) => face.map(|face| normals[face]),
+                    None => face.filter(|_| reversed).and_then(|face| Some(-*stored?.get(face)?)),
+                };
+                fields.change(normal, row, rows, &mut changes)?;
+            }
+            changes.copy(rows.bytes, row.span.clone(), &mut self.body);
+            Ok(())
+        })?;
+        if rows_kept as u64 != element.count {
+            self.recount(element, rows_kept);
+        }
+        Ok(())
+    }
+
+    /// Puts faces in the place of strips.
+    fn replace_strips(&mut self, element: &Element, role: &FaceRole) -> Result<(), Fault> {
+        let list = &element.properties[role.list];
+        let Kind::List { count, item } = list.kind else { return Ok(()) };
+        if element.properties.len() > 1 || self.face_normals.is_some() {
+            let found = "triangle strips cannot have normals or other properties of single faces";
+            return Err(Fault::new(Problem::Unsupported, 0, found));
+        }
+        let index_type = self.index_type(list, item);
+        self.header.replace(element.name_at.clone(), |out| out.extend_from_slice(b"face"));
+        self.recount(element, self.faces.len());
+        self.end_line();
+        for face in 0..self.faces.len() {
+            let corners = &self.split.corners[self.faces.range(face)];
+            push_list(&mut self.body, corners, count, index_type, self.document.header.encoding);
+            self.end_line();
+        }
+        let text = "triangle strips were made into faces, because these changed";
+        self.notes.push(Note::warning(Place::Line(element.line), text));
+        Ok(())
+    }
+}

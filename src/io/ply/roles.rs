@@ -1,0 +1,103 @@
+//! Which elements and properties mean what.
+
+use super::header::{Element, Header, Kind};
+use super::scalar::Scalar;
+use crate::io::{Place, Problem, ReadError};
+
+/// The elements that make the mesh, as numbers of the header's.
+#[derive(Clone, Debug)]
+pub(super) struct Roles {
+    pub vertex: VertexRole,
+    pub face: Option<FaceRole>,
+    /// Triangle strips, where there is no element of faces.
+    pub strips: Option<FaceRole>,
+    /// The element of edges, and its two vertices.
+    pub edge: Option<(usize, [usize; 2])>,
+}
+
+/// The properties of vertices.
+#[derive(Clone, Debug)]
+pub(super) struct VertexRole {
+    pub element: usize,
+    pub position: [usize; 3],
+    pub normal: Option<[usize; 3]>,
+    pub uv: Option<[usize; 2]>,
+    pub color: Option<[usize; 3]>,
+    pub opacity: Option<usize>,
+}
+
+/// The properties of faces or strips.
+#[derive(Clone, Debug)]
+pub(super) struct FaceRole {
+    pub element: usize,
+    /// The list of vertices.
+    pub list: usize,
+    pub normal: Option<[usize; 3]>,
+    /// A list of two coordinates a corner.
+    pub corner_uvs: Option<usize>,
+}
+
+const NORMALS: [[&str; 3]; 3] =
+    [["nx", "ny", "nz"], ["normal_x", "normal_y", "normal_z"], ["normalx", "normaly", "normalz"]];
+const UVS: [[&str; 2]; 5] =
+    [["s", "t"], ["u", "v"], ["texture_u", "texture_v"], ["texture_s", "texture_t"], ["tx", "ty"]];
+const COLORS: [[&str; 3]; 3] =
+    [["red", "green", "blue"], ["diffuse_red", "diffuse_green", "diffuse_blue"], ["r", "g", "b"]];
+const LISTS: [&str; 4] = ["vertex_indices", "vertex_index", "vertex_indexes", "indices"];
+
+fn first_of<const N: usize>(element: &Element, names: &[[&str; N]]) -> Option<[usize; N]> {
+    names.iter().find_map(|&names| element.scalars(names))
+}
+
+impl Roles {
+    /// Finds the roles. Of several elements of one name the first has it; the others are carried along.
+    pub fn of(header: &Header) -> Result<Roles, ReadError> {
+        let named = |name: &str| header.elements.iter().position(|element| element.name == name);
+        let Some(vertex) = named("vertex") else {
+            let advice = "name the element of vertices `vertex`";
+            return Err(ReadError::new(Problem::Syntax, Place::File, "there is no element `vertex`", advice));
+        };
+        let face = named("face").map(|element| face_role(header, element)).transpose()?;
+        let strips = match face {
+            Some(_) => None,
+            None => named("tristrips").map(|element| face_role(header, element)).transpose()?,
+        };
+        let edge = named("edge")
+            .and_then(|element| Some((element, header.elements[element].scalars(["vertex1", "vertex2"])?)));
+        Ok(Roles { vertex: vertex_role(header, vertex)?, face, strips, edge })
+    }
+}
+
+fn vertex_role(header: &Header, number: usize) -> Result<VertexRole, ReadError> {
+    let element = &header.elements[number];
+    let Some(position) = element.scalars(["x", "y", "z"]) else {
+        let found = "the vertices have no properties `x`, `y` and `z`";
+        return Err(ReadError::new(Problem::Syntax, Place::Line(element.line), found, "correct the header"));
+    };
+    let color = first_of(element, &COLORS);
+    let opacity = ["alpha", "diffuse_alpha", "a"].iter().find_map(|name| element.scalars([*name]));
+    Ok(VertexRole {
+        element: number,
+        position,
+        normal: first_of(element, &NORMALS),
+        uv: first_of(element, &UVS),
+        color,
+        opacity: opacity.map(|[at]| at),
+    })
+}
+
+fn face_role(header: &Header, number: usize) -> Result<FaceRole, ReadError> {
+    let element = &header.elements[number];
+    let is_index_list =
+        |&at: &usize| matches!(element.properties[at].kind, Kind::List { item, .. } if item.is_integer());
+    let list = LISTS.iter().filter_map(|name| element.property(name)).find(is_index_list);
+    let Some(list) = list else {
+        let found = format!("the element `{}` has no list of whole numbers `vertex_indices`", element.name);
+        return Err(ReadError::new(Problem::Syntax, Place::Line(element.line), found, "correct the header"));
+    };
+    let is_float_list = |&at: &usize| {
+        matches!(element.properties[at].kind, Kind::List { item: Scalar::F32 | Scalar::F64, .. })
+    };
+    let corner_uvs = element.property("texcoord").filter(is_float_list);
+    Ok(FaceRole { element: number, list, normal: first_of(element, &NORMALS), corner_uvs })
+}

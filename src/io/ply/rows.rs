@@ -1,0 +1,257 @@
+//! The body, row by row.
+
+use super::header::{Element, Header, Kind};
+use super::scalar::{Encoding, Scalar};
+use crate::io::tally::Tally;
+use crate::io::text::{line_and_column, shown};
+use crate::io::{Place, Problem, ReadError};
+use std::ops::Range;
+
+/// What is wrong, and at which byte.
+#[derive(Clone, Debug)]
+pub(super) struct Fault {
+    pub problem: Problem,
+    pub offset: usize,
+    pub found: String,
+}
+
+impl Fault {
+    pub fn new(problem: Problem, offset: usize, found: impl Into<String>) -> Self {
+        Self { problem, offset, found: found.into() }
+    }
+
+    pub fn into_error(self, bytes: &[u8], encoding: Encoding) -> ReadError {
+        let advice = match self.problem {
+            Problem::Truncated => "the file was cut off, or its header counts wrong",
+            _ => "the file is damaged, or its writer is at fault",
+        };
+        ReadError::new(self.problem, place(bytes, encoding, self.offset), self.found, advice)
+    }
+}
+
+/// An offset as people look for it: as a line, or as a byte.
+pub(super) fn place(bytes: &[u8], encoding: Encoding, offset: usize) -> Place {
+    match encoding {
+        Encoding::Ascii => Place::Line(line_and_column(bytes, offset).0),
+        _ => Place::Byte(offset as u64),
+    }
+}
+
+/// A row of an element.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Row {
+    /// All of its bytes: in ascii, blank lines in front of it and the rest of its last line too.
+    pub span: Range<usize>,
+    /// The bytes of each property; of a list, its count included.
+    pub fields: Vec<Range<usize>>,
+}
+
+/// Goes through the body.
+#[derive(Clone, Debug)]
+pub(super) struct Rows<'a> {
+    pub bytes: &'a [u8],
+    pub encoding: Encoding,
+    /// Where the next row starts.
+    pub at: usize,
+    /// Whether several ascii rows may share a line. If not, what is left on a line behind a row is skipped.
+    pub shared_lines: bool,
+    /// Rows with something left behind them.
+    pub overlong: Tally,
+}
+
+impl<'a> Rows<'a> {
+    pub fn new(bytes: &'a [u8], header: &Header, shared_lines: bool) -> Self {
+        let (encoding, at) = (header.encoding, header.body);
+        Self { bytes, encoding, at, shared_lines, overlong: Tally::default() }
+    }
+
+    /// Calls `each` with the number of every row of an element and the row.
+    pub fn each(
+        &mut self,
+        element: &Element,
+        mut each: impl FnMut(usize, &Row, &Self) -> Result<(), Fault>,
+    ) -> Result<(), Fault> {
+        let rest = (self.bytes.len() - self.at) as u64;
+        let needed = element.count.saturating_mul(element.smallest_row(self.encoding));
+        if needed > rest {
+            let found = format!(
+                "{} rows of `{}` need at least {needed} bytes, but there are only {rest}",
+                element.count, element.name
+            );
+            return Err(Fault::new(Problem::Truncated, self.at, found));
+        }
+        if element.properties.is_empty() {
+            return Ok(());
+        }
+        let mut row = Row::default();
+        for number in 0..element.count as usize {
+            self.next(element, &mut row)?;
+            each(number, &row, self)?;
+        }
+        Ok(())
+    }
+
+    /// Reads one row.
+    pub fn next(&mut self, element: &Element, row: &mut Row) -> Result<(), Fault> {
+        let start = self.at;
+        row.fields.clear();
+        for property in &element.properties {
+            let field = match self.encoding {
+                Encoding::Ascii => self.ascii_field(property.kind),
+                _ => self.binary_field(property.kind),
+            };
+            row.fields.push(field.map_err(|fault| match fault.problem {
+                Problem::Truncated => {
+                    Fault { found: format!("the file ends inside a row of `{}`", element.name), ..fault }
+                }
+                _ => fault,
+            })?);
+        }
+        if self.encoding == Encoding::Ascii {
+            self.finish_line();
+        }
+        row.span = start..self.at;
+        Ok(())
+    }
+
+    fn cut_off(&self) -> Fault {
+        Fault::new(Problem::Truncated, self.bytes.len(), "")
+    }
+
+    #[inline]
+    fn take(&mut self, length: usize) -> Result<Range<usize>, Fault> {
+        let end = self.at.checked_add(length).filter(|&end| end <= self.bytes.len());
+        let end = end.ok_or_else(|| self.cut_off())?;
+        let start = std::mem::replace(&mut self.at, end);
+        Ok(start..end)
+    }
+
+    #[inline]
+    fn binary_field(&mut self, kind: Kind) -> Result<Range<usize>, Fault> {
+        match kind {
+            Kind::Scalar(scalar) => self.take(scalar.size()),
+            Kind::List { count, item } => {
+                let counted = self.take(count.size())?;
+                let number = count.read(&self.bytes[counted.clone()], self.encoding).unwrap_or(0.0);
+                if number < 0.0 {
+                    let found = format!("a list of {number} numbers");
+                    return Err(Fault::new(Problem::Range, counted.start, found));
+                }
+                let length = (number as usize).checked_mul(item.size());
+                let items = match length {
+                    Some(length) => self.take(length)?,
+                    None => return Err(self.cut_off()),
+                };
+                Ok(counted.start..items.end)
+            }
+        }
+    }
+
+    fn ascii_field(&mut self, kind: Kind) -> Result<Range<usize>, Fault> {
+        let first = self.word().ok_or_else(|| self.cut_off())?;
+        let Kind::List { count, .. } = kind else { return Ok(first) };
+        let word = &self.bytes[first.clone()];
+        let Some(number) = count.read(word, Encoding::Ascii).filter(|n| *n >= 0.0 && n.fract() == 0.0) else {
+            let found = format!("`{}` is no number of list items", shown(word));
+            return Err(Fault::new(Problem::Syntax, first.start, found));
+        };
+        // Each number takes two bytes or more.
+        if number > (self.bytes.len() - first.end) as f64 {
+            return Err(self.cut_off());
+        }
+        let mut end = first.end;
+        for _ in 0..number as usize {
+            end = self.word().ok_or_else(|| self.cut_off())?.end;
+        }
+        Ok(first.start..end)
+    }
+
+    /// The next word, on whatever line.
+    fn word(&mut self) -> Option<Range<usize>> {
+        let rest = &self.bytes[self.at..];
+        let start = self.at + rest.iter().position(|byte| !is_blank(*byte))?;
+        let length = self.bytes[start..].iter().position(|byte| is_blank(*byte));
+        self.at = length.map_or(self.bytes.len(), |length| start + length);
+        Some(start..self.at)
+    }
+
+    /// Passes the line end behind a row, and what is in front of that if lines are not shared.
+    fn finish_line(&mut self) {
+        let rest = &self.bytes[self.at..];
+        let ahead = rest.iter().position(|byte| !matches!(byte, b' ' | b'\t')).unwrap_or(rest.len());
+        let is_line_end = |byte: &u8| matches!(byte, b'\n' | b'\r');
+        let mut length = ahead;
+        if rest.get(ahead).is_some_and(|byte| !is_line_end(byte)) {
+            if self.shared_lines {
+                return;
+            }
+            self.overlong.add(self.at);
+            length = rest.iter().position(is_line_end).unwrap_or(rest.len());
+        }
+        self.at += length;
+        let line_end = match self.bytes[self.at..] {
+            [b'\r', b'\n', ..] => 2,
+            [b'\r' | b'\n', ..] => 1,
+            _ => 0,
+        };
+        self.at += line_end;
+    }
+
+    /// The number in a field.
+    #[inline]
+    pub fn scalar(&self, field: &Range<usize>, scalar: Scalar) -> Result<f64, Fault> {
+        let bytes = &self.bytes[field.clone()];
+        scalar.read(bytes, self.encoding).ok_or_else(|| {
+            let found = format!("`{}` is not a number", shown(bytes));
+            Fault::new(Problem::Syntax, field.start, found)
+        })
+    }
+
+    /// The places of the items of a list.
+    pub fn items(&self, field: &Range<usize>, kind: Kind) -> Items<'a> {
+        let mut items = Items { bytes: self.bytes, rest: field.clone(), size: 0 };
+        match kind {
+            Kind::List { count, item } if self.encoding != Encoding::Ascii => {
+                items.rest.start += count.size();
+                items.size = item.size();
+            }
+            Kind::List { .. } => drop(items.next()),
+            Kind::Scalar(_) => {}
+        }
+        items
+    }
+}
+
+/// The items of a list: of one size, or words.
+pub(super) struct Items<'a> {
+    bytes: &'a [u8],
+    rest: Range<usize>,
+    /// Bytes of an item; 0 in ascii.
+    size: usize,
+}
+
+impl Iterator for Items<'_> {
+    type Item = Range<usize>;
+
+    #[inline]
+    fn next(&mut self) -> Option<Range<usize>> {
+        let start = self.rest.start;
+        if self.size > 0 {
+            if self.rest.is_empty() {
+                return None;
+            }
+            self.rest.start += self.size;
+            return Some(start..self.rest.start);
+        }
+        let text = &self.bytes[self.rest.clone()];
+        let blanks = text.iter().position(|byte| !is_blank(*byte))?;
+        let length = text[blanks..].iter().position(|byte| is_blank(*byte)).unwrap_or(text.len() - blanks);
+        self.rest.start = start + blanks + length;
+        Some(start + blanks..self.rest.start)
+    }
+}
+
+/// Blanks and line ends.
+fn is_blank(byte: u8) -> bool {
+    matches!(byte, b' ' | b'\t'..=b'\r')
+}
