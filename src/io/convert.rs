@@ -21,6 +21,11 @@ pub fn write(
     format: Format,
     options: &WriteOptions,
 ) -> Result<Written, WriteError> {
+    if edits.len() < loaded.parts.len() {
+        let mut all = edits.to_vec();
+        all.resize(loaded.parts.len(), PartEdit::default());
+        return write(loaded, &all, format, options);
+    }
     if format == loaded.format || format.is_gltf() && loaded.format.is_gltf() {
         return dispatch::edit(loaded, edits, format, options);
     }
@@ -44,11 +49,10 @@ fn placed(
     options: &WriteOptions,
     notes: &mut Vec<Note>,
 ) -> Result<Vec<Part>, WriteError> {
-    let unchanged = PartEdit::default();
     let by_face = format == Format::Stl || options.emit == Emit::Face;
     let edited = |number: usize| {
         let part = &loaded.parts[number];
-        let mesh = edited_mesh(&part.mesh, edits.get(number).unwrap_or(&unchanged), by_face);
+        let mesh = edited_mesh(&part.mesh, &edits[number], by_face);
         Part { name: part.name.clone(), mesh, non_finite_faces: Vec::new() }
     };
     if loaded.nodes.is_empty() {

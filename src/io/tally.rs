@@ -19,6 +19,15 @@ impl Tally {
         self.count += 1;
     }
 
+    /// A value, or 0 and a count where it will not do.
+    pub fn mend<T: Default>(&mut self, is_good: bool, value: T, offset: usize) -> T {
+        if is_good {
+            return value;
+        }
+        self.add(offset);
+        T::default()
+    }
+
     /// Whether it was met at all.
     pub fn is_met(self) -> bool {
         self.count > 0

@@ -3,7 +3,9 @@
 #![allow(clippy::print_stdout, reason = "a test says what it skips")]
 
 mod cli;
+mod convert;
 mod data;
+mod flat;
 mod gltf;
 mod gltf_edit;
 mod gltf_hostile;
@@ -12,4 +14,7 @@ mod hostile;
 mod meshes;
 mod obj;
 mod orient;
+mod ply;
 mod random;
+mod stl;
+mod triangulate;

@@ -21,8 +21,10 @@ pub(super) fn edit(
     options: &WriteOptions,
 ) -> Result<Written, WriteError> {
     let by_face = options.emit == Emit::Face;
-    let vertex_normals = edit.normals.as_ref().filter(|_| !by_face);
-    let face_normals = edit.face_normals.as_deref().filter(|_| by_face && mesh.face_count() > 0);
+    // Points have no normals to change.
+    let has_faces = mesh.face_count() > 0;
+    let vertex_normals = edit.normals.as_ref().filter(|_| !by_face && has_faces);
+    let face_normals = edit.face_normals.as_deref().filter(|_| by_face && has_faces);
     if edit.faces.is_empty() && vertex_normals.is_none() && face_normals.is_none() {
         let vertices = mesh.vertex_count() as u64;
         return Ok(Written { bytes: document.bytes.clone(), vertices, ..Written::default() });
@@ -143,9 +145,7 @@ impl Editor<'_> {
             again.at = starts[source];
             again.next(element, &mut row)?;
             changes.clear();
-            // The copy of a vertex that keeps its normal must not keep that of the vertex.
-            let normal = self.normal(vertex);
-            fields.change(normal, &row, &again, &mut changes)?;
+            fields.change(self.normal(vertex), &row, &again, &mut changes)?;
             // Without the blank lines in front.
             let first = row.fields[0].start;
             changes.copy(rows.bytes, first..row.span.end, &mut self.body);
@@ -160,16 +160,29 @@ impl Editor<'_> {
         let normals = self.vertex_normals?;
         let slot = match normals.index {
             ColumnIndex::PerVertex => self.split.source[vertex],
-            ColumnIndex::PerCorner(_) => {
-                let corner = Some(self.split.sample[vertex]).filter(|&corner| corner != NONE)?;
-                Some(self.keys[corner as usize]).filter(|&slot| slot != NONE)?
-            }
+            ColumnIndex::PerCorner(_) => match self.split.sample[vertex] {
+                NONE => NONE,
+                corner => self.keys[corner as usize],
+            },
         };
+        if slot == NONE {
+            return self.stand_in(vertex);
+        }
         // Number `s` of the stored ones is that of vertex `s`, if vertices have any.
         let is_own = (slot as usize) < self.edit.kept
             && slot == self.split.source[vertex]
             && self.document.roles.vertex.normal.is_some();
         (!is_own).then(|| normals.values[slot as usize])
+    }
+
+    /// For a vertex that no face uses: +Z, unless it has a normal already that is one.
+    fn stand_in(&self, vertex: usize) -> Option<DVec3> {
+        let stored =
+            self.mesh.columns().normals.as_ref().filter(|column| column.index == ColumnIndex::PerVertex);
+        let normal = stored.map_or(DVec3::ZERO, |column| column.values[self.split.source[vertex] as usize]);
+        // The bound of the official glTF validator.
+        let is_unit = (normal.length() - 1.0).abs() <= 0.00674;
+        (!is_unit).then_some(DVec3::Z)
     }
 
     /// Whether strips can no longer say what the faces are.

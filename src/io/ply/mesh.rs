@@ -22,6 +22,7 @@ struct Reading {
     corner_uv_index: Vec<u32>,
     edges: Vec<Vec<u32>>,
     short_faces: Tally,
+    not_finite: Tally,
     overlong: Tally,
     packed: Packed,
     /// Where the body ends.
@@ -144,12 +145,15 @@ impl Reading {
                 self.vertex_normals.push(vector(normal)?);
             }
             if let Some([u, v]) = role.uv {
-                self.vertex_uvs.push(DVec2::new(value(u)?, value(v)?));
+                let uv = DVec2::new(value(u)?, value(v)?);
+                self.vertex_uvs.push(self.not_finite.mend(uv.is_finite(), uv, row.span.start));
             }
             if let (Some(color), Some(colors)) = (role.color, &mut colors) {
                 let channel = |at: usize| Ok((value(at)? / full_scale(kinds[at])) as f32);
                 let [r, g, b] = color.map(channel);
-                colors.push([r?, g?, b?, role.opacity.map_or(Ok(1.0), channel)?]);
+                let color = [r?, g?, b?, role.opacity.map_or(Ok(1.0), channel)?];
+                let is_finite = color.iter().all(|value| value.is_finite());
+                colors.push(self.not_finite.mend(is_finite, color, row.span.start));
             }
             Ok(())
         })?;
@@ -211,7 +215,10 @@ impl Reading {
             let value = rows.scalar(&item, scalar_of(kind))?;
             match pending.take() {
                 None => pending = Some(value),
-                Some(u) => self.corner_uvs.push(DVec2::new(u, value)),
+                Some(u) => {
+                    let uv = DVec2::new(u, value);
+                    self.corner_uvs.push(self.not_finite.mend(uv.is_finite(), uv, item.start));
+                }
             }
         }
         if self.corner_uvs.len() - first == corners && pending.is_none() {
@@ -289,6 +296,7 @@ impl Reading {
         let place = |offset| place(bytes, header.encoding, offset);
         let mut notes: Vec<Note> = [
             (self.short_faces, "a face with fewer than three corners was skipped"),
+            (self.not_finite, "a colour or texture coordinate that is not finite was read as 0"),
             (self.overlong, "a row has more values than the header says; they were skipped"),
         ]
         .into_iter()

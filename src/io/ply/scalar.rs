@@ -167,11 +167,9 @@ mod tests {
                 for encoding in [Encoding::Ascii, Encoding::Little, Encoding::Big] {
                     let mut bytes = Vec::new();
                     scalar.push(&mut bytes, value, encoding);
-                    assert_eq!(
-                        scalar.read(&bytes, encoding),
-                        Some(scalar.round(value)),
-                        "{scalar:?} {value}"
-                    );
+                    // The shortest decimal of a float is no float itself.
+                    let back = scalar.read(&bytes, encoding).map(|value| scalar.round(value));
+                    assert_eq!(back, Some(scalar.round(value)), "{scalar:?} {value}");
                     assert!(encoding == Encoding::Ascii || bytes.len() == scalar.size());
                 }
             }

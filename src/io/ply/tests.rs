@@ -46,7 +46,9 @@ fn binary(encoding: Encoding, normal: Scalar, unit: f64) -> Vec<u8> {
         for value in [x, y, 0.1] {
             Scalar::F64.push(&mut out, value, encoding);
         }
-        [0.0, 0.0, unit].map(|value| normal.push(&mut out, value, encoding));
+        for value in [0.0, 0.0, unit] {
+            normal.push(&mut out, value, encoding);
+        }
         Scalar::U16.push(&mut out, tag as f64 + 500.0, encoding);
     }
     out
