@@ -67,12 +67,16 @@ fn real_files_are_what_the_manifest_says() {
 
 /// The lines of a header and where the body starts.
 fn header(bytes: &[u8]) -> (Vec<String>, usize) {
-    let mut lines = bytes.split_inclusive(|byte| *byte == b'\n');
-    let before: usize =
-        lines.by_ref().take_while(|line| line.trim_ascii() != b"end_header").map(<[u8]>::len).sum();
-    let body = before + bytes[before..].iter().position(|byte| *byte == b'\n').unwrap() + 1;
-    let text = String::from_utf8_lossy(&bytes[..body]).into_owned();
-    (text.lines().map(str::to_owned).collect(), body)
+    let end = if bytes[3] == b'\r' && bytes[4] != b'\n' { b'\r' } else { b'\n' };
+    let (mut lines, mut at) = (Vec::new(), 0);
+    for line in bytes.split_inclusive(|byte| *byte == end) {
+        at += line.len();
+        lines.push(String::from_utf8_lossy(line).trim().to_owned());
+        if lines.last().is_some_and(|line| line == "end_header") {
+            break;
+        }
+    }
+    (lines, at)
 }
 
 /// The size of a number type.
