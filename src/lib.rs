@@ -18,8 +18,9 @@
 //! # Ok::<(), crease::io::ReadError>(())
 //! ```
 //!
-//! Code that has its own arrays needs no mesh: [`normals::slices`] works on `&[[f32; 3]]` and `&[[u32; 3]]` with
-//! the same kernels.
+//! [`pipeline`] goes from file to file in one call. Code that has its own arrays needs no mesh:
+//! [`normals::face_normals`](fn@normals::face_normals), [`normals::vertex_normals`] and [`normals::corner_normals`]
+//! work on `&[[f32; 3]]` and `&[[u32; 3]]` with the same kernels.
 //!
 //! # Conventions
 //! - Right-handed space, y up, counter-clockwise front faces; screen y down with pixel centres at +0.5.
@@ -45,7 +46,6 @@
 //! - T. J. Dekker, *A floating-point technique for extending the available precision*, Numer. Math. 18, 1971, and
 //!   J. R. Shewchuk, *Adaptive precision floating-point arithmetic and fast robust geometric predicates*, DCG 18,
 //!   1997: exact sums and products.
-//! - M. Meyer, H. Lee, A. Barr, M. Desbrun and others on discrete surfaces are cited where they are used.
 
 pub mod io;
 pub mod mesh;

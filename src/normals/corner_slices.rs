@@ -81,10 +81,14 @@ pub fn corner_normals<T: Coordinate>(
     normals.clear();
     normals.resize(slots, T::NOTHING);
     let normals = T::normals(normals);
-    weighted_sums_into(&request, &mut scratch.sums, normals, &mut scratch.slots);
+    let outcome = weighted_sums_into(&request, &mut scratch.sums, normals, &mut scratch.slots);
 
     let set = |slot: usize, normal| normals[slot] = Emit::emit(normal);
-    let made_up = MadeUp::new(faces, &topology, &face_normals).for_slots(index, &scratch.slots, set);
+    let made_up = if outcome.all_good {
+        Vec::new()
+    } else {
+        MadeUp::new(faces, &topology, &face_normals).for_slots(index, &scratch.slots, set)
+    };
     let reason = |slot: &u32| made_up.binary_search_by_key(slot, |&(s, _)| s).ok().map(|i| made_up[i].1);
     let corners = index.iter().enumerate().filter(|_| !made_up.is_empty());
     let corners =

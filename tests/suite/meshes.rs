@@ -36,10 +36,24 @@ impl Row {
     }
 }
 
+fn folder() -> PathBuf {
+    std::env::var_os("CREASE_MESHES")
+        .map_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/meshes"), PathBuf::from)
+}
+
+/// One file by its name in the manifest; `None`, and a line that says so, where the meshes are not there.
+pub fn path(name: &str) -> Option<PathBuf> {
+    let path = folder().join(name);
+    let there = path.exists();
+    if !there {
+        println!("skipped: {name} is not at {}", folder().display());
+    }
+    there.then_some(path)
+}
+
 /// The files of a folder with one of these extensions; none, and a line that says so, where the meshes are not there.
 pub fn rows(folder: &str, extensions: &[&str]) -> Vec<Row> {
-    let meshes = std::env::var_os("CREASE_MESHES")
-        .map_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/meshes"), PathBuf::from);
+    let meshes = self::folder();
     let Ok(manifest) = fs::read_to_string(meshes.join("MANIFEST.tsv")) else {
         println!("skipped: the real meshes are not at {}", meshes.display());
         return Vec::new();
