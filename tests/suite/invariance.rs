@@ -43,7 +43,11 @@ fn threads_do_not_change_a_bit() {
         for recipe in recipes() {
             let one = with_threads(1, || compute(&mesh, &recipe));
             for threads in [2, 3, 8] {
-                assert_eq!(with_threads(threads, || compute(&mesh, &recipe)), one, "{name} {recipe:?} {threads}");
+                assert_eq!(
+                    with_threads(threads, || compute(&mesh, &recipe)),
+                    one,
+                    "{name} {recipe:?} {threads}"
+                );
             }
         }
     }
