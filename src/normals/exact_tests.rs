@@ -7,7 +7,7 @@ use super::positions::Positions;
 use super::{Scratch, slices};
 use crate::mesh::{Faces, Storage};
 use crate::num::test_numbers::Numbers;
-use dashu::base::{Abs, SquareRoot};
+use dashu::base::Abs;
 use dashu::float::{FBig, round::mode::HalfEven};
 use dashu::integer::IBig;
 use glam::DVec3;
