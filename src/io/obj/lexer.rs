@@ -138,6 +138,10 @@ impl<'a> Cursor<'a> {
     #[inline]
     pub fn at_token_end(&self) -> bool {
         let byte = self.peek();
+        // All that numbers and names are made of comes behind `#`.
+        if byte > b'#' && byte != b'\\' {
+            return false;
+        }
         byte == b' ' || is_line_end(byte) || self.at_rare_token_end(byte)
     }
 
