@@ -202,22 +202,25 @@ fn a_new_file_reads_back_as_the_mesh_that_it_was_made_of() {
     }
 }
 
-/// What is drawn: position, normal and uv bits of every corner, whatever the numbering; faces by material.
-fn triangle_soup(part: &Part) -> Vec<String> {
+/// What is drawn: material, position, normal and uv of every corner, whatever the numbering; sorted.
+fn triangle_soup(part: &Part) -> Vec<(Option<&str>, [[u64; 8]; 3])> {
     let (mesh, columns) = (&part.mesh, part.mesh.columns());
-    let mut faces: Vec<String> = (0..mesh.face_count())
+    let corner = |c: usize| {
+        let v = mesh.faces().corners()[c];
+        let normal =
+            columns.normals.as_ref().and_then(|normals| normals.get(c, v)).copied().unwrap_or_default();
+        let uv = columns.uvs.as_ref().and_then(|uvs| uvs.get(c, v)).copied().unwrap_or_default();
+        let [x, y, z] = mesh.positions()[v as usize].to_array().map(f64::to_bits);
+        let [i, j, k] = normal.to_array().map(f64::to_bits);
+        // Turned over twice, v loses what 1 - v cannot hold in single precision.
+        [x, y, z, i, j, k, uv.x.to_bits(), (uv.y * 1e5).round().to_bits()]
+    };
+    let mut faces: Vec<_> = (0..mesh.face_count())
         .map(|face| {
-            let corner = |c: usize| {
-                let v = mesh.faces().corners()[c];
-                let normal = columns.normals.as_ref().and_then(|normals| normals.get(c, v));
-                let uv = columns.uvs.as_ref().and_then(|uvs| uvs.get(c, v)).copied().unwrap_or_default();
-                // Turned over twice, v may lose what 1 - v cannot hold.
-                format!("{:?} {normal:?} {:?} {:.6}", mesh.positions()[v as usize], uv.x, uv.y)
-            };
-            let material = columns.materials.as_ref().map(|m| m.names.get(m.of_face[face] as usize));
-            format!("{material:?} {:?}", mesh.faces().range(face).map(corner).collect::<Vec<_>>())
+            let material = columns.materials.as_ref().and_then(|m| m.names.get(m.of_face[face] as usize));
+            (material.map(String::as_str), [0, 1, 2].map(|k| corner(3 * face + k)))
         })
         .collect();
-    faces.sort();
+    faces.sort_unstable();
     faces
 }

@@ -237,8 +237,14 @@ impl Group<'_, '_> {
             remarks.tangents_dropped += self.members.len();
         }
         if !keep {
-            for target in 0..self.vertices.targets() {
+            let targets = 0..self.vertices.targets();
+            let had: Vec<usize> =
+                targets.filter(|&target| self.vertices.target(target, "TANGENT").is_some()).collect();
+            for &target in &had {
                 self.sites(Some(target)).into_iter().for_each(|site| store.splices.remove(site, "TANGENT"));
+            }
+            if new.is_some() && !had.is_empty() {
+                remarks.tangent_deltas_dropped += self.members.len();
             }
         }
         Ok(())

@@ -16,6 +16,8 @@ pub(super) struct Remarks {
     pub(super) stale_deltas: usize,
     /// Primitives whose tangents were left out.
     pub(super) tangents_dropped: usize,
+    /// Primitives whose morph targets lost their tangents to new ones of the base.
+    pub(super) tangent_deltas_dropped: usize,
     /// Primitives that lost all their faces.
     pub(super) emptied: usize,
     /// Primitives whose compressed copy was left out.
@@ -93,6 +95,10 @@ impl Remarks {
             self.tangents_dropped,
             "tangents of # primitives belonged to the old normals and were left out; viewers make them again (a \
              validator then reports MESH_PRIMITIVE_GENERATED_TANGENT_SPACE where there is a normal map); see --tangents",
+        );
+        warn(
+            self.tangent_deltas_dropped,
+            "morph targets of # primitives had tangents for the old ones of the base; they were left out",
         );
         warn(
             self.emptied,
