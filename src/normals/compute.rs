@@ -9,11 +9,12 @@ use super::hard::{Marks, applied_angle};
 use super::made_up::{MadeUp, face_faults};
 use super::positions::Positions;
 use super::quadric::{QuadricRequest, quadric_normals};
+use super::single::Single;
 use super::sums::{SlotState, SumRequest, Sums, weighted_sums};
 use super::tally::edge_counts;
 use super::{
-    CreaseRule, FaceNormals, Fault, FaultReason, Faults, Groups, NormalField, NormalRecipe, Scope, Summary,
-    Weight,
+    CreaseRule, FaceNormals, Fault, FaultReason, Faults, Groups, NormalField, NormalRecipe, Precision, Scope,
+    Summary, Weight,
 };
 use crate::mesh::{Column, Mesh, Storage, Topology};
 use crate::num::Degrees;
@@ -47,7 +48,19 @@ pub fn compute(mesh: &Mesh, recipe: &NormalRecipe) -> NormalField {
 
 /// As [`compute`], on a topology built before, with the welding that it was built with.
 pub fn compute_on(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe) -> NormalField {
-    let shape = Shape::new(mesh, mesh.positions(), mesh.storage());
+    let fast = recipe.precision == Precision::Fast;
+    if let Some(field) = fast.then(|| try_compute(mesh, topology, recipe, true)).flatten() {
+        return field;
+    }
+    let mut field =
+        try_compute(mesh, topology, recipe, false).expect("the faithful way is open to every mesh");
+    field.summary.fast_declined = fast;
+    field
+}
+
+/// The field, `fast` or faithful; `None` if the mesh is out of the range of `fast`.
+fn try_compute(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe, fast: bool) -> Option<NormalField> {
+    let shape = Shape::new(mesh, mesh.positions(), mesh.storage(), fast)?;
     let angle = applied_angle(mesh, recipe);
     let marks = Marks::new(mesh, topology, recipe);
     let walker = FanWalker {
@@ -76,14 +89,14 @@ pub fn compute_on(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe) -> No
     summary.referenced_vertices = count_runs(&groups.entry_vertex);
     summary.splits = groups.entry_vertex.len() - summary.referenced_vertices;
 
-    let filled = shape.entries(mesh, topology, recipe, &groups);
+    let filled = shape.entries(mesh, topology, recipe, &groups)?;
     summary.quadric_fallbacks = filled.quadric_fallbacks;
     let mut morph_normals = Vec::new();
     for target in &mesh.columns().morph_targets {
         let moved: Vec<DVec3> = mesh.positions().iter().zip(target).map(|(&p, &by)| p + by).collect();
         // The sum of two f32 values need not be one.
-        let moved = Shape::new(mesh, &moved, Storage::F64);
-        let mut normals = moved.entries(mesh, topology, recipe, &groups);
+        let moved = Shape::new(mesh, &moved, Storage::F64, fast)?;
+        let mut normals = moved.entries(mesh, topology, recipe, &groups)?;
         // A shape that loses a normal keeps that of the base: no displacement rather than an arbitrary one.
         summary.morph_fallbacks += normals.made_up.len();
         for &(entry, _) in &normals.made_up {
@@ -102,27 +115,30 @@ pub fn compute_on(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe) -> No
         corners: corner_faults(&groups.corner_entry, &filled.made_up),
         vertices: unreferenced(&groups.entry_vertex, mesh.vertex_count()),
     };
-    NormalField {
+    Some(NormalField {
         normals: Column::per_corner(filled.values, groups.corner_entry),
         entry_vertex: groups.entry_vertex,
         face_normals,
         morph_normals,
         faults,
         summary,
-    }
+    })
 }
 
 /// A mesh in one of its shapes: its own, or a morph target's.
 struct Shape<'a> {
     points: &'a [DVec3],
     positions: Positions<'a>,
+    single: Option<Single<'a>>,
     faces: FaceNormals,
 }
 
 impl<'a> Shape<'a> {
-    fn new(mesh: &Mesh, points: &'a [DVec3], storage: Storage) -> Self {
-        let positions = Positions::F64(points, storage);
-        Self { points, positions, faces: face_normals(mesh.faces().view(), positions) }
+    fn new(mesh: &'a Mesh, points: &'a [DVec3], storage: Storage, fast: bool) -> Option<Self> {
+        let (view, positions) = (mesh.faces().view(), Positions::F64(points, storage));
+        let single = if fast { Some(Single::new(view, points)?) } else { None };
+        let faces = single.as_ref().map_or_else(|| face_normals(view, positions), Single::face_normals);
+        Some(Self { points, positions, single, faces })
     }
 
     /// The normal of every entry.
@@ -132,7 +148,7 @@ impl<'a> Shape<'a> {
         topology: &Topology,
         recipe: &NormalRecipe,
         groups: &SmoothGroups,
-    ) -> Entries {
+    ) -> Option<Entries> {
         let target = groups.corner_slots();
         let request = SumRequest {
             faces: mesh.faces().view(),
@@ -142,9 +158,13 @@ impl<'a> Shape<'a> {
             weight: recipe.weight,
             slivers: recipe.slivers,
         };
-        let mut sums = match &groups.members {
-            None => weighted_sums(&request),
-            Some(members) => gather_sums(&request, members),
+        let members = groups.members.as_ref();
+        let mut sums = match (&self.single, members) {
+            (Some(single), members) => {
+                single.sums(recipe.weight, &target, request.slots, members, topology)?
+            }
+            (None, None) => weighted_sums(&request),
+            (None, Some(members)) => gather_sums(&request, members),
         };
         let quadric_fallbacks = if recipe.weight == Weight::Quadric {
             self.fit_quadrics(mesh, topology, &target, groups, &mut sums)
@@ -160,7 +180,7 @@ impl<'a> Shape<'a> {
         let reason = |slot: u32| made_up.binary_search_by_key(&slot, |&(s, _)| s).ok().map(|i| made_up[i].1);
         let entries = (0..values.len() as u32).filter(|_| !made_up.is_empty());
         let made_up = entries.filter_map(|e| reason(groups.slot(e)).map(|reason| (e, reason))).collect();
-        Entries { values, made_up, quadric_fallbacks }
+        Some(Entries { values, made_up, quadric_fallbacks })
     }
 
     /// Replaces means by the normals of quadrics where there is a fit. Gives the number of slots without one.

@@ -27,6 +27,7 @@ mod positions;
 mod quadric;
 mod recipe;
 mod replace;
+mod single;
 mod slices;
 mod sliver;
 mod sums;
