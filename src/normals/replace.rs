@@ -20,6 +20,10 @@ pub enum When {
 /// little over what rounding to 8 bits does (0.006687).
 pub const LENGTH_TOLERANCE: f64 = 0.00674;
 
+/// Within this distance a stored normal is the computed one, as some format rounded it: eight bits move a unit
+/// vector by at most √3/254 = 0.00682.
+const ROUNDED: f64 = 0.00683;
+
 /// What is wrong with a stored normal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Broken {
@@ -28,7 +32,8 @@ pub enum Broken {
     /// Its length differs from 1 by more than [`LENGTH_TOLERANCE`].
     Length,
     /// It points more than 90° away from the normal of its own face. Not asked of faces that add nothing to
-    /// sums: their own direction means nothing.
+    /// sums: their own direction means nothing. Nor of a normal that is what would replace it: round a sharp
+    /// fold a mean may be against one of its faces.
     AgainstFace,
 }
 
@@ -90,7 +95,9 @@ pub fn replace(mesh: &Mesh, field: &NormalField, when: When) -> Replacement {
         let own = (!is_silent).then(|| field.face_normals[face]);
         for corner in range {
             let slot = stored.and_then(|stored| stored.slot(corner, corners[corner]));
-            match slot.map(|slot| (slot, fault(values[slot as usize], own))) {
+            let entry = entry_of[corner];
+            let computed = field.normals.values[entry as usize];
+            match slot.map(|slot| (slot, fault(values[slot as usize], own, computed))) {
                 Some((slot, cause)) if cause.is_none() || when == When::Missing => {
                     index.push(slot);
                     continue;
@@ -98,11 +105,10 @@ pub fn replace(mesh: &Mesh, field: &NormalField, when: When) -> Replacement {
                 Some((_, cause)) => broken.extend(cause.map(|cause| (corner as u32, cause))),
                 None => missing.push(corner as u32),
             }
-            let entry = entry_of[corner];
             let place = &mut place_of[entry as usize];
             if *place == NONE {
                 *place = values.len() as u32;
-                values.push(field.normals.values[entry as usize]);
+                values.push(computed);
                 entries.push(entry);
             }
             index.push(*place);
@@ -117,13 +123,13 @@ fn silent_faces(faults: &Faults) -> impl Iterator<Item = u32> + '_ {
     faults.faces.iter().filter(move |fault| adds_nothing.contains(&fault.reason)).map(|fault| fault.index)
 }
 
-/// What is wrong with a stored normal at a corner of a face with this normal.
-fn fault(stored: DVec3, face: Option<DVec3>) -> Option<Broken> {
+/// What is wrong with a stored normal at a corner of a face with this normal, where this one would replace it.
+fn fault(stored: DVec3, face: Option<DVec3>, computed: DVec3) -> Option<Broken> {
     if !stored.is_finite() {
         Some(Broken::NotFinite)
     } else if !((stored.length() - 1.0).abs() <= LENGTH_TOLERANCE) {
         Some(Broken::Length)
-    } else if face.is_some_and(|face| stored.dot(face) < 0.0) {
+    } else if face.is_some_and(|face| stored.dot(face) < 0.0) && stored.distance(computed) > ROUNDED {
         Some(Broken::AgainstFace)
     } else {
         None
@@ -192,5 +198,34 @@ mod tests {
         .build()
         .unwrap();
         assert!(replace(&mesh, &compute(&mesh, &NormalRecipe::default()), When::Broken).is_empty());
+    }
+
+    /// Two faces face up and a third is folded back over them: their mean is against the third, and would be
+    /// replaced by itself for ever.
+    #[test]
+    fn a_mean_round_a_fold_is_not_broken_by_its_own_doing() {
+        let corner = |x, y, z| DVec3::new(x, y, z);
+        let positions =
+            [DVec3::ZERO, DVec3::X, corner(1.0, 1.0, 0.0), DVec3::Y, corner(1.0, 1.0, 0.1)].to_vec();
+        let recipe = NormalRecipe { crease: crate::normals::Crease::OFF, ..NormalRecipe::default() };
+        let with = |normals| {
+            let columns = Columns { normals: Some(normals), ..Columns::default() };
+            let faces = Faces::triangles(vec![0, 1, 2, 0, 2, 3, 0, 3, 4]);
+            MeshBuilder { positions: positions.clone(), faces, columns, ..MeshBuilder::default() }
+                .build()
+                .unwrap()
+        };
+        let computed = compute(&with(Column::per_vertex(vec![DVec3::Z; 5])), &recipe);
+        let mean = *computed.normals.get(6, 0).unwrap();
+        assert!(mean.dot(computed.face_normals[2]) < 0.0, "the fold does what the test is about");
+
+        let rounded = computed.normals.values.iter().map(|n| n.as_vec3().as_dvec3()).collect();
+        let stored = with(Column { values: rounded, ..computed.normals.clone() });
+        assert!(replace(&stored, &compute(&stored, &recipe), When::Broken).is_empty());
+
+        let opposite = computed.normals.values.iter().map(|n| -n).collect();
+        let stored = with(Column { values: opposite, ..computed.normals.clone() });
+        let broken = replace(&stored, &compute(&stored, &recipe), When::Broken).broken;
+        assert!(broken.contains(&(0, Broken::AgainstFace)), "{broken:?}");
     }
 }

@@ -15,6 +15,7 @@ mod invariance;
 mod meshes;
 mod obj;
 mod orient;
+mod pipeline;
 mod ply;
 mod random;
 mod reference;
