@@ -32,7 +32,8 @@ fn every_value_of_every_option_runs_on_every_format() {
         ("--normal-format", &["same", "f32", "i16", "i8"]),
         ("--threads", &["1", "3"]),
     ];
-    let inputs = ["gear.obj", "slivers.obj", "part.stl", "morph.gltf", "sphere-seam.glb"];
+    let inputs =
+        ["gear.obj", "slivers.obj", "far.ply", "leaf.ply", "part.stl", "morph.gltf", "sphere-seam.glb"];
     let inputs = inputs.map(|name| path(data(name)));
     for (option, values) in table {
         for value in *values {
@@ -45,8 +46,9 @@ fn every_value_of_every_option_runs_on_every_format() {
 #[test]
 fn every_format_goes_to_every_format() {
     let work = folder(&[]);
-    for input in ["bracket.obj", "polygons.obj", "part-binary.stl", "mirrored.gltf", "morph.gltf"] {
-        for to in ["obj", "stl", "gltf", "glb"] {
+    for input in ["bracket.obj", "polygons.obj", "leaf.ply", "part-binary.stl", "mirrored.gltf", "morph.gltf"]
+    {
+        for to in ["obj", "ply", "stl", "gltf", "glb"] {
             let out =
                 path(work.path().join(format!("{}.{to}", Path::new(input).file_stem().unwrap().display())));
             succeed([&path(data(input)), "-o", &out]);
@@ -62,7 +64,9 @@ fn every_format_goes_to_every_format() {
 #[test]
 fn any_number_of_threads_gives_the_same_bytes() {
     let work = folder(&[]);
-    for (input, to) in [("gear.obj", "glb"), ("slivers.obj", "obj"), ("morph.gltf", "gltf")] {
+    for (input, to) in
+        [("gear.obj", "glb"), ("slivers.obj", "ply"), ("morph.gltf", "gltf"), ("far.ply", "ply")]
+    {
         let outputs = ["1", "2", "3", "8"].map(|threads| {
             let out = path(work.path().join(format!("{threads}.{to}")));
             succeed([&path(data(input)), "-o", &out, "--weight", "quadric", "--threads", threads]);
@@ -134,7 +138,7 @@ fn flipping_turns_faces_and_normals() {
 #[test]
 fn orienting_outward_mends_a_mesh_turned_inside_out() {
     let work = folder(&[]);
-    let [flipped, mended] = ["flipped.obj", "mended.obj"].map(|name| path(work.path().join(name)));
+    let [flipped, mended] = ["flipped.ply", "mended.ply"].map(|name| path(work.path().join(name)));
     succeed([&path(data("polygons.obj")), "-o", &flipped, "--flip"]);
     let found = part(&[&flipped, "-o", &mended, "--orient", "outward"]);
     assert_eq!(found["reversed_faces"], found["faces"]);

@@ -52,7 +52,9 @@ fn an_output_may_be_the_input_where_that_is_typed() {
 
 #[test]
 fn what_is_complete_stays_to_the_byte_and_is_not_even_touched_in_place() {
-    for (name, to) in [("gear.obj", "obj"), ("mirrored.gltf", "gltf"), ("sphere-seam.glb", "glb")] {
+    for (name, to) in
+        [("gear.obj", "obj"), ("mirrored.gltf", "gltf"), ("far.ply", "ply"), ("sphere-seam.glb", "glb")]
+    {
         let work = folder(&[]);
         let [first, second] = ["first", "second"].map(|stem| work.path().join(format!("{stem}.{to}")));
         succeed([path(data(name)), "-o".into(), path(&first), "--crease".into(), "40".into()]);
@@ -104,7 +106,7 @@ fn a_file_without_faces_goes_through() {
     let work = folder(&[("points.obj", "v 0 0 0\nv 1 2 3\np 1 2\n"), ("empty.obj", "# nothing\n")]);
     for name in ["points", "empty"] {
         let input = path(work.path().join(format!("{name}.obj")));
-        for to in ["obj", "stl", "gltf", "glb"] {
+        for to in ["obj", "ply", "stl", "gltf", "glb"] {
             succeed([&input, "-o", &path(work.path().join(format!("out/{name}.{to}")))]);
         }
         let copy = fs::read(work.path().join(format!("out/{name}.obj"))).unwrap();

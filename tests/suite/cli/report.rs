@@ -193,7 +193,7 @@ fn face_normals_are_rows_where_nothing_is_written() {
     assert_eq!(rows[3], Some([0.0, -1.0, 0.0]));
 
     let work = folder(&[]);
-    let written = one(&[&path(data("part.stl")), "--emit", "face", "-o", &path(work.path().join("p.stl"))]);
+    let written = one(&[&path(data("part.stl")), "--emit", "face", "-o", &path(work.path().join("p.ply"))]);
     assert!(written.parts[0].face_normals.is_none() && written.output.is_some());
 }
 

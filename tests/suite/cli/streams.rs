@@ -7,7 +7,9 @@ use std::process::{Command, Stdio};
 #[test]
 fn a_mesh_goes_through_the_pipe_and_its_report_goes_aside() {
     let work = folder(&[]);
-    for (name, format) in [("gear.obj", "obj"), ("part-binary.stl", "stl"), ("morph.gltf", "gltf")] {
+    for (name, format) in
+        [("gear.obj", "obj"), ("part-binary.stl", "stl"), ("far.ply", "ply"), ("morph.gltf", "gltf")]
+    {
         let file = work.path().join(format!("out.{format}"));
         succeed([path(data(name)), "-o".into(), path(&file)]);
         for typed in [&["--format", format][..], &[]] {
@@ -27,7 +29,7 @@ fn a_mesh_goes_through_the_pipe_and_its_report_goes_aside() {
 #[test]
 fn another_format_goes_to_the_pipe_in_one_piece() {
     let input = fs::read(data("part.stl")).unwrap();
-    for (to, magic) in [("glb", "glTF"), ("gltf", "{"), ("obj", "")] {
+    for (to, magic) in [("ply", "ply\n"), ("glb", "glTF"), ("gltf", "{"), ("obj", "")] {
         let piped =
             crease().args(["normals", "-", "--to", to, "-o", "-", "-q"]).write_stdin(input.clone()).output();
         let piped = piped.unwrap();
