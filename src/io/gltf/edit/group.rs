@@ -40,7 +40,7 @@ impl Group<'_, '_> {
         remarks: &mut Remarks,
     ) -> Result<u64, WriteError> {
         let targets = self.vertices.targets();
-        let morph = self.members.iter().all(|member| member.edit.morph_normals.len() >= targets);
+        let morph = self.members.iter().all(|member| member.has_morph_normals(targets));
         let stored =
             Stored::new(self.source, self.vertices, self.options.normal_format, morph).map_err(unreadable)?;
         let rows = Rows::new(&stored, self.members, tables);

@@ -59,6 +59,13 @@ impl<'a> Member<'a> {
         self.corners.iter().any(|&corner| self.slot(normals, corner).is_some())
     }
 
+    /// Whether the edit has normals for each of so many morph targets.
+    pub(super) fn has_morph_normals(&self, targets: usize) -> bool {
+        let values = self.edit.normals.as_ref().map_or(0, |normals| normals.values.len());
+        let given = self.edit.morph_normals.iter().filter(|normals| normals.len() == values);
+        given.count() >= targets
+    }
+
     /// The vertex of a corner, as a number of the primitive's own accessors.
     pub(super) fn vertex(&self, corner: u32) -> u32 {
         self.mesh.faces().corners()[corner as usize] - self.block.first_vertex
