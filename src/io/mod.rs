@@ -1,6 +1,6 @@
 //! Bytes to meshes and back (layer 2): OBJ, glTF and GLB, PLY, STL.
 //!
-//! A file is read into a [`Loaded`]: plain [`Mesh`]es, plus the document that they came from. Writing back to
+//! A file is read into a [`Loaded`]: plain [`Mesh`](crate::mesh::Mesh)es, plus the document that they came from. Writing back to
 //! the same format edits that document, so that everything else in it survives byte for byte; writing to
 //! another format makes a new file from the meshes.
 

@@ -6,6 +6,7 @@ use super::face_shape::FaceState;
 use super::positions::Positions;
 use super::{Scratch, slices};
 use crate::mesh::{Faces, Storage};
+use crate::num::power_of_two;
 use crate::num::test_numbers::Numbers;
 use dashu::base::Abs;
 use dashu::float::{FBig, round::mode::HalfEven};
@@ -61,7 +62,7 @@ fn big(x: f64) -> Big {
 /// Spacing of `f32` values at a magnitude.
 fn ulp32(x: f64) -> f64 {
     let exponent = (x.to_bits() >> 52 & 0x7ff) as i32 - 1023;
-    2f64.powi((exponent - 23).max(-149))
+    power_of_two((exponent - 23).max(-149))
 }
 
 /// The largest error of a component in units of the last place of the true one.
@@ -95,14 +96,14 @@ fn hard_polygon(numbers: &mut Numbers, kind: usize, corners: usize) -> Vec<DVec3
         DVec3::from(std::array::from_fn(|_| (2.0 * numbers.unit() - 1.0) * scale))
     };
     let round = |p: DVec3| DVec3::from(p.to_array().map(|x| f64::from(x as f32)));
-    let scale = 2f64.powi(numbers.below(235) as i32 - 122);
+    let scale = power_of_two(numbers.below(235) as i32 - 122);
     let vertex = |numbers: &mut Numbers, i: usize, first: DVec3, along: DVec3| match kind {
         // The whole range of f32, subnormals included, every coordinate for itself.
         0 => DVec3::from(std::array::from_fn(|_| any(numbers))),
         // Well-shaped, at any scale.
         1 => point(numbers, scale),
         // Far from the origin.
-        2 => first * 2f64.powi(10 + i as i32 % 2) + point(numbers, scale * 1e-3),
+        2 => first * power_of_two(10 + i as i32 % 2) + point(numbers, scale * 1e-3),
         // Nearly collinear: rounding alone gives it an area.
         3 => first + along * (numbers.unit() * i as f64),
         // Corners a few steps of f32 apart.
@@ -157,7 +158,8 @@ fn triangles_of_f32_are_right_to_an_ulp_or_exactly_degenerate() {
             let error = error_in_ulps(normals[i], &truth);
             assert!(error <= 1.0, "kind {kind}: {error} ulp: {polygon:?}");
             worst = f64::max(worst, error);
-            naive_wrong += usize::from(!(error_in_ulps(naive(polygon), &truth) <= 1.0));
+            let close = error_in_ulps(naive(polygon), &truth) <= 1.0;
+            naive_wrong += usize::from(!close);
         }
     }
     // Rounding to f32 itself takes half an ulp; f64 arithmetic adds next to nothing.

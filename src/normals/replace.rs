@@ -127,7 +127,7 @@ fn silent_faces(faults: &Faults) -> impl Iterator<Item = u32> + '_ {
 fn fault(stored: DVec3, face: Option<DVec3>, computed: DVec3) -> Option<Broken> {
     if !stored.is_finite() {
         Some(Broken::NotFinite)
-    } else if !((stored.length() - 1.0).abs() <= LENGTH_TOLERANCE) {
+    } else if (stored.length() - 1.0).abs() > LENGTH_TOLERANCE {
         Some(Broken::Length)
     } else if face.is_some_and(|face| stored.dot(face) < 0.0) && stored.distance(computed) > ROUNDED {
         Some(Broken::AgainstFace)

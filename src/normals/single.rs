@@ -136,7 +136,8 @@ impl<'a> Single<'a> {
                 continue;
             }
             let length = sum.length();
-            if count > MOST_FACES || !weights.is_normal() || !(length >= LEAST_SUM * weights) {
+            let in_range = count <= MOST_FACES && weights.is_normal() && length >= LEAST_SUM * weights;
+            if !in_range {
                 return None;
             }
             sums.unit.push((sum / length).as_dvec3().normalize());

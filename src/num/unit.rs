@@ -54,7 +54,7 @@ pub(crate) fn direction(v: DVec3) -> (DVec3, f64) {
 /// Whether a squared length has lost nothing: `direction` then takes its plain way, which is every time in practice.
 #[inline(always)]
 pub(crate) fn is_plain(squared: f64) -> bool {
-    (PLAIN.start * PLAIN.start <= squared) & (squared <= PLAIN.end * PLAIN.end)
+    (PLAIN.start * PLAIN.start..=PLAIN.end * PLAIN.end).contains(&squared)
 }
 
 /// x² + y² + z², added in this order everywhere.
