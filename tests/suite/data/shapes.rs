@@ -251,27 +251,32 @@ pub fn seamed_sphere() -> (Shape, Vec<[f64; 2]>) {
     let mut shape = Shape::default();
     let mut uvs = Vec::new();
     for row in 0..=DOWN {
-        for column in 0..=AROUND {
-            let (u, v) = (column as f64 / AROUND as f64, row as f64 / DOWN as f64);
-            // The seam's two copies and the poles must coincide to the bit, so both take their angles modulo.
-            let (turn, fall) = (TAU * (column % AROUND) as f64 / AROUND as f64, PI * v);
-            let radius = if row == 0 || row == DOWN { 0.0 } else { sin(fall) };
+        // At a pole each segment has its own copy, whose texture coordinate lies in the segment's middle.
+        let is_pole = row == 0 || row == DOWN;
+        for column in 0..AROUND + usize::from(!is_pole) {
+            // The seam's two copies must coincide to the bit, so both take their angle modulo.
+            let (turn, fall) =
+                (TAU * (column % AROUND) as f64 / AROUND as f64, PI * row as f64 / DOWN as f64);
+            let radius = if is_pole { 0.0 } else { sin(fall) };
             shape.vertex([radius * sin(turn), cos(fall), radius * cos(turn)]);
-            uvs.push([u, v]);
+            let middle = if is_pole { 0.5 } else { 0.0 };
+            uvs.push([(column as f64 + middle) / AROUND as f64, row as f64 / DOWN as f64]);
         }
     }
-    let at = |row: usize, column: usize| (row * (AROUND + 1) + column) as u32;
+    let at = |row: usize, column: usize| match row {
+        0 => column as u32,
+        _ => (AROUND + (row - 1) * (AROUND + 1) + column) as u32,
+    };
     for row in 0..DOWN {
         for column in 0..AROUND {
-            let [a, b, c, d] =
-                [at(row, column), at(row + 1, column), at(row + 1, column + 1), at(row, column + 1)];
+            let (left, right) = ([at(row, column), at(row + 1, column)], column + 1);
             if row + 1 < DOWN {
-                shape.face(&[a, b, c], 0);
+                shape.face(&[left[0], left[1], at(row + 1, right)], 0);
             } else {
-                shape.face(&[a, b, d], 0);
+                shape.face(&[left[0], left[1], at(row, right)], 0);
             }
             if row > 0 && row + 1 < DOWN {
-                shape.face(&[a, c, d], 0);
+                shape.face(&[left[0], at(row + 1, right), at(row, right)], 0);
             }
         }
     }
