@@ -1,6 +1,7 @@
 //! Splitting vertices for formats that store every attribute per vertex.
 
 use super::NONE;
+use rustc_hash::FxHashMap;
 
 /// Vertices split so that each has one value of every attribute.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -26,39 +27,80 @@ impl VertexSplit {
 /// `keys` are per-corner attribute numbers (a normal's, a uv's); each has one entry a corner. The first corner
 /// of a vertex, in corner order, keeps the old number. Time and memory are linear in corners.
 pub fn split_vertices(vertex_count: usize, corner_vertices: &[u32], keys: &[&[u32]]) -> VertexSplit {
-    let mut source: Vec<u32> = (0..vertex_count as u32).collect();
-    let mut sample = vec![NONE; vertex_count];
-    // A vertex that is asked for with many key tuples (a fan of a million facets) must not cost a scan each:
-    // copies are found by hash, only the first tuple of a vertex directly.
-    let mut copies: rustc_hash::FxHashMap<(u32, [u32; 3]), u32> = rustc_hash::FxHashMap::default();
     assert!(keys.len() <= 3, "at most three keys a corner");
-    let tuple = |corner: usize| {
-        let mut tuple = [0; 3];
-        for (slot, key) in tuple.iter_mut().zip(keys) {
-            *slot = key[corner];
-        }
-        tuple
+    let mut splitter = Splitter {
+        keys,
+        source: (0..vertex_count as u32).collect(),
+        sample: vec![NONE; vertex_count],
+        next: vec![NONE; vertex_count],
+        overflow: FxHashMap::default(),
     };
     let corners = corner_vertices
         .iter()
         .enumerate()
-        .map(|(corner, &vertex)| {
-            let first = &mut sample[vertex as usize];
-            if *first == NONE {
-                *first = corner as u32;
-                return vertex;
-            }
-            if tuple(*first as usize) == tuple(corner) {
-                return vertex;
-            }
-            *copies.entry((vertex, tuple(corner))).or_insert_with(|| {
-                source.push(vertex);
-                sample.push(corner as u32);
-                source.len() as u32 - 1
-            })
-        })
+        .map(|(corner, &vertex)| splitter.vertex_of(corner as u32, vertex))
         .collect();
-    VertexSplit { source, sample, corners }
+    VertexSplit { source: splitter.source, sample: splitter.sample, corners }
+}
+
+struct Splitter<'a> {
+    keys: &'a [&'a [u32]],
+    source: Vec<u32>,
+    sample: Vec<u32>,
+    /// The next vertex that is split off the same old one: a chain that begins with the old one itself.
+    next: Vec<u32>,
+    /// What is split off a vertex whose chain is full. A vertex that is asked for with many keys (a fan of a million
+    /// facets) must not cost a walk each.
+    overflow: FxHashMap<(u32, [u32; 3]), u32>,
+}
+
+/// The longest chain: more than the faces round nearly every vertex. Walking one is far quicker than hashing.
+const CHAIN: usize = 12;
+
+impl Splitter<'_> {
+    fn key(&self, corner: u32) -> [u32; 3] {
+        let mut key = [0; 3];
+        for (part, keys) in key.iter_mut().zip(self.keys) {
+            *part = keys[corner as usize];
+        }
+        key
+    }
+
+    fn vertex_of(&mut self, corner: u32, vertex: u32) -> u32 {
+        let first = &mut self.sample[vertex as usize];
+        if *first == NONE {
+            *first = corner;
+            return vertex;
+        }
+        let key = self.key(corner);
+        let mut at = vertex;
+        for _ in 0..CHAIN {
+            if self.key(self.sample[at as usize]) == key {
+                return at;
+            }
+            match self.next[at as usize] {
+                NONE => {
+                    let new = self.split_off(vertex, corner);
+                    self.next[at as usize] = new;
+                    return new;
+                }
+                next => at = next,
+            }
+        }
+        if let Some(&known) = self.overflow.get(&(vertex, key)) {
+            return known;
+        }
+        let new = self.split_off(vertex, corner);
+        self.overflow.insert((vertex, key), new);
+        new
+    }
+
+    fn split_off(&mut self, vertex: u32, corner: u32) -> u32 {
+        self.source.push(vertex);
+        self.sample.push(corner);
+        self.next.push(NONE);
+        self.source.len() as u32 - 1
+    }
 }
 
 #[cfg(test)]
@@ -79,5 +121,16 @@ mod tests {
         let split = split_vertices(4, &[0, 1, 3], &[]);
         assert_eq!(split.source, [0, 1, 2, 3]);
         assert_eq!(split.sample[2], NONE);
+    }
+
+    #[test]
+    fn a_vertex_of_many_keys_is_split_as_one_of_few() {
+        // Each key twice, the second time in another order.
+        let count = 100;
+        let keys: Vec<u32> = (0..count).chain((0..count).map(|k| k * 7 % count)).collect();
+        let split = split_vertices(1, &vec![0; keys.len()], &[&keys]);
+        assert_eq!(split.source, vec![0; count as usize]);
+        assert_eq!(split.corners, keys);
+        assert_eq!(split.sample, (0..count).collect::<Vec<_>>());
     }
 }

@@ -6,6 +6,8 @@ mod quad;
 use super::Mesh;
 use crate::num::unit_scale;
 use glam::DVec3;
+use polygon::{Budget, Unfit};
+use rayon::prelude::*;
 
 /// The faces of a mesh as triangles.
 ///
@@ -36,10 +38,10 @@ pub struct Triangulation {
 ///   vector area, summed relative to the first corner. Corners on a straight edge, holes joined to the outside
 ///   by a bridge of two coincident edges, and repeated positions are right.
 ///
-/// All polygons together may cost a few seconds; one of many thousand needle-like corners that wants more counts
-/// as failed. Scaling all positions by a power of two changes nothing as long as they stay normal numbers.
+/// A polygon of many thousand needles may cost more than a few seconds can pay for; it then counts as failed. Scaling
+/// all positions by a power of two changes nothing as long as they stay normal numbers.
 /// Cost: a few nanoseconds for each triangle, tens for a quad, some microseconds for a larger polygon, n log n
-/// in its corners.
+/// in its corners; larger polygons are cut on all threads.
 pub fn triangulate(mesh: &Mesh) -> Triangulation {
     let faces = mesh.faces();
     let count = faces.corner_count().saturating_sub(2 * faces.len());
@@ -48,54 +50,66 @@ pub fn triangulate(mesh: &Mesh) -> Triangulation {
         source_face: Vec::with_capacity(count),
         failed: Vec::new(),
     };
+    let mut polygons = cut_polygons(mesh).into_iter();
     let mut points = Vec::new();
-    let mut budget = polygon::Budget::for_corners(faces.corner_count());
     for (face, range) in faces.ranges().enumerate() {
         let (first, arity) = (range.start as u32, range.len());
-        if arity > 3 {
-            points.clear();
-            points.extend(faces.corners()[range].iter().map(|&v| mesh.positions()[v as usize]));
-            if !cut(&mut points, first, &mut budget, &mut out.triangles) {
-                out.failed.push(face as u32);
-                out.triangles.extend((1..arity as u32 - 1).map(|k| [first, first + k, first + k + 1]));
-            }
-        } else {
-            out.triangles.push([first, first + 1, first + 2]);
+        let mut put = |triangles: &[[u32; 3]]| {
+            out.triangles.extend(triangles.iter().map(|triangle| triangle.map(|corner| first + corner)));
+            triangles.len()
+        };
+        let put = match arity {
+            3 => put(&[[0, 1, 2]]),
+            4 => quad::cut(gather(mesh, face, &mut points)).map_or(0, |cut| put(&cut)),
+            _ => polygons.next().flatten().map_or(0, |cut| put(&cut)),
+        };
+        if put == 0 {
+            out.failed.push(face as u32);
+            out.triangles.extend((1..arity as u32 - 1).map(|k| [first, first + k, first + k + 1]));
         }
         out.source_face.extend(std::iter::repeat_n(face as u32, arity - 2));
     }
     out
 }
 
-/// Appends the triangles of one polygon, or nothing if it cannot be done.
-fn cut(
-    points: &mut [DVec3],
-    first: u32,
-    budget: &mut polygon::Budget,
-    triangles: &mut Vec<[u32; 3]>,
-) -> bool {
-    // The lexicographic order is that of the stored positions: subtraction may round two apart into one.
-    let lowest = quad::lowest(points);
-    normalise(points);
-    if let [p0, p1, p2, p3] = *points {
-        let Some(cut) = quad::cut([p0, p1, p2, p3], lowest) else { return false };
-        triangles.extend(cut.map(|triangle| triangle.map(|corner| first + corner)));
-        return true;
-    }
-    let Some(cut) = polygon::cut(points, budget) else { return false };
-    debug_assert_eq!(cut.len(), points.len() - 2);
-    triangles.extend(cut.iter().map(|triangle| triangle.map(|corner| first + corner)));
-    true
+/// The triangles of each face of five corners or more, by corners of that face; `None` where it cannot be done.
+fn cut_polygons(mesh: &Mesh) -> Vec<Option<Vec<[u32; 3]>>> {
+    let arity = |face: &usize| mesh.faces().range(*face).len();
+    let polygons: Vec<usize> = (0..mesh.face_count()).filter(|face| arity(face) > 4).collect();
+    let cut = |face: usize, budget: &mut Budget, points: &mut Vec<DVec3>| {
+        gather(mesh, face, points);
+        polygon::cut(normalise(points), budget)
+    };
+    let first = polygons.par_iter().map_init(Vec::new, |points, &face| {
+        cut(face, &mut Budget::own(mesh.faces().range(face).len()), points)
+    });
+    let first: Vec<_> = first.collect();
+    // What needs more than its own budget goes to the common one, in order, so that the outcome is one at any number
+    // of threads.
+    let (mut common, mut points) = (Budget::common(), Vec::new());
+    let again = |(result, &face): (Result<_, Unfit>, &usize)| match result {
+        Err(Unfit::OverBudget) => cut(face, &mut common, &mut points).ok(),
+        result => result.ok(),
+    };
+    first.into_iter().zip(&polygons).map(again).collect()
+}
+
+/// The positions of a face's corners.
+fn gather<'a>(mesh: &Mesh, face: usize, points: &'a mut Vec<DVec3>) -> &'a mut [DVec3] {
+    points.clear();
+    points.extend(mesh.faces().face(face).iter().map(|&vertex| mesh.positions()[vertex as usize]));
+    points
 }
 
 /// Moves the first point to the origin and scales by a power of two to a size of about one, so that nothing
 /// later overflows or underflows. Subtracting first is also what keeps the vector area of a polygon far from the
 /// origin right: the terms of a sum about the origin cancel.
-fn normalise(points: &mut [DVec3]) {
+fn normalise(points: &mut [DVec3]) -> &[DVec3] {
     rescale(points);
     let origin = points[0];
     points.iter_mut().for_each(|p| *p -= origin);
     rescale(points);
+    points
 }
 
 /// Multiplies by the power of two that brings the largest coordinate to about one. Twice, because one power of two

@@ -63,14 +63,20 @@ impl Element {
         found.iter().all(Option::is_some).then(|| found.map(Option::unwrap_or_default))
     }
 
-    /// The fewest bytes that a row takes.
+    /// The bytes of every row, if rows are binary and have no lists.
+    pub fn stride(&self, encoding: Encoding) -> Option<usize> {
+        let has_lists = self.properties.iter().any(|property| matches!(property.kind, Kind::List { .. }));
+        (encoding != Encoding::Ascii && !has_lists).then(|| self.smallest_row(encoding) as usize)
+    }
+
+    /// The fewest bytes that a row takes; in ascii each number takes a digit and what is behind it.
     pub fn smallest_row(&self, encoding: Encoding) -> u64 {
         let size = |kind| match kind {
             Kind::Scalar(scalar) => scalar.size() as u64,
             Kind::List { count, .. } => count.size() as u64,
         };
         match encoding {
-            Encoding::Ascii => u64::from(!self.properties.is_empty()),
+            Encoding::Ascii => 2 * self.properties.len() as u64,
             _ => self.properties.iter().map(|property| size(property.kind)).sum(),
         }
     }

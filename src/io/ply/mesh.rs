@@ -9,6 +9,7 @@ use crate::io::tally::{Tally, build_part};
 use crate::io::{Note, Part, Place, Problem, ReadError, ReadOptions};
 use crate::mesh::{Column, Columns, Faces, MeshBuilder, MeshError, NONE, Storage};
 use glam::{DVec2, DVec3};
+use std::collections::BTreeSet;
 
 /// What a body gives: the mesh in the making and what was odd.
 #[derive(Default)]
@@ -134,7 +135,7 @@ impl Reading {
 
     fn vertices(&mut self, rows: &mut Rows<'_>, element: &Element, role: &VertexRole) -> Result<(), Fault> {
         let kinds: Vec<Scalar> = element.properties.iter().map(|property| scalar_of(property.kind)).collect();
-        let count = element.count.min((rows.bytes.len() - rows.at) as u64) as usize;
+        let count = rows.plausible_count(element);
         self.mesh.positions.reserve(count);
         let mut colors = role.color.map(|_| Vec::with_capacity(count));
         rows.each(element, |_, row, rows| {
@@ -174,8 +175,7 @@ impl Reading {
     fn faces(&mut self, rows: &mut Rows<'_>, element: &Element, role: &FaceRole) -> Result<(), Fault> {
         let kind = element.properties[role.list].kind;
         let mut corners = Vec::new();
-        let rest = (rows.bytes.len() - rows.at) as u64;
-        self.mesh.faces = Faces::with_capacity(element.count.saturating_mul(3).min(rest) as usize);
+        self.mesh.faces = Faces::with_capacity(3 * rows.plausible_count(element));
         rows.each(element, |_, row, rows| {
             read_corners(rows, row, role.list, kind, &mut corners)?;
             if corners.len() < 3 {
@@ -307,12 +307,14 @@ impl Reading {
             let text = format!("{} bytes behind the last row were not read", rest.len());
             notes.push(Note::warning(place(self.end), text));
         }
-        for (at, element) in header.elements.iter().enumerate() {
-            if header.elements[..at].iter().any(|other| other.name == element.name) {
-                let text =
-                    format!("a second element `{}` is carried along, but not understood", element.name);
-                notes.push(Note::warning(Place::Line(element.line), text));
-            }
+        let mut names = BTreeSet::new();
+        let again: Vec<&Element> =
+            header.elements.iter().filter(|element| !names.insert(&element.name)).collect();
+        if let [first, ..] = again[..] {
+            let (name, count) = (&first.name, again.len());
+            let text =
+                format!("{count} elements have a name that is taken (`{name}`) and were only carried along");
+            notes.push(Note::warning(Place::Line(first.line), text));
         }
         notes
     }

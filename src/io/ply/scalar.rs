@@ -85,28 +85,25 @@ impl Scalar {
     /// The number in `bytes`: exactly its binary bytes, or an ascii word. `None` if the word is no number.
     #[inline]
     pub fn read(self, bytes: &[u8], encoding: Encoding) -> Option<f64> {
-        match encoding {
-            Encoding::Ascii => number::float(bytes),
-            Encoding::Little => self.decode(bytes, u64::from_le_bytes, 0),
-            // The bytes stand at the front of the eight, so a number of fewer is shifted up.
-            Encoding::Big => self.decode(bytes, u64::from_be_bytes, 64 - 8 * self.size() as u32),
+        macro_rules! decode {
+            ($number:ty) => {{
+                let bytes = bytes.try_into().ok()?;
+                match encoding {
+                    Encoding::Big => <$number>::from_be_bytes(bytes).into(),
+                    _ => <$number>::from_le_bytes(bytes).into(),
+                }
+            }};
         }
-    }
-
-    #[inline]
-    fn decode(self, bytes: &[u8], word: fn([u8; 8]) -> u64, shift: u32) -> Option<f64> {
-        let mut all = [0; 8];
-        all.get_mut(..bytes.len())?.copy_from_slice(bytes);
-        let word = word(all) >> shift;
         Some(match self {
-            I8 => f64::from(word as u8 as i8),
-            U8 => f64::from(word as u8),
-            I16 => f64::from(word as u16 as i16),
-            U16 => f64::from(word as u16),
-            I32 => f64::from(word as u32 as i32),
-            U32 => f64::from(word as u32),
-            F32 => f64::from(f32::from_bits(word as u32)),
-            F64 => f64::from_bits(word),
+            _ if encoding == Encoding::Ascii => return number::float(bytes),
+            I8 => decode!(i8),
+            U8 => decode!(u8),
+            I16 => decode!(i16),
+            U16 => decode!(u16),
+            I32 => decode!(i32),
+            U32 => decode!(u32),
+            F32 => decode!(f32),
+            F64 => decode!(f64),
         })
     }
 

@@ -26,10 +26,14 @@ pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Wri
             let text = format!("the position ({}, {}, {}) is beyond the numbers of STL", far.x, far.y, far.z);
             return Err(WriteError::Unsupported(format!("{text}; scale the mesh down")));
         }
+        // One a face: a polygon has as many triangles as it takes to look at all of its corners.
+        let normals: Vec<Option<DVec3>> =
+            (0..mesh.face_count()).map(|face| shared_normal(mesh, face)).collect();
         let triangulation = triangulate(mesh);
+        count += triangulation.triangles.len() as u64;
         bytes.reserve(triangulation.triangles.len() * FACET);
         for (triangle, face) in triangulation.triangles.into_iter().zip(triangulation.source_face) {
-            let normal = shared_normal(mesh, face as usize);
+            let normal = normals[face as usize];
             without_normal += u64::from(normal.is_none());
             bytes.extend(vector_bytes(normal.map_or([0.0; 3], stored)));
             for corner in triangle {
@@ -37,7 +41,6 @@ pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Wri
                 bytes.extend(vector_bytes(position.as_vec3().to_array()));
             }
             bytes.extend([0, 0]);
-            count += 1;
         }
     }
     let counted = u32::try_from(count)

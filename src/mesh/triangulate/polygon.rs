@@ -18,28 +18,41 @@ pub(super) struct Budget {
 }
 
 impl Budget {
-    /// Enough for any honest mesh of so many corners, and a few seconds at most.
-    pub(super) fn for_corners(count: usize) -> Self {
-        Self { squared_crossings: (1 << 25) + 64 * count as u64 }
+    /// What a polygon of so many corners may spend.
+    pub(super) fn own(corners: usize) -> Self {
+        Self { squared_crossings: 64 * corners as u64 }
     }
 
-    fn spend(&mut self, crossings: usize) -> Option<()> {
-        let crossings = crossings as u64;
-        self.squared_crossings = self.squared_crossings.checked_sub(crossings.checked_mul(crossings)?)?;
-        Some(())
+    /// What all that need more than their own may spend together: about a second.
+    pub(super) fn common() -> Self {
+        Self { squared_crossings: 1 << 25 }
+    }
+
+    fn spend(&mut self, crossings: usize) -> Result<(), Unfit> {
+        let squared = (crossings as u64).saturating_mul(crossings as u64);
+        self.squared_crossings = self.squared_crossings.checked_sub(squared).ok_or(Unfit::OverBudget)?;
+        Ok(())
     }
 }
 
-/// The `n - 2` triangles of a polygon whose first point is the origin and whose size is about one; `None` if its
-/// projection has no area, crosses itself, touches itself with a corner inside an edge, or exceeds the budget.
-pub(super) fn cut(points: &[DVec3], budget: &mut Budget) -> Option<Vec<[u32; 3]>> {
-    let flat = project(points)?;
+/// Why a polygon is not cut.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Unfit {
+    /// Its projection has no area, crosses itself, or touches itself with a corner inside an edge.
+    Shape,
+    /// It costs more than it may.
+    OverBudget,
+}
+
+/// The `n - 2` triangles of a polygon whose first point is the origin and whose size is about one.
+pub(super) fn cut(points: &[DVec3], budget: &mut Budget) -> Result<Vec<[u32; 3]>, Unfit> {
+    let flat = project(points).ok_or(Unfit::Shape)?;
     let (mut triangles, ring) = clip_empty_ears(&flat);
     if ring.len() < 3 {
-        return None;
+        return Err(Unfit::Shape);
     }
     triangles.extend(Ring::new(&flat, &ring).triangles(budget)?);
-    (triangles.len() == points.len() - 2).then_some(triangles)
+    if triangles.len() == points.len() - 2 { Ok(triangles) } else { Err(Unfit::Shape) }
 }
 
 /// Coordinates on the polygon's own plane, on which it runs counter-clockwise.
@@ -147,26 +160,25 @@ impl<'a> Ring<'a> {
         self.point_of.iter_mut().for_each(|k| *k = rank[*k as usize]);
     }
 
-    fn triangles(mut self, budget: &mut Budget) -> Option<Vec<[u32; 3]>> {
+    fn triangles(mut self, budget: &mut Budget) -> Result<Vec<[u32; 3]>, Unfit> {
         let count = self.corners.len();
         for place in 0..count {
             let edge = (self.point_of[place], self.point_of[(place + 1) % count]);
             // An edge that is run through twice in one direction bounds a region that is covered twice.
             if self.edges.insert(edge, place as u32).is_some() {
-                return None;
+                return Err(Unfit::Shape);
             }
         }
         let cdt = self.triangulation(budget)?;
-        let inside = self.inside(&cdt)?;
-        self.label(&cdt, &inside)
+        self.inside(&cdt).and_then(|inside| self.label(&cdt, &inside)).ok_or(Unfit::Shape)
     }
 
-    /// The triangulation, vertex `k` of which is point `k`; `None` if edges of the polygon cross.
-    fn triangulation(&self, budget: &mut Budget) -> Option<Cdt> {
+    /// The triangulation, vertex `k` of which is point `k`; none if edges of the polygon cross.
+    fn triangulation(&self, budget: &mut Budget) -> Result<Cdt, Unfit> {
         let mut cdt = Cdt::new();
         for (number, &point) in self.points.iter().enumerate() {
-            if cdt.insert(point).ok()?.index() != number {
-                return None;
+            if cdt.insert(point).map_err(|_| Unfit::Shape)?.index() != number {
+                return Err(Unfit::Shape);
             }
         }
         let count = self.corners.len();
@@ -180,10 +192,10 @@ impl<'a> Ring<'a> {
             }
             budget.spend(LineIntersectionIterator::new_from_handles(&cdt, from, to).count())?;
             if cdt.try_add_constraint(from, to).is_empty() {
-                return None;
+                return Err(Unfit::Shape);
             }
         }
-        Some(cdt)
+        Ok(cdt)
     }
 
     fn place(&self, edge: Edge<'_>) -> Option<u32> {
