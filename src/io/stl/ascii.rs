@@ -9,6 +9,9 @@ use crate::mesh::{Column, Columns, Faces, MeshBuilder, MeshError, NONE, Storage}
 use glam::DVec3;
 use std::ops::Range;
 
+/// The most solids of a file. Each becomes a part, which takes far more memory than the words that make one.
+const MOST_SOLIDS: usize = 1 << 16;
+
 /// Where the parts of a facet are in the text.
 #[derive(Clone, Debug, Default)]
 pub(super) struct FacetText {
@@ -143,7 +146,7 @@ impl<'a> Parser<'a> {
     fn statement(&mut self, word: Range<usize>) -> Result<(), ReadError> {
         let keyword = self.text[word.clone()].to_ascii_lowercase();
         match (&keyword[..], self.facet) {
-            (b"solid", None) => self.begin_solid(word.start),
+            (b"solid", None) => self.begin_solid(word.start)?,
             (b"endsolid", None) => {
                 self.words.rest_of_line();
                 if self.solid == Solid::None {
@@ -190,13 +193,19 @@ impl<'a> Parser<'a> {
         }
     }
 
-    fn begin_solid(&mut self, start: usize) {
+    fn begin_solid(&mut self, start: usize) -> Result<(), ReadError> {
+        if self.solids.len() == MOST_SOLIDS {
+            let found = format!("more than {MOST_SOLIDS} solids");
+            let place = line(self.text, start);
+            return Err(ReadError::new(Problem::Limit, place, found, "divide the file"));
+        }
         if self.solid == Solid::Named {
             self.odd.unclosed.add(start);
         }
         let name = self.words.rest_of_line();
         self.solids.push(SolidText { name: solid_name(&self.text[name]), ..SolidText::default() });
         self.solid = Solid::Named;
+        Ok(())
     }
 
     fn begin_facet(&mut self, word: Range<usize>) {

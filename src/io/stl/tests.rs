@@ -193,6 +193,8 @@ fn faults_say_where() {
         let error = error(&text).to_string();
         assert!(error.starts_with(expected), "{error}");
     }
+    let many = "solid\nendsolid\n".repeat(70_000);
+    assert_eq!(error(many).problem, Problem::Limit);
     let mut bytes = binary(2);
     bytes[84 + 50 + 24..84 + 50 + 28].copy_from_slice(&f32::NAN.to_le_bytes());
     let error = error(&bytes);

@@ -68,6 +68,18 @@ fn inputs() -> Vec<(Format, &'static str, Vec<u8>)> {
         (Format::Obj, "libraries of their own", numbered("mtllib ")),
         (Format::Obj, "unknown statements", obj("x\n")),
         (Format::Obj, "colours", obj("v 0 0 0 1 1 1\n")),
+        (Format::Ply, "faces", ply("3 0 1 2\n")),
+        (Format::Ply, "faces in one line", ply("3 0 1 2 ")),
+        (Format::Ply, "faces without corners", ply("0\n")),
+        (Format::Ply, "one polygon", ply_polygon()),
+        (Format::Ply, "elements of their own", ply_elements()),
+        (
+            Format::Stl,
+            "facets",
+            stl("facet outer loop vertex 0 0 0 vertex 0 1 0 vertex 1 0 0 endloop endfacet\n"),
+        ),
+        (Format::Stl, "solids", stl("endsolid\nsolid\n")),
+        (Format::Stl, "unknown words", stl("x\n")),
         (Format::Gltf, "open brackets", repeated("[")),
         (Format::Gltf, "numbers", gltf("\"x\":[", "1", "]}")),
         (Format::Gltf, "members", gltf("\"x\":{", "\"a\":1", "}}")),
@@ -93,6 +105,32 @@ fn numbered(keyword: &str) -> Vec<u8> {
         text.extend_from_slice(format!("{keyword}{number}\n").as_bytes());
     }
     text
+}
+
+/// Three vertices and as many faces as there is room for.
+fn ply(row: &str) -> Vec<u8> {
+    let faces = repeated(row);
+    [ply_header(faces.len() / row.len()).as_bytes(), &faces].concat()
+}
+
+fn ply_header(faces: usize) -> String {
+    let vertex = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+    let face = format!("element face {faces}\nproperty list int int vertex_indices\n");
+    format!("ply\nformat ascii 1.0\n{vertex}{face}end_header\n0 0 0\n1 0 0\n0 1 0\n")
+}
+
+fn ply_polygon() -> Vec<u8> {
+    let corners = repeated("0 1 2 ");
+    [format!("{}{} ", ply_header(1), corners.len() / 2).as_bytes(), &corners, b"0 1 2\n"].concat()
+}
+
+fn ply_elements() -> Vec<u8> {
+    let elements = (0..200_000).map(|number| format!("element e{number} 0\n")).collect::<String>();
+    ply_header(0).replace("element face", &format!("{elements}element face")).into_bytes()
+}
+
+fn stl(pattern: &str) -> Vec<u8> {
+    [b"solid\n", &repeated(pattern)[..], b"\nendsolid\n"].concat()
 }
 
 #[test]
