@@ -74,11 +74,12 @@ impl Splitter<'_> {
         }
         let key = self.key(corner);
         let mut at = vertex;
-        for _ in 0..CHAIN {
+        for length in 1..=CHAIN {
             if self.key(self.sample[at as usize]) == key {
                 return at;
             }
             match self.next[at as usize] {
+                NONE if length == CHAIN => break,
                 NONE => {
                     let new = self.split_off(vertex, corner);
                     self.next[at as usize] = new;
