@@ -36,7 +36,7 @@ pub fn icosphere(triangles: usize) -> Mesh {
         corners.extend([[0.0, a, b], [a, b, 0.0], [b, 0.0, a]]);
     }
     let near = |a: usize, b: usize| {
-        let squared: f64 = (0..3).map(|axis| (corners[a][axis] - corners[b][axis]).powi(2)).sum();
+        let squared: f64 = (0..3).map(|axis| corners[a][axis] - corners[b][axis]).map(|d| d * d).sum();
         squared < 4.1
     };
     let mut sphere = Sphere {

@@ -2,6 +2,8 @@
 //!
 //!     cargo bench --bench ratios -- [ROUNDS] [TRIANGLES]...
 
+#![allow(clippy::print_stdout, reason = "it prints a table")]
+
 mod meshes;
 
 use crease::normals::{Scratch, Slivers, Weight, vertex_normals};

@@ -87,12 +87,12 @@ impl<T: Scalar> Corners<T> {
             smallest[lane] = if low < smallest[lane] { low } else { smallest[lane] };
         };
         for corner in 0..3 {
-            let xy = self.xy[corner].as_flattened();
-            for lane in 0..LANES {
-                take(lane, xy[lane]);
+            let (x, y) = self.xy[corner].as_flattened().split_at(LANES);
+            for (lane, &x) in x.iter().enumerate() {
+                take(lane, x);
             }
-            for lane in 0..LANES {
-                take(lane, xy[LANES + lane]);
+            for (lane, &y) in y.iter().enumerate() {
+                take(lane, y);
             }
             for lane in 0..LANES {
                 take(lane, self.z[corner][lane]);

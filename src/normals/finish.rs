@@ -183,6 +183,7 @@ impl<S: Source, W: CornerWeight> Kernel for LookAgain<'_, S, W> {
 
 impl<S: Source, W: CornerWeight> LookAgain<'_, S, W> {
     /// Walks the faces once more: slots of one face, as (face, slot) sorted by face, and the terms of slots without a sum.
+    #[expect(clippy::type_complexity, reason = "two lists of pairs, named in the line above")]
     fn collect<P: Product>(&mut self) -> (Vec<(u32, u32)>, Vec<(u32, Term)>) {
         let Task { request, source, partition, number, numbering, .. } = self.task;
         let Part { sums, odd, again, .. } = &mut *self.part;

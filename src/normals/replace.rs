@@ -187,8 +187,8 @@ mod tests {
     /// A face without area has no side that a normal could be on the wrong one of.
     #[test]
     fn faces_that_add_nothing_are_not_asked() {
-        let mut columns = Columns::default();
-        columns.normals = Some(Column::per_vertex(vec![DVec3::NEG_Z; 3]));
+        let normals = Some(Column::per_vertex(vec![DVec3::NEG_Z; 3]));
+        let columns = Columns { normals, ..Columns::default() };
         let mesh = MeshBuilder {
             positions: vec![DVec3::ZERO, DVec3::X, DVec3::X * 2.0],
             faces: Faces::triangles(vec![0, 1, 2]),

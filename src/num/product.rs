@@ -91,7 +91,7 @@ mod tests {
     fn difference_keeps_a_relative_error_of_two_units() {
         // Pharr's case (2019) in spirit: nearly equal products, where the plain formula has no right digit.
         let mut numbers = Numbers::new(3);
-        let bound = RBig::try_from(2f64.powi(-52)).unwrap();
+        let bound = RBig::try_from(f64::EPSILON).unwrap();
         let (mut worst_plain, mut zero) = (0.0, 0);
         for _ in 0..20_000 {
             let (a, b, c) = (numbers.spread(20), numbers.spread(20), numbers.spread(20));

@@ -141,7 +141,7 @@ fn small_files() -> Vec<Vec<u8>> {
     binary.resize(80, b' ');
     binary.extend(3_u32.to_le_bytes());
     for k in 0..36 {
-        binary.extend((k as f32 * 0.7).sin().to_le_bytes());
+        binary.extend(libm::sinf(k as f32 * 0.7).to_le_bytes());
         if k % 12 == 11 {
             binary.extend([1, 2]);
         }
