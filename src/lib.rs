@@ -31,8 +31,9 @@
 //! - The same input gives the same bytes at any number of threads and with any CPU's instruction set.
 //!
 //! # Layers
-//! `num` (numbers) ← `mesh` (polygons and topology) ← `io` (files), `normals` (this crate's subject) ←
-//! `pipeline` (file to file) ← the command-line program. A module uses only lower ones; a test holds that.
+//! `num` (numbers) ← `mesh` (polygons and topology) ← `io` (files), `normals` (this crate's subject), `surface`
+//! (where normals are exact) ← `pipeline` (file to file) ← the command-line program. A module uses only lower ones;
+//! a test holds that.
 //!
 //! # Sources
 //! - H. Gouraud, *Continuous shading of curved surfaces*, IEEE Trans. Computers C-20(6), 1971: the uniform mean.
@@ -52,3 +53,4 @@ pub mod mesh;
 pub mod normals;
 pub mod num;
 pub mod pipeline;
+pub mod surface;

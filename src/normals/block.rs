@@ -8,7 +8,7 @@ use super::positions::{Scalar, Source};
 use super::sliver;
 use super::weight::{CornerWeight, TriangleMeasures};
 use crate::mesh::Storage;
-use crate::num::{self, Product, difference_of_products};
+use crate::num::{self, Product};
 use glam::DVec3;
 
 /// Triangles in a block: enough to fill vectors, few enough that all rows stay in the nearest cache.
@@ -159,17 +159,7 @@ fn difference(to: DVec3, from: DVec3) -> (DVec3, DVec3) {
     (DVec3::new(x.0, y.0, z.0), DVec3::new(x.1, y.1, z.1))
 }
 
-/// u × v by differences of products.
-#[inline(always)]
-fn cross<P: Product>(u: DVec3, v: DVec3) -> DVec3 {
-    DVec3::new(
-        difference_of_products::<P>(u.y, v.z, u.z, v.y),
-        difference_of_products::<P>(u.z, v.x, u.x, v.z),
-        difference_of_products::<P>(u.x, v.y, u.y, v.x),
-    )
-}
-
-/// The same for vectors that have low parts.
+/// u × v by differences of products, for vectors that have low parts.
 #[inline(always)]
 fn cross_with_low_parts<P: Product>(u: (DVec3, DVec3), v: (DVec3, DVec3)) -> DVec3 {
     let ((ux, uy, uz), (vx, vy, vz)) =
@@ -196,7 +186,7 @@ fn lanes<P: Product, S: Source, W: CornerWeight, const LOW: bool>(
             (e1, e2, vector) = (u.0, v.0, cross_with_low_parts::<P>(u, v));
         } else {
             (e1, e2) = (p1 - p0, p2 - p0);
-            vector = cross::<P>(e1, e2);
+            vector = num::cross::<P>(e1, e2);
         }
         let squared = num::squared_length(vector);
         let length = squared.sqrt();

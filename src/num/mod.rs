@@ -21,6 +21,6 @@ pub(crate) use corner_angle::corner_angle;
 pub(crate) use dispatch::{Kernel, dispatch};
 pub(crate) use exact::ExactSum;
 pub(crate) use least_squares::least_squares;
-pub(crate) use product::{Product, difference_of_products};
+pub(crate) use product::{Product, Split, cross, difference_of_products};
 pub(crate) use sum::two_difference;
 pub(crate) use unit::{direction, exponent, is_plain, power_of_two, scale, squared_length};

@@ -1,5 +1,7 @@
 //! Exact products, with and without a fused multiply-add.
 
+use glam::DVec3;
+
 /// A way to multiply two numbers without losing anything.
 ///
 /// Both ways give the same bits, so a kernel compiled twice, once for each, gives the same bits on any CPU.
@@ -51,6 +53,16 @@ fn split(a: f64) -> (f64, f64) {
 pub(crate) fn difference_of_products<P: Product>(a: f64, b: f64, c: f64, d: f64) -> f64 {
     let ((p, ep), (q, eq)) = (P::two_product(a, b), P::two_product(c, d));
     (p - q) + (ep - eq)
+}
+
+/// u × v, each component within 2u of its own value (u = 2^-53), however much its products cancel.
+#[inline(always)]
+pub(crate) fn cross<P: Product>(u: DVec3, v: DVec3) -> DVec3 {
+    DVec3::new(
+        difference_of_products::<P>(u.y, v.z, u.z, v.y),
+        difference_of_products::<P>(u.z, v.x, u.x, v.z),
+        difference_of_products::<P>(u.x, v.y, u.y, v.x),
+    )
 }
 
 #[cfg(test)]
