@@ -11,8 +11,8 @@ use crate::mesh::Storage;
 use crate::num::{self, Product};
 use glam::DVec3;
 
-/// Triangles in a block: enough to fill vectors, few enough that all rows stay in the nearest cache.
-pub(crate) const LANES: usize = 64;
+/// Triangles in a block: enough to fill vectors, few enough that reading one block overlaps with computing the last.
+pub(crate) const LANES: usize = 32;
 
 type Row<T> = [T; LANES];
 
@@ -23,33 +23,32 @@ pub(crate) struct Corners<T> {
     z: [Row<T>; 3],
 }
 
-/// What triangles of a block add to sums; see [`CornerTerms`](super::corner_terms::CornerTerms). Where every corner counts
-/// by area alone, the length beside a vector is only an upper bound.
+/// What triangles of a block add to sums; see [`CornerTerms`](super::corner_terms::CornerTerms).
 pub(crate) struct BlockTerms {
-    /// Each face's vector and its length.
+    /// Each face's vector and its length. Where every corner counts by area alone, the latter is only an upper bound.
     pub(crate) vectors: Row<[f64; 4]>,
-    /// The weights of each face's corners.
-    pub(crate) weights: Row<[f64; 4]>,
+    /// The same by components.
+    columns: [Row<f64>; 4],
+    /// Weights of the first corners, of the second and of the third. Where every corner counts the same, nothing.
+    pub(crate) weights: [Row<f64>; 3],
     /// Whether the above is right. Where it is not, the face needs the scalar path.
     pub(crate) settled: Row<u64>,
-    /// The same, row by row.
-    columns: [Row<f64>; 7],
 }
 
 impl BlockTerms {
     pub(crate) fn new() -> Self {
         Self {
             vectors: [[0.0; 4]; LANES],
-            weights: [[0.0; 4]; LANES],
+            columns: [[0.0; LANES]; 4],
+            weights: [[0.0; LANES]; 3],
             settled: [0; LANES],
-            columns: [[0.0; LANES]; 7],
         }
     }
 
-    /// Whether every one of the first triangles is right.
-    #[inline(always)]
-    pub(crate) fn all_settled(&self, count: usize) -> bool {
-        self.settled.iter().take(count).fold(1, |all, &one| all & one) == 1
+    /// Writes the terms of one triangle.
+    pub(crate) fn set(&mut self, lane: usize, vector: [f64; 4], weights: &[f64]) {
+        self.vectors[lane] = vector;
+        self.weights.iter_mut().zip(weights).for_each(|(row, &x)| row[lane] = x);
     }
 }
 
@@ -80,6 +79,7 @@ impl<T: Scalar> Corners<T> {
     /// The largest magnitude in the block, and the smallest but zero.
     #[inline(always)]
     fn range(&self) -> (f64, f64) {
+        // Lane by lane first: only the last step goes across lanes.
         let (mut largest, mut smallest) = ([T::LOWEST; LANES], [T::HIGHEST; LANES]);
         let mut take = |lane: usize, x: T| {
             let (high, low) = (x.magnitude(), x.magnitude_but_zero());
@@ -113,13 +113,14 @@ const EXACT_RATIO: f64 = (1 << 28) as f64;
 /// 2^-300: sums of two squared edges above it keep clear of the subnormal range in everything computed from them.
 const SMALLEST_SQUARES: f64 = 4.909_093_465_297_727e-91;
 
-/// Computes what triangles add to sums, for a whole block.
+/// Computes what the first `count` triangles of a block add to sums, and tells whether all are settled.
 #[inline(always)]
 pub(crate) fn block_terms<P: Product, S: Source, W: CornerWeight>(
     corners: &Corners<S::Scalar>,
+    count: usize,
     source: S,
     terms: &mut BlockTerms,
-) {
+) -> bool {
     let (largest, smallest) = corners.range();
     let threshold = sliver::threshold(source.storage(), largest);
     // The longest edge is at most |e1| + |e2|, its square at most twice the sum of theirs; and something for the
@@ -134,6 +135,7 @@ pub(crate) fn block_terms<P: Product, S: Source, W: CornerWeight>(
             unsettle_inexact_differences(corners, terms);
         }
     }
+    terms.settled.iter().take(count).fold(1, |all, &one| all & one) == 1
 }
 
 /// With `f32` values a component far smaller than the others must be right to an ulp as well: where differences are
@@ -177,7 +179,7 @@ fn lanes<P: Product, S: Source, W: CornerWeight, const LOW: bool>(
     bar: f64,
     terms: &mut BlockTerms,
 ) {
-    let BlockTerms { vectors, weights, settled, columns } = terms;
+    let BlockTerms { vectors, columns: [x, y, z, w], weights: [weight0, weight1, weight2], settled } = terms;
     for lane in 0..LANES {
         let (p0, p1, p2) = corners.points(lane);
         let (e1, e2, vector);
@@ -194,28 +196,19 @@ fn lanes<P: Product, S: Source, W: CornerWeight, const LOW: bool>(
         // False for zero areas, slivers and NaN alike.
         settled[lane] = u64::from((squared > bar * squares) & (squares > SMALLEST_SQUARES));
         let face = if W::BY_AREA { vector } else { vector * (1.0 / length) };
-        columns[0][lane] = face.x;
-        columns[1][lane] = face.y;
-        columns[2][lane] = face.z;
-        columns[3][lane] = match (W::BY_AREA, W::EVEN) {
+        (x[lane], y[lane], z[lane]) = (face.x, face.y, face.z);
+        w[lane] = match (W::BY_AREA, W::EVEN) {
             // Only an upper bound, which saves the root; see `Finish`.
             (true, true) => (vector.x.abs() + vector.y.abs()) + vector.z.abs(),
             (true, false) => length,
             (false, _) => 1.0,
         };
         if !W::EVEN {
-            let weights = W::of_triangle(TriangleMeasures::new(length, e1, e2, p2 - p1));
-            columns[4][lane] = weights[0];
-            columns[5][lane] = weights[1];
-            columns[6][lane] = weights[2];
+            let [a, b, c] = W::of_triangle(TriangleMeasures::new(length, e1, e2, p2 - p1));
+            (weight0[lane], weight1[lane], weight2[lane]) = (a, b, c);
         }
     }
     for lane in 0..LANES {
-        vectors[lane] = [columns[0][lane], columns[1][lane], columns[2][lane], columns[3][lane]];
-    }
-    if !W::EVEN {
-        for lane in 0..LANES {
-            weights[lane] = [columns[4][lane], columns[5][lane], columns[6][lane], 0.0];
-        }
+        vectors[lane] = [x[lane], y[lane], z[lane], w[lane]];
     }
 }

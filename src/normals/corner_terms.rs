@@ -3,8 +3,8 @@
 use super::face_shape::{FaceShape, FaceState, face_shape};
 use super::positions::Source;
 use super::weight::{CornerMeasures, CornerWeight, TriangleMeasures, dot};
-use crate::mesh::FacesRef;
-use crate::num::{self, Product};
+use crate::mesh::{FacesRef, Storage};
+use crate::num::{self, Kernel, Product};
 use glam::DVec3;
 
 /// A face's share in sums: corner c adds `vector` · `weights[c]`, where `vector` is n̂ or the area vector with its
@@ -28,13 +28,8 @@ const EXPONENTS: i32 = 480;
 const SMALLEST_SQUARE: f64 = 1e-250;
 
 impl CornerTerms {
-    /// Fills in the shape of a face, and gives it.
-    pub(crate) fn shape<P: Product, S: Source>(
-        &mut self,
-        faces: FacesRef,
-        source: S,
-        face: usize,
-    ) -> FaceShape {
+    /// The shape of a face.
+    pub(crate) fn shape<S: Source>(&mut self, faces: FacesRef, source: S, face: usize) -> FaceShape {
         self.points.clear();
         let mut lossy = false;
         self.points.extend(faces.face(face).iter().map(|&vertex| {
@@ -42,19 +37,19 @@ impl CornerTerms {
             lossy |= lost;
             point
         }));
-        face_shape::<P>(&self.points, source.storage(), lossy)
+        num::dispatch(Shape { points: &self.points, storage: source.storage(), lossy })
     }
 
     /// Fills in what a face adds. `repeats(c)`: corner c stands for the same as the corner before it, if both lie
     /// at the same place; then it adds nothing of its own.
-    pub(crate) fn fill<P: Product, S: Source, W: CornerWeight>(
+    pub(crate) fn fill<S: Source, W: CornerWeight>(
         &mut self,
         faces: FacesRef,
         source: S,
         face: usize,
         repeats: impl Fn(usize) -> bool,
     ) {
-        let shape = self.shape::<P, S>(faces, source, face);
+        let shape = self.shape(faces, source, face);
         self.state = shape.state;
         self.weights.clear();
         if !shape.state.has_direction() {
@@ -75,7 +70,7 @@ impl CornerTerms {
             measures.opposite = measures.opposite.map(|square| square.max(SMALLEST_SQUARE));
             self.weights.extend(W::of_triangle(measures));
         } else {
-            self.fill_polygon::<P, W>(&shape, repeats);
+            self.fill_polygon::<W>(&shape, repeats);
         }
         if W::POWER != 0 {
             let unit = num::power_of_two(W::POWER * exponent);
@@ -83,11 +78,7 @@ impl CornerTerms {
         }
     }
 
-    fn fill_polygon<P: Product, W: CornerWeight>(
-        &mut self,
-        shape: &FaceShape,
-        repeats: impl Fn(usize) -> bool,
-    ) {
+    fn fill_polygon<W: CornerWeight>(&mut self, shape: &FaceShape, repeats: impl Fn(usize) -> bool) {
         self.find_neighbours();
         let Self { points, next, previous, weights, .. } = self;
         let count = points.len();
@@ -99,12 +90,7 @@ impl CornerTerms {
             }
             let edge = |to: usize| num::scale(points[to] - points[i], -shape.exponent);
             let (e1, e2) = (edge(next[i]), edge(previous[i]));
-            let minor = |a: f64, b: f64, c: f64, d: f64| num::difference_of_products::<P>(a, b, c, d);
-            let cross = DVec3::new(
-                minor(e1.y, e2.z, e1.z, e2.y),
-                minor(e1.z, e2.x, e1.x, e2.z),
-                minor(e1.x, e2.y, e1.y, e2.x),
-            );
+            let cross = num::cross::<num::Split>(e1, e2);
             let squares = [e1, e2].map(|e| num::squared_length(e).max(SMALLEST_SQUARE));
             weights.push(W::of_corner(CornerMeasures {
                 cross: num::squared_length(cross).sqrt(),
@@ -131,5 +117,21 @@ impl CornerTerms {
             let before = (j + count - 1) % count;
             previous[j] = if points[j] == points[before] { previous[before] } else { before };
         }
+    }
+}
+
+/// A face's shape, computed with the instructions that the CPU has.
+struct Shape<'a> {
+    points: &'a [DVec3],
+    storage: Storage,
+    lossy: bool,
+}
+
+impl Kernel for Shape<'_> {
+    type Output = FaceShape;
+
+    #[inline(always)]
+    fn run<P: Product>(self) -> FaceShape {
+        face_shape::<P>(self.points, self.storage, self.lossy)
     }
 }

@@ -39,7 +39,7 @@ pub(crate) fn face_normals_into<O: Emit>(
 }
 
 /// Faces that one task computes.
-const TASK: usize = 4096;
+const TASK: usize = 1024;
 
 struct AllFaces<'a, O> {
     faces: FacesRef<'a>,
@@ -80,19 +80,20 @@ impl<S: Source, O: Emit> Kernel for SomeFaces<'_, S, O> {
         let mut scalar = CornerTerms::default();
         if !self.faces.is_triangles() {
             for at in 0..self.unit.len() {
-                self.face::<P>(at, &mut scalar);
+                self.face(at, &mut scalar);
             }
             return;
         }
         let (mut corners, mut terms) = (Corners::new(), BlockTerms::new());
         let triangles = self.faces.corners().as_chunks::<3>().0;
-        for start in (0..self.unit.len()).step_by(LANES) {
-            let count = LANES.min(self.unit.len() - start);
-            corners.gather(&triangles[self.first + start..self.first + start + count], self.source);
-            block_terms::<P, S, Uniform>(&corners, self.source, &mut terms);
+        let triangles = &triangles[self.first..self.first + self.unit.len()];
+        for (start, triangles) in (0..).step_by(LANES).zip(triangles.chunks(LANES)) {
+            let count = triangles.len();
+            corners.gather(triangles, self.source);
+            let all_settled = block_terms::<P, S, Uniform>(&corners, count, self.source, &mut terms);
             for lane in 0..count {
-                if terms.settled[lane] == 0 {
-                    self.face::<P>(start + lane, &mut scalar);
+                if !all_settled && terms.settled[lane] == 0 {
+                    self.face(start + lane, &mut scalar);
                     continue;
                 }
                 let [x, y, z, _] = terms.vectors[lane];
@@ -104,8 +105,8 @@ impl<S: Source, O: Emit> Kernel for SomeFaces<'_, S, O> {
 }
 
 impl<S: Source, O: Emit> SomeFaces<'_, S, O> {
-    fn face<P: Product>(&mut self, at: usize, scalar: &mut CornerTerms) {
-        let shape = scalar.shape::<P, S>(self.faces, self.source, self.first + at);
+    fn face(&mut self, at: usize, scalar: &mut CornerTerms) {
+        let shape = scalar.shape(self.faces, self.source, self.first + at);
         self.unit[at] = O::emit(shape.unit);
         self.state[at] = shape.state;
     }

@@ -114,6 +114,7 @@ impl Minor {
     }
 
     /// The same into a sum of many.
+    #[inline(always)]
     fn add_to<P: Product>(self, sum: &mut CompensatedSum) {
         let Self { a, b, c, d } = self;
         let ((p, ep), (q, eq)) = (P::two_product(a.0, b.0), P::two_product(c.0, d.0));
@@ -162,6 +163,7 @@ fn minors(u: Difference, v: Difference) -> [Minor; 3] {
 /// The pairs of differences whose cross products add up to twice the area vector: (P1−P0)×(P2−P0) for a
 /// triangle, (P2−P0)×(P3−P1) for a quad, the fan from P0 beyond. Always differences first: sums of products of
 /// positions cancel away from the origin, and sums over three consecutive corners are not the area vector.
+#[inline(always)]
 fn for_each_pair(points: &[DVec3], mut visit: impl FnMut(Difference, Difference)) {
     let difference = |i: usize, j: usize| Difference::new(points[i], points[j]);
     match points.len() {
@@ -179,6 +181,7 @@ fn for_each_pair(points: &[DVec3], mut visit: impl FnMut(Difference, Difference)
 }
 
 /// The shape of the face with these corners. `lossy`: bringing them to kernel units may have lost bits.
+#[inline(always)]
 pub(crate) fn face_shape<P: Product>(points: &[DVec3], storage: Storage, lossy: bool) -> FaceShape {
     if !points.iter().all(|point| point.is_finite()) {
         return FaceShape::without_direction(FaceState::NonFinite);
@@ -213,6 +216,7 @@ pub(crate) fn face_shape<P: Product>(points: &[DVec3], storage: Storage, lossy: 
 }
 
 /// Twice the area vector of a triangle or quad in units of 2^(2·exponent), and whether its error is in bounds.
+#[inline(always)]
 fn area_vector_of_one_pair<P: Product>(
     points: &[DVec3],
     storage: Storage,
@@ -243,6 +247,7 @@ fn area_vector_of_one_pair<P: Product>(
 }
 
 /// The same for a polygon of five corners or more.
+#[inline(always)]
 fn area_vector_of_fan<P: Product>(points: &[DVec3], exponent: i32, lossy: bool) -> (DVec3, bool) {
     let (mut sums, mut magnitudes) = ([CompensatedSum::default(); 3], [0.0; 3]);
     let (mut smallest, mut pairs) = (f64::INFINITY, 0.0);

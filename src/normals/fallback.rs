@@ -6,7 +6,6 @@ use super::positions::{Positions, Source, Visitor};
 use super::sums::SlotState;
 use super::term::uniform_mean;
 use crate::mesh::FacesRef;
-use crate::num::{self, Kernel, Product};
 use glam::DVec3;
 
 /// The normal of what no face gives one.
@@ -56,21 +55,7 @@ impl Visitor for Look<'_> {
     type Output = Vec<Orphan>;
 
     fn visit<S: Source>(self, source: S) -> Vec<Orphan> {
-        num::dispatch(LookAt { look: self, source })
-    }
-}
-
-struct LookAt<'a, S> {
-    look: Look<'a>,
-    source: S,
-}
-
-impl<S: Source> Kernel for LookAt<'_, S> {
-    type Output = Vec<Orphan>;
-
-    #[inline(always)]
-    fn run<P: Product>(self) -> Vec<Orphan> {
-        let Self { look: Look { faces, vertices }, source } = self;
+        let Self { faces, vertices } = self;
         let mut scalar = CornerTerms::default();
         // (place in `vertices`, normal and state of a face there), in ascending face index.
         let mut found: Vec<(u32, DVec3, FaceState)> = Vec::new();
@@ -78,7 +63,7 @@ impl<S: Source> Kernel for LookAt<'_, S> {
             let mut shape = None;
             for vertex in faces.face(face) {
                 let Ok(place) = vertices.binary_search(vertex) else { continue };
-                let shape = *shape.get_or_insert_with(|| scalar.shape::<P, S>(faces, source, face));
+                let shape = *shape.get_or_insert_with(|| scalar.shape(faces, source, face));
                 found.push((place as u32, shape.unit, shape.state));
             }
         }

@@ -8,7 +8,6 @@ use super::term::{Term, mean};
 use super::weight::{CornerWeight, WeightVisitor, visit_weight};
 use super::{Slivers, Weight};
 use crate::mesh::FacesRef;
-use crate::num::{self, Kernel, Product};
 use glam::DVec3;
 use rayon::prelude::*;
 use std::marker::PhantomData;
@@ -93,7 +92,7 @@ impl<S: Source> WeightVisitor for FillFrom<'_, S> {
                 FillSome::<S, W> { faces, source, first, vectors, states, weights: own, weight: PhantomData }
             })
             .collect();
-        tasks.into_par_iter().for_each(num::dispatch);
+        tasks.into_par_iter().for_each(FillSome::run);
     }
 }
 
@@ -108,11 +107,8 @@ struct FillSome<'a, S, W> {
     weight: PhantomData<W>,
 }
 
-impl<S: Source, W: CornerWeight> Kernel for FillSome<'_, S, W> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<P: Product>(self) {
+impl<S: Source, W: CornerWeight> FillSome<'_, S, W> {
+    fn run(self) {
         let mut scalar = CornerTerms::default();
         let start = self.faces.start(self.first);
         for (at, (vector, state)) in self.vectors.iter_mut().zip(self.states).enumerate() {
@@ -120,7 +116,7 @@ impl<S: Source, W: CornerWeight> Kernel for FillSome<'_, S, W> {
             let vertices = self.faces.face(face);
             let repeats =
                 |corner: usize| vertices[corner] == vertices[(corner + vertices.len() - 1) % vertices.len()];
-            scalar.fill::<P, S, W>(self.faces, self.source, face, repeats);
+            scalar.fill::<S, W>(self.faces, self.source, face, repeats);
             (*vector, *state) = (scalar.vector, scalar.state);
             self.weights[range.start - start..range.end - start].copy_from_slice(&scalar.weights);
         }

@@ -1,5 +1,6 @@
 //! Face, vertex and corner normals (layer 2).
 
+mod again;
 mod block;
 mod compute;
 mod cone;

@@ -3,36 +3,22 @@
 use super::block::{BlockTerms, Corners, LANES, block_terms};
 use super::corner_terms::CornerTerms;
 use super::face_shape::FaceState;
-use super::partition::{BLOCK_FACES, Numbering, Partition};
+use super::partition::{Numbering, Partition};
 use super::positions::Source;
-use super::sums::{OddFace, SumRequest};
+use super::sums::SumRequest;
 use super::term::adds;
 use super::weight::CornerWeight;
 use crate::num::{Kernel, Product};
 use std::marker::PhantomData;
 use std::ops::Range;
 
+/// A face that is not simply counted.
+pub(crate) type OddFace = (u32, FaceState);
+
 /// A running sum: Σ w n̂ and Σ w. Aligned, so that none lies across two cache lines.
 #[derive(Clone, Copy, Default)]
 #[repr(align(32))]
 pub(crate) struct Sum(pub(crate) [f64; 4]);
-
-/// Memory of one part.
-#[derive(Default)]
-pub(crate) struct Part {
-    /// Where its slots begin, chunk by chunk.
-    pub(crate) starts: Vec<u32>,
-    /// A sum for each of its slots.
-    pub(crate) sums: Vec<Sum>,
-    /// Faces not simply counted, in the blocks that count as this part's.
-    pub(crate) odd_at_home: Vec<OddFace>,
-    /// The same in all blocks that it walks, ascending.
-    pub(crate) odd: Vec<OddFace>,
-    /// Whether every slot has a direction that did not cancel.
-    pub(crate) all_good: bool,
-    /// Slots to look at again, ascending, by their number in the mesh.
-    pub(crate) again: Vec<u32>,
-}
 
 /// What a part does, for kernels to be compiled with.
 pub(crate) struct Task<'a, S, W> {
@@ -41,7 +27,6 @@ pub(crate) struct Task<'a, S, W> {
     pub(crate) partition: &'a Partition,
     /// Which part it is.
     pub(crate) number: usize,
-    pub(crate) numbering: Numbering<'a>,
     pub(crate) weight: PhantomData<W>,
 }
 
@@ -53,10 +38,13 @@ impl<S: Copy, W> Clone for Task<'_, S, W> {
 
 impl<S: Copy, W> Copy for Task<'_, S, W> {}
 
-/// Adds up every face that touches the part, into as many sums as there are.
+/// Adds up every face that touches the part.
 pub(crate) struct Accumulate<'a, S, W> {
     pub(crate) task: Task<'a, S, W>,
-    pub(crate) part: &'a mut Part,
+    pub(crate) numbering: Numbering<'a>,
+    pub(crate) sums: &'a mut [Sum],
+    /// Takes the faces that are not simply counted, ascending.
+    pub(crate) odd: &'a mut Vec<OddFace>,
 }
 
 impl<S: Source, W: CornerWeight> Kernel for Accumulate<'_, S, W> {
@@ -64,38 +52,33 @@ impl<S: Source, W: CornerWeight> Kernel for Accumulate<'_, S, W> {
 
     #[inline(always)]
     fn run<P: Product>(self) {
-        let Task { request, source, partition, number, numbering, .. } = self.task;
-        let Part { sums, odd, odd_at_home, .. } = self.part;
-        odd.clear();
-        odd_at_home.clear();
+        let Self { task, numbering, sums, odd } = self;
+        let Task { request, source, partition, number, .. } = task;
         let mut scalar = CornerTerms::default();
         let (mut corners, mut terms) = (Corners::new(), BlockTerms::new());
-        for (first, end) in partition.walk(number, request.faces) {
-            let target = &request.target[request.faces.start(first)..request.faces.start(end)];
-            let odd_before = odd.len();
+        for block in partition.walk(number) {
+            let faces = partition.faces(block);
+            let target = &request.target[request.faces.start(faces.start)..request.faces.start(faces.end)];
             if request.faces.is_triangles() {
-                let triangles = &request.faces.corners().as_chunks::<3>().0[first..end];
-                let blocks = triangles.chunks(LANES).zip(target.as_chunks::<3>().0.chunks(LANES));
-                for (block, (triangles, slots)) in blocks.enumerate() {
+                let triangles = &request.faces.corners().as_chunks::<3>().0[faces.clone()];
+                let groups = triangles.chunks(LANES).zip(target.as_chunks::<3>().0.chunks(LANES));
+                for (first, (triangles, slots)) in faces.step_by(LANES).zip(groups) {
                     corners.gather(triangles, source);
-                    block_terms::<P, S, W>(&corners, source, &mut terms);
-                    if !terms.all_settled(triangles.len()) {
-                        let faces = first + block * LANES..first + block * LANES + triangles.len();
-                        settle::<P, S, W>(request, source, faces, &mut terms, &mut scalar, odd);
+                    if !block_terms::<P, S, W>(&corners, triangles.len(), source, &mut terms) {
+                        let faces = first..first + triangles.len();
+                        settle::<S, W>(request, source, faces, &mut terms, &mut scalar, odd);
                     }
                     match numbering {
-                        Numbering::Alone => {
-                            scatter::<W>(&terms, slots, sums, |slot| Numbering::Alone.local(slot));
-                        }
+                        Numbering::Alone => scatter::<W>(&terms, slots, sums, |slot| slot as usize),
                         Numbering::Chunked(_) => {
                             scatter::<W>(&terms, slots, sums, |slot| numbering.local(slot))
                         }
                     }
                 }
             } else {
-                for face in first..end {
+                for face in faces {
                     let slots = &request.target[request.faces.range(face)];
-                    scalar.fill::<P, S, W>(request.faces, source, face, |corner| repeats(slots, corner));
+                    scalar.fill::<S, W>(request.faces, source, face, |corner| repeats(slots, corner));
                     if scalar.state != FaceState::Counted {
                         odd.push((face as u32, scalar.state));
                     }
@@ -106,16 +89,13 @@ impl<S: Source, W: CornerWeight> Kernel for Accumulate<'_, S, W> {
                     }
                 }
             }
-            if partition.home(first / BLOCK_FACES) == number {
-                odd_at_home.extend_from_slice(&odd[odd_before..]);
-            }
         }
     }
 }
 
 /// Puts right the triangles of a block that could not be computed together.
 #[inline(never)]
-fn settle<P: Product, S: Source, W: CornerWeight>(
+fn settle<S: Source, W: CornerWeight>(
     request: &SumRequest,
     source: S,
     faces: Range<usize>,
@@ -127,16 +107,14 @@ fn settle<P: Product, S: Source, W: CornerWeight>(
         if terms.settled[lane] != 0 {
             continue;
         }
-        scalar.fill::<P, S, W>(request.faces, source, face, |_| false);
+        scalar.fill::<S, W>(request.faces, source, face, |_| false);
         if scalar.state != FaceState::Counted {
             odd.push((face as u32, scalar.state));
         }
         if adds(scalar.state, request.slivers) {
-            terms.vectors[lane] = scalar.vector;
-            terms.weights[lane][..3].copy_from_slice(&scalar.weights);
+            terms.set(lane, scalar.vector, &scalar.weights);
         } else {
-            terms.vectors[lane] = [0.0; 4];
-            terms.weights[lane] = [0.0; 4];
+            terms.set(lane, [0.0; 4], &[0.0; 3]);
         }
     }
 }
@@ -149,9 +127,13 @@ fn scatter<W: CornerWeight>(
     sums: &mut [Sum],
     local: impl Fn(u32) -> usize,
 ) {
+    let BlockTerms { vectors, weights: [weight0, weight1, weight2], .. } = terms;
     for (lane, &[a, b, c]) in slots.iter().enumerate().take(LANES) {
-        let vector = terms.vectors[lane];
-        let [u, v, w, _] = if W::EVEN { [1.0; 4] } else { terms.weights[lane] };
+        let vector = vectors[lane];
+        let (u, v, w) = match W::EVEN {
+            true => (1.0, 1.0, 1.0),
+            false => (weight0[lane], weight1[lane], weight2[lane]),
+        };
         add(sums, local(a), vector, u);
         add(sums, local(b), vector, v);
         add(sums, local(c), vector, w);
@@ -175,6 +157,25 @@ fn add(sums: &mut [Sum], slot: usize, vector: [f64; 4], weight: f64) {
 /// Whether a corner has the same slot as the one before it in its face.
 pub(crate) fn repeats(slots: &[u32], corner: usize) -> bool {
     slots[corner] == slots[(corner + slots.len() - 1) % slots.len()]
+}
+
+/// Looks states up for faces that come in ascending order.
+pub(crate) struct OddFaces<'a>(&'a [OddFace]);
+
+impl<'a> OddFaces<'a> {
+    pub(crate) fn new(odd: &'a [OddFace], first: usize) -> Self {
+        Self(&odd[odd.partition_point(|&(face, _)| (face as usize) < first)..])
+    }
+
+    pub(crate) fn state(&mut self, face: usize) -> FaceState {
+        match self.0.split_first() {
+            Some((&(odd, state), rest)) if odd as usize == face => {
+                self.0 = rest;
+                state
+            }
+            _ => FaceState::Counted,
+        }
+    }
 }
 
 #[cfg(test)]

@@ -1,18 +1,19 @@
 //! Sharing sums out among threads so that no thread count changes a bit.
 //!
-//! Slots (vertices or smooth groups) are owned by *parts*, in chunks. Each part walks the blocks of faces that touch
-//! its chunks in ascending order and adds only to its own slots, so every sum runs in ascending face index. Chunks
-//! go to the part in whose share of the faces they are first seen: with faces in any sensible order few blocks are
-//! walked twice, whatever the vertex order is.
+//! Slots (vertices or smooth groups) are owned by *parts*, in chunks. Each part walks the blocks of faces that touch its
+//! chunks in ascending order and adds only to its own slots, so every sum runs in ascending face index. Chunks go to the
+//! part in whose share of the faces they are first seen: with faces in any sensible order few blocks are walked twice,
+//! whatever the order of vertices is.
 
 use crate::mesh::FacesRef;
 use crate::num::{self, Kernel, Product};
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// Faces walked at a time.
 pub(crate) const BLOCK_FACES: usize = 1024;
 /// log2 of the slots in a chunk.
-const CHUNK_BITS: usize = 10;
+const CHUNK_BITS: usize = 9;
 /// Slots in a chunk.
 pub(crate) const CHUNK: usize = 1 << CHUNK_BITS;
 /// A part's share of blocks is worth a task of its own from here on.
@@ -21,8 +22,16 @@ const SMALLEST_SHARE: usize = 8;
 const MOST_PARTS: usize = 64;
 /// Parts for each thread, so that a thread that is held up does not hold up all.
 const PARTS_PER_THREAD: usize = 2;
-/// One face in this many is looked at to find the owners of chunks.
-const SAMPLING: usize = 32;
+/// Up to this many chunks between the lowest and the highest of a block's slots are all taken as touched, without a look
+/// at every corner.
+const FEW_CHUNKS: usize = 16;
+
+/// The chunk that a slot is in.
+#[inline(always)]
+pub(crate) fn chunk_of(slot: u32) -> usize {
+    slot as usize >> CHUNK_BITS
+}
+
 /// The chunk belongs to another part; no slot of it is in reach.
 const ELSEWHERE: u32 = u32::MAX - CHUNK as u32;
 
@@ -30,18 +39,20 @@ const ELSEWHERE: u32 = u32::MAX - CHUNK as u32;
 #[derive(Default)]
 pub(crate) struct Partition {
     parts: usize,
+    faces: usize,
     blocks: usize,
-    /// The part that owns each chunk.
+    /// The part that owns each chunk; nothing where there is one part.
     owners: Vec<u8>,
-    /// The parts that each block of faces touches, as bits.
+    /// The parts that own chunks which a block touches, as bits; nothing where there is one part.
     touched: Vec<u64>,
 }
 
 impl Partition {
-    /// Shares `slots` slots out, for the threads of the current pool. One thread gets one part, at no cost.
+    /// Shares slots out for the threads of the current pool. With one thread there is one part, at no cost.
     pub(crate) fn fill(&mut self, faces: FacesRef, target: &[u32], slots: usize) {
         let threads = rayon::current_num_threads();
-        self.blocks = faces.len().div_ceil(BLOCK_FACES);
+        self.faces = faces.len();
+        self.blocks = self.faces.div_ceil(BLOCK_FACES);
         self.parts = if threads <= 1 {
             1
         } else {
@@ -52,36 +63,43 @@ impl Partition {
         if self.parts == 1 {
             return;
         }
-        self.find_owners(faces, target, slots.div_ceil(CHUNK));
-        let owners = &self.owners;
-        (0..self.blocks)
-            .into_par_iter()
-            .with_min_len(16)
-            .map(|block| {
-                let corners = faces.start(block * BLOCK_FACES)..faces.start(end_of(block, faces));
-                touched(owners, &target[corners])
-            })
-            .collect_into_vec(&mut self.touched);
+        let slots_of = |block: usize| {
+            let faces_of = self.faces(block);
+            &target[faces.start(faces_of.start)..faces.start(faces_of.end)]
+        };
+        let owners = self.find_owners(slots_of, slots.div_ceil(CHUNK));
+        let touched = |block: usize| {
+            let mut touched = 0;
+            for_each_run(slots_of(block), |chunks| {
+                let owners = &owners[existing(chunks, owners.len())];
+                touched = owners.iter().fold(touched, |touched, &owner| touched | 1 << owner);
+            });
+            touched
+        };
+        let touched = (0..self.blocks).into_par_iter().with_min_len(16).map(touched).collect();
+        (self.owners, self.touched) = (owners, touched);
     }
 
-    fn find_owners(&mut self, faces: FacesRef, target: &[u32], chunks: usize) {
+    /// Gives every chunk to the first part in whose share of the blocks it is touched.
+    fn find_owners<'a>(&self, slots_of: impl Fn(usize) -> &'a [u32] + Sync, chunks: usize) -> Vec<u8> {
         const NOBODY: u8 = u8::MAX;
-        self.owners.resize(chunks, NOBODY);
-        for face in (0..faces.len()).step_by(SAMPLING) {
-            let home = self.home(face / BLOCK_FACES) as u8;
-            for &slot in &target[faces.range(face)] {
-                if let Some(owner) = self.owners.get_mut(slot as usize >> CHUNK_BITS)
-                    && *owner == NOBODY
-                {
-                    *owner = home;
-                }
+        let seen_by = |part: usize| {
+            let mut seen = vec![NOBODY; chunks];
+            for block in (0..self.blocks).filter(|&block| self.home(block) == part) {
+                for_each_run(slots_of(block), |chunks| {
+                    let chunks = existing(chunks, seen.len());
+                    seen[chunks].fill(part as u8);
+                });
             }
-        }
-        for (chunk, owner) in self.owners.iter_mut().enumerate() {
-            if *owner == NOBODY {
-                *owner = (chunk * self.parts / chunks) as u8;
-            }
-        }
+            seen
+        };
+        let seen: Vec<Vec<u8>> = (0..self.parts).into_par_iter().map(seen_by).collect();
+        let owner = |chunk: usize| {
+            // `NOBODY` is the highest. What no face touches goes to anyone.
+            let first = seen.iter().map(|seen| seen[chunk]).min().filter(|&part| part != NOBODY);
+            first.unwrap_or((chunk * self.parts / chunks) as u8)
+        };
+        (0..chunks).map(owner).collect()
     }
 
     /// How many parts there are.
@@ -91,7 +109,12 @@ impl Partition {
 
     /// The part that owns a chunk of slots.
     pub(crate) fn owner(&self, chunk: usize) -> usize {
-        self.owners.get(chunk).map_or(0, |&owner| usize::from(owner))
+        if self.parts == 1 { 0 } else { usize::from(self.owners[chunk]) }
+    }
+
+    /// The faces of a block.
+    pub(crate) fn faces(&self, block: usize) -> Range<usize> {
+        block * BLOCK_FACES..((block + 1) * BLOCK_FACES).min(self.faces)
     }
 
     /// The part whose share of the faces a block is, whoever else walks it.
@@ -99,15 +122,14 @@ impl Partition {
         block * self.parts / self.blocks.max(1)
     }
 
-    /// The blocks that a part walks, as ranges of faces.
-    pub(crate) fn walk(&self, part: usize, faces: FacesRef) -> impl Iterator<Item = (usize, usize)> + '_ {
-        let count = faces.len();
-        (0..self.blocks)
-            .filter(move |&block| self.parts == 1 || self.touched[block] >> part & 1 == 1)
-            .map(move |block| (block * BLOCK_FACES, ((block + 1) * BLOCK_FACES).min(count)))
+    /// The blocks that a part walks.
+    pub(crate) fn walk(&self, part: usize) -> impl Iterator<Item = usize> + '_ {
+        (0..self.blocks).filter(move |&block| self.parts == 1 || self.touched[block] >> part & 1 == 1)
     }
+}
 
-    /// Writes down where each chunk's slots begin among a part's own, and how many those are.
+impl Partition {
+    /// Writes down where each chunk's slots begin among a part's own, and gives how many those are.
     pub(crate) fn number(&self, part: usize, slots: usize, starts: &mut Vec<u32>) -> usize {
         starts.clear();
         if self.parts == 1 {
@@ -124,47 +146,6 @@ impl Partition {
         }));
         own
     }
-}
-
-/// Chunks between the lowest and the highest of a block's slots that are all taken as touched.
-const MANY_CHUNKS: usize = 64;
-
-/// The parts that own some of these slots, as bits; perhaps a few more where that is quicker to tell.
-fn touched(owners: &[u8], slots: &[u32]) -> u64 {
-    let bits = |touched: u64, owner: &u8| touched | 1 << owner;
-    let (low, high) = num::dispatch(Bounds(slots));
-    let chunks = low as usize >> CHUNK_BITS..(high as usize >> CHUNK_BITS) + 1;
-    match owners.get(chunks.clone()) {
-        Some(owners) if chunks.len() <= MANY_CHUNKS => owners.iter().fold(0, bits),
-        _ => slots.iter().filter_map(|&slot| owners.get(slot as usize >> CHUNK_BITS)).fold(0, bits),
-    }
-}
-
-/// Lowest and highest slot; a kernel so that it is compiled with the widest instructions.
-struct Bounds<'a>(&'a [u32]);
-
-impl Kernel for Bounds<'_> {
-    type Output = (u32, u32);
-
-    #[inline(always)]
-    fn run<P: Product>(self) -> (u32, u32) {
-        bounds(self.0)
-    }
-}
-
-/// Lowest and highest slot.
-#[inline(always)]
-pub(crate) fn bounds(slots: &[u32]) -> (u32, u32) {
-    let (mut low, mut high) = (u32::MAX, 0);
-    for &slot in slots {
-        low = low.min(slot);
-        high = high.max(slot);
-    }
-    (low, high)
-}
-
-fn end_of(block: usize, faces: FacesRef) -> usize {
-    ((block + 1) * BLOCK_FACES).min(faces.len())
 }
 
 /// How a part numbers its slots.
@@ -184,9 +165,55 @@ impl Numbering<'_> {
         match self {
             Numbering::Alone => slot as usize,
             Numbering::Chunked(starts) => {
-                let start = starts.get(slot as usize >> CHUNK_BITS).copied().unwrap_or(ELSEWHERE);
+                let start = starts.get(chunk_of(slot)).copied().unwrap_or(ELSEWHERE);
                 start as usize + (slot as usize & (CHUNK - 1))
             }
         }
+    }
+}
+
+/// Calls back with runs of chunks, first and last, that cover all slots of a block: one run if the block's lowest and
+/// highest slot are not far apart, else the same for small pieces of it.
+fn for_each_run(slots: &[u32], mut visit: impl FnMut((usize, usize))) {
+    const PIECE: usize = 48;
+    let run = |slots: &[u32]| {
+        let (low, high) = num::dispatch(Bounds(slots));
+        (chunk_of(low), chunk_of(high))
+    };
+    let is_short = |(low, high): (usize, usize)| high.saturating_sub(low) < FEW_CHUNKS;
+    let whole = run(slots);
+    if is_short(whole) {
+        return visit(whole);
+    }
+    for piece in slots.chunks(PIECE) {
+        let run = run(piece);
+        if is_short(run) {
+            visit(run);
+        } else {
+            piece.iter().for_each(|&slot| visit((chunk_of(slot), chunk_of(slot))));
+        }
+    }
+}
+
+/// Those of some chunks, first and last given, that there are.
+fn existing((first, last): (usize, usize), count: usize) -> Range<usize> {
+    let end = count.min(last + 1);
+    first.min(end)..end
+}
+
+/// Lowest and highest of some slots; a kernel so that it is compiled with the widest instructions.
+pub(crate) struct Bounds<'a>(pub(crate) &'a [u32]);
+
+impl Kernel for Bounds<'_> {
+    type Output = (u32, u32);
+
+    #[inline(always)]
+    fn run<P: Product>(self) -> (u32, u32) {
+        let (mut low, mut high) = (u32::MAX, 0);
+        for &slot in self.0 {
+            low = low.min(slot);
+            high = high.max(slot);
+        }
+        (low, high)
     }
 }

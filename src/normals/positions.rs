@@ -1,8 +1,9 @@
 //! Positions as the kernels see them: a mesh's or a caller's slice, single or double precision.
 
 use crate::mesh::Storage;
-use crate::num;
+use crate::num::{self, Kernel, Product};
 use glam::DVec3;
+use rayon::prelude::*;
 
 /// Borrowed positions.
 #[derive(Clone, Copy, Debug)]
@@ -14,7 +15,7 @@ pub(crate) enum Positions<'a> {
 }
 
 /// A stored coordinate.
-pub(crate) trait Scalar: Copy + Default + Into<f64> {
+pub(crate) trait Scalar: Copy + Default + Into<f64> + Send + Sync {
     /// Numbers that order like magnitudes.
     type Order: Copy + PartialOrd;
     /// Below and above all of them.
@@ -136,16 +137,6 @@ pub(crate) struct Doubles<'a> {
     factor: f64,
 }
 
-impl<'a> Doubles<'a> {
-    fn new(points: &'a [DVec3], storage: Storage) -> Self {
-        let factor = match storage {
-            Storage::F32 => 1.0,
-            Storage::F64 => factor_of(points),
-        };
-        Self { points, storage, factor }
-    }
-}
-
 impl Source for Doubles<'_> {
     type Scalar = f64;
 
@@ -170,14 +161,29 @@ impl Source for Doubles<'_> {
 
 /// The power of two that brings the largest finite coordinate into [2^127, 2^128), where that is possible.
 fn factor_of(points: &[DVec3]) -> f64 {
-    let largest = points.iter().fold(0.0, |largest, point| {
-        let point = point.abs().max_element();
-        if point > largest && point < f64::INFINITY { point } else { largest }
-    });
+    let largest_of = |points: &[DVec3]| num::dispatch(Largest(points));
+    let largest = points.par_chunks(1 << 14).map(largest_of).reduce(|| 0.0, f64::max);
     if largest == 0.0 {
         return 1.0;
     }
     num::power_of_two((127 - num::exponent(largest)).min(1023))
+}
+
+/// The largest finite magnitude; a kernel so that it is compiled with the widest instructions.
+struct Largest<'a>(&'a [DVec3]);
+
+impl Kernel for Largest<'_> {
+    type Output = f64;
+
+    #[inline(always)]
+    fn run<P: Product>(self) -> f64 {
+        let mut largest = 0.0;
+        for &x in bytemuck::cast_slice::<DVec3, f64>(self.0) {
+            let x = x.abs();
+            largest = if (x > largest) & (x < f64::INFINITY) { x } else { largest };
+        }
+        largest
+    }
 }
 
 /// Work on positions of either kind.
@@ -194,7 +200,10 @@ impl Positions<'_> {
     pub(crate) fn visit<V: Visitor>(self, visitor: V) -> V::Output {
         match self {
             Positions::F32(points) => visitor.visit(Singles(points)),
-            Positions::F64(points, storage) => visitor.visit(Doubles::new(points, storage)),
+            Positions::F64(points, storage) => {
+                let factor = if storage == Storage::F64 { factor_of(points) } else { 1.0 };
+                visitor.visit(Doubles { points, storage, factor })
+            }
         }
     }
 }

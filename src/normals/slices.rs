@@ -233,6 +233,9 @@ pub fn vertex_normals<T: Coordinate>(
     let odd = outcome.odd.into_iter().filter(|&(_, state)| !added(state));
     let mut faults =
         Faults { faces: odd.filter_map(|(face, state)| fault(face, state)).collect(), ..Faults::default() };
+    if outcome.all_good {
+        return Ok(faults);
+    }
     let undefined =
         |(vertex, &state): (usize, &SlotState)| (state != SlotState::Good).then_some(vertex as u32);
     let undefined: Vec<u32> = states.iter().enumerate().filter_map(undefined).collect();
@@ -278,14 +281,17 @@ pub(super) fn check(
     if found != expected {
         return Err(SliceError::OutputLength { found, expected });
     }
-    if num::dispatch(Highest(triangles)).is_none_or(|highest| (highest as usize) < vertices) {
-        return Ok(());
+    match num::dispatch(Highest(triangles)) {
+        Some(highest) if highest as usize >= vertices => Err(no_such_vertex(vertices, triangles)),
+        _ => Ok(()),
     }
+}
+
+/// The first vertex that does not exist.
+fn no_such_vertex(count: usize, triangles: &[[u32; 3]]) -> SliceError {
     let mut all = triangles.iter().enumerate().flat_map(|(triangle, corners)| corners.map(|v| (triangle, v)));
-    match all.find(|&(_, vertex)| vertex as usize >= vertices) {
-        Some((triangle, vertex)) => Err(SliceError::VertexOutOfRange { triangle, vertex, count: vertices }),
-        None => Ok(()),
-    }
+    let (triangle, vertex) = all.find(|&(_, vertex)| vertex as usize >= count).unwrap_or_default();
+    SliceError::VertexOutOfRange { triangle, vertex, count }
 }
 
 /// The highest vertex number; a kernel so that it is compiled with the widest instructions.

@@ -1,10 +1,10 @@
 //! Weighted sums of face normals over vertices or smooth groups.
 
+use super::again::LookAgain;
 use super::emit::Emit;
-use super::face_shape::FaceState;
-use super::finish::{Finish, LookAgain, Output, write};
-use super::part::{Accumulate, Part, Sum, Task};
-use super::partition::{CHUNK, Numbering, Partition};
+use super::finish::{Doubts, Finish, Output};
+use super::part::{Accumulate, OddFace, Sum, Task};
+use super::partition::{BLOCK_FACES, CHUNK, Numbering, Partition};
 use super::positions::{Positions, Source, Visitor};
 use super::weight::{CornerWeight, WeightVisitor, visit_weight};
 use super::{Slivers, Weight};
@@ -63,8 +63,16 @@ pub(crate) struct SumScratch {
     parts: Vec<Part>,
 }
 
-/// A face that is not simply counted.
-pub(crate) type OddFace = (u32, FaceState);
+/// Memory of one part.
+#[derive(Default)]
+struct Part {
+    sums: Vec<Sum>,
+    /// Where its slots begin, chunk by chunk.
+    starts: Vec<u32>,
+    doubts: Doubts,
+    /// Faces not simply counted, in all blocks that the part walks.
+    odd: Vec<OddFace>,
+}
 
 /// What is worth knowing beside the sums themselves.
 pub(crate) struct Outcome {
@@ -105,7 +113,7 @@ struct WithSource<'a, O> {
 impl<O: Emit> Visitor for WithSource<'_, O> {
     type Output = Outcome;
 
-    fn visit<S: Source>(self, source: S) -> Outcome {
+    fn visit<S: Source>(self, source: S) -> Self::Output {
         visit_weight(self.request.weight, WithWeight { all: self, source })
     }
 }
@@ -118,13 +126,12 @@ struct WithWeight<'a, S, O> {
 impl<S: Source, O: Emit> WeightVisitor for WithWeight<'_, S, O> {
     type Output = Outcome;
 
-    fn visit<W: CornerWeight>(self) -> Outcome {
+    fn visit<W: CornerWeight>(self) -> Self::Output {
         let Self { all: WithSource { request, scratch, unit, state }, source } = self;
         let SumScratch { partition, parts } = scratch;
         partition.fill(request.faces, request.target, request.slots);
         parts.resize_with(partition.parts(), Part::default);
         let partition = &*partition;
-
         // Every chunk's outputs go to the part that owns its slots.
         let mut outputs: Vec<_> = parts.iter().map(|_| Vec::new()).collect();
         if let [alone] = &mut outputs[..] {
@@ -134,30 +141,45 @@ impl<S: Source, O: Emit> WeightVisitor for WithWeight<'_, S, O> {
                 outputs[partition.owner(chunk)].push(Output { first: (chunk * CHUNK) as u32, unit, state });
             }
         }
-        let work = |(number, (part, mut outputs)): (usize, (&mut Part, Vec<_>))| {
-            let mut starts = std::mem::take(&mut part.starts);
-            let slots = partition.number(number, request.slots, &mut starts);
-            part.sums.clear();
-            part.sums.resize(slots, Sum::default());
+        let work = |(number, (part, mut outputs)): (usize, (&mut Part, Vec<Output<O>>))| {
+            let Part { sums, starts, doubts, odd } = part;
+            sums.clear();
+            sums.resize(partition.number(number, request.slots, starts), Sum::default());
+            doubts.clear();
+            odd.clear();
             let numbering =
-                if partition.parts() == 1 { Numbering::Alone } else { Numbering::Chunked(&starts) };
-            let task = Task::<S, W> { request, source, partition, number, numbering, weight: PhantomData };
-            num::dispatch(Accumulate { task, part });
-            num::dispatch(Finish { part, outputs: &mut outputs, areas: W::BY_AREA && W::EVEN });
-            if !part.again.is_empty() {
-                for (slot, unit, state) in num::dispatch(LookAgain { task, part }) {
+                if partition.parts() == 1 { Numbering::Alone } else { Numbering::Chunked(starts) };
+            let task = Task::<S, W> { request, source, partition, number, weight: PhantomData };
+            num::dispatch(Accumulate { task, numbering, sums, odd });
+            let areas = W::BY_AREA && W::EVEN;
+            num::dispatch(Finish { sums, outputs: &mut outputs, doubts, areas });
+            if !doubts.perhaps_one_face.is_empty() || !doubts.recount.is_empty() {
+                for (slot, unit, state) in (LookAgain { task, doubts, odd }).run() {
                     write(&mut outputs, slot, unit, state);
                 }
             }
-            part.starts = starts;
         };
         if partition.parts() == 1 {
             parts.iter_mut().zip(outputs).enumerate().for_each(work);
         } else {
             parts.par_iter_mut().zip(outputs).enumerate().for_each(work);
         }
-        // Parts are homes of ascending shares of the faces.
-        let odd = parts.iter().flat_map(|part| part.odd_at_home.iter().copied()).collect();
-        Outcome { odd, all_good: parts.iter().all(|part| part.all_good) }
+        // A block may be walked by several parts, but it is in the share of one; and shares ascend.
+        let at_home = |(number, part): (usize, &'_ Part)| {
+            let is_home = move |&&(face, _): &&OddFace| partition.home(face as usize / BLOCK_FACES) == number;
+            part.odd.iter().filter(is_home).copied().collect::<Vec<_>>()
+        };
+        Outcome {
+            odd: parts.iter().enumerate().flat_map(at_home).collect(),
+            all_good: !parts.iter().any(|part| part.doubts.not_all_good),
+        }
     }
+}
+
+/// Writes the result of a slot.
+fn write<O: Emit>(outputs: &mut [Output<O>], slot: u32, unit: DVec3, state: SlotState) {
+    let output = &mut outputs[outputs.partition_point(|output| output.first <= slot) - 1];
+    let at = (slot - output.first) as usize;
+    output.unit[at] = O::emit(unit);
+    output.state[at] = state;
 }

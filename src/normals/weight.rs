@@ -105,13 +105,7 @@ pub(crate) struct Angle;
 impl CornerWeight for Angle {
     #[inline(always)]
     fn of_triangle(measures: TriangleMeasures) -> [f64; 3] {
-        // Written out: `array::map` would keep the compiler from computing several triangles at once.
-        let TriangleMeasures { double_area, dots, .. } = measures;
-        [
-            num::corner_angle(double_area, dots[0]),
-            num::corner_angle(double_area, dots[1]),
-            num::corner_angle(double_area, dots[2]),
-        ]
+        num::triangle_angles(measures.double_area, measures.dots)
     }
 
     fn of_corner(measures: CornerMeasures) -> f64 {

@@ -17,10 +17,10 @@ pub use scale::unit_scale;
 pub use sum::CompensatedSum;
 pub use unit::UnitVec3;
 
-pub(crate) use corner_angle::corner_angle;
+pub(crate) use corner_angle::{corner_angle, triangle_angles};
 pub(crate) use dispatch::{Kernel, dispatch};
 pub(crate) use exact::ExactSum;
 pub(crate) use least_squares::least_squares;
-pub(crate) use product::{Product, Split, cross, difference_of_products};
+pub(crate) use product::{Product, Split, cross};
 pub(crate) use sum::two_difference;
 pub(crate) use unit::{direction, exponent, is_plain, power_of_two, scale, squared_length};

@@ -1,0 +1,153 @@
+//! A second look at the slots whose sums do not say all.
+
+use super::corner_terms::CornerTerms;
+use super::face_shape::FaceState;
+use super::finish::Doubts;
+use super::part::{OddFaces, Task, repeats};
+use super::partition::{Bounds, CHUNK, chunk_of};
+use super::positions::Source;
+use super::sums::SlotState;
+use super::term::{Term, adds, mean};
+use super::weight::CornerWeight;
+use crate::mesh::NONE;
+use crate::num;
+use glam::DVec3;
+
+/// Gives the results that sums alone do not: of slots of one face, which get its normal to the bit, of those that nothing
+/// was added to, and of those that seem to cancel.
+pub(crate) struct LookAgain<'a, S, W> {
+    pub(crate) task: Task<'a, S, W>,
+    pub(crate) doubts: &'a Doubts,
+    /// Faces not simply counted in the blocks that the part walks, ascending.
+    pub(crate) odd: &'a [(u32, FaceState)],
+}
+
+impl<S: Source, W: CornerWeight> LookAgain<'_, S, W> {
+    /// Results by slot.
+    pub(crate) fn run(self) -> Vec<(u32, DVec3, SlotState)> {
+        let Task { request, source, .. } = self.task;
+        let (alone, mut terms) = self.collect();
+        let mut scalar = CornerTerms::default();
+        let mut results = Vec::with_capacity(alone.len());
+        for slots in alone.chunk_by(|a, b| a.0 == b.0) {
+            let unit = scalar.shape(request.faces, source, slots[0].0 as usize).unit;
+            results.extend(slots.iter().map(|&(_, slot)| (slot, unit, SlotState::Good)));
+        }
+        // Stable: the terms of a slot stay in ascending face index.
+        terms.sort_by_key(|&(slot, _)| slot);
+        let mut of_slot = Vec::new();
+        for terms in terms.chunk_by(|a, b| a.0 == b.0) {
+            of_slot.clear();
+            of_slot.extend(terms.iter().map(|&(_, term)| term));
+            let (unit, state) = mean(&of_slot, request.slivers);
+            results.push((terms[0].0, unit, state));
+        }
+        results
+    }
+
+    /// Walks the faces once more: slots of one face, as (face, slot) sorted by face, and the terms of slots to recount.
+    #[expect(clippy::type_complexity, reason = "two lists of pairs, named in the line above")]
+    fn collect(&self) -> (Vec<(u32, u32)>, Vec<(u32, Term)>) {
+        let Task { request, source, partition, number, .. } = self.task;
+        let (mut scalar, mut terms) = (CornerTerms::default(), Vec::new());
+        let mut notes = Notes::new(self.doubts);
+        for block in partition.walk(number) {
+            let faces = partition.faces(block);
+            let slots = request.faces.start(faces.start)..request.faces.start(faces.end);
+            if !notes.touch(num::dispatch(Bounds(&request.target[slots]))) {
+                continue;
+            }
+            let mut odd = OddFaces::new(self.odd, faces.start);
+            for face in faces {
+                let state = odd.state(face);
+                let slots = &request.target[request.faces.range(face)];
+                let mut filled = false;
+                for (corner, &slot) in slots.iter().enumerate() {
+                    let Some(note) = notes.of(slot) else { continue };
+                    if *note != notes::RECOUNT {
+                        if adds(state, request.slivers) {
+                            notes::one_more_face(note, face as u32);
+                        }
+                    } else if state.has_direction() {
+                        if !filled {
+                            scalar.fill::<S, W>(request.faces, source, face, |at| repeats(slots, at));
+                            filled = true;
+                        }
+                        let (vector, weight) = (scalar.vector, scalar.weights[corner]);
+                        terms.push((slot, Term { vector, weight, face: face as u32, state }));
+                    }
+                }
+            }
+        }
+        let alone = self.doubts.perhaps_one_face.iter().filter_map(|&slot| {
+            let face = notes.of(slot).copied().filter(|&note| note < notes::RECOUNT)?;
+            Some((face, slot))
+        });
+        let mut alone: Vec<(u32, u32)> = alone.collect();
+        alone.sort_unstable();
+        (alone, terms)
+    }
+}
+
+mod notes {
+    //! What is known of a slot: the number of its only face so far, or one of these, which no face has.
+
+    /// To be gone through term by term.
+    pub(super) const RECOUNT: u32 = u32::MAX - 3;
+    /// Several faces.
+    pub(super) const FACES: u32 = u32::MAX - 2;
+    /// No face so far.
+    pub(super) const NO_FACE: u32 = u32::MAX - 1;
+    /// There is no doubt about it.
+    pub(super) const NOTHING: u32 = u32::MAX;
+
+    /// Takes note of a face.
+    pub(super) fn one_more_face(note: &mut u32, face: u32) {
+        if *note == NO_FACE {
+            *note = face;
+        } else if *note != face {
+            *note = FACES;
+        }
+    }
+}
+
+/// Notes on slots, for the chunks in which there are doubts.
+struct Notes {
+    /// Where the notes of each chunk begin.
+    starts: Vec<u32>,
+    notes: Vec<u32>,
+    /// The slots in doubt, ascending.
+    slots: Vec<u32>,
+}
+
+impl Notes {
+    fn new(doubts: &Doubts) -> Self {
+        let mut slots: Vec<u32> = doubts.perhaps_one_face.iter().chain(&doubts.recount).copied().collect();
+        slots.sort_unstable();
+        let mut notes = Self { starts: Vec::new(), notes: Vec::new(), slots };
+        for chunk in notes.slots.chunk_by(|&a, &b| chunk_of(a) == chunk_of(b)).map(|slots| chunk_of(slots[0]))
+        {
+            notes.starts.resize(chunk, NONE);
+            notes.starts.push(notes.notes.len() as u32);
+            notes.notes.resize(notes.notes.len() + CHUNK, notes::NOTHING);
+        }
+        for (slots, note) in [(&doubts.perhaps_one_face, notes::NO_FACE), (&doubts.recount, notes::RECOUNT)] {
+            for &slot in slots {
+                let start = notes.starts[chunk_of(slot)] as usize;
+                notes.notes[start + slot as usize % CHUNK] = note;
+            }
+        }
+        notes
+    }
+
+    /// Whether a slot in doubt lies between these two.
+    fn touch(&self, (low, high): (u32, u32)) -> bool {
+        self.slots.get(self.slots.partition_point(|&slot| slot < low)).is_some_and(|&slot| slot <= high)
+    }
+
+    /// The note on a slot in doubt.
+    fn of(&mut self, slot: u32) -> Option<&mut u32> {
+        let start = self.starts.get(chunk_of(slot)).copied().filter(|&start| start != NONE)?;
+        self.notes.get_mut(start as usize + slot as usize % CHUNK).filter(|note| **note != notes::NOTHING)
+    }
+}
