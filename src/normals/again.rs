@@ -1,36 +1,47 @@
 //! A second look at the slots whose sums do not say all.
 
 use super::corner_terms::CornerTerms;
-use super::face_shape::FaceState;
 use super::finish::Doubts;
-use super::part::{OddFaces, Task, repeats};
-use super::partition::{Bounds, CHUNK, chunk_of};
+use super::part::{OddFace, OddFaces, repeats};
+use super::partition::{BLOCK_FACES, Bounds, CHUNK, chunk_of};
 use super::positions::Source;
-use super::sums::SlotState;
+use super::sums::{SlotState, SumRequest};
 use super::term::{Term, adds, mean};
 use super::weight::CornerWeight;
 use crate::mesh::NONE;
 use crate::num;
 use glam::DVec3;
+use rayon::prelude::*;
+use std::marker::PhantomData;
 
 /// Gives the results that sums alone do not: of slots of one face, which get its normal to the bit, of those that nothing
 /// was added to, and of those that seem to cancel.
 pub(crate) struct LookAgain<'a, S, W> {
-    pub(crate) task: Task<'a, S, W>,
-    pub(crate) doubts: &'a Doubts,
-    /// Faces not simply counted in the blocks that the part walks, ascending.
-    pub(crate) odd: &'a [(u32, FaceState)],
+    pub(crate) request: &'a SumRequest<'a>,
+    pub(crate) source: S,
+    /// Faces not simply counted, ascending.
+    pub(crate) odd: &'a [OddFace],
+    pub(crate) weight: PhantomData<W>,
 }
 
 impl<S: Source, W: CornerWeight> LookAgain<'_, S, W> {
     /// Results by slot.
-    pub(crate) fn run(self) -> Vec<(u32, DVec3, SlotState)> {
-        let Task { request, source, .. } = self.task;
-        let (alone, mut terms) = self.collect();
+    pub(crate) fn run(&self, doubts: &Doubts) -> Vec<(u32, DVec3, SlotState)> {
+        let mut slots: Vec<Doubt> = Vec::new();
+        slots.extend(doubts.perhaps_one_face.iter().map(|&slot| (slot, notes::NO_FACE)));
+        slots.extend(doubts.recount.iter().map(|&slot| (slot, notes::RECOUNT)));
+        slots.sort_unstable();
+        // Each thread looks after some slots in a row.
+        let share = slots.len().div_ceil(rayon::current_num_threads()).max(CHUNK);
+        slots.par_chunks(share).flat_map_iter(|doubts| self.look(doubts)).collect()
+    }
+
+    fn look(&self, doubts: &[Doubt]) -> Vec<(u32, DVec3, SlotState)> {
+        let (alone, mut terms) = self.collect(doubts);
         let mut scalar = CornerTerms::default();
         let mut results = Vec::with_capacity(alone.len());
         for slots in alone.chunk_by(|a, b| a.0 == b.0) {
-            let unit = scalar.shape(request.faces, source, slots[0].0 as usize).unit;
+            let unit = scalar.shape(self.request.faces, self.source, slots[0].0 as usize).unit;
             results.extend(slots.iter().map(|&(_, slot)| (slot, unit, SlotState::Good)));
         }
         // Stable: the terms of a slot stay in ascending face index.
@@ -39,7 +50,7 @@ impl<S: Source, W: CornerWeight> LookAgain<'_, S, W> {
         for terms in terms.chunk_by(|a, b| a.0 == b.0) {
             of_slot.clear();
             of_slot.extend(terms.iter().map(|&(_, term)| term));
-            let (unit, state) = mean(&of_slot, request.slivers);
+            let (unit, state) = mean(&of_slot, self.request.slivers);
             results.push((terms[0].0, unit, state));
         }
         results
@@ -47,12 +58,12 @@ impl<S: Source, W: CornerWeight> LookAgain<'_, S, W> {
 
     /// Walks the faces once more: slots of one face, as (face, slot) sorted by face, and the terms of slots to recount.
     #[expect(clippy::type_complexity, reason = "two lists of pairs, named in the line above")]
-    fn collect(&self) -> (Vec<(u32, u32)>, Vec<(u32, Term)>) {
-        let Task { request, source, partition, number, .. } = self.task;
+    fn collect(&self, doubts: &[Doubt]) -> (Vec<(u32, u32)>, Vec<(u32, Term)>) {
+        let Self { request, source, .. } = *self;
         let (mut scalar, mut terms) = (CornerTerms::default(), Vec::new());
-        let mut notes = Notes::new(self.doubts);
-        for block in partition.walk(number) {
-            let faces = partition.faces(block);
+        let mut notes = Notes::new(doubts);
+        for first in (0..request.faces.len()).step_by(BLOCK_FACES) {
+            let faces = first..(first + BLOCK_FACES).min(request.faces.len());
             let slots = request.faces.start(faces.start)..request.faces.start(faces.end);
             if !notes.touch(num::dispatch(Bounds(&request.target[slots]))) {
                 continue;
@@ -79,7 +90,7 @@ impl<S: Source, W: CornerWeight> LookAgain<'_, S, W> {
                 }
             }
         }
-        let alone = self.doubts.perhaps_one_face.iter().filter_map(|&slot| {
+        let alone = doubts.iter().filter_map(|&(slot, _)| {
             let face = notes.of(slot).copied().filter(|&note| note < notes::RECOUNT)?;
             Some((face, slot))
         });
@@ -88,6 +99,9 @@ impl<S: Source, W: CornerWeight> LookAgain<'_, S, W> {
         (alone, terms)
     }
 }
+
+/// A slot, and the note on it to begin with.
+type Doubt = (u32, u32);
 
 mod notes {
     //! What is known of a slot: the number of its only face so far, or one of these, which no face has.
@@ -112,37 +126,33 @@ mod notes {
 }
 
 /// Notes on slots, for the chunks in which there are doubts.
-struct Notes {
+struct Notes<'a> {
     /// Where the notes of each chunk begin.
     starts: Vec<u32>,
     notes: Vec<u32>,
     /// The slots in doubt, ascending.
-    slots: Vec<u32>,
+    doubts: &'a [Doubt],
 }
 
-impl Notes {
-    fn new(doubts: &Doubts) -> Self {
-        let mut slots: Vec<u32> = doubts.perhaps_one_face.iter().chain(&doubts.recount).copied().collect();
-        slots.sort_unstable();
-        let mut notes = Self { starts: Vec::new(), notes: Vec::new(), slots };
-        for chunk in notes.slots.chunk_by(|&a, &b| chunk_of(a) == chunk_of(b)).map(|slots| chunk_of(slots[0]))
-        {
-            notes.starts.resize(chunk, NONE);
-            notes.starts.push(notes.notes.len() as u32);
-            notes.notes.resize(notes.notes.len() + CHUNK, notes::NOTHING);
-        }
-        for (slots, note) in [(&doubts.perhaps_one_face, notes::NO_FACE), (&doubts.recount, notes::RECOUNT)] {
-            for &slot in slots {
-                let start = notes.starts[chunk_of(slot)] as usize;
-                notes.notes[start + slot as usize % CHUNK] = note;
+impl<'a> Notes<'a> {
+    fn new(doubts: &'a [Doubt]) -> Self {
+        let (mut starts, mut notes) = (Vec::new(), Vec::new());
+        for doubts in doubts.chunk_by(|a, b| chunk_of(a.0) == chunk_of(b.0)) {
+            let start = notes.len();
+            starts.resize(chunk_of(doubts[0].0), NONE);
+            starts.push(start as u32);
+            notes.resize(start + CHUNK, notes::NOTHING);
+            for &(slot, note) in doubts {
+                notes[start + slot as usize % CHUNK] = note;
             }
         }
-        notes
+        Self { starts, notes, doubts }
     }
 
     /// Whether a slot in doubt lies between these two.
     fn touch(&self, (low, high): (u32, u32)) -> bool {
-        self.slots.get(self.slots.partition_point(|&slot| slot < low)).is_some_and(|&slot| slot <= high)
+        let next = self.doubts.partition_point(|&(slot, _)| slot < low);
+        self.doubts.get(next).is_some_and(|&(slot, _)| slot <= high)
     }
 
     /// The note on a slot in doubt.

@@ -30,6 +30,13 @@ pub(crate) struct Doubts {
 }
 
 impl Doubts {
+    /// Takes others over.
+    pub(crate) fn join(&mut self, other: &Self) {
+        self.perhaps_one_face.extend_from_slice(&other.perhaps_one_face);
+        self.recount.extend_from_slice(&other.recount);
+        self.not_all_good |= other.not_all_good;
+    }
+
     pub(crate) fn clear(&mut self) {
         self.perhaps_one_face.clear();
         self.recount.clear();

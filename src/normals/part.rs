@@ -3,11 +3,13 @@
 use super::block::{BlockTerms, Corners, LANES, block_terms};
 use super::corner_terms::CornerTerms;
 use super::face_shape::FaceState;
-use super::partition::{Numbering, Partition};
-use super::positions::Source;
+use super::finish::Doubts;
+use super::partition::Numbering;
+use super::positions::{Scalar, Source};
 use super::sums::SumRequest;
 use super::term::adds;
 use super::weight::CornerWeight;
+use crate::mesh::NONE;
 use crate::num::{Kernel, Product};
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -20,113 +22,184 @@ pub(crate) type OddFace = (u32, FaceState);
 #[repr(align(32))]
 pub(crate) struct Sum(pub(crate) [f64; 4]);
 
-/// What a part does, for kernels to be compiled with.
-pub(crate) struct Task<'a, S, W> {
+/// Memory of one part.
+#[derive(Default)]
+pub(crate) struct Part {
+    /// The sums of its slots.
+    pub(crate) sums: Vec<Sum>,
+    /// Where those begin, chunk by chunk.
+    pub(crate) starts: Vec<u32>,
+    /// Faces of its share that are not simply counted.
+    pub(crate) odd: Vec<OddFace>,
+    /// Faces of its share with a corner in another part's slot.
+    pub(crate) abroad: Vec<u32>,
+    pub(crate) doubts: Doubts,
+}
+
+/// Which faces to add.
+#[derive(Clone, Copy)]
+pub(crate) enum Walk<'a> {
+    /// Some in a row.
+    Share(&'a Range<usize>),
+    /// Those that other parts have written down, ascending.
+    Listed(&'a [u32]),
+}
+
+/// Adds faces to the sums of a part.
+pub(crate) struct Accumulate<'a, S, W> {
     pub(crate) request: &'a SumRequest<'a>,
     pub(crate) source: S,
-    pub(crate) partition: &'a Partition,
-    /// Which part it is.
-    pub(crate) number: usize,
-    pub(crate) weight: PhantomData<W>,
-}
-
-impl<S: Copy, W> Clone for Task<'_, S, W> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<S: Copy, W> Copy for Task<'_, S, W> {}
-
-/// Adds up every face that touches the part.
-pub(crate) struct Accumulate<'a, S, W> {
-    pub(crate) task: Task<'a, S, W>,
+    pub(crate) walk: Walk<'a>,
     pub(crate) numbering: Numbering<'a>,
     pub(crate) sums: &'a mut [Sum],
-    /// Takes the faces that are not simply counted, ascending.
+    /// Takes the faces that are not simply counted.
     pub(crate) odd: &'a mut Vec<OddFace>,
+    /// Takes the faces with a corner in another part's slot.
+    pub(crate) abroad: &'a mut Vec<u32>,
+    pub(crate) weight: PhantomData<W>,
 }
 
 impl<S: Source, W: CornerWeight> Kernel for Accumulate<'_, S, W> {
     type Output = ();
 
     #[inline(always)]
-    fn run<P: Product>(self) {
-        let Self { task, numbering, sums, odd } = self;
-        let Task { request, source, partition, number, .. } = task;
-        let mut scalar = CornerTerms::default();
-        let (mut corners, mut terms) = (Corners::new(), BlockTerms::new());
-        for block in partition.walk(number) {
-            let faces = partition.faces(block);
-            let target = &request.target[request.faces.start(faces.start)..request.faces.start(faces.end)];
-            if request.faces.is_triangles() {
-                let triangles = &request.faces.corners().as_chunks::<3>().0[faces.clone()];
-                let groups = triangles.chunks(LANES).zip(target.as_chunks::<3>().0.chunks(LANES));
-                for (first, (triangles, slots)) in faces.step_by(LANES).zip(groups) {
-                    corners.gather(triangles, source);
-                    if !block_terms::<P, S, W>(&corners, triangles.len(), source, &mut terms) {
-                        let faces = first..first + triangles.len();
-                        settle::<S, W>(request, source, faces, &mut terms, &mut scalar, odd);
-                    }
-                    match numbering {
-                        Numbering::Alone => scatter::<W>(&terms, slots, sums, |slot| slot as usize),
-                        Numbering::Chunked(_) => {
-                            scatter::<W>(&terms, slots, sums, |slot| numbering.local(slot))
-                        }
-                    }
-                }
-            } else {
-                for face in faces {
-                    let slots = &request.target[request.faces.range(face)];
-                    scalar.fill::<S, W>(request.faces, source, face, |corner| repeats(slots, corner));
-                    if scalar.state != FaceState::Counted {
-                        odd.push((face as u32, scalar.state));
-                    }
-                    if adds(scalar.state, request.slivers) {
-                        for (&slot, &weight) in slots.iter().zip(&scalar.weights) {
-                            add(sums, numbering.local(slot), scalar.vector, weight);
-                        }
-                    }
+    fn run<P: Product>(mut self) {
+        match self.walk {
+            Walk::Share(faces) if self.request.faces.is_triangles() => {
+                let triangles = &self.request.faces.corners().as_chunks::<3>().0[faces.clone()];
+                let slots = &self.request.target.as_chunks::<3>().0[faces.clone()];
+                let mut work = Work::new();
+                for (first, (triangles, slots)) in
+                    faces.clone().step_by(LANES).zip(triangles.chunks(LANES).zip(slots.chunks(LANES)))
+                {
+                    self.block::<P>(triangles, slots, &mut work, |lane| first + lane);
                 }
             }
+            Walk::Listed(faces) if self.request.faces.is_triangles() => {
+                let triangles = self.request.faces.corners().as_chunks::<3>().0;
+                let slots = self.request.target.as_chunks::<3>().0;
+                let mut work = Work::new();
+                let (mut some_triangles, mut some_slots) = ([[0; 3]; LANES], [[0; 3]; LANES]);
+                for faces in faces.chunks(LANES) {
+                    for (lane, &face) in faces.iter().enumerate() {
+                        some_triangles[lane] = triangles[face as usize];
+                        some_slots[lane] = slots[face as usize];
+                    }
+                    let count = faces.len();
+                    let face = |lane: usize| faces[lane] as usize;
+                    self.block::<P>(&some_triangles[..count], &some_slots[..count], &mut work, face);
+                }
+            }
+            Walk::Share(faces) => self.polygons(faces.clone()),
+            Walk::Listed(faces) => self.polygons(faces.iter().map(|&face| face as usize)),
         }
     }
 }
 
-/// Puts right the triangles of a block that could not be computed together.
-#[inline(never)]
-fn settle<S: Source, W: CornerWeight>(
-    request: &SumRequest,
-    source: S,
-    faces: Range<usize>,
-    terms: &mut BlockTerms,
-    scalar: &mut CornerTerms,
-    odd: &mut Vec<OddFace>,
-) {
-    for (lane, face) in faces.enumerate() {
-        if terms.settled[lane] != 0 {
-            continue;
+/// Memory for blocks of triangles.
+struct Work<T> {
+    corners: Corners<T>,
+    terms: BlockTerms,
+    scalar: CornerTerms,
+}
+
+impl<T: Scalar> Work<T> {
+    fn new() -> Self {
+        Self { corners: Corners::new(), terms: BlockTerms::new(), scalar: CornerTerms::default() }
+    }
+}
+
+impl<S: Source, W: CornerWeight> Accumulate<'_, S, W> {
+    /// Up to [`LANES`] triangles.
+    #[inline(always)]
+    fn block<P: Product>(
+        &mut self,
+        triangles: &[[u32; 3]],
+        slots: &[[u32; 3]],
+        work: &mut Work<S::Scalar>,
+        face: impl Fn(usize) -> usize,
+    ) {
+        let Work { corners, terms, scalar } = work;
+        corners.gather(triangles, self.source);
+        if !block_terms::<P, S, W>(corners, triangles.len(), self.source, terms) {
+            for lane in 0..triangles.len() {
+                if terms.settled[lane] == 0 {
+                    self.settle(lane, face(lane), terms, scalar);
+                }
+            }
         }
-        scalar.fill::<S, W>(request.faces, source, face, |_| false);
+        match self.numbering {
+            Numbering::Alone => {
+                scatter::<W>(terms, slots, self.sums, |slot| slot as usize);
+            }
+            Numbering::Chunked(_) => {
+                let numbering = self.numbering;
+                let missed = scatter::<W>(terms, slots, self.sums, |slot| numbering.local(slot));
+                if missed {
+                    self.write_down(slots, face);
+                }
+            }
+        }
+    }
+
+    /// Puts a triangle right that could not be computed together with others.
+    #[inline(never)]
+    fn settle(&mut self, lane: usize, face: usize, terms: &mut BlockTerms, scalar: &mut CornerTerms) {
+        scalar.fill::<S, W>(self.request.faces, self.source, face, |_| false);
         if scalar.state != FaceState::Counted {
-            odd.push((face as u32, scalar.state));
+            self.odd.push((face as u32, scalar.state));
         }
-        if adds(scalar.state, request.slivers) {
+        if adds(scalar.state, self.request.slivers) {
             terms.set(lane, scalar.vector, &scalar.weights);
         } else {
             terms.set(lane, [0.0; 4], &[0.0; 3]);
         }
     }
+
+    /// Writes the faces of a block down of which a corner is another part's.
+    #[inline(never)]
+    fn write_down(&mut self, slots: &[[u32; 3]], face: impl Fn(usize) -> usize) {
+        for (lane, slots) in slots.iter().enumerate() {
+            if slots.iter().any(|&slot| self.is_abroad(slot)) {
+                self.abroad.push(face(lane) as u32);
+            }
+        }
+    }
+
+    fn is_abroad(&self, slot: u32) -> bool {
+        slot != NONE && self.numbering.local(slot) >= self.sums.len()
+    }
+
+    fn polygons(&mut self, faces: impl Iterator<Item = usize>) {
+        let Self { request, source, numbering, .. } = *self;
+        let mut scalar = CornerTerms::default();
+        for face in faces {
+            let slots = &request.target[request.faces.range(face)];
+            scalar.fill::<S, W>(request.faces, source, face, |corner| repeats(slots, corner));
+            if scalar.state != FaceState::Counted {
+                self.odd.push((face as u32, scalar.state));
+            }
+            if adds(scalar.state, request.slivers) {
+                for (&slot, &weight) in slots.iter().zip(&scalar.weights) {
+                    add(self.sums, numbering.local(slot), scalar.vector, weight);
+                }
+            }
+            if slots.iter().any(|&slot| self.is_abroad(slot)) {
+                self.abroad.push(face as u32);
+            }
+        }
+    }
 }
 
-/// Adds the triangles of a block to the slots of their corners.
+/// Adds the triangles of a block to the slots of their corners; tells whether a slot was not there.
 #[inline(always)]
 fn scatter<W: CornerWeight>(
     terms: &BlockTerms,
     slots: &[[u32; 3]],
     sums: &mut [Sum],
     local: impl Fn(u32) -> usize,
-) {
+) -> bool {
+    let mut missed = false;
     let BlockTerms { vectors, weights: [weight0, weight1, weight2], .. } = terms;
     for (lane, &[a, b, c]) in slots.iter().enumerate().take(LANES) {
         let vector = vectors[lane];
@@ -134,24 +207,25 @@ fn scatter<W: CornerWeight>(
             true => (1.0, 1.0, 1.0),
             false => (weight0[lane], weight1[lane], weight2[lane]),
         };
-        add(sums, local(a), vector, u);
-        add(sums, local(b), vector, v);
-        add(sums, local(c), vector, w);
+        missed |= !add(sums, local(a), vector, u);
+        missed |= !add(sums, local(b), vector, v);
+        missed |= !add(sums, local(c), vector, w);
     }
+    missed
 }
 
-/// Adds to a slot, unless it is another part's.
+/// Adds to a slot, unless it is not there.
 #[inline(always)]
-fn add(sums: &mut [Sum], slot: usize, vector: [f64; 4], weight: f64) {
-    if let Some(Sum(sum)) = sums.get_mut(slot) {
-        // Written out, so that it becomes one vector addition.
-        *sum = [
-            sum[0] + vector[0] * weight,
-            sum[1] + vector[1] * weight,
-            sum[2] + vector[2] * weight,
-            sum[3] + vector[3] * weight,
-        ];
-    }
+fn add(sums: &mut [Sum], slot: usize, vector: [f64; 4], weight: f64) -> bool {
+    let Some(Sum(sum)) = sums.get_mut(slot) else { return false };
+    // Written out, so that it becomes one vector addition.
+    *sum = [
+        sum[0] + vector[0] * weight,
+        sum[1] + vector[1] * weight,
+        sum[2] + vector[2] * weight,
+        sum[3] + vector[3] * weight,
+    ];
+    true
 }
 
 /// Whether a corner has the same slot as the one before it in its face.

@@ -1,10 +1,13 @@
 //! Sharing sums out among threads so that no thread count changes a bit.
 //!
-//! Slots (vertices or smooth groups) are owned by *parts*, in chunks. Each part walks the blocks of faces that touch its
-//! chunks in ascending order and adds only to its own slots, so every sum runs in ascending face index. Chunks go to the
-//! part in whose share of the faces they are first seen: with faces in any sensible order few blocks are walked twice,
-//! whatever the order of vertices is.
+//! The faces are cut into as many shares as there are *parts*. Slots (vertices or smooth groups) are owned by parts, in
+//! chunks, each by the first part in whose share it is touched. A part adds up its share in ascending order, to its own
+//! slots only; faces with a corner in an earlier part's slot it writes down. When all shares are done, each part adds
+//! what later parts have written down for it, again in ascending order. So every sum runs in ascending face index; and
+//! with faces in any sensible order little is written down, whatever the order of vertices is.
 
+use super::finish::Output;
+use super::sums::SlotState;
 use crate::mesh::FacesRef;
 use crate::num::{self, Kernel, Product};
 use rayon::prelude::*;
@@ -18,8 +21,8 @@ const CHUNK_BITS: usize = 9;
 pub(crate) const CHUNK: usize = 1 << CHUNK_BITS;
 /// A part's share of blocks is worth a task of its own from here on.
 const SMALLEST_SHARE: usize = 8;
-/// Parts are bits of a mask.
-const MOST_PARTS: usize = 64;
+/// Numbers of parts must fit a byte.
+const MOST_PARTS: usize = 128;
 /// Parts for each thread, so that a thread that is held up does not hold up all.
 const PARTS_PER_THREAD: usize = 2;
 /// Up to this many chunks between the lowest and the highest of a block's slots are all taken as touched, without a look
@@ -35,16 +38,13 @@ pub(crate) fn chunk_of(slot: u32) -> usize {
 /// The chunk belongs to another part; no slot of it is in reach.
 const ELSEWHERE: u32 = u32::MAX - CHUNK as u32;
 
-/// Who owns and who walks what.
+/// Who adds what, and who owns what.
 #[derive(Default)]
 pub(crate) struct Partition {
     parts: usize,
     faces: usize,
-    blocks: usize,
     /// The part that owns each chunk; nothing where there is one part.
     owners: Vec<u8>,
-    /// The parts that own chunks which a block touches, as bits; nothing where there is one part.
-    touched: Vec<u64>,
 }
 
 impl Partition {
@@ -52,41 +52,31 @@ impl Partition {
     pub(crate) fn fill(&mut self, faces: FacesRef, target: &[u32], slots: usize) {
         let threads = rayon::current_num_threads();
         self.faces = faces.len();
-        self.blocks = self.faces.div_ceil(BLOCK_FACES);
         self.parts = if threads <= 1 {
             1
         } else {
-            (threads * PARTS_PER_THREAD).min(MOST_PARTS).min(self.blocks / SMALLEST_SHARE).max(1)
+            (threads * PARTS_PER_THREAD).min(MOST_PARTS).min(self.blocks() / SMALLEST_SHARE).max(1)
         };
         self.owners.clear();
-        self.touched.clear();
         if self.parts == 1 {
             return;
         }
-        let slots_of = |block: usize| {
-            let faces_of = self.faces(block);
-            &target[faces.start(faces_of.start)..faces.start(faces_of.end)]
-        };
-        let owners = self.find_owners(slots_of, slots.div_ceil(CHUNK));
-        let touched = |block: usize| {
-            let mut touched = 0;
-            for_each_run(slots_of(block), |chunks| {
-                let owners = &owners[existing(chunks, owners.len())];
-                touched = owners.iter().fold(touched, |touched, &owner| touched | 1 << owner);
-            });
-            touched
-        };
-        let touched = (0..self.blocks).into_par_iter().with_min_len(16).map(touched).collect();
-        (self.owners, self.touched) = (owners, touched);
+        self.owners = self.find_owners(faces, target, slots.div_ceil(CHUNK));
+        // With faces in no order at all the first part owns all, and sharing out is not worth its while.
+        let firsts = self.owners.iter().filter(|&&owner| owner == 0).count();
+        if 2 * firsts > self.owners.len() + CHUNK / self.parts {
+            self.parts = 1;
+            self.owners.clear();
+        }
     }
 
-    /// Gives every chunk to the first part in whose share of the blocks it is touched.
-    fn find_owners<'a>(&self, slots_of: impl Fn(usize) -> &'a [u32] + Sync, chunks: usize) -> Vec<u8> {
+    fn find_owners(&self, faces: FacesRef, target: &[u32], chunks: usize) -> Vec<u8> {
         const NOBODY: u8 = u8::MAX;
         let seen_by = |part: usize| {
             let mut seen = vec![NOBODY; chunks];
-            for block in (0..self.blocks).filter(|&block| self.home(block) == part) {
-                for_each_run(slots_of(block), |chunks| {
+            for block in self.share(part) {
+                let block = self.block(block);
+                for_each_run(&target[faces.start(block.start)..faces.start(block.end)], |chunks| {
                     let chunks = existing(chunks, seen.len());
                     seen[chunks].fill(part as u8);
                 });
@@ -107,28 +97,38 @@ impl Partition {
         self.parts
     }
 
-    /// The part that owns a chunk of slots.
-    pub(crate) fn owner(&self, chunk: usize) -> usize {
-        if self.parts == 1 { 0 } else { usize::from(self.owners[chunk]) }
+    /// How many blocks there are.
+    pub(crate) fn blocks(&self) -> usize {
+        self.faces.div_ceil(BLOCK_FACES)
     }
 
     /// The faces of a block.
-    pub(crate) fn faces(&self, block: usize) -> Range<usize> {
+    pub(crate) fn block(&self, block: usize) -> Range<usize> {
         block * BLOCK_FACES..((block + 1) * BLOCK_FACES).min(self.faces)
     }
 
-    /// The part whose share of the faces a block is, whoever else walks it.
-    pub(crate) fn home(&self, block: usize) -> usize {
-        block * self.parts / self.blocks.max(1)
+    /// The blocks that are a part's share.
+    pub(crate) fn share(&self, part: usize) -> Range<usize> {
+        part * self.blocks() / self.parts..(part + 1) * self.blocks() / self.parts
     }
 
-    /// The blocks that a part walks.
-    pub(crate) fn walk(&self, part: usize) -> impl Iterator<Item = usize> + '_ {
-        (0..self.blocks).filter(move |&block| self.parts == 1 || self.touched[block] >> part & 1 == 1)
+    /// The places for the results of each part's slots, ascending.
+    pub(crate) fn outputs<'a, O>(
+        &self,
+        unit: &'a mut [O],
+        state: &'a mut [SlotState],
+    ) -> Vec<Vec<Output<'a, O>>> {
+        let mut outputs: Vec<_> = (0..self.parts).map(|_| Vec::new()).collect();
+        for (chunk, (unit, state)) in unit.chunks_mut(CHUNK).zip(state.chunks_mut(CHUNK)).enumerate() {
+            outputs[usize::from(self.owners[chunk])].push(Output {
+                first: (chunk * CHUNK) as u32,
+                unit,
+                state,
+            });
+        }
+        outputs
     }
-}
 
-impl Partition {
     /// Writes down where each chunk's slots begin among a part's own, and gives how many those are.
     pub(crate) fn number(&self, part: usize, slots: usize, starts: &mut Vec<u32>) -> usize {
         starts.clear();

@@ -3,8 +3,8 @@
 use super::again::LookAgain;
 use super::emit::Emit;
 use super::finish::{Doubts, Finish, Output};
-use super::part::{Accumulate, OddFace, Sum, Task};
-use super::partition::{BLOCK_FACES, CHUNK, Numbering, Partition};
+use super::part::{Accumulate, OddFace, Part, Sum, Walk};
+use super::partition::{BLOCK_FACES, Numbering, Partition};
 use super::positions::{Positions, Source, Visitor};
 use super::weight::{CornerWeight, WeightVisitor, visit_weight};
 use super::{Slivers, Weight};
@@ -61,17 +61,6 @@ pub(crate) struct Sums {
 pub(crate) struct SumScratch {
     partition: Partition,
     parts: Vec<Part>,
-}
-
-/// Memory of one part.
-#[derive(Default)]
-struct Part {
-    sums: Vec<Sum>,
-    /// Where its slots begin, chunk by chunk.
-    starts: Vec<u32>,
-    doubts: Doubts,
-    /// Faces not simply counted, in all blocks that the part walks.
-    odd: Vec<OddFace>,
 }
 
 /// What is worth knowing beside the sums themselves.
@@ -132,54 +121,55 @@ impl<S: Source, O: Emit> WeightVisitor for WithWeight<'_, S, O> {
         partition.fill(request.faces, request.target, request.slots);
         parts.resize_with(partition.parts(), Part::default);
         let partition = &*partition;
-        // Every chunk's outputs go to the part that owns its slots.
-        let mut outputs: Vec<_> = parts.iter().map(|_| Vec::new()).collect();
-        if let [alone] = &mut outputs[..] {
-            alone.push(Output { first: 0, unit, state });
-        } else {
-            for (chunk, (unit, state)) in unit.chunks_mut(CHUNK).zip(state.chunks_mut(CHUNK)).enumerate() {
-                outputs[partition.owner(chunk)].push(Output { first: (chunk * CHUNK) as u32, unit, state });
-            }
-        }
-        let work = |(number, (part, mut outputs)): (usize, (&mut Part, Vec<Output<O>>))| {
-            let Part { sums, starts, doubts, odd } = part;
-            sums.clear();
-            sums.resize(partition.number(number, request.slots, starts), Sum::default());
-            doubts.clear();
-            odd.clear();
-            let numbering =
-                if partition.parts() == 1 { Numbering::Alone } else { Numbering::Chunked(starts) };
-            let task = Task::<S, W> { request, source, partition, number, weight: PhantomData };
-            num::dispatch(Accumulate { task, numbering, sums, odd });
-            let areas = W::BY_AREA && W::EVEN;
-            num::dispatch(Finish { sums, outputs: &mut outputs, doubts, areas });
-            if !doubts.perhaps_one_face.is_empty() || !doubts.recount.is_empty() {
-                for (slot, unit, state) in (LookAgain { task, doubts, odd }).run() {
-                    write(&mut outputs, slot, unit, state);
-                }
-            }
-        };
-        if partition.parts() == 1 {
-            parts.iter_mut().zip(outputs).enumerate().for_each(work);
-        } else {
-            parts.par_iter_mut().zip(outputs).enumerate().for_each(work);
-        }
-        // A block may be walked by several parts, but it is in the share of one; and shares ascend.
-        let at_home = |(number, part): (usize, &'_ Part)| {
-            let is_home = move |&&(face, _): &&OddFace| partition.home(face as usize / BLOCK_FACES) == number;
-            part.odd.iter().filter(is_home).copied().collect::<Vec<_>>()
-        };
-        Outcome {
-            odd: parts.iter().enumerate().flat_map(at_home).collect(),
-            all_good: !parts.iter().any(|part| part.doubts.not_all_good),
-        }
-    }
-}
+        let alone = partition.parts() == 1;
 
-/// Writes the result of a slot.
-fn write<O: Emit>(outputs: &mut [Output<O>], slot: u32, unit: DVec3, state: SlotState) {
-    let output = &mut outputs[outputs.partition_point(|output| output.first <= slot) - 1];
-    let at = (slot - output.first) as usize;
-    output.unit[at] = O::emit(unit);
-    output.state[at] = state;
+        let accumulate = |part: &mut Part, walk: Walk| {
+            let Part { sums, starts, odd, abroad, .. } = part;
+            let numbering = if alone { Numbering::Alone } else { Numbering::Chunked(starts) };
+            let weight = PhantomData::<W>;
+            num::dispatch(Accumulate { request, source, walk, numbering, sums, odd, abroad, weight });
+        };
+        let add_share = |(number, part): (usize, &mut Part)| {
+            part.odd.clear();
+            part.abroad.clear();
+            part.sums.clear();
+            part.sums.resize(partition.number(number, request.slots, &mut part.starts), Sum::default());
+            let share = partition.share(number);
+            let faces = share.start * BLOCK_FACES..(share.end * BLOCK_FACES).min(request.faces.len());
+            accumulate(part, Walk::Share(&faces));
+        };
+        let finish = |part: &mut Part, outputs: &mut [Output<O>]| {
+            let Part { sums, doubts, .. } = part;
+            doubts.clear();
+            num::dispatch(Finish { sums, outputs, doubts, areas: W::BY_AREA && W::EVEN });
+        };
+        if let [part] = &mut parts[..] {
+            add_share((0, part));
+            finish(part, &mut [Output { first: 0, unit: &mut *unit, state: &mut *state }]);
+        } else {
+            parts.par_iter_mut().enumerate().for_each(add_share);
+            let abroad: Vec<Vec<u32>> =
+                parts.iter_mut().map(|part| std::mem::take(&mut part.abroad)).collect();
+            let outputs = partition.outputs(unit, state);
+            parts.par_iter_mut().zip(outputs).enumerate().for_each(|(number, (part, mut outputs))| {
+                let odd = part.odd.len();
+                for faces in &abroad[number + 1..] {
+                    accumulate(part, Walk::Listed(faces));
+                }
+                part.odd.truncate(odd);
+                finish(part, &mut outputs);
+            });
+        }
+
+        // Shares ascend, and so do the faces in them; slots need not.
+        let odd: Vec<OddFace> = parts.iter().flat_map(|part| part.odd.iter().copied()).collect();
+        let mut doubts = Doubts::default();
+        parts.iter().for_each(|part| doubts.join(&part.doubts));
+        let again = LookAgain::<S, W> { request, source, odd: &odd, weight: PhantomData };
+        for (slot, vector, worth) in again.run(&doubts) {
+            unit[slot as usize] = O::emit(vector);
+            state[slot as usize] = worth;
+        }
+        Outcome { odd, all_good: !doubts.not_all_good }
+    }
 }
