@@ -53,4 +53,5 @@ pub mod mesh;
 pub mod normals;
 pub mod num;
 pub mod pipeline;
+pub mod shade;
 pub mod surface;

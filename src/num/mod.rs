@@ -1,11 +1,14 @@
 //! Numbers without meshes (layer 0).
 
 mod angle;
+mod colour;
 mod corner_angle;
 mod dispatch;
 mod exact;
 mod least_squares;
+mod power;
 mod product;
+mod real;
 mod scale;
 mod sum;
 #[cfg(test)]
@@ -13,6 +16,9 @@ pub(crate) mod test_numbers;
 mod unit;
 
 pub use angle::{Degrees, Radians};
+pub use colour::{LinearRgb, Srgb8, Transfer};
+pub use power::{Power, Underflow, exp2, log2};
+pub use real::Real;
 pub use scale::unit_scale;
 pub use sum::CompensatedSum;
 pub use unit::UnitVec3;

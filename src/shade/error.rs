@@ -1,0 +1,129 @@
+//! What is refused, where it stands and what to do about it.
+
+use crate::num::{Degrees, LinearRgb, Radians};
+use glam::DVec3;
+use std::fmt;
+
+/// A number of a light, a material or a setting that makes no sense.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{place}: {field} is {found}; it must be {expected}")]
+pub struct ShadeError {
+    /// Where it stands.
+    pub place: Place,
+    /// Which number.
+    pub field: &'static str,
+    /// What it is.
+    pub found: String,
+    /// What it should be.
+    pub expected: &'static str,
+}
+
+/// Where a number of a scene's lighting stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// A light, counted from 0.
+    Light(usize),
+    /// The material.
+    Material,
+    /// The settings.
+    Settings,
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            // People count from 1.
+            Place::Light(number) => write!(f, "light {}", number + 1),
+            Place::Material => f.write_str("material"),
+            Place::Settings => f.write_str("shading"),
+        }
+    }
+}
+
+/// A colour that is infinite or not a number. It is never drawn.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error(
+    "no finite colour at ({}, {}, {}) with the normal ({}, {}, {}){}",
+    position[0], position[1], position[2], normal[0], normal[1], normal[2], cause(light)
+)]
+pub struct NotFinite {
+    /// Number of the row's element; 0 for a single point.
+    pub index: usize,
+    /// The point, in the world; NaN where the scene needs no positions.
+    pub position: [f64; 3],
+    /// Its normal.
+    pub normal: [f64; 3],
+    /// The first light, counted from 0, whose part of the colour is not finite, if it is one.
+    pub light: Option<usize>,
+}
+
+fn cause(light: &Option<usize>) -> String {
+    match light {
+        Some(number) => format!(
+            ": light {} is at the point itself, or its attenuation or colour leaves the range of numbers",
+            number + 1
+        ),
+        None => String::new(),
+    }
+}
+
+/// Checks of one place.
+#[derive(Clone, Copy)]
+pub(super) struct Check {
+    place: Place,
+}
+
+impl Check {
+    pub(super) fn light(number: usize) -> Self {
+        Self { place: Place::Light(number) }
+    }
+
+    pub(super) fn material() -> Self {
+        Self { place: Place::Material }
+    }
+
+    pub(super) fn settings() -> Self {
+        Self { place: Place::Settings }
+    }
+
+    pub(super) fn text(self, field: &'static str, found: String, expected: &'static str) -> ShadeError {
+        ShadeError { place: self.place, field, found, expected }
+    }
+
+    pub(super) fn degrees(self, field: &'static str, radians: f64, expected: &'static str) -> ShadeError {
+        self.text(field, format!("{}°", Degrees::from(Radians(radians)).0), expected)
+    }
+
+    fn hold(
+        self,
+        holds: bool,
+        field: &'static str,
+        found: impl fmt::Display,
+        expected: &'static str,
+    ) -> Result<(), ShadeError> {
+        if holds { Ok(()) } else { Err(self.text(field, found.to_string(), expected)) }
+    }
+
+    pub(super) fn not_negative(self, field: &'static str, value: f64) -> Result<(), ShadeError> {
+        self.hold(value >= 0.0 && value.is_finite(), field, value, "finite and not negative")
+    }
+
+    pub(super) fn positive(self, field: &'static str, value: f64) -> Result<(), ShadeError> {
+        self.hold(value > 0.0 && value.is_finite(), field, value, "finite and over 0")
+    }
+
+    pub(super) fn colour(self, field: &'static str, colour: LinearRgb) -> Result<(), ShadeError> {
+        let LinearRgb { r, g, b } = colour;
+        let holds = colour.is_finite() && r >= 0.0 && g >= 0.0 && b >= 0.0;
+        self.hold(holds, field, format!("({r}, {g}, {b})"), "of finite components, none of them negative")
+    }
+
+    pub(super) fn position(self, field: &'static str, position: DVec3) -> Result<(), ShadeError> {
+        self.hold(position.is_finite(), field, position, "of finite coordinates")
+    }
+
+    pub(super) fn direction(self, field: &'static str, direction: DVec3) -> Result<(), ShadeError> {
+        let holds = direction.is_finite() && direction != DVec3::ZERO;
+        self.hold(holds, field, direction, "of finite coordinates, and not zero")
+    }
+}

@@ -1,0 +1,289 @@
+//! Every number behind the colour of one point, for a student to follow.
+
+use super::error::ShadeError;
+use super::formula;
+use super::light::Light;
+use super::material::Material;
+use super::settings::{Guards, ShadeSettings};
+use super::shader::{Highlight, LightTerm, Ready, Shader, SurfacePoint, View, same_half_vector};
+use super::source::Source;
+use glam::DVec3;
+use serde::Serialize;
+use std::fmt;
+
+/// How the colour of a point came about. Vectors are unit vectors in the world, distances in its unit.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Explanation {
+    /// The point.
+    pub position: [f64; 3],
+    /// N, as it was used: renormalised and turned if the settings say so.
+    pub normal: [f64; 3],
+    /// V, to the viewer.
+    pub view: [f64; 3],
+    /// The distance to the viewer; none if he is at infinity.
+    pub view_distance: Option<f64>,
+    /// Σ I_a K_a.
+    pub ambient: [f64; 3],
+    /// Each light that adds something to this material.
+    pub lights: Vec<LightExplanation>,
+    /// 1/(d+k) with the distance to the viewer, if there is depth cueing.
+    pub depth_cue: Option<f64>,
+    /// The whole: ambient light, and all lights faded by the depth cue.
+    pub sum: [f64; 3],
+    /// The tone rule's name.
+    pub tone: &'static str,
+    /// The sum after it.
+    pub colour: [f64; 3],
+}
+
+/// One light's part.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LightExplanation {
+    /// Its number among the scene's lights, from 0.
+    pub light: usize,
+    /// Its kind.
+    pub kind: &'static str,
+    /// L, to the light; for an area light to the point that stands for it.
+    pub towards: [f64; 3],
+    /// Its distance; none if it is at infinity.
+    pub distance: Option<f64>,
+    /// The factor of the distance: 1 if it is at infinity. For an area light what a surface facing it gets.
+    pub attenuation: f64,
+    /// The factor of a spot's cone.
+    pub cone: Option<f64>,
+    /// What an area light sends to a diffuse surface here, in place of attenuation and N·L.
+    pub irradiance: Option<f64>,
+    /// N·L, as it is.
+    pub n_dot_l: f64,
+    /// R = 2N(N·L) − L.
+    pub reflected: [f64; 3],
+    /// V·R.
+    pub v_dot_r: f64,
+    /// H = (L+V)/‖L+V‖; none where that is 0/0.
+    pub half: Option<[f64; 3]>,
+    /// N·H.
+    pub n_dot_h: Option<f64>,
+    /// The highlight, if the material and the light have one.
+    pub highlight: Option<HighlightExplanation>,
+    /// The diffuse term.
+    pub diffuse: Term,
+    /// The specular term.
+    pub specular: Term,
+}
+
+/// The cosine of a highlight and its power.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct HighlightExplanation {
+    /// `V·R` or `N·H`.
+    pub cosine_of: &'static str,
+    /// n.
+    pub exponent: f64,
+    /// cosⁿ, after the guards.
+    pub power: f64,
+}
+
+/// A term before and after the guards.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Term {
+    /// By the formula as the lectures print it.
+    pub literal: [f64; 3],
+    /// As it counts.
+    pub guarded: [f64; 3],
+}
+
+/// A shader for single points that tells how it comes to its colours.
+///
+/// ```
+/// use crease::num::LinearRgb;
+/// use crease::shade::{Light, Material, Probe, ShadeSettings, SurfacePoint};
+/// use glam::DVec3;
+///
+/// let light = Light::Directional { towards: DVec3::new(-4.0, 0.0, -3.0), colour: LinearRgb::WHITE };
+/// let probe = Probe::new(&[light], &Material::matte(LinearRgb::WHITE), &ShadeSettings::default())?;
+/// let explanation = probe.explain(&SurfacePoint { position: [0.0; 3], normal: [0.0, 0.0, 1.0] });
+/// assert_eq!(explanation.lights[0].n_dot_l, -0.6);
+/// // The guard against light from behind at work.
+/// assert_eq!(explanation.lights[0].diffuse.literal, [0.9 * -0.6; 3]);
+/// assert_eq!(explanation.lights[0].diffuse.guarded, [0.0; 3]);
+/// println!("{explanation}");
+/// # Ok::<(), crease::shade::ShadeError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Probe {
+    guarded: Shader<f64>,
+    /// The same without guards.
+    literal: Shader<f64>,
+}
+
+impl Probe {
+    /// As [`Shader::new`].
+    ///
+    /// # Errors
+    /// The same.
+    pub fn new(lights: &[Light], material: &Material, settings: &ShadeSettings) -> Result<Self, ShadeError> {
+        let without = ShadeSettings { guards: Guards::literal(), ..*settings };
+        Ok(Self {
+            guarded: Shader::new(lights, material, settings)?,
+            literal: Shader::new(lights, material, &without)?,
+        })
+    }
+
+    /// What [`Shader::shade`] computes at this point, step by step. Numbers that are not finite are told as they are:
+    /// this is where one looks for what made a colour undefined.
+    pub fn explain(&self, point: &SurfacePoint<f64>) -> Explanation {
+        let shader = &self.guarded;
+        // V is told even where nothing needs it.
+        let (view, distance) = shader.viewer.at(point.position);
+        let ready = Ready { view, view_distance: distance, ..shader.ready(point) };
+        let literally = Ready { view, view_distance: distance, ..self.literal.ready(point) };
+        // Guards decide how a light counts, not whether the material answers it: both have the same terms.
+        let terms = shader.lights.iter().zip(&self.literal.lights);
+        let lights: Vec<_> = terms
+            .map(|(term, literal)| LightExplanation {
+                diffuse: Term {
+                    literal: self.literal.diffuse_part(literal, &literal.incoming(&literally), &literally),
+                    guarded: shader.diffuse_part(term, &term.incoming(&ready), &ready),
+                },
+                specular: Term {
+                    literal: self.literal.specular_part(literal, &literal.incoming(&literally), &literally),
+                    guarded: shader.specular_part(term, &term.incoming(&ready), &ready),
+                },
+                ..shader.geometry(term, &ready)
+            })
+            .collect();
+        let parts = lights.iter().flat_map(|light| [light.diffuse.guarded, light.specular.guarded]);
+        let sum = shader.finish(parts.fold([0.0; 3], formula::plus), distance);
+        let unit = shader.frame.unit;
+        Explanation {
+            position: shader.frame.to_world(DVec3::from_array(point.position)).to_array(),
+            normal: ready.normal,
+            view,
+            view_distance: matches!(shader.viewer, View::From(_)).then_some(distance * unit),
+            ambient: shader.ambient,
+            lights,
+            depth_cue: shader.depth_cue.map(|k| 1.0 / (unit * (distance + k))),
+            sum,
+            tone: shader.tone.name(),
+            colour: shader.tone.apply(sum),
+        }
+    }
+}
+
+impl Shader<f64> {
+    /// All about a light but its terms.
+    fn geometry(&self, term: &LightTerm<f64>, ready: &Ready<f64>) -> LightExplanation {
+        let (normal, view) = (ready.normal, ready.view);
+        let vectors = || [ready.position, normal, view].map(DVec3::from_array);
+        let mut irradiance = None;
+        let (towards, distance, attenuation, cone) = match &term.source {
+            Source::Directional(towards) => (*towards, None, 1.0, None),
+            Source::Point(point) => {
+                let (towards, distance, factor) = point.at(ready.position);
+                (towards, Some(distance), factor, None)
+            }
+            Source::Spot(point, spot) => {
+                let (towards, distance, factor) = point.at(ready.position);
+                (towards, Some(distance), factor, Some(spot.at(towards)))
+            }
+            Source::Area(area) => {
+                let [position, normal, view] = vectors();
+                let (towards, distance) = area.towards(position, normal, view);
+                irradiance = Some(area.irradiance(position, normal));
+                (towards.to_array(), Some(distance), area.facing(position), None)
+            }
+        };
+        let reflected = formula::mirrored(normal, towards);
+        let half =
+            same_half_vector(DVec3::from_array(towards), DVec3::from_array(view)).map(|h| h.to_array());
+        LightExplanation {
+            light: term.number,
+            kind: term.kind,
+            towards,
+            distance: distance.map(|distance| distance * self.frame.unit),
+            attenuation,
+            cone,
+            irradiance,
+            n_dot_l: formula::dot(normal, towards),
+            reflected,
+            v_dot_r: formula::dot(view, reflected),
+            half,
+            n_dot_h: half.map(|half| formula::dot(normal, half)),
+            highlight: term.specular.map(|(_, highlight)| HighlightExplanation {
+                cosine_of: if matches!(highlight, Highlight::Phong) { "V·R" } else { "N·H" },
+                exponent: self.exponent,
+                power: self.power.of(self.highlight_cosine(&highlight, normal, towards, view)),
+            }),
+            diffuse: Term::default(),
+            specular: Term::default(),
+        }
+    }
+}
+
+/// Numbers as people read them: nine digits tell every printed figure of the lectures.
+struct Vector([f64; 3]);
+
+impl fmt::Display for Vector {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let [x, y, z] = self.0;
+        write!(f, "({x:.9}, {y:.9}, {z:.9})")
+    }
+}
+
+impl fmt::Display for Explanation {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        writeln!(f, "position     {}", Vector(self.position))?;
+        writeln!(f, "N            {}", Vector(self.normal))?;
+        match self.view_distance {
+            Some(distance) => {
+                writeln!(f, "V            {}, viewer at distance {distance:.9}", Vector(self.view))?
+            }
+            None => writeln!(f, "V            {}, viewer at infinity", Vector(self.view))?,
+        }
+        writeln!(f, "ambient      {}", Vector(self.ambient))?;
+        self.lights.iter().try_for_each(|light| light.fmt(f))?;
+        if let Some(factor) = self.depth_cue {
+            writeln!(f, "depth cue    {factor:.9}, on all but ambient light")?;
+        }
+        writeln!(f, "sum          {}", Vector(self.sum))?;
+        write!(f, "colour       {}, tone {}", Vector(self.colour), self.tone)
+    }
+}
+
+impl fmt::Display for LightExplanation {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        // People count from 1.
+        writeln!(f, "light {}, {}", self.light + 1, self.kind)?;
+        match self.distance {
+            Some(distance) => writeln!(f, "  L          {}, distance {distance:.9}", Vector(self.towards))?,
+            None => writeln!(f, "  L          {}, at infinity", Vector(self.towards))?,
+        }
+        writeln!(f, "  attenuation {:.9}", self.attenuation)?;
+        if let Some(cone) = self.cone {
+            writeln!(f, "  cone       {cone:.9}")?;
+        }
+        if let Some(irradiance) = self.irradiance {
+            writeln!(f, "  irradiance {irradiance:.9}")?;
+        }
+        writeln!(f, "  N·L        {:.9}", self.n_dot_l)?;
+        writeln!(f, "  R          {}, V·R {:.9}", Vector(self.reflected), self.v_dot_r)?;
+        match (self.half, self.n_dot_h) {
+            (Some(half), Some(cosine)) => writeln!(f, "  H          {}, N·H {cosine:.9}", Vector(half))?,
+            _ => writeln!(f, "  H          none: L = −V")?,
+        }
+        if let Some(HighlightExplanation { cosine_of, exponent, power }) = &self.highlight {
+            writeln!(f, "  highlight  ({cosine_of})^{exponent} = {power:.9}")?;
+        }
+        self.diffuse.write(f, "diffuse ")?;
+        self.specular.write(f, "specular")
+    }
+}
+
+impl Term {
+    fn write(&self, f: &mut fmt::Formatter, name: &str) -> fmt::Result {
+        write!(f, "  {name}   {}", Vector(self.guarded))?;
+        if self.literal != self.guarded {
+            write!(f, "; without guards {}", Vector(self.literal))?;
+        }
+        writeln!(f)
+    }
+}

@@ -1,0 +1,129 @@
+//! The lectures' formulas, once, for both precisions: no branches but selections, so that a loop over rows becomes
+//! vector code and gives the bits of a single point.
+//!
+//! What is undefined stays NaN through every selection here (`x < y` is false for it) and is found at the end.
+
+use crate::num::Real;
+
+/// A vector or a colour.
+pub(super) type Triple<R> = [R; 3];
+
+/// a·b.
+#[inline(always)]
+pub(super) fn dot<R: Real>(a: Triple<R>, b: Triple<R>) -> R {
+    (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]
+}
+
+/// a + b.
+#[inline(always)]
+pub(super) fn plus<R: Real>(a: Triple<R>, b: Triple<R>) -> Triple<R> {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+/// a − b.
+#[inline(always)]
+pub(super) fn minus<R: Real>(a: Triple<R>, b: Triple<R>) -> Triple<R> {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// k·a.
+#[inline(always)]
+pub(super) fn times<R: Real>(a: Triple<R>, k: R) -> Triple<R> {
+    [a[0] * k, a[1] * k, a[2] * k]
+}
+
+/// |a×b|².
+#[inline(always)]
+fn squared_cross<R: Real>(a: Triple<R>, b: Triple<R>) -> R {
+    let x = a[1] * b[2] - a[2] * b[1];
+    let y = a[2] * b[0] - a[0] * b[2];
+    let z = a[0] * b[1] - a[1] * b[0];
+    dot([x, y, z], [x, y, z])
+}
+
+/// The unit vector of a normal. One whose square underflows has no direction and becomes zero, which only ambient
+/// light lights; one whose square overflows becomes NaN.
+#[inline(always)]
+pub(super) fn normalised<R: Real>(v: Triple<R>) -> Triple<R> {
+    let square = dot(v, v);
+    let factor = R::ONE / square.sqrt();
+    let factor = if square < R::MIN_POSITIVE { R::ZERO } else { factor };
+    // ∞ − ∞ is NaN, and 0 otherwise.
+    times(v, factor + (square - square))
+}
+
+/// The unit vector from one point to another, and the distance. NaN where they are the same, and where the square of
+/// the distance leaves the range of numbers.
+#[inline(always)]
+pub(super) fn towards<R: Real>(from: Triple<R>, to: Triple<R>) -> (Triple<R>, R) {
+    let v = minus(to, from);
+    let square = dot(v, v);
+    let square = if square < R::MIN_POSITIVE { R::NAN } else { square };
+    let distance = square.sqrt() + (square - square);
+    (times(v, R::ONE / distance), distance)
+}
+
+/// 1/(kc + kl·d + kq·d²) (F9, F10, F11): exactly 1 for (1, 0, 0).
+#[inline(always)]
+pub(super) fn attenuation<R: Real>([constant, linear, quadratic]: Triple<R>, distance: R) -> R {
+    R::ONE / (constant + (linear * distance + quadratic * (distance * distance)))
+}
+
+/// max(1 − (d/r)⁴, 0), from 1/r².
+#[inline(always)]
+pub(super) fn window<R: Real>(distance: R, inverse_square_range: R) -> R {
+    let ratio = (distance * distance) * inverse_square_range;
+    at_least(R::ONE - ratio * ratio, R::ZERO)
+}
+
+/// 1 − cos of the angle between unit vectors with the cosine `cosine`, to full relative accuracy at small angles.
+#[inline(always)]
+pub(super) fn versine<R: Real>(a: Triple<R>, b: Triple<R>, cosine: R) -> R {
+    let narrow = squared_cross(a, b) / (R::ONE + cosine);
+    if cosine > R::ZERO { narrow } else { R::ONE - cosine }
+}
+
+/// The soft edge of a spot: ((vo − v)/(vo − vi))² with versines v, 1 at the most, 0 outside.
+#[inline(always)]
+pub(super) fn soft_edge<R: Real>(versine: R, outer: R, inverse_width: R) -> R {
+    let inside = at_least((outer - versine) * inverse_width, R::ZERO);
+    let inside = if inside > R::ONE { R::ONE } else { inside };
+    inside * inside
+}
+
+/// The larger one; NaN stays NaN.
+#[inline(always)]
+pub(super) fn at_least<R: Real>(x: R, least: R) -> R {
+    if x < least { least } else { x }
+}
+
+/// R = 2N(N·L) − L (F5).
+#[inline(always)]
+pub(super) fn mirrored<R: Real>(normal: Triple<R>, light: Triple<R>) -> Triple<R> {
+    let cosine = dot(normal, light);
+    minus(times(normal, cosine + cosine), light)
+}
+
+/// V·R without R: 2(N·L)(N·V) − L·V (F4, F5).
+#[inline(always)]
+pub(super) fn phong_cosine<R: Real>(normal: Triple<R>, light: Triple<R>, view: Triple<R>) -> R {
+    let product = dot(normal, light) * dot(normal, view);
+    (product + product) - dot(light, view)
+}
+
+/// N·H with H = (L+V)/‖L+V‖ (F6). Light from exactly behind the point as the viewer sees it has no half-vector,
+/// 0/0, and gives no highlight; what is left of L + V then is only rounding, whose square this is.
+#[inline(always)]
+pub(super) fn blinn_cosine<R: Real>(normal: Triple<R>, light: Triple<R>, view: Triple<R>) -> R {
+    let sum = plus(light, view);
+    let square = dot(sum, sum);
+    let cosine = dot(normal, sum) / square.sqrt();
+    if square <= rounding_of_opposites() { R::ZERO } else { cosine }
+}
+
+/// The square of the length that two opposite unit vectors may add up to: each is off by up to 2ε.
+#[inline(always)]
+pub(super) fn rounding_of_opposites<R: Real>() -> R {
+    let length = R::EPSILON * R::of(4.0);
+    length * length
+}

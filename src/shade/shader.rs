@@ -1,0 +1,400 @@
+//! What a scene needs, worked out once, and the light on a point.
+
+use super::error::{Check, NotFinite, ShadeError};
+use super::formula::{self, Triple};
+use super::light::Light;
+use super::material::{EnergyGain, Material, Reflection};
+use super::settings::{Frame, Guards, ShadeSettings, Viewer};
+use super::source::{Source, in_frame, rounded, unit};
+use super::tone::ToneRule;
+use crate::num::{LinearRgb, Power, Real, Underflow};
+use glam::DVec3;
+
+/// Lights, one material and the settings, resolved to what this combination needs: a term that is not there is not
+/// computed, and what is the same everywhere is computed once.
+///
+/// `Shader<f32>` is for pictures, `Shader<f64>` for probes: the same formulas. It is cheap to make and to share
+/// between threads; make one for each material.
+///
+/// ```
+/// use crease::num::LinearRgb;
+/// use crease::shade::{Light, Material, ShadeSettings, Shader, SurfacePoint, Viewer};
+/// use glam::DVec3;
+///
+/// let lights = [Light::Directional { towards: DVec3::new(0.0, 0.0, 2.0), colour: LinearRgb::WHITE }];
+/// let shader = Shader::<f64>::new(&lights, &Material::matte(LinearRgb::WHITE), &ShadeSettings::default())?;
+/// let tilted = SurfacePoint { position: [0.0; 3], normal: [0.8, 0.0, 0.6] };
+/// assert_eq!(shader.shade(&tilted)?, [0.9 * 0.6; 3]);
+/// // One light far away and no highlight: neither positions nor the viewer matter.
+/// assert!(!shader.needs_positions());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Shader<R> {
+    /// Σ I_a K_a.
+    pub(super) ambient: Triple<R>,
+    pub(super) lights: Vec<LightTerm<R>>,
+    /// The viewer, where anything depends on him.
+    pub(super) view: Option<View<R>>,
+    /// cosⁿ of highlights.
+    pub(super) power: Power<R>,
+    pub(super) depth_cue: Option<R>,
+    pub(super) two_sided: bool,
+    pub(super) limits: Limits<R>,
+    pub(super) frame: Frame,
+    pub(super) tone: ToneRule,
+    pub(super) exponent: f64,
+    pub(super) viewer: View<R>,
+    gain: Option<EnergyGain>,
+}
+
+/// A point of a surface, in the frame of the settings.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SurfacePoint<R> {
+    /// Where it is. Not read if the shader doesn't [need positions](Shader::needs_positions).
+    pub position: [R; 3],
+    /// Its normal, of any length if the guard `renormalise` is on, and of length 1 otherwise.
+    pub normal: [R; 3],
+}
+
+/// The direction to the viewer.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum View<R> {
+    /// V everywhere.
+    Same(Triple<R>),
+    /// The eye.
+    From(Triple<R>),
+}
+
+/// Guards as numbers that a cosine is compared with, so that they cost no branch.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Limits<R> {
+    /// A diffuse cosine is at least this.
+    pub(super) diffuse: R,
+    /// There is no highlight where N·L is at most this.
+    pub(super) highlight: R,
+    pub(super) renormalise: bool,
+}
+
+impl<R: Real> Limits<R> {
+    pub(super) fn new(guards: Guards) -> Self {
+        let zero_if = |on: bool| if on { R::ZERO } else { R::NEG_INFINITY };
+        Self {
+            diffuse: zero_if(guards.diffuse),
+            highlight: zero_if(guards.highlight),
+            renormalise: guards.renormalise,
+        }
+    }
+}
+
+/// One light on one material.
+#[derive(Clone, Debug)]
+pub(super) struct LightTerm<R> {
+    /// The light's number in the scene.
+    pub(super) number: usize,
+    pub(super) kind: &'static str,
+    pub(super) source: Source<R>,
+    /// I·K_d, unless it is black.
+    pub(super) diffuse: Option<Triple<R>>,
+    /// I·K_s and what the cosine is taken of, unless there is no highlight.
+    pub(super) specular: Option<(Triple<R>, Highlight<R>)>,
+}
+
+/// What the cosine of a highlight is taken of.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Highlight<R> {
+    /// V·R.
+    Phong,
+    /// N·H with an H of each point's own.
+    Blinn,
+    /// N·H with the same H everywhere: light and viewer are at infinity.
+    BlinnSame(Triple<R>),
+}
+
+/// A point made ready: what all lights share.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ready<R> {
+    pub(super) position: Triple<R>,
+    pub(super) normal: Triple<R>,
+    /// V; not a direction if nothing needs it.
+    pub(super) view: Triple<R>,
+    /// The distance to the viewer; 0 if he is at infinity.
+    pub(super) view_distance: R,
+}
+
+impl<R: Real> Shader<R> {
+    /// Resolves what lights and a material need.
+    ///
+    /// # Errors
+    /// Numbers that make no sense: what is infinite or NaN, directions of length 0, negative coefficients, colours,
+    /// exponents and attenuations, cut-off angles that are no cone's, depth cueing without a viewer at a finite
+    /// distance, and lights or viewers too far from the scene for squares of distances.
+    pub fn new(lights: &[Light], material: &Material, settings: &ShadeSettings) -> Result<Self, ShadeError> {
+        material.check()?;
+        settings.check()?;
+        let viewer = match settings.viewer {
+            Viewer::At(eye) => View::From(in_frame(eye, &settings.frame, Check::settings(), "viewer")?),
+            Viewer::Towards(direction) => View::Same(rounded(unit(direction))),
+        };
+        let mut ambient = LinearRgb::BLACK;
+        let mut terms = Vec::new();
+        for (number, light) in lights.iter().enumerate() {
+            light.check(number)?;
+            match Source::new(light, number, &settings.frame, settings.guards)? {
+                None => ambient += light.colour() * material.ambient.merged(),
+                Some(source) => terms.extend(LightTerm::new(number, source, light, material, settings)),
+            }
+        }
+        let for_highlights =
+            |term: &LightTerm<R>| matches!(term.specular, Some((_, Highlight::Phong | Highlight::Blinn)));
+        let seen = terms.iter().any(for_highlights)
+            || (settings.two_sided || settings.depth_cue.is_some()) && !terms.is_empty();
+        let underflow = if settings.guards.underflow { Underflow::Zero } else { Underflow::Gradual };
+        Ok(Self {
+            ambient: ambient.to_array().map(|c| R::of(c)),
+            lights: terms,
+            view: seen.then_some(viewer),
+            power: Power::new(material.exponent, underflow),
+            depth_cue: settings.depth_cue.map(|cue| R::of(cue.k / settings.frame.unit)),
+            two_sided: settings.two_sided,
+            limits: Limits::new(settings.guards),
+            frame: settings.frame,
+            tone: settings.tone,
+            exponent: material.exponent,
+            viewer,
+            gain: material.gain(),
+        })
+    }
+
+    /// Whether the colour depends on where a point is, or only on its normal. If not, positions need not be given.
+    pub fn needs_positions(&self) -> bool {
+        self.lights.iter().any(|term| !matches!(term.source, Source::Directional(_)))
+            || matches!(self.view, Some(View::From(_)))
+    }
+
+    /// Whether the colour depends on the normal. If not, all points have the same.
+    pub fn needs_normals(&self) -> bool {
+        !self.lights.is_empty()
+    }
+
+    /// The rule for colours out of range that the settings ask for. [`shade`](Self::shade) does not apply it.
+    pub fn tone(&self) -> ToneRule {
+        self.tone
+    }
+
+    /// A warning about a material that reflects more light than it gets (F1).
+    pub fn energy_gain(&self) -> Option<EnergyGain> {
+        self.gain
+    }
+
+    /// The light that a point sends to the viewer: linear red, green, blue, before the tone rule (F8, F15, F16).
+    ///
+    /// # Errors
+    /// If it is not finite: a point light at the point itself, an attenuation out of range, a NaN that was handed in.
+    pub fn shade(&self, point: &SurfacePoint<R>) -> Result<[R; 3], NotFinite> {
+        let ready = self.ready(point);
+        let sum = self.lights.iter().fold([R::ZERO; 3], |sum, term| self.add(term, &ready, sum));
+        let colour = self.finish(sum, ready.view_distance);
+        if colour.iter().all(|component| component.is_finite()) {
+            Ok(colour)
+        } else {
+            Err(self.not_finite(0, point))
+        }
+    }
+
+    /// Normal, V and the distance to the viewer.
+    #[inline(always)]
+    pub(super) fn ready(&self, point: &SurfacePoint<R>) -> Ready<R> {
+        let (view, view_distance) = match self.view {
+            None => ([R::ZERO; 3], R::ZERO),
+            Some(view) => view.at(point.position),
+        };
+        let normal = if self.limits.renormalise { formula::normalised(point.normal) } else { point.normal };
+        let normal = if self.two_sided { turned(normal, view) } else { normal };
+        Ready { position: point.position, normal, view, view_distance }
+    }
+
+    /// The sum and what one light adds to it.
+    fn add(&self, term: &LightTerm<R>, ready: &Ready<R>, sum: Triple<R>) -> Triple<R> {
+        let incoming = term.incoming(ready);
+        let sum = formula::plus(sum, self.diffuse_part(term, &incoming, ready));
+        formula::plus(sum, self.specular_part(term, &incoming, ready))
+    }
+
+    /// f I K_d (N·L), 0 if the material has no such term.
+    pub(super) fn diffuse_part(
+        &self,
+        term: &LightTerm<R>,
+        incoming: &Incoming<R>,
+        ready: &Ready<R>,
+    ) -> Triple<R> {
+        term.diffuse.map_or([R::ZERO; 3], |colour| formula::times(colour, self.diffuse(incoming, ready)))
+    }
+
+    /// f I K_s cosⁿ, 0 if there is no highlight.
+    pub(super) fn specular_part(
+        &self,
+        term: &LightTerm<R>,
+        incoming: &Incoming<R>,
+        ready: &Ready<R>,
+    ) -> Triple<R> {
+        term.specular.map_or([R::ZERO; 3], |(colour, highlight)| {
+            let cosine = self.highlight_cosine(&highlight, ready.normal, incoming.towards, ready.view);
+            formula::times(colour, incoming.factor * self.power.of(cosine))
+        })
+    }
+
+    /// f·max(N·L, 0), or the irradiance of an area light.
+    #[inline(always)]
+    pub(super) fn diffuse(&self, incoming: &Incoming<R>, ready: &Ready<R>) -> R {
+        match incoming.irradiance {
+            Some(irradiance) => irradiance,
+            None => incoming.factor * self.diffuse_cosine(ready.normal, incoming.towards),
+        }
+    }
+
+    /// N·L (F3).
+    #[inline(always)]
+    pub(super) fn diffuse_cosine(&self, normal: Triple<R>, towards: Triple<R>) -> R {
+        formula::at_least(formula::dot(normal, towards), self.limits.diffuse)
+    }
+
+    /// V·R or N·H, and 0 where the guard is on and the light is behind (F4, F6).
+    #[inline(always)]
+    pub(super) fn highlight_cosine(
+        &self,
+        highlight: &Highlight<R>,
+        normal: Triple<R>,
+        towards: Triple<R>,
+        view: Triple<R>,
+    ) -> R {
+        let cosine = match *highlight {
+            Highlight::Phong => formula::phong_cosine(normal, towards, view),
+            Highlight::Blinn => formula::blinn_cosine(normal, towards, view),
+            Highlight::BlinnSame(half) => formula::dot(normal, half),
+        };
+        if formula::dot(normal, towards) <= self.limits.highlight { R::ZERO } else { cosine }
+    }
+
+    /// Ambient light and the rest, faded with the distance to the viewer (F17).
+    #[inline(always)]
+    pub(super) fn finish(&self, sum: Triple<R>, view_distance: R) -> Triple<R> {
+        let sum = match self.depth_cue {
+            Some(k) => formula::times(sum, R::of(1.0 / self.frame.unit) / (view_distance + k)),
+            None => sum,
+        };
+        formula::plus(self.ambient, sum)
+    }
+
+    /// The error about a point, with the light that is to blame.
+    #[cold]
+    pub(super) fn not_finite(&self, index: usize, point: &SurfacePoint<R>) -> NotFinite {
+        let ready = self.ready(point);
+        let to_blame = self.lights.iter().find(|term| {
+            let part = self.add(term, &ready, [R::ZERO; 3]);
+            !part.iter().all(|component| component.is_finite())
+        });
+        let position = DVec3::from_array(point.position.map(Real::to_f64));
+        NotFinite {
+            index,
+            position: self.frame.to_world(position).to_array(),
+            normal: point.normal.map(Real::to_f64),
+            light: to_blame.map(|term| term.number),
+        }
+    }
+}
+
+/// What arrives from a light at a point.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Incoming<R> {
+    /// L; for an area light the direction of its representative point.
+    pub(super) towards: Triple<R>,
+    /// Attenuation and cone together; for an area light what a surface facing it gets.
+    pub(super) factor: R,
+    /// The diffuse irradiance of an area light, in place of f·N·L.
+    pub(super) irradiance: Option<R>,
+}
+
+impl<R: Real> LightTerm<R> {
+    /// None if the material returns nothing of this light.
+    fn new(
+        number: usize,
+        source: Source<R>,
+        light: &Light,
+        material: &Material,
+        settings: &ShadeSettings,
+    ) -> Option<Self> {
+        let coloured = |reflectance: LinearRgb| {
+            let product = light.colour() * reflectance;
+            (product != LinearRgb::BLACK).then(|| product.to_array().map(|c| R::of(c)))
+        };
+        let highlight = match (material.reflection, light, settings.viewer) {
+            (Reflection::Phong, ..) => Some(Highlight::Phong),
+            (Reflection::Blinn, &Light::Directional { towards, .. }, Viewer::Towards(view)) => {
+                same_half_vector(unit(towards), unit(view)).map(|half| Highlight::BlinnSame(rounded(half)))
+            }
+            (Reflection::Blinn, ..) => Some(Highlight::Blinn),
+        };
+        let diffuse = coloured(material.diffuse.merged());
+        let specular = coloured(material.specular.merged()).zip(highlight);
+        (diffuse.is_some() || specular.is_some()).then_some(Self {
+            number,
+            kind: light.kind(),
+            source,
+            diffuse,
+            specular,
+        })
+    }
+
+    /// L and what arrives.
+    #[inline(always)]
+    pub(super) fn incoming(&self, ready: &Ready<R>) -> Incoming<R> {
+        match &self.source {
+            Source::Directional(towards) => Incoming { towards: *towards, factor: R::ONE, irradiance: None },
+            Source::Point(point) => {
+                let (towards, _, factor) = point.at(ready.position);
+                Incoming { towards, factor, irradiance: None }
+            }
+            Source::Spot(point, spot) => {
+                let (towards, _, factor) = point.at(ready.position);
+                Incoming { towards, factor: factor * spot.at(towards), irradiance: None }
+            }
+            Source::Area(area) => {
+                // In double precision always: angles of narrow edges and clipping want it, and nothing here is a
+                // vector operation.
+                let [position, normal, view] = [ready.position, ready.normal, ready.view]
+                    .map(|v| DVec3::from_array(v.map(Real::to_f64)));
+                let (towards, factor) = match self.specular {
+                    Some(_) => (area.towards(position, normal, view).0, area.facing(position)),
+                    None => (DVec3::ZERO, 0.0),
+                };
+                let irradiance = Some(R::of(area.irradiance(position, normal)));
+                Incoming { towards: rounded(towards), factor: R::of(factor), irradiance }
+            }
+        }
+    }
+}
+
+impl<R: Real> View<R> {
+    /// V and the distance to the viewer; 0 if he is at infinity.
+    #[inline(always)]
+    pub(super) fn at(&self, position: Triple<R>) -> (Triple<R>, R) {
+        match *self {
+            View::Same(view) => (view, R::ZERO),
+            View::From(eye) => formula::towards(position, eye),
+        }
+    }
+}
+
+/// The normal on the viewer's side.
+#[inline(always)]
+pub(super) fn turned<R: Real>(normal: Triple<R>, view: Triple<R>) -> Triple<R> {
+    let sign = if formula::dot(normal, view) < R::ZERO { -R::ONE } else { R::ONE };
+    formula::times(normal, sign)
+}
+
+/// H, unless light and viewer are opposite.
+pub(super) fn same_half_vector(light: DVec3, view: DVec3) -> Option<DVec3> {
+    let sum = light + view;
+    (sum.length_squared() > formula::rounding_of_opposites::<f64>()).then(|| unit(sum))
+}
