@@ -51,9 +51,10 @@ pub fn run(
     let start = Instant::now();
     let unchanged = format == loaded.format && revision.edits.iter().all(io::PartEdit::is_empty);
     let options = io::WriteOptions { stem: stem(job), ..request.write.clone() };
-    let written = io::write(&loaded, &revision.edits, format, &options)
+    let written = io::write(&loaded, revision.edits, format, &options)
         .map_err(|error| Failure::Write(error.to_string()))?;
-    drop((loaded, revision));
+    // A large input takes as long to give back as its output to write.
+    rayon::spawn(move || drop(loaded));
     report.add_notes(&written.notes);
     report.output = Some(OutputReport::new(job.target.as_ref(), format, unchanged, &written));
     put(job, request, store, written, unchanged)?;

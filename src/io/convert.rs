@@ -4,6 +4,7 @@ use super::dispatch;
 use super::{Emit, FileNode, Format, Loaded, Note, Part, PartEdit, Place, WriteError, WriteOptions, Written};
 use crate::mesh::{Column, Mesh, TransformFault};
 use glam::DMat4;
+use std::borrow::Cow;
 
 /// Writes a file with changes, one entry of `edits` a part (missing ones change nothing).
 ///
@@ -11,23 +12,23 @@ use glam::DMat4;
 /// nothing is done is copied. glTF and GLB are one format here. In another format a new file is made: parts stand where the nodes put them, once for
 /// each, and what the format cannot hold is noted.
 ///
-/// For STL, and with [`Emit::Face`], the normals are [`PartEdit::face_normals`].
+/// For STL, and with [`Emit::Face`], the normals are [`PartEdit::face_normals`]. Edits that are given away rather than lent
+/// spare a new file a copy of them.
 ///
 /// # Errors
 /// [`WriteError`] for what the format cannot hold and may not be left out, or cannot count.
-pub fn write(
+pub fn write<'a>(
     loaded: &Loaded,
-    edits: &[PartEdit],
+    edits: impl Into<Cow<'a, [PartEdit]>>,
     format: Format,
     options: &WriteOptions,
 ) -> Result<Written, WriteError> {
+    let mut edits = edits.into();
     if edits.len() < loaded.parts.len() {
-        let mut all = edits.to_vec();
-        all.resize(loaded.parts.len(), PartEdit::default());
-        return write(loaded, &all, format, options);
+        edits.to_mut().resize(loaded.parts.len(), PartEdit::default());
     }
     if format == loaded.format || format.is_gltf() && loaded.format.is_gltf() {
-        return dispatch::edit(loaded, edits, format, options);
+        return dispatch::edit(loaded, &edits, format, options);
     }
     let mut notes = Vec::new();
     let parts = placed(loaded, edits, format, options, &mut notes)?;
@@ -44,19 +45,24 @@ pub fn write(
 /// The parts as they are to be written: edited, and moved to where the nodes put them.
 fn placed(
     loaded: &Loaded,
-    edits: &[PartEdit],
+    mut edits: Cow<'_, [PartEdit]>,
     format: Format,
     options: &WriteOptions,
     notes: &mut Vec<Note>,
 ) -> Result<Vec<Part>, WriteError> {
     let by_face = format == Format::Stl || options.emit == Emit::Face;
-    let edited = |number: usize| {
+    let mut edited = |number: usize, is_last_use: bool| {
         let part = &loaded.parts[number];
-        let mesh = edited_mesh(&part.mesh, &edits[number], by_face);
+        let mesh = match &mut edits {
+            Cow::Owned(edits) if is_last_use => {
+                edited_mesh(&part.mesh, std::mem::take(&mut edits[number]), by_face)
+            }
+            edits => edited_mesh(&part.mesh, edits[number].clone(), by_face),
+        };
         Part { name: part.name.clone(), mesh, non_finite_faces: Vec::new() }
     };
     if loaded.nodes.is_empty() {
-        return Ok((0..loaded.parts.len()).map(edited).collect());
+        return Ok((0..loaded.parts.len()).map(|number| edited(number, true)).collect());
     }
     let mut uses = vec![0_usize; loaded.parts.len()];
     for node in &loaded.nodes {
@@ -69,7 +75,8 @@ fn placed(
     let mut flattened = 0;
     let mut parts = Vec::with_capacity(loaded.nodes.len());
     for node in &loaded.nodes {
-        let mut part = edited(node.part);
+        uses[node.part] -= 1;
+        let mut part = edited(node.part, uses[node.part] == 0);
         if node.world_from_part != DMat4::IDENTITY {
             let had_normals = part.mesh.columns().normals.is_some();
             part.mesh = part.mesh.transformed(node.world_from_part).map_err(|fault| beyond(fault, node))?;
@@ -95,10 +102,10 @@ fn beyond(TransformFault::Overflow: TransformFault, node: &FileNode) -> WriteErr
 }
 
 /// The mesh with an edit applied, which is given by the corners of the mesh as it is.
-fn edited_mesh(mesh: &Mesh, edit: &PartEdit, by_face: bool) -> Mesh {
-    let normals = match &edit.face_normals {
-        Some(normals) if by_face => Some(Column::per_corner(normals.clone(), mesh.faces().owners())),
-        _ => edit.normals.clone(),
+fn edited_mesh(mesh: &Mesh, edit: PartEdit, by_face: bool) -> Mesh {
+    let normals = match edit.face_normals {
+        Some(normals) if by_face => Some(Column::per_corner(normals, mesh.faces().owners())),
+        _ => edit.normals,
     };
     let mesh = match normals {
         Some(normals) => mesh.clone().with_normals(Some(normals)),

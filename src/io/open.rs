@@ -2,6 +2,8 @@
 
 use super::{Format, Loaded, Place, Problem, ReadError, ReadOptions};
 use super::{dispatch, stl};
+#[cfg(unix)]
+use rayon::prelude::*;
 use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
@@ -60,9 +62,40 @@ pub fn read(path: &Path, format: Option<Format>, options: &ReadOptions) -> Resul
         let found = format!("{} bytes, more than the limit of {}", metadata.len(), options.limits.bytes);
         return Err(ReadError::new(Problem::Limit, Place::File, found, "raise the limit"));
     }
-    let bytes = fs::read(path).map_err(|error| io_error(&error))?;
+    let bytes = read_whole(path, metadata.len()).map_err(|error| io_error(&error))?;
     let format = format.or_else(|| detect(&bytes, Some(path)));
     read_bytes(bytes, format, Some(path.parent().unwrap_or(path)), options)
+}
+
+/// Reads a file of about this many bytes; a large one on all threads, since most of the time goes into giving it memory.
+fn read_whole(path: &Path, length: u64) -> std::io::Result<Vec<u8>> {
+    #[cfg(unix)]
+    if let Some(bytes) = read_in_pieces(path, length)? {
+        return Ok(bytes);
+    }
+    #[cfg(not(unix))]
+    let _ = length;
+    fs::read(path)
+}
+
+/// `None` if the file is small, or does not have the length that it was said to have.
+#[cfg(unix)]
+fn read_in_pieces(path: &Path, length: u64) -> std::io::Result<Option<Vec<u8>>> {
+    use std::os::unix::fs::FileExt;
+    const PIECE: usize = 1 << 20;
+    let Some(length) = usize::try_from(length).ok().filter(|&length| length > 2 * PIECE) else {
+        return Ok(None);
+    };
+    let file = fs::File::open(path)?;
+    let mut bytes = vec![0; length];
+    let pieces = bytes.par_chunks_mut(PIECE).enumerate();
+    let read = pieces.map(|(number, piece)| file.read_exact_at(piece, (number * PIECE) as u64));
+    match read.collect::<std::io::Result<()>>() {
+        Err(error) if error.kind() == ErrorKind::UnexpectedEof => return Ok(None),
+        result => result?,
+    }
+    let has_grown = file.read_at(&mut [0], length as u64)? > 0;
+    Ok((!has_grown).then_some(bytes))
 }
 
 fn io_error(error: &std::io::Error) -> ReadError {

@@ -3,6 +3,7 @@
 use super::topology::MAX_CORNERS;
 use super::{ColumnIndex, Columns, Faces, Mesh, NONE, Storage};
 use glam::DVec3;
+use rayon::prelude::*;
 
 /// Why raw data do not make a [`Mesh`].
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -96,13 +97,13 @@ impl MeshBuilder {
     /// # Errors
     /// The first [`MeshError`] met, in the order vertices, faces, columns.
     pub fn build(self) -> Result<Mesh, MeshError> {
-        if let Some(vertex) = self.positions.iter().position(|p| !p.is_finite()) {
+        if let Some(vertex) = self.positions.par_iter().position_first(|p| !p.is_finite()) {
             return Err(MeshError::NonFinite { vertex, position: self.positions[vertex] });
         }
         self.check_faces()?;
         self.check_columns()?;
         let Self { positions, storage, faces, columns } = self;
-        Ok(Mesh { positions, storage, faces, columns })
+        Ok(Mesh { positions: positions.into(), storage, faces: faces.into(), columns })
     }
 
     /// As [`build`](Self::build), but drops the faces that use a vertex without a finite position instead of
@@ -139,7 +140,7 @@ impl MeshBuilder {
         {
             return Err(MeshError::TooFewCorners { face, corners: self.faces.range(face).len() });
         }
-        if let Some(corner) = self.faces.corners().iter().position(|&v| v as usize >= count) {
+        if let Some(corner) = self.faces.corners().par_iter().position_first(|&v| v as usize >= count) {
             let face = self.faces.ranges().position(|range| range.contains(&corner)).unwrap_or(0);
             return Err(MeshError::VertexOutOfRange { face, vertex: self.faces.corners()[corner], count });
         }

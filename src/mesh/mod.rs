@@ -28,6 +28,7 @@ pub(crate) use weld::DisjointSets;
 pub use weld::Weld;
 
 use glam::DVec3;
+use std::sync::Arc;
 
 /// The precision that positions had where they came from. It sets the height below which the direction of a
 /// face is noise of the file's own rounding.
@@ -45,11 +46,13 @@ pub enum Storage {
 /// Built by [`MeshBuilder`], which checks once that every corner's vertex exists, that each face has three
 /// corners or more, that positions are finite and that columns fit. Degenerate *geometry* is allowed: two
 /// corners may be the same vertex, a face may have no area.
+///
+/// Clones share positions and faces: what changes a mesh gives a new one.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
-    positions: Vec<DVec3>,
+    positions: Arc<Vec<DVec3>>,
     storage: Storage,
-    faces: Faces,
+    faces: Arc<Faces>,
     columns: Columns,
 }
 

@@ -3,6 +3,7 @@
 use super::{FaceEdit, Mesh, Storage};
 use crate::num::unit_scale;
 use glam::{DMat3, DMat4, DVec3};
+use std::sync::Arc;
 
 /// How normals follow a linear map of positions: by its inverse transpose.
 ///
@@ -101,7 +102,7 @@ impl Mesh {
             self.clone()
         };
         moved.storage = Storage::F64;
-        for position in &mut moved.positions {
+        for position in Arc::make_mut(&mut moved.positions) {
             *position = map.transform_point3(*position);
             if !position.is_finite() {
                 return Err(TransformFault::Overflow);

@@ -105,16 +105,18 @@ fn try_compute(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe, fast: bo
         morph_normals.push(normals.values);
     }
 
-    let makeup = MadeUp::new(mesh.faces().view(), topology, &shape.faces);
-    let mut face_normals = shape.faces.unit.clone();
-    for (face, normal) in face_normals.iter_mut().enumerate().filter(|(_, normal)| **normal == DVec3::ZERO) {
-        *normal = makeup.for_face(face as u32);
-    }
     let faults = Faults {
         faces: face_faults(&shape.faces, recipe.slivers),
         corners: corner_faults(&groups.corner_entry, &filled.made_up),
         vertices: unreferenced(&groups.entry_vertex, mesh.vertex_count()),
     };
+    let makeup = MadeUp::new(mesh.faces().view(), topology, &shape.faces);
+    let bare = shape.faces.unit.iter().enumerate().filter(|(_, normal)| **normal == DVec3::ZERO);
+    let made_up: Vec<_> = bare.map(|(face, _)| (face, makeup.for_face(face as u32))).collect();
+    let mut face_normals = shape.faces.unit;
+    for (face, normal) in made_up {
+        face_normals[face] = normal;
+    }
     Some(NormalField {
         normals: Column::per_corner(filled.values, groups.corner_entry),
         entry_vertex: groups.entry_vertex,

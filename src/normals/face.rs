@@ -23,7 +23,7 @@ pub(crate) struct FaceNormals {
 /// Computes the normal of every face.
 pub(crate) fn face_normals(faces: FacesRef, positions: Positions) -> FaceNormals {
     let mut normals =
-        FaceNormals { unit: vec![DVec3::ZERO; faces.len()], state: vec![FaceState::Counted; faces.len()] };
+        FaceNormals { unit: bytemuck::zeroed_vec(faces.len()), state: vec![FaceState::Counted; faces.len()] };
     face_normals_into(faces, positions, &mut normals.unit, &mut normals.state);
     normals
 }

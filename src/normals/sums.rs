@@ -77,7 +77,7 @@ pub(crate) struct Outcome {
 /// all weights of a slot vanish, its faces count the same. A slot with one face gets that face's normal to the bit.
 pub(crate) fn weighted_sums(request: &SumRequest) -> Sums {
     let mut sums =
-        Sums { unit: vec![DVec3::ZERO; request.slots], state: vec![SlotState::Empty; request.slots] };
+        Sums { unit: bytemuck::zeroed_vec(request.slots), state: vec![SlotState::Empty; request.slots] };
     weighted_sums_into(request, &mut SumScratch::default(), &mut sums.unit, &mut sums.state);
     sums
 }

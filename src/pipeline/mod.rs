@@ -9,7 +9,7 @@
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let loaded = io::read("gear.obj".as_ref(), None, &io::ReadOptions::default())?;
 //! let revision = pipeline::revise(&loaded, &pipeline::Task::default(), Some(io::Format::Glb), &|_| {});
-//! let written = io::write(&loaded, &revision.edits, io::Format::Glb, &io::WriteOptions::default())?;
+//! let written = io::write(&loaded, revision.edits, io::Format::Glb, &io::WriteOptions::default())?;
 //! std::fs::write("gear.glb", written.bytes)?;
 //! # Ok(())
 //! # }

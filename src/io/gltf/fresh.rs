@@ -11,6 +11,7 @@ use crate::io::{
 };
 use crate::mesh::{FaceLabels, Mesh, NONE, Storage, VertexSplit};
 use glam::DVec3;
+use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 use std::fmt::Write as _;
@@ -129,13 +130,13 @@ impl<'a> File<'a> {
         if let Some(uvs) = &columns.uvs {
             // glTF counts v from the top of the image, meshes count from the bottom.
             let finite = |x: f64| if (x as f32).is_finite() { x as f32 } else { 0.0 };
-            let values = shape.values(uvs, [0.0; 2], |uv| [finite(uv.x), finite(1.0 - uv.y)]);
+            let values = shape.values(mesh, uvs, [0.0; 2], |uv| [finite(uv.x), finite(1.0 - uv.y)]);
             let _ =
                 write!(flat, ",\"TEXCOORD_0\":{}", self.store(Array::Vec2(values), Target::Vertices, None));
         }
         let mut full = flat.clone();
         if let Some(normals) = &columns.normals {
-            let values = shape.values(normals, [0.0, 0.0, 1.0], |n| n.as_vec3().to_array());
+            let values = shape.values(mesh, normals, [0.0, 0.0, 1.0], |n| n.as_vec3().to_array());
             let _ = write!(full, ",\"NORMAL\":{}", self.store(Array::Vec3(values), Target::Vertices, None));
         }
         Ok(Attributes { loose, flat, full })
@@ -225,14 +226,15 @@ fn positions(
     notes: &mut Vec<Note>,
 ) -> Result<(Vec<[f32; 3]>, Bounds), WriteError> {
     let round = |p: &DVec3| [p.x as f32, p.y as f32, p.z as f32];
-    let rounded: Vec<[f32; 3]> = mesh.positions().iter().map(round).collect();
-    let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
-    for p in &rounded {
-        for axis in 0..3 {
-            low[axis] = low[axis].min(p[axis]);
-            high[axis] = high[axis].max(p[axis]);
-        }
-    }
+    let rounded: Vec<[f32; 3]> = mesh.positions().par_iter().map(round).collect();
+    let none = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
+    let join = |(low, high): ([f32; 3], [f32; 3]), (l, h): ([f32; 3], [f32; 3])| {
+        let axes = [0, 1, 2];
+        (axes.map(|axis| low[axis].min(l[axis])), axes.map(|axis| high[axis].max(h[axis])))
+    };
+    // One zero only: which of two wins would depend on how the work is divided.
+    let plain = |p: &[f32; 3]| p.map(|x| x + 0.0);
+    let (low, high) = rounded.par_iter().map(plain).map(|p| (p, p)).reduce(|| none, join);
     if low.iter().chain(&high).any(|bound| bound.is_infinite()) {
         let vertex = rounded.iter().position(|p| p.iter().any(|x| x.is_infinite())).unwrap_or(0);
         let DVec3 { x, y, z } = mesh.positions()[vertex];
@@ -257,7 +259,7 @@ fn positions(
 /// 2⁻²⁵ of the size; far from it, or near the smallest numbers, it can cost everything.
 fn note_displacement(mesh: &Mesh, rounded: &[[f32; 3]], notes: &mut Vec<Note>) {
     let moved = |(p, q): (&DVec3, &[f32; 3])| p.distance(DVec3::new(q[0].into(), q[1].into(), q[2].into()));
-    let largest = mesh.positions().iter().zip(rounded).map(moved).fold(0.0, f64::max);
+    let largest = mesh.positions().par_iter().zip(rounded).map(moved).reduce(|| 0.0, f64::max);
     let size = mesh.bounds().map_or(0.0, |(low, high)| low.distance(high));
     if size > 0.0 && largest > size / f64::from(1 << 20) {
         let text = format!(

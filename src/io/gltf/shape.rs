@@ -2,6 +2,7 @@
 
 use crate::io::{Note, Place, Written};
 use crate::mesh::{Column, ColumnIndex, Mesh, NONE, VertexSplit, split_vertices, triangulate};
+use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 
@@ -41,8 +42,10 @@ impl<'a> Shape<'a> {
         });
         let normal_keys = columns.normals.as_ref().and_then(corner_keys);
         let uv_keys = columns.uvs.as_ref().and_then(corner_keys);
-        let keys: Vec<&[u32]> = normal_keys.into_iter().chain(uv_keys).collect();
         let corners = mesh.faces().corners();
+        // What goes by vertex, though told by corner, splits none.
+        let keys: Vec<&[u32]> =
+            normal_keys.into_iter().chain(uv_keys).filter(|&keys| keys != corners).collect();
         if keys.is_empty() {
             return Self { vertex_of: Cow::Borrowed(corners), triangles, split: None };
         }
@@ -60,14 +63,22 @@ impl<'a> Shape<'a> {
     }
 
     /// The value of every written vertex, `default` where no corner has one.
-    pub(super) fn values<T, U: Copy>(
+    pub(super) fn values<T: Sync, U: Copy + Send + Sync>(
         &self,
+        mesh: &Mesh,
         column: &Column<T>,
         default: U,
-        convert: impl Fn(&T) -> U,
+        convert: impl Fn(&T) -> U + Send + Sync,
     ) -> Vec<U> {
         match (&self.split, &column.index) {
-            (None, _) => column.values.iter().map(convert).collect(),
+            (None, ColumnIndex::PerVertex) => column.values.par_iter().map(convert).collect(),
+            // Without a split, each corner's value has the number of its vertex.
+            (None, ColumnIndex::PerCorner(index)) => {
+                let mut used = vec![false; mesh.vertex_count()];
+                index.iter().for_each(|&vertex| used[vertex as usize] = true);
+                let value = |(v, used)| if used { convert(&column.values[v]) } else { default };
+                used.into_par_iter().enumerate().map(value).collect()
+            }
             (Some(split), ColumnIndex::PerVertex) => {
                 split.source.iter().map(|&v| convert(&column.values[v as usize])).collect()
             }
