@@ -71,6 +71,26 @@ impl GltfDocument {
     }
 }
 
+/// So many primitives are fine in a file of any size; more only where each has as many bytes as the smallest of real ones. A
+/// primitive takes kilobytes in memory, so that very many of a few bytes would cost far more than their file.
+const PRIMITIVES_OF_ANY_SIZE: u64 = 1 << 16;
+const SMALLEST_PRIMITIVE: u64 = 256;
+
+fn check_primitive_count(records: &Records, bytes: u64) -> Result<(), ReadError> {
+    let count: u64 = records.meshes.iter().map(|mesh| mesh.primitives.len().max(1) as u64).sum();
+    let limit = PRIMITIVES_OF_ANY_SIZE.max(bytes / SMALLEST_PRIMITIVE);
+    if count <= limit {
+        return Ok(());
+    }
+    let found = format!("{count} primitives in {bytes} bytes; the limit for that size is {limit}");
+    Err(ReadError::new(
+        Problem::Limit,
+        Place::Json("/meshes".into()),
+        found,
+        "merge primitives, or divide the file",
+    ))
+}
+
 /// Reads a glTF document in either spelling. `base` is the folder of the file, where its buffers are looked for;
 /// images are not opened.
 ///
@@ -105,6 +125,7 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
     let bin = glb.as_ref().and_then(Glb::bin);
     let buffers = buffers::load(json, &records.buffers, file, bin, base, options)?;
     let images = buffers::check_images(json, &document::list(&root, "images")?, base, options, &mut notes)?;
+    check_primitive_count(&records, input + buffers.total())?;
     let nodes = nodes::read(json, records.meshes.len(), &mut notes)?;
 
     // A value takes at most six times its stored bytes when decoded; twelve times allows for shared ones.

@@ -34,6 +34,10 @@ fn repeated(pattern: &str) -> Vec<u8> {
     pattern.bytes().cycle().take((16 << 20) / SHARE as usize).collect()
 }
 
+/// A glTF mesh of a few bytes, and a primitive.
+const SMALL_MESH: &str = "{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}";
+const SMALL_PRIMITIVE: &str = "{\"attributes\":{\"POSITION\":0}}";
+
 /// A glTF mesh up to the attributes of its primitive.
 const MESH: &str = "\"meshes\":[{\"primitives\":[{\"attributes\":{";
 
@@ -84,6 +88,8 @@ fn inputs() -> Vec<(Format, &'static str, Vec<u8>)> {
         (Format::Gltf, "numbers", gltf("\"x\":[", "1", "]}")),
         (Format::Gltf, "members", gltf("\"x\":{", "\"a\":1", "}}")),
         (Format::Gltf, "nodes", gltf("\"nodes\":[", "{}", "]}")),
+        (Format::Gltf, "meshes", gltf("\"meshes\":[", SMALL_MESH, "]}")),
+        (Format::Gltf, "primitives", gltf("\"meshes\":[{\"primitives\":[", SMALL_PRIMITIVE, "]}]}")),
         (Format::Gltf, "materials", gltf("\"materials\":[", "{}", "]}")),
         (Format::Gltf, "images", gltf("\"images\":[", "{\"uri\":\"a\"}", "]}")),
         (Format::Gltf, "attributes", gltf(MESH, "\"a\":0", "}}]}]}")),
