@@ -53,5 +53,6 @@ pub mod mesh;
 pub mod normals;
 pub mod num;
 pub mod pipeline;
+pub mod raster;
 pub mod shade;
 pub mod surface;

@@ -1,0 +1,202 @@
+//! Clipping to the near plane and to the guard band, with everything that is interpolated along.
+//!
+//! Sutherland & Hodgman 1974, in homogeneous `f64`. A new vertex is always computed from the inner end of an edge
+//! towards the outer one, so that two faces that share an edge get the same vertex whichever way they run round it.
+
+use super::fixed::{GUARD, ONE, snap};
+use super::project::ScreenVertex;
+use super::view::{View, ViewPoint};
+
+/// What a corner carries along.
+pub(super) trait Mix: Copy {
+    /// The value on the way to another: `t` of the way in the scene, `s` of the way on the picture.
+    fn mix(self, other: Self, t: f64, s: f64) -> Self;
+}
+
+/// Shares of a triangle's three corners in a point of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Shares {
+    /// Barycentric coordinates in the scene.
+    pub(super) scene: [f64; 3],
+    /// Barycentric coordinates on the picture: of the triangle, or of what the near plane leaves of it, whose new
+    /// corners have the values of the scene.
+    pub(super) picture: [f64; 3],
+}
+
+impl Mix for Shares {
+    fn mix(self, other: Self, t: f64, s: f64) -> Self {
+        let mix = |a: [f64; 3], b: [f64; 3], t: f64| [0, 1, 2].map(|k| a[k] + (b[k] - a[k]) * t);
+        Self { scene: mix(self.scene, other.scene, t), picture: mix(self.picture, other.picture, s) }
+    }
+}
+
+/// A corner of a polygon that is being clipped.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ClipVertex<A> {
+    pub(super) point: ViewPoint,
+    pub(super) attribute: A,
+}
+
+/// The near plane among [`View::inside`].
+pub(super) const NEAR: usize = 0;
+
+/// Clips a polygon by the planes whose bits are set; `spare` is room to work in.
+pub(super) fn clip<A: Mix>(
+    view: &View,
+    planes: u32,
+    polygon: &mut Vec<ClipVertex<A>>,
+    spare: &mut Vec<ClipVertex<A>>,
+) {
+    for plane in (0..5).filter(|plane| planes >> plane & 1 == 1) {
+        spare.clear();
+        for (i, &from) in polygon.iter().enumerate() {
+            let to = polygon[(i + 1) % polygon.len()];
+            let (a, b) = (view.inside(from.point)[plane], view.inside(to.point)[plane]);
+            if a >= 0.0 {
+                spare.push(from);
+            }
+            match (a >= 0.0, b >= 0.0) {
+                (true, false) => spare.push(crossing(view, plane, from, to, a / (a - b))),
+                (false, true) => spare.push(crossing(view, plane, to, from, b / (b - a))),
+                _ => {}
+            }
+        }
+        std::mem::swap(polygon, spare);
+    }
+}
+
+/// Where an edge leaves the half-space of a plane, `t` of the way from its inner end.
+fn crossing<A: Mix>(view: &View, plane: usize, inner: ClipVertex<A>, outer: ClipVertex<A>, t: f64) -> ClipVertex<A> {
+    let (p, q) = (inner.point, outer.point);
+    let mix = |a: f64, b: f64| a + (b - a) * t;
+    let mut point = ViewPoint { x: mix(p.x, q.x), y: mix(p.y, q.y), z: mix(p.z, q.z), h: mix(p.h, q.h) };
+    // Exactly on the plane, whatever rounding did.
+    let guard = f64::from(GUARD) * point.h;
+    match plane {
+        NEAR => {
+            point.z = view.near;
+            point.h = if view.perspective { view.near } else { 1.0 };
+        }
+        1 => point.x = -guard,
+        2 => point.x = guard,
+        3 => point.y = -guard,
+        _ => point.y = guard,
+    }
+    // The new corners at the near plane are corners of what is drawn; those at the guard band are not, so there the
+    // interpolation on the picture must not notice them.
+    let s = if plane == NEAR { t } else { t * q.h / point.h };
+    ClipVertex { point, attribute: inner.attribute.mix(outer.attribute, t, s) }
+}
+
+/// A clipped corner on the picture.
+pub(super) fn screen_vertex(view: &View, point: ViewPoint) -> ScreenVertex {
+    let ([x, y], middle) = (view.on_picture(point), view.middle());
+    let within = |place: f64, middle: f64| {
+        // Rounding may carry a corner of the guard band over its border by a unit.
+        let (low, high) = (snap(middle) - GUARD * ONE, snap(middle) + GUARD * ONE);
+        snap(place).clamp(low, high)
+    };
+    ScreenVertex {
+        x: within(x, middle[0]),
+        y: within(y, middle[1]),
+        depth: view.depth(point.z) as f32,
+        outside: 0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::camera::{Camera, Projection};
+    use super::super::view::ObjectMap;
+    use super::*;
+    use crate::num::Radians;
+    use crate::num::test_numbers::Numbers;
+    use glam::{DMat4, DVec3};
+
+    fn view() -> View {
+        let camera = Camera {
+            eye: DVec3::ZERO,
+            target: DVec3::NEG_Z,
+            up: DVec3::Y,
+            projection: Projection::Perspective(Radians(1.0)),
+            near: 0.5,
+        };
+        View::new(&camera, [100, 100]).unwrap()
+    }
+
+    fn unit(k: usize) -> Shares {
+        let mut shares = [0.0; 3];
+        shares[k] = 1.0;
+        Shares { scene: shares, picture: shares }
+    }
+
+    /// What clipping says of a new corner must hold in the scene: the mean of the corners by its shares is the corner.
+    #[test]
+    fn shares_find_the_corner_again() {
+        let (view, mut numbers) = (view(), Numbers::new(7));
+        let map = ObjectMap::new(&view, DMat4::IDENTITY, DVec3::ZERO);
+        let mut clipped = 0;
+        for _ in 0..2000 {
+            let size = if numbers.below(2) == 0 { 4.0 } else { 4000.0 };
+            let corners = [0; 3].map(|_| DVec3::from([0; 3].map(|_| (numbers.unit() - 0.5) * size)));
+            let mut polygon: Vec<_> = (0..3)
+                .map(|k| ClipVertex { point: map.view(corners[k]), attribute: unit(k) })
+                .collect();
+            clip(&view, 0x1f, &mut polygon, &mut Vec::new());
+            assert!(polygon.len() <= 8);
+            for vertex in &polygon {
+                clipped += usize::from(vertex.attribute.scene.iter().all(|&share| share != 1.0));
+                let mean: DVec3 = (0..3).map(|k| corners[k] * vertex.attribute.scene[k]).sum();
+                let seen = map.view(mean);
+                // Shares are rounded to 2^-53, coordinates are a few thousand units, a unit is 91 pixels.
+                let close = |a: f64, b: f64| (a - b).abs() < 1e-8;
+                assert!(close(seen.x, vertex.point.x) && close(seen.y, vertex.point.y) && close(seen.z, vertex.point.z));
+                let inside = view.inside(vertex.point);
+                assert!(inside.iter().all(|&d| d > -1e-6), "{inside:?}");
+                let sum: f64 = vertex.attribute.picture.iter().sum();
+                assert!((sum - 1.0).abs() < 1e-9, "{sum}");
+            }
+        }
+        assert!(clipped > 1000, "only {clipped} new corners");
+    }
+
+    /// At the guard band alone, shares on the picture are those of the place on the picture.
+    #[test]
+    fn the_guard_band_leaves_the_picture_alone() {
+        let view = view();
+        let map = ObjectMap::new(&view, DMat4::IDENTITY, DVec3::ZERO);
+        let corners = [DVec3::new(-1.0, 0.0, -1.0), DVec3::new(900.0, 0.1, -2.0), DVec3::new(0.0, 1.0, -3.0)];
+        let points = corners.map(|corner| map.view(corner));
+        let mut polygon: Vec<_> =
+            (0..3).map(|k| ClipVertex { point: points[k], attribute: unit(k) }).collect();
+        clip(&view, 0x1f, &mut polygon, &mut Vec::new());
+        assert_eq!(polygon.len(), 4);
+        for vertex in polygon {
+            let [x, y] = view.on_picture(vertex.point);
+            let places = points.map(|point| view.on_picture(point));
+            for (k, value) in [x, y].into_iter().enumerate() {
+                let mean: f64 = (0..3).map(|i| places[i][k] * vertex.attribute.picture[i]).sum();
+                assert!((mean - value).abs() < 1e-7, "{mean} {value}");
+            }
+        }
+    }
+
+    #[test]
+    fn both_sides_of_an_edge_get_the_same_corner() {
+        let (view, mut numbers) = (view(), Numbers::new(8));
+        let map = ObjectMap::new(&view, DMat4::IDENTITY, DVec3::ZERO);
+        let mut point = || map.view(DVec3::from([0; 3].map(|_| (numbers.unit() - 0.5) * 4.0)));
+        for _ in 0..1000 {
+            let (a, b) = (point(), point());
+            let cut = |from: ViewPoint, to: ViewPoint| {
+                let vertex = |point, k| ClipVertex { point, attribute: unit(k) };
+                let mut polygon = vec![vertex(from, 0), vertex(to, 1)];
+                clip(&view, 1, &mut polygon, &mut Vec::new());
+                let mut places: Vec<_> = polygon.iter().map(|v| (v.point.x, v.point.y, v.point.z)).collect();
+                places.sort_by(|a, b| a.partial_cmp(b).unwrap());
+                places
+            };
+            assert_eq!(cut(a, b), cut(b, a));
+        }
+    }
+}

@@ -1,0 +1,70 @@
+//! Finished pictures.
+
+use std::time::Duration;
+
+/// The numbers of a picture: red, green, blue of every pixel, row by row from the top.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Pixels {
+    /// 8 bits a component.
+    Eight(Vec<[u8; 3]>),
+    /// 16 bits a component.
+    Sixteen(Vec<[u16; 3]>),
+}
+
+/// A picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Image {
+    /// Width and height in pixels.
+    pub size: [u32; 2],
+    /// Its quantised colours.
+    pub pixels: Pixels,
+    /// How many samples of each pixel an object covers.
+    pub coverage: Vec<u8>,
+    /// Linear colours before tone and transfer, the mean of a pixel's samples; only if they were asked for
+    /// ([`RenderSettings::keep_linear`](super::RenderSettings::keep_linear)).
+    pub linear: Option<Vec<[f32; 3]>>,
+    /// What was done.
+    pub statistics: Statistics,
+}
+
+impl Image {
+    /// Where in the lists a pixel is; `None` outside the picture.
+    pub fn index(&self, x: u32, y: u32) -> Option<usize> {
+        (x < self.size[0] && y < self.size[1]).then(|| y as usize * self.size[0] as usize + x as usize)
+    }
+
+    /// The colour of a pixel as 8-bit numbers (of 16-bit ones the upper half); `None` outside the picture.
+    pub fn pixel(&self, x: u32, y: u32) -> Option<[u8; 3]> {
+        let index = self.index(x, y)?;
+        Some(match &self.pixels {
+            Pixels::Eight(pixels) => pixels[index],
+            Pixels::Sixteen(pixels) => pixels[index].map(|component| (component >> 8) as u8),
+        })
+    }
+}
+
+/// Counts and times of a drawing. Only the times differ from run to run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Statistics {
+    /// Pixels with at least one covered sample.
+    pub covered_pixels: u64,
+    /// Triangles handed to the tiles.
+    pub triangles_drawn: u64,
+    /// Among them, those cut by the near plane or the guard band.
+    pub triangles_clipped: u64,
+    /// Triangles left out: turned away, without area on the picture, between samples, or out of sight.
+    pub triangles_culled: u64,
+    /// Times of the stages.
+    pub times: Times,
+}
+
+/// How long the stages took.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Times {
+    /// Cutting polygons into triangles and placing vertices on the picture.
+    pub geometry: Duration,
+    /// Sorting triangles into tiles.
+    pub binning: Duration,
+    /// Visibility, shading and output, tile by tile.
+    pub tiles: Duration,
+}

@@ -1,0 +1,130 @@
+//! Vertices on the picture.
+
+use super::fixed::{GUARD, snap};
+use super::view::{ObjectMap, View};
+use crate::num::{self, Kernel, Product};
+use glam::DVec3;
+use rayon::prelude::*;
+
+/// A vertex as the rasterizer sees it: 16 bytes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct ScreenVertex {
+    /// In 256ths of a pixel from the upper left corner; see [`fixed`](super::fixed).
+    pub(super) x: i32,
+    pub(super) y: i32,
+    /// Larger is nearer; see [`View::depth`].
+    pub(super) depth: f32,
+    /// Which clipping planes the vertex is outside of, one bit each; the rest is only valid if none is set.
+    pub(super) outside: u32,
+}
+
+/// The bit of a vertex whose place on the picture overflows.
+pub(super) const NOT_FINITE: u32 = 1 << 5;
+
+/// Positions to read vertices from.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Points<'a> {
+    F64(&'a [DVec3]),
+    F32(&'a [[f32; 3]]),
+}
+
+impl Points<'_> {
+    pub(super) fn len(self) -> usize {
+        match self {
+            Self::F64(points) => points.len(),
+            Self::F32(points) => points.len(),
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn get(self, vertex: u32) -> DVec3 {
+        match self {
+            Self::F64(points) => points[vertex as usize],
+            Self::F32(points) => DVec3::from(points[vertex as usize].map(f64::from)),
+        }
+    }
+}
+
+/// Vertices that one task projects.
+const TASK: usize = 8192;
+
+/// Projects and snaps all vertices.
+pub(super) fn project(points: Points, map: &ObjectMap, view: &View) -> Vec<ScreenVertex> {
+    let mut vertices = vec![ScreenVertex::default(); points.len()];
+    let tasks = vertices.par_chunks_mut(TASK).enumerate();
+    match points {
+        Points::F64(points) => tasks.zip(points.par_chunks(TASK)).for_each(|((_, out), points)| {
+            num::dispatch(Project { points, map, view, out });
+        }),
+        Points::F32(points) => tasks.zip(points.par_chunks(TASK)).for_each(|((_, out), points)| {
+            num::dispatch(Project { points, map, view, out });
+        }),
+    }
+    vertices
+}
+
+/// Vertices computed side by side.
+const LANES: usize = 32;
+
+trait Point: Copy {
+    fn wide(self) -> [f64; 3];
+}
+
+impl Point for DVec3 {
+    #[inline(always)]
+    fn wide(self) -> [f64; 3] {
+        self.to_array()
+    }
+}
+
+impl Point for [f32; 3] {
+    #[inline(always)]
+    fn wide(self) -> [f64; 3] {
+        self.map(f64::from)
+    }
+}
+
+struct Project<'a, T> {
+    points: &'a [T],
+    map: &'a ObjectMap,
+    view: &'a View,
+    out: &'a mut [ScreenVertex],
+}
+
+impl<T: Point> Kernel for Project<'_, T> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<P: Product>(self) {
+        let Self { points, map, view, out } = self;
+        let mut rows = [[0.0; LANES]; 3];
+        for (points, out) in points.chunks(LANES).zip(out.chunks_mut(LANES)) {
+            for (lane, point) in points.iter().enumerate().take(LANES) {
+                let [x, y, z] = point.wide();
+                (rows[0][lane], rows[1][lane], rows[2][lane]) = (x, y, z);
+            }
+            let mut block = [ScreenVertex::default(); LANES];
+            for lane in 0..LANES {
+                let point = DVec3::new(rows[0][lane], rows[1][lane], rows[2][lane]);
+                block[lane] = screen_vertex(map, view, point);
+            }
+            out.copy_from_slice(&block[..out.len()]);
+        }
+    }
+}
+
+#[inline(always)]
+fn screen_vertex(map: &ObjectMap, view: &View, point: DVec3) -> ScreenVertex {
+    let seen = map.view(point);
+    let guard = f64::from(GUARD) * seen.h;
+    let bit = |outside: bool, bit: u32| u32::from(outside) << bit;
+    let size = (seen.x.abs() + seen.y.abs()) + (seen.z.abs() + guard.abs());
+    let outside = bit(seen.z < view.near, 0)
+        | bit(seen.x < -guard, 1)
+        | bit(seen.x > guard, 2)
+        | bit(seen.y < -guard, 3)
+        | bit(seen.y > guard, 4)
+        | if size < f64::INFINITY { 0 } else { NOT_FINITE };
+    let [x, y] = view.on_picture(seen);
+    ScreenVertex { x: snap(x), y: snap(y), depth: view.depth(seen.z) as f32, outside }
+}

@@ -1,0 +1,168 @@
+//! What of a scene is drawn, and how: everything that changes the picture.
+
+use super::samples::Samples;
+use crate::num::{Degrees, LinearRgb, Transfer};
+use crate::shade::{DepthCue, Guards, ToneRule};
+
+/// Where a surface's colour is computed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Shading {
+    /// Once a face, with the face's normal (F18).
+    Flat,
+    /// At the corners of each face; colours are interpolated (Gouraud 1971; F19, F23).
+    Gouraud,
+    /// At every sample, with the interpolated normal (Phong 1973; F22).
+    #[default]
+    Phong,
+    /// Nowhere: the edges of the faces are drawn as lines.
+    Wireframe,
+    /// At every sample, with the true position and normal of the analytic surface that the object stands for, found by
+    /// casting a ray. Objects without one are an error.
+    Exact,
+}
+
+/// How values at the corners of a face spread over it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Interpolation {
+    /// Along the edges of the polygon, then along the scanline between them, on the picture: the lectures' algorithm
+    /// (F19). Turning a face of four corners or more changes its colours; in triangles it is the same as
+    /// [`Affine`](Self::Affine).
+    Scanline,
+    /// Barycentric on the triangles that a face is cut into, on the picture. Does not turn with the face but depends on
+    /// how it is cut, and ignores perspective.
+    Affine,
+    /// Barycentric on the triangles, in the scene: right under perspective.
+    #[default]
+    Perspective,
+}
+
+/// Where a flat face is lit.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum FlatSample {
+    /// At the mean of its corners, with the face's normal.
+    #[default]
+    Centroid,
+    /// The mean of the colours that its corners would have under [`Shading::Gouraud`], as exercise 1.6.25 of the
+    /// lectures has it.
+    VertexMean,
+}
+
+/// Which faces are left out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Cull {
+    /// None.
+    #[default]
+    None,
+    /// Those seen from behind.
+    Back,
+    /// Those seen from the front.
+    Front,
+}
+
+/// What is shown of a surface.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Show {
+    /// Its colour under the scene's lights.
+    #[default]
+    Shaded,
+    /// Its interpolated unit normal n in the scene's axes, as (n + 1)/2.
+    Normals,
+    /// Which side is seen: front faces green, back faces red.
+    Facing,
+    /// Distance along the camera's axis: white at the nearest vertex of the scene, black at the farthest.
+    Depth,
+    /// A colour for each face.
+    FaceId,
+    /// The angle between the interpolated normal and the true one: that of the object's analytic surface, else that of
+    /// the face. Black at 0, over red and yellow to white at the given angle and beyond.
+    Deviation(Degrees),
+}
+
+/// How lines are drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LineStyle {
+    /// Their colour.
+    pub colour: LinearRgb,
+    /// Their width in pixels, above 0.
+    pub width: f64,
+    /// Whether lines behind surfaces are left out.
+    pub hide: bool,
+}
+
+impl Default for LineStyle {
+    /// White, one pixel wide, hidden lines removed.
+    fn default() -> Self {
+        Self { colour: LinearRgb::WHITE, width: 1.0, hide: true }
+    }
+}
+
+/// Bits of each component of the picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Bits {
+    /// 256 steps.
+    #[default]
+    Eight,
+    /// 65 536 steps.
+    Sixteen,
+}
+
+/// Everything about a picture that is not in the scene. Threads are not here: drawing uses the current pool of rayon
+/// and gives the same bytes whatever its size.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RenderSettings {
+    /// Width and height in pixels, 1 to 16384 each.
+    pub size: [u32; 2],
+    /// Where colours are computed.
+    pub shading: Shading,
+    /// How they, or normals, spread over faces.
+    pub interpolation: Interpolation,
+    /// Where flat faces are lit.
+    pub flat_sample: FlatSample,
+    /// How many places of each pixel are looked at.
+    pub samples: Samples,
+    /// Faces left out.
+    pub cull: Cull,
+    /// Light faces seen from behind on that side: their normals are turned round.
+    pub two_sided: bool,
+    /// What is shown.
+    pub show: Show,
+    /// Take the viewer as infinitely far away when lighting, whatever the camera; a parallel projection always does.
+    pub infinite_viewer: bool,
+    /// The guards of the lighting formulas.
+    pub guards: Guards,
+    /// Fading with the distance to the viewer.
+    pub depth_cue: Option<DepthCue>,
+    /// What becomes of colours out of range.
+    pub tone: ToneRule,
+    /// How linear colours become numbers.
+    pub transfer: Transfer,
+    /// How many numbers there are.
+    pub bits: Bits,
+    /// Keep the linear colours too, at 12 more bytes a pixel.
+    pub keep_linear: bool,
+    /// The lines of [`Shading::Wireframe`].
+    pub wire: LineStyle,
+}
+
+impl Default for RenderSettings {
+    fn default() -> Self {
+        Self {
+            size: [640, 480],
+            shading: Shading::default(),
+            interpolation: Interpolation::default(),
+            flat_sample: FlatSample::default(),
+            samples: Samples::default(),
+            cull: Cull::default(),
+            two_sided: false,
+            show: Show::default(),
+            infinite_viewer: false,
+            guards: Guards::default(),
+            depth_cue: None,
+            tone: ToneRule::default(),
+            transfer: Transfer::default(),
+            bits: Bits::default(),
+            keep_linear: false,
+            wire: LineStyle::default(),
+        }
+    }
+}

@@ -1,0 +1,103 @@
+//! Objects made of triangles, ready to be drawn.
+
+use super::project::{Points, ScreenVertex, project};
+use super::scene::Shape;
+use super::view::{ObjectMap, View};
+use crate::mesh::{Triangulation, triangulate};
+use glam::DMat4;
+
+/// The triangles of an object and where its vertices are on the picture.
+pub(super) struct DrawnObject<'a> {
+    /// Its number in the scene.
+    pub(super) object: usize,
+    /// The number of its first triangle, all objects counted through.
+    pub(super) first: u32,
+    pub(super) list: TriangleList<'a>,
+    pub(super) points: Points<'a>,
+    pub(super) vertices: Vec<ScreenVertex>,
+    pub(super) map: ObjectMap,
+    /// Whether its transform turns faces inside out.
+    pub(super) mirrored: bool,
+}
+
+impl<'a> DrawnObject<'a> {
+    /// Cuts and projects the shape of an object; `None` for analytic surfaces.
+    pub(super) fn new(
+        shape: &Shape<'a>,
+        object: usize,
+        first: u32,
+        transform: DMat4,
+        mirrored: bool,
+        view: &View,
+    ) -> Option<Self> {
+        let (points, list) = match *shape {
+            Shape::Mesh { mesh, .. } if mesh.faces().is_triangles() => {
+                (Points::F64(mesh.positions()), TriangleList::Whole(mesh.faces().corners().as_chunks().0))
+            }
+            Shape::Mesh { mesh, .. } => {
+                let corner_vertices = mesh.faces().corners();
+                (Points::F64(mesh.positions()), TriangleList::Cut { corner_vertices, cut: triangulate(mesh) })
+            }
+            Shape::Triangles(triangles) => {
+                (Points::F32(triangles.positions), TriangleList::Whole(triangles.triangles))
+            }
+            Shape::Surface(_) => return None,
+        };
+        let pivot = if points.len() > 0 { points.get(0) } else { glam::DVec3::ZERO };
+        let map = ObjectMap::new(view, transform, pivot);
+        let vertices = project(points, &map, view);
+        Some(Self { object, first, list, points, vertices, map, mirrored })
+    }
+
+    /// The corners of a triangle on the picture.
+    #[inline(always)]
+    pub(super) fn screen(&self, triangle: u32) -> [ScreenVertex; 3] {
+        self.list.vertices(triangle).map(|vertex| self.vertices[vertex as usize])
+    }
+}
+
+/// Triangles, and what they are parts of.
+pub(super) enum TriangleList<'a> {
+    /// Each is a face.
+    Whole(&'a [[u32; 3]]),
+    /// Polygons have been cut.
+    Cut { corner_vertices: &'a [u32], cut: Triangulation },
+}
+
+impl TriangleList<'_> {
+    pub(super) fn len(&self) -> usize {
+        match self {
+            Self::Whole(triangles) => triangles.len(),
+            Self::Cut { cut, .. } => cut.triangles.len(),
+        }
+    }
+
+    /// The vertices of a triangle.
+    #[inline(always)]
+    pub(super) fn vertices(&self, triangle: u32) -> [u32; 3] {
+        match self {
+            Self::Whole(triangles) => triangles[triangle as usize],
+            Self::Cut { corner_vertices, cut } => {
+                cut.triangles[triangle as usize].map(|corner| corner_vertices[corner as usize])
+            }
+        }
+    }
+
+    /// The corner numbers of a triangle.
+    #[inline(always)]
+    pub(super) fn corners(&self, triangle: u32) -> [u32; 3] {
+        match self {
+            Self::Whole(_) => [0, 1, 2].map(|k| 3 * triangle + k),
+            Self::Cut { cut, .. } => cut.triangles[triangle as usize],
+        }
+    }
+
+    /// The face that a triangle is part of.
+    #[inline(always)]
+    pub(super) fn face(&self, triangle: u32) -> u32 {
+        match self {
+            Self::Whole(_) => triangle,
+            Self::Cut { cut, .. } => cut.source_face[triangle as usize],
+        }
+    }
+}

@@ -1,0 +1,230 @@
+//! From the scene to the picture: what a camera and a size of picture make of points.
+
+use super::camera::{Camera, CameraError, Projection};
+use super::fixed::GUARD;
+use crate::num::Radians;
+use glam::{DMat3, DMat4, DVec3, Vec3};
+
+/// A camera with a picture of a certain size.
+///
+/// *View space* has its origin in the eye. Its first two coordinates are in pixels from the middle of the picture, to
+/// the right and down, times the third of [`ViewPoint`]; so they are linear in the scene.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct View {
+    pub(super) eye: DVec3,
+    /// Right, up, forward: unit vectors.
+    pub(super) axes: [DVec3; 3],
+    /// Pixels per unit of length: at distance 1 in perspective, anywhere in a parallel projection.
+    pub(super) scale: f64,
+    pub(super) near: f64,
+    pub(super) perspective: bool,
+    pub(super) size: [u32; 2],
+}
+
+/// A point in view space, homogeneous.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct ViewPoint {
+    /// Pixels right of the middle, times `h`.
+    pub(super) x: f64,
+    /// Pixels below the middle, times `h`.
+    pub(super) y: f64,
+    /// Distance along the axis.
+    pub(super) z: f64,
+    /// The homogeneous coordinate: `z` in perspective, 1 else.
+    pub(super) h: f64,
+}
+
+impl View {
+    /// The view of a camera that is right.
+    pub(super) fn new(camera: &Camera, size: [u32; 2]) -> Result<Self, CameraError> {
+        let axes = camera.axes()?;
+        let half = 0.5 * f64::from(size[1]);
+        let (scale, perspective) = match camera.projection {
+            Projection::Perspective(Radians(angle)) => (half / libm::tan(0.5 * angle), true),
+            Projection::Orthographic(height) => (2.0 * half / height, false),
+        };
+        Ok(Self { eye: camera.eye, axes, scale, near: camera.near, perspective, size })
+    }
+
+    /// The middle of the picture, in pixels.
+    pub(super) fn middle(&self) -> [f64; 2] {
+        self.size.map(|n| 0.5 * f64::from(n))
+    }
+
+    /// Depth as it is compared: larger is nearer. In perspective near/z, which is linear on the picture and is what
+    /// perspective-correct interpolation needs; else linear in z.
+    #[inline(always)]
+    pub(super) fn depth(&self, z: f64) -> f64 {
+        if self.perspective { self.near / z } else { (self.near - z) * self.scale }
+    }
+
+    /// A point of view space on the picture, in pixels from the upper left corner.
+    #[inline(always)]
+    pub(super) fn on_picture(&self, point: ViewPoint) -> [f64; 2] {
+        let [x, y] = self.middle();
+        [x + point.x / point.h, y + point.y / point.h]
+    }
+
+    /// How far a point is inside each of the planes that are clipped to, negative outside: near, then the guard band's
+    /// left, right, upper and lower side.
+    pub(super) fn inside(&self, point: ViewPoint) -> [f64; 5] {
+        let guard = f64::from(GUARD) * point.h;
+        [point.z - self.near, guard + point.x, guard - point.x, guard + point.y, guard - point.y]
+    }
+
+    /// The ray of a place on the picture: where it starts, relative to the eye, and its direction, whose component
+    /// along the axis is 1, both in the scene's axes.
+    pub(super) fn ray(&self, [x, y]: [f64; 2]) -> (DVec3, DVec3) {
+        let [right, up, forward] = self.axes;
+        let [middle_x, middle_y] = self.middle();
+        let across = right * ((x - middle_x) / self.scale) - up * ((y - middle_y) / self.scale);
+        if self.perspective { (DVec3::ZERO, forward + across) } else { (across, forward) }
+    }
+}
+
+/// The way from an object's own space to view space and to the scene's axes about the eye.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ObjectMap {
+    /// A point of the object that is subtracted before anything else, so that an object far from its origin keeps its
+    /// digits.
+    pivot: DVec3,
+    to_view: DMat3,
+    view_offset: DVec3,
+    to_scene: DMat3,
+    scene_offset: DVec3,
+    perspective: bool,
+}
+
+impl ObjectMap {
+    pub(super) fn new(view: &View, transform: DMat4, pivot: DVec3) -> Self {
+        let [right, up, forward] = view.axes;
+        let rows = DMat3::from_cols(right * view.scale, -up * view.scale, forward).transpose();
+        let to_scene = DMat3::from_mat4(transform);
+        let scene_offset = to_scene * pivot + (transform.w_axis.truncate() - view.eye);
+        Self {
+            pivot,
+            to_view: rows * to_scene,
+            view_offset: rows * scene_offset,
+            to_scene,
+            scene_offset,
+            perspective: view.perspective,
+        }
+    }
+
+    /// A point of the object in view space.
+    #[inline(always)]
+    pub(super) fn view(&self, point: DVec3) -> ViewPoint {
+        let p = point - self.pivot;
+        let m = &self.to_view;
+        let row = |x: f64, y: f64, z: f64, offset: f64| ((x * p.x + y * p.y) + z * p.z) + offset;
+        let z = row(m.x_axis.z, m.y_axis.z, m.z_axis.z, self.view_offset.z);
+        ViewPoint {
+            x: row(m.x_axis.x, m.y_axis.x, m.z_axis.x, self.view_offset.x),
+            y: row(m.x_axis.y, m.y_axis.y, m.z_axis.y, self.view_offset.y),
+            z,
+            h: if self.perspective { z } else { 1.0 },
+        }
+    }
+
+    /// A point of the object relative to the eye, in the scene's axes.
+    #[inline(always)]
+    pub(super) fn from_eye(&self, point: DVec3) -> DVec3 {
+        self.to_scene * (point - self.pivot) + self.scene_offset
+    }
+}
+
+/// The same rays as [`View::ray`], in single precision for rows of pixels: a point at depth `d` is
+/// `start + distance · direction`, each linear on the picture.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rays {
+    /// At the picture's upper left corner, and per pixel to the right and down.
+    pub(super) start: [Vec3; 3],
+    pub(super) direction: [Vec3; 3],
+    near: f32,
+    /// Units of length per unit of depth, in a parallel projection.
+    per_depth: f32,
+    perspective: bool,
+}
+
+impl Rays {
+    pub(super) fn new(view: &View) -> Self {
+        let [corner, right, below] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(|place| view.ray(place));
+        let rows = |a: DVec3, b: DVec3, c: DVec3| [a, b - a, c - a].map(|v| v.as_vec3());
+        Self {
+            start: rows(corner.0, right.0, below.0),
+            direction: rows(corner.1, right.1, below.1),
+            near: view.near as f32,
+            per_depth: (1.0 / view.scale) as f32,
+            perspective: view.perspective,
+        }
+    }
+
+    /// Distance along the axis of a point of this depth.
+    #[inline(always)]
+    pub(super) fn distance(&self, depth: f32) -> f32 {
+        if self.perspective { self.near / depth } else { self.near - depth * self.per_depth }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn views() -> [View; 2] {
+        let camera = Camera {
+            eye: DVec3::new(1.0, -2.0, 7.0),
+            target: DVec3::new(0.5, 0.0, 0.0),
+            up: DVec3::new(0.1, 1.0, 0.0),
+            projection: Projection::Perspective(Radians(0.7)),
+            near: 0.5,
+        };
+        let parallel = Camera { projection: Projection::Orthographic(3.0), ..camera };
+        [camera, parallel].map(|camera| View::new(&camera, [640, 480]).unwrap())
+    }
+
+    #[test]
+    fn the_target_is_in_the_middle_and_rays_come_back() {
+        for view in views() {
+            let map = ObjectMap::new(&view, DMat4::IDENTITY, DVec3::ZERO);
+            let target = view.on_picture(map.view(DVec3::new(0.5, 0.0, 0.0)));
+            assert!((target[0] - 320.0).abs() < 1e-10 && (target[1] - 240.0).abs() < 1e-10, "{target:?}");
+            for point in [DVec3::new(0.3, 0.7, -1.0), DVec3::new(-0.4, -0.2, 0.5)] {
+                let seen = map.view(point);
+                let (start, direction) = view.ray(view.on_picture(seen));
+                let back = start + direction * seen.z;
+                assert!(back.distance(map.from_eye(point)) < 1e-13, "{back} {point}");
+                assert!((map.from_eye(point) + view.eye).distance(point) < 1e-14);
+                let rays = Rays::new(&view);
+                let distance = rays.distance(view.depth(seen.z) as f32);
+                assert!((f64::from(distance) / seen.z - 1.0).abs() < 3e-7);
+            }
+        }
+    }
+
+    #[test]
+    fn up_is_up_and_right_is_right() {
+        for view in views() {
+            let map = ObjectMap::new(&view, DMat4::IDENTITY, DVec3::ZERO);
+            let [x, y] = view.on_picture(map.view(DVec3::new(1.0, 1.0, 0.0)));
+            assert!(x > 320.0 && y < 240.0);
+            let point = map.view(DVec3::new(0.5, 0.5, 0.0));
+            assert!(view.inside(point).iter().all(|&inside| inside > 0.0));
+        }
+    }
+
+    /// Far from the origin only the position itself is rounded: the difference of two points keeps its digits.
+    #[test]
+    fn far_objects_keep_their_digits() {
+        let [view, _] = views();
+        let offset = DVec3::splat(1e7);
+        let far = View { eye: view.eye + offset, ..view };
+        let near_map = ObjectMap::new(&view, DMat4::IDENTITY, DVec3::ZERO);
+        let far_map = ObjectMap::new(&far, DMat4::IDENTITY, offset);
+        for point in [DVec3::new(0.25, 0.75, -1.0), DVec3::new(-0.5, -0.125, 0.5)] {
+            let (a, b) = (near_map.view(point), far_map.view(point + offset));
+            let (a, b) = (view.on_picture(a), far.on_picture(b));
+            // The eye is rounded to 2e-9; a pixel is a hundredth of a unit.
+            assert!((a[0] - b[0]).abs() < 1e-6 && (a[1] - b[1]).abs() < 1e-6, "{a:?} {b:?}");
+        }
+    }
+}
