@@ -88,7 +88,7 @@ impl Bins {
 }
 
 /// The first and last tile that something touches, in x and in y: 256 tiles are the most.
-type TileBox = [u8; 4];
+pub(super) type TileBox = [u8; 4];
 
 impl Part {
     fn new(object: &DrawnObject, range: std::ops::Range<u32>, binning: Binning) -> Self {
@@ -125,7 +125,7 @@ impl Part {
 }
 
 /// A counting sort by tile, which keeps the order within each.
-fn sort(found: &[(u32, TileBox)], [columns, rows]: [usize; 2]) -> (Vec<u32>, Vec<u32>) {
+pub(super) fn sort(found: &[(u32, TileBox)], [columns, rows]: [usize; 2]) -> (Vec<u32>, Vec<u32>) {
     let each = |[x0, y0, x1, y1]: TileBox, put: &mut dyn FnMut(usize)| {
         for y in y0..=y1 {
             for x in x0..=x1 {

@@ -1,13 +1,40 @@
 //! Polygons to pixels (layer 3).
+//!
+//! [`render`] takes a [`Scene`] and [`RenderSettings`] and gives an [`Image`]. On the way vertices are placed on the
+//! picture and snapped, triangles are clipped and sorted into tiles of 64 × 64 pixels, and tile by tile it is found out
+//! what is seen; only that is shaded.
 
+mod bins;
 mod camera;
+mod cast;
 mod clip;
 mod coverage;
+mod error;
 mod fixed;
+mod image;
+mod interpolate;
+mod job;
+mod lines;
+mod paint;
 mod project;
+mod records;
+mod render;
 mod samples;
+mod scanline;
+mod scene;
+mod settings;
 mod setup;
+mod show;
+mod tile;
+mod triangles;
 mod view;
 
 pub use camera::{Camera, CameraError, Projection};
+pub use error::RenderError;
+pub use image::{Image, Pixels, Statistics, Times};
+pub use render::render;
 pub use samples::Samples;
+pub use scene::{Lines, Object, Paint, Scene, Shape, Triangles};
+pub use settings::{
+    Bits, Cull, FlatSample, Interpolation, LineStyle, RenderSettings, Shading, Show,
+};

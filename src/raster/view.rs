@@ -133,8 +133,8 @@ impl ObjectMap {
     }
 }
 
-/// The same rays as [`View::ray`], in single precision for rows of pixels: a point at depth `d` is
-/// `start + distance · direction`, each linear on the picture.
+/// The same rays as [`View::ray`], in single precision for rows of pixels and in a unit of length of their own: a point
+/// at depth `d` is `start + distance · direction`, each linear on the picture.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rays {
     /// At the picture's upper left corner, and per pixel to the right and down.
@@ -147,14 +147,14 @@ pub(super) struct Rays {
 }
 
 impl Rays {
-    pub(super) fn new(view: &View) -> Self {
+    pub(super) fn new(view: &View, unit: f64) -> Self {
         let [corner, right, below] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(|place| view.ray(place));
         let rows = |a: DVec3, b: DVec3, c: DVec3| [a, b - a, c - a].map(|v| v.as_vec3());
         Self {
-            start: rows(corner.0, right.0, below.0),
+            start: rows(corner.0 / unit, right.0 / unit, below.0 / unit),
             direction: rows(corner.1, right.1, below.1),
-            near: view.near as f32,
-            per_depth: (1.0 / view.scale) as f32,
+            near: (view.near / unit) as f32,
+            per_depth: (1.0 / (view.scale * unit)) as f32,
             perspective: view.perspective,
         }
     }
@@ -194,8 +194,8 @@ mod tests {
                 let back = start + direction * seen.z;
                 assert!(back.distance(map.from_eye(point)) < 1e-13, "{back} {point}");
                 assert!((map.from_eye(point) + view.eye).distance(point) < 1e-14);
-                let rays = Rays::new(&view);
-                let distance = rays.distance(view.depth(seen.z) as f32);
+                let rays = Rays::new(&view, 4.0);
+                let distance = 4.0 * rays.distance(view.depth(seen.z) as f32);
                 assert!((f64::from(distance) / seen.z - 1.0).abs() < 3e-7);
             }
         }

@@ -18,6 +18,7 @@ mod orient;
 mod pipeline;
 mod ply;
 mod random;
+mod raster;
 mod reference;
 mod stl;
 mod triangulate;

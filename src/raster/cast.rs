@@ -1,0 +1,92 @@
+//! Analytic surfaces, exactly: a ray for each sample. The lectures' brute force.
+
+use super::coverage::{PIXELS, Visible, place};
+use super::fixed::ONE;
+use super::job::Job;
+use super::settings::Cull;
+use crate::surface::{Hit, Ray};
+use glam::{DVec3, Vec3};
+
+/// What the rays of a tile's samples hit.
+pub(super) struct Hits {
+    at: Vec<CastHit>,
+}
+
+/// A point of an analytic surface.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct CastHit {
+    /// Relative to the eye, in units of the frame.
+    pub(super) position: Vec3,
+    /// Of the side that is seen, if both are lit.
+    pub(super) normal: Vec3,
+    pub(super) front: bool,
+}
+
+/// Surfaces that a ray passes before it is given up: no primitive is met more often.
+const PASSES: usize = 4;
+
+/// The first hit of an object in front of the near plane that is not culled, and its distance along the axis.
+pub(super) fn cast(job: &Job, object: usize, on_picture: [f64; 2]) -> Option<(Hit, f64)> {
+    let surface = job.objects[object].truth.as_ref()?;
+    let (start, direction) = job.view.ray(on_picture);
+    let start = job.view.eye + start;
+    let mut from = job.view.near;
+    for _ in 0..PASSES {
+        let hit = surface.intersect(&Ray::new(start + direction * from, direction)?)?;
+        let distance = from + hit.t;
+        let is_culled = match job.settings.cull {
+            Cull::None => false,
+            Cull::Back => !hit.front,
+            Cull::Front => hit.front,
+        };
+        if !is_culled {
+            return Some((hit, distance));
+        }
+        // A little behind the hit, as far as rounding could have put it in front.
+        from = distance + distance.abs() * 1e-12;
+    }
+    None
+}
+
+impl Hits {
+    pub(super) fn new() -> Self {
+        Self { at: vec![CastHit::default(); PIXELS] }
+    }
+
+    pub(super) fn at(&self, pixel: u16) -> &CastHit {
+        &self.at[usize::from(pixel)]
+    }
+
+    /// Casts the rays of a tile at an object. Where the object is as near as what is there, what is there stays.
+    pub(super) fn cast(
+        &mut self,
+        job: &Job,
+        object: usize,
+        owner: u32,
+        origin: [i32; 2],
+        visible: &mut Visible,
+    ) {
+        let [width, height] = job.view.size.map(|n| n as i32 * ONE);
+        for pixel in 0..PIXELS {
+            let [column, row] = place(pixel).map(|n| n as i32 * ONE);
+            let [x, y] = [origin[0] + column, origin[1] + row];
+            if x >= width || y >= height {
+                continue;
+            }
+            let on_picture = [x, y].map(|n| f64::from(n) / f64::from(ONE));
+            let Some((hit, distance)) = cast(job, object, on_picture) else { continue };
+            let depth = job.view.depth(distance) as f32;
+            if depth > visible.depth[pixel] {
+                visible.depth[pixel] = depth;
+                visible.owner[pixel] = owner;
+                let turned = job.settings.two_sided && !hit.front;
+                let position: DVec3 = (hit.position - job.view.eye) / job.frame.unit;
+                self.at[pixel] = CastHit {
+                    position: position.as_vec3(),
+                    normal: hit.normal.get().as_vec3() * if turned { -1.0 } else { 1.0 },
+                    front: hit.front,
+                };
+            }
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! What cannot be drawn.
+
+use super::camera::CameraError;
+use crate::shade::{NotFinite, ShadeError};
+use glam::DVec3;
+
+/// Why there is no picture. Objects are counted from 1 in messages and from 0 in fields.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum RenderError {
+    /// The camera cannot be used.
+    #[error(transparent)]
+    Camera(#[from] CameraError),
+    /// A picture without pixels, or too large.
+    #[error("the picture is {0} by {1} pixels; each side must be 1 to 16384")]
+    Size(u32, u32),
+    /// A light, material or setting that makes no sense.
+    #[error("object {}: {error}", .object + 1)]
+    Shade {
+        /// Where it was needed.
+        object: usize,
+        /// What it is.
+        error: ShadeError,
+    },
+    /// A colour that is infinite or not a number.
+    #[error("object {}: {error}", .object + 1)]
+    NotFinite {
+        /// The object.
+        object: usize,
+        /// Where and why.
+        error: NotFinite,
+    },
+    /// A transform that is not finite or cannot be undone.
+    #[error("object {}: its transform flattens space or is not finite; normals have no direction then", .0 + 1)]
+    Singular(usize),
+    /// [`Shading::Exact`](super::Shading::Exact) of an object without an analytic surface.
+    #[error("object {}: exact shading needs an analytic surface; choose another shading or say which surface it is", .0 + 1)]
+    NoSurface(usize),
+    /// A list of an object that is not as long as it must be.
+    #[error("object {}: {found} {what}, but {expected} {per}", .object + 1)]
+    Count {
+        /// The object.
+        object: usize,
+        /// What there are too few or too many of.
+        what: &'static str,
+        /// How many there are.
+        found: usize,
+        /// What they belong to.
+        per: &'static str,
+        /// How many of those there are.
+        expected: usize,
+    },
+    /// A triangle or line that names a point that is not there.
+    #[error("{what} {number} refers to point {index}, but there are only {count}")]
+    Index {
+        /// `triangle` or `line`.
+        what: &'static str,
+        /// Which one, counted from 0.
+        number: usize,
+        /// What it refers to, counted from 0.
+        index: u32,
+        /// How many there are.
+        count: usize,
+    },
+    /// A position so far out that its place on the picture overflows, or that is not finite itself.
+    #[error("object {}: vertex {vertex} at {position} has no finite place in front of the camera", .object + 1)]
+    OutOfRange {
+        /// The object.
+        object: usize,
+        /// The vertex, counted from 0.
+        vertex: usize,
+        /// Where it is, in the object's space.
+        position: DVec3,
+    },
+    /// A colour, width or end of a line, or the background, that makes no sense.
+    #[error("{what} is {found}; it must be {expected}")]
+    Number {
+        /// What.
+        what: &'static str,
+        /// What it is.
+        found: String,
+        /// What it should be.
+        expected: &'static str,
+    },
+    /// More triangles than can be told apart.
+    #[error("the scene has {0} triangles; 2147483647 is the most")]
+    TooManyTriangles(usize),
+}

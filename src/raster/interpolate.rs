@@ -1,0 +1,124 @@
+//! Values of corners spread over samples, many at once.
+
+use super::fixed::BITS;
+use super::records::Record;
+use super::coverage::place;
+use super::view::Rays;
+use crate::num::{Kernel, Product};
+
+/// Samples that are computed side by side.
+pub(super) const BATCH: usize = 512;
+
+/// One value of each sample.
+pub(super) type Row = [f32; BATCH];
+
+/// A sample that is seen: the pixel's number in its tile, and the triangle there.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Seen {
+    pub(super) pixel: u16,
+    pub(super) record: u32,
+}
+
+/// Interpolates what the corners of triangles carry, for at most [`BATCH`] samples.
+pub(super) struct Interpolate<'a> {
+    pub(super) records: &'a [Record],
+    pub(super) seen: &'a [Seen],
+    /// The sample of the tile's first pixel, in 256ths of a pixel of the picture.
+    pub(super) origin: [i32; 2],
+    /// Weigh by 1/w.
+    pub(super) perspective: bool,
+    pub(super) out: &'a mut [Row; 3],
+}
+
+/// Samples gathered before anything is computed.
+const LANES: usize = 64;
+
+impl Kernel for Interpolate<'_> {
+    type Output = ();
+
+    /// Edge functions in doubles are exact: coordinates have 25 bits. So weights are never negative, and values stay
+    /// within the hull of those at the corners up to rounding.
+    #[inline(always)]
+    fn run<P: Product>(self) {
+        let Self { records, seen, origin, perspective, out } = self;
+        let mut x = [[0_i32; LANES]; 3];
+        let mut y = [[0_i32; LANES]; 3];
+        let mut depth = [[0.0_f32; LANES]; 3];
+        let mut values = [[[0.0_f32; LANES]; 3]; 3];
+        for (block, seen) in seen.chunks(LANES).enumerate() {
+            for (lane, seen) in seen.iter().enumerate().take(LANES) {
+                let record = &records[seen.record as usize];
+                let [column, row] = place(usize::from(seen.pixel)).map(|n| n as i32);
+                let [px, py] = [origin[0] + (column << BITS), origin[1] + (row << BITS)];
+                for k in 0..3 {
+                    x[k][lane] = record.x[k] - px;
+                    y[k][lane] = record.y[k] - py;
+                    depth[k][lane] = record.depth[k];
+                    let value = record.values[k];
+                    (values[k][0][lane], values[k][1][lane], values[k][2][lane]) = (value.x, value.y, value.z);
+                }
+            }
+            let mut weights = [[0.0_f32; LANES]; 3];
+            for lane in 0..LANES {
+                let at = |k: usize| (f64::from(x[k][lane]), f64::from(y[k][lane]));
+                let ((x0, y0), (x1, y1), (x2, y2)) = (at(0), at(1), at(2));
+                let (mut w0, mut w1, mut w2) = (x1 * y2 - x2 * y1, x2 * y0 - x0 * y2, x0 * y1 - x1 * y0);
+                if perspective {
+                    w0 *= f64::from(depth[0][lane]);
+                    w1 *= f64::from(depth[1][lane]);
+                    w2 *= f64::from(depth[2][lane]);
+                }
+                let per_sum = 1.0 / ((w0 + w1) + w2);
+                weights[0][lane] = (w0 * per_sum) as f32;
+                weights[1][lane] = (w1 * per_sum) as f32;
+                weights[2][lane] = (w2 * per_sum) as f32;
+            }
+            let count = seen.len();
+            for (component, out) in out.iter_mut().enumerate() {
+                let mut row = [0.0; LANES];
+                for lane in 0..LANES {
+                    row[lane] = (weights[0][lane] * values[0][component][lane]
+                        + weights[1][lane] * values[1][component][lane])
+                        + weights[2][lane] * values[2][component][lane];
+                }
+                out[block * LANES..][..count].copy_from_slice(&row[..count]);
+            }
+        }
+    }
+}
+
+/// Positions of samples relative to the eye, from their depths.
+pub(super) struct Positions<'a> {
+    pub(super) rays: &'a Rays,
+    pub(super) seen: &'a [Seen],
+    pub(super) depth: &'a [f32],
+    pub(super) origin: [i32; 2],
+    pub(super) out: &'a mut [Row; 3],
+}
+
+impl Kernel for Positions<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<P: Product>(self) {
+        let Self { rays, seen, depth, origin, out } = self;
+        let mut rows = [[0.0_f32; BATCH]; 3];
+        let [xs, ys, depths] = &mut rows;
+        for (lane, seen) in seen.iter().enumerate().take(BATCH) {
+            let [column, row] = place(usize::from(seen.pixel)).map(|n| n as i32);
+            xs[lane] = (origin[0] + (column << BITS)) as f32;
+            ys[lane] = (origin[1] + (row << BITS)) as f32;
+            depths[lane] = depth[usize::from(seen.pixel)];
+        }
+        let (start, direction) = (rays.start.map(|v| v.to_array()), rays.direction.map(|v| v.to_array()));
+        let per_pixel = 1.0 / (1 << BITS) as f32;
+        let count = seen.len().min(BATCH);
+        for (axis, out) in out.iter_mut().enumerate() {
+            for lane in 0..count {
+                let (x, y) = (xs[lane] * per_pixel, ys[lane] * per_pixel);
+                let at = |v: &[[f32; 3]; 3]| v[0][axis] + (v[1][axis] * x + v[2][axis] * y);
+                out[lane] = at(&start) + at(&direction) * rays.distance(depths[lane]);
+            }
+        }
+    }
+}

@@ -1,0 +1,259 @@
+//! A scene and settings checked and made ready: what all tiles share.
+
+use super::error::RenderError;
+use super::project::{NOT_FINITE, Points};
+use super::scene::{Object, Paint, Scene, Shape};
+use super::settings::{RenderSettings, Shading, Show};
+use super::triangles::DrawnObject;
+use super::view::{Rays, View};
+use crate::mesh::{NormalMatrix, normal_matrix};
+use crate::num::unit_scale;
+use crate::shade::{Frame, ShadeSettings, Shader, Viewer};
+use crate::surface::Placed;
+use glam::{DMat3, DVec3, Vec3};
+
+/// Everything that drawing a tile looks at.
+pub(super) struct Job<'a> {
+    pub(super) settings: &'a RenderSettings,
+    pub(super) view: View,
+    /// Rays in units of the frame.
+    pub(super) rays: Rays,
+    pub(super) frame: Frame,
+    pub(super) background: [f32; 3],
+    pub(super) objects: Vec<Prepared<'a>>,
+    /// The objects made of triangles, in order.
+    pub(super) drawn: Vec<DrawnObject<'a>>,
+    /// Smallest and largest distance of a vertex along the axis, for [`Show::Depth`].
+    pub(super) distances: [f64; 2],
+}
+
+/// An object and what shading it needs.
+pub(super) struct Prepared<'a> {
+    pub(super) shape: &'a Shape<'a>,
+    /// How normals reach the scene; `None` if they are there already.
+    normals: Option<NormalMatrix>,
+    pub(super) ink: Ink<'a>,
+    /// What the object stands for.
+    pub(super) truth: Option<Placed>,
+    /// Whether it is drawn by casting rays at its truth.
+    pub(super) is_cast: bool,
+}
+
+/// What makes the colour of an object.
+pub(super) enum Ink<'a> {
+    /// Light on a material.
+    Lit(Box<Shader<f32>>),
+    /// A colour for each vertex.
+    Given(&'a [crate::num::LinearRgb]),
+}
+
+/// The largest side of a picture.
+const LARGEST: u32 = super::fixed::GUARD as u32;
+
+impl<'a> Job<'a> {
+    pub(super) fn new(scene: &'a Scene<'a>, settings: &'a RenderSettings) -> Result<Self, RenderError> {
+        let [width, height] = settings.size;
+        if !settings.size.iter().all(|side| (1..=LARGEST).contains(side)) {
+            return Err(RenderError::Size(width, height));
+        }
+        let view = View::new(&scene.camera, settings.size)?;
+        if !scene.background.is_finite() {
+            return Err(RenderError::Number {
+                what: "the background",
+                found: format!("{:?}", scene.background.to_array()),
+                expected: "finite",
+            });
+        }
+        let frame = frame(scene, &view);
+        let objects = scene.objects.iter().enumerate();
+        let objects = objects
+            .map(|(number, object)| Prepared::new(number, object, scene, settings, &view, frame))
+            .collect::<Result<Vec<_>, _>>()?;
+        let (mut drawn, mut first) = (Vec::new(), 0);
+        for (number, object) in scene.objects.iter().enumerate().filter(|&(n, _)| !objects[n].is_cast) {
+            let mirrored = normal_matrix(DMat3::from_mat4(object.transform)).is_some_and(|n| n.mirrored());
+            let ready = DrawnObject::new(&object.shape, number, first as u32, object.transform, mirrored, &view);
+            let Some(ready) = ready else { continue };
+            first += ready.list.len();
+            if first > i32::MAX as usize {
+                return Err(RenderError::TooManyTriangles(first));
+            }
+            check_range(&ready)?;
+            drawn.push(ready);
+        }
+        let distances = distances(&drawn, &view, scene);
+        let background = scene.background.to_array().map(|c| c as f32);
+        let rays = Rays::new(&view, frame.unit);
+        Ok(Self { settings, view, rays, frame, background, objects, drawn, distances })
+    }
+
+    /// The object made of triangles that a triangle is of.
+    pub(super) fn owner(&self, triangle: u32) -> &DrawnObject<'a> {
+        &self.drawn[self.drawn.partition_point(|object| object.first <= triangle) - 1]
+    }
+}
+
+/// Positions are given to shaders relative to the eye, in a power of two near the camera's distance from its target:
+/// single precision then serves scenes of any size at any place.
+fn frame(scene: &Scene, view: &View) -> Frame {
+    let distance = (scene.camera.target - scene.camera.eye).length();
+    let unit = 1.0 / unit_scale(distance.clamp(f64::MIN_POSITIVE, f64::MAX));
+    Frame { origin: view.eye, unit: unit.clamp(f64::MIN_POSITIVE, f64::MAX) }
+}
+
+/// What shaders are made with.
+pub(super) fn shade_settings(settings: &RenderSettings, view: &View, frame: Frame) -> ShadeSettings {
+    let is_far = !view.perspective || settings.infinite_viewer;
+    ShadeSettings {
+        viewer: if is_far { Viewer::Towards(-view.axes[2]) } else { Viewer::At(view.eye) },
+        frame,
+        guards: settings.guards,
+        depth_cue: settings.depth_cue,
+        // Faces know which side is seen: see `Prepared::corner_normal`.
+        two_sided: false,
+        tone: settings.tone,
+    }
+}
+
+impl<'a> Prepared<'a> {
+    fn new(
+        number: usize,
+        object: &'a Object<'a>,
+        scene: &Scene,
+        settings: &RenderSettings,
+        view: &View,
+        frame: Frame,
+    ) -> Result<Self, RenderError> {
+        check_lists(number, object, settings)?;
+        let linear = DMat3::from_mat4(object.transform);
+        let singular = RenderError::Singular(number);
+        let matrix = normal_matrix(linear).filter(|_| object.transform.is_finite());
+        let normals = Some(matrix.ok_or(singular.clone())?).filter(|_| linear != DMat3::IDENTITY);
+        let ink = match &object.paint {
+            Paint::Lit(material) => {
+                let shade = shade_settings(settings, view, frame);
+                let shader = Shader::new(&scene.lights, material, &shade);
+                Ink::Lit(Box::new(shader.map_err(|error| RenderError::Shade { object: number, error })?))
+            }
+            Paint::Given(colours) => Ink::Given(colours),
+        };
+        let surface = match object.shape {
+            Shape::Surface(primitive) => Some(primitive),
+            _ => object.surface,
+        };
+        let truth = surface.map(|primitive| Placed::new(primitive, object.transform)).transpose();
+        let truth = truth.map_err(|_| singular)?;
+        if settings.shading == Shading::Exact && truth.is_none() {
+            return Err(RenderError::NoSurface(number));
+        }
+        let is_cast = settings.shading == Shading::Exact || matches!(object.shape, Shape::Surface(_));
+        Ok(Self { shape: &object.shape, normals, ink, truth, is_cast })
+    }
+
+    /// The normal at a corner, in the scene's axes; of the side that is seen, if `turned`.
+    #[inline(always)]
+    pub(super) fn corner_normal(&self, corner: u32, vertex: u32, turned: bool) -> Vec3 {
+        match self.shape {
+            Shape::Mesh { normals, .. } => {
+                let normal = normals.normals.get(corner as usize, vertex).copied();
+                self.normal(normal.unwrap_or(DVec3::ZERO), turned)
+            }
+            Shape::Triangles(triangles) => self.single(triangles.normals[vertex as usize], turned),
+            Shape::Surface(_) => Vec3::ZERO,
+        }
+    }
+
+    /// The normal of a face, likewise.
+    #[inline(always)]
+    pub(super) fn face_normal(&self, face: u32, turned: bool) -> Vec3 {
+        match self.shape {
+            Shape::Mesh { normals, .. } => self.normal(normals.face_normals[face as usize], turned),
+            Shape::Triangles(triangles) => self.single(triangles.face_normals[face as usize], turned),
+            Shape::Surface(_) => Vec3::ZERO,
+        }
+    }
+
+    #[inline(always)]
+    fn single(&self, normal: [f32; 3], turned: bool) -> Vec3 {
+        match self.normals {
+            None => Vec3::from(normal) * if turned { -1.0 } else { 1.0 },
+            Some(_) => self.normal(DVec3::from(normal.map(f64::from)), turned),
+        }
+    }
+
+    #[inline(always)]
+    fn normal(&self, normal: DVec3, turned: bool) -> Vec3 {
+        let normal = match &self.normals {
+            None => normal,
+            Some(matrix) => matrix.apply(normal).unwrap_or(normal),
+        };
+        normal.as_vec3() * if turned { -1.0 } else { 1.0 }
+    }
+}
+
+/// Lists that do not fit one another.
+fn check_lists(number: usize, object: &Object, settings: &RenderSettings) -> Result<(), RenderError> {
+    let count = |what, found, per, expected| {
+        let error = RenderError::Count { object: number, what, found, per, expected };
+        if found == expected { Ok(()) } else { Err(error) }
+    };
+    let vertices = match &object.shape {
+        Shape::Mesh { mesh, normals } => {
+            count("face normals", normals.face_normals.len(), "faces", mesh.face_count())?;
+            let corners = normals.normals.corner_index(mesh.faces().corners()).len();
+            count("normals", corners, "corners", mesh.faces().corner_count())?;
+            mesh.vertex_count()
+        }
+        Shape::Triangles(triangles) => {
+            let vertices = triangles.positions.len();
+            count("normals", triangles.normals.len(), "vertices", vertices)?;
+            let wants_faces = settings.shading == Shading::Flat || matches!(settings.show, Show::Deviation(_));
+            if wants_faces || !triangles.face_normals.is_empty() {
+                count("face normals", triangles.face_normals.len(), "triangles", triangles.triangles.len())?;
+            }
+            let wrong = |index: &u32| *index as usize >= vertices;
+            let corner = triangles.triangles.as_flattened().iter().position(wrong);
+            if let Some(corner) = corner {
+                let index = triangles.triangles.as_flattened()[corner];
+                return Err(RenderError::Index { what: "triangle", number: corner / 3, index, count: vertices });
+            }
+            vertices
+        }
+        Shape::Surface(_) => return Ok(()),
+    };
+    match &object.paint {
+        Paint::Given(colours) => count("vertex colours", colours.len(), "vertices", vertices),
+        Paint::Lit(_) => Ok(()),
+    }
+}
+
+/// Vertices without a place.
+fn check_range(object: &DrawnObject) -> Result<(), RenderError> {
+    match object.vertices.iter().position(|vertex| vertex.outside & NOT_FINITE != 0) {
+        None => Ok(()),
+        Some(vertex) => Err(RenderError::OutOfRange {
+            object: object.object,
+            vertex,
+            position: object.points.get(vertex as u32),
+        }),
+    }
+}
+
+/// The range of distances that [`Show::Depth`] spreads over.
+fn distances(drawn: &[DrawnObject], view: &View, scene: &Scene) -> [f64; 2] {
+    let points = |object: &DrawnObject| match object.points {
+        Points::F64(points) => points.len(),
+        Points::F32(points) => points.len(),
+    };
+    let each = drawn.iter().flat_map(|object| {
+        (0..points(object) as u32).map(|vertex| object.map.view(object.points.get(vertex)).z)
+    });
+    let [low, high] = each
+        .filter(|&z| z >= view.near)
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], z| [low.min(z), high.max(z)]);
+    if low < high {
+        return [low, high];
+    }
+    let distance = (scene.camera.target - scene.camera.eye).length();
+    [0.5 * distance, 1.5 * distance]
+}

@@ -1,0 +1,218 @@
+//! Straight lines with a width, on top of what is seen or hidden by it.
+
+use super::bins::{TileBox, sort, tiles};
+use super::error::RenderError;
+use super::job::Job;
+use super::scene::Lines;
+use super::settings::{LineStyle, Shading};
+use super::setup::TILE;
+use super::view::{ObjectMap, View, ViewPoint};
+use glam::{DMat4, DVec3, Vec3};
+use rayon::prelude::*;
+
+/// All lines of a picture.
+pub(super) struct LineJob<'a> {
+    sets: Vec<LineSet<'a>>,
+    /// Where each tile's lines begin, with the total at the end; and the lines, as a set and a number in it.
+    parts: Vec<(usize, Vec<u32>, Vec<u32>)>,
+}
+
+/// Lines that look alike.
+pub(super) struct LineSet<'a> {
+    source: Source<'a>,
+    pub(super) colour: Vec3,
+    pub(super) radius: f64,
+    pub(super) hide: bool,
+}
+
+/// Where lines come from.
+enum Source<'a> {
+    /// Points of the scene, with the way to view space.
+    Scene(&'a Lines, ObjectMap),
+    /// Edges of the object of this number among those drawn.
+    Edges(usize, Vec<[u32; 2]>),
+}
+
+/// A line on the picture.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Segment {
+    /// Its ends, in pixels.
+    pub(super) ends: [[f64; 2]; 2],
+    /// Depth there, which is linear in between.
+    pub(super) depth: [f64; 2],
+}
+
+impl<'a> LineJob<'a> {
+    pub(super) fn new(job: &Job<'a>, lines: &'a [Lines]) -> Result<Self, RenderError> {
+        let mut sets = Vec::new();
+        if job.settings.shading == Shading::Wireframe {
+            let style = check_style(&job.settings.wire)?;
+            for (number, object) in job.drawn.iter().enumerate() {
+                let edges = edges(job, object);
+                sets.push(LineSet { source: Source::Edges(number, edges), ..style });
+            }
+        }
+        for lines in lines {
+            let style = check_style(&lines.style)?;
+            check_lines(lines)?;
+            let pivot = lines.points.first().copied().unwrap_or(DVec3::ZERO);
+            let map = ObjectMap::new(&job.view, DMat4::IDENTITY, pivot);
+            sets.push(LineSet { source: Source::Scene(lines, map), ..style });
+        }
+        let parts = sets.par_iter().enumerate().map(|(number, set)| {
+            let found: Vec<_> = (0..set.len())
+                .filter_map(|line| Some((line, set.touched(job, set.segment(job, line)?)?)))
+                .collect();
+            let (starts, lines) = sort(&found, tiles(job.view.size));
+            (number, starts, lines)
+        });
+        Ok(Self { parts: parts.collect(), sets })
+    }
+
+    /// The lines of a tile.
+    pub(super) fn tile(&self, job: &Job, tile: usize) -> impl Iterator<Item = (&LineSet<'a>, Segment)> {
+        self.parts.iter().flat_map(move |(number, starts, lines)| {
+            let set = &self.sets[*number];
+            let range = starts[tile] as usize..starts[tile + 1] as usize;
+            lines[range].iter().filter_map(move |&line| Some((set, set.segment(job, line)?)))
+        })
+    }
+}
+
+fn check_style(style: &LineStyle) -> Result<LineSet<'static>, RenderError> {
+    let number = |what, found: String, expected| Err(RenderError::Number { what, found, expected });
+    if !(style.width.is_finite() && style.width > 0.0) {
+        return number("the width of lines", style.width.to_string(), "above 0 and finite");
+    }
+    if !style.colour.is_finite() {
+        return number("the colour of lines", format!("{:?}", style.colour.to_array()), "finite");
+    }
+    let colour = super::records::single(style.colour);
+    Ok(LineSet { source: Source::Edges(0, Vec::new()), colour, radius: 0.5 * style.width, hide: style.hide })
+}
+
+fn check_lines(lines: &Lines) -> Result<(), RenderError> {
+    let count = lines.points.len();
+    if let Some(point) = lines.points.iter().find(|point| !point.is_finite()) {
+        return Err(RenderError::Number {
+            what: "the end of a line",
+            found: point.to_string(),
+            expected: "finite",
+        });
+    }
+    let wrong = |index: &u32| *index as usize >= count;
+    match lines.segments.as_flattened().iter().position(wrong) {
+        None => Ok(()),
+        Some(end) => {
+            let index = lines.segments.as_flattened()[end];
+            Err(RenderError::Index { what: "line", number: end / 2, index, count })
+        }
+    }
+}
+
+/// The edges of an object's faces, each once.
+fn edges(job: &Job, drawn: &super::triangles::DrawnObject) -> Vec<[u32; 2]> {
+    let mut edges: Vec<[u32; 2]> = Vec::new();
+    let mut add = |face: &[u32]| {
+        let next = face.iter().cycle().skip(1);
+        edges.extend(face.iter().zip(next).map(|(&a, &b)| [a.min(b), a.max(b)]));
+    };
+    match job.objects[drawn.object].shape {
+        super::scene::Shape::Mesh { mesh, .. } => mesh.faces().iter().for_each(add),
+        super::scene::Shape::Triangles(triangles) => triangles.triangles.iter().for_each(|face| add(face)),
+        super::scene::Shape::Surface(_) => {}
+    }
+    edges.par_sort_unstable();
+    edges.dedup();
+    edges
+}
+
+impl LineSet<'_> {
+    fn len(&self) -> u32 {
+        match &self.source {
+            Source::Scene(lines, _) => lines.segments.len() as u32,
+            Source::Edges(_, edges) => edges.len() as u32,
+        }
+    }
+
+    /// A line on the picture, clipped to the near plane and the guard band; `None` if nothing is left.
+    fn segment(&self, job: &Job, line: u32) -> Option<Segment> {
+        let ends = match &self.source {
+            Source::Scene(lines, map) => {
+                lines.segments[line as usize].map(|point| map.view(lines.points[point as usize]))
+            }
+            Source::Edges(object, edges) => {
+                let object = &job.drawn[*object];
+                edges[line as usize].map(|vertex| object.map.view(object.points.get(vertex)))
+            }
+        };
+        let ends = clipped(&job.view, ends)?;
+        Some(Segment {
+            ends: ends.map(|end| job.view.on_picture(end)),
+            depth: ends.map(|end| job.view.depth(end.z)),
+        })
+    }
+
+    /// The tiles that the box around a line touches.
+    fn touched(&self, job: &Job, segment: Segment) -> Option<TileBox> {
+        let [a, b] = segment.ends;
+        let tiles = |axis: usize| {
+            let last = f64::from(job.view.size[axis]) - 1.0;
+            let first = (a[axis].min(b[axis]) - self.radius - 1.0).max(0.0);
+            let end = (a[axis].max(b[axis]) + self.radius).min(last);
+            (first <= end).then_some([first, end].map(|pixel| (pixel as usize / TILE) as u8))
+        };
+        let ([x0, x1], [y0, y1]) = (tiles(0)?, tiles(1)?);
+        Some([x0, y0, x1, y1])
+    }
+}
+
+/// The part of a line within all clipping planes (Liang & Barsky 1984).
+fn clipped(view: &View, [a, b]: [ViewPoint; 2]) -> Option<[ViewPoint; 2]> {
+    let (mut from, mut to) = (0.0_f64, 1.0_f64);
+    for (a, b) in view.inside(a).into_iter().zip(view.inside(b)) {
+        match (a >= 0.0, b >= 0.0) {
+            (true, true) => {}
+            (false, false) => return None,
+            (true, false) => to = to.min(a / (a - b)),
+            (false, true) => from = from.max(a / (a - b)),
+        }
+    }
+    let mix = |t: f64| {
+        let at = |a: f64, b: f64| a + (b - a) * t;
+        let point = ViewPoint { x: at(a.x, b.x), y: at(a.y, b.y), z: at(a.z, b.z), h: at(a.h, b.h) };
+        if t == 0.0 { a } else if t == 1.0 { b } else { point }
+    };
+    (from <= to).then(|| [mix(from), mix(to)])
+}
+
+impl Segment {
+    /// The place of the line nearest to a point of the picture and the depth there, if it is within the radius.
+    pub(super) fn nearest(&self, [x, y]: [f64; 2], radius: f64) -> Option<([f64; 2], f64)> {
+        let [a, b] = self.ends;
+        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+        let squared = dx * dx + dy * dy;
+        let t = if squared > 0.0 { ((x - a[0]) * dx + (y - a[1]) * dy) / squared } else { 0.0 };
+        let t = t.clamp(0.0, 1.0);
+        let place = [a[0] + dx * t, a[1] + dy * t];
+        let (ex, ey) = (place[0] - x, place[1] - y);
+        let depth = self.depth[0] + (self.depth[1] - self.depth[0]) * t;
+        (ex * ex + ey * ey <= radius * radius).then_some((place, depth))
+    }
+
+    /// The pixels of a row that the line may touch, given the height of the row's samples and how far into a pixel
+    /// they are.
+    pub(super) fn columns(&self, y: f64, radius: f64, offset: f64) -> Option<[f64; 2]> {
+        let [a, b] = self.ends;
+        if y < a[1].min(b[1]) - radius || y > a[1].max(b[1]) + radius {
+            return None;
+        }
+        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+        let (low, high) = (a[0].min(b[0]) - radius, a[0].max(b[0]) + radius);
+        // Between the two lines beside it, or round an end.
+        let (middle, half) = (a[0] + (y - a[1]) * (dx / dy), radius * (dx / dy).abs() + 2.0 * radius);
+        let [low, high] =
+            if middle.is_finite() { [low.max(middle - half), high.min(middle + half)] } else { [low, high] };
+        (low <= high).then_some([low - offset, high - offset])
+    }
+}

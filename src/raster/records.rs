@@ -1,0 +1,162 @@
+//! The triangles that are seen in a tile, with what their corners carry.
+
+use super::bins::Piece;
+use super::clip::Shares;
+use super::job::{Ink, Job, Prepared};
+use super::project::ScreenVertex;
+use super::setup::double_area;
+use super::settings::{FlatSample, Interpolation, Shading, Show};
+use super::triangles::DrawnObject;
+use crate::num::LinearRgb;
+use glam::{DVec3, Vec3};
+
+/// A triangle that is seen, or a piece of one.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Record {
+    /// Its corners on the picture.
+    pub(super) x: [i32; 3],
+    pub(super) y: [i32; 3],
+    pub(super) depth: [f32; 3],
+    /// What is interpolated, at each corner: a normal or a colour.
+    pub(super) values: [Vec3; 3],
+    /// The triangle, among those of its object.
+    pub(super) triangle: u32,
+    /// The face that it is part of.
+    pub(super) face: u32,
+    /// The number of the object in the scene.
+    pub(super) object: u32,
+    /// Whether its front is seen.
+    pub(super) front: bool,
+    /// Whether its normals are those of the other side.
+    pub(super) turned: bool,
+}
+
+impl Record {
+    pub(super) fn new(job: &Job, object: &DrawnObject, triangle: u32, v: &[ScreenVertex; 3]) -> Self {
+        let front = (double_area(v) < 0) != object.mirrored;
+        Self {
+            x: v.map(|v| v.x),
+            y: v.map(|v| v.y),
+            depth: v.map(|v| v.depth),
+            values: [Vec3::ZERO; 3],
+            triangle,
+            face: object.list.face(triangle),
+            object: object.object as u32,
+            front,
+            turned: job.settings.two_sided && !front,
+        }
+    }
+}
+
+/// What is wanted at each sample.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Wanted {
+    /// Nothing that varies.
+    Nothing,
+    /// A normal that is interpolated.
+    CornerNormals,
+    /// The face's normal.
+    FaceNormal,
+    /// Colours of corners.
+    CornerColours,
+    /// One colour.
+    FaceColour,
+}
+
+impl Wanted {
+    /// What an object needs under these settings.
+    pub(super) fn new(job: &Job, object: &Prepared) -> Self {
+        let (shading, show) = (job.settings.shading, job.settings.show);
+        let flat = shading == Shading::Flat;
+        match (show, &object.ink) {
+            (Show::Facing | Show::Depth | Show::FaceId, _) => Self::Nothing,
+            (Show::Normals | Show::Deviation(_), _) if flat => Self::FaceNormal,
+            (Show::Normals | Show::Deviation(_), _) => Self::CornerNormals,
+            (Show::Shaded, _) if shading == Shading::Wireframe => Self::Nothing,
+            (Show::Shaded, _) if flat => Self::FaceColour,
+            (Show::Shaded, Ink::Given(_)) => Self::CornerColours,
+            (Show::Shaded, Ink::Lit(_)) if shading == Shading::Gouraud => Self::CornerColours,
+            (Show::Shaded, Ink::Lit(_)) => Self::CornerNormals,
+        }
+    }
+
+    /// Whether values of corners are spread over faces.
+    pub(super) fn varies(self) -> bool {
+        matches!(self, Self::CornerNormals | Self::CornerColours)
+    }
+}
+
+/// The values at the corners of a piece, which are means of those at the corners of the whole. Interpolating them over
+/// the piece is interpolating over the whole.
+pub(super) fn piece_values(values: [Vec3; 3], piece: &Piece, interpolation: Interpolation) -> [Vec3; 3] {
+    piece.shares.map(|Shares { scene, picture }| {
+        let shares = if interpolation == Interpolation::Perspective { scene } else { picture };
+        (0..3).map(|k| values[k].as_dvec3() * shares[k]).sum::<DVec3>().as_vec3()
+    })
+}
+
+/// A point of an object's surface, as shaders take it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct CornerPoint {
+    pub(super) position: Vec3,
+    pub(super) normal: Vec3,
+}
+
+/// A face's corners: numbers and vertices.
+pub(super) fn face_corners<'a>(
+    object: &'a Prepared,
+    drawn: &'a DrawnObject,
+    record: &Record,
+) -> impl ExactSizeIterator<Item = (u32, u32)> + use<'a> {
+    let (first, vertices): (u32, &[u32]) = match (object.shape, &drawn.list) {
+        (super::scene::Shape::Mesh { mesh, .. }, _) => {
+            let range = mesh.faces().range(record.face as usize);
+            (range.start as u32, &mesh.faces().corners()[range])
+        }
+        (_, super::triangles::TriangleList::Whole(triangles)) => {
+            (3 * record.face, &triangles[record.face as usize])
+        }
+        _ => (0, &[]),
+    };
+    vertices.iter().enumerate().map(move |(k, &vertex)| (first + k as u32, vertex))
+}
+
+/// Where a corner of an object is lit under Gouraud shading.
+pub(super) fn corner_point(
+    job: &Job,
+    object: &Prepared,
+    drawn: &DrawnObject,
+    (corner, vertex): (u32, u32),
+    turned: bool,
+) -> CornerPoint {
+    let position = drawn.map.from_eye(drawn.points.get(vertex)) / job.frame.unit;
+    CornerPoint { position: position.as_vec3(), normal: object.corner_normal(corner, vertex, turned) }
+}
+
+/// Where a face is lit under flat shading with [`FlatSample::Centroid`].
+pub(super) fn centroid(job: &Job, object: &Prepared, drawn: &DrawnObject, record: &Record) -> CornerPoint {
+    let corners = face_corners(object, drawn, record);
+    let count = corners.len() as f64;
+    let sum: DVec3 = corners.map(|(_, vertex)| drawn.map.from_eye(drawn.points.get(vertex))).sum();
+    CornerPoint {
+        position: (sum / count / job.frame.unit).as_vec3(),
+        normal: object.face_normal(record.face, record.turned),
+    }
+}
+
+/// The mean of the given colours of a face's corners.
+pub(super) fn mean_colour(colours: &[LinearRgb], corners: impl ExactSizeIterator<Item = (u32, u32)>) -> Vec3 {
+    let count = corners.len() as f64;
+    let sum = corners.fold(LinearRgb::BLACK, |sum, (_, vertex)| sum + colours[vertex as usize]);
+    single(sum * (1.0 / count))
+}
+
+/// A colour in single precision.
+pub(super) fn single(colour: LinearRgb) -> Vec3 {
+    DVec3::from(colour.to_array()).as_vec3()
+}
+
+/// Whether flat faces take the mean of what their corners would have.
+pub(super) fn takes_mean(job: &Job, object: &Prepared) -> bool {
+    job.settings.flat_sample == FlatSample::VertexMean || matches!(object.ink, Ink::Given(_))
+}

@@ -1,0 +1,79 @@
+//! What is shown in place of shaded colours: normals, sides, distances, faces, deviations.
+
+use super::job::{Job, Prepared};
+use super::records::Record;
+use super::settings::Show;
+use crate::num::{Degrees, Radians};
+use glam::{DVec3, Vec3};
+
+/// A sample that is seen.
+pub(super) struct Sample<'a> {
+    pub(super) record: &'a Record,
+    /// Whether the front is seen.
+    pub(super) front: bool,
+    /// Its normal, of any length.
+    pub(super) value: Vec3,
+    /// Relative to the eye, in units of the frame; only for deviations from an analytic surface.
+    pub(super) position: Vec3,
+    pub(super) depth: f32,
+}
+
+const FRONT: Vec3 = Vec3::new(0.05, 0.6, 0.1);
+const BACK: Vec3 = Vec3::new(0.8, 0.05, 0.05);
+
+/// The colour of a sample.
+pub(super) fn colour(job: &Job, object: &Prepared, sample: &Sample) -> Vec3 {
+    match job.settings.show {
+        // Shaded samples do not come here: the values of their rows are their colours.
+        Show::Shaded => sample.value,
+        Show::Normals => (sample.value.normalize_or_zero() + 1.0) * 0.5,
+        Show::Facing if sample.front => FRONT,
+        Show::Facing => BACK,
+        Show::Depth => {
+            let distance = f64::from(job.rays.distance(sample.depth)) * job.frame.unit;
+            let [low, high] = job.distances;
+            Vec3::splat(((high - distance) / (high - low)).clamp(0.0, 1.0) as f32)
+        }
+        Show::FaceId => face_colour(sample.record.object, sample.record.face),
+        Show::Deviation(full) => {
+            let share = deviation(job, object, sample).0 / Radians::from(full).0;
+            heat(share as f32)
+        }
+    }
+}
+
+/// The angle between a sample's normal and the true one.
+fn deviation(job: &Job, object: &Prepared, sample: &Sample) -> Radians {
+    let turned = if sample.record.turned { -1.0 } else { 1.0 };
+    let truth = match &object.truth {
+        Some(surface) => {
+            let point = job.frame.to_world(sample.position.as_dvec3());
+            surface.normal_at(point).map_or(DVec3::ZERO, |normal| normal.get() * turned)
+        }
+        None => object.face_normal(sample.record.face, sample.record.turned).as_dvec3(),
+    };
+    let normal = sample.value.as_dvec3();
+    Radians(libm::atan2(normal.cross(truth).length(), normal.dot(truth)))
+}
+
+/// Black, red, yellow, white for 0 to 1.
+fn heat(share: f32) -> Vec3 {
+    let ramp = |from: f32| (3.0 * share - from).clamp(0.0, 1.0);
+    Vec3::new(ramp(0.0), ramp(1.0), ramp(2.0))
+}
+
+/// A colour that tells a face from its neighbours: not too dark, and the same in every picture of the scene.
+fn face_colour(object: u32, face: u32) -> Vec3 {
+    // The finaliser of splitmix64 (Steele, Lea & Flood 2014).
+    let mut hash = (u64::from(object) << 32 | u64::from(face)).wrapping_add(0x9e37_79b9_7f4a_7c15);
+    hash = (hash ^ (hash >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    hash = (hash ^ (hash >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    hash ^= hash >> 31;
+    let component = |shift: u32| 0.1 + 0.9 * (hash >> shift & 0xff) as f32 / 255.0;
+    Vec3::new(component(0), component(8), component(16))
+}
+
+impl Show {
+    /// Deviations up to 15°: what is beyond is white.
+    pub const DEVIATION: Show = Show::Deviation(Degrees(15.0));
+}

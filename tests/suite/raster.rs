@@ -1,0 +1,7 @@
+//! The rasterizer: coverage, interpolation, shading and what must not change them.
+
+mod coverage;
+mod interpolation;
+mod shading;
+mod shapes;
+mod stress;

@@ -1,0 +1,164 @@
+//! What no scene should contain, and what some do.
+
+use super::shapes::{Model, icosphere, linear, scene, unit};
+use crate::meshes;
+use crate::random::Random;
+use crease::io::{ReadOptions, read};
+use crease::mesh::Faces;
+use crease::normals::{NormalRecipe, compute};
+use crease::num::LinearRgb;
+use crease::raster::{
+    Camera, CameraError, Interpolation, Object, Paint, RenderError, RenderSettings, Samples, Scene, Shading, Shape,
+    Triangles, render,
+};
+use crease::shade::{Light, Material};
+use glam::{DMat4, DVec3};
+
+/// Triangles of all sizes and places, slivers, needles, some behind the eye: no panic, and the same at each run.
+#[test]
+fn wild_triangles_are_drawn_or_clipped() {
+    let mut random = Random(31);
+    let mut positions = Vec::new();
+    for _ in 0..3000 {
+        let exponent = 60.0 * unit(&mut random) - 30.0;
+        let size = libm::pow(10.0, exponent);
+        let centre = DVec3::new(unit(&mut random), unit(&mut random), unit(&mut random)) * 8.0 - 4.0;
+        for _ in 0..3 {
+            let away = DVec3::new(unit(&mut random), unit(&mut random), unit(&mut random)) * 2.0 - 1.0;
+            let thin = if random.one_in(3) { 1e-9 } else { 1.0 };
+            positions.push(centre + away * DVec3::new(size, size * thin, size));
+        }
+    }
+    let faces = Faces::triangles((0..positions.len() as u32).collect());
+    let model = Model::new(positions, faces);
+    for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong, Shading::Wireframe] {
+        for interpolation in [Interpolation::Scanline, Interpolation::Affine, Interpolation::Perspective] {
+            let settings =
+                RenderSettings { shading, interpolation, samples: Samples::Four, ..linear([130, 70]) };
+            let [first, second] = [(); 2].map(|()| render(&scene(vec![model.object()]), &settings).unwrap());
+            assert!(first.linear == second.linear);
+            assert!(first.linear.unwrap().as_flattened().iter().all(|c| c.is_finite()));
+            assert!(first.statistics.triangles_clipped > 100 && first.statistics.triangles_culled > 100);
+        }
+    }
+}
+
+/// A floor far wider than the picture: clipped on all sides, and right to the pixel where the horizon is.
+#[test]
+fn a_floor_of_any_width_is_the_same_floor() {
+    let draw = |half: f64| {
+        let corners = [[-half, -half], [-half, half], [half, half], [half, -half]];
+        let floor = Model::polygon(&corners.map(|[x, z]| DVec3::new(x, -1.0, z)));
+        let camera = Camera { target: DVec3::new(0.0, 0.0, -4.0), ..scene(Vec::new()).camera };
+        let scene = Scene { camera, ..scene(vec![floor.object()]) };
+        render(&scene, &linear([160, 120])).unwrap()
+    };
+    let expected = draw(1e4);
+    // Below the horizon, at half the height, everything is floor; the last row of pixels before it is 0.4 % of the
+    // distance wide, so 1e4 units are enough for all but that row.
+    assert_eq!(expected.statistics.covered_pixels, 160 * 60);
+    for half in [1e6, 1e12, 1e20, 1e30] {
+        assert_eq!(draw(half).coverage, expected.coverage, "{half:e}");
+    }
+}
+
+#[test]
+fn bad_scenes_are_told_apart() {
+    let model = icosphere(0);
+    let good = || scene(vec![model.object()]);
+    let fails = |scene: &Scene, settings: &RenderSettings, expected: &str| {
+        let message = render(scene, settings).unwrap_err().to_string();
+        assert!(message.contains(expected), "{message:?} does not say {expected:?}");
+    };
+    let settings = linear([16, 16]);
+    for size in [[0, 5], [5, 0], [16385, 5], [5, u32::MAX]] {
+        fails(&good(), &RenderSettings { size, ..settings }, "each side must be 1 to 16384");
+    }
+    let with = |change: &dyn Fn(&mut Scene)| {
+        let mut scene = good();
+        change(&mut scene);
+        scene
+    };
+    fails(&with(&|s| s.camera.target = s.camera.eye), &settings, "same point");
+    fails(&with(&|s| s.camera.near = f64::NAN), &settings, "not finite");
+    fails(&with(&|s| s.background = LinearRgb::new(0.0, f64::NAN, 0.0)), &settings, "background");
+    let flat = DMat4::from_scale(DVec3::new(1.0, 1.0, 0.0));
+    fails(&with(&|s| s.objects[0].transform = flat), &settings, "object 1: its transform flattens");
+    fails(&with(&|s| s.objects[0].transform = DMat4::NAN), &settings, "object 1: its transform");
+    let huge = DMat4::from_scale(DVec3::splat(1e308)) * DMat4::from_translation(DVec3::splat(20.0));
+    fails(&with(&|s| s.objects[0].transform = huge), &settings, "object 1");
+    let exact = RenderSettings { shading: Shading::Exact, ..settings };
+    fails(&good(), &exact, "object 1: exact shading needs an analytic surface");
+    fails(&with(&|s| s.objects[0].paint = Paint::Given(vec![].into())), &settings, "0 vertex colours, but 12");
+    let negative = Material { exponent: -2.0, ..Material::default() };
+    fails(&with(&|s| s.objects[0].paint = Paint::Lit(negative)), &settings, "exponent");
+    let mut thin = settings;
+    thin.shading = Shading::Wireframe;
+    thin.wire.width = 0.0;
+    fails(&good(), &thin, "width of lines");
+    let lines = crease::raster::Lines { points: vec![DVec3::X], segments: vec![[0, 1]], ..Default::default() };
+    fails(&with(&|s| s.lines.push(lines.clone())), &settings, "line 0 refers to point 1");
+    let triangles = Triangles { positions: &[[0.0; 3]], triangles: &[[0, 0, 1]], normals: &[[0.0; 3]], face_normals: &[] };
+    let slices = scene(vec![Object::new(Shape::Triangles(triangles), Material::default())]);
+    fails(&slices, &settings, "triangle 0 refers to point 1, but there are only 1");
+    let short = Triangles { triangles: &[[0, 0, 0]], normals: &[], ..triangles };
+    let slices = scene(vec![Object::new(Shape::Triangles(short), Material::default())]);
+    fails(&slices, &settings, "0 normals, but 1 vertices");
+    let not_finite = Triangles { positions: &[[f32::NAN; 3]], triangles: &[[0, 0, 0]], ..triangles };
+    let slices = scene(vec![Object::new(Shape::Triangles(not_finite), Material::default())]);
+    fails(&slices, &settings, "vertex 0");
+    let camera = Camera { eye: DVec3::NAN, ..good().camera };
+    assert_eq!(
+        render(&with(&|s| s.camera = camera), &settings).unwrap_err(),
+        RenderError::Camera(CameraError::NonFinite("eye"))
+    );
+}
+
+/// A light in the surface itself has no finite colour there, which is told and not drawn.
+#[test]
+fn a_colour_that_is_not_finite_is_an_error() {
+    let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[x, y]| DVec3::new(x, y, 0.0));
+    let plate = Model::polygon(&corners);
+    let mut scene = scene(vec![plate.object()]);
+    scene.lights = vec![Light::Point {
+        position: corners[0],
+        colour: LinearRgb::WHITE,
+        attenuation: crease::shade::Attenuation::InverseSquare,
+    }];
+    let settings = RenderSettings { shading: Shading::Gouraud, ..linear([32, 32]) };
+    let error = render(&scene, &settings).unwrap_err();
+    assert!(matches!(error, RenderError::NotFinite { object: 0, .. }), "{error}");
+}
+
+/// Every good file with faces is framed by itself, and something of it is seen.
+#[test]
+fn all_real_meshes_show_something() {
+    let rows = meshes::rows("", &["obj", "ply", "stl", "glb", "gltf"]);
+    let mut drawn = 0;
+    for row in rows {
+        if row.name().starts_with("bad/") {
+            continue;
+        }
+        let Ok(loaded) = read(&row.path, None, &ReadOptions::default()) else { continue };
+        for part in &loaded.parts {
+            let mesh = &part.mesh;
+            if mesh.face_count() == 0 || mesh.face_count() > 400_000 {
+                continue;
+            }
+            let field = compute(mesh, &NormalRecipe::default());
+            let bounds = mesh.bounds().unwrap();
+            let object = Object::new(Shape::Mesh { mesh, normals: &field }, Material::default());
+            let scene = Scene { camera: Camera::framing(bounds, 1.0), ..scene(vec![object]) };
+            let image = render(&scene, &RenderSettings { size: [64, 64], ..RenderSettings::default() });
+            let image = image.unwrap_or_else(|error| panic!("{}: {error}", row.name()));
+            drawn += 1;
+            assert!(
+                image.statistics.covered_pixels > 0 || bounds.0 == bounds.1,
+                "{}: nothing of {} faces is seen",
+                row.name(),
+                mesh.face_count()
+            );
+        }
+    }
+    println!("{drawn} meshes drawn");
+}
