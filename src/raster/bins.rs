@@ -59,9 +59,9 @@ impl Bins {
     pub(super) fn new(objects: &[DrawnObject], binning: Binning) -> Self {
         let total: usize = objects.iter().map(|object| object.list.len()).sum();
         let length = total.div_ceil(PARTS).clamp(1024, PART);
-        let parts = objects.iter().flat_map(|object| {
-            (0..object.list.len()).step_by(length).map(move |start| (object, start))
-        });
+        let parts = objects
+            .iter()
+            .flat_map(|object| (0..object.list.len()).step_by(length).map(move |start| (object, start)));
         let parts: Vec<_> = parts.collect();
         let parts: Vec<Part> = parts
             .into_par_iter()
@@ -107,7 +107,8 @@ impl Part {
             } else {
                 mark = CLIPPED;
                 let pieces = clipper.pieces(object, triangle, binning.view);
-                let boxes = pieces.iter().filter_map(|piece| binning.touched(&piece.vertices, object.mirrored));
+                let boxes =
+                    pieces.iter().filter_map(|piece| binning.touched(&piece.vertices, object.mirrored));
                 boxes.reduce(|a, b| [a[0].min(b[0]), a[1].min(b[1]), a[2].max(b[2]), a[3].max(b[3])])
             };
             match touched {
@@ -206,12 +207,10 @@ impl Clipper {
             return &[];
         }
         self.polygon.clear();
-        for (k, &vertex) in vertices.iter().enumerate() {
-            let mut share = [0.0; 3];
-            share[k] = 1.0;
-            let point = object.map.view(object.points.get(vertex));
-            self.polygon.push(ClipVertex { point, attribute: Shares { scene: share, picture: share } });
-        }
+        self.polygon.extend(vertices.iter().enumerate().map(|(k, &vertex)| ClipVertex {
+            point: object.map.view(object.points.get(vertex)),
+            attribute: Shares::of_corner(k),
+        }));
         clip(view, planes, &mut self.polygon, &mut self.spare);
         let corner = |vertex: &ClipVertex<Shares>| (screen_vertex(view, vertex.point), vertex.attribute);
         if let Some((first, rest)) = self.polygon.split_first() {

@@ -23,6 +23,15 @@ pub(super) struct Shares {
     pub(super) picture: [f64; 3],
 }
 
+impl Shares {
+    /// Those of a corner itself.
+    pub(super) fn of_corner(corner: usize) -> Self {
+        let mut share = [0.0; 3];
+        share[corner] = 1.0;
+        Self { scene: share, picture: share }
+    }
+}
+
 impl Mix for Shares {
     fn mix(self, other: Self, t: f64, s: f64) -> Self {
         let mix = |a: [f64; 3], b: [f64; 3], t: f64| [0, 1, 2].map(|k| a[k] + (b[k] - a[k]) * t);
@@ -66,7 +75,13 @@ pub(super) fn clip<A: Mix>(
 }
 
 /// Where an edge leaves the half-space of a plane, `t` of the way from its inner end.
-fn crossing<A: Mix>(view: &View, plane: usize, inner: ClipVertex<A>, outer: ClipVertex<A>, t: f64) -> ClipVertex<A> {
+fn crossing<A: Mix>(
+    view: &View,
+    plane: usize,
+    inner: ClipVertex<A>,
+    outer: ClipVertex<A>,
+    t: f64,
+) -> ClipVertex<A> {
     let (p, q) = (inner.point, outer.point);
     let mix = |a: f64, b: f64| a + (b - a) * t;
     let mut point = ViewPoint { x: mix(p.x, q.x), y: mix(p.y, q.y), z: mix(p.z, q.z), h: mix(p.h, q.h) };
@@ -124,12 +139,6 @@ mod tests {
         View::new(&camera, [100, 100]).unwrap()
     }
 
-    fn unit(k: usize) -> Shares {
-        let mut shares = [0.0; 3];
-        shares[k] = 1.0;
-        Shares { scene: shares, picture: shares }
-    }
-
     /// What clipping says of a new corner must hold in the scene: the mean of the corners by its shares is the corner.
     #[test]
     fn shares_find_the_corner_again() {
@@ -140,7 +149,7 @@ mod tests {
             let size = if numbers.below(2) == 0 { 4.0 } else { 4000.0 };
             let corners = [0; 3].map(|_| DVec3::from([0; 3].map(|_| (numbers.unit() - 0.5) * size)));
             let mut polygon: Vec<_> = (0..3)
-                .map(|k| ClipVertex { point: map.view(corners[k]), attribute: unit(k) })
+                .map(|k| ClipVertex { point: map.view(corners[k]), attribute: Shares::of_corner(k) })
                 .collect();
             clip(&view, 0x1f, &mut polygon, &mut Vec::new());
             assert!(polygon.len() <= 8);
@@ -150,7 +159,11 @@ mod tests {
                 let seen = map.view(mean);
                 // Shares are rounded to 2^-53, coordinates are a few thousand units, a unit is 91 pixels.
                 let close = |a: f64, b: f64| (a - b).abs() < 1e-8;
-                assert!(close(seen.x, vertex.point.x) && close(seen.y, vertex.point.y) && close(seen.z, vertex.point.z));
+                assert!(
+                    close(seen.x, vertex.point.x)
+                        && close(seen.y, vertex.point.y)
+                        && close(seen.z, vertex.point.z)
+                );
                 let inside = view.inside(vertex.point);
                 assert!(inside.iter().all(|&d| d > -1e-6), "{inside:?}");
                 let sum: f64 = vertex.attribute.picture.iter().sum();
@@ -168,7 +181,7 @@ mod tests {
         let corners = [DVec3::new(-1.0, 0.0, -1.0), DVec3::new(900.0, 0.1, -2.0), DVec3::new(0.0, 1.0, -3.0)];
         let points = corners.map(|corner| map.view(corner));
         let mut polygon: Vec<_> =
-            (0..3).map(|k| ClipVertex { point: points[k], attribute: unit(k) }).collect();
+            (0..3).map(|k| ClipVertex { point: points[k], attribute: Shares::of_corner(k) }).collect();
         clip(&view, 0x1f, &mut polygon, &mut Vec::new());
         assert_eq!(polygon.len(), 4);
         for vertex in polygon {
@@ -189,7 +202,7 @@ mod tests {
         for _ in 0..1000 {
             let (a, b) = (point(), point());
             let cut = |from: ViewPoint, to: ViewPoint| {
-                let vertex = |point, k| ClipVertex { point, attribute: unit(k) };
+                let vertex = |point, k| ClipVertex { point, attribute: Shares::of_corner(k) };
                 let mut polygon = vec![vertex(from, 0), vertex(to, 1)];
                 clip(&view, 1, &mut polygon, &mut Vec::new());
                 let mut places: Vec<_> = polygon.iter().map(|v| (v.point.x, v.point.y, v.point.z)).collect();

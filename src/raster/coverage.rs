@@ -65,8 +65,10 @@ impl Visible {
                 let depth = (setup.depth + setup.depth_right * corner[0] as f32)
                     + setup.depth_down * corner[1] as f32;
                 let at = (row * BLOCKS + column) * LANES;
-                let depths: &mut [f32; LANES] = (&mut self.depth[at..at + LANES]).try_into().expect("a block");
-                let owners: &mut [u32; LANES] = (&mut self.owner[at..at + LANES]).try_into().expect("a block");
+                let depths: &mut [f32; LANES] =
+                    (&mut self.depth[at..at + LANES]).try_into().expect("a block");
+                let owners: &mut [u32; LANES] =
+                    (&mut self.owner[at..at + LANES]).try_into().expect("a block");
                 lanes.draw(edge, depth, owner, depths, owners);
             }
         }
@@ -189,7 +191,8 @@ mod tests {
         let mut drawn = 0;
         while drawn < 50 {
             let [a, b, c] = random(&mut numbers, 20 * ONE as usize);
-            let Some(setup) = Setup::new([a, b, c], [128, 128]).filter(|_| double_area(&[a, b, c]) != 0) else {
+            let Some(setup) = Setup::new([a, b, c], [128, 128]).filter(|_| double_area(&[a, b, c]) != 0)
+            else {
                 continue;
             };
             visible.clear();

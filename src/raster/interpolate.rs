@@ -1,8 +1,8 @@
 //! Values of corners spread over samples, many at once.
 
+use super::coverage::place;
 use super::fixed::BITS;
 use super::records::Record;
-use super::coverage::place;
 use super::view::Rays;
 use crate::num::{Kernel, Product};
 
@@ -55,7 +55,8 @@ impl Kernel for Interpolate<'_> {
                     y[k][lane] = record.y[k] - py;
                     depth[k][lane] = record.depth[k];
                     let value = record.values[k];
-                    (values[k][0][lane], values[k][1][lane], values[k][2][lane]) = (value.x, value.y, value.z);
+                    (values[k][0][lane], values[k][1][lane], values[k][2][lane]) =
+                        (value.x, value.y, value.z);
                 }
             }
             let mut weights = [[0.0_f32; LANES]; 3];

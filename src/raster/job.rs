@@ -72,7 +72,8 @@ impl<'a> Job<'a> {
         let (mut drawn, mut first) = (Vec::new(), 0);
         for (number, object) in scene.objects.iter().enumerate().filter(|&(n, _)| !objects[n].is_cast) {
             let mirrored = normal_matrix(DMat3::from_mat4(object.transform)).is_some_and(|n| n.mirrored());
-            let ready = DrawnObject::new(&object.shape, number, first as u32, object.transform, mirrored, &view);
+            let ready =
+                DrawnObject::new(&object.shape, number, first as u32, object.transform, mirrored, &view);
             let Some(ready) = ready else { continue };
             first += ready.list.len();
             if first > i32::MAX as usize {
@@ -95,7 +96,7 @@ impl<'a> Job<'a> {
 
 /// Positions are given to shaders relative to the eye, in a power of two near the camera's distance from its target:
 /// single precision then serves scenes of any size at any place.
-fn frame(scene: &Scene, view: &View) -> Frame {
+pub(super) fn frame(scene: &Scene, view: &View) -> Frame {
     let distance = (scene.camera.target - scene.camera.eye).length();
     let unit = 1.0 / unit_scale(distance.clamp(f64::MIN_POSITIVE, f64::MAX));
     Frame { origin: view.eye, unit: unit.clamp(f64::MIN_POSITIVE, f64::MAX) }
@@ -150,45 +151,68 @@ impl<'a> Prepared<'a> {
         Ok(Self { shape: &object.shape, normals, ink, truth, is_cast })
     }
 
-    /// The normal at a corner, in the scene's axes; of the side that is seen, if `turned`.
+    /// The normal at a corner, in the scene's axes; of the other side, if `turned`.
     #[inline(always)]
     pub(super) fn corner_normal(&self, corner: u32, vertex: u32, turned: bool) -> Vec3 {
-        match self.shape {
-            Shape::Mesh { normals, .. } => {
-                let normal = normals.normals.get(corner as usize, vertex).copied();
-                self.normal(normal.unwrap_or(DVec3::ZERO), turned)
+        match (self.shape, &self.normals) {
+            // What is single already stays so: this is most of what gathering costs.
+            (Shape::Triangles(triangles), None) => {
+                side(Vec3::from(triangles.normals[vertex as usize]), turned)
             }
-            Shape::Triangles(triangles) => self.single(triangles.normals[vertex as usize], turned),
-            Shape::Surface(_) => Vec3::ZERO,
+            _ => self.exact_corner_normal(corner, vertex, turned).as_vec3(),
         }
     }
 
     /// The normal of a face, likewise.
     #[inline(always)]
     pub(super) fn face_normal(&self, face: u32, turned: bool) -> Vec3 {
-        match self.shape {
-            Shape::Mesh { normals, .. } => self.normal(normals.face_normals[face as usize], turned),
-            Shape::Triangles(triangles) => self.single(triangles.face_normals[face as usize], turned),
-            Shape::Surface(_) => Vec3::ZERO,
+        match (self.shape, &self.normals) {
+            (Shape::Triangles(triangles), None) => {
+                side(Vec3::from(triangles.face_normals[face as usize]), turned)
+            }
+            _ => self.exact_face_normal(face, turned).as_vec3(),
         }
     }
 
-    #[inline(always)]
-    fn single(&self, normal: [f32; 3], turned: bool) -> Vec3 {
-        match self.normals {
-            None => Vec3::from(normal) * if turned { -1.0 } else { 1.0 },
-            Some(_) => self.normal(DVec3::from(normal.map(f64::from)), turned),
-        }
+    /// [`corner_normal`](Self::corner_normal) in doubles.
+    pub(super) fn exact_corner_normal(&self, corner: u32, vertex: u32, turned: bool) -> DVec3 {
+        let normal = match self.shape {
+            Shape::Mesh { normals, .. } => normals.normals.get(corner as usize, vertex).copied(),
+            Shape::Triangles(triangles) => {
+                Some(DVec3::from(triangles.normals[vertex as usize].map(f64::from)))
+            }
+            Shape::Surface(_) => None,
+        };
+        side(self.in_scene(normal.unwrap_or(DVec3::ZERO)), turned)
     }
 
-    #[inline(always)]
-    fn normal(&self, normal: DVec3, turned: bool) -> Vec3 {
-        let normal = match &self.normals {
+    /// [`face_normal`](Self::face_normal) in doubles.
+    pub(super) fn exact_face_normal(&self, face: u32, turned: bool) -> DVec3 {
+        let normal = match self.shape {
+            Shape::Mesh { normals, .. } => normals.face_normals[face as usize],
+            Shape::Triangles(triangles) => DVec3::from(triangles.face_normals[face as usize].map(f64::from)),
+            Shape::Surface(_) => DVec3::ZERO,
+        };
+        side(self.in_scene(normal), turned)
+    }
+
+    /// Whether faces have normals of their own; triangles of slices need not.
+    pub(super) fn has_face_normals(&self) -> bool {
+        !matches!(self.shape, Shape::Triangles(triangles) if triangles.face_normals.is_empty())
+    }
+
+    fn in_scene(&self, normal: DVec3) -> DVec3 {
+        match &self.normals {
             None => normal,
             Some(matrix) => matrix.apply(normal).unwrap_or(normal),
-        };
-        normal.as_vec3() * if turned { -1.0 } else { 1.0 }
+        }
     }
+}
+
+/// A normal, or that of the other side.
+#[inline(always)]
+fn side<T: std::ops::Neg<Output = T>>(normal: T, turned: bool) -> T {
+    if turned { -normal } else { normal }
 }
 
 /// Lists that do not fit one another.
@@ -207,7 +231,8 @@ fn check_lists(number: usize, object: &Object, settings: &RenderSettings) -> Res
         Shape::Triangles(triangles) => {
             let vertices = triangles.positions.len();
             count("normals", triangles.normals.len(), "vertices", vertices)?;
-            let wants_faces = settings.shading == Shading::Flat || matches!(settings.show, Show::Deviation(_));
+            let wants_faces =
+                settings.shading == Shading::Flat || matches!(settings.show, Show::Deviation(_));
             if wants_faces || !triangles.face_normals.is_empty() {
                 count("face normals", triangles.face_normals.len(), "triangles", triangles.triangles.len())?;
             }
@@ -215,7 +240,12 @@ fn check_lists(number: usize, object: &Object, settings: &RenderSettings) -> Res
             let corner = triangles.triangles.as_flattened().iter().position(wrong);
             if let Some(corner) = corner {
                 let index = triangles.triangles.as_flattened()[corner];
-                return Err(RenderError::Index { what: "triangle", number: corner / 3, index, count: vertices });
+                return Err(RenderError::Index {
+                    what: "triangle",
+                    number: corner / 3,
+                    index,
+                    count: vertices,
+                });
             }
             vertices
         }

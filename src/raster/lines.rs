@@ -181,7 +181,13 @@ fn clipped(view: &View, [a, b]: [ViewPoint; 2]) -> Option<[ViewPoint; 2]> {
     let mix = |t: f64| {
         let at = |a: f64, b: f64| a + (b - a) * t;
         let point = ViewPoint { x: at(a.x, b.x), y: at(a.y, b.y), z: at(a.z, b.z), h: at(a.h, b.h) };
-        if t == 0.0 { a } else if t == 1.0 { b } else { point }
+        if t == 0.0 {
+            a
+        } else if t == 1.0 {
+            b
+        } else {
+            point
+        }
     };
     (from <= to).then(|| [mix(from), mix(to)])
 }

@@ -11,11 +11,13 @@ mod clip;
 mod coverage;
 mod error;
 mod fixed;
-mod image;
+
 mod interpolate;
 mod job;
 mod lines;
 mod paint;
+mod picture;
+mod probe;
 mod project;
 mod records;
 mod render;
@@ -31,10 +33,9 @@ mod view;
 
 pub use camera::{Camera, CameraError, Projection};
 pub use error::RenderError;
-pub use image::{Image, Pixels, Statistics, Times};
+pub use picture::{Image, Pixels, Statistics, Times};
+pub use probe::{LitPoint, ProbePoint, probe};
 pub use render::render;
 pub use samples::Samples;
 pub use scene::{Lines, Object, Paint, Scene, Shape, Triangles};
-pub use settings::{
-    Bits, Cull, FlatSample, Interpolation, LineStyle, RenderSettings, Shading, Show,
-};
+pub use settings::{Bits, Cull, FlatSample, Interpolation, LineStyle, RenderSettings, Shading, Show};

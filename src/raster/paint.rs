@@ -126,7 +126,8 @@ impl Painter {
     ) -> Result<(), RenderError> {
         let colours: Vec<Vec3> = match &object.ink {
             Ink::Given(colours) => {
-                let mean = |&number: &usize| mean_colour(colours, face_corners(object, drawn, &records[number]));
+                let mean =
+                    |&number: &usize| mean_colour(colours, face_corners(object, drawn, &records[number]));
                 of_object.iter().map(mean).collect()
             }
             Ink::Lit(shader) if takes_mean(job, object) => {
@@ -137,9 +138,8 @@ impl Painter {
                 });
                 let lit = self.light(drawn.object, shader, points)?;
                 let mut lit = lit.into_iter();
-                let mut mean = |count: usize| {
-                    lit.by_ref().take(count).map(Vec3::as_dvec3).sum::<DVec3>() / count as f64
-                };
+                let mut mean =
+                    |count: usize| lit.by_ref().take(count).map(Vec3::as_dvec3).sum::<DVec3>() / count as f64;
                 of_object.iter().map(|&number| mean(corners(number).len()).as_vec3()).collect()
             }
             Ink::Lit(shader) => {
@@ -177,7 +177,8 @@ impl Painter {
                     corners.iter().map(|&(_, vertex)| single(colours[vertex as usize])).collect()
                 }
                 (_, Ink::Lit(shader)) => {
-                    let point = |&corner: &(u32, u32)| corner_point(job, object, drawn, corner, record.turned);
+                    let point =
+                        |&corner: &(u32, u32)| corner_point(job, object, drawn, corner, record.turned);
                     self.light(drawn.object, shader, corners.iter().map(point))?
                 }
             };
@@ -224,9 +225,7 @@ impl Painter {
         let prepared = &job.objects[object];
         let wanted = Wanted::new(job, prepared);
         let shader = match (&prepared.ink, job.settings.show) {
-            (Ink::Lit(shader), Show::Shaded)
-                if wanted == Wanted::CornerNormals || prepared.is_cast =>
-            {
+            (Ink::Lit(shader), Show::Shaded) if wanted == Wanted::CornerNormals || prepared.is_cast => {
                 Some(shader)
             }
             _ => None,
@@ -240,7 +239,13 @@ impl Painter {
                 None => {
                     self.take_values(job, wanted, seen, records, origin);
                     if needs_positions {
-                        num::dispatch(Positions { rays: &job.rays, seen, depth, origin, out: &mut self.positions });
+                        num::dispatch(Positions {
+                            rays: &job.rays,
+                            seen,
+                            depth,
+                            origin,
+                            out: &mut self.positions,
+                        });
                     }
                 }
             }
@@ -286,7 +291,14 @@ impl Painter {
     }
 
     /// What the corners carry, at the samples.
-    fn take_values(&mut self, job: &Job, wanted: Wanted, seen: &[Seen], records: &[Record], origin: [i32; 2]) {
+    fn take_values(
+        &mut self,
+        job: &Job,
+        wanted: Wanted,
+        seen: &[Seen],
+        records: &[Record],
+        origin: [i32; 2],
+    ) {
         if !wanted.varies() {
             for (lane, seen) in seen.iter().enumerate() {
                 let value = records[seen.record as usize].values[0].to_array();
@@ -303,7 +315,8 @@ impl Painter {
         for (lane, seen) in seen.iter().enumerate() {
             let record = &records[seen.record as usize];
             let key = (record.object, record.face);
-            let Ok(found) = self.polygons.binary_search_by_key(&key, |&(object, face, _)| (object, face)) else {
+            let Ok(found) = self.polygons.binary_search_by_key(&key, |&(object, face, _)| (object, face))
+            else {
                 continue;
             };
             let [column, row] = place(usize::from(seen.pixel)).map(|n| n as i32);

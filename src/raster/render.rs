@@ -3,9 +3,9 @@
 use super::bins::{Binning, Bins, tiles};
 use super::coverage::number;
 use super::error::RenderError;
-use super::image::{Image, Pixels, Statistics, Times};
 use super::job::Job;
 use super::lines::LineJob;
+use super::picture::{Image, Pixels, Statistics, Times};
 use super::scene::Scene;
 use super::settings::{Bits, RenderSettings};
 use super::setup::TILE;
@@ -76,7 +76,8 @@ pub fn render(scene: &Scene, settings: &RenderSettings) -> Result<Image, RenderE
 pub(super) fn bins(job: &Job) -> Bins {
     let offsets = || job.settings.samples.offsets();
     let samples = [0, 1].map(|axis| {
-        offsets().fold([i32::MAX, i32::MIN], |[low, high], place| [low.min(place[axis]), high.max(place[axis])])
+        offsets()
+            .fold([i32::MAX, i32::MIN], |[low, high], place| [low.min(place[axis]), high.max(place[axis])])
     });
     Bins::new(&job.drawn, Binning { view: &job.view, cull: job.settings.cull, samples })
 }
@@ -141,7 +142,8 @@ fn draw_tiles(job: &Job, bins: &Bins, lines: &LineJob, image: &mut Image) -> Res
         })
         .collect();
     let workers = Mutex::new(Vec::new());
-    let spare = || workers.lock().ok().and_then(|mut workers: std::sync::MutexGuard<Vec<Worker>>| workers.pop());
+    let spare =
+        || workers.lock().ok().and_then(|mut workers: std::sync::MutexGuard<Vec<Worker>>| workers.pop());
     let draw = |mut target: Target| {
         let mut worker = spare().unwrap_or_else(Worker::new);
         let covered = worker.draw(job, bins, lines, target.tile).map(|finished| target.write(job, &finished));

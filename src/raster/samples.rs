@@ -47,7 +47,9 @@ const SIXTEEN: Pattern = &[
 impl Samples {
     /// The pattern with this many samples: 1, 4, 8 or 16.
     pub fn new(count: usize) -> Option<Self> {
-        [Self::One, Self::Four, Self::Eight, Self::Sixteen].into_iter().find(|samples| samples.count() == count)
+        [Self::One, Self::Four, Self::Eight, Self::Sixteen]
+            .into_iter()
+            .find(|samples| samples.count() == count)
     }
 
     /// How many samples a pixel has.
@@ -81,7 +83,9 @@ mod tests {
 
     #[test]
     fn no_two_samples_share_a_row_or_column() {
-        for (samples, count) in [(Samples::One, 1), (Samples::Four, 4), (Samples::Eight, 8), (Samples::Sixteen, 16)] {
+        for (samples, count) in
+            [(Samples::One, 1), (Samples::Four, 4), (Samples::Eight, 8), (Samples::Sixteen, 16)]
+        {
             assert_eq!(Samples::new(count), Some(samples));
             for axis in 0..2 {
                 let mut places: Vec<i32> = samples.offsets().map(|place| place[axis]).collect();

@@ -31,16 +31,22 @@ struct Crossing {
 impl ScanPolygon {
     /// Clips a polygon to the near plane and places it on the picture, snapped like everything that covers pixels.
     pub(super) fn new(view: &View, corners: impl Iterator<Item = (ViewPoint, DVec3)>) -> Self {
-        let mut polygon: Vec<_> =
-            corners.map(|(point, attribute)| ClipVertex { point, attribute }).collect();
+        // Out of the guard band there is no grid and no need of one.
+        let reach = f64::from(2 * GUARD);
+        let on_grid =
+            |place: f64| if place.abs() < reach { f64::from(snap(place)) / f64::from(ONE) } else { place };
+        let mut polygon = Self::unsnapped(view, corners);
+        for (place, _) in &mut polygon.corners {
+            *place = place.map(on_grid);
+        }
+        polygon
+    }
+
+    /// The same without snapping.
+    pub(super) fn unsnapped(view: &View, corners: impl Iterator<Item = (ViewPoint, DVec3)>) -> Self {
+        let mut polygon: Vec<_> = corners.map(|(point, attribute)| ClipVertex { point, attribute }).collect();
         clip(view, 1 << NEAR, &mut polygon, &mut Vec::new());
-        let guard = f64::from(GUARD);
-        let on_grid = |place: f64| {
-            // Out of the guard band there is no grid and no need of one.
-            if place.abs() < 2.0 * guard { f64::from(snap(place)) / f64::from(ONE) } else { place }
-        };
-        let place = |vertex: &ClipVertex<DVec3>| (view.on_picture(vertex.point).map(on_grid), vertex.attribute);
-        Self { corners: polygon.iter().map(place).collect() }
+        Self { corners: polygon.iter().map(|v| (view.on_picture(v.point), v.attribute)).collect() }
     }
 
     /// The value at a place of the picture.
@@ -117,8 +123,11 @@ mod tests {
     /// Exercise 1.6.24 with a triangle that fits its figure: in triangles it is barycentric.
     #[test]
     fn triangles_are_barycentric() {
-        let triangle =
-            polygon(&[([2.0, 1.0], [1.0, 0.0, 0.8]), ([6.0, 5.0], [0.6, 0.4, 0.8]), ([10.0, 1.0], [0.2, 0.8, 0.0])]);
+        let triangle = polygon(&[
+            ([2.0, 1.0], [1.0, 0.0, 0.8]),
+            ([6.0, 5.0], [0.6, 0.4, 0.8]),
+            ([10.0, 1.0], [0.2, 0.8, 0.0]),
+        ]);
         assert!(triangle.value([6.0, 3.0]).distance(DVec3::new(0.6, 0.4, 0.6)) < 1e-15);
     }
 
@@ -126,7 +135,8 @@ mod tests {
     fn level_edges_corners_and_dents_are_handled() {
         let value = |place: [f64; 2]| [place[0], place[1], 0.0];
         // A U: linear in the corners' places, so linear everywhere.
-        let places = [[0.0, 0.0], [6.0, 0.0], [6.0, 4.0], [4.0, 4.0], [4.0, 2.0], [2.0, 2.0], [2.0, 4.0], [0.0, 4.0]];
+        let places =
+            [[0.0, 0.0], [6.0, 0.0], [6.0, 4.0], [4.0, 4.0], [4.0, 2.0], [2.0, 2.0], [2.0, 4.0], [0.0, 4.0]];
         let dented = polygon(&places.map(|place| (place, value(place))));
         for [x, y] in [[1.0, 3.0], [5.0, 3.0], [3.0, 1.0], [1.0, 2.0], [0.0, 0.0], [5.5, 3.999]] {
             assert!(dented.value([x, y]).distance(DVec3::new(x, y, 0.0)) < 1e-14, "{x} {y}");

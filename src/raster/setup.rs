@@ -75,10 +75,7 @@ impl Setup {
         }
         let [depth, depth_right, depth_down] = depth_plane(&v, area, origin);
         let depths = v.map(|v| v.depth);
-        let depth_range = [
-            depths[0].min(depths[1]).min(depths[2]),
-            depths[0].max(depths[1]).max(depths[2]),
-        ];
+        let depth_range = [depths[0].min(depths[1]).min(depths[2]), depths[0].max(depths[1]).max(depths[2])];
         Some(Self { edge, right, down, depth, depth_right, depth_down, depth_range, x, y })
     }
 }
@@ -176,7 +173,8 @@ mod tests {
         let count = |corners: [[i32; 2]; 3]| {
             let v = corners.map(|corner| corner.map(|x| x * ONE)).map(|place| vertex(place, 1.0));
             let setup = Setup::new(v, [0, 0]).unwrap();
-            let inside = |x: i32, y: i32| (0..3).all(|i| setup.edge[i] + setup.right[i] * x + setup.down[i] * y >= 0);
+            let inside =
+                |x: i32, y: i32| (0..3).all(|i| setup.edge[i] + setup.right[i] * x + setup.down[i] * y >= 0);
             (0..64 * 64).filter(|i| inside(i % 64, i / 64)).count()
         };
         assert_eq!(count([[0, 0], [5, 0], [5, 5]]), 15);

@@ -117,7 +117,13 @@ impl Worker {
     }
 
     /// The triangle or piece that a sample of a pixel shows, after drawing with one sample.
-    pub(super) fn look(&mut self, job: &Job, bins: &Bins, pixel: [u32; 2], sample: [i32; 2]) -> Option<Record> {
+    pub(super) fn look(
+        &mut self,
+        job: &Job,
+        bins: &Bins,
+        pixel: [u32; 2],
+        sample: [i32; 2],
+    ) -> Option<Record> {
         let tile = pixel.map(|n| n as usize / TILE);
         self.list(job, bins, tile);
         self.see(job, tile_origin(tile, sample));
@@ -265,10 +271,13 @@ impl Worker {
                 let first = (low - corner[0]).ceil().max(0.0) as usize;
                 let end = (high - corner[0]).floor().min(TILE as f64 - 1.0);
                 for column in (first..TILE).take_while(|&column| column as f64 <= end) {
-                    self.draw_line(job, set, &segment, [column, row], [
-                        corner[0] + column as f64 + offset[0],
-                        y,
-                    ]);
+                    self.draw_line(
+                        job,
+                        set,
+                        &segment,
+                        [column, row],
+                        [corner[0] + column as f64 + offset[0], y],
+                    );
                 }
             }
         }

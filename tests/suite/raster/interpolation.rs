@@ -58,7 +58,8 @@ fn the_scanline_diamond_turns_its_centre() {
             let degrees = 5.0 * f64::from(step);
             let (sin, cos) = libm::sincos(degrees.to_radians());
             let expected = [0, 1, 2].map(|k| {
-                let (c13, c24) = ((DIAMOND[0][k] + DIAMOND[2][k]) / 2.0, (DIAMOND[1][k] + DIAMOND[3][k]) / 2.0);
+                let (c13, c24) =
+                    ((DIAMOND[0][k] + DIAMOND[2][k]) / 2.0, (DIAMOND[1][k] + DIAMOND[3][k]) / 2.0);
                 (cos * c13 + sin * c24) / (cos + sin)
             });
             let image = diamond(degrees, None, &settings(shading, Interpolation::Scanline));
@@ -128,7 +129,8 @@ fn affine_is_wrong_by_what_the_closed_form_says() {
         object.paint = Paint::Given(colour.to_vec().into());
         let scene = Scene { objects: vec![object], ..scene };
         let column = |interpolation| -> Vec<Option<f64>> {
-            let image = render(&scene, &RenderSettings { shading: Shading::Gouraud, interpolation, ..linear(SIZE) });
+            let image =
+                render(&scene, &RenderSettings { shading: Shading::Gouraud, interpolation, ..linear(SIZE) });
             let image = image.unwrap();
             let linear = image.linear.unwrap();
             let rows = (0..SIZE[1] as usize).map(|y| 3 * y + 1);
@@ -175,12 +177,14 @@ fn gouraud_stays_within_its_corners_and_phong_does_not() {
     }];
     for interpolation in [Interpolation::Scanline, Interpolation::Affine, Interpolation::Perspective] {
         let draw = |shading| {
-            let image = render(&scene, &RenderSettings { shading, interpolation, ..linear([80, 80]) }).unwrap();
+            let image =
+                render(&scene, &RenderSettings { shading, interpolation, ..linear([80, 80]) }).unwrap();
             let pixels = image.linear.unwrap().into_iter().zip(image.coverage).filter(|(_, n)| *n > 0);
             pixels.map(|(colour, _)| colour[1]).collect::<Vec<f32>>()
         };
         let (gouraud, phong) = (draw(Shading::Gouraud), draw(Shading::Phong));
-        let range = |pixels: &[f32]| pixels.iter().fold((1.0_f32, 0.0_f32), |(l, h), &x| (l.min(x), h.max(x)));
+        let range =
+            |pixels: &[f32]| pixels.iter().fold((1.0_f32, 0.0_f32), |(l, h), &x| (l.min(x), h.max(x)));
         // All four corners are lit alike, so Gouraud is constant but for the rounding of its weights.
         let (low, high) = range(&gouraud);
         assert!(high - low < 3e-7, "{interpolation:?}: {low} {high}");

@@ -124,7 +124,8 @@ fn slices_draw_what_the_mesh_draws() {
     let model = icosphere(3);
     let positions: Vec<[f32; 3]> = model.mesh.positions().iter().map(|p| p.as_vec3().to_array()).collect();
     let rounded: Vec<DVec3> = positions.iter().map(|p| DVec3::from(p.map(f64::from))).collect();
-    let normals: Vec<[f32; 3]> = model.normals.normals.values.iter().map(|n| n.as_vec3().to_array()).collect();
+    let normals: Vec<[f32; 3]> =
+        model.normals.normals.values.iter().map(|n| n.as_vec3().to_array()).collect();
     assert_eq!(model.normals.entry_vertex, (0..positions.len() as u32).collect::<Vec<_>>());
     let triangles = model.mesh.faces().corners().as_chunks::<3>().0;
     let faces = model.mesh.faces().clone();
@@ -142,7 +143,8 @@ fn slices_draw_what_the_mesh_draws() {
         let [mesh, slices] = [&mesh, &slices].map(|scene| render(scene, &settings).unwrap());
         assert_eq!(mesh.coverage, slices.coverage);
         let (a, b) = (mesh.linear.unwrap(), slices.linear.unwrap());
-        let worst = a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+        let worst =
+            a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
         // Face normals are rounded once more on the way into the slice; the rest is the same.
         assert!(worst < if shading == Shading::Flat { 2e-6 } else { f32::EPSILON }, "{shading:?}: {worst}");
     }
@@ -239,7 +241,8 @@ fn samples_are_pictures_of_their_own() {
     scene.objects[0].transform =
         DMat4::from_translation(DVec3::new(20.0, 20.0, 0.0)) * DMat4::from_scale(DVec3::splat(17.3));
     let settings = RenderSettings { interpolation: Interpolation::Affine, ..linear([40, 40]) };
-    let four = render(&scene, &RenderSettings { samples: Samples::Four, ..settings }).unwrap().linear.unwrap();
+    let four =
+        render(&scene, &RenderSettings { samples: Samples::Four, ..settings }).unwrap().linear.unwrap();
     let mut mean = vec![[0.0_f32; 3]; 1600];
     for [x, y] in Samples::Four.places() {
         let mut moved = scene.clone();
@@ -250,9 +253,11 @@ fn samples_are_pictures_of_their_own() {
             mean.iter_mut().zip(one).for_each(|(mean, one)| *mean += one / 4.0);
         }
     }
-    let worst = four.as_flattened().iter().zip(mean.as_flattened()).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+    let worst =
+        four.as_flattened().iter().zip(mean.as_flattened()).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
     // Sub-pixel places are multiples of 1/256, but 17.3 is not: some corners snap to the other side.
     assert!(worst < 0.05, "{worst}");
-    let close = four.iter().zip(&mean).filter(|(a, b)| a.iter().zip(*b).all(|(a, b)| (a - b).abs() < 1e-3)).count();
+    let close =
+        four.iter().zip(&mean).filter(|(a, b)| a.iter().zip(*b).all(|(a, b)| (a - b).abs() < 1e-3)).count();
     assert!(close > 1590, "{close}");
 }

@@ -8,8 +8,8 @@ use crease::mesh::Faces;
 use crease::normals::{NormalRecipe, compute};
 use crease::num::LinearRgb;
 use crease::raster::{
-    Camera, CameraError, Interpolation, Object, Paint, RenderError, RenderSettings, Samples, Scene, Shading, Shape,
-    Triangles, render,
+    Camera, CameraError, Interpolation, Object, Paint, RenderError, RenderSettings, Samples, Scene, Shading,
+    Shape, Triangles, render,
 };
 use crease::shade::{Light, Material};
 use glam::{DMat4, DVec3};
@@ -89,16 +89,26 @@ fn bad_scenes_are_told_apart() {
     fails(&with(&|s| s.objects[0].transform = huge), &settings, "object 1");
     let exact = RenderSettings { shading: Shading::Exact, ..settings };
     fails(&good(), &exact, "object 1: exact shading needs an analytic surface");
-    fails(&with(&|s| s.objects[0].paint = Paint::Given(vec![].into())), &settings, "0 vertex colours, but 12");
+    fails(
+        &with(&|s| s.objects[0].paint = Paint::Given(vec![].into())),
+        &settings,
+        "0 vertex colours, but 12",
+    );
     let negative = Material { exponent: -2.0, ..Material::default() };
     fails(&with(&|s| s.objects[0].paint = Paint::Lit(negative)), &settings, "exponent");
     let mut thin = settings;
     thin.shading = Shading::Wireframe;
     thin.wire.width = 0.0;
     fails(&good(), &thin, "width of lines");
-    let lines = crease::raster::Lines { points: vec![DVec3::X], segments: vec![[0, 1]], ..Default::default() };
+    let lines =
+        crease::raster::Lines { points: vec![DVec3::X], segments: vec![[0, 1]], ..Default::default() };
     fails(&with(&|s| s.lines.push(lines.clone())), &settings, "line 0 refers to point 1");
-    let triangles = Triangles { positions: &[[0.0; 3]], triangles: &[[0, 0, 1]], normals: &[[0.0; 3]], face_normals: &[] };
+    let triangles = Triangles {
+        positions: &[[0.0; 3]],
+        triangles: &[[0, 0, 1]],
+        normals: &[[0.0; 3]],
+        face_normals: &[],
+    };
     let slices = scene(vec![Object::new(Shape::Triangles(triangles), Material::default())]);
     fails(&slices, &settings, "triangle 0 refers to point 1, but there are only 1");
     let short = Triangles { triangles: &[[0, 0, 0]], normals: &[], ..triangles };
