@@ -69,6 +69,7 @@ fn try_compute(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe, fast: bo
         marks: &marks,
         normals: &shape.faces,
         crease: CreaseTest::new(angle),
+        slivers: recipe.slivers,
     };
     let mut summary = Summary {
         crease_degrees: angle.map(|Degrees(angle)| angle),
@@ -374,5 +375,49 @@ mod tests {
         // The empty face borrows the normal of its neighbour.
         assert_eq!(field.face_normals, [DVec3::Z; 2]);
         assert!(field.normals.values.iter().all(|&normal| normal == DVec3::Z));
+    }
+
+    /// A floor and a wall at 90°, and between them a face so thin that it adds nothing, or has no area at all.
+    fn floor_and_wall(gap: f64) -> Mesh {
+        let mut faces = Faces::new();
+        let corners: [&[u32]; 3] = [&[0, 1, 2, 3], &[1, 4, 2], &[5, 6, 2, 4, 1]];
+        corners.iter().for_each(|face| faces.push(face));
+        let positions = [
+            [0.0, 0.0, 0.0],
+            [1.0, 0.0, 0.0],
+            [1.0, 1.0, 0.0],
+            [0.0, 1.0, 0.0],
+            [1.0 - gap, 0.5, 0.0],
+            [1.0, 0.0, -1.0],
+            [1.0, 1.0, -1.0],
+        ];
+        let positions = positions.map(DVec3::from).to_vec();
+        MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap()
+    }
+
+    #[test]
+    fn edges_beside_a_face_without_a_say_are_counted_as_they_are_cut() {
+        for gap in [0.0, 1e-15] {
+            let field = compute(&floor_and_wall(gap), &NormalRecipe::default());
+            // The floor meets the wall across the face between them, at every edge of that face.
+            assert_eq!((field.summary.edges.smooth, field.summary.edges.crease), (0, 3), "{gap:e}");
+            // At both ends the floor, the wall and the face between them go apart.
+            assert_eq!(field.summary.splits, 4);
+        }
+        let flat = NormalRecipe { crease: Crease::Angle(Degrees(100.0)), ..NormalRecipe::default() };
+        let field = compute(&floor_and_wall(0.0), &flat);
+        assert_eq!((field.summary.edges.smooth, field.summary.edges.crease), (3, 0));
+        let near = NormalRecipe { crease: Crease::Angle(Degrees(90.05)), ..NormalRecipe::default() };
+        assert_eq!(compute(&floor_and_wall(0.0), &near).summary.near_crease, 3);
+    }
+
+    #[test]
+    fn slivers_that_count_decide_creases_too() {
+        let recipe = NormalRecipe { slivers: crate::normals::Slivers::Keep, ..NormalRecipe::default() };
+        let field = compute(&floor_and_wall(1e-15), &recipe);
+        // The sliver is folded under the floor: a crease to it and to the wall, at its lone corner too.
+        assert_eq!((field.summary.edges.smooth, field.summary.edges.crease), (0, 3));
+        let of_sliver = [4, 5, 6].map(|corner| *field.normals.get(corner, 0).unwrap());
+        assert_eq!(of_sliver, [DVec3::NEG_Z; 3]);
     }
 }

@@ -71,7 +71,8 @@ pub fn corner_normals<T: Coordinate>(
     let groups = {
         let marks = Marks::none(&topology);
         let crease = CreaseTest::new(Some(crease));
-        let walker = FanWalker { faces, topology: &topology, marks: &marks, normals: &face_normals, crease };
+        let walker =
+            FanWalker { faces, topology: &topology, marks: &marks, normals: &face_normals, crease, slivers };
         SmoothGroups::by_fan(&walker, positions.len())
     };
     index.copy_from_slice(&groups.corner_entry);

@@ -89,6 +89,15 @@ impl CreaseTest {
         }
     }
 
+    /// Whether an edge between faces of these unit normals is over the crease angle.
+    pub(crate) fn is_over(&self, a: DVec3, b: DVec3) -> bool {
+        match self {
+            Self::Every => true,
+            Self::None => false,
+            Self::Over { limit, .. } => limit.exceeded(a, b),
+        }
+    }
+
     /// Whether an edge between faces of these unit normals is near the crease angle.
     pub(crate) fn is_near(&self, a: DVec3, b: DVec3) -> bool {
         matches!(self, Self::Over { near: [low, high], .. } if low.exceeded(a, b) && !high.exceeded(a, b))

@@ -2,8 +2,10 @@
 
 use super::crease::CreaseTest;
 use super::hard::Marks;
-use super::{FaceNormals, FaceState};
+use super::{FaceNormals, FaceState, Slivers};
 use crate::mesh::{FacesRef, Link, Topology};
+use glam::DVec3;
+use std::ops::Range;
 
 /// Corners round a vertex in the order in which their faces follow each other across edges that are not hard
 /// for other reasons than their angle.
@@ -21,6 +23,7 @@ pub(crate) struct FanWalker<'a> {
     pub(crate) marks: &'a Marks<'a>,
     pub(crate) normals: &'a FaceNormals,
     pub(crate) crease: CreaseTest,
+    pub(crate) slivers: Slivers,
 }
 
 impl FanWalker<'_> {
@@ -109,11 +112,12 @@ impl FanWalker<'_> {
         false
     }
 
-    /// Whether a face has a say in creases: the faces above the sliver threshold, or where a stretch has none,
-    /// all with a direction.
+    /// Whether a face has a say in creases, which is whether it adds to sums: the faces above the sliver threshold, or
+    /// where slivers count or a stretch has none above it, all with a direction.
     fn deciding(&self, stretch: &Stretch) -> impl Fn(u32) -> bool + '_ {
         let state = |corner: u32| self.normals.state[self.topology.face_of(corner) as usize];
-        let slivers_decide = !stretch.corners.iter().any(|&c| state(c) == FaceState::Counted);
+        let slivers_decide =
+            self.slivers == Slivers::Keep || !stretch.corners.iter().any(|&c| state(c) == FaceState::Counted);
         move |corner| match state(corner) {
             FaceState::Counted => true,
             FaceState::Sliver => slivers_decide,
@@ -128,9 +132,15 @@ impl FanWalker<'_> {
         places.extend((0..stretch.corners.len()).filter(|&i| decides(stretch.corners[i])));
     }
 
+    /// Whether a corner's face is above the sliver threshold.
+    #[inline]
+    pub(crate) fn is_counted(&self, corner: u32) -> bool {
+        self.normals.state[self.topology.face_of(corner) as usize] == FaceState::Counted
+    }
+
     /// The unit normal of a corner's face.
     #[inline]
-    pub(crate) fn normal(&self, corner: u32) -> glam::DVec3 {
+    pub(crate) fn normal(&self, corner: u32) -> DVec3 {
         self.normals.unit[self.topology.face_of(corner) as usize]
     }
 
@@ -147,17 +157,44 @@ impl FanWalker<'_> {
             CreaseTest::None => {}
             CreaseTest::Every => cuts[..edges].fill(true),
             CreaseTest::Over { limit, .. } => {
-                self.deciding_places(stretch, places);
-                let pairs = places.windows(2).map(|pair| (pair[0], pair[1]));
-                let around = (stretch.closed && places.len() > 1)
-                    .then(|| (places[places.len() - 1], places[0] + count));
-                for (from, to) in pairs.chain(around) {
-                    let (a, b) = (stretch.corners[from], stretch.corners[to % count]);
-                    if limit.exceeded(self.normal(a), self.normal(b)) {
-                        (from..to).for_each(|edge| cuts[edge % count] = true);
+                self.for_each_span(stretch, places, |span, a, b| {
+                    if limit.exceeded(a, b) {
+                        span.for_each(|edge| cuts[edge % count] = true);
                     }
-                }
+                });
             }
+        }
+    }
+
+    /// Visits the edges of a stretch, as the corners that they leave, with the normals of the faces that decide about
+    /// them: the nearest on each side that have a say.
+    pub(crate) fn for_each_decision(
+        &self,
+        stretch: &Stretch,
+        places: &mut Vec<usize>,
+        mut visit: impl FnMut(u32, DVec3, DVec3),
+    ) {
+        let count = stretch.corners.len();
+        self.for_each_span(stretch, places, |span, a, b| {
+            span.for_each(|edge| visit(stretch.corners[edge % count], a, b));
+        });
+    }
+
+    /// Visits the edges, as places in a stretch, between each face that has a say and the next, with the normals of the two.
+    fn for_each_span(
+        &self,
+        stretch: &Stretch,
+        places: &mut Vec<usize>,
+        mut visit: impl FnMut(Range<usize>, DVec3, DVec3),
+    ) {
+        let count = stretch.corners.len();
+        self.deciding_places(stretch, places);
+        let pairs = places.windows(2).map(|pair| (pair[0], pair[1]));
+        let around =
+            (stretch.closed && places.len() > 1).then(|| (places[places.len() - 1], places[0] + count));
+        for (from, to) in pairs.chain(around) {
+            let (a, b) = (stretch.corners[from], stretch.corners[to % count]);
+            visit(from..to, self.normal(a), self.normal(b));
         }
     }
 }

@@ -275,7 +275,7 @@ mod tests {
     use crate::mesh::{Faces, Mesh, MeshBuilder, Weld};
     use crate::normals::crease::CreaseTest;
     use crate::normals::hard::Marks;
-    use crate::normals::{FaceNormals, FaceState};
+    use crate::normals::{FaceNormals, FaceState, Slivers};
     use crate::num::Degrees;
     use glam::DVec3;
 
@@ -307,8 +307,14 @@ mod tests {
         let topology = Topology::build(mesh, Weld::Off);
         let marks = Marks::none(&topology);
         let crease = CreaseTest::new(Some(Degrees(angle)));
-        let walker =
-            FanWalker { faces: mesh.faces().view(), topology: &topology, marks: &marks, normals, crease };
+        let walker = FanWalker {
+            faces: mesh.faces().view(),
+            topology: &topology,
+            marks: &marks,
+            normals,
+            crease,
+            slivers: Slivers::Exclude,
+        };
         let groups = if cone {
             SmoothGroups::by_cone(&walker, mesh.vertex_count()).0
         } else {
@@ -378,6 +384,7 @@ mod tests {
             marks: &marks,
             normals: &normals,
             crease,
+            slivers: Slivers::Exclude,
         };
         let groups = SmoothGroups::by_fan(&walker, 6);
         assert_eq!(groups.corner_entry, [0, 1, 2, 3, 4, 5]);

@@ -1,64 +1,123 @@
 //! Counting edges by what they are, for reports.
 
+use super::EdgeCounts;
 use super::crease::CreaseTest;
-use super::fans::FanWalker;
-use super::{EdgeCounts, FaceState};
+use super::fans::{FanWalker, Stretch};
 use crate::mesh::Link;
 use rayon::prelude::*;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Counts the edges of a mesh, each once, and those near the crease angle.
+///
+/// An edge counts as a crease if it is hard at either end: beside a face that has no say, the faces that decide may be
+/// others at each end.
 pub(crate) fn edge_counts(walker: &FanWalker) -> (EdgeCounts, usize) {
     const CHUNK: usize = 1 << 14;
     let corner_count = walker.faces.corners().len();
-    let (mut counts, near) = (0..corner_count.div_ceil(CHUNK))
+    let Tally { mut counts, near, undecided } = (0..corner_count.div_ceil(CHUNK))
         .into_par_iter()
         .map(|chunk| {
-            let (mut counts, mut near) = (EdgeCounts::default(), 0);
+            let mut tally = Tally::default();
             for half_edge in chunk * CHUNK..((chunk + 1) * CHUNK).min(corner_count) {
-                tally(walker, half_edge as u32, &mut counts, &mut near);
+                tally.add(walker, half_edge as u32);
             }
-            (counts, near)
+            tally
         })
-        .reduce(|| (EdgeCounts::default(), 0), |(a, n), (b, m)| (a + b, n + m));
+        .reduce(Tally::default, Tally::join);
+    let (creases, nears) = decided_by_others(walker, &undecided);
+    counts.crease += creases;
+    counts.smooth += undecided.len() - creases;
     counts.non_manifold = walker.topology.non_manifold_edges();
     counts.ambiguous = walker.topology.ambiguous_edges();
-    (counts, near)
+    (counts, near + nears)
 }
 
-fn tally(walker: &FanWalker, half_edge: u32, counts: &mut EdgeCounts, near: &mut usize) {
-    let across = match walker.topology.link(half_edge) {
-        Link::Twin(across) => across,
-        Link::Welded(across) => {
-            counts.welded += usize::from(half_edge < across);
-            across
-        }
-        Link::Inconsistent(across) => {
-            counts.inconsistent += usize::from(half_edge < across);
+#[derive(Default)]
+struct Tally {
+    counts: EdgeCounts,
+    near: usize,
+    /// Edges beside a face that may have no say, by the lower of their half-edges.
+    undecided: Vec<u32>,
+}
+
+impl Tally {
+    fn join(mut self, other: Self) -> Self {
+        self.undecided.extend(other.undecided);
+        Self { counts: self.counts + other.counts, near: self.near + other.near, undecided: self.undecided }
+    }
+
+    fn add(&mut self, walker: &FanWalker, half_edge: u32) {
+        let Self { counts, near, undecided } = self;
+        let across = match walker.topology.link(half_edge) {
+            Link::Twin(across) => across,
+            Link::Welded(across) => {
+                counts.welded += usize::from(half_edge < across);
+                across
+            }
+            Link::Inconsistent(across) => {
+                counts.inconsistent += usize::from(half_edge < across);
+                return;
+            }
+            Link::Boundary => {
+                counts.boundary += 1;
+                return;
+            }
+            Link::NonManifold | Link::Ambiguous | Link::Collapsed => return,
+        };
+        if half_edge > across {
             return;
         }
-        Link::Boundary => {
-            counts.boundary += 1;
+        if walker.marks.is_marked(half_edge, across) {
+            counts.marked += 1;
             return;
         }
-        Link::NonManifold | Link::Ambiguous | Link::Collapsed => return,
-    };
-    if half_edge > across {
-        return;
+        let is_crease = match walker.crease {
+            CreaseTest::Every => true,
+            CreaseTest::None => false,
+            CreaseTest::Over { limit, .. } => {
+                if !walker.is_counted(half_edge) || !walker.is_counted(across) {
+                    undecided.push(half_edge);
+                    return;
+                }
+                let (a, b) = (walker.normal(half_edge), walker.normal(across));
+                *near += usize::from(walker.crease.is_near(a, b));
+                limit.exceeded(a, b)
+            }
+        };
+        if is_crease { counts.crease += 1 } else { counts.smooth += 1 }
     }
-    if walker.marks.is_marked(half_edge, across) {
-        counts.marked += 1;
-        return;
+}
+
+/// How many edges are creases, and near ones, by the faces that decide in the stretches of fan at their two ends. Each
+/// stretch is walked once.
+fn decided_by_others(walker: &FanWalker, edges: &[u32]) -> (usize, usize) {
+    let mut verdicts: FxHashMap<u32, Verdict> = FxHashMap::default();
+    let mut walked: FxHashSet<u32> = FxHashSet::default();
+    let (mut stretch, mut places) = (Stretch::default(), Vec::new());
+    for &edge in edges {
+        let across = walker.topology.across(edge).expect("such an edge has two faces");
+        for corner in [edge, across] {
+            if walked.contains(&corner) {
+                continue;
+            }
+            walker.stretch(corner, &mut stretch);
+            walked.extend(&stretch.corners);
+            walker.for_each_decision(&stretch, &mut places, |corner, a, b| {
+                let across = walker.topology.across(corner).unwrap_or(corner);
+                let verdict = verdicts.entry(corner.min(across)).or_default();
+                verdict.is_crease |= walker.crease.is_over(a, b);
+                verdict.is_near |= walker.crease.is_near(a, b);
+            });
+        }
     }
-    let state = |corner| walker.normals.state[walker.topology.face_of(corner) as usize];
-    let decided = state(half_edge) == FaceState::Counted && state(across) == FaceState::Counted;
-    let (a, b) = (walker.normal(half_edge), walker.normal(across));
-    *near += usize::from(decided && walker.crease.is_near(a, b));
-    let is_crease = match walker.crease {
-        CreaseTest::Every => true,
-        CreaseTest::None => false,
-        CreaseTest::Over { limit, .. } => decided && limit.exceeded(a, b),
-    };
-    if is_crease { counts.crease += 1 } else { counts.smooth += 1 }
+    let of_edges = || edges.iter().filter_map(|edge| verdicts.get(edge));
+    (of_edges().filter(|v| v.is_crease).count(), of_edges().filter(|v| v.is_near).count())
+}
+
+#[derive(Default)]
+struct Verdict {
+    is_crease: bool,
+    is_near: bool,
 }
 
 impl std::ops::Add for EdgeCounts {
