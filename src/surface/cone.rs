@@ -1,5 +1,6 @@
 //! A cone.
 
+use super::chart::{Chart, Parametric, Sample, circle};
 use super::error::{SurfaceError, length};
 use super::implicit::{Cast, Implicit, first_hit};
 use super::ray::{Hit, Line, Ray};
@@ -9,7 +10,7 @@ use glam::{DVec2, DVec3};
 /// The cone whose base is the circle of a radius at y = −height/2 and whose tip is at y = +height/2; open at the base
 /// and facing outward. By default of radius 1 and height 2.
 ///
-/// Points: (v·radius·sin θ, (½ − v)·height, v·radius·cos θ) with θ = 2πu. At the tip the surface has no normal; what
+/// Points: ((1 − v)·radius·sin θ, (v − ½)·height, (1 − v)·radius·cos θ) with θ = 2πu. At the tip the surface has no normal; what
 /// is given there, and on all of the axis, is the limit of the mean over ever smaller circles: +y.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cone {
@@ -51,6 +52,19 @@ impl Cone {
     fn profile_normal(&self) -> DVec2 {
         let longest = self.radius.max(self.height);
         (DVec2::new(self.height, self.radius) / longest).normalize()
+    }
+}
+
+impl Parametric for Cone {
+    fn chart(&self) -> Chart {
+        Chart { pole_high: true, ..Chart::TUBE }
+    }
+
+    fn at(&self, u: f64, v: f64) -> Option<Sample> {
+        let ((sin, cos), y) = (circle(u), (v - 0.5) * self.height);
+        let radius = (1.0 - v) * self.radius;
+        let position = DVec3::new(radius * sin, y, radius * cos);
+        Some(Sample { position, normal: self.normal_at(position)? })
     }
 }
 

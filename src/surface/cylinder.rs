@@ -1,5 +1,6 @@
 //! A tube.
 
+use super::chart::{Chart, Parametric, Sample, circle};
 use super::error::{SurfaceError, length};
 use super::implicit::{Cast, Implicit, first_hit};
 use super::ray::{Hit, Line, Ray};
@@ -9,7 +10,7 @@ use glam::DVec3;
 /// The tube x² + z² = radius², |y| ≤ height/2, open at both ends and facing outward. By default of radius 1 and
 /// height 2.
 ///
-/// Points: (radius·sin θ, (½ − v)·height, radius·cos θ) with θ = 2πu.
+/// Points: (radius·sin θ, (v − ½)·height, radius·cos θ) with θ = 2πu.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cylinder {
     radius: f64,
@@ -44,6 +45,19 @@ impl Cylinder {
     /// The first hit of a ray, on the outside or the inside; rays along the axis have none.
     pub fn intersect(&self, ray: &Ray) -> Option<Hit> {
         first_hit(self, ray)
+    }
+}
+
+impl Parametric for Cylinder {
+    fn chart(&self) -> Chart {
+        Chart::TUBE
+    }
+
+    fn at(&self, u: f64, v: f64) -> Option<Sample> {
+        let (sin, cos) = circle(u);
+        let normal = DVec3::new(sin, 0.0, cos);
+        let position = normal * self.radius + DVec3::Y * ((v - 0.5) * self.height);
+        Some(Sample { position, normal: UnitVec3::new(normal)? })
     }
 }
 

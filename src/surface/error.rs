@@ -25,6 +25,70 @@ pub enum SurfaceError {
         /// Of the tube.
         minor: f64,
     },
+    /// An exponent of a superquadric under which the surface has edges or numbers lose their meaning.
+    #[error("the roundness is {found}; a number from 0.1 to 1.9 was expected")]
+    Roundness {
+        /// What it is.
+        found: f64,
+    },
+    /// A control point that is not finite, or beyond 1e60.
+    #[error("the control point in row {row}, column {column} is not finite or beyond 1e60")]
+    ControlPoint {
+        /// Counted from 0.
+        row: usize,
+        /// Counted from 0.
+        column: usize,
+    },
+    /// A catenoid that is beyond all measure at its ends.
+    #[error("the height is {found} waists; 200 at most was expected")]
+    TooTall {
+        /// Height over waist.
+        found: f64,
+    },
+    /// Fewer or more segments than the pattern can do with on this surface.
+    #[error("{found} segments {direction} are {}; {limit} is the limit", if found < limit { "too few" } else { "too many" })]
+    Segments {
+        /// Which way.
+        direction: &'static str,
+        /// How many were asked for.
+        found: u64,
+        /// How many there must or may be.
+        limit: u64,
+    },
+    /// A number of a tessellation that is out of its range.
+    #[error("{what} is {found}; {expected} was expected")]
+    Setting {
+        /// Which one.
+        what: &'static str,
+        /// What it is.
+        found: f64,
+        /// What it may be.
+        expected: &'static str,
+    },
+    /// A pattern that this surface cannot be given.
+    #[error("{pattern} is not possible here: {reason}")]
+    Pattern {
+        /// Which pattern.
+        pattern: &'static str,
+        /// Why not.
+        reason: &'static str,
+    },
+    /// A place at which a surface has no normal.
+    #[error("the surface has no normal at u = {u}, v = {v}")]
+    NoNormal {
+        /// The first parameter.
+        u: f64,
+        /// The second one.
+        v: f64,
+    },
+    /// Scattered points that make no surface.
+    #[error("point {point}: {reason}")]
+    Scattered {
+        /// Which point, counted from 0.
+        point: usize,
+        /// What is wrong with it.
+        reason: &'static str,
+    },
     /// A map that flattens space, or that is not finite.
     #[error("the transform is singular or not finite, so the surface has no normals under it")]
     Singular,

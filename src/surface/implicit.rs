@@ -5,7 +5,7 @@ use crate::num::UnitVec3;
 use glam::DVec3;
 
 /// A surface that is the zero set of a function of space.
-pub trait Implicit {
+pub trait Implicit: Sync {
     /// A length that is negative inside (or behind), zero on the surface and positive outside. It is the signed
     /// distance from the surface continued without its ends, unless the surface says otherwise.
     fn value(&self, point: DVec3) -> f64;

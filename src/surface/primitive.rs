@@ -1,5 +1,6 @@
 //! The surfaces that rays can be cast at, and placing them in a world.
 
+use super::chart::Parametric;
 use super::error::SurfaceError;
 use super::implicit::Implicit;
 use super::ray::{Hit, Ray};
@@ -72,6 +73,11 @@ impl Primitive {
     /// start it a little way off, on the side that is meant.
     pub fn intersect(&self, ray: &Ray) -> Option<Hit> {
         each!(self, surface => surface.intersect(ray))
+    }
+
+    /// The surface by its parameters.
+    pub(super) fn parametric(&self) -> &dyn Parametric {
+        each!(self, surface => surface)
     }
 }
 

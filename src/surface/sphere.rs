@@ -8,7 +8,7 @@ use glam::DVec3;
 
 /// The sphere |p| = radius, facing outward. By default of radius 1.
 ///
-/// Points: radius·(sin φ sin θ, cos φ, sin φ cos θ) with θ = 2πu round the y axis and φ = πv down from the +y pole.
+/// Points: radius·(cos λ sin θ, sin λ, cos λ cos θ) with θ = 2πu round the y axis and latitude λ = π(v − ½).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {
     radius: f64,

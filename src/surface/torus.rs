@@ -1,5 +1,6 @@
 //! A torus.
 
+use super::chart::{Chart, Parametric, Sample, circle};
 use super::error::{SurfaceError, length};
 use super::implicit::{Cast, Implicit, first_hit};
 use super::polynomial::roots_between;
@@ -72,6 +73,19 @@ impl Torus {
             }
         }
         s
+    }
+}
+
+impl Parametric for Torus {
+    fn chart(&self) -> Chart {
+        Chart::RING
+    }
+
+    fn at(&self, u: f64, v: f64) -> Option<Sample> {
+        let ((sin, cos), (up, out)) = (circle(u), circle(v));
+        let radius = self.major + self.minor * out;
+        let normal = UnitVec3::new(DVec3::new(out * sin, up, out * cos))?;
+        Some(Sample { position: DVec3::new(radius * sin, self.minor * up, radius * cos), normal })
     }
 }
 

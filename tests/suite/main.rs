@@ -21,4 +21,5 @@ mod random;
 mod raster;
 mod reference;
 mod stl;
+mod surface;
 mod triangulate;

@@ -1,0 +1,121 @@
+//! All surfaces as one type.
+
+use super::chart::Parametric;
+use super::height::Height;
+use super::implicit::Implicit;
+use super::marching::Room;
+use super::star::StarShaped;
+use super::teapot::teapot;
+use super::{BezierPatch, Catenoid, MonkeySaddle, Primitive, Superquadric, Wave};
+use glam::{DVec2, DVec3};
+
+/// Any surface of this module.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Surface {
+    /// One that rays can be cast at.
+    Primitive(Primitive),
+    /// The film between two rings.
+    Catenoid(Catenoid),
+    /// z = 0.3 sin 3x cos 3y.
+    Wave(Wave),
+    /// z = x³ − 3xy².
+    MonkeySaddle(MonkeySaddle),
+    /// Between box, ball and octahedron.
+    Superquadric(Superquadric),
+    /// One bicubic patch.
+    Patch(Box<BezierPatch>),
+    /// Newell's.
+    Teapot,
+}
+
+impl<P: Into<Primitive>> From<P> for Surface {
+    fn from(primitive: P) -> Self {
+        Surface::Primitive(primitive.into())
+    }
+}
+
+impl Surface {
+    /// The surface by its parameters: one chart, or 32 of the teapot.
+    pub fn charts(&self) -> Vec<&dyn Parametric> {
+        match self {
+            Surface::Primitive(primitive) => vec![primitive.parametric()],
+            Surface::Catenoid(catenoid) => vec![catenoid],
+            Surface::Wave(wave) => vec![wave],
+            Surface::MonkeySaddle(saddle) => vec![saddle],
+            Surface::Superquadric(superquadric) => vec![superquadric],
+            Surface::Patch(_) | Surface::Teapot => {
+                self.patches().iter().map(|patch| patch as &dyn Parametric).collect()
+            }
+        }
+    }
+
+    /// The bicubic patches that the surface is made of; none for other surfaces.
+    pub fn patches(&self) -> &[BezierPatch] {
+        match self {
+            Surface::Patch(patch) => std::slice::from_ref(patch),
+            Surface::Teapot => teapot(),
+            _ => &[],
+        }
+    }
+
+    /// The surface as the zero set of a function; `None` for patches.
+    pub fn zero_set(&self) -> Option<&dyn Implicit> {
+        Some(match self {
+            Surface::Primitive(primitive) => primitive,
+            Surface::Catenoid(catenoid) => catenoid,
+            Surface::Wave(wave) => wave,
+            Surface::MonkeySaddle(saddle) => saddle,
+            Surface::Superquadric(superquadric) => superquadric,
+            Surface::Patch(_) | Surface::Teapot => return None,
+        })
+    }
+
+    /// The surface by directions from the origin, if it is a stretched sphere.
+    pub fn star_shaped(&self) -> Option<&dyn StarShaped> {
+        match self {
+            Surface::Primitive(Primitive::Sphere(sphere)) => Some(sphere),
+            Surface::Primitive(Primitive::Ellipsoid(ellipsoid)) => Some(ellipsoid),
+            Surface::Superquadric(superquadric) => Some(superquadric),
+            _ => None,
+        }
+    }
+
+    /// The surface as heights over a rectangle, if it is that.
+    pub fn heights(&self) -> Option<&dyn Height> {
+        match self {
+            Surface::Primitive(Primitive::Plane(plane)) => Some(plane),
+            Surface::Wave(wave) => Some(wave),
+            Surface::MonkeySaddle(saddle) => Some(saddle),
+            _ => None,
+        }
+    }
+
+    /// The box of a zero set. Surfaces with open sides end at its faces.
+    pub(super) fn room(&self) -> Room {
+        let room = |half: DVec3, ends| Room { low: -half, high: half, ends };
+        let turned =
+            |radius: f64, height: f64| room(DVec3::new(radius, height / 2.0, radius), [false, true, false]);
+        let over = |extent: DVec2, height: f64| room((extent / 2.0).extend(height), [true, true, false]);
+        match self {
+            Surface::Primitive(primitive) => match primitive {
+                Primitive::Plane(plane) => over(plane.size(), 0.0),
+                Primitive::Sphere(sphere) => room(DVec3::splat(sphere.radius()), [false; 3]),
+                Primitive::Ellipsoid(ellipsoid) => room(ellipsoid.semi_axes(), [false; 3]),
+                Primitive::Cylinder(tube) => turned(tube.radius(), tube.height()),
+                Primitive::Cone(cone) => turned(cone.radius(), cone.height()),
+                Primitive::Torus(torus) => {
+                    let outer = torus.major() + torus.minor();
+                    room(DVec3::new(outer, torus.minor(), outer), [false; 3])
+                }
+            },
+            Surface::Catenoid(catenoid) => turned(catenoid.widest(), catenoid.height()),
+            Surface::Wave(wave) => over(wave.extent(), 0.3),
+            Surface::MonkeySaddle(saddle) => {
+                let half = saddle.extent().x / 2.0;
+                over(saddle.extent(), 2.0 * half * half * half)
+            }
+            Surface::Superquadric(superquadric) => room(superquadric.semi_axes(), [false; 3]),
+            Surface::Patch(_) | Surface::Teapot => room(DVec3::ZERO, [true; 3]),
+        }
+    }
+}
