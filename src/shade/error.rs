@@ -91,7 +91,9 @@ impl Check {
     }
 
     pub(super) fn degrees(self, field: &'static str, radians: f64, expected: &'static str) -> ShadeError {
-        self.text(field, format!("{}°", Degrees::from(Radians(radians)).0), expected)
+        // As it was written: converting to radians and back costs the last digits.
+        let degrees = libm::round(Degrees::from(Radians(radians)).0 * 1e9) / 1e9;
+        self.text(field, format!("{degrees}°"), expected)
     }
 
     fn hold(

@@ -1,4 +1,55 @@
-//! Light on a point (layer 2).
+//! Light on a point (layer 2): lights, materials, attenuation, Phong's and Blinn's highlights, tone rules.
+//!
+//! The model is local: I = Σ I_a K_a + Σ f I_i (K_d N·L + K_s cosⁿ), in linear red, green and blue. There are no shadows,
+//! no inter-reflection and no transparency.
+//!
+//! - [`Shader::new`] resolves [`Light`]s, one [`Material`] and [`ShadeSettings`] to what this combination needs. A light
+//!   without colour, a reflection without coefficient, a highlight whose half-vector is the same everywhere, positions
+//!   and a viewer that nothing asks for: what is not there is not computed ([`needs_positions`](Shader::needs_positions)).
+//! - [`Shader::shade`] lights one point, [`Shader::shade_rows`] many at once with the same bits.
+//! - [`Probe`] tells every vector, factor and term behind a colour, before and after the guards.
+//!
+//! # Guards
+//! The lectures' formulas leave out what keeps them sound; [`Guards`] adds it, each by name, and
+//! [`Guards::literal`] is the formulas as printed. In any mode a half-vector of 0/0 gives no highlight, and a colour
+//! that is not finite is an error ([`NotFinite`]), never a colour.
+//!
+//! # The formulas of the lectures
+//! S0 is Medeiros Filho, *Iluminação e Sombreamento* (2017), S3 Ting, *Tonalização* (2008), S4 Vieira, *Iluminação local*.
+//! Each formula has a test of its number in the integration suite (`shade`, `lectures`); those about polygons and pictures
+//! live above this module.
+//!
+//! | | formula | where |
+//! |---|---|---|
+//! | F1 | I = I_d + I_e + I_abs + I_ref, so k_d + k_s ≤ 1 (S0 1.2) | [`Material::gain`], a warning: exercise 1.6.19 breaks it |
+//! | F2 | law of reflection (S0 1.2, S3, S4) | [`reflect`] |
+//! | F3 | Lambert: I_i k_d (N·L) (S0 1.3.1.1) | diffuse term; clamped at 0 by the guard `diffuse` |
+//! | F4 | Phong: I_i k_s (V·R)ⁿ if V·R > 0 (S0 1.3.1.2) | [`Reflection::Phong`]; nothing from behind by the guard `highlight` |
+//! | F5 | R = 2N(N·L) − L (S0 1.3.1.2, S3) | [`reflect`], [`LightExplanation::reflected`] |
+//! | F6 | Blinn: H = (L+V)/‖L+V‖, I_i k_s (N·H)ⁿ (S0 1.3.1.3, S3) | [`Reflection::Blinn`]; exponents: [`blinn_exponent`] |
+//! | F7 | ambient I_a k_a, never attenuated (S0 1.3.1.5) | [`Light::Ambient`] |
+//! | F8 | the sum of the three (S0 1.3.1.6) | [`Shader::shade`] |
+//! | F9 | attenuation 1/d², 1/(k₂d²+k₁d+k), 1/(d+k) (S0 1.3.1.7) | [`Attenuation`] |
+//! | F10 | exactly 1 for a light at infinity (S0 1.6.26) | [`Light::Directional`] |
+//! | F11 | point light I_L/(kc+kl·d+kq·d²) (S0 1.6.41) | [`Light::Point`] |
+//! | F12 | spot I_L (D·L)/(kc+kl·d+kq·d²) (S0 1.6.42, S3) | [`Light::Spot`], [`Cone::of_lectures`]; guard `spot` |
+//! | F13 | directional is w = 0, point w = 1 (S0 1.6.40, S3) | [`Light::at`] |
+//! | F14 | extended source (S3, without formula) | [`Light::Area`]: Lambert's polygon, clipped at the horizon |
+//! | F15 | I_c with k and O apart or merged (S0 1.3.1.8) | [`Reflectance`] |
+//! | F16 | sum over lights, each with its own d, L, V, R (S0 1.3.1.9, S4) | [`Shader::shade`] |
+//! | F17 | depth cueing: all but ambient over d+K, d to the viewer (S0 1.6.6, 1.6.11) | [`DepthCue`] |
+//! | F18 | flat: one evaluation for each polygon (S0 1.5.1) | module `raster` |
+//! | F19 | Gouraud along edges and scanlines (S0 1.5.2.1) | module `raster` |
+//! | F20 | vertex normal as the mean of face normals (S0 1.5.2.1) | [`Weight::Uniform`](crate::normals::Weight) |
+//! | F21 | n = (P1−P0)×(P2−P0)/‖…‖ (S0 1.6.21a) | [`face_normals`](fn@crate::normals::face_normals) |
+//! | F22 | Phong: normals along edges and spans (S0 1.5.2.2, S3) | module `raster`; made unit again by the guard `renormalise` |
+//! | F23 | Gouraud depends on the triangulation (S3) | module `raster` |
+//! | F24 | cost: wireframe, flat, Gouraud, Phong (S0 1.6.10) | benches of `raster` |
+//! | F25 | out of range: clamp or divide by the largest (S0 1.6.17b) | [`ToneRule`] |
+//! | F26 | artefacts of interpolated shading (S0 1.5.2.3 and exercises) | module `artefact` |
+//! | F27 | Mach bands worse in Gouraud than in Phong (S0 table 1; false in general) | module `artefact` |
+//! | F28 | the eye is sensitive to the second derivative (S0 1.6.13) | module `artefact` |
+//! | F29 | Snell, Fresnel (S3) | [`refraction_angle`], [`refract`], [`fresnel`], [`brewster_angle`], [`critical_angle`] |
 
 mod area;
 mod error;
@@ -6,6 +57,7 @@ mod explain;
 mod formula;
 mod light;
 mod material;
+mod optics;
 mod rows;
 mod settings;
 mod shader;
@@ -16,6 +68,7 @@ pub use error::{NotFinite, Place, ShadeError};
 pub use explain::{Explanation, HighlightExplanation, LightExplanation, Probe, Term};
 pub use light::{AreaShape, Attenuation, Cone, Light};
 pub use material::{EnergyGain, Material, Reflectance, Reflection, blinn_exponent, phong_exponent};
+pub use optics::{Fresnel, brewster_angle, critical_angle, fresnel, reflect, refract, refraction_angle};
 pub use rows::SurfaceRows;
 pub use settings::{DepthCue, Frame, Guards, ShadeSettings, Viewer};
 pub use shader::{Shader, SurfacePoint};

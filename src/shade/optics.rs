@@ -1,0 +1,183 @@
+//! Reflection and refraction at a smooth surface: plain functions, for reference values and reference pictures (F2, F29).
+//!
+//! Refractive indices are positive; angles of incidence are measured from the normal, 0 to 90°.
+
+use crate::num::Radians;
+use glam::DVec3;
+
+/// R = 2N(N·L) − L: the direction in which a mirror with the unit normal N sends light that comes from L (F5). The angle
+/// is the same on both sides and all three lie in one plane (F2).
+///
+/// ```
+/// use crease::shade::reflect;
+/// use glam::DVec3;
+///
+/// assert_eq!(reflect(DVec3::Y, DVec3::new(-0.8, 0.6, 0.0)), DVec3::new(0.8, 0.6, 0.0));
+/// ```
+pub fn reflect(normal: DVec3, towards: DVec3) -> DVec3 {
+    normal * (2.0 * normal.dot(towards)) - towards
+}
+
+/// The direction of light that comes from the unit vector `towards` (on the side of the unit normal, in a medium of index
+/// n1) and goes on into a medium of index n2: n1 sin θ = n2 sin θ″ (Snell). `None` for total reflection and for light
+/// from below the surface.
+pub fn refract(normal: DVec3, towards: DVec3, n1: f64, n2: f64) -> Option<DVec3> {
+    let cosine = normal.dot(towards);
+    if cosine.is_nan() || cosine < 0.0 {
+        return None;
+    }
+    let ratio = n1 / n2;
+    // The part of the new direction along the surface, then what is left for the normal.
+    let along = (normal * cosine - towards) * ratio;
+    let left = 1.0 - along.length_squared();
+    (left >= 0.0).then(|| along - normal * left.sqrt())
+}
+
+/// The angle of refraction θ″ with n1 sin θ = n2 sin θ″. `None` for total reflection, and outside 0 to 90°.
+///
+/// ```
+/// use crease::num::{Degrees, Radians};
+/// use crease::shade::refraction_angle;
+///
+/// let into_glass = refraction_angle(1.0, 1.5, Radians::from(Degrees(30.0))).unwrap();
+/// assert!((Degrees::from(into_glass).0 - 19.471_220_634).abs() < 1e-9);
+/// assert_eq!(refraction_angle(1.5, 1.0, Radians::from(Degrees(42.0))), None);
+/// ```
+pub fn refraction_angle(n1: f64, n2: f64, incidence: Radians) -> Option<Radians> {
+    let (sine, cosine) = refracted(n1, n2, incidence)?;
+    Some(Radians(libm::atan2(sine, cosine)))
+}
+
+/// The smallest angle of incidence from which all light is reflected: sin θ = n2/n1. `None` unless n1 > n2.
+/// From 1.5 to 1: 41.8103°.
+pub fn critical_angle(n1: f64, n2: f64) -> Option<Radians> {
+    (n1 > n2).then(|| Radians(libm::atan2(n2, ((n1 - n2) * (n1 + n2)).sqrt())))
+}
+
+/// The angle of incidence at which no light polarised in the plane of incidence is reflected: tan θ = n2/n1.
+/// From 1 to 1.5: 56.3099°.
+pub fn brewster_angle(n1: f64, n2: f64) -> Radians {
+    Radians(libm::atan2(n2, n1))
+}
+
+/// How much of the light that arrives is reflected, by polarisation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fresnel {
+    /// Polarised at right angles to the plane of incidence.
+    pub s: f64,
+    /// Polarised in it.
+    pub p: f64,
+}
+
+impl Fresnel {
+    /// R of unpolarised light: the mean.
+    pub fn reflected(self) -> f64 {
+        0.5 * (self.s + self.p)
+    }
+
+    /// T = 1 − R: what is not reflected goes on (F1 without absorption).
+    pub fn transmitted(self) -> f64 {
+        1.0 - self.reflected()
+    }
+}
+
+/// Fresnel's reflectance of a smooth surface between two transparent media, R = f(n1, n2, θ):
+/// s = ((n1 cos θ − n2 cos θ″)/(n1 cos θ + n2 cos θ″))², p = ((n1 cos θ″ − n2 cos θ)/(n1 cos θ″ + n2 cos θ))².
+/// Everything is reflected beyond the critical angle. Outside 0 to 90° the answer is NaN.
+///
+/// ```
+/// use crease::num::Radians;
+/// use crease::shade::fresnel;
+///
+/// // R0 of glass.
+/// assert!((fresnel(1.0, 1.5, Radians(0.0)).reflected() - 0.04).abs() < 1e-16);
+/// ```
+pub fn fresnel(n1: f64, n2: f64, incidence: Radians) -> Fresnel {
+    if !is_incidence(incidence) {
+        return Fresnel { s: f64::NAN, p: f64::NAN };
+    }
+    if n1 == n2 {
+        // No surface: at 90° the quotients are 0/0.
+        return Fresnel { s: 0.0, p: 0.0 };
+    }
+    let Some((_, refracted)) = refracted(n1, n2, incidence) else { return Fresnel { s: 1.0, p: 1.0 } };
+    let cosine = libm::cos(incidence.0);
+    let part = |a: f64, b: f64| ((a - b) / (a + b)) * ((a - b) / (a + b));
+    Fresnel { s: part(n1 * cosine, n2 * refracted), p: part(n1 * refracted, n2 * cosine) }
+}
+
+fn is_incidence(Radians(angle): Radians) -> bool {
+    (0.0..=std::f64::consts::FRAC_PI_2).contains(&angle)
+}
+
+/// Sine and cosine of the angle of refraction.
+fn refracted(n1: f64, n2: f64, incidence: Radians) -> Option<(f64, f64)> {
+    if !is_incidence(incidence) {
+        return None;
+    }
+    let sine = n1 / n2 * libm::sin(incidence.0);
+    (sine <= 1.0).then(|| (sine, ((1.0 - sine) * (1.0 + sine)).sqrt()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::num::test_numbers::Numbers;
+    use crate::num::{Degrees, UnitVec3};
+
+    fn degrees(angle: Radians) -> f64 {
+        Degrees::from(angle).0
+    }
+
+    fn at(angle: f64) -> Radians {
+        Degrees(angle).into()
+    }
+
+    #[test]
+    fn published_figures_of_glass() {
+        assert!((degrees(brewster_angle(1.0, 1.5)) - 56.309_932_474).abs() < 1e-9);
+        assert!((degrees(critical_angle(1.5, 1.0).unwrap()) - 41.810_314_896).abs() < 1e-9);
+        assert_eq!(critical_angle(1.0, 1.5), None);
+        let at_brewster = fresnel(1.0, 1.5, brewster_angle(1.0, 1.5));
+        // s = ((n²−1)/(n²+1))² there.
+        assert!(at_brewster.p < 1e-30 && (at_brewster.s - (1.25_f64 / 3.25) * (1.25 / 3.25)).abs() < 1e-15);
+        // cos 90° is 6e-17.
+        assert!((fresnel(1.0, 1.5, at(90.0)).reflected() - 1.0).abs() < 1e-15);
+        assert_eq!(fresnel(1.5, 1.0, at(41.9)), Fresnel { s: 1.0, p: 1.0 });
+        assert!(fresnel(1.5, 1.0, at(41.8)).transmitted() > 0.1);
+        assert_eq!(fresnel(1.3, 1.3, at(90.0)).transmitted(), 1.0);
+        assert!(fresnel(1.0, 1.5, at(91.0)).reflected().is_nan());
+    }
+
+    #[test]
+    fn directions_keep_the_plane_and_the_laws() {
+        let mut numbers = Numbers::new(41);
+        for _ in 0..2000 {
+            let mut unit = || {
+                let [x, y, z] = [(); 3].map(|()| numbers.unit() * 2.0 - 1.0);
+                UnitVec3::new(DVec3::new(x, y, z)).unwrap().get()
+            };
+            let normal = unit();
+            let towards = unit();
+            let towards = if towards.dot(normal) < 0.0 { -towards } else { towards };
+            let mirrored = reflect(normal, towards);
+            let plane = normal.cross(towards);
+            // Some ten roundings of numbers below 2.
+            assert!((mirrored.dot(normal) - towards.dot(normal)).abs() < 3e-15);
+            assert!(mirrored.dot(plane).abs() < 3e-15 && (mirrored.length() - 1.0).abs() < 3e-15);
+            let onwards = refract(normal, towards, 1.0, 1.5).unwrap();
+            assert!((onwards.length() - 1.0).abs() < 3e-15 && onwards.dot(plane).abs() < 3e-15);
+            assert!((onwards.cross(normal).length() * 1.5 - plane.length()).abs() < 3e-15);
+            let incidence = Radians(libm::atan2(plane.length(), towards.dot(normal)));
+            let angle = refraction_angle(1.0, 1.5, incidence).unwrap();
+            let between = libm::atan2(onwards.cross(-normal).length(), onwards.dot(-normal));
+            assert!((angle.0 - between).abs() < 1e-14);
+            // The way back is the same way, with the same reflectance.
+            let back = refract(-normal, -onwards, 1.5, 1.0);
+            assert!(back.is_none_or(|back| back.distance(-towards) < 1e-7));
+            let (there, returned) = (fresnel(1.0, 1.5, incidence), fresnel(1.5, 1.0, angle));
+            assert!((there.s - returned.s).abs() < 1e-7 && (there.p - returned.p).abs() < 1e-7);
+        }
+        assert_eq!(refract(DVec3::Z, DVec3::NEG_Z, 1.0, 1.5), None);
+    }
+}
