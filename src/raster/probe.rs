@@ -103,7 +103,7 @@ impl ProbePoint {
         let probe = Probe::new(&scene.lights, material, &shade);
         let probe = probe.map_err(|error| RenderError::Shade { object, error })?;
         let explain = |lit: &LitPoint| {
-            let position = shade.frame.from_world(lit.position).to_array();
+            let position = shade.frame.to_local(lit.position).to_array();
             probe.explain(&SurfacePoint { position, normal: lit.normal.to_array() })
         };
         Ok(self.lit.iter().map(explain).collect())

@@ -48,8 +48,7 @@ pub(super) fn normalised<R: Real>(v: Triple<R>) -> Triple<R> {
     let square = dot(v, v);
     let factor = R::ONE / square.sqrt();
     let factor = if square < R::MIN_POSITIVE { R::ZERO } else { factor };
-    // ∞ − ∞ is NaN, and 0 otherwise.
-    times(v, factor + (square - square))
+    times(v, if square > R::MAX { R::NAN } else { factor })
 }
 
 /// The unit vector from one point to another, and the distance. NaN where they are the same, and where the square of
@@ -59,7 +58,8 @@ pub(super) fn towards<R: Real>(from: Triple<R>, to: Triple<R>) -> (Triple<R>, R)
     let v = minus(to, from);
     let square = dot(v, v);
     let square = if square < R::MIN_POSITIVE { R::NAN } else { square };
-    let distance = square.sqrt() + (square - square);
+    let square = if square > R::MAX { R::NAN } else { square };
+    let distance = square.sqrt();
     (times(v, R::ONE / distance), distance)
 }
 

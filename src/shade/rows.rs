@@ -228,16 +228,16 @@ impl Block {
         let powers = &mut self.diffuse;
         match &spot.concentration {
             Some(concentration) => {
-                for i in 0..count {
-                    powers[i] = SpotSource::base(spot.cosine(get(&self.towards, i)));
+                for (i, power) in powers[..count].iter_mut().enumerate() {
+                    *power = SpotSource::base(spot.cosine(get(&self.towards, i)));
                 }
                 concentration.of_row(&mut powers[..count]);
             }
             None => *powers = [1.0; LANES],
         }
-        for i in 0..count {
+        for (i, &power) in powers[..count].iter().enumerate() {
             let towards = get(&self.towards, i);
-            self.factor[i] *= spot.factor(towards, spot.cosine(towards), powers[i]);
+            self.factor[i] *= spot.factor(towards, spot.cosine(towards), power);
         }
     }
 

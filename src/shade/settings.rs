@@ -57,12 +57,12 @@ impl Default for Frame {
 
 impl Frame {
     /// A position of the world in this frame.
-    pub fn from_world(&self, position: DVec3) -> DVec3 {
+    pub fn to_local(self, position: DVec3) -> DVec3 {
         (position - self.origin) / self.unit
     }
 
     /// The world position of a point of this frame.
-    pub fn to_world(&self, position: DVec3) -> DVec3 {
+    pub fn to_world(self, position: DVec3) -> DVec3 {
         position * self.unit + self.origin
     }
 }

@@ -165,7 +165,7 @@ pub(super) fn in_frame<R: Real>(
     check: Check,
     field: &'static str,
 ) -> Result<Triple<R>, ShadeError> {
-    let position = frame.from_world(position);
+    let position = frame.to_local(position);
     // A quarter of the exponents: the square has half of them, and there is room for what points add.
     let farthest = libm::exp2(R::EXPONENTS.1 / 4.0);
     if position.abs().max_element() <= farthest {
