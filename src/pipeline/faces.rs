@@ -1,10 +1,9 @@
 //! Faces turned and left out, and the way back to the numbers of the mesh as it was read.
 
-use super::select::Selected;
-use super::{Degenerate, Task};
+use super::Task;
 use crate::io::{Part, PartEdit};
 use crate::mesh::{Column, ColumnIndex, FaceEdit, Mesh, NONE, Orient, Orientation, Topology, orient};
-use crate::normals::LENGTH_TOLERANCE;
+use crate::normals::{LENGTH_TOLERANCE, Selection};
 use glam::DVec3;
 use std::borrow::Cow;
 
@@ -57,14 +56,17 @@ impl<'a> Turned<'a> {
         all
     }
 
-    /// The change of the part.
-    pub(super) fn edit(self, part: &Part, selected: Selected, degenerate: Degenerate) -> PartEdit {
-        let Selected { normals, kept, mut morph_normals, zero_area, .. } = selected;
-        let mut normals = normals.map(|column| self.corners_as_read(part, column));
+    /// The change of the part, where these faces of the turned mesh are left out of the output.
+    pub(super) fn edit(self, part: &Part, selection: Selection, task: &Task, dropped: &[u32]) -> PartEdit {
+        let is_as_stored = selection.is_as_stored(task.when) && !task.flip;
+        let Selection { normals, kept, mut morph_normals, .. } = selection;
+        // Turned values are no longer those of the file.
+        let kept = if task.flip { 0 } else { kept };
+        let mut normals = (!is_as_stored).then(|| self.corners_as_read(part, normals));
         let mut faces = self.faces;
-        if degenerate == Degenerate::Drop && !zero_area.is_empty() {
+        if !dropped.is_empty() {
             let numbers = as_read(&faces, self.count);
-            faces.dropped.extend(zero_area.iter().map(|&face| numbers[face as usize]));
+            faces.dropped.extend(dropped.iter().map(|&face| numbers[face as usize]));
             faces.dropped.sort_unstable();
             faces.reversed.retain(|face| faces.dropped.binary_search(face).is_err());
         }

@@ -17,13 +17,12 @@
 
 mod faces;
 mod outcome;
-mod select;
 
 pub use outcome::{FaultCounts, PartOutcome, ReasonCounts, ReplacedCounts};
 
 use crate::io::{Emit, Format, Loaded, Part, PartEdit};
 use crate::mesh::Orient;
-use crate::normals::{self, NormalRecipe, When};
+use crate::normals::{self, FaultReason, NormalRecipe, When, select};
 use faces::Turned;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -103,10 +102,17 @@ fn revise_part(part: &Part, task: &Task) -> (PartEdit, PartOutcome, Option<Vec<D
     outcome.orientation.clone_from(&turned.orientation);
     outcome.record(&field);
 
-    let mut selected = select::select(&turned.mesh, field, task);
-    (outcome.kept, outcome.replaced) = (selected.kept_corners, selected.replaced);
-    let facets = turned.faces_as_read(std::mem::take(&mut selected.face_normals));
-    let edit = turned.edit(part, selected, task.degenerate);
+    let dropped: Vec<u32> = match task.degenerate {
+        Degenerate::Keep => Vec::new(),
+        Degenerate::Drop => {
+            let zero_area = field.faults.faces.iter().filter(|fault| fault.reason == FaultReason::ZeroArea);
+            zero_area.map(|fault| fault.index).collect()
+        }
+    };
+    let mut selection = select(&turned.mesh, field, task.when);
+    outcome.record_selection(&selection, turned.mesh.faces().corner_count(), task.when);
+    let facets = turned.faces_as_read(std::mem::take(&mut selection.face_normals));
+    let edit = turned.edit(part, selection, task, &dropped);
     outcome.reversed_faces = edit.faces.reversed.len();
     outcome.dropped_faces = edit.faces.dropped.len() - part.non_finite_faces.len();
     (edit, outcome, Some(facets))

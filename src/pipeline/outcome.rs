@@ -2,7 +2,7 @@
 
 use crate::io::Part;
 use crate::mesh::Orientation;
-use crate::normals::{Broken, Fault, FaultReason, Faults, NormalField, Replacement, Summary};
+use crate::normals::{Broken, Fault, FaultReason, Faults, NormalField, Selection, Summary, When};
 
 /// What was found in one part. Counts of a part without faces are zero.
 #[derive(Clone, Debug, Default)]
@@ -59,6 +59,12 @@ impl PartOutcome {
         self.summary = field.summary;
         self.faults = FaultCounts::of(&field.faults);
     }
+
+    /// Counts which of so many corners keep their normal, and why the others do not.
+    pub(super) fn record_selection(&mut self, selection: &Selection, corners: usize, when: When) {
+        self.replaced = ReplacedCounts::of(selection);
+        self.kept = if when == When::Always { 0 } else { corners - self.replaced.total() };
+    }
 }
 
 /// How often each [`FaultReason`] occurred, in the order of [`FaultReason::ALL`].
@@ -111,9 +117,9 @@ pub struct ReplacedCounts {
 }
 
 impl ReplacedCounts {
-    pub(super) fn of(replacement: &Replacement) -> Self {
-        let mut counts = Self { missing: replacement.missing.len(), ..Self::default() };
-        for &(_, cause) in &replacement.broken {
+    fn of(selection: &Selection) -> Self {
+        let mut counts = Self { missing: selection.missing.len(), ..Self::default() };
+        for &(_, cause) in &selection.broken {
             counts.broken[cause as usize] += 1;
         }
         counts
