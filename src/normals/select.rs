@@ -88,18 +88,21 @@ fn face_normals(mesh: &Mesh, field: &NormalField, replacement: &Replacement) -> 
 }
 
 impl NormalField {
-    /// The field with a selection's normals in the place of its own, for code that draws or measures what a file
-    /// would have. The vertex of a value that several use is the first one that does; that of a stored value that
-    /// none uses is 0.
-    pub fn with_selection(&self, mesh: &Mesh, selection: Selection) -> NormalField {
-        let Selection { normals, morph_normals, face_normals, .. } = selection;
+    /// The field with the normals that [`select`] chooses in the place of its own, for code that draws or measures what
+    /// a file would have. The vertex of a value that several use is the first one that does; that of a stored value
+    /// that none uses is 0.
+    pub fn selected(self, mesh: &Mesh, when: When) -> NormalField {
+        if when == When::Always {
+            return self;
+        }
+        let (faults, summary) = (self.faults.clone(), self.summary);
+        let Selection { normals, morph_normals, face_normals, .. } = select(mesh, self, when);
         let mut entry_vertex = vec![0; normals.values.len()];
         for (corner, &vertex) in mesh.faces().corners().iter().enumerate().rev() {
             if let Some(slot) = normals.slot(corner, vertex) {
                 entry_vertex[slot as usize] = vertex;
             }
         }
-        let (faults, summary) = (self.faults.clone(), self.summary);
         NormalField { normals, entry_vertex, face_normals, morph_normals, faults, summary }
     }
 }
@@ -133,17 +136,15 @@ mod tests {
         assert_eq!((&kept.missing[..], kept.is_as_stored(When::Missing)), (&[4, 5][..], false));
         let all = select(&mesh, field.clone(), When::Always);
         assert_eq!((all.face_normals.clone(), all.kept), (vec![DVec3::Z; 2], 0));
-        assert_eq!(field.with_selection(&mesh, all), field, "nothing is stored: the field itself");
+        assert_eq!(field.clone().selected(&mesh, When::Always), field);
     }
 
     #[test]
     fn a_field_takes_over_what_is_selected() {
         let mesh = mesh();
-        let field = compute(&mesh, &NormalRecipe::default());
-        let selection = select(&mesh, field.clone(), When::Missing);
-        let ColumnIndex::PerCorner(index) = selection.normals.index.clone() else { panic!("per corner") };
+        let taken = compute(&mesh, &NormalRecipe::default()).selected(&mesh, When::Missing);
+        let ColumnIndex::PerCorner(index) = &taken.normals.index else { panic!("per corner") };
         assert_eq!(index[..4], [1, 1, 1, 0]);
-        let taken = field.with_selection(&mesh, selection);
         assert_eq!(taken.normals.get(3, 0), Some(&DVec3::X));
         // Stored value 0 is used by vertex 0, value 1 first by vertex 0; the computed ones by vertices 2 and 3.
         assert_eq!(taken.entry_vertex, [0, 0, 2, 3]);

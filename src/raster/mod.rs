@@ -15,6 +15,7 @@ mod fixed;
 mod interpolate;
 mod job;
 mod lines;
+mod load;
 mod paint;
 mod picture;
 mod probe;
@@ -33,6 +34,7 @@ mod view;
 
 pub use camera::{Camera, CameraError, Projection};
 pub use error::RenderError;
+pub use load::{LoadOptions, SceneFile, SceneMesh, SceneObject, SceneShape, default_lights, load};
 pub use picture::{Image, Pixels, Statistics, Times};
 pub use probe::{LitPoint, ProbePoint, probe};
 pub use render::render;

@@ -98,18 +98,27 @@ pub struct Lines {
 }
 
 impl Scene<'_> {
-    /// Smallest and largest corner of the box around all meshes, triangles and lines, in the scene's space; `None` if
-    /// there are none. Analytic surfaces do not count.
+    /// Smallest and largest corner of the box around all that is drawn, in the scene's space; `None` if nothing is.
+    /// Vertices that no face uses do not count.
     pub fn bounds(&self) -> Option<(DVec3, DVec3)> {
         let objects = self.objects.iter().flat_map(|object| {
             let map = move |point: DVec3| object.transform.transform_point3(point);
             let (low, high) = match &object.shape {
-                Shape::Mesh { mesh, .. } => bounds(mesh.positions().iter().map(|&point| map(point)))?,
-                Shape::Triangles(triangles) => {
-                    let wide = |p: &[f32; 3]| map(DVec3::from(p.map(f64::from)));
-                    bounds(triangles.positions.iter().map(wide))?
+                Shape::Mesh { mesh, .. } => {
+                    let positions = mesh.positions();
+                    bounds(mesh.faces().corners().iter().map(|&vertex| map(positions[vertex as usize])))?
                 }
-                Shape::Surface(_) => return None,
+                Shape::Triangles(triangles) => {
+                    let corners = triangles.triangles.as_flattened().iter();
+                    let points = corners.filter_map(|&vertex| triangles.positions.get(vertex as usize));
+                    bounds(points.map(|point| map(DVec3::from(point.map(f64::from)))))?
+                }
+                Shape::Surface(primitive) => {
+                    let signs = [-1.0, 1.0];
+                    let corners = signs.into_iter().flat_map(|x| signs.map(|y| [x, y]));
+                    let corners = corners.flat_map(|[x, y]| signs.map(|z| DVec3::new(x, y, z)));
+                    bounds(corners.map(|corner| map(corner * primitive.half_extents())))?
+                }
             };
             Some([low, high])
         });

@@ -97,17 +97,14 @@ impl Surface {
             |radius: f64, height: f64| room(DVec3::new(radius, height / 2.0, radius), [false, true, false]);
         let over = |extent: DVec2, height: f64| room((extent / 2.0).extend(height), [true, true, false]);
         match self {
-            Surface::Primitive(primitive) => match primitive {
-                Primitive::Plane(plane) => over(plane.size(), 0.0),
-                Primitive::Sphere(sphere) => room(DVec3::splat(sphere.radius()), [false; 3]),
-                Primitive::Ellipsoid(ellipsoid) => room(ellipsoid.semi_axes(), [false; 3]),
-                Primitive::Cylinder(tube) => turned(tube.radius(), tube.height()),
-                Primitive::Cone(cone) => turned(cone.radius(), cone.height()),
-                Primitive::Torus(torus) => {
-                    let outer = torus.major() + torus.minor();
-                    room(DVec3::new(outer, torus.minor(), outer), [false; 3])
-                }
-            },
+            Surface::Primitive(primitive) => {
+                let ends = match primitive {
+                    Primitive::Plane(_) => [true, true, false],
+                    Primitive::Cylinder(_) | Primitive::Cone(_) => [false, true, false],
+                    Primitive::Sphere(_) | Primitive::Ellipsoid(_) | Primitive::Torus(_) => [false; 3],
+                };
+                room(primitive.half_extents(), ends)
+            }
             Surface::Catenoid(catenoid) => turned(catenoid.widest(), catenoid.height()),
             Surface::Wave(wave) => over(wave.extent(), 0.3),
             Surface::MonkeySaddle(saddle) => {

@@ -75,6 +75,19 @@ impl Primitive {
         each!(self, surface => surface.intersect(ray))
     }
 
+    /// Half the sizes of the smallest box about the origin, along the axes, that holds the surface.
+    pub fn half_extents(&self) -> DVec3 {
+        let turned = |radius: f64, height: f64| DVec3::new(radius, height / 2.0, radius);
+        match self {
+            Primitive::Plane(plane) => (plane.size() / 2.0).extend(0.0),
+            Primitive::Sphere(sphere) => DVec3::splat(sphere.radius()),
+            Primitive::Ellipsoid(ellipsoid) => ellipsoid.semi_axes(),
+            Primitive::Cylinder(tube) => turned(tube.radius(), tube.height()),
+            Primitive::Cone(cone) => turned(cone.radius(), cone.height()),
+            Primitive::Torus(torus) => turned(torus.major() + torus.minor(), 2.0 * torus.minor()),
+        }
+    }
+
     /// The surface by its parameters.
     pub(super) fn parametric(&self) -> &dyn Parametric {
         each!(self, surface => surface)

@@ -1,0 +1,86 @@
+//! Scenes from files: bare meshes, glTF documents, and scenes written in TOML.
+
+mod bare;
+mod lights;
+mod meshes;
+mod scene_file;
+
+pub use lights::default_lights;
+pub use scene_file::{SceneFile, SceneMesh, SceneObject, SceneShape};
+
+use crate::io::{self, Format, ReadError, ReadOptions};
+use crate::normals::{NormalRecipe, When};
+use std::path::Path;
+
+/// How scenes are read.
+#[derive(Clone, Debug, Default)]
+pub struct LoadOptions {
+    /// What determines the normals of meshes.
+    pub recipe: NormalRecipe,
+    /// Which stored normals are replaced. What is drawn is what [`pipeline::revise`](crate::pipeline::revise) with the
+    /// same recipe would write.
+    pub when: When,
+    /// What readers may do and how much they may take.
+    pub read: ReadOptions,
+}
+
+/// Reads a scene, or a mesh as a scene: framed by itself, with a light of its own, in a plain material.
+///
+/// A name that ends in `.toml` is a scene file; without a format any other file's content and name tell what it is.
+///
+/// ```no_run
+/// use crease::raster::{LoadOptions, load, render};
+///
+/// let mut file = load("bunny.obj".as_ref(), None, &LoadOptions::default())?;
+/// file.settings.size = [1920, 1080];
+/// let image = render(&file.scene(), &file.settings)?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// What [`io::read`] says, and files without any face. In scene files: the line and the key.
+pub fn load(path: &Path, format: Option<Format>, options: &LoadOptions) -> Result<SceneFile, ReadError> {
+    SceneFile::from_loaded(io::read(path, format, &options.read)?, options)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::read_bytes;
+    use crate::raster::{RenderSettings, render};
+
+    fn scene(text: &str) -> SceneFile {
+        let loaded = read_bytes(text.as_bytes().to_vec(), Some(Format::Obj), None, &ReadOptions::default());
+        SceneFile::from_loaded(loaded.unwrap(), &LoadOptions::default()).unwrap()
+    }
+
+    /// The same tetrahedron at any size and place gives the same picture, but for roundings of its rim; vertices that
+    /// nothing uses do not count.
+    #[test]
+    fn a_bare_mesh_frames_itself() {
+        let draw = |scale: f64, offset: f64| {
+            let at = |x: f64, y: f64, z: f64| {
+                format!("v {:e} {:e} {:e}\n", x * scale + offset, y * scale + offset, z * scale + offset)
+            };
+            let vertices =
+                [at(0.0, 0.0, 0.0), at(1.0, 0.0, 0.0), at(0.0, 1.0, 0.0), at(0.0, 0.0, 1.0)].concat();
+            let unused = at(1e6, 0.0, 0.0);
+            let mut file = scene(&format!("{vertices}{unused}f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"));
+            file.settings = RenderSettings { size: [64, 48], ..file.settings };
+            render(&file.scene(), &file.settings).unwrap().statistics.covered_pixels
+        };
+        let expected = draw(1.0, 0.0);
+        assert!(expected > 300, "{expected} of 3072 pixels");
+        for (scale, offset) in [(1e-30, 0.0), (1e30, 0.0), (1.0, 1e7), (1e-6, -1.0)] {
+            let covered = draw(scale, offset);
+            assert!(covered.abs_diff(expected) <= 2, "{scale:e} {offset:e}: {covered}, not {expected}");
+        }
+    }
+
+    #[test]
+    fn without_faces_there_is_nothing_to_draw() {
+        let loaded = read_bytes(b"v 0 0 0\n".to_vec(), None, None, &ReadOptions::default()).unwrap();
+        let error = SceneFile::from_loaded(loaded, &LoadOptions::default()).unwrap_err();
+        assert!(error.to_string().starts_with("there are no faces"), "{error}");
+    }
+}

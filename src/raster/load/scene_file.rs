@@ -1,0 +1,111 @@
+//! A scene that owns what it shows.
+
+use super::lights::default_lights;
+use crate::io::Note;
+use crate::mesh::Mesh;
+use crate::normals::NormalField;
+use crate::num::LinearRgb;
+use crate::raster::{Camera, Object, Paint, RenderSettings, Scene, Shape};
+use crate::shade::{Light, Material};
+use crate::surface::Primitive;
+use glam::{DMat4, DVec3};
+use std::borrow::Cow;
+
+/// A scene as it was read, to be changed at will before [`scene`](Self::scene) shows it.
+#[derive(Clone, Debug)]
+pub struct SceneFile {
+    /// The meshes that objects show, each once.
+    pub meshes: Vec<SceneMesh>,
+    /// What is seen.
+    pub objects: Vec<SceneObject>,
+    /// What lights them; `None` for [`default_lights`], which follow the camera.
+    pub lights: Option<Vec<Light>>,
+    /// Where they are seen from; `None` for a camera that frames all of them.
+    pub camera: Option<Camera>,
+    /// What is seen where there is nothing.
+    pub background: LinearRgb,
+    /// How it is drawn.
+    pub settings: RenderSettings,
+    /// What was repaired, skipped or could not be shown.
+    pub notes: Vec<Note>,
+}
+
+/// A mesh with its normals.
+///
+/// A mesh whose faces have several materials becomes one mesh a material; normals are those of the whole.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SceneMesh {
+    /// The polygons.
+    pub mesh: Mesh,
+    /// Their normals, as they would be written.
+    pub normals: NormalField,
+    /// The colour of each vertex, if the file gives any.
+    pub colours: Option<Vec<LinearRgb>>,
+    /// The number in its file of each face, counted from 0 within its part, where that is not its number here.
+    pub source_faces: Option<Vec<u32>>,
+}
+
+/// An object of a scene that owns its meshes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SceneObject {
+    /// Its name, possibly empty.
+    pub name: String,
+    /// Its form.
+    pub shape: SceneShape,
+    /// From its own space to the scene's.
+    pub transform: DMat4,
+    /// What it does with light.
+    pub material: Material,
+    /// Show the colours of its vertices instead, unlit.
+    pub given: bool,
+    /// The analytic surface that a mesh stands for.
+    pub surface: Option<Primitive>,
+}
+
+/// The form of an object of a scene that owns its meshes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SceneShape {
+    /// One of [`SceneFile::meshes`].
+    Mesh(usize),
+    /// An analytic surface, drawn exactly.
+    Surface(Primitive),
+}
+
+impl SceneFile {
+    /// What [`render`](crate::raster::render) and [`probe`](crate::raster::probe) take. The camera that frames the
+    /// objects goes by the picture's size in [`settings`](Self::settings).
+    pub fn scene(&self) -> Scene<'_> {
+        let mut scene = Scene {
+            objects: self.objects.iter().map(|object| self.object(object)).collect(),
+            lines: Vec::new(),
+            lights: Vec::new(),
+            camera: Camera::framing((DVec3::ZERO, DVec3::ZERO), 1.0),
+            background: self.background,
+        };
+        match (self.camera, scene.bounds()) {
+            (Some(camera), _) => scene.camera = camera,
+            (None, Some(bounds)) => {
+                let [width, height] = self.settings.size.map(|side| f64::from(side.max(1)));
+                scene.camera = Camera::framing(bounds, width / height);
+            }
+            (None, None) => {}
+        }
+        scene.lights = self.lights.clone().unwrap_or_else(|| default_lights(&scene.camera).to_vec());
+        scene
+    }
+
+    fn object<'a>(&'a self, object: &SceneObject) -> Object<'a> {
+        let (shape, colours) = match object.shape {
+            SceneShape::Mesh(number) => {
+                let SceneMesh { mesh, normals, colours, .. } = &self.meshes[number];
+                (Shape::Mesh { mesh, normals }, colours.as_deref())
+            }
+            SceneShape::Surface(primitive) => (Shape::Surface(primitive), None),
+        };
+        let paint = match object.given {
+            true => Paint::Given(Cow::Borrowed(colours.unwrap_or_default())),
+            false => Paint::Lit(object.material),
+        };
+        Object { shape, transform: object.transform, paint, surface: object.surface }
+    }
+}
