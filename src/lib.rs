@@ -32,8 +32,8 @@
 //!
 //! # Layers
 //! `num` (numbers) ← `mesh` (polygons and topology) ← `io` (files), `normals` (this crate's subject), `surface`
-//! (where normals are exact) ← `pipeline` (file to file) ← the command-line program. A module uses only lower ones;
-//! a test holds that.
+//! (where normals are exact), `shade` (light on a point) ← `pipeline` (file to file) ← the command-line program. A
+//! module uses only lower ones; a test holds that.
 //!
 //! # Sources
 //! - H. Gouraud, *Continuous shading of curved surfaces*, IEEE Trans. Computers C-20(6), 1971: the uniform mean.
@@ -47,6 +47,11 @@
 //! - T. J. Dekker, *A floating-point technique for extending the available precision*, Numer. Math. 18, 1971, and
 //!   J. R. Shewchuk, *Adaptive precision floating-point arithmetic and fast robust geometric predicates*, DCG 18,
 //!   1997: exact sums and products.
+//! - Bui Tuong Phong, *Illumination for computer generated pictures*, CACM 18(6):311–317, 1975, and J. F. Blinn, *Models
+//!   of light reflection for computer synthesized pictures*, SIGGRAPH 1977: highlights; as lectured by D. A. Medeiros
+//!   Filho, *Iluminação e sombreamento*, 2017, whose formulas and exercises [`shade`] lists.
+//! - D. R. Baum, H. E. Rushmeier, J. M. Winget, *Improving radiosity solutions through the use of analytically determined
+//!   form-factors*, SIGGRAPH 1989: light from polygons.
 
 pub mod io;
 pub mod mesh;

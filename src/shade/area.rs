@@ -140,13 +140,17 @@ fn sign(x: f64) -> f64 {
 /// that lies above the horizon (Lambert 1760; Baum, Rushmeier & Winget, SIGGRAPH 1989). Edges whose plane is undefined
 /// add nothing.
 fn vector_irradiance(polygon: &[DVec3]) -> DVec3 {
-    let previous = polygon.iter().cycle().skip(polygon.len().saturating_sub(1));
-    let sum = previous.zip(polygon).fold(DVec3::ZERO, |sum, (&from, &to)| {
+    let mut sum = DVec3::ZERO;
+    let mut from = polygon.last().copied().unwrap_or_default();
+    for &to in polygon {
         // Clockwise as seen from the lit side is what is counter-clockwise for the light.
         let cross = to.cross(from);
         let length = cross.length();
-        if length > 0.0 { sum + cross * (corner_angle(length, from.dot(to)) / length) } else { sum }
-    });
+        if length > 0.0 {
+            sum += cross * (corner_angle(length, from.dot(to)) / length);
+        }
+        from = to;
+    }
     sum / (2.0 * PI)
 }
 

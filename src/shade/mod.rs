@@ -62,6 +62,7 @@ mod rows;
 mod settings;
 mod shader;
 mod source;
+mod term;
 mod tone;
 
 pub use error::{NotFinite, Place, ShadeError};

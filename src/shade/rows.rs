@@ -3,8 +3,9 @@
 
 use super::error::NotFinite;
 use super::formula::{self, Triple};
-use super::shader::{Highlight, LightTerm, Ready, Shader, SurfacePoint, View, turned};
+use super::shader::{Ready, Shader, SurfacePoint, View, turned};
 use super::source::{PointSource, Source, SpotSource};
+use super::term::{Highlight, LightTerm};
 use crate::num::{Kernel, Product, dispatch};
 
 /// Points of surfaces, a row for each coordinate, in the frame of the settings.
@@ -111,10 +112,15 @@ impl Kernel for Shading<'_> {
             specular: zero,
             sum: [zero; 3],
         };
+        if let Some(View::Same([x, y, z])) = shader.view {
+            block.view = [[x; LANES], [y; LANES], [z; LANES]];
+        }
         let count = red.len();
         for start in (0..count).step_by(LANES) {
             let lanes = start..count.min(start + LANES);
-            block.load(shader, rows, lanes.clone());
+            if shader.needs_normals() {
+                block.load(shader, rows, lanes.clone());
+            }
             for term in &shader.lights {
                 block.add(shader, term, lanes.len());
             }
@@ -129,36 +135,31 @@ impl Kernel for Shading<'_> {
 }
 
 impl Block {
-    /// Normals and views of some of the points.
+    /// What all lights share of some of the points: all of [`Ready`].
     #[inline(always)]
     fn load(&mut self, shader: &Shader<f32>, rows: &SurfaceRows, lanes: std::ops::Range<usize>) {
-        let count = lanes.len();
+        let count = lanes.len().min(LANES);
         self.sum = [[0.0; LANES]; 3];
         if shader.needs_positions() {
             for (row, source) in self.position.iter_mut().zip(rows.positions) {
                 row[..count].copy_from_slice(&source[lanes.clone()]);
             }
         }
-        for (row, source) in self.normal.iter_mut().zip(rows.normals) {
-            row[..count].copy_from_slice(&source[lanes.clone()]);
-        }
-        let count = count.min(LANES);
-        if let Some(view) = &shader.view {
-            match view {
-                View::Same([x, y, z]) => self.view = [[*x; LANES], [*y; LANES], [*z; LANES]],
-                View::From(eye) => {
-                    for i in 0..count {
-                        let (view, distance) = formula::towards(get(&self.position, i), *eye);
-                        set(&mut self.view, i, view);
-                        self.view_distance[i] = distance;
-                    }
-                }
+        if let Some(View::From(eye)) = shader.view {
+            for i in 0..count {
+                let (view, distance) = formula::towards(get(&self.position, i), eye);
+                set(&mut self.view, i, view);
+                self.view_distance[i] = distance;
             }
         }
+        let [x, y, z] = rows.normals.map(|row| &row[lanes.start..][..count]);
         if shader.limits.renormalise {
             for i in 0..count {
-                let normal = formula::normalised(get(&self.normal, i));
-                set(&mut self.normal, i, normal);
+                set(&mut self.normal, i, formula::normalised([x[i], y[i], z[i]]));
+            }
+        } else {
+            for i in 0..count {
+                set(&mut self.normal, i, [x[i], y[i], z[i]]);
             }
         }
         if shader.two_sided {

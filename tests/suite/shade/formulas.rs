@@ -188,7 +188,7 @@ fn f7_ambient_light_is_everywhere_the_same() {
         Material { ambient: Reflectance::new(0.25, LinearRgb::new(1.0, 0.5, 0.0)), ..Material::default() };
     let settings = ShadeSettings {
         viewer: Viewer::At(DVec3::Z * 9.0),
-        depth_cue: Some(DepthCue { k: 5.0 }),
+        depth_cue: Some(DepthCue { k: 0.0 }),
         ..ShadeSettings::default()
     };
     let mut random = Random(4);
