@@ -4,9 +4,10 @@ use super::clip::{ClipVertex, Shares, clip, screen_vertex};
 use super::fixed::{BITS, first_pixel, last_pixel};
 use super::project::{NOT_FINITE, ScreenVertex};
 use super::settings::Cull;
-use super::setup::{TILE, double_area};
+use super::setup::{CornerRows, GROUP, TILE, double_area};
 use super::triangles::DrawnObject;
 use super::view::View;
+use crate::num::{self, Kernel, Product};
 use rayon::prelude::*;
 
 /// Marks a triangle that has to be clipped before it is drawn; the other bits are its number, all objects counted
@@ -26,6 +27,13 @@ pub(super) struct Binning<'a> {
 pub(super) struct Bins {
     parts: Vec<Part>,
     pub(super) counts: Counts,
+}
+
+impl Bins {
+    /// Whether a tile has no triangle.
+    pub(super) fn is_empty(&self, tile: usize) -> bool {
+        self.parts.iter().all(|part| part.starts[tile] == part.starts[tile + 1])
+    }
 }
 
 /// The triangles of some tiles' lists.
@@ -93,33 +101,8 @@ pub(super) type TileBox = [u8; 4];
 impl Part {
     fn new(object: &DrawnObject, range: std::ops::Range<u32>, binning: Binning) -> Self {
         let mut counts = Counts::default();
-        let mut found: Vec<(u32, TileBox)> = Vec::new();
-        let mut clipper = Clipper::default();
-        for triangle in range {
-            let v = object.screen(triangle);
-            if v[0].outside & v[1].outside & v[2].outside != 0 {
-                counts.culled += 1;
-                continue;
-            }
-            let mut mark = 0;
-            let touched = if v[0].outside | v[1].outside | v[2].outside == 0 {
-                binning.touched(&v, object.mirrored)
-            } else {
-                mark = CLIPPED;
-                let pieces = clipper.pieces(object, triangle, binning.view);
-                let boxes =
-                    pieces.iter().filter_map(|piece| binning.touched(&piece.vertices, object.mirrored));
-                boxes.reduce(|a, b| [a[0].min(b[0]), a[1].min(b[1]), a[2].max(b[2]), a[3].max(b[3])])
-            };
-            match touched {
-                None => counts.culled += 1,
-                Some(tiles) => {
-                    counts.drawn += 1;
-                    counts.clipped += u64::from(mark != 0);
-                    found.push((mark | (object.first + triangle), tiles));
-                }
-            }
-        }
+        let mut found = Vec::with_capacity(range.len());
+        num::dispatch(FindTiles { object, range, binning, counts: &mut counts, found: &mut found });
         let (starts, triangles) = sort(&found, tiles(binning.view.size));
         Self { starts, triangles, counts }
     }
@@ -127,24 +110,17 @@ impl Part {
 
 /// A counting sort by tile, which keeps the order within each.
 pub(super) fn sort(found: &[(u32, TileBox)], [columns, rows]: [usize; 2]) -> (Vec<u32>, Vec<u32>) {
-    let each = |[x0, y0, x1, y1]: TileBox, put: &mut dyn FnMut(usize)| {
-        for y in y0..=y1 {
-            for x in x0..=x1 {
-                put(usize::from(y) * columns + usize::from(x));
-            }
-        }
-    };
     let mut starts = vec![0_u32; columns * rows + 2];
     // Two ahead: filling advances each start to the next one's place.
     for &(_, tiles) in found {
-        each(tiles, &mut |tile| starts[tile + 2] += 1);
+        each_tile(tiles, columns, |tile| starts[tile + 2] += 1);
     }
     for tile in 2..starts.len() {
         starts[tile] += starts[tile - 1];
     }
     let mut triangles = vec![0; starts.last().map_or(0, |&last| last as usize)];
     for &(triangle, tiles) in found {
-        each(tiles, &mut |tile| {
+        each_tile(tiles, columns, |tile| {
             triangles[starts[tile + 1] as usize] = triangle;
             starts[tile + 1] += 1;
         });
@@ -153,30 +129,97 @@ pub(super) fn sort(found: &[(u32, TileBox)], [columns, rows]: [usize; 2]) -> (Ve
     (starts, triangles)
 }
 
-impl Binning<'_> {
-    /// The tiles that the box around a triangle touches, if it is to be drawn at all.
+#[inline(always)]
+fn each_tile([x0, y0, x1, y1]: TileBox, columns: usize, mut put: impl FnMut(usize)) {
+    for y in usize::from(y0)..=usize::from(y1) {
+        for x in usize::from(x0)..=usize::from(x1) {
+            put(y * columns + x);
+        }
+    }
+}
+
+/// Finds the tiles that triangles touch, a group of triangles at a time.
+struct FindTiles<'a> {
+    object: &'a DrawnObject<'a>,
+    range: std::ops::Range<u32>,
+    binning: Binning<'a>,
+    counts: &'a mut Counts,
+    found: &'a mut Vec<(u32, TileBox)>,
+}
+
+impl Kernel for FindTiles<'_> {
+    type Output = ();
+
     #[inline(always)]
-    fn touched(&self, v: &[ScreenVertex; 3], mirrored: bool) -> Option<TileBox> {
+    fn run<P: Product>(self) {
+        let Self { object, range, binning, counts, found } = self;
+        let mut clipper = Clipper::default();
+        let mut corners = CornerRows::new();
+        let mut outside = [0; GROUP];
+        let mut is_drawn = [false; GROUP];
+        let mut boxes = [[0; 4]; GROUP];
+        let total = range.len() as u64;
+        for start in range.clone().step_by(GROUP) {
+            let count = (range.end - start).min(GROUP as u32) as usize;
+            for lane in 0..count {
+                let v = object.screen(start + lane as u32);
+                outside[lane] = v[0].outside | v[1].outside | v[2].outside;
+                if outside[lane] != 0 && v[0].outside & v[1].outside & v[2].outside != 0 {
+                    outside[lane] = OUT_OF_SIGHT;
+                }
+                corners.set(lane, &v);
+            }
+            for lane in 0..GROUP {
+                (is_drawn[lane], boxes[lane]) = binning.touched(&corners.get(lane), object.mirrored);
+            }
+            for lane in 0..count {
+                let triangle = start + lane as u32;
+                if outside[lane] == 0 {
+                    if is_drawn[lane] {
+                        found.push((object.first + triangle, boxes[lane]));
+                    }
+                } else if outside[lane] != OUT_OF_SIGHT {
+                    let pieces = clipper.pieces(object, triangle, binning.view);
+                    let touched =
+                        pieces.iter().map(|piece| binning.touched(&piece.vertices, object.mirrored));
+                    let boxes = touched.filter(|(is_drawn, _)| *is_drawn).map(|(_, tiles)| tiles);
+                    if let Some(tiles) = boxes.reduce(join) {
+                        counts.clipped += 1;
+                        found.push((CLIPPED | (object.first + triangle), tiles));
+                    }
+                }
+            }
+        }
+        counts.drawn = found.len() as u64;
+        counts.culled = total - counts.drawn;
+    }
+}
+
+/// Marks a triangle whose corners are all on the outer side of one clipping plane.
+const OUT_OF_SIGHT: u32 = u32::MAX;
+
+fn join(a: TileBox, b: TileBox) -> TileBox {
+    [a[0].min(b[0]), a[1].min(b[1]), a[2].max(b[2]), a[3].max(b[3])]
+}
+
+impl Binning<'_> {
+    /// Whether a triangle is to be drawn, and the tiles that the box around it touches. Without a branch.
+    #[inline(always)]
+    fn touched(&self, v: &[ScreenVertex; 3], mirrored: bool) -> (bool, TileBox) {
         let area = double_area(v);
         // Counter-clockwise in the scene is clockwise with y down, where the area is negative.
-        let is_front = (area < 0) != mirrored;
-        let is_culled = match self.cull {
-            Cull::None => false,
-            Cull::Back => !is_front,
-            Cull::Front => is_front,
-        };
-        if area == 0 || is_culled {
-            return None;
-        }
+        let is_front = (area < 0.0) != mirrored;
+        let is_kept = (is_front & (self.cull != Cull::Front)) | (!is_front & (self.cull != Cull::Back));
         let pixels = |a: i32, b: i32, c: i32, axis: usize| {
             let [low, high] = self.samples[axis];
             let first = first_pixel(a.min(b).min(c), high).max(0);
             let last = last_pixel(a.max(b).max(c), low).min(self.view.size[axis] as i32 - 1);
-            (first <= last).then_some([first, last].map(|pixel| (pixel / TILE as i32) as u8))
+            [first, last]
         };
-        let [x0, x1] = pixels(v[0].x, v[1].x, v[2].x, 0)?;
-        let [y0, y1] = pixels(v[0].y, v[1].y, v[2].y, 1)?;
-        Some([x0, y0, x1, y1])
+        let [x0, x1] = pixels(v[0].x, v[1].x, v[2].x, 0);
+        let [y0, y1] = pixels(v[0].y, v[1].y, v[2].y, 1);
+        let is_drawn = is_kept & (area != 0.0) & (x0 <= x1) & (y0 <= y1);
+        (is_drawn, [x0, y0, x1, y1].map(|pixel| (pixel / TILE as i32) as u8))
     }
 }
 
@@ -218,7 +261,7 @@ impl Clipper {
             for pair in rest.windows(2) {
                 let [b, c] = [0, 1].map(|k| corner(&pair[k]));
                 let vertices = [a.0, b.0, c.0];
-                if double_area(&vertices) != 0 {
+                if double_area(&vertices) != 0.0 {
                     self.pieces.push(Piece { vertices, shares: [a.1, b.1, c.1] });
                 }
             }

@@ -13,13 +13,20 @@ pub(super) const HALF: i32 = ONE / 2;
 /// Half the width and height of the guard band, in pixels; also the largest size of a picture.
 pub(super) const GUARD: i32 = 1 << 14;
 
-/// Adding 1.5 · 2⁵² leaves the nearest whole number, ties to even, in the low bits of an `f64`.
+/// Adding 1.5 · 2⁵² leaves the nearest whole number, ties to even, in the low bits of an `f64`: in one instruction, where
+/// a cast has to look for what is out of range.
 const TO_INTEGER: f64 = 6_755_399_441_055_744.0;
+
+/// A whole number of at most 31 bits.
+#[inline(always)]
+pub(super) fn whole(number: f64) -> i32 {
+    (number + TO_INTEGER).to_bits() as i32
+}
 
 /// The nearest fixed-point number to a place in pixels, ties to even; any number if it is out of the guard band.
 #[inline(always)]
 pub(super) fn snap(pixels: f64) -> i32 {
-    (pixels * f64::from(ONE) + TO_INTEGER).to_bits() as i32
+    whole(pixels * f64::from(ONE))
 }
 
 /// The first pixel with a sample, `offset` into it, at or after a place.

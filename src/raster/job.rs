@@ -1,16 +1,17 @@
 //! A scene and settings checked and made ready: what all tiles share.
 
 use super::error::RenderError;
-use super::project::{NOT_FINITE, Points};
+use super::project::NOT_FINITE;
 use super::scene::{Object, Paint, Scene, Shape};
 use super::settings::{RenderSettings, Shading, Show};
 use super::triangles::DrawnObject;
 use super::view::{Rays, View};
-use crate::mesh::{NormalMatrix, normal_matrix};
+use crate::mesh::{ColumnIndex, NormalMatrix, normal_matrix};
 use crate::num::unit_scale;
 use crate::shade::{Frame, ShadeSettings, Shader, Viewer};
 use crate::surface::Placed;
 use glam::{DMat3, DVec3, Vec3};
+use rayon::prelude::*;
 
 /// Everything that drawing a tile looks at.
 pub(super) struct Job<'a> {
@@ -82,7 +83,10 @@ impl<'a> Job<'a> {
             check_range(&ready)?;
             drawn.push(ready);
         }
-        let distances = distances(&drawn, &view, scene);
+        let distances = match settings.show {
+            Show::Depth => distances(&drawn, &view, scene),
+            _ => [0.0, 1.0],
+        };
         let background = scene.background.to_array().map(|c| c as f32);
         let rays = Rays::new(&view, frame.unit);
         Ok(Self { settings, view, rays, frame, background, objects, drawn, distances })
@@ -90,7 +94,10 @@ impl<'a> Job<'a> {
 
     /// The object made of triangles that a triangle is of.
     pub(super) fn owner(&self, triangle: u32) -> &DrawnObject<'a> {
-        &self.drawn[self.drawn.partition_point(|object| object.first <= triangle) - 1]
+        match &self.drawn[..] {
+            [only] => only,
+            several => &several[several.partition_point(|object| object.first <= triangle) - 1],
+        }
     }
 }
 
@@ -224,8 +231,14 @@ fn check_lists(number: usize, object: &Object, settings: &RenderSettings) -> Res
     let vertices = match &object.shape {
         Shape::Mesh { mesh, normals } => {
             count("face normals", normals.face_normals.len(), "faces", mesh.face_count())?;
-            let corners = normals.normals.corner_index(mesh.faces().corners()).len();
-            count("normals", corners, "corners", mesh.faces().corner_count())?;
+            match &normals.normals.index {
+                ColumnIndex::PerVertex => {
+                    count("normals", normals.normals.values.len(), "vertices", mesh.vertex_count())?;
+                }
+                ColumnIndex::PerCorner(index) => {
+                    count("normals", index.len(), "corners", mesh.faces().corner_count())?;
+                }
+            }
             mesh.vertex_count()
         }
         Shape::Triangles(triangles) => {
@@ -236,17 +249,7 @@ fn check_lists(number: usize, object: &Object, settings: &RenderSettings) -> Res
             if wants_faces || !triangles.face_normals.is_empty() {
                 count("face normals", triangles.face_normals.len(), "triangles", triangles.triangles.len())?;
             }
-            let wrong = |index: &u32| *index as usize >= vertices;
-            let corner = triangles.triangles.as_flattened().iter().position(wrong);
-            if let Some(corner) = corner {
-                let index = triangles.triangles.as_flattened()[corner];
-                return Err(RenderError::Index {
-                    what: "triangle",
-                    number: corner / 3,
-                    index,
-                    count: vertices,
-                });
-            }
+            check_indices(triangles.triangles, vertices)?;
             vertices
         }
         Shape::Surface(_) => return Ok(()),
@@ -257,26 +260,33 @@ fn check_lists(number: usize, object: &Object, settings: &RenderSettings) -> Res
     }
 }
 
+/// Triangles that name vertices which are not there.
+fn check_indices(triangles: &[[u32; 3]], count: usize) -> Result<(), RenderError> {
+    // The largest index first: a search that may stop anywhere takes several times as long.
+    let parts = triangles.as_flattened().par_chunks(1 << 16);
+    let largest = parts.map(|part| part.iter().fold(0, |largest, &index| index.max(largest))).max();
+    if largest.is_none_or(|largest| (largest as usize) < count) {
+        return Ok(());
+    }
+    let indices = triangles.as_flattened();
+    let wrong = indices.iter().position(|&index| index as usize >= count).unwrap_or(0);
+    Err(RenderError::Index { what: "triangle", number: wrong / 3, index: indices[wrong], count })
+}
+
 /// Vertices without a place.
 fn check_range(object: &DrawnObject) -> Result<(), RenderError> {
-    match object.vertices.iter().position(|vertex| vertex.outside & NOT_FINITE != 0) {
-        None => Ok(()),
-        Some(vertex) => Err(RenderError::OutOfRange {
-            object: object.object,
-            vertex,
-            position: object.points.get(vertex as u32),
-        }),
+    if object.outside & NOT_FINITE == 0 {
+        return Ok(());
     }
+    let vertex = object.vertices.iter().position(|vertex| vertex.outside & NOT_FINITE != 0).unwrap_or(0);
+    let position = object.points.get(vertex as u32);
+    Err(RenderError::OutOfRange { object: object.object, vertex, position })
 }
 
 /// The range of distances that [`Show::Depth`] spreads over.
 fn distances(drawn: &[DrawnObject], view: &View, scene: &Scene) -> [f64; 2] {
-    let points = |object: &DrawnObject| match object.points {
-        Points::F64(points) => points.len(),
-        Points::F32(points) => points.len(),
-    };
     let each = drawn.iter().flat_map(|object| {
-        (0..points(object) as u32).map(|vertex| object.map.view(object.points.get(vertex)).z)
+        (0..object.points.len() as u32).map(|vertex| object.map.view(object.points.get(vertex)).z)
     });
     let [low, high] = each
         .filter(|&z| z >= view.near)

@@ -69,6 +69,11 @@ impl<'a> LineJob<'a> {
         Ok(Self { parts: parts.collect(), sets })
     }
 
+    /// Whether a tile has no line.
+    pub(super) fn is_empty(&self, tile: usize) -> bool {
+        self.parts.iter().all(|(_, starts, _)| starts[tile] == starts[tile + 1])
+    }
+
     /// The lines of a tile.
     pub(super) fn tile(&self, job: &Job, tile: usize) -> impl Iterator<Item = (&LineSet<'a>, Segment)> {
         self.parts.iter().flat_map(move |(number, starts, lines)| {

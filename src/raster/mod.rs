@@ -16,6 +16,7 @@ mod interpolate;
 mod job;
 mod lines;
 mod load;
+mod output;
 mod paint;
 mod picture;
 mod probe;

@@ -72,8 +72,7 @@ impl Painter {
                     let lit = self.corner_colours(job, object, drawn, records, &of_object, wanted)?;
                     for (at, &number) in of_object.iter().enumerate() {
                         let record = &mut records[number];
-                        let corners = drawn.list.corners(record.triangle);
-                        let vertices = drawn.list.vertices(record.triangle);
+                        let (corners, vertices) = (drawn.list.corners(record.triangle), record.vertices);
                         let value = |k: usize| match (wanted, &object.ink) {
                             (Wanted::CornerNormals, _) => {
                                 object.corner_normal(corners[k], vertices[k], record.turned)
@@ -108,8 +107,7 @@ impl Painter {
         }
         let points = of_object.iter().flat_map(|&number| {
             let record = &records[number];
-            let (corners, vertices) =
-                (drawn.list.corners(record.triangle), drawn.list.vertices(record.triangle));
+            let (corners, vertices) = (drawn.list.corners(record.triangle), record.vertices);
             [0, 1, 2].map(|k| corner_point(job, object, drawn, (corners[k], vertices[k]), record.turned))
         });
         self.light(drawn.object, shader, points)

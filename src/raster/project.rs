@@ -48,25 +48,26 @@ impl Points<'_> {
 /// Vertices that one task projects.
 const TASK: usize = 8192;
 
-/// Projects and snaps all vertices.
-pub(super) fn project(points: Points, map: &ObjectMap, view: &View) -> Vec<ScreenVertex> {
+/// Projects and snaps all vertices; also tells which planes any of them is outside of.
+pub(super) fn project(points: Points, map: &ObjectMap, view: &View) -> (Vec<ScreenVertex>, u32) {
     let mut vertices = vec![ScreenVertex::default(); points.len()];
-    let tasks = vertices.par_chunks_mut(TASK).enumerate();
-    match points {
-        Points::F64(points) => tasks.zip(points.par_chunks(TASK)).for_each(|((_, out), points)| {
-            num::dispatch(Project { points, map, view, out });
-        }),
-        Points::F32(points) => tasks.zip(points.par_chunks(TASK)).for_each(|((_, out), points)| {
-            num::dispatch(Project { points, map, view, out });
-        }),
-    }
-    vertices
+    let outside = match points {
+        Points::F64(points) => project_all(points, map, view, &mut vertices),
+        Points::F32(points) => project_all(points, map, view, &mut vertices),
+    };
+    (vertices, outside)
+}
+
+fn project_all<T: Point>(points: &[T], map: &ObjectMap, view: &View, vertices: &mut [ScreenVertex]) -> u32 {
+    let tasks = vertices.par_chunks_mut(TASK).zip(points.par_chunks(TASK));
+    let outside = tasks.map(|(out, points)| num::dispatch(Project { points, map, view, out }));
+    outside.reduce(|| 0, |a, b| a | b)
 }
 
 /// Vertices computed side by side.
 const LANES: usize = 32;
 
-trait Point: Copy {
+trait Point: Copy + Sync {
     fn wide(self) -> [f64; 3];
 }
 
@@ -92,11 +93,13 @@ struct Project<'a, T> {
 }
 
 impl<T: Point> Kernel for Project<'_, T> {
-    type Output = ();
+    /// The planes that any of them is outside of.
+    type Output = u32;
 
     #[inline(always)]
-    fn run<P: Product>(self) {
+    fn run<P: Product>(self) -> u32 {
         let Self { points, map, view, out } = self;
+        let mut outside = 0;
         let mut rows = [[0.0; LANES]; 3];
         for (points, out) in points.chunks(LANES).zip(out.chunks_mut(LANES)) {
             for (lane, point) in points.iter().enumerate().take(LANES) {
@@ -109,7 +112,9 @@ impl<T: Point> Kernel for Project<'_, T> {
                 block[lane] = screen_vertex(map, view, point);
             }
             out.copy_from_slice(&block[..out.len()]);
+            outside = out.iter().fold(outside, |outside, vertex| outside | vertex.outside);
         }
+        outside
     }
 }
 

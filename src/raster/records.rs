@@ -19,6 +19,8 @@ pub(super) struct Record {
     pub(super) depth: [f32; 3],
     /// What is interpolated, at each corner: a normal or a colour.
     pub(super) values: [Vec3; 3],
+    /// Its vertices.
+    pub(super) vertices: [u32; 3],
     /// The triangle, among those of its object.
     pub(super) triangle: u32,
     /// The face that it is part of.
@@ -33,12 +35,13 @@ pub(super) struct Record {
 
 impl Record {
     pub(super) fn new(job: &Job, object: &DrawnObject, triangle: u32, v: &[ScreenVertex; 3]) -> Self {
-        let front = (double_area(v) < 0) != object.mirrored;
+        let front = (double_area(v) < 0.0) != object.mirrored;
         Self {
             x: v.map(|v| v.x),
             y: v.map(|v| v.y),
             depth: v.map(|v| v.depth),
             values: [Vec3::ZERO; 3],
+            vertices: object.list.vertices(triangle),
             triangle,
             face: object.list.face(triangle),
             object: object.object as u32,

@@ -1,15 +1,14 @@
 //! From a scene to a picture.
 
-use super::bins::{Binning, Bins, tiles};
-use super::coverage::number;
+use super::bins::{Binning, Bins};
 use super::error::RenderError;
 use super::job::Job;
 use super::lines::LineJob;
+use super::output::{Output, Target, targets};
 use super::picture::{Image, Pixels, Statistics, Times};
 use super::scene::Scene;
 use super::settings::{Bits, RenderSettings};
-use super::setup::TILE;
-use super::tile::{Finished, Worker};
+use super::tile::Worker;
 use rayon::prelude::*;
 use std::sync::Mutex;
 use std::time::Instant;
@@ -96,90 +95,23 @@ fn blank(settings: &RenderSettings) -> Image {
     }
 }
 
-/// The rows of a picture that lie in a tile.
-struct Target<'a> {
-    tile: [usize; 2],
-    colours: TargetColours<'a>,
-    coverage: Vec<&'a mut [u8]>,
-    linear: Vec<&'a mut [[f32; 3]]>,
-}
-
-enum TargetColours<'a> {
-    Eight(Vec<&'a mut [[u8; 3]]>),
-    Sixteen(Vec<&'a mut [[u16; 3]]>),
-}
-
-/// Cuts a list of pixels into the rows of each tile, tile by tile.
-fn rows_of_tiles<T>(list: &mut [T], size: [u32; 2]) -> Vec<Vec<&mut [T]>> {
-    let [columns, rows] = tiles(size);
-    let mut targets: Vec<Vec<&mut [T]>> = Vec::with_capacity(columns * rows);
-    targets.resize_with(columns * rows, || Vec::with_capacity(TILE));
-    for (y, row) in list.chunks_mut(size[0] as usize).enumerate() {
-        for (x, part) in row.chunks_mut(TILE).enumerate() {
-            targets[y / TILE * columns + x].push(part);
-        }
-    }
-    targets
-}
-
 /// Draws all tiles and returns how many pixels are covered.
 fn draw_tiles(job: &Job, bins: &Bins, lines: &LineJob, image: &mut Image) -> Result<u64, RenderError> {
-    let size = image.size;
-    let columns = tiles(size)[0];
-    let colours: Vec<TargetColours> = match &mut image.pixels {
-        Pixels::Eight(list) => rows_of_tiles(list, size).into_iter().map(TargetColours::Eight).collect(),
-        Pixels::Sixteen(list) => rows_of_tiles(list, size).into_iter().map(TargetColours::Sixteen).collect(),
-    };
-    let mut linear = image.linear.as_mut().map(|list| rows_of_tiles(list, size).into_iter());
-    let coverage = rows_of_tiles(&mut image.coverage, size);
-    let targets: Vec<Target> = colours
-        .into_iter()
-        .zip(coverage)
-        .enumerate()
-        .map(|(number, (colours, coverage))| {
-            let linear = linear.as_mut().and_then(Iterator::next).unwrap_or_default();
-            Target { tile: [number % columns, number / columns], colours, coverage, linear }
-        })
-        .collect();
+    let output = Output::new(job);
     let workers = Mutex::new(Vec::new());
     let spare =
         || workers.lock().ok().and_then(|mut workers: std::sync::MutexGuard<Vec<Worker>>| workers.pop());
     let draw = |mut target: Target| {
         let mut worker = spare().unwrap_or_else(Worker::new);
-        let covered = worker.draw(job, bins, lines, target.tile).map(|finished| target.write(job, &finished));
+        let covered =
+            worker.draw(job, bins, lines, target.tile).map(|tile| target.write(&output, tile.as_ref()));
         if let Ok(mut workers) = workers.lock() {
             workers.push(worker);
         }
         covered
     };
     // The first error in order of tiles, whichever thread comes to one first.
-    let results: Vec<Result<u64, RenderError>> = targets.into_par_iter().with_max_len(1).map(draw).collect();
+    let results: Vec<Result<u64, RenderError>> =
+        targets(image).into_par_iter().with_max_len(1).map(draw).collect();
     results.into_iter().sum()
-}
-
-impl Target<'_> {
-    /// Quantises a tile and returns how many of its pixels are covered.
-    fn write(&mut self, job: &Job, finished: &Finished) -> u64 {
-        let (tone, transfer) = (job.settings.tone, job.settings.transfer);
-        let mut covered = 0;
-        for (y, coverage) in self.coverage.iter_mut().enumerate() {
-            for (x, coverage) in coverage.iter_mut().enumerate() {
-                let pixel = number([x, y]);
-                let colour = finished.colours.each_ref().map(|row| row[pixel]);
-                *coverage = finished.covered[pixel];
-                covered += u64::from(*coverage > 0);
-                if let Some(linear) = self.linear.get_mut(y) {
-                    linear[x] = colour;
-                }
-                let toned = tone.apply(colour);
-                match &mut self.colours {
-                    TargetColours::Eight(rows) => rows[y][x] = toned.map(|c| transfer.pixel_u8(c)),
-                    TargetColours::Sixteen(rows) => {
-                        rows[y][x] = toned.map(|c| transfer.to_u16(f64::from(c)));
-                    }
-                }
-            }
-        }
-        covered
-    }
 }

@@ -1,82 +1,101 @@
 //! A triangle prepared for one tile: edge functions in whole numbers and a plane of depth.
 
-use super::fixed::{BITS, ONE, first_pixel, last_pixel};
+use super::fixed::{ONE, first_pixel, last_pixel, whole};
 use super::project::ScreenVertex;
 
 /// Pixels along the side of a tile.
 pub(super) const TILE: usize = 64;
 
 /// Twice the signed area of a triangle in squares of 1/256 pixel: positive if it runs clockwise as seen (y is down).
+/// Exact: the products have at most 48 bits.
 #[inline(always)]
-pub(super) fn double_area([a, b, c]: &[ScreenVertex; 3]) -> i64 {
-    let (x1, y1) = (i64::from(b.x) - i64::from(a.x), i64::from(b.y) - i64::from(a.y));
-    let (x2, y2) = (i64::from(c.x) - i64::from(a.x), i64::from(c.y) - i64::from(a.y));
+pub(super) fn double_area([a, b, c]: &[ScreenVertex; 3]) -> f64 {
+    let (x1, y1) = (f64::from(b.x - a.x), f64::from(b.y - a.y));
+    let (x2, y2) = (f64::from(c.x - a.x), f64::from(c.y - a.y));
     x1 * y2 - x2 * y1
 }
 
 /// What covers pixels of a tile. Coordinates are pixels of the tile; each is looked at in one sample.
+///
+/// With whole numbers `I` and others `F`, or with rows of them for many triangles.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Setup {
+pub(super) struct Setup<I = i32, F = f32> {
     /// Each edge's function at pixel (0, 0), divided by 256 and rounded down, and its growth per pixel to the right and
     /// down. A sample is covered where all three are 0 or more.
-    pub(super) edge: [i32; 3],
-    pub(super) right: [i32; 3],
-    pub(super) down: [i32; 3],
+    pub(super) edge: [I; 3],
+    pub(super) right: [I; 3],
+    pub(super) down: [I; 3],
     /// Depth at pixel (0, 0) and its growth.
-    pub(super) depth: f32,
-    pub(super) depth_right: f32,
-    pub(super) depth_down: f32,
+    pub(super) depth: F,
+    pub(super) depth_right: F,
+    pub(super) depth_down: F,
     /// Depth stays between those of the corners.
-    pub(super) depth_range: [f32; 2],
-    /// The first and last pixel that may be covered, in x and in y.
-    pub(super) x: [i32; 2],
-    pub(super) y: [i32; 2],
+    pub(super) depth_range: [F; 2],
+    /// The first and last pixel that may be covered, in x and in y; the last before the first if there is none.
+    pub(super) x: [I; 2],
+    pub(super) y: [I; 2],
 }
 
 /// Bound of what edge functions grow by within a tile: 63 · (2²³ + 2²³) < 2³⁰. Beyond it only the sign counts.
-const FAR: i64 = 1 << 30;
+const FAR: f64 = (1 << 30) as f64;
 
 impl Setup {
     /// Prepares a triangle of non-zero area for the tile whose pixel (0, 0) has its sample at `origin` (in 256ths of a
-    /// pixel of the picture); `None` if it covers nothing there.
+    /// pixel of the picture).
     ///
-    /// Edge functions are exact. As they change by multiples of 256 from sample to sample, dividing by 256 and rounding
-    /// down keeps their signs and lets 32 bits do for triangles of any size within the guard band.
+    /// Edge functions are exact: 48 bits in doubles. As they change by multiples of 256 from sample to sample, dividing
+    /// by 256 and rounding down keeps their signs and lets 32 bits do for triangles of any size within the guard band.
+    /// There is no branch, so that many triangles can be prepared side by side.
     #[inline(always)]
-    pub(super) fn new(mut v: [ScreenVertex; 3], origin: [i32; 2]) -> Option<Self> {
+    pub(super) fn new([a, b, c]: [ScreenVertex; 3], origin: [i32; 2]) -> Self {
         let last = TILE as i32 - 1;
-        let low = |f: fn(&ScreenVertex) -> i32| f(&v[0]).min(f(&v[1])).min(f(&v[2]));
-        let high = |f: fn(&ScreenVertex) -> i32| f(&v[0]).max(f(&v[1])).max(f(&v[2]));
+        let low = |a: i32, b: i32, c: i32| a.min(b).min(c);
+        let high = |a: i32, b: i32, c: i32| a.max(b).max(c);
         let pixels = |low: i32, high: i32, origin: i32| {
             [first_pixel(low, origin).max(0), last_pixel(high, origin).min(last)]
         };
-        let x = pixels(low(|v| v.x), high(|v| v.x), origin[0]);
-        let y = pixels(low(|v| v.y), high(|v| v.y), origin[1]);
-        if x[0] > x[1] || y[0] > y[1] {
-            return None;
-        }
-        let mut area = double_area(&v);
-        if area < 0 {
-            v.swap(1, 2);
-            area = -area;
-        }
+        let x = pixels(low(a.x, b.x, c.x), high(a.x, b.x, c.x), origin[0]);
+        let y = pixels(low(a.y, b.y, c.y), high(a.y, b.y, c.y), origin[1]);
+        let area = double_area(&[a, b, c]);
+        let v = [a, select(area < 0.0, c, b), select(area < 0.0, b, c)];
         let (mut edge, mut right, mut down) = ([0; 3], [0; 3], [0; 3]);
         for i in 0..3 {
             let (from, to) = (&v[i], &v[(i + 1) % 3]);
             let (dx, dy) = (to.x - from.x, to.y - from.y);
             // Top-left rule: a sample on an edge belongs to the triangle to the right of it or, if the edge is
             // level, below it.
-            let is_top_left = dy < 0 || dy == 0 && dx > 0;
-            let at_origin = i64::from(dx) * i64::from(origin[1] - from.y)
-                - i64::from(dy) * i64::from(origin[0] - from.x)
-                - i64::from(!is_top_left);
-            edge[i] = (at_origin >> BITS).clamp(-FAR, FAR) as i32;
+            let is_top_left = (dy < 0) | ((dy == 0) & (dx > 0));
+            let at_origin = f64::from(dx) * f64::from(origin[1] - from.y)
+                - f64::from(dy) * f64::from(origin[0] - from.x)
+                - if is_top_left { 0.0 } else { 1.0 };
+            edge[i] = whole((at_origin * (1.0 / f64::from(ONE))).floor().clamp(-FAR, FAR));
             (right[i], down[i]) = (-dy, dx);
         }
-        let [depth, depth_right, depth_down] = depth_plane(&v, area, origin);
-        let depths = v.map(|v| v.depth);
-        let depth_range = [depths[0].min(depths[1]).min(depths[2]), depths[0].max(depths[1]).max(depths[2])];
-        Some(Self { edge, right, down, depth, depth_right, depth_down, depth_range, x, y })
+        let [depth, depth_right, depth_down] = depth_plane(&v, area.abs(), origin);
+        let (low, high) =
+            (|a: f32, b: f32| if a < b { a } else { b }, |a: f32, b: f32| if a > b { a } else { b });
+        let depth_range = [low(low(a.depth, b.depth), c.depth), high(high(a.depth, b.depth), c.depth)];
+        Self { edge, right, down, depth, depth_right, depth_down, depth_range, x, y }
+    }
+
+    /// Whether no pixel of the tile can be covered.
+    #[inline(always)]
+    pub(super) fn is_empty(&self) -> bool {
+        let last = TILE as i32 - 1;
+        // Within the tile an edge function is greatest in one of its corners.
+        let misses =
+            |i: usize| self.edge[i] + (last * self.right[i]).max(0) + (last * self.down[i]).max(0) < 0;
+        self.x[0] > self.x[1] || self.y[0] > self.y[1] || (0..3).any(misses)
+    }
+}
+
+#[inline(always)]
+fn select(first: bool, a: ScreenVertex, b: ScreenVertex) -> ScreenVertex {
+    ScreenVertex {
+        x: if first { a.x } else { b.x },
+        y: if first { a.y } else { b.y },
+        depth: if first { a.depth } else { b.depth },
+        outside: 0,
     }
 }
 
@@ -85,23 +104,111 @@ impl Setup {
 /// Starts from the corner that is first in (y, x): then neither the way round nor the corner that a face begins with
 /// changes a bit, and of two faces with the same corners the first one wins everywhere.
 #[inline(always)]
-pub(super) fn depth_plane(v: &[ScreenVertex; 3], area: i64, origin: [i32; 2]) -> [f32; 3] {
-    let before = |a: usize, b: usize| (v[a].y, v[a].x) < (v[b].y, v[b].x);
-    let start = match (before(0, 1), before(1, 2), before(2, 0)) {
-        (true, _, false) => 0,
-        (false, true, _) => 1,
-        _ => 2,
-    };
-    let [a, b, c] = [0, 1, 2].map(|k| &v[(start + k) % 3]);
+pub(super) fn depth_plane([a, b, c]: &[ScreenVertex; 3], area: f64, origin: [i32; 2]) -> [f32; 3] {
+    let before = |a: &ScreenVertex, b: &ScreenVertex| (a.y < b.y) | ((a.y == b.y) & (a.x < b.x));
+    let (ab, bc, ca) = (before(a, b), before(b, c), before(c, a));
+    let (is_a, is_b) = (ab & !ca, bc & !ab);
+    let pick = |a, b, c| select(is_a, a, select(is_b, b, c));
+    let (a, b, c) = (pick(*a, *b, *c), pick(*b, *c, *a), pick(*c, *a, *b));
     let (d1, d2) = (f64::from(b.depth) - f64::from(a.depth), f64::from(c.depth) - f64::from(a.depth));
     let (x1, y1) = (f64::from(b.x - a.x), f64::from(b.y - a.y));
     let (x2, y2) = (f64::from(c.x - a.x), f64::from(c.y - a.y));
-    let per_area = 1.0 / area as f64;
+    let per_area = 1.0 / area;
     let right = (d1 * y2 - d2 * y1) * per_area;
     let down = (d2 * x1 - d1 * x2) * per_area;
     let depth = f64::from(a.depth) + (right * f64::from(origin[0] - a.x) + down * f64::from(origin[1] - a.y));
     let one = f64::from(ONE);
     [depth as f32, (right * one) as f32, (down * one) as f32]
+}
+
+/// Triangles that are prepared side by side.
+pub(super) const GROUP: usize = 32;
+
+/// Corners of a group of triangles, row by row.
+pub(super) struct CornerRows {
+    x: [[i32; GROUP]; 3],
+    y: [[i32; GROUP]; 3],
+    depth: [[f32; GROUP]; 3],
+}
+
+impl CornerRows {
+    #[inline(always)]
+    pub(super) fn new() -> Self {
+        Self { x: [[0; GROUP]; 3], y: [[0; GROUP]; 3], depth: [[0.0; GROUP]; 3] }
+    }
+
+    #[inline(always)]
+    pub(super) fn set(&mut self, lane: usize, v: &[ScreenVertex; 3]) {
+        for (k, v) in v.iter().enumerate() {
+            self.x[k][lane] = v.x;
+            self.y[k][lane] = v.y;
+            self.depth[k][lane] = v.depth;
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn get(&self, lane: usize) -> [ScreenVertex; 3] {
+        [0, 1, 2].map(|k| ScreenVertex {
+            x: self.x[k][lane],
+            y: self.y[k][lane],
+            depth: self.depth[k][lane],
+            outside: 0,
+        })
+    }
+}
+
+impl Setup<[i32; GROUP], [f32; GROUP]> {
+    #[inline(always)]
+    pub(super) fn rows() -> Self {
+        Self {
+            edge: [[0; GROUP]; 3],
+            right: [[0; GROUP]; 3],
+            down: [[0; GROUP]; 3],
+            depth: [0.0; GROUP],
+            depth_right: [0.0; GROUP],
+            depth_down: [0.0; GROUP],
+            depth_range: [[0.0; GROUP]; 2],
+            x: [[0; GROUP]; 2],
+            y: [[0; GROUP]; 2],
+        }
+    }
+
+    /// Prepares a group of triangles.
+    #[inline(always)]
+    pub(super) fn prepare(&mut self, corners: &CornerRows, origin: [i32; 2]) {
+        for lane in 0..GROUP {
+            let setup = Setup::new(corners.get(lane), origin);
+            for i in 0..3 {
+                self.edge[i][lane] = setup.edge[i];
+                self.right[i][lane] = setup.right[i];
+                self.down[i][lane] = setup.down[i];
+            }
+            self.depth[lane] = setup.depth;
+            self.depth_right[lane] = setup.depth_right;
+            self.depth_down[lane] = setup.depth_down;
+            for i in 0..2 {
+                self.depth_range[i][lane] = setup.depth_range[i];
+                self.x[i][lane] = setup.x[i];
+                self.y[i][lane] = setup.y[i];
+            }
+        }
+    }
+
+    /// One of them.
+    #[inline(always)]
+    pub(super) fn get(&self, lane: usize) -> Setup {
+        Setup {
+            edge: self.edge.each_ref().map(|row| row[lane]),
+            right: self.right.each_ref().map(|row| row[lane]),
+            down: self.down.each_ref().map(|row| row[lane]),
+            depth: self.depth[lane],
+            depth_right: self.depth_right[lane],
+            depth_down: self.depth_down[lane],
+            depth_range: self.depth_range.each_ref().map(|row| row[lane]),
+            x: self.x.each_ref().map(|row| row[lane]),
+            y: self.y.each_ref().map(|row| row[lane]),
+        }
+    }
 }
 
 #[cfg(test)]
@@ -147,17 +254,18 @@ mod tests {
             };
             let places = [place(), place(), place()];
             let v = places.map(|place| vertex(place, 0.5));
-            if double_area(&v) == 0 {
+            if double_area(&v) == 0.0 {
                 continue;
             }
             let setup = Setup::new(v, origin);
             for y in (0..64).step_by(3) {
                 for x in (0..64).step_by(3) {
-                    let inside = setup.is_some_and(|s| {
+                    let inside = !setup.is_empty() && {
+                        let s = &setup;
                         (s.x[0]..=s.x[1]).contains(&x)
                             && (s.y[0]..=s.y[1]).contains(&y)
                             && (0..3).all(|i| s.edge[i] + s.right[i] * x + s.down[i] * y >= 0)
-                    });
+                    };
                     let truth = covered(&places, [origin[0] + ONE * x, origin[1] + ONE * y]);
                     assert_eq!(inside, truth, "{places:?} {origin:?} {x} {y}");
                     seen[usize::from(truth)] += 1;
@@ -172,7 +280,7 @@ mod tests {
     fn the_top_left_rule_gives_15_and_10() {
         let count = |corners: [[i32; 2]; 3]| {
             let v = corners.map(|corner| corner.map(|x| x * ONE)).map(|place| vertex(place, 1.0));
-            let setup = Setup::new(v, [0, 0]).unwrap();
+            let setup = Setup::new(v, [0, 0]);
             let inside =
                 |x: i32, y: i32| (0..3).all(|i| setup.edge[i] + setup.right[i] * x + setup.down[i] * y >= 0);
             (0..64 * 64).filter(|i| inside(i % 64, i / 64)).count()
@@ -190,7 +298,7 @@ mod tests {
                 vertex(place, numbers.unit() as f32)
             });
             let area = double_area(&v);
-            if area == 0 {
+            if area == 0.0 {
                 continue;
             }
             let expected = depth_plane(&v, area, [128, 128]);

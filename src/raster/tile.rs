@@ -2,7 +2,7 @@
 
 use super::bins::{Bins, CLIPPED, Clipper, Piece, tile_origin, tiles};
 use super::cast::{Hits, cast};
-use super::coverage::{NOTHING, PIXELS, Visible, number, place};
+use super::coverage::{LANES, NOTHING, PIXELS, Visible, number, place};
 use super::error::RenderError;
 use super::fixed::ONE;
 use super::interpolate::Seen;
@@ -12,7 +12,7 @@ use super::paint::Painter;
 use super::project::ScreenVertex;
 use super::records::{Record, piece_values};
 use super::settings::{Shading, Show};
-use super::setup::{Setup, TILE, depth_plane, double_area};
+use super::setup::{CornerRows, GROUP, Setup, TILE, depth_plane, double_area};
 use crate::num::{self, Kernel, Product};
 use glam::Vec3;
 
@@ -29,8 +29,12 @@ pub(super) struct Worker {
     pub(super) records: Vec<Record>,
     /// The piece of each record, if it is of one.
     record_piece: Vec<u32>,
-    /// The samples that are seen of each object.
-    seen: Vec<Vec<Seen>>,
+    /// The owner of each record, while they are made.
+    record_owner: Vec<u32>,
+    /// The samples at which something is seen.
+    seen: Vec<Seen>,
+    /// Those of one of several objects.
+    seen_of_object: Vec<Seen>,
     hits: Option<Hits>,
     painter: Painter,
     /// Colours of the samples in hand.
@@ -47,7 +51,7 @@ fn colours() -> Colours {
     [(); 3].map(|()| Box::new([0.0; PIXELS]))
 }
 
-/// A finished tile.
+/// A finished tile with something in it.
 pub(super) struct Finished<'a> {
     /// Linear colours, the mean of the samples.
     pub(super) colours: &'a Colours,
@@ -75,7 +79,9 @@ impl Worker {
             record_of: Vec::new(),
             records: Vec::new(),
             record_piece: Vec::new(),
+            record_owner: Vec::new(),
             seen: Vec::new(),
+            seen_of_object: Vec::new(),
             hits: None,
             painter: Painter::new(),
             colour: colours(),
@@ -84,14 +90,18 @@ impl Worker {
         }
     }
 
-    /// Draws a tile.
+    /// Draws a tile; `None` if there is nothing but background.
     pub(super) fn draw(
         &mut self,
         job: &Job,
         bins: &Bins,
         lines: &LineJob,
         tile: [usize; 2],
-    ) -> Result<Finished<'_>, RenderError> {
+    ) -> Result<Option<Finished<'_>>, RenderError> {
+        let number = tile[1] * tiles(job.view.size)[0] + tile[0];
+        if bins.is_empty(number) && lines.is_empty(number) && cast_objects(job).next().is_none() {
+            return Ok(None);
+        }
         let count = job.settings.samples.count();
         self.list(job, bins, tile);
         self.covered.fill(0);
@@ -102,7 +112,7 @@ impl Worker {
             self.paint(job, origin)?;
             self.draw_lines(job, lines, tile, sample);
             if count == 1 {
-                return Ok(Finished { colours: &self.colour, covered: &self.covered });
+                return Ok(Some(Finished { colours: &self.colour, covered: &self.covered }));
             }
             for (sum, colour) in self.sum.iter_mut().zip(&self.colour) {
                 if number == 0 {
@@ -113,7 +123,7 @@ impl Worker {
         }
         let share = 1.0 / count as f32;
         self.sum.iter_mut().flat_map(|sum| sum.iter_mut()).for_each(|sum| *sum *= share);
-        Ok(Finished { colours: &self.sum, covered: &self.covered })
+        Ok(Some(Finished { colours: &self.sum, covered: &self.covered }))
     }
 
     /// The triangle or piece that a sample of a pixel shows, after drawing with one sample.
@@ -189,45 +199,77 @@ impl Worker {
         Record::new(job, object, number, &v)
     }
 
-    /// Lists what is seen, by object, and makes a record of each triangle that is.
+    /// Lists what is seen and makes a record of each triangle that is.
     fn collect(&mut self, job: &Job, tile: [usize; 2]) {
-        self.record_of.fill(NOTHING);
         self.records.clear();
         self.record_piece.clear();
-        self.seen.iter_mut().for_each(Vec::clear);
-        self.seen.resize_with(job.objects.len(), Vec::new);
-        let room = [0, 1].map(|axis| job.view.size[axis] as usize - tile[axis] * TILE);
-        let is_whole = room[0] >= TILE && room[1] >= TILE;
-        for pixel in 0..PIXELS {
-            let owner = self.visible.owner[pixel];
-            if owner == NOTHING {
+        self.hide_outside(job, tile);
+        for (covered, &owner) in self.covered.iter_mut().zip(self.visible.owner.iter()) {
+            *covered += u8::from(owner != NOTHING);
+        }
+        let mut seen = std::mem::take(&mut self.seen);
+        seen.clear();
+        let (mut last, mut record) = (NOTHING, NOTHING);
+        for block in 0..PIXELS / LANES {
+            let first = block * LANES;
+            let owners: [u32; LANES] = self.visible.owner[first..first + LANES].try_into().expect("a block");
+            let is_empty = owners.iter().fold(NOTHING, |all, owner| all & owner) == NOTHING;
+            if is_empty {
                 continue;
             }
-            if !is_whole {
-                let [x, y] = place(pixel);
-                if x >= room[0] || y >= room[1] {
-                    continue;
-                }
-            }
-            self.covered[pixel] += 1;
-            let mut record = self.record_of[owner as usize];
-            if record == NOTHING {
-                record = self.records.len() as u32;
-                self.record_of[owner as usize] = record;
-                let (new, piece) = match self.owner(owner) {
-                    Owner::Triangle(at) => (self.record(job, at, None), None),
-                    Owner::Piece(at) => (self.record(job, self.pieces[at].0 as usize, Some(at)), Some(at)),
-                    Owner::Cast(at) => {
-                        let object = cast_objects(job).nth(at).expect("an object that rays were cast at");
-                        (cast_record(object), None)
+            // Kept whole, so that room is asked for once a block.
+            let mut found = [Seen { pixel: 0, record: 0 }; LANES];
+            let mut count = 0;
+            for (lane, owner) in owners.into_iter().enumerate() {
+                if owner != last && owner != NOTHING {
+                    (last, record) = (owner, self.record_of[owner as usize]);
+                    if record == NOTHING {
+                        record = self.add_record(job, owner);
                     }
-                };
-                self.records.push(new);
-                self.record_piece.push(piece.map_or(NOTHING, |piece| piece as u32));
+                }
+                found[count % LANES] = Seen { pixel: (first + lane) as u16, record };
+                count += usize::from(owner != NOTHING);
             }
-            let object = self.records[record as usize].object as usize;
-            self.seen[object].push(Seen { pixel: pixel as u16, record });
+            seen.extend_from_slice(&found[..count]);
         }
+        self.seen = seen;
+        // Ready for the next sample.
+        for &owner in &self.record_owner {
+            self.record_of[owner as usize] = NOTHING;
+        }
+        self.record_owner.clear();
+    }
+
+    /// Takes away what lies beyond the picture's right and lower border.
+    fn hide_outside(&mut self, job: &Job, tile: [usize; 2]) {
+        let room = [0, 1].map(|axis| job.view.size[axis] as usize - tile[axis] * TILE);
+        if room.iter().all(|&room| room >= TILE) {
+            return;
+        }
+        for (pixel, owner) in self.visible.owner.iter_mut().enumerate() {
+            let [x, y] = place(pixel);
+            if x >= room[0] || y >= room[1] {
+                *owner = NOTHING;
+            }
+        }
+    }
+
+    /// Makes the record of a triangle, a piece or an analytic surface that is seen.
+    fn add_record(&mut self, job: &Job, owner: u32) -> u32 {
+        let (record, piece) = match self.owner(owner) {
+            Owner::Triangle(at) => (self.record(job, at, None), None),
+            Owner::Piece(at) => (self.record(job, self.pieces[at].0 as usize, Some(at)), Some(at)),
+            Owner::Cast(at) => {
+                let object = cast_objects(job).nth(at).expect("an object that rays were cast at");
+                (cast_record(object), None)
+            }
+        };
+        let number = self.records.len() as u32;
+        self.record_of[owner as usize] = number;
+        self.record_owner.push(owner);
+        self.records.push(record);
+        self.record_piece.push(piece.map_or(NOTHING, |piece| piece as u32));
+        number
     }
 
     /// Colours of all samples.
@@ -244,10 +286,23 @@ impl Worker {
             NOTHING => values,
             piece => piece_values(values, &pieces[piece as usize].1, job.settings.interpolation),
         })?;
-        for (object, seen) in self.seen.iter().enumerate().filter(|(_, seen)| !seen.is_empty()) {
+        let mut objects: Vec<u32> = self.records.iter().map(|record| record.object).collect();
+        objects.dedup();
+        objects.sort_unstable();
+        objects.dedup();
+        for &object in &objects {
+            let seen = match objects.len() {
+                1 => &self.seen,
+                _ => {
+                    let is_its = |seen: &&Seen| self.records[seen.record as usize].object == object;
+                    self.seen_of_object.clear();
+                    self.seen_of_object.extend(self.seen.iter().filter(is_its));
+                    &self.seen_of_object
+                }
+            };
             self.painter.paint(
                 job,
-                object,
+                object as usize,
                 seen,
                 &self.records,
                 &self.visible.depth[..],
@@ -337,6 +392,7 @@ fn cast_record(object: usize) -> Record {
         y: [0; 3],
         depth: [0.0; 3],
         values: [Vec3::ZERO; 3],
+        vertices: [0; 3],
         triangle: 0,
         face: 0,
         object: object as u32,
@@ -345,7 +401,7 @@ fn cast_record(object: usize) -> Record {
     }
 }
 
-/// Draws the triangles of a tile in order.
+/// Draws the triangles of a tile in order, a group at a time.
 struct DrawTriangles<'a> {
     job: &'a Job<'a>,
     triangles: &'a [u32],
@@ -360,30 +416,66 @@ impl Kernel for DrawTriangles<'_> {
     #[inline(always)]
     fn run<P: Product>(self) {
         let Self { job, triangles, pieces, origin, visible } = self;
-        let mut piece = 0;
-        let mut from = 0;
+        let mut group = Group { corners: CornerRows::new(), owners: [0; GROUP], count: 0, origin };
+        let mut setups = Setup::rows();
+        let (mut piece, mut from) = (0, 0);
         for (number, object) in job.drawn.iter().enumerate() {
             let end = match job.drawn.get(number + 1) {
                 None => triangles.len(),
                 Some(next) => from + triangles[from..].partition_point(|&t| t & !CLIPPED < next.first),
             };
-            for at in from..end {
-                let triangle = triangles[at];
+            for (at, &triangle) in triangles.iter().enumerate().take(end).skip(from) {
                 if triangle & CLIPPED == 0 {
-                    let v = object.screen(triangle - object.first);
-                    if let Some(setup) = Setup::new(v, origin) {
-                        visible.draw(&setup, at as u32);
-                    }
+                    group.add(&object.screen(triangle - object.first), at as u32);
+                    group.draw_if(GROUP, &mut setups, visible);
                     continue;
                 }
                 while piece < pieces.len() && pieces[piece].0 as usize == at {
-                    if let Some(setup) = Setup::new(pieces[piece].1.vertices, origin) {
-                        visible.draw(&setup, (triangles.len() + piece) as u32);
-                    }
+                    group.add(&pieces[piece].1.vertices, (triangles.len() + piece) as u32);
+                    group.draw_if(GROUP, &mut setups, visible);
                     piece += 1;
                 }
             }
             from = end;
         }
+        group.draw_if(1, &mut setups, visible);
+    }
+}
+
+/// Triangles gathered to be prepared side by side.
+struct Group {
+    corners: CornerRows,
+    owners: [u32; GROUP],
+    count: usize,
+    origin: [i32; 2],
+}
+
+impl Group {
+    #[inline(always)]
+    fn add(&mut self, v: &[ScreenVertex; 3], owner: u32) {
+        self.corners.set(self.count, v);
+        self.owners[self.count] = owner;
+        self.count += 1;
+    }
+
+    /// Draws the group if it has so many.
+    #[inline(always)]
+    fn draw_if(
+        &mut self,
+        least: usize,
+        setups: &mut Setup<[i32; GROUP], [f32; GROUP]>,
+        visible: &mut Visible,
+    ) {
+        if self.count < least {
+            return;
+        }
+        setups.prepare(&self.corners, self.origin);
+        for lane in 0..self.count {
+            let setup = setups.get(lane);
+            if !setup.is_empty() {
+                visible.draw(&setup, self.owners[lane]);
+            }
+        }
+        self.count = 0;
     }
 }

@@ -15,6 +15,8 @@ pub(super) struct DrawnObject<'a> {
     pub(super) list: TriangleList<'a>,
     pub(super) points: Points<'a>,
     pub(super) vertices: Vec<ScreenVertex>,
+    /// The clipping planes that any of them is outside of.
+    pub(super) outside: u32,
     pub(super) map: ObjectMap,
     /// Whether its transform turns faces inside out.
     pub(super) mirrored: bool,
@@ -45,8 +47,8 @@ impl<'a> DrawnObject<'a> {
         };
         let pivot = if points.len() > 0 { points.get(0) } else { glam::DVec3::ZERO };
         let map = ObjectMap::new(view, transform, pivot);
-        let vertices = project(points, &map, view);
-        Some(Self { object, first, list, points, vertices, map, mirrored })
+        let (vertices, outside) = project(points, &map, view);
+        Some(Self { object, first, list, points, vertices, outside, map, mirrored })
     }
 
     /// The corners of a triangle on the picture.

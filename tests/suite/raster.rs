@@ -2,6 +2,7 @@
 
 mod coverage;
 mod interpolation;
+mod probe;
 mod shading;
 mod shapes;
 mod stress;
