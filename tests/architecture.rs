@@ -44,7 +44,7 @@ const OUTSIDE: &[(&str, &[&str])] = &[
         "glam",
         &[
             "num", "mesh", "surface", "io", "normals", "shade", "quality", "raster", "pipeline", "metric",
-            "artefact", "trade",
+            "artefact", "trade", "cli",
         ],
     ),
     ("gltf", &["io"]),

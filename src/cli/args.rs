@@ -1,6 +1,7 @@
 //! What may be typed. Nothing here looks at a file; [`request`](super::request) decides what it all means.
 
 use super::choice::{Choice, Choices};
+use super::surface::SurfaceArgs;
 use clap::{ArgGroup, Args, Parser, Subcommand};
 use crease::io::{Emit, Format, NormalFormat, TangentPolicy};
 use crease::mesh::{Orient, Weld};
@@ -9,7 +10,7 @@ use crease::num::Degrees;
 use crease::pipeline::Degenerate;
 use std::path::PathBuf;
 
-const EXIT_CODES: &str = "\
+pub const EXIT_CODES: &str = "\
 Exit codes:
   0  done
   1  findings at or above a limit that was asked for (no verb of this version)
@@ -42,6 +43,7 @@ pub struct Cli {
 #[derive(Subcommand)]
 pub enum Verb {
     Normals(Box<NormalsArgs>),
+    Surface(Box<SurfaceArgs>),
     /// Print a completion script for a shell
     Completions {
         /// The shell
@@ -240,7 +242,7 @@ const COLORS: &[Choice<Color>] = &[
     ("never", Color::Never, "never"),
 ];
 
-const FORMATS: &[Choice<Format>] = &[
+pub const FORMATS: &[Choice<Format>] = &[
     ("obj", Format::Obj, "Wavefront OBJ"),
     ("ply", Format::Ply, "PLY, ascii or binary"),
     ("stl", Format::Stl, "STL, ascii or binary"),

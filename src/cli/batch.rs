@@ -42,7 +42,8 @@ pub fn run(request: &Request, console: &Console) -> Exit {
     exit
 }
 
-fn exit_of(failure: &Failure) -> Exit {
+/// What a failure means to the caller of the program.
+pub fn exit_of(failure: &Failure) -> Exit {
     match failure {
         Failure::Read(_) | Failure::Internal(_) => Exit::BadInput,
         Failure::Write(_) => Exit::OutputFailed,
@@ -75,7 +76,7 @@ fn tell(report: &Report, job: &Job, request: &Request, console: &Console) {
 
 /// Runs one job and turns a panic, which would be a fault of this program or of a library under it, into a
 /// failure of that job alone.
-fn guarded(work: impl FnOnce() -> Result<(), Failure>) -> Result<(), Failure> {
+pub fn guarded<T>(work: impl FnOnce() -> Result<T, Failure>) -> Result<T, Failure> {
     static MESSAGE: Mutex<Option<String>> = Mutex::new(None);
     let remember = |info: &PanicHookInfo<'_>| {
         if let Ok(mut message) = MESSAGE.lock() {

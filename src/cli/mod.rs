@@ -1,5 +1,5 @@
 //! The command-line program: what was typed ([`args`]) becomes a checked [`request`], which is carried out input
-//! by input ([`batch`], [`normals`]) and told about ([`report`], [`text`]).
+//! by input ([`batch`], [`normals`]) and told about ([`report`], [`text`]). Other verbs have a module each ([`surface`]).
 
 mod args;
 mod batch;
@@ -12,6 +12,7 @@ mod output;
 mod progress;
 mod report;
 mod request;
+mod surface;
 mod text;
 
 use args::{Cli, NormalsArgs, Verb};
@@ -35,6 +36,7 @@ pub fn main() -> ExitCode {
     let cli = Cli::parse();
     let exit = match cli.verb {
         Verb::Normals(ref args) => normals_verb(args, &cli),
+        Verb::Surface(ref args) => surface::main(args, cli.color),
         Verb::Completions { shell } => docs::completions(shell),
         Verb::Man { ref verb } => docs::manual(verb.as_deref()),
     };
@@ -51,11 +53,16 @@ fn normals_verb(args: &NormalsArgs, cli: &Cli) -> Exit {
             return Exit::BadInput;
         }
     };
-    if let Some(threads) = args.run.threads {
+    use_threads(args.run.threads);
+    batch::run(&request, &console)
+}
+
+/// Bounds the number of threads; to be called before any work is done.
+fn use_threads(threads: Option<u16>) {
+    if let Some(threads) = threads {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
         pool.expect("the pool has not been used yet");
     }
-    batch::run(&request, &console)
 }
 
 /// Prints a message and the verb's usage as clap does for its own errors, and ends the program.

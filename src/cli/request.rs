@@ -158,7 +158,11 @@ fn job(input: &Input, args: &NormalsArgs) -> Result<Job, RequestError> {
     Ok(Job { source: input.source.clone(), format: output.format, target, to })
 }
 
-fn file_target(path: &Path, to: Option<Format>) -> Result<(Option<Target>, Option<Format>), RequestError> {
+/// The file, or standard output, and the format that a path and `--to` name together.
+pub fn file_target(
+    path: &Path,
+    to: Option<Format>,
+) -> Result<(Option<Target>, Option<Format>), RequestError> {
     if path.as_os_str() == "-" {
         return Ok((Some(Target::Stdout), to));
     }

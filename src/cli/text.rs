@@ -315,16 +315,18 @@ fn written(output: &OutputReport, job: &Job, request: &Request) -> String {
     text
 }
 
-fn count(number: usize, what: &str) -> String {
+/// A number with what it counts.
+pub fn count(number: usize, what: &str) -> String {
     count_of(number, what, &format!("{what}s"))
 }
 
-fn count_of(number: usize, one: &str, many: &str) -> String {
+/// The same where the plural is not regular.
+pub fn count_of(number: usize, one: &str, many: &str) -> String {
     format!("{number} {}", if number == 1 { one } else { many })
 }
 
 /// Bytes in the unit that fits, powers of 1000.
-fn size(bytes: u64) -> String {
+pub fn size(bytes: u64) -> String {
     const UNITS: [(u64, &str); 3] = [(1_000_000_000, "GB"), (1_000_000, "MB"), (1_000, "kB")];
     match UNITS.iter().find(|(unit, _)| bytes >= *unit) {
         Some((unit, name)) => format!("{:.1} {name}", bytes as f64 / *unit as f64),

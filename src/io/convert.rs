@@ -42,6 +42,27 @@ pub fn write<'a>(
     Ok(written)
 }
 
+/// Writes meshes as a new file, each a part of its own. What the format cannot hold is noted.
+///
+/// For STL, and with [`Emit::Face`], a mesh's normals have to be those of its faces: shared by the corners of each.
+///
+/// ```
+/// use crease::io::{Format, Part, WriteOptions, write_new};
+/// use crease::surface::{Sphere, Surface, Tessellation};
+///
+/// let mesh = Surface::from(Sphere::default()).tessellate(&Tessellation::default()).unwrap();
+/// let part = Part { name: "sphere".into(), mesh, ..Part::default() };
+/// let written = write_new(&[part], Format::Ply, &WriteOptions::default())?;
+/// assert!(written.bytes.starts_with(b"ply"));
+/// # Ok::<(), crease::io::WriteError>(())
+/// ```
+///
+/// # Errors
+/// [`WriteError`] for what the format cannot hold and may not be left out, or cannot count.
+pub fn write_new(parts: &[Part], format: Format, options: &WriteOptions) -> Result<Written, WriteError> {
+    dispatch::write(format, parts, options)
+}
+
 /// The parts as they are to be written: edited, and moved to where the nodes put them.
 fn placed(
     loaded: &Loaded,

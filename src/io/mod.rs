@@ -21,7 +21,7 @@ pub mod stl;
 mod tally;
 mod text;
 
-pub use convert::write;
+pub use convert::{write, write_new};
 pub use error::{Note, Place, Problem, ReadError, Severity, WriteError};
 pub use format::Format;
 pub use loaded::{

@@ -1,5 +1,7 @@
 //! Surfaces with exact normals: the published errors of vertex normals on their meshes, and the verb that writes them.
 
+mod verb;
+
 use crease::mesh::Mesh;
 use crease::normals::{Crease, NormalRecipe, Scope, Weight, compute};
 use crease::surface::{Pattern, Sphere, Surface, Tessellation, Torus};

@@ -42,37 +42,18 @@ impl Report {
 
     /// One line.
     pub fn to_json(&self) -> String {
-        let mut line = serde_json::to_string(self).expect("a report has string keys and finite numbers");
-        line.push('\n');
-        line
+        super::json_line(self)
     }
 
     /// Notes down why the input was not done.
     pub fn fail(&mut self, failure: &Failure) {
         self.status = "failed";
         self.output = None;
-        self.error = Some(match failure {
-            Failure::Read(error) => {
-                ErrorReport { kind: "input", message: error.to_string(), input: Some(InputError::new(error)) }
-            }
-            Failure::Write(message) => ErrorReport { kind: "output", message: message.clone(), input: None },
-            Failure::Internal(message) => ErrorReport {
-                kind: "internal",
-                message: format!("a fault of crease itself, please report it: {message}"),
-                input: None,
-            },
-        });
+        self.error = Some(ErrorReport::new(failure));
     }
 
     pub fn add_notes(&mut self, notes: &[io::Note]) {
-        self.notes.extend(notes.iter().map(|note| NoteReport {
-            severity: match note.severity {
-                Severity::Note => "note",
-                Severity::Warning => "warning",
-            },
-            place: PlaceReport::new(&note.place),
-            text: note.text.clone(),
-        }));
+        self.notes.extend(notes.iter().map(NoteReport::new));
     }
 
     /// Puts face normals into the report.
@@ -81,6 +62,35 @@ impl Report {
             let rows = edit.face_normals.iter().flatten().enumerate();
             let rows = rows.map(|(face, row)| edit.faces.keeps(face as u32).then(|| row.to_array()));
             part.face_normals = Some(rows.collect());
+        }
+    }
+}
+
+impl ErrorReport {
+    pub fn new(failure: &Failure) -> Self {
+        match failure {
+            Failure::Read(error) => {
+                Self { kind: "input", message: error.to_string(), input: Some(InputError::new(error)) }
+            }
+            Failure::Write(message) => Self { kind: "output", message: message.clone(), input: None },
+            Failure::Internal(message) => Self {
+                kind: "internal",
+                message: format!("a fault of crease itself, please report it: {message}"),
+                input: None,
+            },
+        }
+    }
+}
+
+impl NoteReport {
+    pub fn new(note: &io::Note) -> Self {
+        Self {
+            severity: match note.severity {
+                Severity::Note => "note",
+                Severity::Warning => "warning",
+            },
+            place: PlaceReport::new(&note.place),
+            text: note.text.clone(),
         }
     }
 }

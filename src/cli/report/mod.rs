@@ -37,6 +37,13 @@ use std::collections::BTreeMap;
 /// The schema's name and version.
 pub const SCHEMA: &str = "crease-normals/1";
 
+/// A report as JSON on one line.
+pub fn json_line(report: &impl Serialize) -> String {
+    let mut line = serde_json::to_string(report).expect("a report has string keys and finite numbers");
+    line.push('\n');
+    line
+}
+
 #[derive(Debug, Serialize)]
 pub struct Report {
     pub schema: &'static str,

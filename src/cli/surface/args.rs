@@ -1,0 +1,229 @@
+//! What may be typed for `crease surface`.
+
+use super::super::args::{EXIT_CODES, FORMATS, RunArgs};
+use super::super::choice::{Choice, Choices};
+use clap::Args;
+use crease::io::Format;
+use glam::DVec3;
+use std::path::PathBuf;
+
+const EXAMPLES: &str = "\
+Examples:
+  crease surface torus --segments 64x32 --jitter 0.5 -o torus.ply
+  crease surface sphere --pattern icosphere --level 4 -o sphere.glb
+  crease surface teapot --segments 16 --uv -o teapot.obj
+  crease surface superquadric --roundness 0.3,0.3 --pattern marching --segments 48 -o box.ply
+  crease surface wave --pattern scattered --noise 0.02 --seed 7 -o ground.ply
+  crease surface cylinder --radius 0.5 --scale 1000 --offset 1e6,0,0 --json -o far.ply";
+
+/// Write an analytic surface as a mesh with its exact normals
+///
+/// Positions lie on the surface to the last digits of a double, and normals are those of the surface there, not of the
+/// mesh. OBJ and PLY keep positions as doubles; STL has the normals of facets instead. What turns, turns about the y
+/// axis; planes, waves and saddles lie in x and y and face +z.
+#[derive(Args)]
+#[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"))]
+pub struct SurfaceArgs {
+    /// The surface
+    #[arg(value_name = "SURFACE", value_parser = Choices(KINDS))]
+    pub kind: Kind,
+
+    /// Write to this file, or to standard output with `-`
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+
+    /// Format of the output, where its name cannot tell [default: by name]
+    #[arg(long, value_name = "FORMAT", value_parser = Choices(FORMATS))]
+    pub to: Option<Format>,
+
+    /// Wait until the output is on the disk
+    #[arg(long)]
+    pub sync: bool,
+
+    #[command(flatten)]
+    pub shape: ShapeArgs,
+    #[command(flatten)]
+    pub mesh: PatternArgs,
+    #[command(flatten)]
+    pub run: RunArgs,
+}
+
+#[derive(Args)]
+#[command(next_help_heading = "Shape")]
+pub struct ShapeArgs {
+    /// Of a sphere, a cylinder, or the base of a cone [default: 1]
+    #[arg(long, value_name = "R")]
+    pub radius: Option<f64>,
+
+    /// Of a cylinder or a cone [default: 2], or a catenoid [default: 1.5]
+    #[arg(long, value_name = "H")]
+    pub height: Option<f64>,
+
+    /// Of a torus: from the axis to the middle of the tube [default: 1]
+    #[arg(long, value_name = "R")]
+    pub major: Option<f64>,
+
+    /// Of a torus: the radius of the tube [default: 0.4]
+    #[arg(long, value_name = "R")]
+    pub minor: Option<f64>,
+
+    /// Of a catenoid: its smallest radius [default: 0.5]
+    #[arg(long, value_name = "R")]
+    pub waist: Option<f64>,
+
+    /// Of a plane, a wave or a saddle: width and, for the plane, height [default: 2]
+    #[arg(long, value_name = "W[,H]", value_parser = one_or_two)]
+    pub size: Option<[f64; 2]>,
+
+    /// Of an ellipsoid [default: 1,0.6,0.4] or a superquadric [default: 1,1,1]: along x, y and z
+    #[arg(long, value_name = "A,B,C", value_parser = three)]
+    pub semi_axes: Option<DVec3>,
+
+    /// Of a superquadric: from north to south and from east to west; 0.1 a box, 1 an ellipsoid, 1.9 an octahedron
+    /// [default: 0.5,0.5]
+    #[arg(long, value_name = "N,E", value_parser = one_or_two)]
+    pub roundness: Option<[f64; 2]>,
+
+    /// Stretch the surface, by one factor or along each axis; a negative one mirrors
+    #[arg(long, value_name = "S|X,Y,Z", default_value = "1", value_parser = factors, allow_hyphen_values = true)]
+    pub scale: DVec3,
+
+    /// Then move it
+    #[arg(long, value_name = "X,Y,Z", default_value = "0,0,0", value_parser = three, allow_hyphen_values = true)]
+    pub offset: DVec3,
+}
+
+#[derive(Args)]
+#[command(next_help_heading = "Mesh")]
+pub struct PatternArgs {
+    /// How vertices and faces are arranged
+    #[arg(long, value_name = "PATTERN", default_value = "triangles", value_parser = Choices(PATTERNS))]
+    pub pattern: PatternName,
+
+    /// Cells one way and the other, or both; of each patch for the teapot [default: 64x32; bezier 32x32; teapot 8x8]
+    #[arg(long, value_name = "U[xV]", value_parser = segments)]
+    pub segments: Option<[u32; 2]>,
+
+    /// How much thinner cells are than others: stretched [default: 10], slivers [default: 1000]
+    #[arg(long, value_name = "RATIO")]
+    pub ratio: Option<f64>,
+
+    /// How often the triangles of an icosphere are cut in four [default: 3]
+    #[arg(long, value_name = "N")]
+    pub level: Option<u32>,
+
+    /// Move vertices at random within the surface: anywhere in so many cells about their place, from 0 to 1. Cells are
+    /// then cut along either diagonal at random
+    #[arg(long, value_name = "CELLS", default_value_t = 0.0)]
+    pub jitter: f64,
+
+    /// Move vertices at random off the surface, along its normal, by up to so many mean edges, from 0 to 1. Normals stay
+    #[arg(long, value_name = "EDGES", default_value_t = 0.0)]
+    pub noise: f64,
+
+    /// Which random numbers
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u32,
+
+    /// Write the parameters as texture coordinates, which splits vertices at seams in most formats
+    #[arg(long)]
+    pub uv: bool,
+}
+
+/// A surface by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    Plane,
+    Sphere,
+    Ellipsoid,
+    Cylinder,
+    Cone,
+    Torus,
+    Catenoid,
+    Wave,
+    MonkeySaddle,
+    Superquadric,
+    Bezier,
+    Teapot,
+}
+
+pub const KINDS: &[Choice<Kind>] = &[
+    ("plane", Kind::Plane, "a rectangle"),
+    ("sphere", Kind::Sphere, "a sphere"),
+    ("ellipsoid", Kind::Ellipsoid, "three different axes"),
+    ("cylinder", Kind::Cylinder, "a tube, open at both ends"),
+    ("cone", Kind::Cone, "with a tip, open at the base"),
+    ("torus", Kind::Torus, "a ring"),
+    ("catenoid", Kind::Catenoid, "the film between two rings: mean curvature zero"),
+    ("wave", Kind::Wave, "z = 0.3 sin 3x cos 3y"),
+    ("monkey-saddle", Kind::MonkeySaddle, "z = x³ − 3xy²"),
+    ("superquadric", Kind::Superquadric, "between box, ellipsoid and octahedron"),
+    ("bezier", Kind::Bezier, "one bicubic patch"),
+    ("teapot", Kind::Teapot, "Newell's, of 32 patches"),
+];
+
+/// A pattern by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PatternName {
+    Triangles,
+    Stretched,
+    Slivers,
+    Quads,
+    Polygons,
+    Icosphere,
+    Marching,
+    Scattered,
+}
+
+pub const PATTERNS: &[Choice<PatternName>] = &[
+    ("triangles", PatternName::Triangles, "a grid of the parameters, its cells cut in two"),
+    ("stretched", PatternName::Stretched, "the same, with cells --ratio times as long one way"),
+    ("slivers", PatternName::Slivers, "every other row --ratio times as close to the next"),
+    ("quads", PatternName::Quads, "the cells themselves"),
+    ("polygons", PatternName::Polygons, "the dual of the triangles: mostly hexagons"),
+    ("icosphere", PatternName::Icosphere, "a subdivided icosahedron (sphere, ellipsoid, superquadric)"),
+    (
+        "marching",
+        PatternName::Marching,
+        "marching tetrahedra (not bezier and teapot); --segments along the longest side",
+    ),
+    ("scattered", PatternName::Scattered, "Delaunay triangles of random points (plane, wave, monkey-saddle)"),
+];
+
+/// Numbers between commas.
+fn numbers(text: &str) -> Option<Vec<f64>> {
+    let numbers: Option<Vec<f64>> = text.split(',').map(|part| part.trim().parse().ok()).collect();
+    numbers.filter(|numbers| numbers.iter().all(|number| number.is_finite()))
+}
+
+fn one_or_two(text: &str) -> Result<[f64; 2], String> {
+    match numbers(text).as_deref() {
+        Some(&[one]) => Ok([one; 2]),
+        Some(&[one, two]) => Ok([one, two]),
+        _ => Err("one number, or two with a comma, was expected".into()),
+    }
+}
+
+fn three(text: &str) -> Result<DVec3, String> {
+    match numbers(text).as_deref() {
+        Some(&[x, y, z]) => Ok(DVec3::new(x, y, z)),
+        _ => Err("three numbers with commas were expected, such as 1,0.5,-2".into()),
+    }
+}
+
+fn factors(text: &str) -> Result<DVec3, String> {
+    let factors = match numbers(text).as_deref() {
+        Some(&[one]) => DVec3::splat(one),
+        Some(&[x, y, z]) => DVec3::new(x, y, z),
+        _ => return Err("one factor, or three with commas, was expected".into()),
+    };
+    if factors.cmpne(DVec3::ZERO).all() { Ok(factors) } else { Err("a factor of 0 leaves no surface".into()) }
+}
+
+fn segments(text: &str) -> Result<[u32; 2], String> {
+    let (u, v) = text.split_once('x').unwrap_or((text, text));
+    match (u.parse(), v.parse()) {
+        (Ok(u), Ok(v)) if u > 0 && v > 0 => Ok([u, v]),
+        _ => Err("a number of cells, or two such as 64x32, was expected".into()),
+    }
+}

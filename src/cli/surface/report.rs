@@ -1,0 +1,170 @@
+//! What `crease surface` tells.
+//!
+//! # The JSON schema, `crease-surface/1`
+//! One object on one line.
+//!
+//! | member | meaning |
+//! |---|---|
+//! | `schema`, `crease` | `"crease-surface/1"`; the program's version |
+//! | `status`, `error` | as in `crease-normals/1` |
+//! | `surface` | its name |
+//! | `tessellation` | `pattern`, `segments` (absent for an icosphere), `ratio`, `level` (of patterns that have them), `jitter`, `noise`, `seed`, `uv` |
+//! | `scale`, `offset` | three numbers each |
+//! | `mesh` | absent if none was made; else `vertices`, `faces`, `triangles`, `quads`, `polygons` (of five corners or more), `open_edges`, `euler` (vertices − edges + faces), `bounds` (`low` and `high`) |
+//! | `output` | absent if none was stored; else as in `crease-normals/1` |
+//! | `notes` | as in `crease-normals/1` |
+//! | `seconds` | from the first vertex to the stored file |
+
+use super::super::choice::name_of;
+use super::super::console::{Style, escaped};
+use super::super::report::{ErrorReport, NoteReport, OutputReport};
+use super::super::text::{count, count_of, size};
+use super::args::{KINDS, SurfaceArgs};
+use super::request::Request;
+use crease::mesh::{Link, Mesh, Topology};
+use crease::surface::{Pattern, Tessellation};
+use serde::Serialize;
+
+#[derive(Debug, Serialize)]
+pub struct SurfaceReport {
+    pub schema: &'static str,
+    pub crease: &'static str,
+    pub status: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub error: Option<ErrorReport>,
+    pub surface: &'static str,
+    pub tessellation: TessellationReport,
+    pub scale: [f64; 3],
+    pub offset: [f64; 3],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mesh: Option<MeshReport>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub output: Option<OutputReport>,
+    pub notes: Vec<NoteReport>,
+    pub seconds: f64,
+}
+
+#[derive(Debug, Serialize)]
+pub struct TessellationReport {
+    pub pattern: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub segments: Option<[u32; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ratio: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub level: Option<u32>,
+    pub jitter: f64,
+    pub noise: f64,
+    pub seed: u32,
+    pub uv: bool,
+}
+
+#[derive(Debug, Serialize)]
+pub struct MeshReport {
+    pub vertices: usize,
+    pub faces: usize,
+    pub triangles: usize,
+    pub quads: usize,
+    pub polygons: usize,
+    pub open_edges: usize,
+    pub euler: i64,
+    pub bounds: Option<Bounds>,
+}
+
+#[derive(Debug, Serialize)]
+pub struct Bounds {
+    pub low: [f64; 3],
+    pub high: [f64; 3],
+}
+
+impl SurfaceReport {
+    /// A report on a surface of which nothing is made yet.
+    pub fn new(args: &SurfaceArgs, request: &Request) -> Self {
+        Self {
+            schema: "crease-surface/1",
+            crease: env!("CARGO_PKG_VERSION"),
+            status: "ok",
+            error: None,
+            surface: name_of(KINDS, &args.kind),
+            tessellation: TessellationReport::new(&request.tessellation),
+            scale: args.shape.scale.to_array(),
+            offset: args.shape.offset.to_array(),
+            mesh: None,
+            output: None,
+            notes: Vec::new(),
+            seconds: 0.0,
+        }
+    }
+
+    /// Notes down why nothing was stored.
+    pub fn fail(&mut self, error: ErrorReport) {
+        self.status = "failed";
+        self.output = None;
+        self.error = Some(error);
+    }
+
+    /// The report for people.
+    pub fn text(&self, style: Style) -> String {
+        let (Some(mesh), Some(output)) = (&self.mesh, &self.output) else { return String::new() };
+        let kinds = [(mesh.triangles, "triangle"), (mesh.quads, "quad"), (mesh.polygons, "polygon")];
+        let kinds = kinds.iter().filter(|(number, _)| *number > 0).map(|(number, kind)| count(*number, kind));
+        let faces: Vec<String> = kinds.collect();
+        let sides = match mesh.open_edges {
+            0 => "closed".to_owned(),
+            open => format!("open at {}", count(open, "edge")),
+        };
+        let path = output.path.as_deref().unwrap_or_default();
+        format!(
+            "{} -> {}\n  mesh     {}, {}, {sides}, Euler number {}\n  output   {}, {}\n",
+            style.paint(Style::BOLD, self.surface),
+            style.paint(Style::BOLD, &escaped(path)),
+            count_of(mesh.vertices, "vertex", "vertices"),
+            faces.join(", "),
+            mesh.euler,
+            output.format,
+            size(output.bytes),
+        )
+    }
+}
+
+impl TessellationReport {
+    fn new(tessellation: &Tessellation) -> Self {
+        let Tessellation { pattern, segments, jitter, noise, seed, uvs } = *tessellation;
+        let level = if let Pattern::Icosphere(level) = pattern { Some(level) } else { None };
+        Self {
+            pattern: pattern.name(),
+            segments: level.is_none().then_some(segments),
+            ratio: match pattern {
+                Pattern::Stretched(ratio) | Pattern::Slivers(ratio) => Some(ratio),
+                _ => None,
+            },
+            level,
+            jitter,
+            noise,
+            seed,
+            uv: uvs,
+        }
+    }
+}
+
+impl MeshReport {
+    pub fn new(mesh: &Mesh) -> Self {
+        let topology = Topology::by_index(mesh.faces(), mesh.vertex_count());
+        let half_edges = mesh.faces().corner_count();
+        let is_open = |half_edge: &u32| topology.link(*half_edge) == Link::Boundary;
+        let open_edges = (0..half_edges as u32).filter(is_open).count();
+        let edges = (half_edges + open_edges) / 2;
+        let of_arity =
+            |wanted: &dyn Fn(usize) -> bool| mesh.faces().iter().filter(|face| wanted(face.len())).count();
+        Self {
+            vertices: mesh.vertex_count(),
+            faces: mesh.face_count(),
+            triangles: of_arity(&|arity| arity == 3),
+            quads: of_arity(&|arity| arity == 4),
+            polygons: of_arity(&|arity| arity > 4),
+            open_edges,
+            euler: mesh.vertex_count() as i64 - edges as i64 + mesh.face_count() as i64,
+            bounds: mesh.bounds().map(|(low, high)| Bounds { low: low.to_array(), high: high.to_array() }),
+        }
+    }
+}
