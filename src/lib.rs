@@ -59,5 +59,7 @@ pub mod normals;
 pub mod num;
 pub mod pipeline;
 pub mod raster;
+#[cfg(feature = "report")]
+pub mod report;
 pub mod shade;
 pub mod surface;

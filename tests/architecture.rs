@@ -32,6 +32,7 @@ const PROGRAM: &str = "cli";
 
 /// Every dependency and the modules that may name it.
 const OUTSIDE: &[(&str, &[&str])] = &[
+    ("ab_glyph", &["report"]),
     ("anyhow", &["cli"]),
     ("base64", &["io"]),
     ("bevy_mikktspace", &["io"]),
@@ -44,15 +45,16 @@ const OUTSIDE: &[(&str, &[&str])] = &[
         "glam",
         &[
             "num", "mesh", "surface", "io", "normals", "shade", "quality", "raster", "pipeline", "metric",
-            "artefact", "trade", "cli",
+            "artefact", "trade", "report", "cli",
         ],
     ),
     ("gltf", &["io"]),
     ("ignore", &["cli"]),
     ("image", &["report"]),
     ("indicatif", &["cli"]),
-    ("libm", &["num", "mesh", "surface", "io", "normals", "shade", "quality", "raster", "metric"]),
+    ("libm", &["num", "mesh", "surface", "io", "normals", "shade", "quality", "raster", "metric", "report"]),
     ("memchr", &["io"]),
+    ("png", &["report"]),
     (
         "rayon",
         &["mesh", "surface", "io", "normals", "quality", "raster", "pipeline", "metric", "trade", "cli"],
@@ -62,7 +64,7 @@ const OUTSIDE: &[(&str, &[&str])] = &[
     ("serde_json", &["io", "report", "cli"]),
     ("spade", &["mesh", "surface"]),
     ("tempfile", &["cli"]),
-    ("thiserror", &["num", "mesh", "surface", "io", "normals", "shade", "raster", "pipeline"]),
+    ("thiserror", &["num", "mesh", "surface", "io", "normals", "shade", "raster", "pipeline", "report"]),
     ("tobj", &["io"]),
     ("zmij", &["io"]),
 ];

@@ -1,0 +1,33 @@
+//! What people and programs are told (layer 7): pictures as files, labels, lines over a picture, the numbers behind a
+//! pixel.
+//!
+//! ```
+//! use crease::num::Transfer;
+//! use crease::raster::Pixels;
+//! use crease::report::{Picture, encode_png};
+//!
+//! let picture = Picture { size: [2, 1], pixels: Pixels::Eight(vec![[255, 0, 0], [0, 0, 255]]) };
+//! let file = encode_png(&picture, Transfer::Srgb)?;
+//! assert_eq!(&file[..8], b"\x89PNG\r\n\x1a\n");
+//! # Ok::<(), crease::report::ReportError>(())
+//! ```
+
+mod animation;
+mod error;
+mod label;
+mod overlay;
+mod palette;
+mod panel;
+mod picture;
+mod png;
+mod probe;
+
+pub use animation::Animation;
+pub use error::ReportError;
+pub use label::{draw_text, text_width};
+pub use overlay::{Overlay, overlay};
+pub use palette::Palette;
+pub use panel::{Panel, panels};
+pub use picture::Picture;
+pub use png::encode_png;
+pub use probe::{PixelReport, SampleReport, probe_pixel};

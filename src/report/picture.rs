@@ -1,0 +1,142 @@
+//! Pictures to put together and to draw on.
+
+use super::error::ReportError;
+use crate::raster::{Image, Pixels};
+
+/// A finished picture: rows of red, green, blue from the top.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Picture {
+    /// Width and height in pixels.
+    pub size: [u32; 2],
+    /// Its coded colours.
+    pub pixels: Pixels,
+}
+
+impl From<Image> for Picture {
+    fn from(image: Image) -> Self {
+        Self { size: image.size, pixels: image.pixels }
+    }
+}
+
+impl Picture {
+    /// A picture of one colour, given as shares of the full code, 0 to 1.
+    pub fn filled(size: [u32; 2], sixteen_bits: bool, colour: [f32; 3]) -> Self {
+        let count = size.iter().map(|&side| side as usize).product();
+        let pixels = match sixteen_bits {
+            false => Pixels::Eight(vec![colour.map(|c| code(c, 255.0) as u8); count]),
+            true => Pixels::Sixteen(vec![colour.map(|c| code(c, 65_535.0) as u16); count]),
+        };
+        Self { size, pixels }
+    }
+
+    /// Whether components have 16 bits.
+    pub fn is_sixteen(&self) -> bool {
+        matches!(self.pixels, Pixels::Sixteen(_))
+    }
+
+    /// Copies another picture into this one, its upper left corner at `at`; what lies outside is left out. Components of
+    /// 8 bits become 16 bits by 257·c, which keeps black and white, and 16 bits become 8 by their upper half.
+    pub fn paste(&mut self, other: &Picture, at: [u32; 2]) {
+        let width = (other.size[0].min(self.size[0].saturating_sub(at[0]))) as usize;
+        let rows = other.size[1].min(self.size[1].saturating_sub(at[1]));
+        for row in 0..rows {
+            let from = row as usize * other.size[0] as usize;
+            let to = (at[1] + row) as usize * self.size[0] as usize + at[0] as usize;
+            let (from, to) = (from..from + width, to..to + width);
+            match (&mut self.pixels, &other.pixels) {
+                (Pixels::Eight(to_list), Pixels::Eight(list)) => to_list[to].copy_from_slice(&list[from]),
+                (Pixels::Sixteen(to_list), Pixels::Sixteen(list)) => to_list[to].copy_from_slice(&list[from]),
+                (Pixels::Sixteen(to_list), Pixels::Eight(list)) => {
+                    let wide = list[from].iter().map(|pixel| pixel.map(|c| u16::from(c) * 257));
+                    to_list[to].iter_mut().zip(wide).for_each(|(to, pixel)| *to = pixel);
+                }
+                (Pixels::Eight(to_list), Pixels::Sixteen(list)) => {
+                    let narrow = list[from].iter().map(|pixel| pixel.map(|c| (c >> 8) as u8));
+                    to_list[to].iter_mut().zip(narrow).for_each(|(to, pixel)| *to = pixel);
+                }
+            }
+        }
+    }
+
+    /// Mixes a colour (shares of the full code) into a pixel; nothing happens outside the picture.
+    pub fn blend(&mut self, [x, y]: [i64; 2], colour: [f32; 3], share: f32) {
+        let [width, height] = self.size.map(i64::from);
+        if !(0..width).contains(&x) || !(0..height).contains(&y) {
+            return;
+        }
+        let index = (y * width + x) as usize;
+        let mix = |old: f32, new: f32| old + (new - old) * share;
+        match &mut self.pixels {
+            Pixels::Eight(list) => {
+                for (old, new) in list[index].iter_mut().zip(colour) {
+                    *old = code(mix(f32::from(*old) / 255.0, new), 255.0) as u8;
+                }
+            }
+            Pixels::Sixteen(list) => {
+                for (old, new) in list[index].iter_mut().zip(colour) {
+                    *old = code(mix(f32::from(*old) / 65_535.0, new), 65_535.0) as u16;
+                }
+            }
+        }
+    }
+
+    /// Whether there are as many pixels as the size says, and sides that a format has room for.
+    pub(super) fn check(&self, format: &'static str, largest: u32) -> Result<(), ReportError> {
+        let [width, height] = self.size;
+        if !self.size.iter().all(|side| (1..=largest).contains(side)) {
+            return Err(ReportError::Size { format, largest, width, height });
+        }
+        let found = match &self.pixels {
+            Pixels::Eight(list) => list.len(),
+            Pixels::Sixteen(list) => list.len(),
+        };
+        let expected = width as usize * height as usize;
+        if found == expected { Ok(()) } else { Err(ReportError::Pixels(width, height, found)) }
+    }
+}
+
+/// The nearest code of a share, with this one as the largest.
+fn code(share: f32, largest: f32) -> u32 {
+    (share.clamp(0.0, 1.0) * largest + 0.5) as u32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn eight(picture: &Picture) -> &[[u8; 3]] {
+        let Pixels::Eight(list) = &picture.pixels else { panic!("8 bits") };
+        list
+    }
+
+    #[test]
+    fn pasting_keeps_to_the_picture() {
+        let mut sheet = Picture::filled([3, 2], false, [0.0; 3]);
+        let white = Picture::filled([2, 2], true, [1.0; 3]);
+        sheet.paste(&white, [2, 1]);
+        sheet.paste(&white, [7, 7]);
+        let white_at: Vec<usize> = (0..6).filter(|&i| eight(&sheet)[i] == [255; 3]).collect();
+        assert_eq!(white_at, [5]);
+        let mut wide = Picture::filled([1, 1], true, [0.0; 3]);
+        wide.paste(&Picture::filled([1, 1], false, [1.0, 0.0, 128.0 / 255.0]), [0, 0]);
+        assert_eq!(wide.pixels, Pixels::Sixteen(vec![[65_535, 0, 128 * 257]]));
+    }
+
+    #[test]
+    fn blending_mixes_codes() {
+        let mut picture = Picture::filled([1, 1], false, [0.0, 1.0, 0.2]);
+        picture.blend([0, 0], [1.0, 0.0, 0.2], 0.25);
+        picture.blend([-1, 0], [1.0; 3], 1.0);
+        picture.blend([0, 1], [1.0; 3], 1.0);
+        assert_eq!(eight(&picture), [[64, 191, 51]]);
+    }
+
+    #[test]
+    fn sizes_are_checked() {
+        let picture = Picture { size: [2, 2], pixels: Pixels::Eight(vec![[0; 3]; 3]) };
+        assert!(matches!(picture.check("PNG", 100), Err(ReportError::Pixels(2, 2, 3))));
+        let wide = Picture::filled([7, 1], false, [0.0; 3]);
+        assert!(matches!(wide.check("GIF", 6), Err(ReportError::Size { .. })));
+        assert!(wide.check("GIF", 7).is_ok());
+    }
+}
