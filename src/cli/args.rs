@@ -19,7 +19,7 @@ Exit codes:
   4  an output could not be made or stored
   5  some files of a batch failed, the others are done";
 
-const NORMALS_EXAMPLES: &str = "\
+pub const NORMALS_EXAMPLES: &str = "\
 Examples:
   crease normals gear.obj --crease 40 -o gear.glb
   crease normals bunny.obj -o bunny.ply --weight max

@@ -7,7 +7,7 @@ use super::output::Store;
 use super::progress::Progress;
 use super::report::Report;
 use super::request::{Job, Request};
-use super::text;
+use super::{notes, text};
 use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
 use std::sync::Mutex;
 use std::time::Instant;
@@ -15,7 +15,7 @@ use std::time::Instant;
 /// Carries out a request, reports on every input and tells how it went.
 pub fn run(request: &Request, console: &Console) -> Exit {
     let progress = Progress::new(console, &request.jobs);
-    let mut store = Store::new(request.sync);
+    let mut store = Store::new(request.sync, request.dry_run);
     let mut failed = 0;
     let mut exit = Exit::Done;
     for job in &request.jobs {
@@ -39,7 +39,10 @@ pub fn run(request: &Request, console: &Console) -> Exit {
         }
         exit = if failed > 0 { Exit::PartOfBatch } else { Exit::Done };
     }
-    exit
+    match exit {
+        Exit::Done if !console.has_reported() => Exit::OutputFailed,
+        exit => exit,
+    }
 }
 
 /// What a failure means to the caller of the program.
@@ -64,7 +67,7 @@ fn tell(report: &Report, job: &Job, request: &Request, console: &Console) {
         return;
     }
     let brief = request.jobs.len() > 1 && console.verbosity < Verbosity::Verbose;
-    text::notes(report, brief, console);
+    notes::print(report, brief, console);
     if report.error.is_none() {
         console.report(&if brief {
             text::line(report, console.report_style())
@@ -97,7 +100,7 @@ mod tests {
 
     #[test]
     fn a_panic_fails_its_own_job_only() {
-        let failure = guarded(|| panic!("corner {} is missing", 7)).unwrap_err();
+        let failure = guarded::<()>(|| panic!("corner {} is missing", 7)).unwrap_err();
         let Failure::Internal(message) = failure else { panic!("{failure:?}") };
         assert!(message.contains("corner 7 is missing") && message.contains("batch.rs"), "{message}");
         assert!(guarded(|| Ok(())).is_ok());

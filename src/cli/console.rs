@@ -2,6 +2,7 @@
 
 use super::args::{Color, RunArgs};
 use super::output::forgive_broken_pipe;
+use std::cell::Cell;
 use std::fmt::Write as _;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
@@ -23,6 +24,8 @@ pub struct Console {
     reports_to_stderr: bool,
     report_style: Style,
     error_style: Style,
+    /// A report could not be printed.
+    failed: Cell<bool>,
 }
 
 /// Whether text may carry colour.
@@ -56,7 +59,13 @@ impl Console {
             reports_to_stderr,
             report_style: if reports_to_stderr { error_style } else { style(io::stdout().is_terminal()) },
             error_style,
+            failed: Cell::new(false),
         }
+    }
+
+    /// Whether every report reached its stream, or a reader that did not want it.
+    pub fn has_reported(&self) -> bool {
+        !self.failed.get()
     }
 
     /// Whether standard error is left to the JSON report, so that it can be parsed.
@@ -74,12 +83,17 @@ impl Console {
         self.report_style
     }
 
-    /// Prints a report, text or JSON, whole lines.
+    /// Prints a report, text or JSON, whole lines. Reports are outputs: one that is lost is a failure.
     pub fn report(&self, text: &str) {
-        if self.reports_to_stderr {
+        let printed = if self.reports_to_stderr {
             print(io::stderr().lock(), text)
         } else {
             print(io::stdout().lock(), text)
+        };
+        if let Err(error) = printed
+            && !self.failed.replace(true)
+        {
+            self.error(&format!("the report could not be written: {error}"));
         }
     }
 
@@ -101,15 +115,15 @@ impl Console {
     fn remark(&self, colour: &str, kind: &str, message: &str) {
         if !self.stderr_is_json() {
             let label = self.error_style.paint(colour, &format!("{kind}:"));
-            print(io::stderr().lock(), &format!("{label} {}\n", escaped(message)));
+            // Where remarks cannot be printed, neither can a complaint about that.
+            let _ = print(io::stderr().lock(), &format!("{label} {}\n", escaped(message)));
         }
     }
 }
 
-/// Writes text. A reader that has gone away, or a closed stream, does not stop the work: it is the outputs that
-/// count.
-fn print(mut stream: impl Write, text: &str) {
-    let _ = forgive_broken_pipe(stream.write_all(text.as_bytes()).and_then(|()| stream.flush()));
+/// Writes text. That its reader has gone away is no failure.
+fn print(mut stream: impl Write, text: &str) -> io::Result<()> {
+    forgive_broken_pipe(stream.write_all(text.as_bytes()).and_then(|()| stream.flush()))
 }
 
 /// Colour by choice, else by environment, else by terminal (no-color.org, bixense.com/clicolors).

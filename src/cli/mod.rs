@@ -8,6 +8,7 @@ mod console;
 mod docs;
 mod inputs;
 mod normals;
+mod notes;
 mod output;
 mod progress;
 mod report;

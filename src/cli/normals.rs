@@ -1,11 +1,11 @@
 //! The verb `normals` on one input: read, compute, write, store.
 
 use super::inputs::Source;
-use super::output::Store;
+use super::output::{Store, folder_of, replaced_note};
 use super::progress::{FileProgress, Stage};
 use super::report::{OutputReport, PartReport, Report};
 use super::request::{Job, Request, Target};
-use crease::io::{self, Format, Limits, Loaded, Place, Problem, ReadError, Written};
+use crease::io::{self, Format, Limits, Loaded, Note, Place, Problem, ReadError, Written};
 use crease::pipeline;
 use std::io::{IsTerminal, Read};
 use std::path::Path;
@@ -31,7 +31,7 @@ pub fn run(
 ) -> Result<(), Failure> {
     progress.stage(Stage::Read);
     let start = Instant::now();
-    let loaded = read(job, request, report).map_err(Failure::Read)?;
+    let loaded = read(job, request, progress, report).map_err(Failure::Read)?;
     report.seconds.read = start.elapsed().as_secs_f64();
     report.input.format = Some(loaded.format.extension());
     report.add_notes(&loaded.notes);
@@ -49,15 +49,17 @@ pub fn run(
 
     progress.stage(Stage::Write);
     let start = Instant::now();
-    let unchanged = format == loaded.format && revision.edits.iter().all(io::PartEdit::is_empty);
-    let options = io::WriteOptions { stem: stem(job), ..request.write.clone() };
+    let (stem, folder) = place(job).map(|path| (stem(path), folder_of(path))).unzip();
+    let options = io::WriteOptions { stem, folder, ..request.write.clone() };
     let written = io::write(&loaded, revision.edits, format, &options)
         .map_err(|error| Failure::Write(error.to_string()))?;
+    let unchanged = loaded.document.is_unchanged(&written.bytes);
     // A large input takes as long to give back as its output to write.
     rayon::spawn(move || drop(loaded));
     report.add_notes(&written.notes);
     report.output = Some(OutputReport::new(job.target.as_ref(), format, unchanged, &written));
-    put(job, request, store, written, unchanged)?;
+    let replaced = put(job, store, written, unchanged)?;
+    report.add_notes(&replaced);
     report.seconds.write = start.elapsed().as_secs_f64();
     Ok(())
 }
@@ -76,22 +78,29 @@ fn compute(
     })
 }
 
-fn read(job: &Job, request: &Request, report: &mut Report) -> Result<Loaded, ReadError> {
+fn read(
+    job: &Job,
+    request: &Request,
+    progress: &FileProgress<'_>,
+    report: &mut Report,
+) -> Result<Loaded, ReadError> {
     match &job.source {
         Source::File(path) => {
             report.input.bytes = path.metadata().ok().map(|metadata| metadata.len());
             io::read(path, job.format, &request.read)
         }
         Source::Stdin => {
-            let bytes = read_stdin(&request.read.limits)?;
+            let bytes = read_stdin(&request.read.limits, progress)?;
             report.input.bytes = Some(bytes.len() as u64);
             io::read_bytes(bytes, job.format, None, &request.read)
         }
     }
 }
 
-fn read_stdin(limits: &Limits) -> Result<Vec<u8>, ReadError> {
-    let stdin = std::io::stdin().lock();
+fn read_stdin(limits: &Limits, progress: &FileProgress<'_>) -> Result<Vec<u8>, ReadError> {
+    /// Bytes that are read before the bar moves on.
+    const PIECE: u64 = 1 << 20;
+    let mut stdin = std::io::stdin().lock();
     let fail = |problem, found: String, advice: &str| ReadError::new(problem, Place::File, found, advice);
     if stdin.is_terminal() {
         return Err(fail(
@@ -101,36 +110,44 @@ fn read_stdin(limits: &Limits) -> Result<Vec<u8>, ReadError> {
         ));
     }
     let mut bytes = Vec::new();
-    let read = stdin.take(limits.bytes.saturating_add(1)).read_to_end(&mut bytes);
-    read.map_err(|error| fail(Problem::Io, format!("could not read standard input: {error}"), ""))?;
-    if bytes.len() as u64 > limits.bytes {
-        let found = format!("standard input has more than {} bytes", limits.bytes);
-        return Err(fail(Problem::Limit, found, "split it"));
+    while bytes.len() as u64 <= limits.bytes {
+        let read = stdin.by_ref().take(PIECE).read_to_end(&mut bytes);
+        match read {
+            Ok(0) => return Ok(bytes),
+            Ok(more) => progress.came(more as u64),
+            Err(error) => {
+                let advice = "check the command before the pipe";
+                return Err(fail(Problem::Io, format!("could not read standard input: {error}"), advice));
+            }
+        }
     }
-    Ok(bytes)
+    let found = format!("standard input has more than {} bytes", limits.bytes);
+    Err(fail(Problem::Limit, found, "split it"))
 }
 
-/// The output's name without extension, for files that stand beside it; `None` for a stream.
-fn stem(job: &Job) -> Option<String> {
-    let path: Option<&Path> = match (&job.target, &job.source) {
+/// Where the output will be, for files that stand beside it; `None` for a stream or a device.
+fn place(job: &Job) -> Option<&Path> {
+    match (&job.target, &job.source) {
+        (Some(Target::File(path)), _) if path.metadata().is_ok_and(|it| !it.is_file() && !it.is_dir()) => {
+            None
+        }
         (Some(Target::File(path)), _) | (None, Source::File(path)) => Some(path),
         _ => None,
-    };
-    Some(path?.file_stem()?.to_string_lossy().into_owned())
+    }
 }
 
-fn put(
-    job: &Job,
-    request: &Request,
-    store: &mut Store,
-    written: Written,
-    unchanged: bool,
-) -> Result<(), Failure> {
-    let Some(target) = job.target.as_ref().filter(|_| !request.dry_run) else { return Ok(()) };
+fn stem(path: &Path) -> String {
+    path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default()
+}
+
+/// Stores the output and tells which other files it replaces beside it.
+fn put(job: &Job, store: &mut Store, written: Written, unchanged: bool) -> Result<Vec<Note>, Failure> {
+    let Some(target) = &job.target else { return Ok(Vec::new()) };
     // An input that stays as it is keeps its time of change too.
     let is_itself = matches!((target, &job.source), (Target::File(a), Source::File(b)) if a == b);
     if unchanged && is_itself {
-        return Ok(());
+        return Ok(Vec::new());
     }
-    store.store(written, target).map_err(|error| Failure::Write(format!("{error:#}")))
+    let replaced = store.store(written, target).map_err(|error| Failure::Write(format!("{error:#}")))?;
+    Ok(replaced.iter().map(|path| replaced_note(path)).collect())
 }

@@ -6,7 +6,7 @@
 
 use super::request::Target;
 use anyhow::{Context, Result, bail, ensure};
-use crease::io::{OutputContent, OutputFile, Written};
+use crease::io::{Note, OutputContent, OutputFile, Written};
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::hash::{DefaultHasher, Hasher};
@@ -18,6 +18,8 @@ use tempfile::NamedTempFile;
 #[derive(Debug, Default)]
 pub struct Store {
     sync: bool,
+    /// Do everything but write.
+    dry_run: bool,
     companions: BTreeMap<PathBuf, Mark>,
 }
 
@@ -48,17 +50,27 @@ enum Staged {
     Direct(PathBuf, Vec<u8>),
 }
 
+/// Tells of a file with other content that one beside the output has replaced.
+pub fn replaced_note(path: &Path) -> Note {
+    let path = path.display();
+    Note::remark(format!(
+        "{path} belongs to the output; the file of that name with other content is replaced"
+    ))
+}
+
 impl Store {
-    /// With `sync`, each output is on the disk before its name is.
-    pub fn new(sync: bool) -> Self {
-        Self { sync, companions: BTreeMap::new() }
+    /// With `sync`, each output is on the disk before its name is. With `dry_run` nothing is written, and all is
+    /// refused that can be known to fail.
+    pub fn new(sync: bool, dry_run: bool) -> Self {
+        Self { sync, dry_run, companions: BTreeMap::new() }
     }
 
-    /// Stores an output and the files that belong beside it.
+    /// Stores an output and the files that belong beside it. Tells which of these replace a file that had other
+    /// content.
     ///
     /// # Errors
     /// If anything cannot be written; nothing half-written remains then.
-    pub fn store(&mut self, written: Written, target: &Target) -> Result<()> {
+    pub fn store(&mut self, written: Written, target: &Target) -> Result<Vec<PathBuf>> {
         match target {
             Target::Stdout => {
                 // A copied companion stands where the input refers to it; standard output has no folder for it.
@@ -66,86 +78,79 @@ impl Store {
                 if let Some(companion) = new {
                     bail!("{} would have to stand beside the output; give a file", companion.name);
                 }
-                to_stdout(&written.bytes)
+                if !self.dry_run {
+                    to_stdout(&written.bytes)?;
+                }
+                Ok(Vec::new())
             }
             Target::File(path) => self.store_file(written, path),
         }
     }
 
-    fn store_file(&mut self, written: Written, path: &Path) -> Result<()> {
+    fn store_file(&mut self, written: Written, path: &Path) -> Result<Vec<PathBuf>> {
         let path = follow_links(path)?;
-        let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        fs::create_dir_all(folder)
-            .with_context(|| format!("could not make the folder {}", folder.display()))?;
-        let mut staged = Vec::new();
         let mut claimed = Vec::new();
         for companion in written.companions {
-            let mark = Mark::of(&companion.content);
-            if let Some((place, file)) = self.companion(companion, &mark, folder, &path)? {
-                staged.extend(file);
-                claimed.push((place, mark));
+            claimed.extend(self.claim(companion, &path)?);
+        }
+        let replaced = claimed.iter().filter(|claim| claim.is_new && claim.replaces_other());
+        let replaced = replaced.map(|claim| claim.place.clone()).collect();
+        check_place(&path)?;
+        if !self.dry_run {
+            let mut staged = Vec::new();
+            for claim in claimed.iter_mut().filter(|claim| claim.is_new) {
+                let bytes = claim.take_bytes()?;
+                staged.push(self.stage(&claim.place, bytes)?);
+            }
+            staged.push(self.stage(&path, written.bytes)?);
+            for file in staged {
+                file.put(self.sync)?;
             }
         }
-        staged.push(self.stage(&path, written.bytes)?);
-        for file in staged {
-            file.put(self.sync)?;
-        }
-        self.companions.extend(claimed);
-        Ok(())
+        self.companions.extend(claimed.into_iter().map(|claim| (claim.place, claim.mark)));
+        Ok(replaced)
     }
 
-    /// A companion ready to be put at its place; `None` inside if its bytes are there already, outside if it is
-    /// left where it is because its name leads out of the output's folder.
-    fn companion(
-        &self,
-        companion: OutputFile,
-        mark: &Mark,
-        folder: &Path,
-        main: &Path,
-    ) -> Result<Option<(PathBuf, Option<Staged>)>> {
-        let name = Path::new(&companion.name);
-        if !name.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir)) {
-            match companion.content {
+    /// The place that a companion will have; `None` if it is left where it is because its name leads out of the
+    /// output's folder.
+    fn claim(&self, companion: OutputFile, main: &Path) -> Result<Option<Claim>> {
+        let OutputFile { name, content } = companion;
+        let path = Path::new(&name);
+        if !path.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir)) {
+            match content {
                 OutputContent::CopyOf(_) => return Ok(None),
-                OutputContent::Bytes(_) => bail!("{} leads out of the output's folder", companion.name),
+                OutputContent::Bytes(_) => bail!("{name} leads out of the output's folder"),
             }
         }
-        let place = follow_links(&folder.join(name))?;
-        ensure!(place != main, "{} is both the output and a file beside it", companion.name);
+        let place = follow_links(&folder_of(main).join(path))?;
+        ensure!(
+            place != main,
+            "{name} is both the output and a file beside it; give the output another name"
+        );
+        let mark = Mark::of(&content);
         let twin = self.companions.get(&place);
         ensure!(
-            twin.is_none_or(|twin| twin == mark),
-            "{} was written for another input of this run, with other content",
+            twin.is_none_or(|twin| *twin == mark),
+            "{} belongs to another output of this run too, with other content; write them into different folders, or \
+             one by one under different names",
             place.display()
         );
-        if twin.is_some() {
-            return Ok(Some((place, None)));
+        let is_there = matches!(&content, OutputContent::CopyOf(source) if is_same_file(source, &place));
+        if let OutputContent::CopyOf(source) = &content {
+            ensure!(source.is_file(), "could not read {}, which belongs to the output", source.display());
         }
-        let bytes = match companion.content {
-            OutputContent::Bytes(bytes) => bytes,
-            OutputContent::CopyOf(source) if is_same_file(&source, &place) => return Ok(Some((place, None))),
-            OutputContent::CopyOf(source) => {
-                fs::read(&source).with_context(|| format!("could not read {}", source.display()))?
-            }
-        };
-        if let Some(folder) = place.parent() {
-            fs::create_dir_all(folder)
-                .with_context(|| format!("could not make the folder {}", folder.display()))?;
-        }
-        let file = self.stage(&place, bytes)?;
-        Ok(Some((place, Some(file))))
+        check_place(&place)?;
+        Ok(Some(Claim { is_new: twin.is_none() && !is_there, place, mark, content }))
     }
 
     fn stage(&self, path: &Path, bytes: Vec<u8>) -> Result<Staged> {
         let existing = fs::metadata(path).ok();
-        if let Some(existing) = &existing {
-            ensure!(!existing.is_dir(), "{} is a folder", path.display());
-            if !existing.is_file() {
-                return Ok(Staged::Direct(path.to_path_buf(), bytes));
-            }
-            ensure!(!existing.permissions().readonly(), "{} is write-protected", path.display());
+        if existing.as_ref().is_some_and(|existing| !existing.is_file()) {
+            return Ok(Staged::Direct(path.to_path_buf(), bytes));
         }
-        let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let folder = folder_of(path);
+        fs::create_dir_all(&folder)
+            .with_context(|| format!("could not make the folder {}", folder.display()))?;
         let write = || -> io::Result<NamedTempFile> {
             let mut builder = tempfile::Builder::new();
             builder.prefix(".crease-").suffix(".tmp");
@@ -167,6 +172,63 @@ impl Store {
     }
 }
 
+/// A companion and its place.
+struct Claim {
+    place: PathBuf,
+    mark: Mark,
+    content: OutputContent,
+    /// It has to be written: neither has this run done so, nor is it the file that it would be a copy of.
+    is_new: bool,
+}
+
+impl Claim {
+    /// Whether a regular file is there with other content, which may be somebody else's.
+    fn replaces_other(&self) -> bool {
+        let Ok(existing) = fs::metadata(&self.place) else { return false };
+        if !existing.is_file() {
+            return false;
+        }
+        let old = || fs::read(&self.place).ok();
+        match &self.content {
+            OutputContent::Bytes(bytes) => {
+                existing.len() != bytes.len() as u64 || old().is_none_or(|old| old != *bytes)
+            }
+            OutputContent::CopyOf(source) => {
+                let length = fs::metadata(source).map_or(0, |source| source.len());
+                existing.len() != length || fs::read(source).ok() != old()
+            }
+        }
+    }
+
+    fn take_bytes(&mut self) -> Result<Vec<u8>> {
+        match &mut self.content {
+            OutputContent::Bytes(bytes) => Ok(std::mem::take(bytes)),
+            OutputContent::CopyOf(source) => {
+                fs::read(&*source).with_context(|| format!("could not read {}", source.display()))
+            }
+        }
+    }
+}
+
+/// Refuses a place where no file can be put.
+fn check_place(path: &Path) -> Result<()> {
+    if let Ok(existing) = fs::metadata(path) {
+        ensure!(!existing.is_dir(), "{} is a folder", path.display());
+        let is_protected = existing.is_file() && existing.permissions().readonly();
+        ensure!(!is_protected, "{} is write-protected", path.display());
+    }
+    Ok(())
+}
+
+/// The folder that a file is in, links followed.
+pub fn folder_of(path: &Path) -> PathBuf {
+    let path = follow_links(path).unwrap_or_else(|_| path.to_path_buf());
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder.to_path_buf(),
+        _ => PathBuf::from("."),
+    }
+}
+
 impl Staged {
     fn put(self, sync: bool) -> Result<()> {
         match self {
@@ -178,9 +240,8 @@ impl Staged {
             Staged::Temporary(file, path) => {
                 file.persist(&path).with_context(|| format!("could not replace {}", path.display()))?;
                 if sync && cfg!(unix) {
-                    let folder =
-                        path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-                    File::open(folder).and_then(|folder| folder.sync_all()).with_context(|| {
+                    let folder = folder_of(&path);
+                    File::open(&folder).and_then(|folder| folder.sync_all()).with_context(|| {
                         format!("could not wait for the folder {} to be stored", folder.display())
                     })?;
                 }
@@ -246,7 +307,7 @@ mod tests {
         let source = folder.path().join("source.png");
         fs::write(&source, "picture").unwrap();
         let out = folder.path().join("deep/out");
-        let mut store = Store::new(true);
+        let mut store = Store::new(true, false);
         let companions = [
             ("a.bin", OutputContent::Bytes(b"bin".to_vec())),
             ("textures/p.png", OutputContent::CopyOf(source.clone())),
@@ -260,7 +321,7 @@ mod tests {
         store.store(written(b"main", &companions), &Target::File(out.join("b.gltf"))).unwrap();
         let other = [("a.bin", OutputContent::Bytes(b"other".to_vec()))];
         let error = store.store(written(b"main", &other), &Target::File(out.join("c.gltf"))).unwrap_err();
-        assert!(error.to_string().contains("another input"), "{error}");
+        assert!(error.to_string().contains("another output"), "{error}");
         assert_eq!(names(&out), ["a.bin", "a.gltf", "b.gltf", "textures"]);
         assert_eq!(fs::read(out.join("a.bin")).unwrap(), b"bin");
     }
@@ -268,7 +329,7 @@ mod tests {
     #[test]
     fn what_cannot_be_stored_leaves_nothing() {
         let folder = tempfile::tempdir().unwrap();
-        let mut store = Store::new(false);
+        let mut store = Store::new(false, false);
         let missing = [
             ("a.bin", OutputContent::Bytes(b"bin".to_vec())),
             ("p.png", OutputContent::CopyOf(folder.path().join("nowhere.png"))),
@@ -290,7 +351,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let (real, link) = (folder.path().join("real/file.obj"), folder.path().join("link.obj"));
         symlink("real/file.obj", &link).unwrap();
-        let mut store = Store::new(false);
+        let mut store = Store::new(false, false);
         store.store(written(b"one", &[]), &Target::File(link.clone())).unwrap();
         fs::set_permissions(&real, fs::Permissions::from_mode(0o640)).unwrap();
         store.store(written(b"two", &[]), &Target::File(link.clone())).unwrap();

@@ -3,13 +3,15 @@
 use super::console::Console;
 use super::inputs::Source;
 use super::request::Job;
-use indicatif::{HumanBytes, HumanDuration, ProgressBar, ProgressState, ProgressStyle};
+use indicatif::{HumanBytes, HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use std::fmt::Write;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::mpsc::{self, RecvTimeoutError, Sender};
+use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-/// Below this many bytes in this many files nobody has to wait.
-const SHORT_BYTES: u64 = 16 << 20;
-const SHORT_FILES: usize = 16;
+/// Nobody has to be told about work that is over sooner.
+const SHORT: Duration = Duration::from_secs(1);
 
 const TEMPLATE: &str = "{spinner} {msg} [{wide_bar}] {bytes}/{total_bytes}{rate_and_left}";
 
@@ -17,6 +19,8 @@ const TEMPLATE: &str = "{spinner} {msg} [{wide_bar}] {bytes}/{total_bytes}{rate_
 #[derive(Debug)]
 pub struct Progress {
     bar: ProgressBar,
+    /// Shows the bar after a while, unless the sender is gone by then.
+    waiting: Option<(Sender<()>, JoinHandle<()>)>,
 }
 
 /// The bar's share of one input.
@@ -24,7 +28,8 @@ pub struct Progress {
 pub struct FileProgress<'a> {
     bar: &'a ProgressBar,
     start: u64,
-    bytes: u64,
+    /// How many bytes the input has, as far as is known.
+    bytes: AtomicU64,
 }
 
 /// What is being done with an input. Each stage is taken to last as long as any other; that is near enough for
@@ -38,20 +43,32 @@ pub enum Stage {
 
 impl Progress {
     pub fn new(console: &Console, jobs: &[Job]) -> Self {
-        let total: u64 = jobs.iter().map(size).sum();
-        if !console.may_show_progress() || (total < SHORT_BYTES && jobs.len() < SHORT_FILES) {
-            return Self { bar: ProgressBar::hidden() };
+        let total = jobs.iter().map(size).sum();
+        if !console.may_show_progress() {
+            return Self { bar: ProgressBar::hidden(), waiting: None };
         }
-        let bar = ProgressBar::new(total);
+        Self::after(SHORT, total, ProgressDrawTarget::stderr())
+    }
+
+    /// A bar that is shown after a delay.
+    fn after(delay: Duration, total: u64, target: ProgressDrawTarget) -> Self {
+        let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::hidden());
         let style = ProgressStyle::with_template(TEMPLATE).expect("a right template");
         bar.set_style(style.with_key("rate_and_left", rate_and_left));
-        bar.enable_steady_tick(Duration::from_millis(100));
-        Self { bar }
+        let (sender, receiver) = mpsc::channel::<()>();
+        let shown = bar.clone();
+        let thread = thread::spawn(move || {
+            if receiver.recv_timeout(delay) == Err(RecvTimeoutError::Timeout) {
+                shown.set_draw_target(target);
+                shown.enable_steady_tick(Duration::from_millis(100));
+            }
+        });
+        Self { bar, waiting: Some((sender, thread)) }
     }
 
     /// Begins with an input.
     pub fn begin(&self, job: &Job) -> FileProgress<'_> {
-        FileProgress { bar: &self.bar, start: self.bar.position(), bytes: size(job) }
+        FileProgress { bar: &self.bar, start: self.bar.position(), bytes: AtomicU64::new(size(job)) }
     }
 
     /// Prints something while the bar is away.
@@ -74,18 +91,30 @@ impl FileProgress<'_> {
     /// So much of a stage is done.
     pub fn within(&self, stage: Stage, done: usize, all: usize) {
         let thirds = stage as u64 as f64 + done as f64 / all.max(1) as f64;
-        self.bar.set_position(self.start + (self.bytes as f64 * thirds / 3.0) as u64);
+        let bytes = self.bytes.load(Ordering::Relaxed);
+        self.bar.set_position(self.start + (bytes as f64 * thirds / 3.0) as u64);
+    }
+
+    /// So many more bytes have come from an input whose length nobody knows.
+    pub fn came(&self, bytes: u64) {
+        let all = self.bytes.fetch_add(bytes, Ordering::Relaxed) + bytes;
+        self.bar.inc_length(bytes);
+        self.bar.set_position(self.start + all / 3);
     }
 }
 
 impl Drop for FileProgress<'_> {
     fn drop(&mut self) {
-        self.bar.set_position(self.start + self.bytes);
+        self.bar.set_position(self.start + self.bytes.load(Ordering::Relaxed));
     }
 }
 
 impl Drop for Progress {
     fn drop(&mut self) {
+        if let Some((sender, thread)) = self.waiting.take() {
+            drop(sender);
+            let _ = thread.join();
+        }
         self.bar.finish_and_clear();
     }
 }
@@ -102,5 +131,90 @@ fn size(job: &Job) -> u64 {
     match &job.source {
         Source::Stdin => 0,
         Source::File(path) => path.metadata().map_or(0, |metadata| metadata.len()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use indicatif::TermLike;
+    use std::io;
+    use std::sync::{Arc, Mutex};
+    use std::time::Instant;
+
+    /// A terminal that keeps what is written to it.
+    #[derive(Clone, Debug, Default)]
+    struct Paper(Arc<Mutex<String>>);
+
+    impl TermLike for Paper {
+        fn width(&self) -> u16 {
+            100
+        }
+        fn move_cursor_up(&self, _: usize) -> io::Result<()> {
+            Ok(())
+        }
+        fn move_cursor_down(&self, _: usize) -> io::Result<()> {
+            Ok(())
+        }
+        fn move_cursor_right(&self, _: usize) -> io::Result<()> {
+            Ok(())
+        }
+        fn move_cursor_left(&self, _: usize) -> io::Result<()> {
+            Ok(())
+        }
+        fn write_line(&self, text: &str) -> io::Result<()> {
+            self.write_str(text)
+        }
+        fn write_str(&self, text: &str) -> io::Result<()> {
+            self.0.lock().unwrap().push_str(text);
+            Ok(())
+        }
+        fn clear_line(&self) -> io::Result<()> {
+            Ok(())
+        }
+        fn flush(&self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    fn stdin() -> Job {
+        Job { source: Source::Stdin, format: None, target: None, to: None }
+    }
+
+    #[test]
+    fn a_bar_is_seen_once_work_has_taken_a_while() {
+        let paper = Paper::default();
+        let target = ProgressDrawTarget::term_like(Box::new(paper.clone()));
+        let progress = Progress::after(Duration::from_millis(20), 1000, target);
+        let file = progress.begin(&stdin());
+        file.stage(Stage::Compute);
+        let start = Instant::now();
+        while !paper.0.lock().unwrap().contains("computing") {
+            assert!(start.elapsed() < Duration::from_secs(30), "no bar was drawn");
+            thread::sleep(Duration::from_millis(5));
+        }
+        drop(file);
+
+        let paper = Paper::default();
+        let target = ProgressDrawTarget::term_like(Box::new(paper.clone()));
+        let progress = Progress::after(Duration::from_secs(600), 1000, target);
+        progress.begin(&stdin()).stage(Stage::Compute);
+        // Ends without waiting for the delay.
+        drop(progress);
+        assert_eq!(*paper.0.lock().unwrap(), "");
+    }
+
+    #[test]
+    fn what_comes_from_standard_input_counts() {
+        let progress = Progress::after(Duration::from_secs(600), 0, ProgressDrawTarget::hidden());
+        let file = progress.begin(&stdin());
+        file.stage(Stage::Read);
+        file.came(600);
+        file.came(300);
+        assert_eq!((progress.bar.length(), progress.bar.position()), (Some(900), 300));
+        file.stage(Stage::Write);
+        assert_eq!(progress.bar.position(), 600);
+        drop(file);
+        assert_eq!(progress.bar.position(), 900);
     }
 }

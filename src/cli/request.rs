@@ -59,12 +59,15 @@ impl Request {
                 "one of --output, --out-dir and --in-place is needed; --dry-run and --emit face --json go without",
             );
         }
+        if let Some(root) = args.output.root.as_ref().filter(|root| !root.is_dir()) {
+            return usage(format!("--root {} is no folder", root.display()));
+        }
         let found = inputs::expand(&args.inputs, args.output.recursive, args.output.out_dir.as_deref())?;
         if args.output.output.is_some() && found.len() > 1 {
             return usage(format!("--output takes one input, not {}; --out-dir takes several", found.len()));
         }
         let jobs: Vec<Job> = found.iter().map(|input| job(input, args)).collect::<Result<_, _>>()?;
-        check_collisions(&jobs, args.output.out_dir.is_some())?;
+        check_collisions(&jobs, args.output.in_place)?;
         Ok(Request {
             jobs,
             task: task(args),
@@ -214,7 +217,7 @@ fn in_place_target(
 }
 
 /// No two outputs may be one file, and none may be an input unless that is what was asked for.
-fn check_collisions(jobs: &[Job], into_folder: bool) -> Result<(), RequestError> {
+fn check_collisions(jobs: &[Job], in_place: bool) -> Result<(), RequestError> {
     let real = |path: &Path| path.canonicalize().ok();
     let mut inputs = BTreeMap::new();
     for job in jobs {
@@ -229,8 +232,11 @@ fn check_collisions(jobs: &[Job], into_folder: bool) -> Result<(), RequestError>
             let (first, second) = (other.display(), source.display());
             return usage(format!("{first} and {second} would both be written to {}", target.display()));
         }
-        if into_folder && let Some(input) = real(target).and_then(|real| inputs.get(&real).copied()) {
-            return usage(format!("this would overwrite the input {}; --in-place does so", input.display()));
+        if !in_place && let Some(input) = real(target).and_then(|real| inputs.get(&real).copied()) {
+            return usage(format!(
+                "this would overwrite the input {}; name another output, or say --in-place",
+                input.display()
+            ));
         }
     }
     Ok(())

@@ -1,38 +1,19 @@
 //! Reports for people.
 
 use super::console::{Console, Style, Verbosity, escaped};
-use super::report::{Edges, OutputReport, PartReport, PlaceReport, Report};
+use super::report::{Edges, OutputReport, PartReport, Report, SpotReport};
 use super::request::{Job, Request, Target};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// How many notes of an input are printed unless all are asked for.
-const NOTES: usize = 20;
-
-/// Prints the notes of an input: when brief, warnings only.
-pub fn notes(report: &Report, brief: bool, console: &Console) {
-    let most = if console.verbosity == Verbosity::Verbose { usize::MAX } else { NOTES };
-    let wanted: Vec<_> = report.notes.iter().filter(|note| !brief || note.severity == "warning").collect();
-    for note in wanted.iter().take(most) {
-        let place = match &note.place {
-            None => String::new(),
-            Some(PlaceReport::Line(line)) => format!("line {line}: "),
-            Some(PlaceReport::Byte(offset)) => format!("byte {offset}: "),
-            Some(PlaceReport::Json(pointer)) => format!("{pointer}: "),
-        };
-        let text = format!("{}: {place}{}", report.input.path, note.text);
-        if note.severity == "warning" { console.warning(&text) } else { console.note(&text) }
-    }
-    if wanted.len() > most {
-        console.note(&format!("{}: {} more; -v shows them", report.input.path, wanted.len() - most));
-    }
-}
+/// How many places of faults, and of broken normals, are printed when details are asked for.
+const SPOTS: usize = 10;
 
 /// A batch in one line.
 pub fn of_batch(inputs: usize, failed: usize) -> String {
     match failed {
-        0 => format!("{inputs} files done\n"),
-        _ => format!("{} of {inputs} files done, {failed} failed\n", inputs - failed),
+        0 => format!("{} done\n", count(inputs, "file")),
+        _ => format!("{} of {} done, {failed} failed\n", inputs - failed, count(inputs, "file")),
     }
 }
 
@@ -40,7 +21,10 @@ pub fn of_batch(inputs: usize, failed: usize) -> String {
 pub fn line(report: &Report, style: Style) -> String {
     let total = Total::of(&report.parts);
     let mut line = title(report, style);
-    let _ = write!(line, ": {}, {}", count(total.faces, "face"), count(total.splits, "split"));
+    let _ = write!(line, ": {}", count(total.faces, "face"));
+    if report.recipe.emit != "face" {
+        let _ = write!(line, ", {}", count(total.splits, "split"));
+    }
     if let Some(faults) = faults(&total) {
         let _ = write!(line, "; {faults}");
     }
@@ -67,9 +51,15 @@ pub fn block(report: &Report, job: &Job, request: &Request, console: &Console) -
         }
     }
     if total.faces > 0 {
-        row("edges", edges(&total.edges));
+        // The normals of faces know no edges.
+        if report.recipe.emit != "face" {
+            row("edges", edges(&total.edges, report.recipe.emit == "vertex"));
+        }
         row("normals", normals(report, &total));
         row("faults", faults(&total).unwrap_or_else(|| "none".into()));
+    }
+    for text in spots(report, console.verbosity == Verbosity::Verbose) {
+        row("at", text);
     }
     for (name, text) in remarks(report, &total) {
         row(name, text);
@@ -200,17 +190,20 @@ fn mesh(total: &Total) -> String {
     text
 }
 
-fn edges(edges: &Edges) -> String {
+/// The kinds of edges. Where sharp ones are ignored they are as good as smooth.
+fn edges(edges: &Edges, ignores_sharp: bool) -> String {
+    let (ignored, sharp) = if ignores_sharp { (edges.crease + edges.marked, 0) } else { (0, 1) };
+    let smooth = edges.smooth + ignored;
     let hard = [
-        (edges.crease, "over the angle"),
-        (edges.marked, "marked"),
+        (edges.crease * sharp, "over the angle"),
+        (edges.marked * sharp, "marked"),
         (edges.boundary, "boundary"),
         (edges.non_manifold, "non-manifold"),
         (edges.inconsistent, "wound inconsistently"),
         (edges.ambiguous, "ambiguous"),
     ];
-    let all: usize = edges.smooth + hard.iter().map(|kind| kind.0).sum::<usize>();
-    let mut text = format!("{all}: {} smooth", edges.smooth);
+    let all: usize = smooth + hard.iter().map(|kind| kind.0).sum::<usize>();
+    let mut text = format!("{all}: {smooth} smooth");
     for (number, what) in hard.iter().filter(|kind| kind.0 > 0) {
         let _ = write!(text, ", {number} {what}");
     }
@@ -223,7 +216,11 @@ fn edges(edges: &Edges) -> String {
 fn normals(report: &Report, total: &Total) -> String {
     let recipe = &report.recipe;
     let angle = report.parts.iter().find_map(|part| part.crease_degrees);
+    if recipe.emit == "face" {
+        return format!("{}, one a face", total.faces);
+    }
     let sharp = match angle {
+        Some(180.0) if recipe.emit != "vertex" => format!("{} rule, crease off", recipe.crease_rule),
         _ if recipe.emit == "vertex" => "no sharp edges".to_owned(),
         Some(angle) => format!("{} rule at {angle}°", recipe.crease_rule),
         None => format!("{} rule by smoothing groups", recipe.crease_rule),
@@ -245,7 +242,47 @@ fn faults(total: &Total) -> Option<String> {
 }
 
 fn listed(counts: &BTreeMap<&'static str, usize>) -> String {
-    counts.iter().map(|(name, count)| format!("{count} {name}")).collect::<Vec<_>>().join(", ")
+    counts.iter().map(|(name, count)| format!("{count} {}", words(name))).collect::<Vec<_>>().join(", ")
+}
+
+/// A reason in words that follow a count.
+fn words(reason: &str) -> &str {
+    match reason {
+        "ZeroArea" => "without area",
+        "BelowStorage" => "lower than the rounding of the file",
+        "CancellingFan" => "where the faces cancel each other",
+        "NonFinite" | "NotFinite" => "not finite",
+        "OutOfRange" => "beyond the range of numbers",
+        "Unreferenced" => "that no face uses",
+        "Missing" => "missing",
+        "Length" => "not of unit length",
+        "AgainstFace" => "against the own face",
+        other => other,
+    }
+}
+
+/// The first places of faults and of broken normals, numbers as in the file and from 0; without details, one of each.
+fn spots(report: &Report, in_detail: bool) -> Vec<String> {
+    let most = if in_detail { SPOTS } else { 1 };
+    let of_kind = |kind: fn(&PartReport) -> &[SpotReport], what: &'static str| {
+        let parts = report.parts.iter().enumerate();
+        let all = parts.flat_map(move |(number, part)| kind(part).iter().map(move |spot| (number, spot)));
+        let several = report.parts.len() > 1;
+        all.take(most).map(move |(part, spot)| {
+            let part = if several { format!("part {part}, ") } else { String::new() };
+            format!("{part}{}: {what}{}", element(spot), words(spot.reason))
+        })
+    };
+    let faults = of_kind(|part| &part.fault_places, "");
+    faults.chain(of_kind(|part| &part.broken_places, "stored normal ")).collect()
+}
+
+fn element(spot: &SpotReport) -> String {
+    match (spot.face, spot.corner, spot.vertex) {
+        (Some(face), Some(corner), Some(vertex)) => format!("face {face}, corner {corner} (vertex {vertex})"),
+        (Some(face), ..) => format!("face {face}"),
+        (None, _, vertex) => format!("vertex {}", vertex.unwrap_or_default()),
+    }
 }
 
 /// Everything that is not told of every file.

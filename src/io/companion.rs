@@ -76,6 +76,14 @@ pub(super) fn output_name(folder: &Path, name: &str) -> Option<String> {
     (!parts.is_empty()).then(|| parts.join("/"))
 }
 
+/// Whether a relative name leads from an output's folder to this very file, so that a reference still holds there.
+pub(super) fn leads_to(folder: Option<&Path>, name: &str, file: &Path) -> bool {
+    let Some(folder) = folder else { return false };
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let found = folder.join(name.replace('\\', "/")).canonicalize();
+    matches!((found, file.canonicalize()), (Ok(found), Ok(file)) if found == file)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

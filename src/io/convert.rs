@@ -1,7 +1,10 @@
 //! Writing: back into the document, or as a new file of another format.
 
-use super::dispatch;
-use super::{Emit, FileNode, Format, Loaded, Note, Part, PartEdit, Place, WriteError, WriteOptions, Written};
+use super::text::counted;
+use super::{
+    Document, Emit, FileNode, Format, Loaded, Note, Part, PartEdit, Place, WriteError, WriteOptions, Written,
+};
+use super::{dispatch, instances};
 use crate::mesh::{Column, Mesh, TransformFault};
 use glam::DMat4;
 use std::borrow::Cow;
@@ -32,12 +35,15 @@ pub fn write<'a>(
     }
     let mut notes = Vec::new();
     let parts = placed(loaded, edits, format, options, &mut notes)?;
-    if loaded.format.is_gltf() {
-        let text = "meshes and where they stand were converted; textures, skins, animations, cameras and lights, if \
-                    any, were left out";
-        notes.push(Note::remark(text));
+    let left = dispatch::beside_meshes(&loaded.document);
+    if !left.is_empty() {
+        let text = format!("a new file is made of the meshes alone; left out: {}", left.join(", "));
+        notes.push(Note::warning(Place::File, text));
     }
-    let mut written = dispatch::write(format, &parts, options)?;
+    if let Document::Gltf(document) = &loaded.document {
+        notes.extend(document.texture_transform_note(format));
+    }
+    let mut written = dispatch::write(format, &parts, dispatch::looks(&loaded.document), options)?;
     written.notes.splice(0..0, notes);
     Ok(written)
 }
@@ -60,7 +66,7 @@ pub fn write<'a>(
 /// # Errors
 /// [`WriteError`] for what the format cannot hold and may not be left out, or cannot count.
 pub fn write_new(parts: &[Part], format: Format, options: &WriteOptions) -> Result<Written, WriteError> {
-    dispatch::write(format, parts, options)
+    dispatch::write(format, parts, &[], options)
 }
 
 /// The parts as they are to be written: edited, and moved to where the nodes put them.
@@ -72,6 +78,11 @@ fn placed(
     notes: &mut Vec<Note>,
 ) -> Result<Vec<Part>, WriteError> {
     let by_face = format == Format::Stl || options.emit == Emit::Face;
+    let mut uses = vec![0_usize; loaded.parts.len()];
+    for node in &loaded.nodes {
+        uses[node.part] += 1;
+    }
+    instances::check(loaded, &edits, &uses, format)?;
     let mut edited = |number: usize, is_last_use: bool| {
         let part = &loaded.parts[number];
         let mesh = match &mut edits {
@@ -85,13 +96,10 @@ fn placed(
     if loaded.nodes.is_empty() {
         return Ok((0..loaded.parts.len()).map(|number| edited(number, true)).collect());
     }
-    let mut uses = vec![0_usize; loaded.parts.len()];
-    for node in &loaded.nodes {
-        uses[node.part] += 1;
-    }
     let unused = uses.iter().filter(|&&uses| uses == 0).count();
     if unused > 0 {
-        notes.push(Note::warning(Place::File, format!("{unused} meshes that no node shows were left out")));
+        let meshes = counted(unused, "mesh", "meshes");
+        notes.push(Note::warning(Place::File, format!("left out, because no node shows it: {meshes}")));
     }
     let mut flattened = 0;
     let mut parts = Vec::with_capacity(loaded.nodes.len());
@@ -109,7 +117,8 @@ fn placed(
         parts.push(part);
     }
     if flattened > 0 {
-        let text = format!("{flattened} nodes flatten their meshes, which have no normals then");
+        let nodes = counted(flattened, "node", "nodes");
+        let text = format!("meshes that a node squeezes flat have no normals there: {nodes}");
         notes.push(Note::warning(Place::File, text));
     }
     Ok(parts)

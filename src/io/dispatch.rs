@@ -1,5 +1,6 @@
 //! Which module reads and writes which format.
 
+use super::look::Look;
 use super::{Document, Format, Loaded, Part, PartEdit, ReadError, ReadOptions};
 use super::{WriteError, WriteOptions, Written};
 use super::{gltf, obj, ply, stl};
@@ -38,11 +39,47 @@ pub(super) fn edit(
     }
 }
 
+impl Document {
+    /// Whether these bytes are those that the document was read from.
+    pub fn is_unchanged(&self, bytes: &[u8]) -> bool {
+        match self {
+            Document::None => false,
+            Document::Obj(document) => document.source() == bytes,
+            Document::Gltf(document) => document.source() == bytes,
+            Document::Ply(document) => document.source() == bytes,
+            Document::Stl(document) => document.source() == bytes,
+        }
+    }
+}
+
+/// What the material library of a file says of its materials.
+pub(super) fn looks(document: &Document) -> &[Look] {
+    match document {
+        Document::Obj(document) => document.looks(),
+        _ => &[],
+    }
+}
+
+/// What a document holds beside the meshes that a new file is made of, and so does not reach it, in words.
+pub(super) fn beside_meshes(document: &Document) -> Vec<String> {
+    match document {
+        Document::None | Document::Obj(_) => Vec::new(),
+        Document::Gltf(document) => document.beside_meshes(),
+        Document::Ply(document) => document.beside_meshes(),
+        Document::Stl(document) => document.beside_meshes(),
+    }
+}
+
 /// Writes a new file.
-pub(super) fn write(format: Format, parts: &[Part], options: &WriteOptions) -> Result<Written, WriteError> {
+pub(super) fn write(
+    format: Format,
+    parts: &[Part],
+    looks: &[Look],
+    options: &WriteOptions,
+) -> Result<Written, WriteError> {
     match format {
         Format::Obj => obj::write(parts, options),
-        Format::Gltf | Format::Glb => gltf::write(parts, format, options),
+        Format::Gltf | Format::Glb => gltf::write_with_looks(parts, looks, format, options),
         Format::Stl => stl::write(parts, options),
         Format::Ply => ply::write(parts, options),
     }

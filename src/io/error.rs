@@ -104,25 +104,54 @@ pub struct Note {
     pub place: Place,
     /// What.
     pub text: String,
+    /// How many more like it there are.
+    pub more: u64,
+    /// Where the first of these are, at most [`Note::MOST_PLACES`].
+    pub also: Vec<Place>,
 }
 
 impl Note {
+    /// The most places that a note lists beside its own.
+    pub const MOST_PLACES: usize = 100;
+
+    /// A note at a place.
+    pub fn new(severity: Severity, place: Place, text: impl Into<String>) -> Self {
+        Self { severity, place, text: text.into(), more: 0, also: Vec::new() }
+    }
+
     /// A warning at a place.
     pub fn warning(place: Place, text: impl Into<String>) -> Self {
-        Self { severity: Severity::Warning, place, text: text.into() }
+        Self::new(Severity::Warning, place, text)
     }
 
     /// A remark about the file as a whole.
     pub fn remark(text: impl Into<String>) -> Self {
-        Self { severity: Severity::Note, place: Place::File, text: text.into() }
+        Self::new(Severity::Note, Place::File, text)
+    }
+
+    /// The same note for `count` things, the first of which are at these places; `None` without any.
+    pub(super) fn for_all(
+        severity: Severity,
+        count: u64,
+        places: impl IntoIterator<Item = Place>,
+        text: impl Into<String>,
+    ) -> Option<Self> {
+        let more = count.checked_sub(1)?;
+        let mut places = places.into_iter().take(1 + Self::MOST_PLACES);
+        let place = places.next().unwrap_or_default();
+        Some(Self { severity, place, text: text.into(), more, also: places.collect() })
     }
 }
 
 impl fmt::Display for Note {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.place {
-            Place::File => out.write_str(&self.text),
-            _ => write!(out, "{}: {}", self.place, self.text),
+        if self.place != Place::File {
+            write!(out, "{}: ", self.place)?;
+        }
+        out.write_str(&self.text)?;
+        match self.more {
+            0 => Ok(()),
+            more => write!(out, " (and {more} more like it)"),
         }
     }
 }

@@ -174,6 +174,9 @@ pub struct WriteOptions {
     /// File name without extension of the output, for naming companion files; `None` when writing to a stream,
     /// where everything must fit into one file.
     pub stem: Option<String>,
+    /// The folder of the output, if it is known. Files outside it that the input refers to need no copy if the
+    /// output's own reference leads to them too.
+    pub folder: Option<PathBuf>,
 }
 
 /// An output, ready to be stored.

@@ -1,22 +1,39 @@
 //! Warnings that may be due many times, and the check that every reader ends with.
 
-use super::{NonFinite, Note, Part, Place, Problem, ReadError, ReadOptions};
+use super::text::counted;
+use super::{NonFinite, Note, Part, Place, Problem, ReadError, ReadOptions, Severity};
 use crate::mesh::{MeshBuilder, MeshError};
+use glam::DVec3;
 
-/// Something odd that is said once: where it was first, and how often.
-#[derive(Clone, Copy, Debug, Default)]
+/// Something odd that is said once: how often it was met, and where at first.
+#[derive(Clone, Debug, Default)]
 pub(super) struct Tally {
     count: u64,
-    first: usize,
+    /// Offsets, no more than a note lists.
+    places: Vec<usize>,
 }
 
 impl Tally {
     /// It was met at this offset.
     pub fn add(&mut self, offset: usize) {
-        if self.count == 0 {
-            self.first = offset;
-        }
-        self.count += 1;
+        self.add_all(1, [offset]);
+    }
+
+    /// It was met so often, at these offsets among others.
+    pub fn add_all(&mut self, count: u64, offsets: impl IntoIterator<Item = usize>) {
+        let room = (1 + Note::MOST_PLACES).saturating_sub(self.places.len());
+        self.places.extend(offsets.into_iter().take(room));
+        self.count += count;
+    }
+
+    /// It was also met as another tally says, behind where this one met it.
+    pub fn append(&mut self, other: Tally) {
+        self.add_all(other.count, other.places);
+    }
+
+    /// The offset where it was first.
+    pub fn first(&self) -> Option<usize> {
+        self.places.iter().min().copied()
     }
 
     /// A value, or 0 and a count where it will not do.
@@ -29,18 +46,20 @@ impl Tally {
     }
 
     /// Whether it was met at all.
-    pub fn is_met(self) -> bool {
+    pub fn is_met(&self) -> bool {
         self.count > 0
     }
 
-    /// The warning, if there is any.
-    pub fn note(self, place: impl FnOnce(usize) -> Place, text: &str) -> Option<Note> {
-        let more = match self.count {
-            0 => return None,
-            1 => String::new(),
-            count => format!(" (and {} more like it)", count - 1),
-        };
-        Some(Note::warning(place(self.first), format!("{text}{more}")))
+    /// The note, if there is any; `places` turns ascending offsets into places.
+    pub fn note(
+        &self,
+        severity: Severity,
+        places: impl FnOnce(&[usize]) -> Vec<Place>,
+        text: impl Into<String>,
+    ) -> Option<Note> {
+        let mut offsets = self.places.clone();
+        offsets.sort_unstable();
+        Note::for_all(severity, self.count, places(&offsets), text)
     }
 }
 
@@ -51,6 +70,18 @@ pub(super) fn check_size(bytes: &[u8], options: &ReadOptions) -> Result<(), Read
     }
     let found = format!("{} bytes, more than the limit of {}", bytes.len(), options.limits.bytes);
     Err(ReadError::new(Problem::Limit, Place::File, found, "raise the limit"))
+}
+
+/// What is told of positions that are not finite where they are let pass.
+pub(super) fn non_finite_note(positions: &[DVec3], non_finite: NonFinite) -> Option<Note> {
+    let is_bad = |position: &DVec3| !position.is_finite();
+    let first = positions.iter().position(is_bad).filter(|_| non_finite == NonFinite::DropFaces)?;
+    let count = counted(positions.iter().filter(|position| is_bad(position)).count(), "vertex", "vertices");
+    let text = format!(
+        "no finite position: {count} (the first is vertex {first}, counted from 0); faces there are dropped, and what \
+         the file says stays where it is edited, but is the origin in a new file"
+    );
+    Some(Note::warning(Place::File, text))
 }
 
 /// Checks the mesh of a part. `place` tells where the faulty vertex or face is.
@@ -68,9 +99,10 @@ pub(super) fn build_part(
         Ok((mesh, non_finite_faces)) => Ok(Part { name, mesh, non_finite_faces }),
         Err(error) => {
             let (problem, advice) = match error {
-                MeshError::NonFinite { .. } => {
-                    (Problem::NonFinite, "correct it, or drop the faces that use such vertices with --force")
-                }
+                MeshError::NonFinite { .. } => (
+                    Problem::NonFinite,
+                    "correct it (text beyond 1.8e308 reads as infinite), or drop the faces that use such vertices with --force",
+                ),
                 MeshError::TooLarge { .. } => (Problem::Limit, "divide the mesh"),
                 _ => (Problem::Range, "the file is damaged, or its writer is at fault"),
             };

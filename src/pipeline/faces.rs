@@ -44,6 +44,24 @@ impl<'a> Turned<'a> {
         Self { mesh, orientation, faces, count }
     }
 
+    /// The numbers that some faces of the turned mesh, ascending, had when they were read.
+    pub(super) fn as_read(&self, faces: impl Iterator<Item = u32>) -> Vec<u32> {
+        let mut dropped = self.faces.dropped.iter().peekable();
+        let mut before = 0;
+        let number = |face: u32| {
+            while dropped.next_if(|&&dropped| dropped <= face + before).is_some() {
+                before += 1;
+            }
+            face + before
+        };
+        faces.map(number).collect()
+    }
+
+    /// Whether a face, in the numbers of the mesh as it was read, is turned round.
+    pub(super) fn reverses(&self, face: u32) -> bool {
+        self.faces.reverses(face)
+    }
+
     /// Values of the turned mesh's faces, one for each face as it was read. What is left out gets +z.
     pub(super) fn faces_as_read(&self, normals: Vec<DVec3>) -> Vec<DVec3> {
         if self.faces.dropped.is_empty() {

@@ -17,8 +17,10 @@
 
 mod faces;
 mod outcome;
+mod places;
 
 pub use outcome::{FaultCounts, PartOutcome, ReasonCounts, ReplacedCounts};
+pub use places::{MOST_PLACES, Spot};
 
 use crate::io::{Emit, Format, Loaded, Part, PartEdit};
 use crate::mesh::Orient;
@@ -101,6 +103,7 @@ fn revise_part(part: &Part, task: &Task) -> (PartEdit, PartOutcome, Option<Vec<D
     let field = normals::compute(&turned.mesh, &task.recipe);
     outcome.orientation.clone_from(&turned.orientation);
     outcome.record(&field);
+    outcome.fault_places = places::of_faults(&turned, &part.mesh, &field.faults);
 
     let dropped: Vec<u32> = match task.degenerate {
         Degenerate::Keep => Vec::new(),
@@ -111,6 +114,7 @@ fn revise_part(part: &Part, task: &Task) -> (PartEdit, PartOutcome, Option<Vec<D
     };
     let mut selection = select(&turned.mesh, field, task.when);
     outcome.record_selection(&selection, turned.mesh.faces().corner_count(), task.when);
+    outcome.broken_places = places::of_broken(&turned, &part.mesh, &selection.broken);
     let facets = turned.faces_as_read(std::mem::take(&mut selection.face_normals));
     let edit = turned.edit(part, selection, task, &dropped);
     outcome.reversed_faces = edit.faces.reversed.len();
@@ -243,6 +247,39 @@ mod tests {
         let (edit, _) = revise_one(&turned, &flipped, None);
         assert_eq!(edit.kept, 0, "they are no longer the file's own");
         assert_eq!(written(&turned, &edit)[12], -outward[4]);
+    }
+
+    /// Faces 1 and 2 are told by the numbers of the file although face 0 is dropped, and corners by the order of
+    /// the file although a face is turned round.
+    #[test]
+    fn places_are_those_of_the_file() {
+        let positions = vec![DVec3::NAN, DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::X * 2.0];
+        let faces = Faces::triangles(vec![0, 1, 2, 1, 2, 4, 1, 2, 3]);
+        let stored = Column::per_corner(vec![DVec3::Z, DVec3::Z * 3.0], vec![0, 0, 0, 0, 0, 0, 0, 0, 1]);
+        let columns = crate::mesh::Columns { normals: Some(stored), ..Default::default() };
+        let builder = MeshBuilder { positions, faces, columns, ..MeshBuilder::default() };
+        let (mesh, non_finite_faces) = builder.build_dropping_non_finite().unwrap();
+        let part = Part { name: String::new(), mesh, non_finite_faces };
+        for flip in [false, true] {
+            let task = Task { flip, when: When::Broken, ..Task::default() };
+            let (_, outcome) = revise_one(&part, &task, None);
+            assert!(outcome.fault_places.contains(&(Spot::Face(1), normals::FaultReason::ZeroArea)));
+            // Turned values become new ones, so what is no unit vector has been left out before.
+            let broken = Spot::Corner { face: 2, corner: 2, vertex: 3 };
+            let expected = if flip { vec![] } else { vec![(broken, normals::Broken::Length)] };
+            assert_eq!(outcome.broken_places, expected);
+            let of_corners: Vec<Spot> = outcome
+                .fault_places
+                .iter()
+                .map(|place| place.0)
+                .filter(|spot| matches!(spot, Spot::Corner { .. }))
+                .collect();
+            let own = |corner, vertex| Spot::Corner { face: 1, corner, vertex };
+            let expected =
+                if flip { [own(0, 1), own(2, 4), own(1, 2)] } else { [own(0, 1), own(1, 2), own(2, 4)] };
+            assert!(of_corners.iter().all(|spot| expected.contains(spot)), "{of_corners:?}");
+            assert!(of_corners.contains(&own(2, 4)), "{of_corners:?}");
+        }
     }
 
     #[test]

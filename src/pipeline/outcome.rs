@@ -1,5 +1,6 @@
 //! What a revision found, counted.
 
+use super::places::Spot;
 use crate::io::Part;
 use crate::mesh::Orientation;
 use crate::normals::{Broken, Fault, FaultReason, Faults, NormalField, Selection, Summary, When};
@@ -31,10 +32,15 @@ pub struct PartOutcome {
     pub summary: Summary,
     /// Faults of the computation.
     pub faults: FaultCounts,
+    /// Where the first faults are: of faces, of corners, of vertices, at most [`MOST_PLACES`](super::MOST_PLACES) of
+    /// each.
+    pub fault_places: Vec<(Spot, FaultReason)>,
     /// Corners that keep their stored normal.
     pub kept: usize,
     /// Corners that got a computed normal although not all were to be replaced, by the reason.
     pub replaced: ReplacedCounts,
+    /// The first corners whose stored normal was broken, at most [`MOST_PLACES`](super::MOST_PLACES).
+    pub broken_places: Vec<(Spot, Broken)>,
 }
 
 impl PartOutcome {

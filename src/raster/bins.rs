@@ -161,11 +161,11 @@ impl Kernel for FindTiles<'_> {
         let total = range.len() as u64;
         for start in range.clone().step_by(GROUP) {
             let count = (range.end - start).min(GROUP as u32) as usize;
-            for lane in 0..count {
+            for (lane, outside) in outside.iter_mut().enumerate().take(count) {
                 let v = object.screen(start + lane as u32);
-                outside[lane] = v[0].outside | v[1].outside | v[2].outside;
-                if outside[lane] != 0 && v[0].outside & v[1].outside & v[2].outside != 0 {
-                    outside[lane] = OUT_OF_SIGHT;
+                *outside = v[0].outside | v[1].outside | v[2].outside;
+                if *outside != 0 && v[0].outside & v[1].outside & v[2].outside != 0 {
+                    *outside = OUT_OF_SIGHT;
                 }
                 corners.set(lane, &v);
             }

@@ -11,7 +11,6 @@ mod clip;
 mod coverage;
 mod error;
 mod fixed;
-
 mod interpolate;
 mod job;
 mod lines;

@@ -147,7 +147,7 @@ fn on_face(job: &Job, drawn: &DrawnObject, record: &Record, at: [f64; 2]) -> Pro
     let triangle = drawn.list.vertices(record.triangle);
     let corners = drawn.list.corners(record.triangle);
     let in_scene = scene_weights(job, drawn, triangle, at);
-    let position = |vertex: u32| drawn.map.from_eye(drawn.points.get(vertex));
+    let position = |vertex: u32| drawn.map.scene_point(drawn.points.get(vertex));
     let relative: DVec3 = triangle.iter().zip(in_scene).map(|(&v, weight)| position(v) * weight).sum();
     let face: Vec<(u32, u32)> = face_corners(object, drawn, record).collect();
     let (corners, weights): (Vec<(u32, u32)>, Vec<f64>) = match job.settings.interpolation {

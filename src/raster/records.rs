@@ -132,7 +132,7 @@ pub(super) fn corner_point(
     (corner, vertex): (u32, u32),
     turned: bool,
 ) -> CornerPoint {
-    let position = drawn.map.from_eye(drawn.points.get(vertex)) / job.frame.unit;
+    let position = drawn.map.scene_point(drawn.points.get(vertex)) / job.frame.unit;
     CornerPoint { position: position.as_vec3(), normal: object.corner_normal(corner, vertex, turned) }
 }
 
@@ -140,7 +140,7 @@ pub(super) fn corner_point(
 pub(super) fn centroid(job: &Job, object: &Prepared, drawn: &DrawnObject, record: &Record) -> CornerPoint {
     let corners = face_corners(object, drawn, record);
     let count = corners.len() as f64;
-    let sum: DVec3 = corners.map(|(_, vertex)| drawn.map.from_eye(drawn.points.get(vertex))).sum();
+    let sum: DVec3 = corners.map(|(_, vertex)| drawn.map.scene_point(drawn.points.get(vertex))).sum();
     CornerPoint {
         position: (sum / count / job.frame.unit).as_vec3(),
         normal: object.face_normal(record.face, record.turned),

@@ -373,7 +373,7 @@ impl Worker {
                 return hit.is_some_and(|(_, z)| job.view.depth(z * (1.0 + CHORD)) > depth);
             }
         };
-        let at = place.map(|x| super::fixed::snap(x));
+        let at = place.map(super::fixed::snap);
         let [surface, right, down] = depth_plane(&v, double_area(&v), at).map(f64::from);
         let room = (right.abs() + down.abs()) * SNAPPED + surface.abs() * ROUNDED;
         depth < surface - room

@@ -128,7 +128,7 @@ impl ObjectMap {
 
     /// A point of the object relative to the eye, in the scene's axes.
     #[inline(always)]
-    pub(super) fn from_eye(&self, point: DVec3) -> DVec3 {
+    pub(super) fn scene_point(&self, point: DVec3) -> DVec3 {
         self.to_scene * (point - self.pivot) + self.scene_offset
     }
 }
@@ -192,8 +192,8 @@ mod tests {
                 let seen = map.view(point);
                 let (start, direction) = view.ray(view.on_picture(seen));
                 let back = start + direction * seen.z;
-                assert!(back.distance(map.from_eye(point)) < 1e-13, "{back} {point}");
-                assert!((map.from_eye(point) + view.eye).distance(point) < 1e-14);
+                assert!(back.distance(map.scene_point(point)) < 1e-13, "{back} {point}");
+                assert!((map.scene_point(point) + view.eye).distance(point) < 1e-14);
                 let rays = Rays::new(&view, 4.0);
                 let distance = 4.0 * rays.distance(view.depth(seen.z) as f32);
                 assert!((f64::from(distance) / seen.z - 1.0).abs() < 3e-7);

@@ -127,6 +127,163 @@ fn a_mirrored_node_turns_faces_and_normals_together() {
     }
 }
 
+/// A node takes a few bytes, a copy of its mesh takes many: the formats without nodes cannot follow for ever.
+#[test]
+fn instances_are_copied_within_reason() {
+    let corners = 3000;
+    let scene = |nodes: usize| {
+        let list: Vec<String> = (0..nodes).map(|node| node.to_string()).collect();
+        let text = format!(
+            r#"{{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[{}]}}],"nodes":[{}],
+            "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}}}}]}}],
+            "accessors":[{{"componentType":5126,"count":{corners},"type":"VEC3","min":[0,0,0],"max":[0,0,0]}}]}}"#,
+            list.join(","),
+            vec!["{\"mesh\":0}"; nodes].join(",")
+        );
+        io::read_bytes(text.into_bytes(), None, None, &ReadOptions::default()).unwrap()
+    };
+    let few = scene(300);
+    for to in [Format::Obj, Format::Ply, Format::Stl] {
+        assert_eq!(shown_triangles(&write(&few, to)), 300 * corners / 3, "{to}");
+    }
+    let many = scene(50_000);
+    for to in [Format::Obj, Format::Ply, Format::Stl] {
+        let error = io::write(&many, &[], to, &WriteOptions::default()).unwrap_err().to_string();
+        for piece in ["50000 nodes show 1 mesh", "49999 copies with 49999000 faces", "write .glb or .gltf"] {
+            assert!(error.contains(piece), "{error}");
+        }
+    }
+    assert!(io::write(&many, &[], Format::Glb, &WriteOptions::default()).is_ok());
+}
+
+fn notes(loaded: &Loaded, to: Format) -> Vec<String> {
+    let written = io::write(loaded, &[], to, &WriteOptions::default()).unwrap();
+    written.notes.iter().map(ToString::to_string).collect()
+}
+
+/// What `glb` says as JSON.
+fn json(glb: &[u8]) -> serde_json::Value {
+    let length = u32::from_le_bytes(glb[12..16].try_into().unwrap()) as usize;
+    serde_json::from_slice(&glb[20..20 + length]).unwrap()
+}
+
+#[test]
+fn objects_and_materials_of_obj_become_those_of_gltf() {
+    let work = tempfile::tempdir().unwrap();
+    let library =
+        "newmtl red\nKd 0.5 0.25 0\nNs 30\nmap_Kd a.png\nnewmtl plain\nnewmtl unused\nmap_Kd b.png\n";
+    fs::write(work.path().join("m.mtl"), library).unwrap();
+    for name in ["a.png", "b.png"] {
+        fs::write(work.path().join(name), "").unwrap();
+    }
+    // Two squares that meet at an edge and bend there by 30 degrees, in two objects.
+    let obj = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv -0.866 0 0.5\nv -0.866 1 0.5\nv 9 9 9\n\
+               o one\nusemtl red\nf 1 2 3 4\no two\nusemtl plain\nf 5 1 4 6\n";
+    fs::write(work.path().join("a.obj"), obj).unwrap();
+    let loaded = io::read(&work.path().join("a.obj"), None, &ReadOptions::default()).unwrap();
+    let revision = crease::pipeline::revise(&loaded, &Default::default(), Some(Format::Glb), &|_| {});
+    let written = io::write(&loaded, revision.edits, Format::Glb, &WriteOptions::default()).unwrap();
+    let json = json(&written.bytes);
+    let names = |list: &str| -> Vec<String> {
+        json[list].as_array().unwrap().iter().map(|it| it["name"].as_str().unwrap().to_owned()).collect()
+    };
+    assert_eq!(
+        (names("nodes"), names("meshes")),
+        (vec!["one".into(), "two".into()], vec!["one".into(), "two".into()])
+    );
+    assert_eq!(names("materials"), ["red", "plain"]);
+    let red = &json["materials"][0]["pbrMetallicRoughness"];
+    assert_eq!(
+        *red,
+        serde_json::json!({"baseColorFactor": [0.5, 0.25, 0, 1], "metallicFactor": 0, "roughnessFactor": 0.5})
+    );
+    assert_eq!(json["materials"][1], serde_json::json!({"name": "plain"}));
+    let said: Vec<String> = written.notes.iter().map(ToString::to_string).collect();
+    assert_eq!(
+        said,
+        [
+            "left out, though materials name them: 1 texture",
+            "left out, because no object uses them: 1 vertex"
+        ]
+    );
+    assert_eq!(
+        (written.vertices, written.added_vertices),
+        (8, 1),
+        "two vertices are in both objects, one in none"
+    );
+
+    // The edge between the objects is smooth.
+    let again = io::read_bytes(written.bytes, None, None, &ReadOptions::default()).unwrap();
+    let at_origin: Vec<DVec3> = again
+        .parts
+        .iter()
+        .map(|part| {
+            let vertex = part.mesh.positions().iter().position(|p| *p == DVec3::ZERO).unwrap();
+            part.mesh.columns().normals.as_ref().unwrap().values[vertex]
+        })
+        .collect();
+    assert_eq!(at_origin[0], at_origin[1]);
+    // Halfway between the two planes, whose corners have the same angle.
+    let expected = DVec3::new(15_f64.to_radians().sin(), 0.0, 15_f64.to_radians().cos());
+    assert!(at_origin[0].distance(expected) < 1e-4, "{}", at_origin[0]);
+}
+
+#[test]
+fn what_stays_behind_is_told_by_name_and_only_then() {
+    let ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
+               property float quality\nelement face 1\nproperty list uchar int vertex_indices\nproperty int flags\n\
+               element camera 1\nproperty float view\nend_header\n0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2 7\n5\n";
+    let load =
+        |text: &str| io::read_bytes(text.as_bytes().to_vec(), None, None, &ReadOptions::default()).unwrap();
+    let loaded = load(ply);
+    let left = "a new file is made of the meshes alone; left out: `quality` of the element `vertex`, `flags` of the \
+                element `face`, the element `camera`";
+    for to in [Format::Obj, Format::Glb] {
+        assert_eq!(notes(&loaded, to), [left], "{to}");
+    }
+    let bare = load(
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
+         element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
+    );
+    assert_eq!(notes(&bare, Format::Glb), [""; 0]);
+
+    let gltf = |more: &str, attributes: &str| {
+        load(&format!(
+            r#"{{"asset":{{"version":"2.0"}},{more}"nodes":[{{"mesh":0}}],
+            "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0{attributes}}}}}]}}],
+            "accessors":[{{"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[0,0,0]}},
+            {{"componentType":5126,"count":3,"type":"VEC2"}}]}}"#
+        ))
+    };
+    assert_eq!(notes(&gltf("", ""), Format::Obj), [""; 0]);
+    let full = gltf(
+        r#""materials":[{"name":"m"}],"skins":[{"joints":[0]}],"animations":[{"channels":[],"samplers":[]},{"channels":[],"samplers":[]}],
+        "extensionsUsed":["KHR_texture_transform","KHR_mesh_quantization"],"#,
+        r#","TEXCOORD_0":1,"TEXCOORD_1":1"#,
+    );
+    let left = "a new file is made of the meshes alone; left out: colours and other properties of 1 material, 1 skin, 2 \
+                animations, the vertex attributes TEXCOORD_1, what the extensions KHR_texture_transform say";
+    let uvs = "texture coordinates are those of the file, without the KHR_texture_transform of its textures";
+    assert_eq!(notes(&full, Format::Obj), [left, uvs]);
+    assert!(!notes(&full, Format::Stl).iter().any(|note| note == uvs), "it has none");
+
+    let smooth = load("v 0 0 0\nv 1 0 0\nv 0 1 0\ns 1\nf 1 2 3\n");
+    assert_eq!(notes(&smooth, Format::Glb), ["glTF has no smoothing groups: the normals keep what they say"]);
+    assert!(notes(&smooth, Format::Ply)[0].contains("PLY has no smoothing groups"));
+}
+
+#[test]
+fn positions_that_are_let_pass_are_told() {
+    let options = ReadOptions { non_finite: io::NonFinite::DropFaces, ..ReadOptions::default() };
+    let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nf 1 2 3\n";
+    let loaded = io::read_bytes(obj.as_bytes().to_vec(), None, None, &options).unwrap();
+    let said = loaded.notes[0].to_string();
+    assert!(
+        said.contains("no finite position: 1 vertex (the first is vertex 3") && said.contains("the origin"),
+        "{said}"
+    );
+}
+
 #[test]
 fn points_and_lines_go_where_they_can() {
     let obj = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\np 1\n".to_vec();

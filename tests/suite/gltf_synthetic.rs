@@ -181,7 +181,18 @@ fn external_buffers_are_left_alone_beside_a_file_and_taken_in_for_a_stream() {
     std::fs::write(folder.path().join("out.normals.bin"), normals).unwrap();
     let again = read(written.bytes, Some(folder.path()), &ReadOptions::default()).unwrap();
     let twice = change(&again, &[per_face(&again.parts[0])], Format::Gltf, &options).unwrap();
-    assert_eq!(twice.companions[0].name, "out.normals2.bin");
+    let names: Vec<&str> = twice.companions.iter().map(|file| file.name.as_str()).collect();
+    assert_eq!(
+        names,
+        ["out.normals2.bin", "in put.bin", "there.png"],
+        "the first one is not needed any more"
+    );
+    let OutputContent::Bytes(normals) = &twice.companions[0].content else { panic!("no new file") };
+    std::fs::write(folder.path().join("out.normals2.bin"), normals).unwrap();
+    let third = read(twice.bytes, Some(folder.path()), &ReadOptions::default()).unwrap();
+    assert_eq!(third.parts[0].mesh.columns().normals.as_ref().unwrap().values.len(), 6);
+    let thrice = change(&third, &[up(&third.parts[0])], Format::Gltf, &options).unwrap();
+    assert_eq!(thrice.companions[0].name, "out.normals.bin", "two names take turns");
 
     let stream = change(&loaded, &[up(&loaded.parts[0])], Format::Gltf, &WriteOptions::default()).unwrap();
     assert!(stream.companions.is_empty());

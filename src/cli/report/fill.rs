@@ -2,7 +2,7 @@
 
 use super::{
     Edges, ErrorReport, Faults, InputError, InputReport, NoteReport, OrientationReport, OutputReport,
-    PartReport, PlaceReport, Recipe, Report, SCHEMA, Seconds, WeldReport,
+    PartReport, PlaceReport, Recipe, Report, SCHEMA, Seconds, SpotReport, WeldReport,
 };
 use crate::cli::args::{EMITS, GROUPS, HARD_EDGES, HardEdge, PRECISIONS, RULES, SLIVERS, WHENS};
 use crate::cli::choice::name_of;
@@ -11,8 +11,8 @@ use crate::cli::normals::Failure;
 use crate::cli::request::{Job, Request, Target};
 use crease::io::{self, Format, PartEdit, Place, ReadError, Severity, Written};
 use crease::mesh::{Orientation, Weld};
-use crease::normals::{Broken, Crease, EdgeCounts};
-use crease::pipeline::{PartOutcome, ReasonCounts};
+use crease::normals::{Broken, Crease, EdgeCounts, FaultReason};
+use crease::pipeline::{PartOutcome, ReasonCounts, Spot};
 use std::collections::BTreeMap;
 
 impl Report {
@@ -91,6 +91,8 @@ impl NoteReport {
             },
             place: PlaceReport::new(&note.place),
             text: note.text.clone(),
+            more: note.more,
+            also: note.also.iter().filter_map(PlaceReport::new).collect(),
         }
     }
 }
@@ -195,6 +197,8 @@ impl PartReport {
             },
             kept_corners: part.kept,
             replaced_corners: replaced.collect(),
+            fault_places: spots(&part.fault_places, FaultReason::name),
+            broken_places: spots(&part.broken_places, Broken::name),
             reversed_faces: part.reversed_faces,
             dropped_faces: part.dropped_faces,
             non_finite_faces: part.non_finite_faces,
@@ -214,6 +218,18 @@ impl Edges {
             *edges;
         Self { smooth, boundary, non_manifold, inconsistent, ambiguous, marked, crease, welded }
     }
+}
+
+fn spots<R: Copy>(places: &[(Spot, R)], name: impl Fn(R) -> &'static str) -> Vec<SpotReport> {
+    let spot = |&(spot, reason): &(Spot, R)| {
+        let (face, corner, vertex) = match spot {
+            Spot::Face(face) => (Some(face), None, None),
+            Spot::Corner { face, corner, vertex } => (Some(face), Some(corner), Some(vertex)),
+            Spot::Vertex(vertex) => (None, None, Some(vertex)),
+        };
+        SpotReport { face, corner, vertex, reason: name(reason) }
+    };
+    places.iter().map(spot).collect()
 }
 
 fn by_name(counts: &ReasonCounts) -> BTreeMap<&'static str, usize> {

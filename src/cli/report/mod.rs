@@ -14,7 +14,7 @@
 //! | `dry_run` | whether writing was left out |
 //! | `recipe` | what was asked for: `emit`, `weight`, `crease` (degrees; null: the default), `crease_rule`, `groups`, `hard_edges`, `when`, `weld` (`"exact"`, `"off"` or a fraction), `slivers`, `precision` |
 //! | `parts` | one object for each mesh of the file, below |
-//! | `notes` | `severity` (`"note"`, `"warning"`), `place` (absent: the file as a whole), `text` |
+//! | `notes` | `severity` (`"note"`, `"warning"`), `place` (absent: the file as a whole), `text`, and where there are several alike `more` (how many) and `also` (the places of the first 100 of these) |
 //! | `seconds` | `read`, `compute`, `write`, `total` |
 //!
 //! A `place` is `{"line": n}` from 1, `{"byte": n}` from 0, or `{"json": "/a/pointer"}`. A part has `name`; its
@@ -23,7 +23,9 @@
 //! (entries minus referenced vertices), `crease_degrees` (the angle that was applied, or null), `near_crease` (edges
 //! within 0.1° of it), `edges` (by kind; the kinds up to `crease` add up to all, `welded` is how many of them were
 //! joined by position), `faults` (of `faces`, `corners`, `vertices`: how often which reason), `kept_corners`,
-//! `replaced_corners` (by reason; both zero or empty unless `when` is `missing` or `broken`), `reversed_faces`,
+//! `replaced_corners` (by reason; both zero or empty unless `when` is `missing` or `broken`), `fault_places` and
+//! `broken_places` (the first places of faults, and of corners whose stored normal was broken: `face`, or `face`, `corner`
+//! and `vertex`, or `vertex`, all from 0 as in the file, and `reason`; at most 100 of each kind, absent if there are none), `reversed_faces`,
 //! `dropped_faces` (without area), `non_finite_faces` (dropped under `--force`), `orientation` (absent unless
 //! asked for: counts of `components`, `closed`, `open_left`, `non_orientable`, `flat`, `undecided`, `inside_out`,
 //! `cavities`), `quadric_fallbacks`, `wide_clusters`, `faces_before_groups`, `fast_declined`; and under
@@ -146,6 +148,10 @@ pub struct PartReport {
     pub faults: Faults,
     pub kept_corners: usize,
     pub replaced_corners: BTreeMap<&'static str, usize>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub fault_places: Vec<SpotReport>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub broken_places: Vec<SpotReport>,
     pub reversed_faces: usize,
     pub dropped_faces: usize,
     pub non_finite_faces: usize,
@@ -157,6 +163,18 @@ pub struct PartReport {
     pub fast_declined: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub face_normals: Option<Vec<Option<[f64; 3]>>>,
+}
+
+/// An element of a part and what was found there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct SpotReport {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub face: Option<u32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub corner: Option<u32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub vertex: Option<u32>,
+    pub reason: &'static str,
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
@@ -197,6 +215,14 @@ pub struct NoteReport {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub place: Option<PlaceReport>,
     pub text: String,
+    #[serde(skip_serializing_if = "is_zero")]
+    pub more: u64,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub also: Vec<PlaceReport>,
+}
+
+fn is_zero(number: &u64) -> bool {
+    *number == 0
 }
 
 #[derive(Debug, Default, Serialize)]

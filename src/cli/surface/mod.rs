@@ -10,7 +10,7 @@ use super::args::Color;
 use super::batch::{exit_of, guarded};
 use super::console::{Console, Verbosity};
 use super::normals::Failure;
-use super::output::Store;
+use super::output::{Store, replaced_note};
 use super::report::{ErrorReport, NoteReport, OutputReport, json_line};
 use super::{Exit, usage_error, use_threads};
 use args::KINDS;
@@ -65,8 +65,10 @@ fn run(args: &SurfaceArgs, request: &Request, report: &mut SurfaceReport) -> Res
         write_new(&parts, request.format, &options).map_err(|error| Failure::Write(error.to_string()))?;
     report.notes = written.notes.iter().map(NoteReport::new).collect();
     report.output = Some(OutputReport::new(Some(&request.target), request.format, false, &written));
-    let stored = Store::new(args.sync).store(written, &request.target);
-    stored.map_err(|error| Failure::Write(format!("{error:#}")))
+    let stored = Store::new(args.sync, false).store(written, &request.target);
+    let replaced = stored.map_err(|error| Failure::Write(format!("{error:#}")))?;
+    report.notes.extend(replaced.iter().map(|path| NoteReport::new(&replaced_note(path))));
+    Ok(())
 }
 
 /// STL knows facets only.

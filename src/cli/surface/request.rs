@@ -123,7 +123,7 @@ fn surface(kind: Kind, shape: &ShapeArgs) -> Result<Surface, SurfaceError> {
             let semi_axes: DVec3 = shape.semi_axes.unwrap_or(usual.semi_axes());
             Surface::Superquadric(Superquadric::new(semi_axes, north, east)?)
         }
-        Kind::Bezier => Surface::Patch(Box::new(BezierPatch::default())),
+        Kind::Bezier => Surface::Patch(Box::default()),
         Kind::Teapot => Surface::Teapot,
     })
 }

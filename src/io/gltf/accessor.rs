@@ -3,6 +3,7 @@
 use super::buffers::Buffers;
 use super::document::{Component, Format, Records, View};
 use super::fields::At;
+use crate::io::text::counted;
 use crate::io::{Place, Problem, ReadError};
 use std::borrow::Cow;
 use std::cell::Cell;
@@ -116,7 +117,8 @@ impl<'a> Source<'a> {
             return Err(ReadError::new(Problem::Unsupported, at.place(), found, advice));
         };
         if extent.stride < extent.size {
-            let found = format!("elements of {} bytes that are {} bytes apart", extent.size, extent.stride);
+            let found =
+                format!("elements of {} only {} apart", bytes_of(extent.size), bytes_of(extent.stride));
             return range(found);
         }
         let needed =
@@ -124,20 +126,24 @@ impl<'a> Source<'a> {
         let end = needed.and_then(|needed| needed.checked_add(extent.offset));
         if end.is_none_or(|end| end > view.length) {
             let Extent { offset, count, size, .. } = extent;
-            let found =
-                format!("{count} elements of {size} bytes from byte {offset} of a view of {}", view.length);
-            return range(found);
+            let elements = counted(count, "element", "elements");
+            let view = bytes_of(view.length);
+            return range(format!("{elements} of {} from byte {offset} of a view of {view}", bytes_of(size)));
         }
         let start = view.offset.checked_add(extent.offset);
         let whole = view.offset.checked_add(view.length).filter(|&end| end <= buffer.len() as u64);
         match (start, needed, whole) {
             (Some(start), Some(needed), Some(_)) => Ok(&buffer[start as usize..(start + needed) as usize]),
             _ => {
-                let (length, size) = (view.length, buffer.len());
-                range(format!("a view of {length} bytes from byte {} of a buffer of {size}", view.offset))
+                let (length, size) = (bytes_of(view.length), bytes_of(buffer.len() as u64));
+                range(format!("a view of {length} from byte {} of a buffer of {size}", view.offset))
             }
         }
     }
+}
+
+fn bytes_of(count: u64) -> String {
+    counted(count, "byte", "bytes")
 }
 
 #[derive(Clone, Copy)]

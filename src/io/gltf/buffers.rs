@@ -4,7 +4,8 @@ use super::fields::{At, Fields};
 use super::json::{Json, Value};
 use super::uri::{self, Uri};
 use crate::io::companion::{Companions, Refusal};
-use crate::io::{Note, Place, Problem, ReadError, ReadOptions};
+use crate::io::text::counted;
+use crate::io::{Note, Place, Problem, ReadError, ReadOptions, Severity};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -76,6 +77,11 @@ pub(super) fn load(
             None => match &bin {
                 Some(bin) if number == 0 => Storage::Bin(bin.clone()),
                 _ if length == 0 || is_fallback(&fields) => Storage::Absent,
+                _ if number == 0 && !file.is_empty() => {
+                    let found = "the first buffer is the BIN chunk, which the file does not have";
+                    let advice = "the file is cut off, or its writer is at fault; copy or export it again";
+                    return Err(ReadError::new(Problem::Companion, fields.at.place(), found, advice));
+                }
                 _ => {
                     let advice = "put the data beside the document and name it in `uri`";
                     return Err(ReadError::new(Problem::Companion, place, "a buffer without data", advice));
@@ -113,7 +119,8 @@ pub(super) fn load(
             Storage::Absent => 0,
         };
         if length > available && !matches!(storage, Storage::Absent) {
-            let found = format!("a buffer of {length} bytes, of which {available} are there");
+            let found =
+                format!("a buffer of {}, where {available} are there", counted(length, "byte", "bytes"));
             let advice = "the data are cut off; copy or export the file again";
             return Err(ReadError::new(Problem::Truncated, fields.at.member("byteLength"), found, advice));
         }
@@ -174,10 +181,9 @@ pub(super) fn check_images(
             },
         }
     }
-    if let Some((place, why)) = absent.first() {
-        let more =
-            if absent.len() > 1 { format!(" (and {} more images)", absent.len() - 1) } else { String::new() };
-        notes.push(Note::warning(place.clone(), format!("the image {why}{more}")));
-    }
+    let text = absent.first().map(|(_, why)| format!("the image {why}")).unwrap_or_default();
+    let count = absent.len() as u64;
+    let places = absent.into_iter().map(|(place, _)| place);
+    notes.extend(Note::for_all(Severity::Warning, count, places, text));
     Ok(present)
 }

@@ -2,6 +2,8 @@
 
 use super::fields::At;
 use super::mesh::{Assembler, Block, Layout};
+use crate::io::tally::non_finite_note;
+use crate::io::text::counted;
 use crate::io::{NonFinite, Note, Problem, ReadError};
 use crate::mesh::{Column, Columns, Faces, Mesh, MeshBuilder, MeshError, NONE, Storage};
 use glam::{DVec2, DVec3};
@@ -29,6 +31,8 @@ impl Assembler<'_> {
         columns.colors = self.colors(layout, at, notes)?;
         columns.morph_targets = self.morph_targets(layout, positions.len(), at, notes)?;
         let faces = Faces::triangles(corners);
+        let note = non_finite_note(&positions, self.non_finite);
+        notes.extend(note.map(|note| Note { place: at.place(), ..note }));
         let builder = MeshBuilder { positions, storage: Storage::F32, faces, columns };
         let built = match self.non_finite {
             NonFinite::Refuse => builder.build().map(|mesh| (mesh, Vec::new())),
@@ -86,8 +90,8 @@ impl Assembler<'_> {
         let broken = floats.as_flattened_mut().iter_mut().filter(|x| !x.is_finite());
         let count = broken.map(|x| *x = 0.0).count();
         if count > 0 {
-            let text =
-                format!("{count} numbers of texture coordinates or colours are not finite; they count as 0");
+            let numbers = counted(count, "number", "numbers");
+            let text = format!("texture coordinates or colours that are not finite count as 0: {numbers}");
             notes.push(Note::warning(At::new("accessors", accessor).place(), text));
         }
         Ok(floats)

@@ -1,11 +1,15 @@
 //! The GLB container: a header and chunks, all kept as they are.
 
+use crate::io::text::counted;
 use crate::io::{Note, Place, Problem, ReadError, WriteError};
 use std::ops::Range;
 
 const MAGIC: &[u8; 4] = b"glTF";
 const JSON: u32 = u32::from_le_bytes(*b"JSON");
 const BIN: u32 = u32::from_le_bytes(*b"BIN\0");
+
+/// Bytes of the headers of the file and of its first chunk.
+const SHORTEST: usize = 20;
 
 /// The chunks of a GLB file, in order, as spans of the file.
 #[derive(Clone, Debug, Default)]
@@ -27,10 +31,8 @@ impl Glb {
         };
         let word = |at: usize| bytes.get(at..at + 4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]));
         let (Some(version), Some(length)) = (word(4), word(8)) else {
-            return Err(truncated(
-                bytes.len(),
-                format!("a GLB header of {} bytes, 12 are needed", bytes.len()),
-            ));
+            let found = format!("a GLB of {} bytes, of which its header alone takes 12", bytes.len());
+            return Err(truncated(bytes.len(), found));
         };
         if version != 2 {
             let advice = "only glTF 2.0 is read; convert the file, for example with glTF-Transform";
@@ -38,15 +40,19 @@ impl Glb {
             return Err(ReadError::new(Problem::Unsupported, Place::Byte(4), found, advice));
         }
         let length = length as usize;
-        if length > bytes.len() || length < 20 {
+        if length > bytes.len() {
             let found = format!("a header that tells {length} bytes where the file has {}", bytes.len());
             return Err(truncated(8, found));
         }
+        if length < SHORTEST {
+            let found =
+                format!("a GLB of {length} bytes, where the headers of file and JSON take {SHORTEST}");
+            let advice = "nothing is in it; copy or export the file again";
+            return Err(ReadError::new(Problem::Truncated, Place::Byte(8), found, advice));
+        }
         if length < bytes.len() {
-            let text = format!(
-                "{} bytes after the end that the header tells; they are ignored",
-                bytes.len() - length
-            );
+            let rest = counted(bytes.len() - length, "byte", "bytes");
+            let text = format!("ignored, because it is behind the end that the header tells: {rest}");
             notes.push(Note::warning(Place::Byte(length as u64), text));
         }
         let mut chunks = Vec::new();
@@ -58,8 +64,10 @@ impl Glb {
             let start = at + 8;
             let size = size as usize;
             if size > length - start {
-                let found = format!("a chunk of {size} bytes where only {} are left", length - start);
-                return Err(truncated(at, found));
+                let found =
+                    format!("a chunk that tells {size} bytes where the file has {} more", length - start);
+                let advice = "the length of the chunk or of the file is wrong; copy or export the file again";
+                return Err(ReadError::new(Problem::Truncated, Place::Byte(at as u64), found, advice));
             }
             chunks.push((kind, start..start + size));
             at = start + size;
@@ -185,6 +193,20 @@ mod tests {
         assert_eq!(&longer[again.json()], b"{\"a\":1} ");
         assert_eq!(&longer[again.bin().unwrap()], b"12345\0\0\0");
         assert_eq!(again.chunks.iter().map(|(kind, _)| *kind).collect::<Vec<_>>(), [JSON, 7, BIN, 9]);
+    }
+
+    #[test]
+    fn what_is_wrong_with_lengths_is_told_apart() {
+        let error = |file: &[u8]| Glb::parse(file, &mut Vec::new()).unwrap_err().to_string();
+        let header = |length: u32| [&b"glTF\x02\0\0\0"[..], &length.to_le_bytes()].concat();
+        assert!(error(b"glTF\x02\0").contains("a GLB of 6 bytes"));
+        assert!(error(&header(12)).contains("a GLB of 12 bytes, where the headers of file and JSON take 20"));
+        assert!(error(&header(13)).contains("a header that tells 13 bytes where the file has 12"));
+        let mut file = glb("{}", &[b"1234"]).unwrap();
+        file[12] = 200;
+        let error = error(&file);
+        assert!(error.contains("a chunk that tells 200 bytes where the file has 16 more"), "{error}");
+        assert!(!error.contains("cut off"), "the file has the length that it tells: {error}");
     }
 
     #[test]

@@ -146,6 +146,6 @@ fn mismatch(json: &Json, value: Value, place: Place, wanted: &str) -> ReadError 
 
 /// An error about an element number that is too large.
 pub(super) fn dangling(place: Place, what: &str, index: usize, count: usize) -> ReadError {
-    let found = format!("{what} {index} is asked for, but there are only {count}");
+    let found = format!("{what} {index} is asked for, counted from 0, where the file has {count}");
     ReadError::new(Problem::Range, place, found, "the file is broken; export it again")
 }

@@ -3,12 +3,14 @@
 use super::container;
 use super::data::{Array, Blob, Bounds, Target, accessor_json, view_json};
 use super::json::quoted;
+use super::objects::pieces;
 use super::primitive::mode;
 use super::shape::Shape;
 use super::uri;
-use crate::io::{
-    Format, Note, OutputContent, OutputFile, Part, Place, Severity, WriteError, WriteOptions, Written,
-};
+use crate::io::left_out::{Feature, left_out};
+use crate::io::look::Look;
+use crate::io::text::counted;
+use crate::io::{Format, Note, OutputContent, OutputFile, Part, Place, WriteError, WriteOptions, Written};
 use crate::mesh::{FaceLabels, Mesh, NONE, Storage, VertexSplit};
 use glam::DVec3;
 use rayon::prelude::*;
@@ -16,7 +18,11 @@ use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 use std::fmt::Write as _;
 
-/// Writes a new `.glb` or `.gltf` of meshes: one mesh and one node a part, one primitive a material.
+/// What glTF cannot hold. Smoothing groups live on in the normals that they led to.
+const NOT_HELD: [Feature; 2] = [Feature::HardEdges, Feature::MorphTargets];
+
+/// Writes a new `.glb` or `.gltf` of meshes: one mesh and one node a part, or an object of a part; one primitive a
+/// material.
 ///
 /// Positions and normals are rounded to `f32`. Vertices are split where corners differ in normal or uv; polygons
 /// are cut into triangles. Faces with a corner without a normal become a primitive without normals, which glTF
@@ -26,11 +32,26 @@ use std::fmt::Write as _;
 /// [`WriteError::Unsupported`] for a position beyond the range of `f32`; [`WriteError::TooLarge`] for a GLB
 /// beyond 4 GiB.
 pub fn write(parts: &[Part], to: Format, options: &WriteOptions) -> Result<Written, WriteError> {
-    let mut file = File::default();
+    write_with_looks(parts, &[], to, options)
+}
+
+/// As [`write`], with the colour and roughness of materials where they are known.
+pub(in crate::io) fn write_with_looks(
+    parts: &[Part],
+    looks: &[Look],
+    to: Format,
+    options: &WriteOptions,
+) -> Result<Written, WriteError> {
+    let (pieces, unused) = pieces(parts);
+    let looks = looks.iter().map(|look| (look.name.as_str(), look)).collect();
+    let mut file = File { looks, ..File::default() };
     let mut written = Written::default();
-    for part in parts {
+    for part in &pieces {
         file.part(part, &mut written)?;
     }
+    let old: usize = parts.iter().map(|part| part.mesh.vertex_count()).sum();
+    written.added_vertices = written.vertices.saturating_sub(old as u64);
+    written.notes.extend(notes(parts, unused, file.textures));
     let embed = |data: &[&[u8]]| uri::encode_data(&data.concat());
     if to == Format::Glb {
         let json = file.json(None);
@@ -57,6 +78,10 @@ struct File<'a> {
     nodes: Vec<String>,
     materials: Vec<String>,
     material_numbers: FxHashMap<&'a str, usize>,
+    /// What is known of materials, by name.
+    looks: FxHashMap<&'a str, &'a Look>,
+    /// Textures of the materials that are used.
+    textures: usize,
 }
 
 impl<'a> File<'a> {
@@ -95,11 +120,6 @@ impl<'a> File<'a> {
         let mut primitives = Vec::new();
         self.solids(mesh, shape, &attributes, &mut primitives);
         self.loose(mesh, &attributes, &mut primitives);
-        if !mesh.columns().morph_targets.is_empty() {
-            written
-                .notes
-                .push(warning(part, "morph targets cannot be carried into a new file; they are left out"));
-        }
         let name =
             if part.name.is_empty() { String::new() } else { format!(",\"name\":{}", quoted(&part.name)) };
         self.nodes.push(format!("{{\"mesh\":{}{name}}}", self.meshes.len()));
@@ -117,7 +137,6 @@ impl<'a> File<'a> {
         let columns = mesh.columns();
         let vertices = shape.vertex_count(mesh);
         written.vertices += vertices as u64;
-        written.added_vertices += (vertices - mesh.vertex_count()) as u64;
         let (positions, bounds) = positions(mesh, shape.split.as_ref(), &mut written.notes)?;
         let mut loose =
             format!("\"POSITION\":{}", self.store(Array::Vec3(positions), Target::Vertices, Some(&bounds)));
@@ -198,7 +217,10 @@ impl<'a> File<'a> {
     fn material(&mut self, labels: &'a FaceLabels, label: u32) -> usize {
         let name = labels.names[label as usize].as_str();
         *self.material_numbers.entry(name).or_insert_with(|| {
-            self.materials.push(format!("{{\"name\":{}}}", quoted(name)));
+            let look = self.looks.get(name);
+            self.textures += look.map_or(0, |look| look.textures);
+            let members = look.map(|look| look.gltf_members()).unwrap_or_default();
+            self.materials.push(format!("{{\"name\":{}{members}}}", quoted(name)));
             self.materials.len() - 1
         })
     }
@@ -210,6 +232,23 @@ impl<'a> File<'a> {
         self.accessors.push(accessor_json(self.views.len() - 1, format, length / format.size(), bounds));
         self.accessors.len() - 1
     }
+}
+
+/// What did not come along.
+fn notes(parts: &[Part], unused: usize, textures: usize) -> Vec<Note> {
+    let mut notes = left_out("glTF", &NOT_HELD, parts);
+    if parts.iter().any(|part| part.mesh.columns().smoothing.is_some()) {
+        notes.push(Note::remark("glTF has no smoothing groups: the normals keep what they say"));
+    }
+    if textures > 0 {
+        let textures = counted(textures, "texture", "textures");
+        notes.push(Note::warning(Place::File, format!("left out, though materials name them: {textures}")));
+    }
+    if unused > 0 {
+        let vertices = counted(unused, "vertex", "vertices");
+        notes.push(Note::remark(format!("left out, because no object uses them: {vertices}")));
+    }
+    notes
 }
 
 /// The members of a primitive's `attributes`: of points and lines, of flat faces, of faces with normals.
@@ -239,7 +278,7 @@ fn positions(
         let vertex = rounded.iter().position(|p| p.iter().any(|x| x.is_infinite())).unwrap_or(0);
         let DVec3 { x, y, z } = mesh.positions()[vertex];
         let text = format!(
-            "vertex {vertex} at ({x:e}, {y:e}, {z:e}) is beyond the range of the 32-bit floats of glTF"
+            "vertex {vertex}, counted from 0, at ({x:e}, {y:e}, {z:e}) is beyond the range of the 32-bit floats of glTF"
         );
         return Err(WriteError::Unsupported(format!("{text}; scale the model, or write PLY or OBJ")));
     }
@@ -269,9 +308,4 @@ fn note_displacement(mesh: &Mesh, rounded: &[[f32; 3]], notes: &mut Vec<Note>) {
         );
         notes.push(Note::warning(Place::File, text));
     }
-}
-
-fn warning(part: &Part, text: &str) -> Note {
-    let text = if part.name.is_empty() { text.to_owned() } else { format!("{}: {text}", part.name) };
-    Note { severity: Severity::Warning, place: Place::File, text }
 }

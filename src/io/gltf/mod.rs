@@ -8,6 +8,7 @@
 //! Standard: Khronos, *glTF 2.0 Specification*, 2021, with `KHR_mesh_quantization`.
 
 mod accessor;
+mod beside;
 mod buffers;
 mod columns;
 mod container;
@@ -20,6 +21,7 @@ mod fresh;
 mod json;
 mod mesh;
 mod nodes;
+mod objects;
 mod package;
 mod primitive;
 mod shape;
@@ -28,7 +30,9 @@ mod uri;
 
 pub use edit::edit;
 pub use fresh::write;
+pub(super) use fresh::write_with_looks;
 
+use super::text::counted;
 use super::{Document, Format, Loaded, Note, Place, Problem, ReadError, ReadOptions};
 use buffers::Buffers;
 use container::Glb;
@@ -56,6 +60,19 @@ pub struct GltfDocument {
 }
 
 impl GltfDocument {
+    /// The file as it was read.
+    pub(in crate::io) fn source(&self) -> &[u8] {
+        match self.glb {
+            Some(_) => &self.buffers.file,
+            None => self.records.json.text().as_bytes(),
+        }
+    }
+
+    /// Bytes of the document and its buffers.
+    pub(in crate::io) fn bytes(&self) -> u64 {
+        self.records.json.text().len() as u64 + self.buffers.total()
+    }
+
     fn vertex_source(&self, number: usize) -> VertexSource<'_> {
         let (mesh, primitive) = self.sources[number];
         VertexSource(&self.records.meshes[mesh].primitives[primitive])
@@ -82,7 +99,8 @@ fn check_primitive_count(records: &Records, bytes: u64) -> Result<(), ReadError>
     if count <= limit {
         return Ok(());
     }
-    let found = format!("{count} primitives in {bytes} bytes; the limit for that size is {limit}");
+    let primitives = counted(count, "primitive", "primitives");
+    let found = format!("{primitives} in {bytes} bytes; the limit for that size is {limit}");
     Err(ReadError::new(
         Problem::Limit,
         Place::Json("/meshes".into()),

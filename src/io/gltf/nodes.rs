@@ -3,7 +3,7 @@
 use super::document::list;
 use super::fields::{At, Fields, dangling};
 use super::json::Json;
-use crate::io::{FileNode, Note, Problem, ReadError};
+use crate::io::{FileNode, Note, Problem, ReadError, Severity};
 use glam::{DMat4, DQuat, DVec3};
 
 /// The meshes of the default scene (of all root nodes, where there is none), in the order of the tree.
@@ -153,15 +153,10 @@ fn local_matrix(node: &Fields<'_>) -> Result<DMat4, ReadError> {
 }
 
 fn warn(placed: &[(usize, FileNode)], skinned_elsewhere: Option<usize>, notes: &mut Vec<Note>) {
-    let mut singular = placed.iter().filter(|(_, node)| node.world_from_part.determinant() == 0.0);
-    if let Some((node, _)) = singular.next() {
-        let more = match singular.count() {
-            0 => String::new(),
-            more => format!(" (and {more} more nodes)"),
-        };
-        let text = format!("a node squeezes its mesh flat: normals have no direction there{more}");
-        notes.push(Note::warning(At::new("nodes", *node).place(), text));
-    }
+    let singular = placed.iter().filter(|(_, node)| node.world_from_part.determinant() == 0.0);
+    let places = singular.clone().map(|(node, _)| At::new("nodes", *node).place());
+    let text = "a node squeezes its mesh flat: normals have no direction there";
+    notes.extend(Note::for_all(Severity::Warning, singular.count() as u64, places, text));
     if let Some(node) = skinned_elsewhere {
         let text = "a skinned mesh under a moved node: only its joints count, so it stands in its bind pose";
         notes.push(Note { place: At::new("nodes", node).place(), ..Note::remark(text) });

@@ -7,27 +7,73 @@ use super::edit::store::{Changed, Store};
 use super::json::{Json, Value, quoted};
 use super::splice::{Splices, changed_object};
 use super::uri;
-use crate::io::companion::output_name;
+use crate::io::companion::{leads_to, output_name};
+use crate::io::text::counted;
 use crate::io::{Format, Note, OutputContent, OutputFile, Place, WriteError, WriteOptions, Written};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Makes the output of a changed document.
 pub(super) fn package(
     document: &GltfDocument,
-    store: Store<'_>,
+    mut store: Store<'_>,
     to: Format,
     options: &WriteOptions,
 ) -> Result<Written, WriteError> {
     let mut written = Written::default();
+    let into_one = to == Format::Glb && document.glb.is_none();
+    if !into_one {
+        settle_buffers(document, &mut store, options, &mut written);
+    }
     match (&document.glb, to) {
         (Some(_), Format::Glb) => same_glb(document, store, &mut written)?,
         (Some(_), _) => as_gltf(document, store, options, &mut written)?,
         (None, Format::Glb) => as_glb(document, store, &mut written)?,
         (None, _) => same_gltf(document, store, options, &mut written),
     }
-    let buffers_stay = to == Format::Gltf && document.glb.is_none();
-    copy_companions(document, buffers_stay, options, &mut written);
+    copy_images(document, options, &mut written);
     Ok(written)
+}
+
+/// Sees to it that the output finds the buffers that are files: beside it under the name that they have, or where they
+/// are if their name leads there. Else they get a name that does not lead out of the output's folder, or, in a
+/// stream, a place in the document itself.
+fn settle_buffers(
+    document: &GltfDocument,
+    store: &mut Store<'_>,
+    options: &WriteOptions,
+    written: &mut Written,
+) {
+    for (buffer, &object) in document.buffers.list.iter().zip(&document.records.buffers) {
+        let Storage::File { name, path, bytes } = &buffer.storage else { continue };
+        let Some(stem) = &options.stem else {
+            store.splices.set(object, "uri", quoted(&uri::encode_data(bytes)));
+            continue;
+        };
+        let beside = output_name(Path::new(""), name);
+        if beside.is_none() && leads_to(options.folder.as_deref(), name, path) {
+            continue;
+        }
+        let beside = beside.unwrap_or_else(|| {
+            let taken =
+                |other: &OutputFile| matches!(&other.content, OutputContent::CopyOf(file) if file == path);
+            let known = written.companions.iter().find(|other| taken(other)).map(|other| other.name.clone());
+            let safe = known.unwrap_or_else(|| free_name(document, written, stem, &bare_name(path)));
+            store.splices.set(object, "uri", quoted(&uri::percent_encoded(&safe)));
+            safe
+        });
+        add_copy(beside, path, written);
+    }
+}
+
+/// The last part of a path, without what would make it lead elsewhere.
+fn bare_name(path: &Path) -> String {
+    path.file_name().map_or_else(|| "buffer.bin".into(), |name| name.to_string_lossy().into_owned())
+}
+
+fn add_copy(name: String, path: &Path, written: &mut Written) {
+    if !written.companions.iter().any(|file| file.name == name) {
+        written.companions.push(OutputFile { name, content: OutputContent::CopyOf(path.to_owned()) });
+    }
 }
 
 fn same_glb(document: &GltfDocument, store: Store<'_>, written: &mut Written) -> Result<(), WriteError> {
@@ -37,49 +83,67 @@ fn same_glb(document: &GltfDocument, store: Store<'_>, written: &mut Written) ->
         return Ok(());
     }
     // A GLB keeps to one file even where it has no BIN chunk to append to.
-    let changed = store.finish(|extra| Some(uri::encode_data(extra)));
+    let changed = store.finish(None, |extra| Some(uri::encode_data(extra)));
     let json =
         if changed.json == document.records.json.text() { &changed.json } else { unpadded(&changed.json) };
     written.bytes = glb.rewrite(&document.buffers.file, json, changed.bin.as_deref())?;
     Ok(())
 }
 
-fn same_gltf(document: &GltfDocument, mut store: Store<'_>, options: &WriteOptions, written: &mut Written) {
-    if options.stem.is_none() {
-        for (buffer, &object) in document.buffers.list.iter().zip(&document.records.buffers) {
-            if let Storage::File { bytes, .. } = &buffer.storage {
-                store.splices.set(object, "uri", quoted(&uri::encode_data(bytes)));
-            }
-        }
-    }
+fn same_gltf(document: &GltfDocument, store: Store<'_>, options: &WriteOptions, written: &mut Written) {
     // A document that is one file stays one.
     let external = document.buffers.list.iter().any(|buffer| matches!(buffer.storage, Storage::File { .. }));
-    let name = options.stem.as_ref().filter(|_| external).map(|stem| free_name(document, stem));
-    let changed = store.finish(|extra| {
+    let stem = options.stem.as_ref().filter(|_| external);
+    let name = stem.map(|stem| free_name(document, written, stem, "normals.bin"));
+    let stale = stem.and_then(|stem| own_earlier(document, stem));
+    let changed = store.finish(stale, |extra| {
         Some(name.as_ref().map_or_else(|| uri::encode_data(extra), |name| uri::percent_encoded(name)))
     });
     written.bytes = changed.json.into_bytes();
     if let (Some(name), Some(extra)) = (name, changed.extra) {
-        written.companions.push(OutputFile { name, content: OutputContent::Bytes(extra) });
+        if let Some(Storage::File { path, .. }) =
+            changed.replaced.map(|buffer| &document.buffers.list[buffer].storage)
+        {
+            written.companions.retain(|file| file.content != OutputContent::CopyOf(path.clone()));
+        }
+        written.companions.insert(0, OutputFile { name, content: OutputContent::Bytes(extra) });
     }
 }
 
-/// A name for a new buffer file that no file of the document has.
-fn free_name(document: &GltfDocument, stem: &str) -> String {
-    let taken = |name: &str| {
-        document.buffers.list.iter().any(|buffer| match &buffer.storage {
-            Storage::File { name: other, .. } => output_name(Path::new(""), other).as_deref() == Some(name),
-            _ => false,
-        })
+/// The last buffer whose file an earlier edit of this document wrote, which the next may replace. The file itself gets
+/// another name all the same: until the document is stored, the old one has to find what it refers to.
+fn own_earlier(document: &GltfDocument, stem: &str) -> Option<usize> {
+    let is_own = |name: &str| {
+        let number = name.strip_prefix(stem).and_then(|name| name.strip_prefix(".normals"));
+        let number = number.and_then(|name| name.strip_suffix(".bin"));
+        number.is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()))
     };
-    let names =
-        std::iter::once(format!("{stem}.normals.bin")).chain((2..).map(|n| format!("{stem}.normals{n}.bin")));
-    names.into_iter().find(|name| !taken(name)).unwrap_or_default()
+    document
+        .buffers
+        .list
+        .iter()
+        .rposition(|buffer| matches!(&buffer.storage, Storage::File { name, .. } if is_own(name)))
+}
+
+/// A name for a file beside the output, `<stem>.<name>` or with a number in it, that no other such file has.
+fn free_name(document: &GltfDocument, written: &Written, stem: &str, name: &str) -> String {
+    let is_taken = |name: &String| {
+        let of_input = document.buffers.list.iter().any(|buffer| match &buffer.storage {
+            Storage::File { name: other, .. } => output_name(Path::new(""), other).as_ref() == Some(name),
+            _ => false,
+        });
+        of_input || written.companions.iter().any(|file| file.name == *name)
+    };
+    let (front, extension) = name.rsplit_once('.').unwrap_or((name, "bin"));
+    let front = if front.is_empty() { stem.to_owned() } else { format!("{stem}.{front}") };
+    let numbered = (2_u64..).map(|number| format!("{front}{number}.{extension}"));
+    let mut names = std::iter::once(format!("{front}.{extension}")).chain(numbered);
+    names.find(|name| !is_taken(name)).unwrap_or_default()
 }
 
 /// `.glb` from `.gltf`: all buffers become one, and views move with them.
 fn as_glb(document: &GltfDocument, store: Store<'_>, written: &mut Written) -> Result<(), WriteError> {
-    let Changed { json, extra, .. } = store.finish(|_| None);
+    let Changed { json, extra, .. } = store.finish(None, |_| None);
     let json = reparsed(json)?;
     let lists = |name: &str| -> Vec<Value> {
         json.member(json.root(), name).into_iter().flat_map(|list| json.elements(list)).collect()
@@ -154,7 +218,7 @@ fn as_gltf(
     written: &mut Written,
 ) -> Result<(), WriteError> {
     let Some(glb) = &document.glb else { return Ok(()) };
-    let changed = store.finish(|extra| Some(uri::encode_data(extra)));
+    let changed = store.finish(None, |extra| Some(uri::encode_data(extra)));
     let json = reparsed(changed.json)?;
     let mut splices = Splices::new(&json);
     let buffers = json.member(json.root(), "buffers");
@@ -169,7 +233,7 @@ fn as_gltf(
         let bin = &bin[..bin.len().min(length as usize)];
         match &options.stem {
             Some(stem) => {
-                let name = format!("{stem}.bin");
+                let name = free_name(document, written, stem, ".bin");
                 splices.set(first, "uri", quoted(&uri::percent_encoded(&name)));
                 let content = OutputContent::Bytes(bin.to_vec());
                 written.companions.push(OutputFile { name, content });
@@ -178,41 +242,27 @@ fn as_gltf(
         }
     }
     if glb.other_chunks() > 0 {
-        let text = format!("{} chunks that only a GLB can hold are left out", glb.other_chunks());
+        let chunks = counted(glb.other_chunks(), "chunk", "chunks");
+        let text = format!("left out, because only a GLB can hold it: {chunks}");
         written.notes.push(Note::warning(Place::File, text));
     }
     written.bytes = unpadded(&splices.apply()).as_bytes().to_vec();
     Ok(())
 }
 
-/// Lists the files that the output refers to as the input does.
-fn copy_companions(
-    document: &GltfDocument,
-    buffers_stay: bool,
-    options: &WriteOptions,
-    written: &mut Written,
-) {
-    let buffers = document.buffers.list.iter().filter_map(|buffer| match &buffer.storage {
-        Storage::File { name, path, .. } if buffers_stay && options.stem.is_some() => Some((name, path)),
-        // A GLB may name files too.
-        Storage::File { name, path, .. } if document.glb.is_some() => Some((name, path)),
-        _ => None,
-    });
-    let images = document.images.iter().map(|(name, path)| (name, path));
-    let files: Vec<(&String, &PathBuf)> = buffers.chain(images).collect();
+/// Lists the images that the output refers to as the input does.
+fn copy_images(document: &GltfDocument, options: &WriteOptions, written: &mut Written) {
     let mut left: Vec<&str> = Vec::new();
-    for (name, path) in files {
+    for (name, path) in &document.images {
         match output_name(Path::new(""), name).filter(|_| options.stem.is_some()) {
-            Some(name) if written.companions.iter().any(|file| file.name == name) => {}
-            Some(name) => {
-                written.companions.push(OutputFile { name, content: OutputContent::CopyOf(path.clone()) })
-            }
+            Some(name) => add_copy(name, path, written),
+            None if leads_to(options.folder.as_deref(), name, path) => {}
             None => left.push(name),
         }
     }
     if let Some(first) = left.first() {
-        let text =
-            format!("{} files that the output refers to are not copied (the first is {first:?})", left.len());
+        let images = counted(left.len(), "image", "images");
+        let text = format!("not copied, though the output refers to them: {images} (the first is {first:?})");
         written.notes.push(Note::warning(Place::File, text));
     }
 }

@@ -3,6 +3,7 @@
 use super::accessor::{Elements, Source};
 use super::document::{Component, Primitive};
 use super::fields::At;
+use crate::io::text::counted;
 use crate::io::{Note, Place, Problem, ReadError};
 
 /// glTF's codes for what a primitive draws.
@@ -55,7 +56,8 @@ pub(super) fn draw(
             let mut order = order;
             let rest = order.len() % 3;
             if rest > 0 {
-                let text = format!("{rest} corners are left over from whole triangles; they are ignored");
+                let corners = counted(rest, "corner", "corners");
+                let text = format!("ignored, because whole triangles leave it over: {corners}");
                 notes.push(Note::warning(primitive.at.place(), text));
                 order.truncate(order.len() - rest);
             }
@@ -116,7 +118,7 @@ fn check_range(
     let found = if index == restart {
         format!("index number {position} is {index}, which restarts a primitive; glTF does not allow it")
     } else {
-        format!("index number {position} asks for vertex {index}, but there are only {count}")
+        format!("index number {position} asks for vertex {index}, counted from 0, of {count}")
     };
     let place = Place::Json(format!("/accessors/{accessor}"));
     Err(ReadError::new(Problem::Range, place, found, "the file is broken; export it again"))

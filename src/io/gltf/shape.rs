@@ -1,5 +1,6 @@
 //! How the corners of a mesh become the triangles and vertices of a new file.
 
+use crate::io::text::counted;
 use crate::io::{Note, Place, Written};
 use crate::mesh::{Column, ColumnIndex, Mesh, NONE, VertexSplit, split_vertices, triangulate};
 use rayon::prelude::*;
@@ -31,9 +32,10 @@ impl<'a> Shape<'a> {
         let triangles = (!mesh.faces().is_triangles()).then(|| {
             let cut = triangulate(mesh);
             if !cut.failed.is_empty() {
+                let polygons = counted(cut.failed.len(), "polygon", "polygons");
                 let text = format!(
-                    "{} polygons cross themselves or have no area; they are written as fans (the first is face {})",
-                    cut.failed.len(),
+                    "written as a fan, because it crosses itself or has no area: {polygons} (the first is face {}, \
+                     counted from 0)",
                     cut.failed[0]
                 );
                 written.notes.push(Note::warning(Place::File, text));

@@ -2,7 +2,7 @@
 
 use super::indices::Indices;
 use super::lexer::Cursor;
-use crate::io::text::shown;
+use crate::io::text::{counted, shown};
 use crate::io::{Problem, number};
 use glam::DVec3;
 
@@ -101,7 +101,7 @@ pub(super) fn too_few(cursor: &Cursor<'_>, what: &str, count: usize, needed: &st
     Fault {
         offset: cursor.at,
         problem: Problem::Syntax,
-        found: format!("{what} with {count} numbers; {needed}"),
+        found: format!("{what} with {}; {needed}", counted(count, "number", "numbers")),
         advice: "complete it, or remove the line; perhaps the file was cut off",
     }
 }

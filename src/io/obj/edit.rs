@@ -9,7 +9,8 @@ use super::ObjDocument;
 use super::lexer::{Cursor, Keyword, Statement, statements};
 use super::renumber::Renumbering;
 use crate::io::decimal::push_integer;
-use crate::io::{Emit, Loaded, PartEdit, WriteError, WriteOptions, Written};
+use crate::io::text::counted;
+use crate::io::{Emit, Loaded, Note, PartEdit, WriteError, WriteOptions, Written};
 use crate::mesh::{ColumnIndex, Mesh};
 use std::ops::Range;
 
@@ -34,7 +35,20 @@ pub(in crate::io) fn edit(
     let bytes =
         if changes_nothing(mesh, edit) { document.text.clone() } else { edited(document, mesh, edit)? };
     let vertices = mesh.vertex_count() as u64;
-    Ok(Written { bytes, companions: document.companions.clone(), vertices, ..Written::default() })
+    let mut written = Written { bytes, vertices, ..Written::default() };
+    match (&options.stem, document.companions.first()) {
+        (Some(_), _) => written.companions.clone_from(&document.companions),
+        (None, Some(first)) => {
+            let files = counted(document.companions.len(), "file", "files");
+            let text = format!(
+                "a stream has no folder for what the output refers to: {files}, such as `{}`",
+                first.name
+            );
+            written.notes.push(Note::remark(text));
+        }
+        (None, None) => {}
+    }
+    Ok(written)
 }
 
 fn changes_nothing(mesh: &Mesh, edit: &PartEdit) -> bool {

@@ -2,6 +2,7 @@
 
 use super::renumber::Renumbering;
 use crate::io::decimal::{push_f32, push_f64, push_integer};
+use crate::io::left_out::{Feature, left_out};
 use crate::io::{Emit, Note, Part, PartEdit, Place, WriteError, WriteOptions, Written};
 use crate::mesh::{FaceLabels, Mesh, NONE, Storage};
 
@@ -27,20 +28,16 @@ pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Wri
     Ok(Written { bytes: writer.out, notes, vertices, ..Written::default() })
 }
 
+const NOT_HELD: [Feature; 2] = [Feature::MorphTargets, Feature::HardEdges];
+
 /// What OBJ cannot hold.
 fn lost(parts: &[Part]) -> Vec<Note> {
-    let mut notes = Vec::new();
-    let mut warn = |any: &dyn Fn(&Mesh) -> bool, text: &str| {
-        if parts.iter().any(|part| any(&part.mesh)) {
-            notes.push(Note::warning(Place::File, text));
-        }
-    };
+    let mut notes = left_out("OBJ", &NOT_HELD, parts);
     let has_opacity = |mesh: &Mesh| mesh.columns().colors.iter().flatten().any(|color| color[3] != 1.0);
-    warn(&|mesh| !mesh.columns().morph_targets.is_empty(), "OBJ has no morph targets: they were left out");
-    warn(&|mesh| !mesh.columns().hard_edges.is_empty(), "OBJ has no marks of hard edges: they were left out");
-    warn(&has_opacity, "OBJ colours have no opacity: it was left out");
-    let names_materials = |mesh: &Mesh| mesh.columns().materials.is_some();
-    if parts.iter().any(|part| names_materials(&part.mesh)) {
+    if parts.iter().any(|part| has_opacity(&part.mesh)) {
+        notes.push(Note::warning(Place::File, "OBJ colours have no opacity: it was left out"));
+    }
+    if parts.iter().any(|part| part.mesh.columns().materials.is_some()) {
         notes.push(Note::remark("materials are named by usemtl; no material library was written"));
     }
     notes

@@ -30,9 +30,10 @@ pub(super) struct BadReference {
     defined_before: usize,
 }
 
-/// The first reference of faces, lines and points to something that the whole file does not define.
-pub(super) fn first_bad_reference(text: &[u8], total: Counts, target: Target) -> Option<BadReference> {
+/// The first references of faces, lines and points to something that the whole file does not define, at most so many.
+pub(super) fn bad_references(text: &[u8], total: Counts, target: Target, most: usize) -> Vec<BadReference> {
     let mut before = Counts::default();
+    let mut found = Vec::new();
     for statement in statements(text) {
         match statement.keyword {
             Keyword::Vertex => before.vertices += 1,
@@ -40,33 +41,35 @@ pub(super) fn first_bad_reference(text: &[u8], total: Counts, target: Target) ->
             Keyword::Normal => before.normals += 1,
             Keyword::Face | Keyword::Line | Keyword::Point => {
                 let is_face = statement.keyword == Keyword::Face;
-                if let Some(bad) = bad_corner(text, statement.arguments, is_face, before, total, target) {
-                    return Some(bad);
+                add_bad_corners(text, statement.arguments, is_face, (before, total), target, &mut found);
+                if found.len() >= most {
+                    found.truncate(most);
+                    break;
                 }
             }
             _ => {}
         }
     }
-    None
+    found
 }
 
-fn bad_corner(
+fn add_bad_corners(
     text: &[u8],
     arguments: usize,
     is_face: bool,
-    before: Counts,
-    total: Counts,
+    (before, total): (Counts, Counts),
     target: Target,
-) -> Option<BadReference> {
+    found: &mut Vec<BadReference>,
+) {
     let mut cursor = Cursor::new(text, arguments);
-    let (mut bad, mut corners) = (None, 0);
+    let (known, mut corners) = (found.len(), 0);
     loop {
         cursor.skip_blanks();
         if cursor.at_statement_end() {
             break;
         }
         let offset = cursor.at;
-        let corner = cursor.corner()?;
+        let Some(corner) = cursor.corner() else { break };
         corners += 1;
         let (spelled, defined_before, defined) = match target {
             Target::Vertex => (Some(corner.vertex), before.vertices, total.vertices),
@@ -79,12 +82,13 @@ fn bad_corner(
             forward @ 1.. => forward as u64 > defined as u64,
             back => back.unsigned_abs() > defined_before as u64,
         };
-        if bad.is_none() {
-            bad = spelled.filter(is_bad).map(|spelled| BadReference { offset, spelled, defined_before });
-        }
+        let bad = spelled.filter(is_bad).map(|spelled| BadReference { offset, spelled, defined_before });
+        found.extend(bad);
     }
     // Faces that are too short are skipped, whatever they refer to.
-    bad.filter(|_| !is_face || corners >= 3)
+    if is_face && corners < 3 {
+        found.truncate(known);
+    }
 }
 
 impl BadReference {

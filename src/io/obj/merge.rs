@@ -3,10 +3,12 @@
 use super::arguments::Fault;
 use super::indices::{Indices, NOWHERE};
 use super::labels::Labels;
-use super::lexer::{Cursor, Keyword, shown};
-use super::locate::{Counts, Target, arguments_of, first_bad_reference};
+use super::lexer::{Cursor, Keyword, shown, statements};
+use super::locate::{Counts, Target, arguments_of, bad_references};
+use super::number;
 use super::remarks::{Remark, Remarks};
 use super::stretch::{Label, LabelKind, NO_COLOR, Stretch};
+use crate::io::tally::non_finite_note;
 use crate::io::{NonFinite, Note, Problem};
 use crate::mesh::{Column, Columns, Faces, Mesh, MeshBuilder, MeshError, NONE, Storage};
 use glam::{DVec2, DVec3};
@@ -74,7 +76,7 @@ impl File {
             self.lines.push(stretch.lines.values[start..end as usize].to_vec());
             start = end as usize;
         }
-        self.remarks.merge(&stretch.remarks);
+        self.remarks.append(stretch.remarks);
         self.surface_normals |= stretch.surface_normals;
         self.statements += stretch.statements;
         Ok(())
@@ -131,7 +133,7 @@ impl File {
         if highest.is_none_or(|&vertex| (vertex as usize) < counts.vertices) {
             return Ok(());
         }
-        Err(match first_bad_reference(text, counts, Target::Vertex) {
+        Err(match bad_references(text, counts, Target::Vertex, 1).pop() {
             Some(bad) => bad.into_fault(counts),
             None => too_many("vertices", counts.vertices),
         })
@@ -150,12 +152,11 @@ impl File {
                 bad += 1;
             }
             if bad > 0 {
-                let offset = first_bad_reference(text, counts, target).map_or(0, |bad| bad.offset);
-                self.remarks.add_many(remark, bad, offset);
+                let places = bad_references(text, counts, target, 1 + Note::MOST_PLACES);
+                self.remarks.add_all(remark, bad, places.iter().map(|bad| bad.offset));
             }
         }
-        if let Some(first) = self.uvs.iter().position(|uv| !uv.is_finite()) {
-            let offset = arguments_of(text, Keyword::TextureCoordinate, first).unwrap_or(0);
+        if self.uvs.iter().any(|uv| !uv.is_finite()) {
             let bad: Vec<bool> = self.uvs.iter().map(|uv| !uv.is_finite()).collect();
             for slot in self.corner_uvs.iter_mut().filter(|slot| **slot != NONE && bad[**slot as usize]) {
                 *slot = NONE;
@@ -163,7 +164,9 @@ impl File {
             for uv in self.uvs.iter_mut().filter(|uv| !uv.is_finite()) {
                 *uv = DVec2::ZERO;
             }
-            self.remarks.add_many(Remark::UvNotFinite, bad.iter().filter(|&&bad| bad).count() as u64, offset);
+            let lines = statements(text).filter(|statement| statement.keyword == Keyword::TextureCoordinate);
+            let places = lines.zip(&bad).filter(|(_, bad)| **bad).map(|(line, _)| line.arguments);
+            self.remarks.add_all(Remark::UvNotFinite, bad.iter().filter(|bad| **bad).count() as u64, places);
         }
     }
 
@@ -191,6 +194,7 @@ impl File {
             true => Faces::triangles(self.corners),
             false => Faces::polygons(self.corners, self.face_offsets),
         };
+        notes.extend(non_finite_note(&self.positions, non_finite));
         let builder = MeshBuilder { positions: self.positions, storage: Storage::F64, faces, columns };
         let built = match non_finite {
             NonFinite::Refuse => builder.build().map(|mesh| (mesh, Vec::new())),
@@ -236,10 +240,8 @@ fn finish_colors(mut colors: Vec<[f32; 4]>, notes: &mut Vec<Note>) -> Option<Vec
     }
     let missing = colors.iter().filter(|color| color.iter().all(|value| value.is_nan())).count();
     if missing > 0 {
-        notes.push(Note::remark(format!(
-            "{missing} of {} vertices have no colour and get white",
-            colors.len()
-        )));
+        let text = format!("vertices without a colour get white: {missing} of {}", colors.len());
+        notes.push(Note::remark(text));
     }
     let is_bytes = colors.iter().flatten().any(|&value| value > 1.0);
     if is_bytes {
@@ -282,15 +284,20 @@ fn mesh_fault(text: &[u8], error: &MeshError) -> Fault {
     };
     let offset = arguments_of(text, Keyword::Vertex, vertex).unwrap_or(0);
     let mut cursor = Cursor::new(text, offset);
-    let mut spelled = Vec::new();
+    let (mut spelled, mut overflows) = (Vec::new(), true);
     for _ in 0..3 {
         cursor.skip_blanks();
-        spelled.push(shown(cursor.token()));
+        let token = cursor.token();
+        // Digits that are not finite are so only for a double.
+        let is_word = token.iter().any(|byte| matches!(byte, b'n' | b'N' | b'#'));
+        overflows &= !is_word || number::float(token).is_some_and(f64::is_finite);
+        spelled.push(shown(token));
     }
+    let what = if overflows { "beyond the range of doubles (1.8e308)" } else { "not finite" };
     Fault {
         offset,
         problem: Problem::NonFinite,
-        found: format!("vertex {} is at ({}), which is not finite", vertex + 1, spelled.join(", ")),
+        found: format!("vertex {} is at ({}), which is {what}", vertex + 1, spelled.join(", ")),
         advice: "correct it, or use --force to drop the faces at such vertices",
     }
 }

@@ -22,6 +22,7 @@ mod remarks;
 mod renumber;
 mod stretch;
 
+use super::look::Look;
 use super::number;
 use super::tally::check_size;
 use super::{Document, Format, Loaded, OutputFile, Part, Place, Problem, ReadError, ReadOptions};
@@ -53,6 +54,19 @@ pub struct ObjDocument {
     surface_normals: bool,
     /// Material libraries and textures, to go along with an output in another folder.
     companions: Vec<OutputFile>,
+    /// What the material libraries say.
+    looks: Vec<Look>,
+}
+
+impl ObjDocument {
+    /// The file as it was read.
+    pub(super) fn source(&self) -> &[u8] {
+        &self.text
+    }
+
+    pub(super) fn looks(&self) -> &[Look] {
+        &self.looks
+    }
 }
 
 /// Reads an OBJ file. `base` is the folder that material libraries are looked for in.
@@ -92,8 +106,8 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
         _ => String::new(),
     };
     let part = Part { name, mesh: merged.mesh, non_finite_faces: merged.non_finite_faces };
-    let document =
-        ObjDocument { text: bytes, insertion, normals_before, surface_normals, companions: materials.files };
+    let (companions, looks) = (materials.files, materials.looks);
+    let document = ObjDocument { text: bytes, insertion, normals_before, surface_normals, companions, looks };
     let document = Document::Obj(Box::new(document));
     Ok(Loaded { format: Format::Obj, parts: vec![part], nodes: Vec::new(), notes, document })
 }
@@ -311,7 +325,7 @@ mod tests {
                 .starts_with("line 4: column 7: `1d0` is not a number; write exponents")
         );
         assert!(error("v 1 2\n").starts_with("line 1: column 6: a vertex with 2 numbers; 3 are needed"));
-        assert!(error("vn 1 \n").starts_with("line 1: column 6: a normal with 1 numbers"));
+        assert!(error("vn 1 \n").starts_with("line 1: column 6: a normal with 1 number;"));
         assert!(error("vt\n").starts_with("line 1: column 3: a texture coordinate with 0 numbers"));
         assert!(error("v 0 \0\0 0\n").starts_with("line 1: column 5: `\\x00\\x00` is not a number"));
         for corner in ["1.5", "a", "/1", "1/2/3/4", "1//2/3", "1/x", "--1", "1-2"] {
@@ -328,7 +342,9 @@ mod tests {
         let text = format!("{TRIANGLE}v 0 1e400 nan\nf 1 2 3\nf 1 2 4\n");
         let error = try_load(&text).unwrap_err();
         assert_eq!((error.problem, error.place.clone()), (Problem::NonFinite, Place::Line(4)));
-        assert!(error.found.contains("(0, 1e400, nan)"), "{error}");
+        assert!(error.found.contains("(0, 1e400, nan), which is not finite"), "{error}");
+        let error = try_load("v 0 1e400 -1e999\n").unwrap_err();
+        assert!(error.found.contains("(0, 1e400, -1e999), which is beyond the range of doubles"), "{error}");
         let options = ReadOptions { non_finite: NonFinite::DropFaces, ..ReadOptions::default() };
         let part = read(text.into_bytes(), None, &options).unwrap().parts.remove(0);
         assert_eq!(part.non_finite_faces, [1]);

@@ -2,6 +2,7 @@
 
 use super::lexer::{name_text, shown};
 use crate::io::companion::{Companions, Refusal, output_name};
+use crate::io::look::Look;
 use crate::io::{Note, OutputContent, OutputFile, Place, ReadOptions};
 use crate::mesh::FaceLabels;
 use rustc_hash::FxHashSet;
@@ -15,6 +16,9 @@ use std::path::{Path, PathBuf};
 /// file look-ups.
 const MOST_FILES: usize = 1000;
 
+/// Most names of missing files that a note lists beside the first.
+const MOST_NAMES: usize = 10;
+
 /// Largest library that is read.
 const MOST_BYTES: u64 = 64 << 20;
 
@@ -23,6 +27,8 @@ const MOST_BYTES: u64 = 64 << 20;
 pub(super) struct Materials {
     /// Libraries and textures, to be copied beside an output in another folder.
     pub files: Vec<OutputFile>,
+    /// What the libraries say, the first definition of each material.
+    pub looks: Vec<Look>,
     pub notes: Vec<Note>,
 }
 
@@ -54,6 +60,7 @@ struct Search {
     /// Names for which a copy cannot be put where the output looks for it.
     out_of_place: BTreeSet<String>,
     defined: FxHashSet<String>,
+    looks: Vec<Look>,
 }
 
 impl Search {
@@ -65,6 +72,7 @@ impl Search {
             refused: BTreeMap::new(),
             out_of_place: BTreeSet::new(),
             defined: FxHashSet::default(),
+            looks: Vec::new(),
         }
     }
 
@@ -99,7 +107,9 @@ impl Search {
             for texture in textures(&material) {
                 self.file(&folder, texture);
             }
-            self.defined.insert(material.name);
+            if self.defined.insert(material.name.clone()) {
+                self.looks.push(look(&material));
+            }
         }
     }
 
@@ -126,15 +136,23 @@ impl Search {
         let mut notes = Vec::new();
         let mut warn = |names: &BTreeSet<String>, what: &str| {
             let Some(first) = names.first() else { return };
-            let more = if names.len() > 1 {
-                format!(" (and {} more like it)", names.len() - 1)
-            } else {
-                String::new()
+            let others: Vec<String> = names
+                .iter()
+                .skip(1)
+                .take(MOST_NAMES)
+                .map(|name| format!("`{}`", shown(name.as_bytes())))
+                .collect();
+            let more = match names.len() - 1 {
+                0 => String::new(),
+                more if more > others.len() => {
+                    format!(" (and {more} more like it: {}, …)", others.join(", "))
+                }
+                more => format!(" (and {more} more like it: {})", others.join(", ")),
             };
             notes.push(Note::warning(Place::File, format!("`{}` {what}{more}", shown(first.as_bytes()))));
         };
         for (refusal, names) in &self.refused {
-            warn(names, &format!("{refusal}; materials and textures are only carried along"));
+            warn(names, &format!("{refusal}; the output goes without it"));
         }
         warn(
             &self.out_of_place,
@@ -156,7 +174,7 @@ impl Search {
         let files = self.files.into_iter();
         let files =
             files.map(|(name, path)| OutputFile { name, content: OutputContent::CopyOf(path) }).collect();
-        Materials { files, notes }
+        Materials { files, looks: self.looks, notes }
     }
 }
 
@@ -180,19 +198,38 @@ fn split_names(names: &str) -> Vec<&str> {
     }
 }
 
-/// The materials of a library. Only statements that name materials and textures are handed on: `tobj` panics at a
-/// colour with fewer than three numbers, and gives up at bytes that are not UTF-8 and at numbers that are none.
+/// The materials of a library. Only statements that are understood here are handed on, and those with numbers only if
+/// they have them: `tobj` panics at a colour with fewer than three, and gives up at bytes that are not UTF-8 and at
+/// numbers that are none.
 fn materials(library: &[u8]) -> Vec<tobj::Material> {
     let mut kept = String::new();
     for line in library.split(|&byte| matches!(byte, b'\n' | b'\r')) {
         let line = name_text(line.trim_ascii());
         let Some((word, argument)) = line.split_once(char::is_whitespace) else { continue };
-        if !argument.trim().is_empty() && (word == "newmtl" || is_texture(word)) {
+        let numbers = || argument.split_whitespace().map_while(|word| word.parse::<f32>().ok());
+        let is_whole = match word {
+            "Kd" => numbers().filter(|number| number.is_finite()).count() >= 3,
+            "Ns" | "d" | "Tr" => numbers().next().is_some_and(f32::is_finite),
+            "newmtl" => !argument.trim().is_empty(),
+            _ => is_texture(word) && !argument.trim().is_empty(),
+        };
+        if is_whole {
             kept.push_str(&line);
             kept.push('\n');
         }
     }
     tobj::load_mtl_buf(&mut Cursor::new(kept)).map(|(materials, _)| materials).unwrap_or_default()
+}
+
+fn look(material: &tobj::Material) -> Look {
+    let transparency = material.unknown_param.get("Tr").and_then(|value| value.parse::<f32>().ok());
+    Look {
+        name: material.name.clone(),
+        diffuse: material.diffuse,
+        shininess: material.shininess,
+        opacity: material.dissolve.or(transparency.map(|value| 1.0 - value)),
+        textures: textures(material).len(),
+    }
 }
 
 fn is_texture(word: &str) -> bool {

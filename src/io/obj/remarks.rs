@@ -1,6 +1,8 @@
-//! What was odd about a file: each kind once, with a count and the first place.
+//! What was odd about a file: each kind once, with a count and the first places.
 
-use super::lexer::{Cursor, line_and_column, shown};
+use super::lexer::{Cursor, shown};
+use crate::io::tally::Tally;
+use crate::io::text::lines_of;
 use crate::io::{Note, Place, Severity};
 
 /// Something odd that does not stop the reader.
@@ -31,26 +33,23 @@ const KINDS: [Remark; 10] = [
     Remark::OddSmoothing,
 ];
 
-/// How often each kind was met and the byte offset of the first.
+/// How often each kind was met, and where at first.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Remarks([Option<(u64, usize)>; KINDS.len()]);
+pub(super) struct Remarks([Tally; KINDS.len()]);
 
 impl Remarks {
     pub fn add(&mut self, remark: Remark, offset: usize) {
-        self.add_many(remark, 1, offset);
+        self.0[remark as usize].add(offset);
     }
 
-    pub fn add_many(&mut self, remark: Remark, count: u64, offset: usize) {
-        let entry = self.0[remark as usize].get_or_insert((0, offset));
-        entry.0 += count;
-        entry.1 = entry.1.min(offset);
+    pub fn add_all(&mut self, remark: Remark, count: u64, offsets: impl IntoIterator<Item = usize>) {
+        self.0[remark as usize].add_all(count, offsets);
     }
 
-    pub fn merge(&mut self, other: &Remarks) {
-        for (&kind, entry) in KINDS.iter().zip(other.0) {
-            if let Some((count, offset)) = entry {
-                self.add_many(kind, count, offset);
-            }
+    /// Appends the remarks on a piece of text behind this one's.
+    pub fn append(&mut self, other: Remarks) {
+        for (tally, other) in self.0.iter_mut().zip(other.0) {
+            tally.append(other);
         }
     }
 
@@ -58,14 +57,15 @@ impl Remarks {
     pub fn notes(&self, text: &[u8]) -> Vec<Note> {
         let mut met: Vec<_> = KINDS
             .into_iter()
-            .filter_map(|kind| self.0[kind as usize].map(|(count, at)| (at, kind, count)))
+            .zip(&self.0)
+            .filter_map(|(kind, tally)| Some((tally.first()?, kind, tally)))
             .collect();
         met.sort_by_key(|&(at, kind, _)| (at, kind as usize));
-        met.into_iter().map(|(at, kind, count)| note(text, at, kind, count)).collect()
+        met.into_iter().filter_map(|(at, kind, tally)| note(text, at, kind, tally)).collect()
     }
 }
 
-fn note(text: &[u8], at: usize, kind: Remark, count: u64) -> Note {
+fn note(text: &[u8], at: usize, kind: Remark, tally: &Tally) -> Option<Note> {
     let mut cursor = Cursor::new(text, at);
     cursor.skip_blanks();
     let word = shown(cursor.token());
@@ -101,10 +101,10 @@ fn note(text: &[u8], at: usize, kind: Remark, count: u64) -> Note {
         Remark::OddSmoothing => (
             Severity::Warning,
             format!(
-                "`{word}` is not a smoothing group number; it is treated as the name of a group of its own"
+                "`{word}` is no number of a smoothing group (0 to 4294967294); it is treated as the name of a group of \
+                 its own"
             ),
         ),
     };
-    let more = if count > 1 { format!(" (and {} more like it)", count - 1) } else { String::new() };
-    Note { severity, place: Place::Line(line_and_column(text, at).0), text: what + &more }
+    tally.note(severity, |offsets| lines_of(text, offsets).into_iter().map(Place::Line).collect(), what)
 }

@@ -223,11 +223,12 @@ impl Writer {
 fn notes(parts: &[Part], without_normal: u64) -> Vec<Note> {
     let mut notes = left_out("PLY", &NOT_HELD, parts);
     if parts.len() > 1 {
-        let text = format!("PLY has no parts: {} were put into one mesh, their names left out", parts.len());
+        let text =
+            format!("PLY has no parts: all {} were put into one mesh, their names left out", parts.len());
         notes.push(Note::warning(Place::File, text));
     }
     if without_normal > 0 {
-        let text = format!("{without_normal} normals are not there: 0 0 1 was written");
+        let text = format!("0 0 1 was written for normals that are not there: {without_normal}");
         notes.push(Note::warning(Place::File, text));
     }
     let is_coarse = |value: &f32| {

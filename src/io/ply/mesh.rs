@@ -3,10 +3,11 @@
 use super::Packed;
 use super::header::{Element, Header, Kind};
 use super::roles::{FaceRole, Roles, VertexRole};
-use super::rows::{Fault, Row, Rows, place};
+use super::rows::{Fault, Row, Rows, place, places};
 use super::scalar::{Encoding, Scalar};
-use crate::io::tally::{Tally, build_part};
-use crate::io::{Note, Part, Place, Problem, ReadError, ReadOptions};
+use crate::io::tally::{Tally, build_part, non_finite_note};
+use crate::io::text::counted;
+use crate::io::{Note, Part, Place, Problem, ReadError, ReadOptions, Severity};
 use crate::mesh::{Column, Columns, Faces, MeshBuilder, MeshError, NONE, Storage};
 use glam::{DVec2, DVec3};
 use std::collections::BTreeSet;
@@ -57,7 +58,8 @@ pub(super) fn read(
         (reading, shared_lines) = (Ok(other), true);
     }
     let reading = reading.map_err(|(fault, _)| fault.into_error(bytes, header.encoding))?;
-    let notes = reading.notes(bytes, header);
+    let mut notes = reading.notes(bytes, header);
+    notes.extend(non_finite_note(&reading.mesh.positions, options.non_finite));
     let place_of = |error: &MeshError| match error {
         MeshError::NonFinite { vertex, .. } => Some((roles.vertex.element, *vertex)),
         // Of strips only the element is known.
@@ -293,29 +295,27 @@ impl Reading {
     }
 
     fn notes(&self, bytes: &[u8], header: &Header) -> Vec<Note> {
-        let place = |offset| place(bytes, header.encoding, offset);
+        let places = |offsets: &[usize]| places(bytes, header.encoding, offsets);
         let mut notes: Vec<Note> = [
-            (self.short_faces, "a face with fewer than three corners was skipped"),
-            (self.not_finite, "a colour or texture coordinate that is not finite was read as 0"),
-            (self.overlong, "a row has more values than the header says; they were skipped"),
+            (&self.short_faces, "a face with fewer than three corners was skipped"),
+            (&self.not_finite, "a colour or texture coordinate that is not finite was read as 0"),
+            (&self.overlong, "a row has more values than the header says; they were skipped"),
         ]
         .into_iter()
-        .filter_map(|(tally, text)| tally.note(place, text))
+        .filter_map(|(tally, text)| tally.note(Severity::Warning, places, text))
         .collect();
         let rest = &bytes[self.end..];
         if !rest.trim_ascii().is_empty() {
-            let text = format!("{} bytes behind the last row were not read", rest.len());
-            notes.push(Note::warning(place(self.end), text));
+            let bytes_left = counted(rest.len(), "byte", "bytes");
+            let text = format!("not read, because it is behind the last row: {bytes_left}");
+            notes.push(Note::warning(place(bytes, header.encoding, self.end), text));
         }
         let mut names = BTreeSet::new();
         let again: Vec<&Element> =
             header.elements.iter().filter(|element| !names.insert(&element.name)).collect();
-        if let [first, ..] = again[..] {
-            let (name, count) = (&first.name, again.len());
-            let text =
-                format!("{count} elements have a name that is taken (`{name}`) and were only carried along");
-            notes.push(Note::warning(Place::Line(first.line), text));
-        }
+        let lines = again.iter().map(|element| Place::Line(element.line));
+        let text = "an element with a name that another has is only carried along";
+        notes.extend(Note::for_all(Severity::Warning, again.len() as u64, lines, text));
         notes
     }
 }

@@ -45,6 +45,31 @@ struct Packed {
 }
 
 impl PlyDocument {
+    /// The file as it was read.
+    pub(super) fn source(&self) -> &[u8] {
+        &self.bytes
+    }
+
+    /// The elements and properties that have no part in the mesh.
+    pub(super) fn beside_meshes(&self) -> Vec<String> {
+        let mut left = Vec::new();
+        for (number, element) in self.header.elements.iter().enumerate() {
+            match self.roles.used(number) {
+                None if element.count > 0 => left.push(format!("the element `{}`", element.name)),
+                None => {}
+                Some(used) => {
+                    let names = element.properties.iter().enumerate().filter(|(at, _)| !used.contains(at));
+                    let names: Vec<String> =
+                        names.map(|(_, property)| format!("`{}`", property.name)).collect();
+                    if !names.is_empty() && element.count > 0 {
+                        left.push(format!("{} of the element `{}`", names.join(", "), element.name));
+                    }
+                }
+            }
+        }
+        left
+    }
+
     /// The normals of faces as stored; not there where vertices have some.
     fn face_normals<'a>(&self, mesh: &'a Mesh) -> Option<&'a [DVec3]> {
         match &mesh.columns().normals {

@@ -68,6 +68,26 @@ impl Roles {
     }
 }
 
+impl Roles {
+    /// The properties of an element that have a role; `None` if it has none itself.
+    pub fn used(&self, element: usize) -> Option<Vec<usize>> {
+        let vertex = &self.vertex;
+        if vertex.element == element {
+            let triples =
+                [Some(vertex.position), vertex.normal, vertex.color].into_iter().flatten().flatten();
+            let uvs = vertex.uv.into_iter().flatten();
+            return Some(triples.chain(uvs).chain(vertex.opacity).collect());
+        }
+        if let Some(face) =
+            [&self.face, &self.strips].into_iter().flatten().find(|face| face.element == element)
+        {
+            let normals = face.normal.into_iter().flatten();
+            return Some(normals.chain(face.corner_uvs).chain([face.list]).collect());
+        }
+        self.edge.filter(|edge| edge.0 == element).map(|edge| edge.1.to_vec())
+    }
+}
+
 fn vertex_role(header: &Header, number: usize) -> Result<VertexRole, ReadError> {
     let element = &header.elements[number];
     let Some(position) = element.scalars(["x", "y", "z"]) else {

@@ -3,7 +3,7 @@
 use super::header::{Element, Header, Kind};
 use super::scalar::{Encoding, Scalar};
 use crate::io::tally::Tally;
-use crate::io::text::{line_and_column, shown};
+use crate::io::text::{counted, line_and_column, lines_of, shown};
 use crate::io::{Place, Problem, ReadError};
 use std::ops::Range;
 
@@ -34,6 +34,14 @@ pub(super) fn place(bytes: &[u8], encoding: Encoding, offset: usize) -> Place {
     match encoding {
         Encoding::Ascii => Place::Line(line_and_column(bytes, offset).0),
         _ => Place::Byte(offset as u64),
+    }
+}
+
+/// As [`place`], for offsets that ascend.
+pub(super) fn places(bytes: &[u8], encoding: Encoding, offsets: &[usize]) -> Vec<Place> {
+    match encoding {
+        Encoding::Ascii => lines_of(bytes, offsets).into_iter().map(Place::Line).collect(),
+        _ => offsets.iter().map(|&offset| Place::Byte(offset as u64)).collect(),
     }
 }
 
@@ -77,8 +85,10 @@ impl<'a> Rows<'a> {
         let needed = needed.saturating_sub(u64::from(self.encoding == Encoding::Ascii));
         if needed > rest {
             let found = format!(
-                "{} rows of `{}` need at least {needed} bytes, but there are only {rest}",
-                element.count, element.name
+                "{} of `{}` need {} or more, where {rest} are left",
+                counted(element.count, "row", "rows"),
+                element.name,
+                counted(needed, "byte", "bytes"),
             );
             return Err(Fault::new(Problem::Truncated, self.at, found));
         }

@@ -306,7 +306,7 @@ fn rows_that_do_not_fit_the_header() {
         ("3 0 1 2 100", "-3 0 1 2 100", "line 22: `-3` is no number of list items"),
         ("3 0 1 2 100", "3000000000 0 1 2 100", "line 25: the file ends inside a row of `face`"),
         ("1.0 0 0 8", "inf 0 0 8", "line 18: vertex 1 has the position (inf, 0, 0)"),
-        ("2 0.5 0.25\n", "", "line 24: 1 rows of `camera` need at least 1 bytes"),
+        ("2 0.5 0.25\n", "", "line 24: 1 row of `camera` need 1 byte or more"),
         ("2 0.5 0.25\n", "2 0.5", "line 24: the file ends inside a row of `camera`"),
         ("element vertex 4", "element vertex -4", "line 5: `-4` is no number of rows"),
         ("property int id", "property list float int id", "line 12: a list whose count"),

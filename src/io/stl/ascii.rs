@@ -2,9 +2,9 @@
 
 use super::words::{Words, is_blank};
 use crate::io::number;
-use crate::io::tally::{Tally, build_part};
-use crate::io::text::{line_and_column, shown};
-use crate::io::{Note, Part, Place, Problem, ReadError, ReadOptions};
+use crate::io::tally::{Tally, build_part, non_finite_note};
+use crate::io::text::{counted, line_and_column, lines_of, shown};
+use crate::io::{Note, Part, Place, Problem, ReadError, ReadOptions, Severity};
 use crate::mesh::{Column, Columns, Faces, MeshBuilder, MeshError, NONE, Storage};
 use glam::DVec3;
 use std::ops::Range;
@@ -49,8 +49,9 @@ pub(super) fn starts_like_one(text: &[u8]) -> bool {
 pub(super) fn read(text: &[u8], options: &ReadOptions) -> Result<(Vec<Part>, Vec<Note>), ReadError> {
     let mut parser = Parser::new(text);
     parser.run()?;
-    let notes = parser.notes();
+    let mut notes = parser.notes();
     let solids = parser.solids;
+    notes.extend(solids.iter().filter_map(|solid| non_finite_note(&solid.positions, options.non_finite)));
     Ok((solids.into_iter().map(|solid| part(text, solid, options)).collect::<Result<_, _>>()?, notes))
 }
 
@@ -276,7 +277,7 @@ impl<'a> Parser<'a> {
             3 => {}
             4.. => self.odd.polygons.add(word.start),
             few => {
-                let found = format!("a facet with {few} vertices; it needs 3");
+                let found = format!("a facet with {}; it needs 3", counted(few, "vertex", "vertices"));
                 return Err(self.fault(word.start, found, "correct the facet"));
             }
         }
@@ -293,17 +294,17 @@ impl<'a> Parser<'a> {
     }
 
     fn notes(&self) -> Vec<Note> {
-        let place = |offset| line(self.text, offset);
+        let places = |offsets: &[usize]| lines_of(self.text, offsets).into_iter().map(Place::Line).collect();
         let odd = &self.odd;
         [
-            (odd.unopened, "no `solid` line before this"),
-            (odd.unclosed, "a solid begins before `endsolid`"),
-            (odd.unknown, "a line that is no STL was skipped"),
-            (odd.without_normal, "a facet without a normal of three numbers"),
-            (odd.polygons, "a facet with more than three vertices was read as a polygon"),
+            (&odd.unopened, "no `solid` line before this"),
+            (&odd.unclosed, "a solid begins before `endsolid`"),
+            (&odd.unknown, "a line that is no STL was skipped"),
+            (&odd.without_normal, "a facet without a normal of three numbers"),
+            (&odd.polygons, "a facet with more than three vertices was read as a polygon"),
         ]
         .into_iter()
-        .filter_map(|(tally, text)| tally.note(place, text))
+        .filter_map(|(tally, text)| tally.note(Severity::Warning, places, text))
         .collect()
     }
 }

@@ -2,7 +2,8 @@
 //! bytes), all little-endian.
 
 use super::facets::FacetEdit;
-use crate::io::tally::build_part;
+use crate::io::tally::{build_part, non_finite_note};
+use crate::io::text::counted;
 use crate::io::{Note, Part, Place, Problem, ReadError, ReadOptions};
 use crate::mesh::{Column, Columns, Faces, MeshBuilder, MeshError, Storage};
 use glam::DVec3;
@@ -32,7 +33,8 @@ pub(super) fn count(bytes: &[u8]) -> Result<usize, ReadError> {
     let rest = bytes.len().saturating_sub(FIRST);
     let present = rest / FACET;
     if declared as usize > present {
-        let found = format!("the header counts {declared} facets, but there are bytes for {present}");
+        let found =
+            format!("the header counts {}, but there are bytes for {present}", facets_of(declared as usize));
         let advice = "the file was cut off, or it is no STL";
         return Err(ReadError::new(Problem::Truncated, Place::Byte(bytes.len() as u64), found, advice));
     }
@@ -41,10 +43,20 @@ pub(super) fn count(bytes: &[u8]) -> Result<usize, ReadError> {
     Ok(if uncounted { present } else { declared as usize })
 }
 
+fn facets_of(count: usize) -> String {
+    counted(count, "facet", "facets")
+}
+
 fn vectors(facet: &[u8]) -> [DVec3; 4] {
     let (values, _) = facet.as_chunks::<4>();
     let number = |k: usize| f64::from(f32::from_le_bytes(values[k]));
     [0, 3, 6, 9].map(|k| DVec3::new(number(k), number(k + 1), number(k + 2)))
+}
+
+/// How many facets have attribute bytes that are not 0.
+pub(super) fn attributes(bytes: &[u8], count: usize) -> usize {
+    let (facets, _) = bytes[FIRST..FIRST + count * FACET].as_chunks::<FACET>();
+    facets.iter().filter(|facet| facet[FACET - 2..] != [0, 0]).count()
 }
 
 /// Reads so many facets, of which there are at least as many bytes.
@@ -63,6 +75,7 @@ pub(super) fn read(
         positions.extend([a, b, c]);
     }
     let corners = 3 * count as u32;
+    let mut notes: Vec<Note> = non_finite_note(&positions, options.non_finite).into_iter().collect();
     let builder = MeshBuilder {
         positions,
         storage: Storage::F32,
@@ -79,20 +92,21 @@ pub(super) fn read(
         _ => Place::File,
     };
     let part = build_part(String::new(), builder, options, place)?;
-    let mut notes = Vec::new();
     let declared = declared(bytes).unwrap_or(0) as usize;
     if declared != count {
-        let text = format!("the header counts {declared} facets; all {count} that are there were read");
+        let text = format!("the header counts {}; all {count} that are there were read", facets_of(declared));
         notes.push(Note::warning(Place::Byte(HEADER as u64), text));
     }
     match bytes.len() - end {
         0 => {}
         rest if rest < FACET => {
-            notes.push(Note::remark(format!("{rest} bytes behind the last facet were not read")));
+            let left = counted(rest, "byte", "bytes");
+            notes.push(Note::remark(format!("not read, because it is behind the last facet: {left}")));
         }
         rest => {
             let text = format!(
-                "{rest} bytes behind the {count} facets that the header counts were not read (room for {} more)",
+                "the header counts {}; {rest} bytes behind that, room for {} more, were not read",
+                facets_of(count),
                 rest / FACET
             );
             notes.push(Note::warning(Place::Byte(end as u64), text));

@@ -22,9 +22,13 @@ pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Wri
     let mut without_normal = 0_u64;
     for part in parts {
         let mesh = &part.mesh;
-        if let Some(far) = mesh.positions().iter().find(|p| p.abs().max_element() > f64::from(f32::MAX)) {
-            let text = format!("the position ({}, {}, {}) is beyond the numbers of STL", far.x, far.y, far.z);
-            return Err(WriteError::Unsupported(format!("{text}; scale the mesh down")));
+        let is_far = |p: &DVec3| p.abs().max_element() > f64::from(f32::MAX);
+        if let Some(vertex) = mesh.positions().iter().position(is_far) {
+            let DVec3 { x, y, z } = mesh.positions()[vertex];
+            let text = format!(
+                "vertex {vertex}, counted from 0, at ({x:e}, {y:e}, {z:e}) is beyond the range of the 32-bit floats of STL"
+            );
+            return Err(WriteError::Unsupported(format!("{text}; scale the model, or write PLY or OBJ")));
         }
         // One a face: a polygon has as many triangles as it takes to look at all of its corners.
         let normals: Vec<Option<DVec3>> =
@@ -94,10 +98,10 @@ fn notes(parts: &[Part], without_normal: u64, options: &WriteOptions) -> Vec<Not
     }
     let mut warn = |text: String| notes.push(Note::warning(Place::File, text));
     if without_normal > 0 {
-        warn(format!("{without_normal} facets have no normal of their own: 0 0 0 was written"));
+        warn(format!("0 0 0 was written for facets without a normal of their own: {without_normal}"));
     }
     if parts.len() > 1 {
-        warn(format!("STL has no parts: {} were put into one solid", parts.len()));
+        warn(format!("STL has no parts: all {} were put into one solid", parts.len()));
     }
     notes.extend(left_out("STL", &NOT_HELD, parts));
     let is_rounded = |p: &DVec3| p.as_vec3().as_dvec3() != *p;

@@ -12,6 +12,7 @@ mod fresh;
 mod words;
 
 use super::tally::check_size;
+use super::text::counted;
 use super::{Document, Emit, Format, Loaded, Note, PartEdit, Place, Problem, ReadError, ReadOptions};
 use super::{WriteError, WriteOptions, Written};
 pub(super) use fresh::write;
@@ -22,6 +23,24 @@ use std::path::Path;
 pub struct StlDocument {
     bytes: Vec<u8>,
     layout: Layout,
+}
+
+impl StlDocument {
+    /// The file as it was read.
+    pub(super) fn source(&self) -> &[u8] {
+        &self.bytes
+    }
+
+    /// The attribute bytes behind facets, in which some programs keep colours.
+    pub(super) fn beside_meshes(&self) -> Vec<String> {
+        let Layout::Binary { facets } = self.layout else { return Vec::new() };
+        let count = binary::attributes(&self.bytes, facets);
+        if count == 0 {
+            Vec::new()
+        } else {
+            vec![format!("the attribute bytes of {}", counted(count, "facet", "facets"))]
+        }
+    }
 }
 
 /// The two kinds of STL.
@@ -46,7 +65,10 @@ pub fn read(bytes: Vec<u8>, _base: Option<&Path>, options: &ReadOptions) -> Resu
     } else {
         let found = match bytes.len() {
             0 => "the file is empty".to_owned(),
-            length => format!("{length} bytes that are neither ascii nor binary STL"),
+            length => {
+                let bytes = counted(length, "byte", "bytes");
+                format!("{bytes} of neither ascii nor binary STL")
+            }
         };
         let advice = "check that the file is complete and an STL, or name its format";
         return Err(ReadError::new(Problem::Syntax, Place::File, found, advice));

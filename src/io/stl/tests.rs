@@ -188,7 +188,7 @@ fn faults_say_where() {
             "line 6: vertex 2 has the position (inf",
         ),
         (String::new(), "the file is empty"),
-        ("hello".to_owned(), "5 bytes that are neither"),
+        ("hello".to_owned(), "5 bytes of neither"),
     ] {
         let error = error(&text).to_string();
         assert!(error.starts_with(expected), "{error}");

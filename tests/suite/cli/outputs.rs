@@ -43,11 +43,106 @@ fn in_place_replaces_and_a_failure_leaves_the_input() {
 }
 
 #[test]
-fn an_output_may_be_the_input_where_that_is_typed() {
+fn an_output_is_the_input_only_in_place() {
     let work = folder(&[("a.obj", TRIANGLE)]);
     let a = path(work.path().join("a.obj"));
-    succeed([&a, "-o", &a]);
+    let same = path(work.path().join("../").join(work.path().file_name().unwrap()).join("a.obj"));
+    for args in [[&a, "-o", &a], [&a, "-o", &same]] {
+        let refused = normals(args);
+        assert_eq!(code(&refused), 2);
+        assert!(text(&refused.stderr).contains("--in-place"), "{}", text(&refused.stderr));
+    }
+    assert_eq!(fs::read_to_string(&a).unwrap(), TRIANGLE);
+    succeed([&a, "--in-place"]);
     assert!(fs::read_to_string(&a).unwrap().contains("vn "));
+}
+
+/// A glTF triangle in a buffer file.
+fn external(uri: &str) -> String {
+    format!(
+        r#"{{"asset":{{"version":"2.0"}},"nodes":[{{"mesh":0}}],"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}}}}]}}],
+        "accessors":[{{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[0,0,0]}}],
+        "bufferViews":[{{"buffer":0,"byteLength":36}}],"buffers":[{{"byteLength":36,"uri":"{uri}"}}]}}"#
+    )
+}
+
+#[test]
+fn a_buffer_outside_comes_beside_the_output_that_would_not_find_it() {
+    let zeros = "\0".repeat(36);
+    let files = [("rt/in/a.gltf", external("../shared/b.bin")), ("rt/shared/b.bin", zeros)];
+    let files: Vec<(&str, &str)> = files.iter().map(|(name, content)| (*name, content.as_str())).collect();
+    let work = folder(&files);
+    let at = |name: &str| path(work.path().join(name));
+    for when in ["always", "missing"] {
+        // From here `../shared/b.bin` leads nowhere.
+        let out = at("rt/o.gltf");
+        let told = succeed([&at("rt/in/a.gltf"), "--root", &at("rt"), "-o", &out, "--when", when]);
+        assert!(!text(&told.stdout).contains("the same bytes"), "{}", text(&told.stdout));
+        assert!(fs::read_to_string(&out).unwrap().contains("\"uri\":\"o.b.bin\""));
+        succeed([&out, "--dry-run"]);
+        // From here it leads to the same file.
+        let out = at("rt/in/o.gltf");
+        succeed([&at("rt/in/a.gltf"), "--root", &at("rt"), "-o", &out, "--when", when]);
+        assert!(fs::read_to_string(&out).unwrap().contains("\"uri\":\"../shared/b.bin\""));
+        succeed([&out, "--root", &at("rt"), "--dry-run"]);
+    }
+    let stream = succeed([&at("rt/in/a.gltf"), "--root", &at("rt"), "-o", "-"]);
+    assert!(text(&stream.stdout).contains("\"uri\":\"data:"));
+}
+
+#[test]
+fn a_file_beside_the_output_that_is_replaced_is_told() {
+    let work = folder(&[("a.obj", TRIANGLE), ("out/a.bin", "somebody else's")]);
+    let args = [path(work.path().join("a.obj")), "-o".into(), path(work.path().join("out/a.gltf"))];
+    for said in [true, false] {
+        for dry in [true, false] {
+            let dry = dry.then(|| "--dry-run".to_owned());
+            let output = succeed(args.iter().cloned().chain(dry));
+            assert_eq!(text(&output.stderr).contains("a.bin belongs to the output"), said);
+        }
+    }
+}
+
+#[test]
+fn companions_of_two_inputs_that_clash_are_refused_in_a_dry_run_too() {
+    let with = |color: &str| format!("newmtl x\nKd {color}\n");
+    let (red, blue, obj) = (with("1 0 0"), with("0 0 1"), format!("mtllib m.mtl\n{TRIANGLE}"));
+    let files = [("1/a.obj", &*obj), ("1/m.mtl", &red), ("2/b.obj", &*obj), ("2/m.mtl", &blue)];
+    let work = folder(&files);
+    let at = |name: &str| path(work.path().join(name));
+    for dry in [&["--dry-run"][..], &[]] {
+        let args = [at("1/a.obj"), at("2/b.obj"), "--out-dir".into(), at("out")];
+        let output = normals(args.into_iter().chain(dry.iter().map(|arg| (*arg).to_owned())));
+        assert_eq!(code(&output), 5);
+        let error = text(&output.stderr);
+        assert!(error.contains("m.mtl") && error.contains("into different folders"), "{error}");
+        assert_eq!(names(work.path()).len(), if dry.is_empty() { 6 } else { 4 });
+    }
+}
+
+#[test]
+fn nothing_is_said_to_go_with_a_stream() {
+    let gear = path(data("gear.obj"));
+    let output = succeed([&gear, "-o", "-", "--to", "obj"]);
+    assert!(!text(&output.stderr).contains("with gear.mtl"), "{}", text(&output.stderr));
+    assert!(text(&output.stderr).contains("no folder for what the output refers to"));
+    let output = succeed([&gear, "-o", "-", "--to", "obj", "--json"]);
+    let report: serde_json::Value = serde_json::from_slice(&output.stderr).unwrap();
+    assert_eq!(report["output"]["companions"], serde_json::json!([]));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_report_that_cannot_be_written_is_a_failure() {
+    let full = || fs::File::options().write(true).open("/dev/full").unwrap();
+    for extra in [&["--emit", "face", "--json"][..], &["--dry-run"]] {
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_crease"));
+        command.arg("normals").arg(data("gear.obj")).args(extra);
+        let output = command.stdout(full()).stderr(std::process::Stdio::piped()).spawn().unwrap();
+        let output = output.wait_with_output().unwrap();
+        assert_eq!(output.status.code(), Some(4));
+        assert!(text(&output.stderr).contains("the report could not be written"), "{extra:?}");
+    }
 }
 
 #[test]
@@ -155,6 +250,15 @@ mod unix {
         assert!(text(&output.stderr).contains("write-protected"));
         assert_eq!(fs::read_to_string(&b).unwrap(), "keep me");
         assert_eq!(names(work.path()), ["a.obj", "b.obj"]);
+    }
+
+    #[test]
+    fn a_link_to_the_input_is_the_input() {
+        let work = folder(&[("a.obj", TRIANGLE)]);
+        let (a, link) = (path(work.path().join("a.obj")), path(work.path().join("b.obj")));
+        symlink(&a, &link).unwrap();
+        assert_eq!(code(&normals([&a, "-o", &link])), 2);
+        assert_eq!(fs::read_to_string(a).unwrap(), TRIANGLE);
     }
 
     #[test]

@@ -78,6 +78,10 @@ struct Part {
     faults: BTreeMap<String, BTreeMap<String, usize>>,
     kept_corners: usize,
     replaced_corners: BTreeMap<String, usize>,
+    #[serde(default)]
+    fault_places: Vec<Spot>,
+    #[serde(default)]
+    broken_places: Vec<Spot>,
     reversed_faces: usize,
     dropped_faces: usize,
     non_finite_faces: usize,
@@ -89,6 +93,15 @@ struct Part {
     face_normals: Option<Vec<Option<[f64; 3]>>>,
 }
 
+#[derive(Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Spot {
+    face: Option<u32>,
+    corner: Option<u32>,
+    vertex: Option<u32>,
+    reason: String,
+}
+
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[allow(dead_code, reason = "the members are checked by being read")]
@@ -96,6 +109,9 @@ struct Note {
     severity: String,
     place: Option<serde_json::Value>,
     text: String,
+    more: Option<u64>,
+    #[serde(default)]
+    also: Vec<serde_json::Value>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -195,6 +211,58 @@ fn face_normals_are_rows_where_nothing_is_written() {
     let work = folder(&[]);
     let written = one(&[&path(data("part.stl")), "--emit", "face", "-o", &path(work.path().join("p.ply"))]);
     assert!(written.parts[0].face_normals.is_none() && written.output.is_some());
+}
+
+/// The second triangle's second corner has a normal of length 3; the third triangle has no area.
+const BROKEN: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 1\nvn 0 0 3\n\
+                      f 1//1 2//1 3//1\nf 2//1 4//2 3//1\nf 1//1 1//1 2//1\n";
+
+#[test]
+fn places_are_told_by_face_corner_and_vertex() {
+    let work = folder(&[("a.obj", BROKEN)]);
+    let input = path(work.path().join("a.obj"));
+    let args = [input.as_str(), "--dry-run", "--when", "broken"];
+    let part = one(&args).parts.pop().unwrap();
+    let spot = |face, corner, vertex, reason: &str| Spot { face, corner, vertex, reason: reason.into() };
+    assert_eq!(part.broken_places, [spot(Some(1), Some(1), Some(3), "Length")]);
+    assert!(part.fault_places.contains(&spot(Some(2), None, None, "ZeroArea")), "{:?}", part.fault_places);
+    let output = succeed(args);
+    let told = text(&output.stdout);
+    for piece in [
+        "1 not of unit length; ",
+        "1 without area",
+        "face 1, corner 1 (vertex 3): stored normal not of unit length",
+    ] {
+        assert!(told.contains(piece), "no {piece:?} in\n{told}");
+    }
+    assert!(!told.contains("AgainstFace") && !told.contains("ZeroArea"), "{told}");
+}
+
+#[test]
+fn all_places_of_a_note_are_printed_if_asked_for() {
+    let lines: String = (0..150).map(|k| format!("odd {k}\n")).collect();
+    let work = folder(&[("a.obj", &format!("{TRIANGLE}{lines}"))]);
+    let input = path(work.path().join("a.obj"));
+    let said = |args: &[&str]| text(&succeed([&[&*input, "--dry-run"], args].concat()).stderr).to_owned();
+    assert!(said(&[]).contains("line 5: the unknown statement `odd` was ignored (and 149 more like it)\n"));
+    let all = said(&["-v"]);
+    assert!(all.contains("(and 149 more like it: line 6, line 7, ") && all.contains("line 105, …)"), "{all}");
+    let note = &one(&[&input, "--dry-run"]).notes[0];
+    assert_eq!((note.more, note.also.len()), (Some(149), 100));
+    assert_eq!(note.also[99], serde_json::json!({ "line": 105 }));
+}
+
+#[test]
+fn reports_tell_what_was_done_and_no_more() {
+    let gear = path(data("gear.obj"));
+    let told = |args: &[&str]| {
+        text(&succeed([&[&*gear, "--dry-run", "--to", "ply"], args].concat()).stdout).to_owned()
+    };
+    assert!(told(&["--crease", "off"]).contains("fan rule, crease off"));
+    let faces = told(&["--emit", "face"]);
+    assert!(faces.contains("normals  1260, one a face\n") && !faces.contains("split"), "{faces}");
+    let vertices = told(&["--emit", "vertex"]);
+    assert!(vertices.contains("edges    2520: 2520 smooth\n"), "{vertices}");
 }
 
 #[test]

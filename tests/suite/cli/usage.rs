@@ -66,6 +66,15 @@ fn the_program_tells_its_verbs_and_version() {
 }
 
 #[test]
+fn a_root_that_is_no_folder_is_wrong_usage() {
+    for root in [path(data("nowhere")), path(data("gear.obj"))] {
+        let output = normals([&path(data("gear.obj")), "--dry-run", "--root", &root]);
+        assert_eq!(code(&output), 2);
+        assert!(text(&output.stderr).contains("--root"), "{}", text(&output.stderr));
+    }
+}
+
+#[test]
 fn completions_and_manual_pages_know_the_options() {
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
         let output = crease().args(["completions", shell]).output().unwrap();
@@ -76,6 +85,17 @@ fn completions_and_manual_pages_know_the_options() {
     let verb = crease().args(["man", "normals"]).output().unwrap();
     assert!(text(&verb.stdout).contains(".TH crease-normals 1"), "{}", text(&verb.stdout));
     assert!(text(&verb.stdout).contains("crease\\-rule"));
+    let page = text(&verb.stdout);
+    for piece in [
+        ".SH \"EXAMPLES\"\n.nf\ncrease normals",
+        ".SH \"EXIT STATUS\"",
+        "\\fI<INPUT>...\\fR\n",
+        "<\\fIINPUT\\fR>...\n",
+        "[\\fB\\-\\-weight\\fR <WEIGHT>]",
+    ] {
+        assert!(page.contains(piece), "no {piece:?} in\n{page}");
+    }
+    assert!(!page.contains("EXTRA"));
     assert_eq!(code(&crease().args(["man", "nothing"]).output().unwrap()), 2);
 }
 

@@ -12,7 +12,7 @@ mod tangents;
 
 use super::GltfDocument;
 use super::package;
-use crate::io::{Format, Loaded, Part, PartEdit, WriteError, WriteOptions, Written};
+use crate::io::{Format, Loaded, Note, Part, PartEdit, Place, WriteError, WriteOptions, Written};
 use group::Group;
 use member::Member;
 use remarks::Remarks;
@@ -61,5 +61,10 @@ pub fn edit(
     written.vertices = vertices as u64 + added;
     written.added_vertices = added;
     remarks.tell(&mut written.notes);
+    let drops = edits.iter().any(|edit| !edit.faces.dropped.is_empty());
+    if (added > 0 || drops) && document.lists("extensionsUsed", "FB_geometry_metadata") {
+        let text = "FB_geometry_metadata still counts the vertices and faces of the input";
+        written.notes.push(Note::warning(Place::File, text));
+    }
     Ok(written)
 }

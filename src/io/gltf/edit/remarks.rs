@@ -5,6 +5,7 @@ use super::store::Store;
 use crate::io::gltf::GltfDocument;
 use crate::io::gltf::extensions::{DRACO, ORDERED, has_implicit_features};
 use crate::io::gltf::fields::Fields;
+use crate::io::text::counted;
 use crate::io::{Note, Place, WriteError};
 
 /// Counts of what is worth telling, each told once.
@@ -81,30 +82,37 @@ impl Remarks {
 
     /// Turns the counts into notes.
     pub(super) fn tell(&self, notes: &mut Vec<Note>) {
-        let mut warn = |count: usize, text: &str| {
+        let mut warn = |count: usize, of: [&str; 2], text: &str| {
             if count > 0 {
-                notes.push(Note::warning(Place::File, text.replace('#', &count.to_string())));
+                let [one, many] = of;
+                let text = format!("{text}: {}", counted(count, one, many));
+                notes.push(Note::warning(Place::File, text));
             }
         };
-        warn(self.without_normal, "# corners had no normal to write; they keep the stored one, or get +Z");
+        let primitives = ["primitive", "primitives"];
         warn(
-            self.stale_deltas,
-            "# primitives have morph targets whose normal deltas still belong to the old normals",
+            self.without_normal,
+            ["corner", "corners"],
+            "without a normal to write, the stored one is kept, or +Z written",
         );
+        warn(self.stale_deltas, primitives, "normal deltas of morph targets still belong to the old normals");
         warn(
             self.tangents_dropped,
-            "tangents of # primitives belonged to the old normals and were left out; viewers make them again (a \
-             validator then reports MESH_PRIMITIVE_GENERATED_TANGENT_SPACE where there is a normal map); see --tangents",
+            primitives,
+            "tangents belonged to the old normals and were left out; viewers make them again (a validator then \
+             reports MESH_PRIMITIVE_GENERATED_TANGENT_SPACE where there is a normal map), see --tangents",
         );
         warn(
             self.tangent_deltas_dropped,
-            "morph targets of # primitives had tangents for the old ones of the base; they were left out",
+            primitives,
+            "morph targets had tangents for the old ones of the base, which were left out",
         );
         warn(
             self.emptied,
-            "# primitives lost all faces; one triangle without area stands for them, as glTF needs one",
+            primitives,
+            "all faces are gone, and one triangle without area stands for them, as glTF needs one",
         );
-        warn(self.draco_dropped, "the Draco copy of # primitives was left out; their plain data are kept");
+        warn(self.draco_dropped, primitives, "the Draco copy was left out and the plain data kept");
     }
 }
 

@@ -8,6 +8,7 @@ use crate::io::gltf::data::{Bounds, Target, accessor_json, number_list, view_jso
 use crate::io::gltf::document::{Component, Format};
 use crate::io::gltf::json::{Value, quoted};
 use crate::io::gltf::splice::{Changes, Splices, changed_object};
+use rustc_hash::FxHashSet;
 use std::borrow::Cow;
 use std::ops::Range;
 
@@ -19,6 +20,8 @@ pub(in crate::io::gltf) struct Store<'a> {
     /// Bytes to write over those of the BIN chunk: where, how far apart, how large, and what.
     patches: Vec<Patch>,
     appended: Vec<u8>,
+    /// The views of what is appended, in the order of their numbers where they are new.
+    placed: Vec<Placed>,
     home: Home,
     next_view: usize,
     next_accessor: usize,
@@ -58,6 +61,8 @@ pub(in crate::io::gltf) struct Changed {
     pub(in crate::io::gltf) bin: Option<Vec<u8>>,
     /// The content of the additional buffer, if there is one.
     pub(in crate::io::gltf) extra: Option<Vec<u8>>,
+    /// The old buffer that the additional one stands in for.
+    pub(in crate::io::gltf) replaced: Option<usize>,
 }
 
 impl<'a> Store<'a> {
@@ -74,6 +79,7 @@ impl<'a> Store<'a> {
             refs: References::new(document),
             patches: Vec::new(),
             appended: Vec::new(),
+            placed: Vec::new(),
             home,
             next_view: document.records.views.len(),
             next_accessor: document.records.accessors.len(),
@@ -179,28 +185,47 @@ impl<'a> Store<'a> {
     }
 
     fn append_view(&mut self, data: &NewData<'_>) -> usize {
-        let place = self.append(data);
-        let (buffer, offset) = place.start;
-        let json = view_json(buffer, offset, place.length, place.stride, data.target);
-        self.push("bufferViews", json);
+        self.append(data, None);
         self.next_view += 1;
         self.next_view - 1
     }
 
     fn move_view(&mut self, view: usize, data: &NewData<'_>) {
-        let place = self.append(data);
-        let record = &self.document.records.views[view];
-        let (buffer, offset) = place.start;
-        let object = record.object;
-        if record.buffer != buffer {
-            self.splices.set(object, "buffer", buffer);
+        self.append(data, Some(view));
+    }
+
+    /// Writes the views of all that was appended, which begins at this byte of this buffer.
+    fn write_views(&mut self, buffer: usize, base: usize) {
+        for placed in std::mem::take(&mut self.placed) {
+            let Placed { view, start, length, stride, target } = placed;
+            let offset = base + start;
+            let Some(view) = view else {
+                self.push("bufferViews", view_json(buffer, offset as u64, length, stride, target));
+                continue;
+            };
+            let record = &self.document.records.views[view];
+            let object = record.object;
+            if record.buffer != buffer {
+                self.splices.set(object, "buffer", buffer);
+            }
+            self.splices.set(object, "byteOffset", offset);
+            self.splices.set(object, "byteLength", length);
+            match stride {
+                Some(stride) => self.splices.set(object, "byteStride", stride),
+                None => self.splices.remove(object, "byteStride"),
+            }
         }
-        self.splices.set(object, "byteOffset", offset);
-        self.splices.set(object, "byteLength", place.length);
-        match place.stride {
-            Some(stride) => self.splices.set(object, "byteStride", stride),
-            None => self.splices.remove(object, "byteStride"),
-        }
+    }
+
+    /// Whether no view is left in a buffer once those that were moved are out of it.
+    fn is_deserted(&self, buffer: usize) -> bool {
+        let moved: FxHashSet<usize> = self.placed.iter().filter_map(|placed| placed.view).collect();
+        let views = &self.document.records.views;
+        // An extension of a view may refer to any buffer.
+        views
+            .iter()
+            .enumerate()
+            .all(|(number, view)| !view.extended && (view.buffer != buffer || moved.contains(&number)))
     }
 
     fn append_accessor(&mut self, json: String) -> usize {
@@ -218,7 +243,7 @@ impl<'a> Store<'a> {
         }
     }
 
-    fn append(&mut self, data: &NewData<'_>) -> Place {
+    fn append(&mut self, data: &NewData<'_>, view: Option<usize>) {
         let size = data.format.size();
         let step = if data.target == Target::Vertices { padded(size) } else { size };
         let start = padded(self.appended.len());
@@ -231,12 +256,9 @@ impl<'a> Store<'a> {
                 self.appended.resize(self.appended.len() + step - size, 0);
             }
         }
-        let (buffer, base) = match self.home {
-            Home::Bin(base) => (0, base),
-            Home::Buffer(buffer) => (buffer, 0),
-        };
         let length = self.appended.len() - start;
-        Place { start: (buffer, (base + start) as u64), length, stride: (step != size).then_some(step) }
+        let (stride, target) = ((step != size).then_some(step), data.target);
+        self.placed.push(Placed { view, start, length, stride, target });
     }
 
     /// Makes the document use and require an extension.
@@ -248,14 +270,24 @@ impl<'a> Store<'a> {
         }
     }
 
-    /// Makes all changes. An additional buffer gets the address that `uri` makes of its content.
-    pub(in crate::io::gltf) fn finish(mut self, uri: impl FnOnce(&[u8]) -> Option<String>) -> Changed {
+    /// Makes all changes. An additional buffer gets the address that `uri` makes of its content; it takes the number
+    /// of the buffer `stale`, if nothing is left in that one.
+    pub(in crate::io::gltf) fn finish(
+        mut self,
+        stale: Option<usize>,
+        uri: impl FnOnce(&[u8]) -> Option<String>,
+    ) -> Changed {
         let document = self.document;
         let bin = document.glb.as_ref().and_then(|glb| glb.bin());
         let old: &[u8] = bin.map_or(&[], |range: Range<usize>| &document.buffers.file[range]);
         let appended = std::mem::take(&mut self.appended);
         let mut new_bin = None;
         let mut extra = None;
+        let stale = stale.filter(|&buffer| self.is_deserted(buffer));
+        match (self.home, stale) {
+            (Home::Bin(base), _) => self.write_views(0, base),
+            (Home::Buffer(_), Some(buffer)) | (Home::Buffer(buffer), None) => self.write_views(buffer, 0),
+        }
         match self.home {
             Home::Bin(base) if !appended.is_empty() => {
                 let length = base + appended.len();
@@ -270,8 +302,18 @@ impl<'a> Store<'a> {
                 new_bin = Some(bytes);
             }
             Home::Buffer(_) if !appended.is_empty() => {
-                let uri = uri(&appended).map_or(String::new(), |uri| format!(",\"uri\":{}", quoted(&uri)));
-                self.push("buffers", format!("{{\"byteLength\":{}{uri}}}", appended.len()));
+                let uri = uri(&appended).map(|uri| quoted(&uri));
+                match (stale, uri) {
+                    (Some(buffer), Some(uri)) => {
+                        let object = document.records.buffers[buffer];
+                        self.splices.set(object, "uri", uri);
+                        self.splices.set(object, "byteLength", appended.len());
+                    }
+                    (_, uri) => {
+                        let uri = uri.map_or(String::new(), |uri| format!(",\"uri\":{uri}"));
+                        self.push("buffers", format!("{{\"byteLength\":{}{uri}}}", appended.len()));
+                    }
+                }
                 extra = Some(appended);
             }
             _ => {}
@@ -285,15 +327,18 @@ impl<'a> Store<'a> {
                 }
             }
         }
-        Changed { json: self.splices.apply(), bin: new_bin, extra }
+        Changed { json: self.splices.apply(), bin: new_bin, extra, replaced: stale }
     }
 }
 
-struct Place {
-    /// Buffer and byte.
-    start: (usize, u64),
+/// Where appended data are, from their own beginning, and the view of them.
+struct Placed {
+    /// The view that is moved there; `None` for a new one.
+    view: Option<usize>,
+    start: usize,
     length: usize,
     stride: Option<usize>,
+    target: Target,
 }
 
 /// Bounds in the units of the storage, as `min` and `max` are.
