@@ -44,6 +44,9 @@
 //! - M. Cornea, J. Harrison, P. T. P. Tang, *Scientific computing on Itanium-based systems*, 2002, and
 //!   C.-P. Jeannerod, N. Louvet, J.-M. Muller, *Further analysis of Kahan's algorithm for the accurate computation
 //!   of 2×2 determinants*, Math. Comp. 82:2245–2264, 2013: differences of products.
+//! - C. Yuksel, *High-performance polynomial root finding for graphics*, Proc. ACM Comput. Graph. Interact. Tech. 5(3),
+//!   2022; A. H. Barr, *Superquadrics and angle-preserving transformations*, IEEE CG&A 1(1), 1981; F. Crow, *The
+//!   origins of the teapot*, IEEE CG&A 7(1), 1987: surfaces whose normals are known.
 //! - T. J. Dekker, *A floating-point technique for extending the available precision*, Numer. Math. 18, 1971, and
 //!   J. R. Shewchuk, *Adaptive precision floating-point arithmetic and fast robust geometric predicates*, DCG 18,
 //!   1997: exact sums and products.

@@ -91,12 +91,12 @@ impl Surface {
     }
 
     /// The box of a zero set. Surfaces with open sides end at its faces.
-    pub(super) fn room(&self) -> Room {
+    pub(super) fn room(&self) -> Option<Room> {
         let room = |half: DVec3, ends| Room { low: -half, high: half, ends };
         let turned =
             |radius: f64, height: f64| room(DVec3::new(radius, height / 2.0, radius), [false, true, false]);
         let over = |extent: DVec2, height: f64| room((extent / 2.0).extend(height), [true, true, false]);
-        match self {
+        Some(match self {
             Surface::Primitive(primitive) => {
                 let ends = match primitive {
                     Primitive::Plane(_) => [true, true, false],
@@ -112,7 +112,7 @@ impl Surface {
                 over(saddle.extent(), 2.0 * half * half * half)
             }
             Surface::Superquadric(superquadric) => room(superquadric.semi_axes(), [false; 3]),
-            Surface::Patch(_) | Surface::Teapot => room(DVec3::ZERO, [true; 3]),
-        }
+            Surface::Patch(_) | Surface::Teapot => return None,
+        })
     }
 }

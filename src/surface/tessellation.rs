@@ -112,8 +112,9 @@ impl Surface {
                 icosphere::net(star, level)?
             }
             Pattern::Marching => {
-                let surface = self.zero_set().ok_or_else(|| missing("the surface is no zero set"))?;
-                marching::net(surface, self.room(), segments[0], hash)?
+                let zero_set = self.zero_set().zip(self.room());
+                let (surface, room) = zero_set.ok_or_else(|| missing("the surface is no zero set"))?;
+                marching::net(surface, room, segments[0], hash)?
             }
             Pattern::Scattered => {
                 let height =

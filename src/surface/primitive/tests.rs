@@ -196,6 +196,30 @@ fn rays_along_axes_and_generators_have_their_hits() {
     );
 }
 
+/// In a plane through the axis the tube is a circle, so whether a line there meets it is known exactly.
+#[test]
+fn thin_tubes_are_hit_and_missed_to_the_stated_width() {
+    let mut numbers = Numbers::new(46);
+    for (minor, slack) in [(0.3, 1e-13), (1e-2, 1e-10), (1e-4, 1e-6)] {
+        // 10⁻¹⁵·R²/r, as a share of r and with a hundred times to spare.
+        assert!(slack >= 1e-15 / (minor * minor));
+        let torus = Torus::new(1.0, minor).unwrap();
+        for _ in 0..4000 {
+            let (sin, cos) = libm::sincos(7.0 * numbers.unit());
+            let out = DVec3::new(sin, 0.0, cos);
+            // Steep enough to pass the other side of the ring by far.
+            let (rise, run) = libm::sincos(1.0 + 1.1 * numbers.unit());
+            let (along, across) = (out * run + DVec3::Y * rise, DVec3::Y * run - out * rise);
+            let aim = |share: f64| {
+                let origin = out + across * (minor * share) - along * 2.0;
+                torus.intersect(&Ray::new(origin, along).unwrap())
+            };
+            assert!(aim(1.0 - slack).is_some() && aim(slack - 1.0).is_some(), "{minor} {rise}");
+            assert!(aim(1.0 + slack).is_none() && aim(-1.0 - slack).is_none(), "{minor} {rise}");
+        }
+    }
+}
+
 #[test]
 fn scale_by_powers_of_two_scales_hits() {
     let scaled = |primitive: &Primitive, by: f64| -> Primitive {
