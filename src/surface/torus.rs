@@ -111,7 +111,9 @@ impl Cast for Torus {
         let (ring, tube) = (major / outer, minor / outer);
         let (foot, direction) = (line.foot / outer, line.direction);
         let distance = foot.length();
-        let half = ((1.0 - distance) * (1.0 + distance)).sqrt();
+        // The ball around the torus, and a little more: a root at its very rim must show as a change of sign.
+        let reach = 1.0 + 1e-6;
+        let half = ((reach - distance) * (reach + distance)).sqrt();
         let flat = |p: DVec3, q: DVec3| p.x * q.x + p.z * q.z;
         let (a, b, c) = (flat(direction, direction), flat(foot, direction), flat(foot, foot));
         let k = distance * distance + (ring - tube) * (ring + tube);
@@ -123,5 +125,24 @@ impl Cast for Torus {
         // A line that misses the ball around the torus has no half: NaN, and no roots.
         let roots = roots_between(&quartic, -half, half);
         roots.into_iter().map(move |s| self.polish(line, s * outer))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Such a line crosses the tube where the search for roots begins and ends.
+    #[test]
+    fn lines_through_the_centre_hit_the_outer_rim_first() {
+        for (major, minor) in [(2.0, 0.5), (1.0, 0.1), (3.0, 2.9), (0.7, 0.3)] {
+            let torus = Torus::new(major, minor).unwrap();
+            for step in 0..100 {
+                let direction = circle(f64::from(step) / 100.0);
+                let towards = DVec3::new(direction.0, 0.0, direction.1).normalize();
+                let hit = torus.intersect(&Ray::new(towards * -1e3, towards).unwrap()).unwrap();
+                assert!(hit.front && (hit.position.length() - (major + minor)).abs() < 1e-14, "{hit:?}");
+            }
+        }
     }
 }

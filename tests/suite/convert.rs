@@ -224,7 +224,8 @@ fn objects_and_materials_of_obj_become_those_of_gltf() {
         .collect();
     assert_eq!(at_origin[0], at_origin[1]);
     // Halfway between the two planes, whose corners have the same angle.
-    let expected = DVec3::new(15_f64.to_radians().sin(), 0.0, 15_f64.to_radians().cos());
+    let (sine, cosine) = libm::sincos(15_f64.to_radians());
+    let expected = DVec3::new(sine, 0.0, cosine);
     assert!(at_origin[0].distance(expected) < 1e-4, "{}", at_origin[0]);
 }
 

@@ -5,8 +5,8 @@ use super::super::request::{RequestError, Target, file_target};
 use super::args::{KINDS, Kind, PATTERNS, PatternArgs, PatternName, ShapeArgs, SurfaceArgs};
 use crease::io::Format;
 use crease::surface::{
-    BezierPatch, Catenoid, Cone, Cylinder, Ellipsoid, MonkeySaddle, Pattern, Plane, Sphere, Superquadric,
-    Surface, SurfaceError, Tessellation, Torus, Wave,
+    Catenoid, Cone, Cylinder, Ellipsoid, MonkeySaddle, Pattern, Plane, Sphere, Superquadric, Surface,
+    SurfaceError, Tessellation, Torus, Wave,
 };
 use glam::{DMat4, DQuat, DVec3};
 

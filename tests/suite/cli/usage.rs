@@ -91,7 +91,7 @@ fn completions_and_manual_pages_know_the_options() {
         ".SH \"EXIT STATUS\"",
         "\\fI<INPUT>...\\fR\n",
         "<\\fIINPUT\\fR>...\n",
-        "[\\fB\\-\\-weight\\fR <WEIGHT>]",
+        "[\\fB\\-\\-weight\\fR WEIGHT]",
     ] {
         assert!(page.contains(piece), "no {piece:?} in\n{page}");
     }
