@@ -78,7 +78,7 @@ fn fans_cover_exactly_once() {
         let whole = Model::polygon(&(0..sides).map(rim).collect::<Vec<_>>());
         let scene = crease::raster::Scene { camera: pixel_camera([64, 64]), ..scene(vec![whole.object()]) };
         assert_eq!(count, covered(&linear([64, 64]), &scene), "{sides}");
-        assert!(count.iter().any(|&n| n == 1));
+        assert!(count.contains(&1));
     }
 }
 
