@@ -103,7 +103,7 @@ fn what_is_skipped_in_bad_files_is_said() {
             "made-obj_two_corner_face" | "tiny-invalid-face-definition" | "tri-notenoughindices" => {
                 &["fewer than 3"]
             }
-            "made-obj_smoothing_weird" => &["is not a smoothing group"],
+            "made-obj_smoothing_weird" => &["is no number of a smoothing group"],
             "made-obj_vn_oob" => &["line 10: a corner refers to a normal that does not exist"],
             _ => continue,
         };
