@@ -32,8 +32,8 @@
 //!
 //! # Layers
 //! `num` (numbers) ← `mesh` (polygons and topology) ← `io` (files), `normals` (this crate's subject), `surface`
-//! (where normals are exact), `shade` (light on a point) ← `pipeline` (file to file) ← the command-line program. A
-//! module uses only lower ones; a test holds that.
+//! (where normals are exact), `shade` (light on a point) ← `pipeline` (file to file), `raster` (scenes to pictures) ← the
+//! command-line program. A module uses only lower ones; a test holds that.
 //!
 //! # Sources
 //! - H. Gouraud, *Continuous shading of curved surfaces*, IEEE Trans. Computers C-20(6), 1971: the uniform mean.
@@ -55,6 +55,10 @@
 //!   Filho, *Iluminação e sombreamento*, 2017, whose formulas and exercises [`shade`] lists.
 //! - D. R. Baum, H. E. Rushmeier, J. M. Winget, *Improving radiosity solutions through the use of analytically determined
 //!   form-factors*, SIGGRAPH 1989: light from polygons.
+//! - I. E. Sutherland, G. W. Hodgman, *Reentrant polygon clipping*, CACM 17(1):32–42, 1974, and Y.-D. Liang,
+//!   B. A. Barsky, *A new concept and method for line clipping*, ACM TOG 3(1):1–22, 1984.
+//! - J. Pineda, *A parallel algorithm for polygon rasterization*, SIGGRAPH 1988, and M. Olano, T. Greer, *Triangle scan
+//!   conversion using 2D homogeneous coordinates*, Graphics Hardware 1997: edge functions.
 
 pub mod io;
 pub mod mesh;

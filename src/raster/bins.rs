@@ -274,3 +274,30 @@ impl Clipper {
 pub(super) fn tile_origin(tile: [usize; 2], sample: [i32; 2]) -> [i32; 2] {
     [0, 1].map(|axis| (((tile[axis] * TILE) as i32) << BITS) + sample[axis])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::num::test_numbers::Numbers;
+
+    #[test]
+    fn sorting_keeps_order_within_a_tile() {
+        let mut numbers = Numbers::new(5);
+        let size = [7, 5];
+        let found: Vec<(u32, TileBox)> = (0..500)
+            .map(|triangle| {
+                let [x, y] = size.map(|n| numbers.below(n));
+                let [x1, y1] =
+                    [(x, size[0]), (y, size[1])].map(|(from, end)| from + numbers.below(end - from));
+                (triangle, [x, y, x1, y1].map(|n| n as u8))
+            })
+            .collect();
+        let (starts, triangles) = sort(&found, size);
+        for tile in 0..35 {
+            let [x, y] = [tile % 7, tile / 7].map(|n| n as u8);
+            let inside = |b: &TileBox| (b[0]..=b[2]).contains(&x) && (b[1]..=b[3]).contains(&y);
+            let expected: Vec<u32> = found.iter().filter(|(_, b)| inside(b)).map(|&(t, _)| t).collect();
+            assert_eq!(triangles[starts[tile] as usize..starts[tile + 1] as usize], expected);
+        }
+    }
+}

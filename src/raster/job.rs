@@ -6,7 +6,7 @@ use super::scene::{Object, Paint, Scene, Shape};
 use super::settings::{RenderSettings, Shading, Show};
 use super::triangles::DrawnObject;
 use super::view::{Rays, View};
-use crate::mesh::{ColumnIndex, NormalMatrix, normal_matrix};
+use crate::mesh::{ColumnIndex, NONE, NormalMatrix, normal_matrix};
 use crate::num::unit_scale;
 use crate::shade::{Frame, ShadeSettings, Shader, Viewer};
 use crate::surface::Placed;
@@ -92,12 +92,14 @@ impl<'a> Job<'a> {
         Ok(Self { settings, view, rays, frame, background, objects, drawn, distances })
     }
 
-    /// The object made of triangles that a triangle is of.
-    pub(super) fn owner(&self, triangle: u32) -> &DrawnObject<'a> {
-        match &self.drawn[..] {
-            [only] => only,
-            several => &several[several.partition_point(|object| object.first <= triangle) - 1],
-        }
+    /// The number among [`drawn`](Self::drawn) of the object that a triangle is of.
+    pub(super) fn owner(&self, triangle: u32) -> usize {
+        self.drawn.partition_point(|object| object.first <= triangle) - 1
+    }
+
+    /// The objects that rays are cast at.
+    pub(super) fn cast_objects(&self) -> impl Iterator<Item = usize> {
+        self.objects.iter().enumerate().filter(|(_, object)| object.is_cast).map(|(number, _)| number)
     }
 }
 
@@ -178,6 +180,15 @@ impl<'a> Prepared<'a> {
                 side(Vec3::from(triangles.face_normals[face as usize]), turned)
             }
             _ => self.exact_face_normal(face, turned).as_vec3(),
+        }
+    }
+
+    /// What tells a corner's normal from others of its object: equal numbers, equal normals at the same vertex.
+    #[inline(always)]
+    pub(super) fn entry(&self, corner: u32, vertex: u32) -> u32 {
+        match self.shape {
+            Shape::Mesh { normals, .. } => normals.normals.slot(corner as usize, vertex).unwrap_or(NONE),
+            _ => vertex,
         }
     }
 

@@ -227,3 +227,66 @@ impl Segment {
         (low <= high).then_some([low - offset, high - offset])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::num::test_numbers::Numbers;
+
+    /// The columns that are looked at hold every pixel that the line touches.
+    #[test]
+    fn no_touched_pixel_is_left_out() {
+        let mut numbers = Numbers::new(9);
+        let mut touched = 0;
+        for round in 0..2000 {
+            let mut place = || [0; 2].map(|_| numbers.unit() * 80.0 - 10.0);
+            let (a, mut b) = (place(), place());
+            match round % 8 {
+                0 => b[1] = a[1],
+                1 => b[0] = a[0],
+                2 => b = a,
+                _ => {}
+            }
+            let segment = Segment { ends: [a, b], depth: [1.0, 0.5] };
+            let radius = [0.3, 0.5, 1.0, 4.0][round % 4];
+            for row in 0..64 {
+                let y = f64::from(row) + 0.5;
+                let columns = segment.columns(y, radius, 0.5);
+                for column in 0..64 {
+                    let Some((nearest, depth)) = segment.nearest([f64::from(column) + 0.5, y], radius) else {
+                        continue;
+                    };
+                    touched += 1;
+                    let [low, high] = columns.expect("a row that is touched");
+                    assert!(
+                        f64::from(column) >= low && f64::from(column) <= high,
+                        "{segment:?} {column} {row}"
+                    );
+                    assert!((0.5..=1.0).contains(&depth) && nearest[0] >= a[0].min(b[0]));
+                }
+            }
+        }
+        assert!(touched > 50_000, "{touched}");
+    }
+
+    #[test]
+    fn lines_are_cut_where_they_leave() {
+        let camera = super::super::camera::Camera {
+            eye: DVec3::ZERO,
+            target: DVec3::NEG_Z,
+            up: DVec3::Y,
+            projection: super::super::camera::Projection::Perspective(crate::num::Radians(1.0)),
+            near: 0.5,
+        };
+        let view = View::new(&camera, [100, 100]).unwrap();
+        let map = ObjectMap::new(&view, DMat4::IDENTITY, DVec3::ZERO);
+        let cut = |a: DVec3, b: DVec3| clipped(&view, [map.view(a), map.view(b)]);
+        let [a, b] = cut(DVec3::new(0.0, 0.0, 3.0), DVec3::new(0.0, 0.0, -3.0)).unwrap();
+        assert!((a.z - 0.5).abs() < 1e-15 && b.z == 3.0);
+        let [a, b] = cut(DVec3::new(-1e30, 0.0, -1.0), DVec3::new(1e30, 0.0, -1.0)).unwrap();
+        let guard = f64::from(super::super::fixed::GUARD);
+        assert!((a.x + guard).abs() < 1e-3 * guard && (b.x - guard).abs() < 1e-3 * guard, "{a:?} {b:?}");
+        assert_eq!(cut(DVec3::new(-1.0, 0.0, 1.0), DVec3::new(2.0, 0.0, 1.0)), None);
+        assert_eq!(cut(DVec3::new(-1e6, 0.0, -1.0), DVec3::new(-2e6, 1.0, -1.0)), None);
+    }
+}

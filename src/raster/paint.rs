@@ -5,17 +5,16 @@ use super::coverage::{PIXELS, place};
 use super::error::RenderError;
 use super::fixed::{BITS, ONE};
 use super::interpolate::{BATCH, Interpolate, Positions, Row, Seen};
-use super::job::{Ink, Job, Prepared};
-use super::records::{
-    CornerPoint, Record, Wanted, centroid, corner_point, face_corners, mean_colour, single, takes_mean,
-};
+use super::job::{Ink, Job};
+use super::light::{Corner, Lit, PointLight};
+use super::list::{Run, TileList};
+use super::records::{Record, Wanted, face_corners, mean_colour, piece_values, single, takes_mean};
 use super::scanline::ScanPolygon;
 use super::settings::{Interpolation, Show};
 use super::show;
 use super::tile::Colours;
-use super::triangles::DrawnObject;
 use crate::num;
-use crate::shade::{Shader, SurfaceRows};
+use crate::shade::SurfaceRows;
 use glam::{DVec3, Vec3};
 
 /// Makes colours; keeps its memory.
@@ -23,11 +22,19 @@ pub(super) struct Painter {
     values: Box<[Row; 3]>,
     positions: Box<[Row; 3]>,
     colours: Box<[Row; 3]>,
-    /// Points to be lit that are not samples, and their colours.
-    points: [Vec<f32>; 6],
-    lit: [Vec<f32>; 3],
-    /// Polygons of the scanline algorithm, and which face each is of.
-    polygons: Vec<(u32, u32, ScanPolygon)>,
+    light: PointLight,
+    /// Polygons of the scanline algorithm, by ascending face.
+    polygons: Vec<(u32, ScanPolygon)>,
+}
+
+/// What is seen of one object in a tile.
+pub(super) struct Tile<'a> {
+    pub(super) seen: &'a [Seen],
+    pub(super) records: &'a [Record],
+    pub(super) depth: &'a [f32],
+    pub(super) hits: Option<&'a Hits>,
+    /// The sample of the tile's first pixel, in 256ths of a pixel of the picture.
+    pub(super) origin: [i32; 2],
 }
 
 impl Painter {
@@ -37,187 +44,161 @@ impl Painter {
             values: rows(),
             positions: rows(),
             colours: rows(),
-            points: Default::default(),
-            lit: Default::default(),
+            light: PointLight::new(),
             polygons: Vec::new(),
         }
     }
 
-    /// Fills in what the corners of each triangle carry; `premix` makes of a triangle's values those of its piece.
-    pub(super) fn corner_values(
+    /// Fills in what the corners of the triangles of a run carry.
+    pub(super) fn prepare(
         &mut self,
         job: &Job,
+        run: &Run,
+        list: &TileList,
+        owners: &[u32],
         records: &mut [Record],
-        premix: impl Fn(usize, [Vec3; 3]) -> [Vec3; 3],
     ) -> Result<(), RenderError> {
         self.polygons.clear();
-        for drawn in &job.drawn {
-            let object = &job.objects[drawn.object];
-            let wanted = Wanted::new(job, object);
-            if wanted == Wanted::Nothing {
-                continue;
+        let (object, Some(drawn)) = (&job.objects[run.object], run.drawn) else { return Ok(()) };
+        let drawn = &job.drawn[drawn];
+        let (records, owners) = (&mut records[run.records.clone()], &owners[run.records.clone()]);
+        let wanted = Wanted::new(job, object);
+        match wanted {
+            Wanted::Nothing => return Ok(()),
+            Wanted::FaceNormal => {
+                for record in records {
+                    record.values = [object.face_normal(record.face, record.turned); 3];
+                }
+                return Ok(());
             }
-            let is_its = |record: &Record| record.object as usize == drawn.object;
-            let mut of_object: Vec<usize> = Vec::new();
-            of_object.extend((0..records.len()).filter(|&number| is_its(&records[number])));
-            match wanted {
-                Wanted::Nothing => {}
-                Wanted::FaceNormal => {
-                    for record in records.iter_mut().filter(|record| is_its(record)) {
-                        record.values = [object.face_normal(record.face, record.turned); 3];
+            Wanted::FaceColour => return self.face_colours(job, run, records),
+            Wanted::CornerNormals => {
+                for record in records.iter_mut() {
+                    let corners = drawn.list.corners(record.triangle);
+                    record.values = [0, 1, 2]
+                        .map(|k| object.corner_normal(corners[k], record.vertices[k], record.turned));
+                }
+            }
+            Wanted::CornerColours => match &object.ink {
+                Ink::Given(colours) => {
+                    for record in records.iter_mut() {
+                        record.values = record.vertices.map(|vertex| single(colours[vertex as usize]));
                     }
                 }
-                Wanted::FaceColour => self.face_colours(job, object, drawn, records, &of_object)?,
-                Wanted::CornerNormals | Wanted::CornerColours => {
-                    let lit = self.corner_colours(job, object, drawn, records, &of_object, wanted)?;
-                    for (at, &number) in of_object.iter().enumerate() {
-                        let record = &mut records[number];
-                        let (corners, vertices) = (drawn.list.corners(record.triangle), record.vertices);
-                        let value = |k: usize| match (wanted, &object.ink) {
-                            (Wanted::CornerNormals, _) => {
-                                object.corner_normal(corners[k], vertices[k], record.turned)
-                            }
-                            (_, Ink::Given(colours)) => single(colours[vertices[k] as usize]),
-                            (_, Ink::Lit(_)) => lit[3 * at + k],
-                        };
-                        record.values = premix(number, [0, 1, 2].map(value));
+                Ink::Lit(shader) => {
+                    let corners = records.iter().flat_map(|record| {
+                        let numbers = drawn.list.corners(record.triangle);
+                        [0, 1, 2].map(|k| Corner {
+                            number: numbers[k],
+                            vertex: record.vertices[k],
+                            turned: record.turned,
+                        })
+                    });
+                    self.light.corners(&Lit { job, object, drawn, shader }, corners)?;
+                    for (at, record) in records.iter_mut().enumerate() {
+                        record.values = [0, 1, 2].map(|k| self.light.colour(3 * at + k));
                     }
-                    if job.settings.interpolation == Interpolation::Scanline {
-                        self.polygons(job, object, drawn, records, &of_object, wanted)?;
-                    }
+                }
+            },
+        }
+        if !list.pieces.is_empty() {
+            for (record, &owner) in records.iter_mut().zip(owners) {
+                if let Some(piece) = list.piece(owner) {
+                    record.values = piece_values(record.values, piece, job.settings.interpolation);
                 }
             }
         }
-        Ok(())
-    }
-
-    /// The light on the corners of triangles, three each; nothing unless that is what is wanted.
-    fn corner_colours(
-        &mut self,
-        job: &Job,
-        object: &Prepared,
-        drawn: &DrawnObject,
-        records: &[Record],
-        of_object: &[usize],
-        wanted: Wanted,
-    ) -> Result<Vec<Vec3>, RenderError> {
-        let Ink::Lit(shader) = &object.ink else { return Ok(Vec::new()) };
-        if wanted != Wanted::CornerColours {
-            return Ok(Vec::new());
+        match job.settings.interpolation {
+            Interpolation::Scanline => self.make_polygons(job, run, records, wanted),
+            Interpolation::Affine | Interpolation::Perspective => Ok(()),
         }
-        let points = of_object.iter().flat_map(|&number| {
-            let record = &records[number];
-            let (corners, vertices) = (drawn.list.corners(record.triangle), record.vertices);
-            [0, 1, 2].map(|k| corner_point(job, object, drawn, (corners[k], vertices[k]), record.turned))
-        });
-        self.light(drawn.object, shader, points)
     }
 
     /// The colour of each face that is seen, under flat shading.
-    fn face_colours(
-        &mut self,
-        job: &Job,
-        object: &Prepared,
-        drawn: &DrawnObject,
-        records: &mut [Record],
-        of_object: &[usize],
-    ) -> Result<(), RenderError> {
-        let colours: Vec<Vec3> = match &object.ink {
+    fn face_colours(&mut self, job: &Job, run: &Run, records: &mut [Record]) -> Result<(), RenderError> {
+        let (object, Some(drawn)) = (&job.objects[run.object], run.drawn) else { return Ok(()) };
+        let drawn = &job.drawn[drawn];
+        match &object.ink {
             Ink::Given(colours) => {
-                let mean =
-                    |&number: &usize| mean_colour(colours, face_corners(object, drawn, &records[number]));
-                of_object.iter().map(mean).collect()
+                for record in records {
+                    record.values = [mean_colour(colours, face_corners(object, drawn, record)); 3];
+                }
             }
             Ink::Lit(shader) if takes_mean(job, object) => {
-                let corners = |number: usize| face_corners(object, drawn, &records[number]);
-                let points = of_object.iter().flat_map(|&number| {
-                    let turned = records[number].turned;
-                    corners(number).map(move |corner| corner_point(job, object, drawn, corner, turned))
+                let corners = records.iter().flat_map(|record| {
+                    let turned = record.turned;
+                    let corners = face_corners(object, drawn, record);
+                    corners.map(move |(number, vertex)| Corner { number, vertex, turned })
                 });
-                let lit = self.light(drawn.object, shader, points)?;
-                let mut lit = lit.into_iter();
-                let mut mean =
-                    |count: usize| lit.by_ref().take(count).map(Vec3::as_dvec3).sum::<DVec3>() / count as f64;
-                of_object.iter().map(|&number| mean(corners(number).len()).as_vec3()).collect()
+                self.light.corners(&Lit { job, object, drawn, shader }, corners)?;
+                let mut first = 0;
+                for record in records {
+                    let count = face_corners(object, drawn, record).len();
+                    let colours = (first..first + count).map(|corner| self.light.colour(corner).as_dvec3());
+                    record.values = [(colours.sum::<DVec3>() / count as f64).as_vec3(); 3];
+                    first += count;
+                }
             }
             Ink::Lit(shader) => {
-                let points = of_object.iter().map(|&number| centroid(job, object, drawn, &records[number]));
-                self.light(drawn.object, shader, points)?
+                let faces = records.iter().map(|record| {
+                    let vertices = face_corners(object, drawn, record).map(|(_, vertex)| vertex);
+                    (vertices, object.face_normal(record.face, record.turned))
+                });
+                self.light.faces(&Lit { job, object, drawn, shader }, faces)?;
+                for (at, record) in records.iter_mut().enumerate() {
+                    record.values = [self.light.colour(at); 3];
+                }
             }
-        };
-        for (&number, colour) in of_object.iter().zip(colours) {
-            records[number].values = [colour; 3];
         }
         Ok(())
     }
 
     /// The polygons of faces with four corners or more, for the scanline algorithm.
-    fn polygons(
+    fn make_polygons(
         &mut self,
         job: &Job,
-        object: &Prepared,
-        drawn: &DrawnObject,
+        run: &Run,
         records: &[Record],
-        of_object: &[usize],
         wanted: Wanted,
     ) -> Result<(), RenderError> {
-        let mut faces: Vec<&Record> = of_object.iter().map(|&number| &records[number]).collect();
+        let (object, Some(drawn)) = (&job.objects[run.object], run.drawn) else { return Ok(()) };
+        let drawn = &job.drawn[drawn];
+        let mut faces: Vec<&Record> = records.iter().collect();
         faces.retain(|record| face_corners(object, drawn, record).len() > 3);
         faces.sort_by_key(|record| record.face);
         faces.dedup_by_key(|record| record.face);
-        for record in faces {
-            let corners: Vec<(u32, u32)> = face_corners(object, drawn, record).collect();
-            let values: Vec<Vec3> = match (wanted, &object.ink) {
-                (Wanted::CornerNormals, _) => {
-                    corners.iter().map(|&(c, v)| object.corner_normal(c, v, record.turned)).collect()
-                }
-                (_, Ink::Given(colours)) => {
-                    corners.iter().map(|&(_, vertex)| single(colours[vertex as usize])).collect()
-                }
-                (_, Ink::Lit(shader)) => {
-                    let point =
-                        |&corner: &(u32, u32)| corner_point(job, object, drawn, corner, record.turned);
-                    self.light(drawn.object, shader, corners.iter().map(point))?
-                }
-            };
-            let place = |&(_, vertex): &(u32, u32)| drawn.map.view(drawn.points.get(vertex));
-            let corners = corners.iter().map(place).zip(values.iter().map(|value| value.as_dvec3()));
-            self.polygons.push((record.object, record.face, ScanPolygon::new(&job.view, corners)));
+        let corners = || {
+            faces.iter().flat_map(|record| {
+                let turned = record.turned;
+                let corners = face_corners(object, drawn, record);
+                corners.map(move |(number, vertex)| Corner { number, vertex, turned })
+            })
+        };
+        if let (Wanted::CornerColours, Ink::Lit(shader)) = (wanted, &object.ink) {
+            self.light.corners(&Lit { job, object, drawn, shader }, corners())?;
+        }
+        let value = |(at, corner): (usize, Corner)| match (wanted, &object.ink) {
+            (Wanted::CornerNormals, _) => object.corner_normal(corner.number, corner.vertex, corner.turned),
+            (_, Ink::Given(colours)) => single(colours[corner.vertex as usize]),
+            (_, Ink::Lit(_)) => self.light.colour(at),
+        };
+        let place = |corner: Corner| drawn.map.view(drawn.points.get(corner.vertex));
+        let mut placed =
+            corners().enumerate().map(|(at, corner)| (place(corner), value((at, corner)).as_dvec3()));
+        for record in &faces {
+            let count = face_corners(object, drawn, record).len();
+            let polygon = ScanPolygon::new(&job.view, placed.by_ref().take(count));
+            self.polygons.push((record.face, polygon));
         }
         Ok(())
     }
 
-    /// The light on some points.
-    fn light(
-        &mut self,
-        object: usize,
-        shader: &Shader<f32>,
-        points: impl Iterator<Item = CornerPoint>,
-    ) -> Result<Vec<Vec3>, RenderError> {
-        self.points.iter_mut().for_each(Vec::clear);
-        for CornerPoint { position, normal } in points {
-            let values = [position.x, position.y, position.z, normal.x, normal.y, normal.z];
-            self.points.iter_mut().zip(values).for_each(|(row, value)| row.push(value));
-        }
-        let [x, y, z, nx, ny, nz] = &self.points;
-        self.lit.iter_mut().for_each(|row| row.resize(x.len(), 0.0));
-        let [r, g, b] = &mut self.lit;
-        let rows = SurfaceRows { positions: [x, y, z], normals: [nx, ny, nz] };
-        shader.shade_rows(&rows, [r, g, b]).map_err(|error| RenderError::NotFinite { object, error })?;
-        Ok((0..x.len()).map(|i| Vec3::new(r[i], g[i], b[i])).collect())
-    }
-
     /// Colours of the samples of one object.
-    #[allow(clippy::too_many_arguments, reason = "what a tile is made of, borrowed piece by piece")]
     pub(super) fn paint(
         &mut self,
         job: &Job,
         object: usize,
-        seen: &[Seen],
-        records: &[Record],
-        depth: &[f32],
-        hits: Option<&Hits>,
-        origin: [i32; 2],
+        tile: &Tile,
         out: &mut Colours,
     ) -> Result<(), RenderError> {
         let prepared = &job.objects[object];
@@ -230,55 +211,51 @@ impl Painter {
         };
         let needs_positions = shader.is_some_and(|shader| shader.needs_positions())
             || matches!(job.settings.show, Show::Deviation(_)) && prepared.truth.is_some();
-        for seen in seen.chunks(BATCH) {
+        let hits = tile.hits.filter(|_| prepared.is_cast);
+        let Tile { records, depth, origin, .. } = *tile;
+        for seen in tile.seen.chunks(BATCH) {
             let count = seen.len();
-            match hits.filter(|_| prepared.is_cast) {
-                Some(hits) => self.take_hits(hits, seen),
-                None => {
-                    self.take_values(job, wanted, seen, records, origin);
-                    if needs_positions {
-                        num::dispatch(Positions {
-                            rays: &job.rays,
-                            seen,
-                            depth,
-                            origin,
-                            out: &mut self.positions,
-                        });
-                    }
+            if let Some(hits) = hits {
+                self.take_hits(hits, seen);
+            } else {
+                self.take_values(job, wanted, seen, tile);
+                if needs_positions {
+                    num::dispatch(Positions {
+                        rays: &job.rays,
+                        seen,
+                        depth,
+                        origin,
+                        out: &mut self.positions,
+                    });
                 }
             }
             let Self { values, positions, colours, .. } = self;
-            match shader {
-                Some(shader) => {
-                    let rows = SurfaceRows {
-                        positions: positions.each_ref().map(|row| &row[..count]),
-                        normals: values.each_ref().map(|row| &row[..count]),
+            if let Some(shader) = shader {
+                let rows = SurfaceRows {
+                    positions: positions.each_ref().map(|row| &row[..count]),
+                    normals: values.each_ref().map(|row| &row[..count]),
+                };
+                let colours = colours.each_mut().map(|row| &mut row[..count]);
+                let error = |error| RenderError::NotFinite { object, error };
+                shader.shade_rows(&rows, colours).map_err(error)?;
+            } else if job.settings.show != Show::Shaded {
+                for (lane, seen) in seen.iter().enumerate() {
+                    let at = |rows: &[Row; 3]| Vec3::new(rows[0][lane], rows[1][lane], rows[2][lane]);
+                    let record = &records[seen.record as usize];
+                    let sample = show::Sample {
+                        record,
+                        front: hits.map_or(record.front, |hits| hits.at(seen.pixel).front),
+                        value: at(values),
+                        position: at(positions),
+                        depth: depth[usize::from(seen.pixel)],
                     };
-                    let colours = colours.each_mut().map(|row| &mut row[..count]);
-                    let error = |error| RenderError::NotFinite { object, error };
-                    shader.shade_rows(&rows, colours).map_err(error)?;
-                }
-                None if job.settings.show == Show::Shaded => {
-                    for (colours, values) in colours.iter_mut().zip(values.iter()) {
-                        colours[..count].copy_from_slice(&values[..count]);
-                    }
-                }
-                None => {
-                    for (lane, seen) in seen.iter().enumerate() {
-                        let at = |rows: &[Row; 3]| Vec3::new(rows[0][lane], rows[1][lane], rows[2][lane]);
-                        let hit = hits.filter(|_| prepared.is_cast).map(|hits| hits.at(seen.pixel));
-                        let sample = show::Sample {
-                            record: &records[seen.record as usize],
-                            front: hit.map_or(records[seen.record as usize].front, |hit| hit.front),
-                            value: at(values),
-                            position: at(positions),
-                            depth: depth[usize::from(seen.pixel)],
-                        };
-                        let colour = show::colour(job, prepared, &sample);
-                        colours.iter_mut().zip(colour.to_array()).for_each(|(row, c)| row[lane] = c);
-                    }
+                    let colour = show::colour(job, prepared, &sample).to_array();
+                    colours.iter_mut().zip(colour).for_each(|(row, component)| row[lane] = component);
                 }
             }
+            // What is neither lit here nor shown in another way is a colour already.
+            let is_colour = shader.is_none() && job.settings.show == Show::Shaded;
+            let colours = if is_colour { values } else { colours };
             for (out, colours) in out.iter_mut().zip(colours.iter()) {
                 for (seen, &colour) in seen.iter().zip(colours.iter()) {
                     out[usize::from(seen.pixel) % PIXELS] = colour;
@@ -289,18 +266,12 @@ impl Painter {
     }
 
     /// What the corners carry, at the samples.
-    fn take_values(
-        &mut self,
-        job: &Job,
-        wanted: Wanted,
-        seen: &[Seen],
-        records: &[Record],
-        origin: [i32; 2],
-    ) {
+    fn take_values(&mut self, job: &Job, wanted: Wanted, seen: &[Seen], tile: &Tile) {
+        let Tile { records, origin, .. } = *tile;
         if !wanted.varies() {
-            for (lane, seen) in seen.iter().enumerate() {
-                let value = records[seen.record as usize].values[0].to_array();
-                self.values.iter_mut().zip(value).for_each(|(row, value)| row[lane] = value);
+            let [x, y, z] = &mut *self.values;
+            for (((seen, x), y), z) in seen.iter().zip(x).zip(y).zip(z) {
+                [*x, *y, *z] = records[seen.record as usize].values[0].to_array();
             }
             return;
         }
@@ -311,15 +282,11 @@ impl Painter {
             return;
         }
         for (lane, seen) in seen.iter().enumerate() {
-            let record = &records[seen.record as usize];
-            let key = (record.object, record.face);
-            let Ok(found) = self.polygons.binary_search_by_key(&key, |&(object, face, _)| (object, face))
-            else {
-                continue;
-            };
+            let face = records[seen.record as usize].face;
+            let Ok(found) = self.polygons.binary_search_by_key(&face, |&(face, _)| face) else { continue };
             let [column, row] = place(usize::from(seen.pixel)).map(|n| n as i32);
             let at = [origin[0] + (column << BITS), origin[1] + (row << BITS)];
-            let value = self.polygons[found].2.value(at.map(|n| f64::from(n) / f64::from(ONE)));
+            let value = self.polygons[found].1.value(at.map(|n| f64::from(n) / f64::from(ONE)));
             self.values.iter_mut().zip(value.to_array()).for_each(|(row, value)| row[lane] = value as f32);
         }
     }

@@ -49,6 +49,22 @@ impl Record {
             turned: job.settings.two_sided && !front,
         }
     }
+
+    /// What stands for all that is seen of an analytic surface.
+    pub(super) fn cast(object: usize) -> Self {
+        Self {
+            x: [0; 3],
+            y: [0; 3],
+            depth: [0.0; 3],
+            values: [Vec3::ZERO; 3],
+            vertices: [0; 3],
+            triangle: 0,
+            face: 0,
+            object: object as u32,
+            front: true,
+            turned: false,
+        }
+    }
 }
 
 /// What is wanted at each sample.
@@ -98,13 +114,6 @@ pub(super) fn piece_values(values: [Vec3; 3], piece: &Piece, interpolation: Inte
     })
 }
 
-/// A point of an object's surface, as shaders take it.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct CornerPoint {
-    pub(super) position: Vec3,
-    pub(super) normal: Vec3,
-}
-
 /// A face's corners: numbers and vertices.
 pub(super) fn face_corners<'a>(
     object: &'a Prepared,
@@ -122,29 +131,6 @@ pub(super) fn face_corners<'a>(
         _ => (0, &[]),
     };
     vertices.iter().enumerate().map(move |(k, &vertex)| (first + k as u32, vertex))
-}
-
-/// Where a corner of an object is lit under Gouraud shading.
-pub(super) fn corner_point(
-    job: &Job,
-    object: &Prepared,
-    drawn: &DrawnObject,
-    (corner, vertex): (u32, u32),
-    turned: bool,
-) -> CornerPoint {
-    let position = drawn.map.scene_point(drawn.points.get(vertex)) / job.frame.unit;
-    CornerPoint { position: position.as_vec3(), normal: object.corner_normal(corner, vertex, turned) }
-}
-
-/// Where a face is lit under flat shading with [`FlatSample::Centroid`].
-pub(super) fn centroid(job: &Job, object: &Prepared, drawn: &DrawnObject, record: &Record) -> CornerPoint {
-    let corners = face_corners(object, drawn, record);
-    let count = corners.len() as f64;
-    let sum: DVec3 = corners.map(|(_, vertex)| drawn.map.scene_point(drawn.points.get(vertex))).sum();
-    CornerPoint {
-        position: (sum / count / job.frame.unit).as_vec3(),
-        normal: object.face_normal(record.face, record.turned),
-    }
 }
 
 /// The mean of the given colours of a face's corners.

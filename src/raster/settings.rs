@@ -11,7 +11,7 @@ pub enum Shading {
     Flat,
     /// At the corners of each face; colours are interpolated (Gouraud 1971; F19, F23).
     Gouraud,
-    /// At every sample, with the interpolated normal (Phong 1973; F22).
+    /// At every sample, with the interpolated normal (Phong 1975; F22).
     #[default]
     Phong,
     /// Nowhere: the edges of the faces are drawn as lines.

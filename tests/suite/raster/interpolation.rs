@@ -191,3 +191,39 @@ fn gouraud_stays_within_its_corners_and_phong_does_not() {
         assert!(range(&phong).1 > 2.0 * high, "{interpolation:?}");
     }
 }
+
+/// Weights are never negative, so no sample leaves the range of its corners' colours: in any projection, at any tilt,
+/// clipped or not.
+#[test]
+fn gouraud_stays_within_the_hull_of_random_triangles() {
+    let mut random = crate::random::Random(51);
+    let mut samples = 0;
+    for round in 0..300 {
+        let mut number = || super::shapes::unit(&mut random);
+        let corners = [(); 3].map(|()| DVec3::new(number(), number(), number()) * 6.0 - 3.0);
+        let colours = [(); 3].map(|()| LinearRgb::new(number(), number(), number()));
+        let triangle = Model::polygon(&corners);
+        let mut object = triangle.object();
+        object.paint = Paint::Given(colours.to_vec().into());
+        let mut scene = scene(vec![object]);
+        scene.camera.eye = DVec3::new(0.0, 0.0, 1.5);
+        for interpolation in [Interpolation::Scanline, Interpolation::Affine, Interpolation::Perspective] {
+            let settings = RenderSettings { shading: Shading::Gouraud, interpolation, ..linear([48, 48]) };
+            let image = render(&scene, &settings).unwrap();
+            for (colour, coverage) in image.linear.unwrap().into_iter().zip(image.coverage) {
+                if coverage == 0 {
+                    continue;
+                }
+                samples += 1;
+                for (k, &component) in colour.iter().enumerate() {
+                    let each = colours.map(|colour| colour.to_array()[k] as f32);
+                    let (low, high) = (each.into_iter().reduce(f32::min), each.into_iter().reduce(f32::max));
+                    // Three products and two sums in single precision.
+                    let room = 4.0 * f32::EPSILON;
+                    assert!(component >= low.unwrap() - room && component <= high.unwrap() + room, "{round}");
+                }
+            }
+        }
+    }
+    assert!(samples > 50_000, "{samples}");
+}

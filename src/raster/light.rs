@@ -1,0 +1,198 @@
+//! Light on corners and faces: on points that are not samples.
+
+use super::error::RenderError;
+use super::job::{Job, Prepared};
+use super::project::Points;
+use super::triangles::DrawnObject;
+use super::view::ObjectMap;
+use crate::mesh::NONE;
+use crate::num::{self, Kernel, Product};
+use crate::shade::{Shader, SurfaceRows};
+use glam::{DVec3, Vec3};
+
+/// An object and what lights it.
+#[derive(Clone, Copy)]
+pub(super) struct Lit<'a> {
+    pub(super) job: &'a Job<'a>,
+    pub(super) object: &'a Prepared<'a>,
+    pub(super) drawn: &'a DrawnObject<'a>,
+    pub(super) shader: &'a Shader<f32>,
+}
+
+/// A corner of a face.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Corner {
+    pub(super) number: u32,
+    pub(super) vertex: u32,
+    /// Whether it is lit on the other side.
+    pub(super) turned: bool,
+}
+
+/// Lights points and keeps its memory.
+pub(super) struct PointLight {
+    vertices: Vec<u32>,
+    positions: [Vec<f32>; 3],
+    normals: [Vec<f32>; 3],
+    colours: [Vec<f32>; 3],
+    /// Which point each corner asked for is.
+    point_of: Vec<u32>,
+    memo: Box<[Known; MEMO]>,
+}
+
+/// A corner that has a point.
+#[derive(Clone, Copy)]
+struct Known {
+    entry: u32,
+    vertex: u32,
+    turned: bool,
+    point: u32,
+}
+
+/// Corners remembered, by the low bits of their entries: neighbours share most of theirs, and one forgotten is only lit
+/// again.
+const MEMO: usize = 4096;
+const UNKNOWN: Known = Known { entry: 0, vertex: NONE, turned: false, point: 0 };
+
+impl PointLight {
+    pub(super) fn new() -> Self {
+        Self {
+            vertices: Vec::new(),
+            positions: Default::default(),
+            normals: Default::default(),
+            colours: Default::default(),
+            point_of: Vec::new(),
+            memo: Box::new([UNKNOWN; MEMO]),
+        }
+    }
+
+    /// Lights corners of faces with their normals; [`colour`](Self::colour) then has the light on each.
+    pub(super) fn corners(
+        &mut self,
+        lit: &Lit,
+        corners: impl Iterator<Item = Corner>,
+    ) -> Result<(), RenderError> {
+        self.clear();
+        self.memo.fill(UNKNOWN);
+        for Corner { number, vertex, turned } in corners {
+            let entry = lit.object.entry(number, vertex);
+            let known = &mut self.memo[entry as usize % MEMO];
+            if (known.entry, known.vertex, known.turned) != (entry, vertex, turned) {
+                *known = Known { entry, vertex, turned, point: self.vertices.len() as u32 };
+                self.vertices.push(vertex);
+                let normal = lit.object.corner_normal(number, vertex, turned).to_array();
+                self.normals.iter_mut().zip(normal).for_each(|(row, component)| row.push(component));
+            }
+            self.point_of.push(known.point);
+        }
+        self.place(lit);
+        self.light(lit)
+    }
+
+    /// Lights one point for each face: the mean of its corners, with the face's normal.
+    pub(super) fn faces<C: Iterator<Item = u32>>(
+        &mut self,
+        lit: &Lit,
+        faces: impl Iterator<Item = (C, Vec3)>,
+    ) -> Result<(), RenderError> {
+        self.clear();
+        let mut ends = Vec::new();
+        for (vertices, normal) in faces {
+            self.vertices.extend(vertices);
+            self.point_of.push(ends.len() as u32);
+            ends.push(self.vertices.len());
+            self.normals.iter_mut().zip(normal.to_array()).for_each(|(row, component)| row.push(component));
+        }
+        self.place(lit);
+        if lit.shader.needs_positions() {
+            for row in &mut self.positions {
+                let mut from = 0;
+                // In place: a face has three corners or more, so a mean never overtakes what it is of.
+                for (face, &end) in ends.iter().enumerate() {
+                    let sum: f32 = row[from..end].iter().sum();
+                    row[face] = sum / (end - from) as f32;
+                    from = end;
+                }
+                row.truncate(ends.len());
+            }
+        }
+        self.light(lit)
+    }
+
+    /// The light on one of the corners or faces asked for last.
+    #[inline(always)]
+    pub(super) fn colour(&self, number: usize) -> Vec3 {
+        let point = self.point_of[number] as usize;
+        let [red, green, blue] = &self.colours;
+        Vec3::new(red[point], green[point], blue[point])
+    }
+
+    fn clear(&mut self) {
+        self.vertices.clear();
+        self.point_of.clear();
+        self.positions.iter_mut().chain(&mut self.normals).for_each(Vec::clear);
+    }
+
+    /// Positions of the vertices, if anything depends on them.
+    fn place(&mut self, lit: &Lit) {
+        if lit.shader.needs_positions() {
+            let count = self.vertices.len();
+            self.positions.iter_mut().for_each(|row| row.resize(count, 0.0));
+            let out = self.positions.each_mut().map(|row| &mut row[..]);
+            let per_unit = 1.0 / lit.job.frame.unit;
+            let DrawnObject { points, map, .. } = lit.drawn;
+            num::dispatch(FromEye { points: *points, map, per_unit, vertices: &self.vertices, out });
+        }
+    }
+
+    fn light(&mut self, lit: &Lit) -> Result<(), RenderError> {
+        let count = self.normals[0].len();
+        self.colours.iter_mut().for_each(|row| row.resize(count, 0.0));
+        let rows = SurfaceRows {
+            positions: self.positions.each_ref().map(|row| &row[..]),
+            normals: self.normals.each_ref().map(|row| &row[..]),
+        };
+        let colours = self.colours.each_mut().map(|row| &mut row[..]);
+        let object = lit.drawn.object;
+        lit.shader.shade_rows(&rows, colours).map_err(|error| RenderError::NotFinite { object, error })
+    }
+}
+
+/// Positions of vertices relative to the eye, as shaders take them.
+struct FromEye<'a> {
+    points: Points<'a>,
+    map: &'a ObjectMap,
+    per_unit: f64,
+    vertices: &'a [u32],
+    out: [&'a mut [f32]; 3],
+}
+
+/// Vertices computed side by side.
+const LANES: usize = 32;
+
+impl Kernel for FromEye<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<P: Product>(self) {
+        let Self { points, map, per_unit, vertices, out: [out_x, out_y, out_z] } = self;
+        let mut rows = [[0.0; LANES]; 3];
+        for (block, vertices) in vertices.chunks(LANES).enumerate() {
+            for (lane, &vertex) in vertices.iter().enumerate().take(LANES) {
+                let point = points.get(vertex);
+                (rows[0][lane], rows[1][lane], rows[2][lane]) = (point.x, point.y, point.z);
+            }
+            let mut single = [[0.0; LANES]; 3];
+            for lane in 0..LANES {
+                let point = DVec3::new(rows[0][lane], rows[1][lane], rows[2][lane]);
+                let from_eye = map.scene_point(point) * per_unit;
+                single[0][lane] = from_eye.x as f32;
+                single[1][lane] = from_eye.y as f32;
+                single[2][lane] = from_eye.z as f32;
+            }
+            let range = block * LANES..block * LANES + vertices.len();
+            out_x[range.clone()].copy_from_slice(&single[0][..vertices.len()]);
+            out_y[range.clone()].copy_from_slice(&single[1][..vertices.len()]);
+            out_z[range].copy_from_slice(&single[2][..vertices.len()]);
+        }
+    }
+}
