@@ -74,18 +74,25 @@ pub(super) fn clip<A: Mix>(
     }
 }
 
-/// Where an edge leaves the half-space of a plane, `t` of the way from its inner end.
-fn crossing<A: Mix>(
-    view: &View,
-    plane: usize,
-    inner: ClipVertex<A>,
-    outer: ClipVertex<A>,
-    t: f64,
-) -> ClipVertex<A> {
-    let (p, q) = (inner.point, outer.point);
+/// The part of a line within all clipping planes, plane after plane; `None` if nothing is left.
+pub(super) fn clip_line(view: &View, [mut a, mut b]: [ViewPoint; 2]) -> Option<[ViewPoint; 2]> {
+    for plane in 0..5 {
+        let (at_a, at_b) = (view.inside(a)[plane], view.inside(b)[plane]);
+        match (at_a >= 0.0, at_b >= 0.0) {
+            (true, true) => {}
+            (false, false) => return None,
+            (true, false) => b = crossing_point(view, plane, a, b, at_a / (at_a - at_b)),
+            (false, true) => a = crossing_point(view, plane, b, a, at_b / (at_b - at_a)),
+        }
+    }
+    Some([a, b])
+}
+
+/// Where an edge leaves the half-space of a plane, `t` of the way from its inner end: exactly on the plane, whatever
+/// rounding did.
+fn crossing_point(view: &View, plane: usize, p: ViewPoint, q: ViewPoint, t: f64) -> ViewPoint {
     let mix = |a: f64, b: f64| a + (b - a) * t;
     let mut point = ViewPoint { x: mix(p.x, q.x), y: mix(p.y, q.y), z: mix(p.z, q.z), h: mix(p.h, q.h) };
-    // Exactly on the plane, whatever rounding did.
     let guard = f64::from(GUARD) * point.h;
     match plane {
         NEAR => {
@@ -97,9 +104,21 @@ fn crossing<A: Mix>(
         3 => point.y = -guard,
         _ => point.y = guard,
     }
+    point
+}
+
+/// The corner where an edge leaves the half-space of a plane, `t` of the way from its inner end.
+fn crossing<A: Mix>(
+    view: &View,
+    plane: usize,
+    inner: ClipVertex<A>,
+    outer: ClipVertex<A>,
+    t: f64,
+) -> ClipVertex<A> {
+    let point = crossing_point(view, plane, inner.point, outer.point, t);
     // The new corners at the near plane are corners of what is drawn; those at the guard band are not, so there the
     // interpolation on the picture must not notice them.
-    let s = if plane == NEAR { t } else { t * q.h / point.h };
+    let s = if plane == NEAR { t } else { t * outer.point.h / point.h };
     ClipVertex { point, attribute: inner.attribute.mix(outer.attribute, t, s) }
 }
 
