@@ -44,7 +44,7 @@ impl fmt::Display for Place {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error(
     "no finite colour at ({}, {}, {}) with the normal ({}, {}, {}){}",
-    position[0], position[1], position[2], normal[0], normal[1], normal[2], cause(light)
+    position[0], position[1], position[2], normal[0], normal[1], normal[2], cause(normal, light)
 )]
 pub struct NotFinite {
     /// Number of the row's element; 0 for a single point.
@@ -57,13 +57,14 @@ pub struct NotFinite {
     pub light: Option<usize>,
 }
 
-fn cause(light: &Option<usize>) -> String {
+fn cause(normal: &[f64; 3], light: &Option<usize>) -> String {
     match light {
+        _ if normal.iter().any(|x| !x.is_finite()) => "; the normal is to blame".to_owned(),
         Some(number) => format!(
-            ": light {} is at the point itself, or its attenuation or colour leaves the range of numbers",
+            "; light {} is at the point itself, or its distance, attenuation or colour leaves the range of numbers",
             number + 1
         ),
-        None => String::new(),
+        None => "; so much light leaves the range of numbers".to_owned(),
     }
 }
 

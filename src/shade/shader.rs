@@ -78,7 +78,7 @@ pub(super) struct Limits<R> {
 }
 
 impl<R: Real> Limits<R> {
-    pub(super) fn new(guards: Guards) -> Self {
+    fn new(guards: Guards) -> Self {
         let zero_if = |on: bool| if on { R::ZERO } else { R::NEG_INFINITY };
         Self {
             diffuse: zero_if(guards.diffuse),
