@@ -8,6 +8,7 @@ mod corner_slices;
 mod corner_terms;
 mod crease;
 mod emit;
+pub mod encoding;
 #[cfg(test)]
 mod exact_tests;
 mod face;

@@ -10,6 +10,7 @@ mod power;
 mod product;
 mod real;
 mod scale;
+mod steepness;
 mod sum;
 #[cfg(test)]
 pub(crate) mod test_numbers;
@@ -20,6 +21,7 @@ pub use colour::{LinearRgb, Srgb8, Transfer};
 pub use power::{Power, Underflow, exp2, log2};
 pub use real::Real;
 pub use scale::unit_scale;
+pub use steepness::{largest_exponent, steepest_slope};
 pub use sum::CompensatedSum;
 pub use unit::UnitVec3;
 

@@ -1,0 +1,170 @@
+use super::*;
+use crate::num::test_numbers::Numbers;
+
+fn angle(a: DVec3, b: DVec3) -> f64 {
+    libm::atan2(a.cross(b).length(), a.dot(b)).to_degrees()
+}
+
+fn directions(count: usize) -> impl Iterator<Item = DVec3> {
+    let mut numbers = Numbers::new(38);
+    std::iter::from_fn(move || {
+        let v = DVec3::from_array(std::array::from_fn(|_| 2.0 * numbers.unit() - 1.0));
+        Some(v)
+    })
+    .filter(|v| (0.01..1.0).contains(&v.length()))
+    .map(|v| v.normalize())
+    .take(count)
+}
+
+/// What the module's table says of each.
+fn worst(encoding: Encoding) -> f64 {
+    match encoding {
+        Encoding::Octahedral(codec, Rounding::Plain) => 0.958 * 127.0 / codec.largest_code(),
+        Encoding::Octahedral(codec, Rounding::Nearest) => 0.637 * 127.0 / codec.largest_code(),
+        Encoding::Snorm(Snorm::EIGHT) => 0.391,
+        Encoding::Snorm(Snorm::TEN) => 0.0971,
+        Encoding::Snorm(_) => 0.0016,
+        Encoding::Half => 0.024,
+        Encoding::Single => 2.9e-6,
+    }
+}
+
+impl Octahedral {
+    fn largest_code(self) -> f64 {
+        f64::from((1 << (self.bits() - 1)) - 1)
+    }
+}
+
+#[test]
+fn no_direction_is_worse_than_documented() {
+    for encoding in Encoding::ALL {
+        let found = directions(100_000)
+            .map(|normal| {
+                let back = encoding.decode(encoding.encode(normal));
+                assert!((back.length() - 1.0).abs() < 1e-15);
+                angle(normal, back)
+            })
+            .fold(0.0, f64::max);
+        // That the bound is not idle: a sample of this size comes within a tenth of it.
+        let bound = worst(encoding);
+        assert!((0.9 * bound..=bound).contains(&found), "{}: {found} of {bound}", encoding.name());
+    }
+}
+
+/// The vectors of meshoptimizer's own tests of its octahedral filter: x, y of the code.
+#[test]
+fn octahedral_codes_are_those_of_meshoptimizer() {
+    let cases = [
+        ([1.0, 0.0, 0.0], [0x7f, 0], [0x7ff, 0]),
+        ([0.0, -1.0, 0.0], [0, -0x7f], [0, -0x7ff]),
+        ([0.707_106_8, 0.0, 0.707_168], [0x3f, 0], [0x3ff, 0]),
+        ([-0.707_106_8, 0.0, -0.707_168], [-0x7f, 0x40], [-0x7ff, 0x400]),
+    ];
+    for (normal, eight, twelve) in cases {
+        let encode = |bits| Octahedral::new(bits).unwrap().encode(DVec3::from(normal), Rounding::Plain);
+        assert_eq!((encode(8), encode(12)), (eight, twelve), "{normal:?}");
+    }
+}
+
+#[test]
+fn axes_are_exact() {
+    let axes = [DVec3::X, DVec3::Y, DVec3::Z].into_iter().flat_map(|axis| [axis, -axis]);
+    for axis in axes {
+        for encoding in Encoding::ALL {
+            assert_eq!(encoding.decode(encoding.encode(axis)), axis, "{}", encoding.name());
+        }
+    }
+    // All four corners of the square are the lower pole.
+    for corner in [[127, 127], [127, -127], [-127, 127], [-127, -127], [-128, -128]] {
+        assert_eq!(Octahedral::new(8).unwrap().decode(corner), DVec3::NEG_Z);
+    }
+}
+
+/// Folds are where codes of neighbours are far apart: both sides must decode to neighbours, and no direction near them
+/// may be worse than elsewhere.
+#[test]
+fn poles_and_edges_of_octants_are_no_worse() {
+    let mut numbers = Numbers::new(5);
+    let near_edges: Vec<DVec3> = (0..60_000)
+        .map(|round| {
+            let angle = std::f64::consts::TAU * numbers.unit();
+            let off = numbers.spread(40) * 1e-12;
+            let [a, b] = [libm::cos(angle), libm::sin(angle)];
+            let v = match round % 4 {
+                0 => DVec3::new(a, b, off),
+                1 => DVec3::new(a, off, b),
+                2 => DVec3::new(off, a, b),
+                // Close to the poles.
+                _ => DVec3::new(a * off.abs().min(1.0) * 1e-3, b * 1e-3, if a > 0.0 { 1.0 } else { -1.0 }),
+            };
+            v.normalize()
+        })
+        .collect();
+    for encoding in Encoding::ALL {
+        let found =
+            near_edges.iter().map(|&n| angle(n, encoding.decode(encoding.encode(n)))).fold(0.0, f64::max);
+        assert!(found <= worst(encoding), "{}: {found}", encoding.name());
+    }
+}
+
+#[test]
+fn the_nearest_of_four_is_never_farther() {
+    for bits in [8, 11, 16] {
+        let codec = Octahedral::new(bits).unwrap();
+        for normal in directions(20_000) {
+            let [plain, nearest] = [Rounding::Plain, Rounding::Nearest]
+                .map(|rounding| codec.decode(codec.encode(normal, rounding)).distance(normal));
+            // Chords of directions that are equally near differ in their last bits.
+            assert!(nearest <= plain + 1e-15, "{bits} {normal}");
+        }
+    }
+}
+
+/// A code's own direction has that code.
+#[test]
+fn codes_come_back() {
+    let mut numbers = Numbers::new(9);
+    let codec = Octahedral::new(8).unwrap();
+    for x in -127..=127_i32 {
+        for y in -127..=127_i32 {
+            let on_fold = x.abs() == 127 || y.abs() == 127;
+            let again = codec.encode(codec.decode([x, y]), Rounding::Plain);
+            // On the square's sides two codes share a direction.
+            assert!(again == [x, y] || on_fold && codec.decode(again).distance(codec.decode([x, y])) < 1e-15);
+        }
+    }
+    for encoding in Encoding::ALL {
+        let normals: Vec<DVec3> =
+            (0..100).map(|_| DVec3::new(numbers.unit(), -numbers.unit(), 0.3).normalize()).collect();
+        let packed = encoding.pack(normals.iter().copied());
+        assert_eq!(packed.len(), 100 * encoding.bytes());
+        let singly = normals.iter().map(|&n| encoding.decode(encoding.encode(n)));
+        assert!(encoding.unpack(&packed).eq(singly), "{}", encoding.name());
+    }
+}
+
+#[test]
+fn what_has_no_direction_is_up_front() {
+    let infinite = DVec3::new(f64::INFINITY, 0.0, 0.0);
+    for encoding in Encoding::ALL {
+        for odd in [DVec3::ZERO, DVec3::NAN] {
+            assert_eq!(encoding.decode(encoding.encode(odd)), DVec3::Z, "{}", encoding.name());
+        }
+        assert!(encoding.decode(encoding.encode(infinite)).is_normalized(), "{}", encoding.name());
+        assert!(encoding.decode(u128::MAX).is_normalized());
+    }
+    // Octahedral codes take any length.
+    let codec = Octahedral::new(16).unwrap();
+    let code = codec.encode(DVec3::new(1.0, 2.0, 3.0), Rounding::Plain);
+    for scale in [1e-300, 1e300] {
+        assert_eq!(codec.encode(DVec3::new(1.0, 2.0, 3.0) * scale, Rounding::Plain), code);
+    }
+}
+
+#[test]
+fn sizes() {
+    let bytes: Vec<usize> = Encoding::ALL.iter().map(|encoding| encoding.bytes()).collect();
+    assert_eq!(bytes[..8], [2, 2, 3, 3, 3, 3, 3, 3]);
+    assert_eq!(bytes[16..], [4, 4, 3, 4, 6, 6, 12]);
+    assert_eq!(Octahedral::new(7).or(Octahedral::new(17)), None);
+}
