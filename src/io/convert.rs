@@ -43,7 +43,7 @@ pub fn write<'a>(
     if let Document::Gltf(document) = &loaded.document {
         notes.extend(document.texture_transform_note(format));
     }
-    let mut written = dispatch::write(format, &parts, dispatch::looks(&loaded.document), options)?;
+    let mut written = dispatch::write(format, &parts, dispatch::materials(&loaded.document), options)?;
     written.notes.splice(0..0, notes);
     Ok(written)
 }

@@ -1,7 +1,6 @@
 //! Which module reads and writes which format.
 
-use super::look::Look;
-use super::{Document, Format, Loaded, Part, PartEdit, ReadError, ReadOptions};
+use super::{Document, FileMaterial, Format, Loaded, Part, PartEdit, ReadError, ReadOptions};
 use super::{WriteError, WriteOptions, Written};
 use super::{gltf, obj, ply, stl};
 use std::path::Path;
@@ -53,9 +52,9 @@ impl Document {
 }
 
 /// What the material library of a file says of its materials.
-pub(super) fn looks(document: &Document) -> &[Look] {
+pub(super) fn materials(document: &Document) -> &[FileMaterial] {
     match document {
-        Document::Obj(document) => document.looks(),
+        Document::Obj(document) => document.materials(),
         _ => &[],
     }
 }
@@ -74,12 +73,12 @@ pub(super) fn beside_meshes(document: &Document) -> Vec<String> {
 pub(super) fn write(
     format: Format,
     parts: &[Part],
-    looks: &[Look],
+    materials: &[FileMaterial],
     options: &WriteOptions,
 ) -> Result<Written, WriteError> {
     match format {
         Format::Obj => obj::write(parts, options),
-        Format::Gltf | Format::Glb => gltf::write_with_looks(parts, looks, format, options),
+        Format::Gltf | Format::Glb => gltf::write_with_materials(parts, materials, format, options),
         Format::Stl => stl::write(parts, options),
         Format::Ply => ply::write(parts, options),
     }

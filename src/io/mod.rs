@@ -4,6 +4,7 @@
 //! the same format edits that document, so that everything else in it survives byte for byte; writing to
 //! another format makes a new file from the meshes.
 
+mod appearance;
 mod companion;
 mod convert;
 mod decimal;
@@ -14,7 +15,6 @@ pub mod gltf;
 mod instances;
 mod left_out;
 mod loaded;
-mod look;
 mod number;
 pub mod obj;
 mod open;
@@ -23,6 +23,9 @@ pub mod stl;
 mod tally;
 mod text;
 
+pub use appearance::{
+    Appearance, FileCamera, FileLight, FileLightKind, FileMaterial, FileProjection, FileReflection,
+};
 pub use convert::{write, write_new};
 pub use error::{Note, Place, Problem, ReadError, Severity, WriteError};
 pub use format::Format;

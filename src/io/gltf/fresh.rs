@@ -3,14 +3,14 @@
 use super::container;
 use super::data::{Array, Blob, Bounds, Target, accessor_json, view_json};
 use super::json::quoted;
+use super::material;
 use super::objects::pieces;
 use super::primitive::mode;
 use super::shape::Shape;
 use super::uri;
 use crate::io::left_out::{Feature, left_out};
-use crate::io::look::Look;
 use crate::io::text::counted;
-use crate::io::{Format, Note, OutputContent, OutputFile, Part, Place, WriteError, WriteOptions, Written};
+use crate::io::{FileMaterial, Format, Note, OutputContent, OutputFile, Part, Place, WriteError, WriteOptions, Written};
 use crate::mesh::{FaceLabels, Mesh, NONE, Storage, VertexSplit};
 use glam::DVec3;
 use rayon::prelude::*;
@@ -32,19 +32,19 @@ const NOT_HELD: [Feature; 2] = [Feature::HardEdges, Feature::MorphTargets];
 /// [`WriteError::Unsupported`] for a position beyond the range of `f32`; [`WriteError::TooLarge`] for a GLB
 /// beyond 4 GiB.
 pub fn write(parts: &[Part], to: Format, options: &WriteOptions) -> Result<Written, WriteError> {
-    write_with_looks(parts, &[], to, options)
+    write_with_materials(parts, &[], to, options)
 }
 
 /// As [`write`], with the colour and roughness of materials where they are known.
-pub(in crate::io) fn write_with_looks(
+pub(in crate::io) fn write_with_materials(
     parts: &[Part],
-    looks: &[Look],
+    materials: &[FileMaterial],
     to: Format,
     options: &WriteOptions,
 ) -> Result<Written, WriteError> {
     let (pieces, unused) = pieces(parts);
-    let looks = looks.iter().map(|look| (look.name.as_str(), look)).collect();
-    let mut file = File { looks, ..File::default() };
+    let known = materials.iter().map(|material| (material.name.as_str(), material)).collect();
+    let mut file = File { known, ..File::default() };
     let mut written = Written::default();
     for part in &pieces {
         file.part(part, &mut written)?;
@@ -79,7 +79,7 @@ struct File<'a> {
     materials: Vec<String>,
     material_numbers: FxHashMap<&'a str, usize>,
     /// What is known of materials, by name.
-    looks: FxHashMap<&'a str, &'a Look>,
+    known: FxHashMap<&'a str, &'a FileMaterial>,
     /// Textures of the materials that are used.
     textures: usize,
 }
@@ -217,9 +217,9 @@ impl<'a> File<'a> {
     fn material(&mut self, labels: &'a FaceLabels, label: u32) -> usize {
         let name = labels.names[label as usize].as_str();
         *self.material_numbers.entry(name).or_insert_with(|| {
-            let look = self.looks.get(name);
-            self.textures += look.map_or(0, |look| look.textures);
-            let members = look.map(|look| look.gltf_members()).unwrap_or_default();
+            let known = self.known.get(name);
+            self.textures += known.map_or(0, |material| material.textures);
+            let members = known.map(|known| material::members(known)).unwrap_or_default();
             self.materials.push(format!("{{\"name\":{}{members}}}", quoted(name)));
             self.materials.len() - 1
         })

@@ -8,6 +8,7 @@
 //! Standard: Khronos, *glTF 2.0 Specification*, 2021, with `KHR_mesh_quantization`.
 
 mod accessor;
+mod appearance;
 mod beside;
 mod buffers;
 mod columns;
@@ -19,6 +20,7 @@ mod extensions;
 mod fields;
 mod fresh;
 mod json;
+mod material;
 mod mesh;
 mod nodes;
 mod objects;
@@ -28,9 +30,10 @@ mod shape;
 mod splice;
 mod uri;
 
+pub(super) use appearance::appearance;
 pub use edit::edit;
 pub use fresh::write;
-pub(super) use fresh::write_with_looks;
+pub(super) use fresh::write_with_materials;
 
 use super::text::counted;
 use super::{Document, Format, Loaded, Note, Place, Problem, ReadError, ReadOptions};
@@ -42,6 +45,7 @@ use json::Json;
 use mesh::{Assembler, Layout, Materials, VertexSource};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::cell::Cell;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// A glTF document, kept for editing.
@@ -55,6 +59,8 @@ pub struct GltfDocument {
     sources: Vec<(usize, usize)>,
     /// How each part is made of primitives, one a mesh.
     layouts: Vec<Layout>,
+    /// The materials in use, by their name among the labels of faces.
+    materials: BTreeMap<String, usize>,
     /// Image files that the document refers to and that are there: relative name and path.
     images: Vec<(String, PathBuf)>,
 }
@@ -166,6 +172,7 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
     }
     let sources = assembler.sources.iter().map(|source| source.0.at.numbers()).collect();
     let format = if glb.is_some() { Format::Glb } else { Format::Gltf };
-    let document = GltfDocument { records, buffers, glb, sources, layouts, images };
+    let materials = assembler.materials.names.into_iter().map(|(material, name)| (name, material)).collect();
+    let document = GltfDocument { records, buffers, glb, sources, layouts, materials, images };
     Ok(Loaded { format, parts, nodes, notes, document: Document::Gltf(Box::new(document)) })
 }

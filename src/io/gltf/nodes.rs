@@ -8,46 +8,67 @@ use glam::{DMat4, DQuat, DVec3};
 
 /// The meshes of the default scene (of all root nodes, where there is none), in the order of the tree.
 pub(super) fn read(json: &Json, meshes: usize, notes: &mut Vec<Note>) -> Result<Vec<FileNode>, ReadError> {
+    let mut placed = Vec::new();
+    let mut skinned_elsewhere = None;
+    each(json, |node| {
+        let Some(part) = node.fields.index("mesh")? else { return Ok(()) };
+        if part >= meshes {
+            return Err(dangling(node.fields.at.member("mesh"), "mesh", part, meshes));
+        }
+        if !node.shown {
+            return Ok(());
+        }
+        // Only its joints move a skinned mesh; its node's own transform is ignored, says the standard.
+        let skinned = node.fields.index("skin")?.is_some();
+        if skinned && node.world != DMat4::IDENTITY {
+            skinned_elsewhere.get_or_insert(node.number);
+        }
+        let world_from_part = if skinned { DMat4::IDENTITY } else { node.world };
+        let name = node.fields.string("name")?.unwrap_or_default().into_owned();
+        placed.push((node.number, FileNode { name, part, world_from_part }));
+        Ok(())
+    })?;
+    warn(&placed, skinned_elsewhere, notes);
+    Ok(placed.into_iter().map(|(_, node)| node).collect())
+}
+
+/// A node at its place.
+pub(super) struct Placed<'a> {
+    pub(super) number: usize,
+    pub(super) fields: Fields<'a>,
+    /// From its own space to the world's.
+    pub(super) world: DMat4,
+    /// Whether the default scene has it.
+    pub(super) shown: bool,
+}
+
+/// Visits all nodes, each after its parent and before its next sibling.
+pub(super) fn each<'a>(
+    json: &'a Json,
+    mut visit: impl FnMut(Placed<'a>) -> Result<(), ReadError>,
+) -> Result<(), ReadError> {
     let root = Fields { json, object: json.root(), at: At::default() };
     let nodes = list(&root, "nodes")?;
     let fields = |node: usize| Fields { json, object: nodes[node], at: At::new("nodes", node) };
     let tree = Tree::new((0..nodes.len()).map(fields), nodes.len())?;
     let shown = tree.shown(&root)?;
-
-    let mut placed = Vec::new();
-    let mut skinned_elsewhere = None;
     // The way from a root to the node at hand, with the place of each node in the world.
     let mut path: Vec<(u32, DMat4)> = Vec::new();
-    for number in tree.order()? {
-        let node = number as usize;
-        while path.last().is_some_and(|&(above, _)| above != tree.parent[node]) {
+    for node in tree.order()? {
+        let number = node as usize;
+        while path.last().is_some_and(|&(above, _)| above != tree.parent[number]) {
             path.pop();
         }
-        let fields = fields(node);
+        let fields = fields(number);
         let world = path.last().map_or(DMat4::IDENTITY, |&(_, world)| world) * local_matrix(&fields)?;
         if !world.is_finite() {
             let found = "a node whose place in the world is beyond what numbers can hold";
             return Err(ReadError::new(Problem::NonFinite, fields.at.place(), found, "check its scale"));
         }
-        path.push((number, world));
-        let Some(part) = fields.index("mesh")? else { continue };
-        if part >= meshes {
-            return Err(dangling(fields.at.member("mesh"), "mesh", part, meshes));
-        }
-        if !shown[node] {
-            continue;
-        }
-        // Only its joints move a skinned mesh; its node's own transform is ignored, says the standard.
-        let skinned = fields.index("skin")?.is_some();
-        if skinned && world != DMat4::IDENTITY {
-            skinned_elsewhere.get_or_insert(node);
-        }
-        let world_from_part = if skinned { DMat4::IDENTITY } else { world };
-        let name = fields.string("name")?.unwrap_or_default().into_owned();
-        placed.push((node, FileNode { name, part, world_from_part }));
+        path.push((node, world));
+        visit(Placed { number, fields, world, shown: shown[number] })?;
     }
-    warn(&placed, skinned_elsewhere, notes);
-    Ok(placed.into_iter().map(|(_, node)| node).collect())
+    Ok(())
 }
 
 /// No node.

@@ -16,16 +16,18 @@ mod indices;
 mod labels;
 mod lexer;
 mod locate;
+mod material;
 mod merge;
 mod mtl;
 mod remarks;
 mod renumber;
 mod stretch;
 
-use super::look::Look;
 use super::number;
 use super::tally::check_size;
-use super::{Document, Format, Loaded, OutputFile, Part, Place, Problem, ReadError, ReadOptions};
+use super::{
+    Document, FileMaterial, Format, Loaded, OutputFile, Part, Place, Problem, ReadError, ReadOptions,
+};
 use arguments::Fault;
 pub(super) use edit::edit;
 pub(super) use fresh::write;
@@ -54,8 +56,8 @@ pub struct ObjDocument {
     surface_normals: bool,
     /// Material libraries and textures, to go along with an output in another folder.
     companions: Vec<OutputFile>,
-    /// What the material libraries say.
-    looks: Vec<Look>,
+    /// What the material libraries say, the first definition of each name.
+    materials: Vec<FileMaterial>,
 }
 
 impl ObjDocument {
@@ -64,8 +66,9 @@ impl ObjDocument {
         &self.text
     }
 
-    pub(super) fn looks(&self) -> &[Look] {
-        &self.looks
+    /// What the material libraries say.
+    pub(super) fn materials(&self) -> &[FileMaterial] {
+        &self.materials
     }
 }
 
@@ -106,8 +109,9 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
         _ => String::new(),
     };
     let part = Part { name, mesh: merged.mesh, non_finite_faces: merged.non_finite_faces };
-    let (companions, looks) = (materials.files, materials.looks);
-    let document = ObjDocument { text: bytes, insertion, normals_before, surface_normals, companions, looks };
+    let (companions, materials) = (materials.files, materials.materials);
+    let document =
+        ObjDocument { text: bytes, insertion, normals_before, surface_normals, companions, materials };
     let document = Document::Obj(Box::new(document));
     Ok(Loaded { format: Format::Obj, parts: vec![part], nodes: Vec::new(), notes, document })
 }

@@ -1,14 +1,14 @@
 //! Material libraries: which materials they define, and which files have to go along with a copy of them.
 
 use super::lexer::{name_text, shown};
+use super::material::{file_material, materials, textures};
 use crate::io::companion::{Companions, Refusal, output_name};
-use crate::io::look::Look;
-use crate::io::{Note, OutputContent, OutputFile, Place, ReadOptions};
+use crate::io::{FileMaterial, Note, OutputContent, OutputFile, Place, ReadOptions};
 use crate::mesh::FaceLabels;
 use rustc_hash::FxHashSet;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::io::{Cursor, Read};
+use std::io::Read;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -27,8 +27,8 @@ const MOST_BYTES: u64 = 64 << 20;
 pub(super) struct Materials {
     /// Libraries and textures, to be copied beside an output in another folder.
     pub files: Vec<OutputFile>,
-    /// What the libraries say, the first definition of each material.
-    pub looks: Vec<Look>,
+    /// What the libraries say, the first definition of each name.
+    pub materials: Vec<FileMaterial>,
     pub notes: Vec<Note>,
 }
 
@@ -60,7 +60,7 @@ struct Search {
     /// Names for which a copy cannot be put where the output looks for it.
     out_of_place: BTreeSet<String>,
     defined: FxHashSet<String>,
-    looks: Vec<Look>,
+    materials: Vec<FileMaterial>,
 }
 
 impl Search {
@@ -72,7 +72,7 @@ impl Search {
             refused: BTreeMap::new(),
             out_of_place: BTreeSet::new(),
             defined: FxHashSet::default(),
-            looks: Vec::new(),
+            materials: Vec::new(),
         }
     }
 
@@ -108,7 +108,7 @@ impl Search {
                 self.file(&folder, texture);
             }
             if self.defined.insert(material.name.clone()) {
-                self.looks.push(look(&material));
+                self.materials.push(file_material(&material));
             }
         }
     }
@@ -174,7 +174,7 @@ impl Search {
         let files = self.files.into_iter();
         let files =
             files.map(|(name, path)| OutputFile { name, content: OutputContent::CopyOf(path) }).collect();
-        Materials { files, looks: self.looks, notes }
+        Materials { files, materials: self.materials, notes }
     }
 }
 
@@ -198,89 +198,6 @@ fn split_names(names: &str) -> Vec<&str> {
     }
 }
 
-/// The materials of a library. Only statements that are understood here are handed on, and those with numbers only if
-/// they have them: `tobj` panics at a colour with fewer than three, and gives up at bytes that are not UTF-8 and at
-/// numbers that are none.
-fn materials(library: &[u8]) -> Vec<tobj::Material> {
-    let mut kept = String::new();
-    for line in library.split(|&byte| matches!(byte, b'\n' | b'\r')) {
-        let line = name_text(line.trim_ascii());
-        let Some((word, argument)) = line.split_once(char::is_whitespace) else { continue };
-        let numbers = || argument.split_whitespace().map_while(|word| word.parse::<f32>().ok());
-        let is_whole = match word {
-            "Kd" => numbers().filter(|number| number.is_finite()).count() >= 3,
-            "Ns" | "d" | "Tr" => numbers().next().is_some_and(f32::is_finite),
-            "newmtl" => !argument.trim().is_empty(),
-            _ => is_texture(word) && !argument.trim().is_empty(),
-        };
-        if is_whole {
-            kept.push_str(&line);
-            kept.push('\n');
-        }
-    }
-    tobj::load_mtl_buf(&mut Cursor::new(kept)).map(|(materials, _)| materials).unwrap_or_default()
-}
-
-fn look(material: &tobj::Material) -> Look {
-    let transparency = material.unknown_param.get("Tr").and_then(|value| value.parse::<f32>().ok());
-    Look {
-        name: material.name.clone(),
-        diffuse: material.diffuse,
-        shininess: material.shininess,
-        opacity: material.dissolve.or(transparency.map(|value| 1.0 - value)),
-        textures: textures(material).len(),
-    }
-}
-
-fn is_texture(word: &str) -> bool {
-    let word = word.to_ascii_lowercase();
-    word.starts_with("map_") || ["bump", "norm", "disp", "decal", "refl"].contains(&&*word)
-}
-
-/// The texture files of a material, in a fixed order.
-fn textures(material: &tobj::Material) -> BTreeSet<&str> {
-    let known = [
-        &material.ambient_texture,
-        &material.diffuse_texture,
-        &material.specular_texture,
-        &material.normal_texture,
-        &material.shininess_texture,
-        &material.dissolve_texture,
-    ];
-    let others = material.unknown_param.iter().filter(|(word, _)| is_texture(word)).map(|(_, value)| value);
-    known
-        .into_iter()
-        .flatten()
-        .chain(others)
-        .map(|value| without_options(value))
-        .filter(|name| !name.is_empty())
-        .collect()
-}
-
-/// The file name of a texture statement, which may have blanks and options such as `-bm 0.5` in front.
-fn without_options(value: &str) -> &str {
-    let mut rest = value.trim();
-    while let Some((option, behind)) =
-        rest.split_once(char::is_whitespace).filter(|(option, _)| option.starts_with('-'))
-    {
-        let most = match option {
-            "-o" | "-s" | "-t" => 3,
-            "-mm" => 2,
-            _ => 1,
-        };
-        rest = behind.trim_start();
-        for argument in 0..most {
-            let (word, behind) = rest.split_once(char::is_whitespace).unwrap_or((rest, ""));
-            // All but the first of up to three numbers may be left out.
-            if argument > 0 && word.parse::<f32>().is_err() {
-                break;
-            }
-            rest = behind.trim_start();
-        }
-    }
-    rest
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -292,18 +209,6 @@ mod tests {
         assert_eq!(split_names("cube.mat"), ["cube.mat"]);
         assert_eq!(split_names("a.mtlx b.mtl c"), ["a.mtlx b.mtl", "c"]);
         assert!(split_names("").is_empty());
-    }
-
-    #[test]
-    fn broken_libraries_do_not_stop_anything() {
-        let library =
-            b"newmtl \nKa 0.5\nnewmtl red\nKd 1 x\nNs\nillum 99999\nmap_Kd -s 1 1 -bm 0.2 my tex.png\n\
-            \xff\xfe\nbump -o 0 b.png\nmap_Kd\nrefl -type sphere r.png\r\nnewmtl gr\xfcn\rmap_d t.png";
-        let found = materials(library);
-        let names: Vec<&str> = found.iter().map(|material| &*material.name).collect();
-        assert_eq!(names, ["red", "grün"]);
-        assert_eq!(textures(&found[0]).into_iter().collect::<Vec<_>>(), ["b.png", "my tex.png", "r.png"]);
-        assert_eq!(textures(&found[1]).into_iter().collect::<Vec<_>>(), ["t.png"]);
     }
 
     #[test]

@@ -1,0 +1,139 @@
+//! What files say about looks: materials, cameras and lights, as plain data for whoever draws them.
+
+use super::{Document, Loaded, Note, dispatch, gltf};
+use glam::DMat4;
+
+/// Materials, cameras and lights of a file.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Appearance {
+    /// The materials that the labels of faces ([`Columns::materials`](crate::mesh::Columns::materials)) name, each
+    /// name once; materials that no library defines are missing.
+    pub materials: Vec<FileMaterial>,
+    /// Cameras of the default scene, in the order of the node tree.
+    pub cameras: Vec<FileCamera>,
+    /// Lights of the default scene, in the order of the node tree.
+    pub lights: Vec<FileLight>,
+    /// What could not be understood; it counts as if it were not there.
+    pub notes: Vec<Note>,
+}
+
+/// A material.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FileMaterial {
+    /// Its name, as labels of faces have it.
+    pub name: String,
+    /// What it does with light.
+    pub reflection: FileReflection,
+    /// 1 where nothing shines through; `None` where the file does not say.
+    pub opacity: Option<f64>,
+    /// How many images it refers to, which change it from point to point.
+    pub textures: usize,
+}
+
+/// What a material does with light, in the terms of its format.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FileReflection {
+    /// MTL's: Ka, Kd, Ks and Ns, where they are given. Its highlight is (N·H)^Ns.
+    Phong {
+        /// Ka.
+        ambient: Option<[f64; 3]>,
+        /// Kd.
+        diffuse: Option<[f64; 3]>,
+        /// Ks; zero where `illum` says that there is no highlight.
+        specular: Option<[f64; 3]>,
+        /// Ns.
+        exponent: Option<f64>,
+    },
+    /// glTF's, without images.
+    MetallicRoughness {
+        /// Linear base colour.
+        base_colour: [f64; 3],
+        /// 0 for plastic to 1 for metal.
+        metallic: f64,
+        /// 0 for a mirror to 1.
+        roughness: f64,
+        /// Whether light does not matter (`KHR_materials_unlit`).
+        unlit: bool,
+    },
+}
+
+/// A camera at its place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FileCamera {
+    /// Its name, possibly empty.
+    pub name: String,
+    /// From its own space, where it looks along −z with +y up, to the world's.
+    pub world_from_camera: DMat4,
+    /// How it maps.
+    pub projection: FileProjection,
+    /// Distance before which nothing is drawn.
+    pub near: f64,
+}
+
+/// How a camera maps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FileProjection {
+    /// The angle from bottom to top, in radians.
+    Perspective(f64),
+    /// The height from bottom to top.
+    Orthographic(f64),
+}
+
+/// A light at its place (`KHR_lights_punctual`).
+#[derive(Clone, Debug, PartialEq)]
+pub struct FileLight {
+    /// Its name, possibly empty.
+    pub name: String,
+    /// From its own space, where it shines from the origin along −z, to the world's.
+    pub world_from_light: DMat4,
+    /// What it is.
+    pub kind: FileLightKind,
+    /// Linear.
+    pub colour: [f64; 3],
+    /// Candela, or lux where the light is directional.
+    pub intensity: f64,
+    /// Distance beyond which it does not shine.
+    pub range: Option<f64>,
+}
+
+/// What a light is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FileLightKind {
+    /// Infinitely far away.
+    Directional,
+    /// To all sides.
+    Point,
+    /// Into a cone, given by half its opening angle in radians.
+    Spot {
+        /// Where it begins to fade.
+        inner: f64,
+        /// Where it ends.
+        outer: f64,
+    },
+}
+
+impl Loaded {
+    /// Materials, cameras and lights; of files that were never read, and of PLY and STL, none.
+    ///
+    /// ```
+    /// use crease::io::{Format, ReadOptions, read_bytes};
+    ///
+    /// let camera = r#"{"type": "perspective", "perspective": {"yfov": 0.5, "znear": 0.1}}"#;
+    /// let text = format!(r#"{{"asset": {{"version": "2.0"}}, "cameras": [{camera}], "nodes": [{{"camera": 0}}]}}"#);
+    /// let loaded = read_bytes(text.into_bytes(), Some(Format::Gltf), None, &ReadOptions::default())?;
+    /// assert_eq!(loaded.appearance().cameras.len(), 1);
+    /// # Ok::<(), crease::io::ReadError>(())
+    /// ```
+    pub fn appearance(&self) -> Appearance {
+        match &self.document {
+            Document::Gltf(document) => gltf::appearance(document),
+            document => Appearance { materials: dispatch::materials(document).to_vec(), ..Appearance::default() },
+        }
+    }
+}
+
+/// The number that was written, from the nearest single: 0.1, not 0.10000000149011612.
+pub(super) fn as_written(single: f32) -> f64 {
+    // The shortest decimal that gives the single back is what stood in the file, if that had up to six digits.
+    single.to_string().parse().unwrap_or(f64::from(single))
+}
