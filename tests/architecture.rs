@@ -60,12 +60,13 @@ const OUTSIDE: &[(&str, &[&str])] = &[
         &["mesh", "surface", "io", "normals", "quality", "raster", "pipeline", "metric", "trade", "cli"],
     ),
     ("rustc_hash", &["mesh", "surface", "io", "normals", "quality", "pipeline"]),
-    ("serde", &["io", "shade", "quality", "metric", "artefact", "trade", "plan", "report", "cli"]),
+    ("serde", &["io", "shade", "raster", "quality", "metric", "artefact", "trade", "plan", "report", "cli"]),
     ("serde_json", &["io", "report", "cli"]),
     ("spade", &["mesh", "surface"]),
     ("tempfile", &["cli"]),
     ("thiserror", &["num", "mesh", "surface", "io", "normals", "shade", "raster", "pipeline", "report"]),
     ("tobj", &["io"]),
+    ("toml", &["raster"]),
     ("zmij", &["io"]),
 ];
 

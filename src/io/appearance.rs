@@ -127,7 +127,9 @@ impl Loaded {
     pub fn appearance(&self) -> Appearance {
         match &self.document {
             Document::Gltf(document) => gltf::appearance(document),
-            document => Appearance { materials: dispatch::materials(document).to_vec(), ..Appearance::default() },
+            document => {
+                Appearance { materials: dispatch::materials(document).to_vec(), ..Appearance::default() }
+            }
         }
     }
 }

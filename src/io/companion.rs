@@ -1,6 +1,6 @@
 //! Files beside the input, and which of them may be read.
 
-use super::ReadOptions;
+use super::{Place, Problem, ReadError, ReadOptions};
 use std::fmt;
 use std::path::{Component, Path, PathBuf};
 
@@ -58,6 +58,18 @@ impl Companions {
         }
         if path.is_file() { Ok(path) } else { Err(Refusal::Missing) }
     }
+}
+
+/// The file that a name refers to from the folder `base`, where it must lie, or within the root of the options.
+pub(crate) fn companion(base: &Path, name: &str, options: &ReadOptions) -> Result<PathBuf, ReadError> {
+    Companions::new(base, options).find(Path::new(""), name).map_err(|refusal| {
+        let advice = match refusal {
+            Refusal::Remote => "copy it to this machine",
+            Refusal::Outside => "move it into that folder",
+            Refusal::Missing => "check the name",
+        };
+        ReadError::new(Problem::Companion, Place::File, format!("it {refusal}"), advice)
+    })
 }
 
 /// The name that a companion has beside the output so that the output's reference finds it; `None` if that would be

@@ -26,6 +26,7 @@ mod text;
 pub use appearance::{
     Appearance, FileCamera, FileLight, FileLightKind, FileMaterial, FileProjection, FileReflection,
 };
+pub(crate) use companion::companion;
 pub use convert::{write, write_new};
 pub use error::{Note, Place, Problem, ReadError, Severity, WriteError};
 pub use format::Format;
@@ -34,4 +35,5 @@ pub use loaded::{
     PartEdit,
 };
 pub use loaded::{ReadOptions, TangentPolicy, WriteOptions, Written};
+pub(crate) use open::read_whole;
 pub use open::{detect, read, read_bytes};

@@ -1,6 +1,6 @@
 //! From a path or bytes to a file that is read, whatever its format.
 
-use super::{Format, Loaded, Place, Problem, ReadError, ReadOptions};
+use super::{Format, Limits, Loaded, Place, Problem, ReadError, ReadOptions};
 use super::{dispatch, stl};
 #[cfg(unix)]
 use rayon::prelude::*;
@@ -49,6 +49,13 @@ fn without_mark(bytes: &[u8]) -> &[u8] {
 /// If it is not there, no regular file, not readable or too large, of no known format, or what its format's reader
 /// says: where, what was found, what to do.
 pub fn read(path: &Path, format: Option<Format>, options: &ReadOptions) -> Result<Loaded, ReadError> {
+    let bytes = read_whole(path, &options.limits)?;
+    let format = format.or_else(|| detect(&bytes, Some(path)));
+    read_bytes(bytes, format, Some(path.parent().unwrap_or(path)), options)
+}
+
+/// The bytes of a file.
+pub(crate) fn read_whole(path: &Path, limits: &Limits) -> Result<Vec<u8>, ReadError> {
     let metadata = fs::metadata(path).map_err(|error| io_error(&error))?;
     if !metadata.is_file() {
         let (found, advice) = match metadata.is_dir() {
@@ -58,17 +65,15 @@ pub fn read(path: &Path, format: Option<Format>, options: &ReadOptions) -> Resul
         };
         return Err(ReadError::new(Problem::Io, Place::File, found, advice));
     }
-    if metadata.len() > options.limits.bytes {
-        let found = format!("{} bytes, more than the limit of {}", metadata.len(), options.limits.bytes);
+    if metadata.len() > limits.bytes {
+        let found = format!("{} bytes, more than the limit of {}", metadata.len(), limits.bytes);
         return Err(ReadError::new(Problem::Limit, Place::File, found, "raise the limit"));
     }
-    let bytes = read_whole(path, metadata.len()).map_err(|error| io_error(&error))?;
-    let format = format.or_else(|| detect(&bytes, Some(path)));
-    read_bytes(bytes, format, Some(path.parent().unwrap_or(path)), options)
+    read_length(path, metadata.len()).map_err(|error| io_error(&error))
 }
 
 /// Reads a file of about this many bytes; a large one on all threads, since most of the time goes into giving it memory.
-fn read_whole(path: &Path, length: u64) -> std::io::Result<Vec<u8>> {
+fn read_length(path: &Path, length: u64) -> std::io::Result<Vec<u8>> {
     #[cfg(unix)]
     if let Some(bytes) = read_in_pieces(path, length)? {
         return Ok(bytes);

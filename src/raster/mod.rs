@@ -37,7 +37,7 @@ mod view;
 
 pub use camera::{Camera, CameraError, Projection};
 pub use error::RenderError;
-pub use load::{LoadOptions, SceneFile, SceneMesh, SceneObject, SceneShape, default_lights, load};
+pub use load::{LoadOptions, SceneFile, SceneMesh, SceneObject, SceneShape, default_lights, load, rotation};
 pub use picture::{Image, Pixels, Statistics, Times};
 pub use probe::{LitPoint, ProbePoint, probe};
 pub use render::render;

@@ -30,4 +30,4 @@ pub use palette::Palette;
 pub use panel::{Panel, panels};
 pub use picture::Picture;
 pub use png::encode_png;
-pub use probe::{PixelReport, SampleReport, probe_pixel};
+pub use probe::{LitReport, PixelReport, SampleReport, SeenReport, probe_pixel};

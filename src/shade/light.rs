@@ -191,7 +191,7 @@ impl Light {
     }
 
     /// Whether every number makes sense.
-    pub(super) fn check(&self, number: usize) -> Result<(), ShadeError> {
+    pub(crate) fn check(&self, number: usize) -> Result<(), ShadeError> {
         let check = Check::light(number);
         check.colour("colour", self.colour())?;
         match *self {

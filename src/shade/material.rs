@@ -110,7 +110,7 @@ impl Material {
     }
 
     /// Whether every number makes sense.
-    pub(super) fn check(&self) -> Result<(), ShadeError> {
+    pub(crate) fn check(&self) -> Result<(), ShadeError> {
         self.ambient.check("ambient reflection")?;
         self.diffuse.check("diffuse reflection")?;
         self.specular.check("specular reflection")?;

@@ -10,7 +10,9 @@ use super::shape::Shape;
 use super::uri;
 use crate::io::left_out::{Feature, left_out};
 use crate::io::text::counted;
-use crate::io::{FileMaterial, Format, Note, OutputContent, OutputFile, Part, Place, WriteError, WriteOptions, Written};
+use crate::io::{
+    FileMaterial, Format, Note, OutputContent, OutputFile, Part, Place, WriteError, WriteOptions, Written,
+};
 use crate::mesh::{FaceLabels, Mesh, NONE, Storage, VertexSplit};
 use glam::DVec3;
 use rayon::prelude::*;

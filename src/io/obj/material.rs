@@ -152,7 +152,11 @@ mod tests {
         assert_eq!(found.len(), expected.len());
         for (found, (reflection, opacity, textures)) in found.iter().zip(expected) {
             let name = &found.name;
-            assert_eq!((found.reflection, found.opacity, found.textures), (reflection, opacity, textures), "{name}");
+            assert_eq!(
+                (found.reflection, found.opacity, found.textures),
+                (reflection, opacity, textures),
+                "{name}"
+            );
         }
     }
 }

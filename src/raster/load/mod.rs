@@ -2,13 +2,18 @@
 
 mod bare;
 mod lights;
+mod looks;
 mod meshes;
+mod rotation;
 mod scene_file;
+mod split;
+mod toml;
 
 pub use lights::default_lights;
+pub use rotation::rotation;
 pub use scene_file::{SceneFile, SceneMesh, SceneObject, SceneShape};
 
-use crate::io::{self, Format, ReadError, ReadOptions};
+use crate::io::{self, Format, Limits, Place, Problem, ReadError, ReadOptions};
 use crate::normals::{NormalRecipe, When};
 use std::path::Path;
 
@@ -40,8 +45,23 @@ pub struct LoadOptions {
 /// # Errors
 /// What [`io::read`] says, and files without any face. In scene files: the line and the key.
 pub fn load(path: &Path, format: Option<Format>, options: &LoadOptions) -> Result<SceneFile, ReadError> {
-    SceneFile::from_loaded(io::read(path, format, &options.read)?, options)
+    let is_scene = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"));
+    if format.is_some() || !is_scene {
+        return SceneFile::from_loaded(io::read(path, format, &options.read)?, options);
+    }
+    let limits =
+        Limits { bytes: options.read.limits.bytes.min(LARGEST_SCENE), ..options.read.limits.clone() };
+    let bytes = io::read_whole(path, &limits)?;
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let place = Place::Byte(error.utf8_error().valid_up_to() as u64);
+        ReadError::new(Problem::Syntax, place, "the text is not UTF-8", "save it as UTF-8")
+    })?;
+    SceneFile::from_toml(&text, path.parent().unwrap_or(path), options)
 }
+
+/// Most bytes of a scene file, whose text takes many times that in memory when it is understood. Large meshes have
+/// files of their own.
+const LARGEST_SCENE: u64 = 64 << 20;
 
 #[cfg(test)]
 mod tests {

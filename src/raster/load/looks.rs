@@ -1,0 +1,139 @@
+//! From what files say of looks to materials, cameras and lights of this crate.
+
+use super::lights::plain_material;
+use crate::io::{
+    Appearance, FileCamera, FileLight, FileLightKind, FileMaterial, FileProjection, FileReflection, Note,
+};
+use crate::num::{LinearRgb, Radians};
+use crate::raster::{Camera, Projection};
+use crate::shade::{Attenuation, Cone, Light, Material, Reflectance, Reflection};
+use glam::DVec3;
+use std::f64::consts::{FRAC_1_PI, FRAC_PI_2};
+
+/// Reflectance of what is no metal, seen from straight above: that of glass (glTF 2.0, appendix B).
+const DIELECTRIC: f64 = 0.04;
+
+/// The exponent of the smoothest surfaces: highlights become no smaller than the steps of a picture can show.
+const LARGEST_EXPONENT: f64 = 1e4;
+
+/// The light that surfaces show is what falls on them over π, and a physical light of 1 lux is taken as such; a light
+/// of this crate that has intensity 1 is one that a white surface shows as 1.
+const PER_LUX: f64 = FRAC_1_PI;
+
+/// A material; whether it is unlit.
+pub(super) fn material(file: &FileMaterial) -> (Material, bool) {
+    match file.reflection {
+        FileReflection::Phong { ambient, diffuse, specular, exponent } => {
+            let plain = plain_material();
+            let merged = |colour: [f64; 3]| Reflectance::Merged(colour.into());
+            let diffuse = diffuse.map_or(plain.diffuse, merged);
+            let material = Material {
+                ambient: ambient.map_or(diffuse, merged),
+                diffuse,
+                specular: specular.map_or(Reflectance::NONE, merged),
+                exponent: exponent.unwrap_or(plain.exponent),
+                reflection: Reflection::Blinn,
+            };
+            (material, false)
+        }
+        FileReflection::MetallicRoughness { base_colour, metallic, roughness, unlit } => {
+            (metallic_roughness(base_colour.into(), metallic, roughness), unlit)
+        }
+    }
+}
+
+/// glTF's metallic-roughness model by Blinn's.
+///
+/// - K_d = base · (1 − metallic): metals have no diffuse reflection.
+/// - With α = roughness², the highlight of the microfacet model is about as wide as (N·H)ⁿ with n = 2/α² − 2
+///   (B. Walter et al., *Microfacet models for refraction through rough surfaces*, EGSR 2007, §5.2), from 0 for the
+///   roughest to 10⁴ for the smoothest surfaces.
+/// - K_s = F₀ (n + 8)/8, at most 1, where F₀ is 0.04 mixed with the base colour by `metallic`: the smaller a highlight,
+///   the brighter, so that as much light is reflected (T. Akenine-Möller et al., *Real-Time Rendering*, 3rd ed., 2008,
+///   §7.6, eq. 7.49).
+/// - K_a = base colour.
+fn metallic_roughness(base: LinearRgb, metallic: f64, roughness: f64) -> Material {
+    let alpha = roughness * roughness;
+    let exponent = (2.0 / (alpha * alpha) - 2.0).clamp(0.0, LARGEST_EXPONENT);
+    let from_above = LinearRgb::grey(DIELECTRIC * (1.0 - metallic)) + base * metallic;
+    let specular = (from_above * ((exponent + 8.0) / 8.0)).to_array().map(|k| k.min(1.0));
+    Material {
+        ambient: Reflectance::Merged(base),
+        diffuse: Reflectance::Merged(base * (1.0 - metallic)),
+        specular: Reflectance::Merged(specular.into()),
+        exponent,
+        reflection: Reflection::Blinn,
+    }
+}
+
+/// A camera that looks where the file's does; `distance` away from its target, which is anywhere on its axis.
+fn camera(file: &FileCamera, distance: f64) -> Camera {
+    let axis = |axis: DVec3| file.world_from_camera.transform_vector3(axis);
+    let eye = file.world_from_camera.w_axis.truncate();
+    Camera {
+        eye,
+        target: eye + axis(DVec3::NEG_Z).normalize_or_zero() * distance,
+        up: axis(DVec3::Y),
+        projection: match file.projection {
+            FileProjection::Perspective(angle) => Projection::Perspective(Radians(angle)),
+            FileProjection::Orthographic(height) => Projection::Orthographic(height),
+        },
+        near: file.near,
+    }
+}
+
+/// A light of `KHR_lights_punctual`: 1/d², within its range if it has one; a spot fades from its inner to its outer
+/// cone. Its intensity is divided by π: as the standard has it, a white surface under 1 lux shows 1/π.
+fn light(file: &FileLight) -> Light {
+    let map = file.world_from_light;
+    let (position, along) = (map.w_axis.truncate(), map.transform_vector3(DVec3::NEG_Z));
+    let colour = LinearRgb::from(file.colour) * (file.intensity * PER_LUX);
+    let attenuation = match file.range {
+        Some(range) => Attenuation::InverseSquareWithin { range },
+        None => Attenuation::InverseSquare,
+    };
+    match file.kind {
+        FileLightKind::Directional => Light::Directional { towards: -along, colour },
+        FileLightKind::Point => Light::Point { position, colour, attenuation },
+        FileLightKind::Spot { inner, outer } => {
+            // Single precision writes a right angle a little too large.
+            let outer = if (FRAC_PI_2..FRAC_PI_2 + 1e-6).contains(&outer) { FRAC_PI_2 } else { outer };
+            let soft_edge = Radians(outer - inner);
+            let cone = Cone { axis: along, cut_off: Radians(outer), soft_edge, exponent: 0.0 };
+            Light::Spot { position, colour, attenuation, cone }
+        }
+    }
+}
+
+/// The first camera of a file, `distance` away from its target, and its lights, `None` if it has none. What makes no
+/// sense is left out with a note.
+pub(super) fn view(
+    looks: &Appearance,
+    distance: impl Fn(DVec3) -> f64,
+    notes: &mut Vec<Note>,
+) -> (Option<Camera>, Option<Vec<Light>>) {
+    let mut cameras = Vec::new();
+    for file in &looks.cameras {
+        let camera = camera(file, distance(file.world_from_camera.w_axis.truncate()));
+        match camera.check() {
+            Ok(()) => cameras.push(camera),
+            Err(error) => notes.push(left_out("camera", &file.name, &error)),
+        }
+    }
+    if cameras.len() > 1 {
+        notes.push(Note::remark(format!("the first of {} cameras is taken", cameras.len())));
+    }
+    let mut lights = Vec::new();
+    for (number, file) in looks.lights.iter().enumerate() {
+        let light = light(file);
+        match light.check(number) {
+            Ok(()) => lights.push(light),
+            Err(error) => notes.push(left_out("light", &file.name, &error)),
+        }
+    }
+    (cameras.first().copied(), (!lights.is_empty()).then_some(lights))
+}
+
+fn left_out(what: &str, name: &str, error: &dyn std::error::Error) -> Note {
+    Note::remark(format!("the {what} `{name}` is left out: {error}"))
+}

@@ -1,0 +1,136 @@
+//! Meshes of several materials, taken apart.
+
+use super::SceneMesh;
+use crate::mesh::{Column, Columns, Faces, MeshBuilder, NONE};
+use crate::normals::{Faults, NormalField};
+
+/// The faces of a mesh by their label, in the order of the labels ([`NONE`] last): each a mesh of its own with the
+/// vertices that it uses, in their old order, and the normals that the whole had there. `None` if all faces have the
+/// same label.
+pub(super) fn by_label(whole: &SceneMesh, of_face: &[u32]) -> Option<Vec<(u32, SceneMesh)>> {
+    let first = *of_face.first()?;
+    if of_face.iter().all(|&label| label == first) {
+        return None;
+    }
+    let mut faces: Vec<u32> = (0..of_face.len() as u32).collect();
+    faces.sort_by_key(|&face| of_face[face as usize]);
+    let runs = faces.chunk_by(|&a, &b| of_face[a as usize] == of_face[b as usize]);
+    let mut renumber = Renumber { vertices: vec![NONE; whole.mesh.vertex_count()], ..Renumber::default() };
+    renumber.values = vec![NONE; whole.normals.normals.values.len()];
+    Some(runs.map(|faces| (of_face[faces[0] as usize], renumber.part(whole, faces))).collect())
+}
+
+/// New numbers of vertices and of values, [`NONE`] between parts.
+#[derive(Default)]
+struct Renumber {
+    vertices: Vec<u32>,
+    values: Vec<u32>,
+}
+
+impl Renumber {
+    fn part(&mut self, whole: &SceneMesh, faces: &[u32]) -> SceneMesh {
+        let (mesh, field) = (&whole.mesh, &whole.normals);
+        let corners = || faces.iter().flat_map(|&face| mesh.faces().range(face as usize));
+        let vertex_of = |corner: usize| mesh.faces().corners()[corner];
+        let slot_of = |corner: usize| field.normals.slot(corner, vertex_of(corner));
+        let kept_vertices = number(&mut self.vertices, corners().map(vertex_of));
+        let kept_values = number(&mut self.values, corners().filter_map(slot_of));
+
+        let mut part_faces = Faces::with_capacity(corners().count());
+        let mut face_vertices = Vec::new();
+        for &face in faces {
+            face_vertices.clear();
+            let vertices = mesh.faces().face(face as usize).iter();
+            face_vertices.extend(vertices.map(|&vertex| self.vertices[vertex as usize]));
+            part_faces.push(&face_vertices);
+        }
+        let index = corners().map(|corner| slot_of(corner).map_or(NONE, |slot| self.values[slot as usize]));
+        let values = kept_values.iter().map(|&value| field.normals.values[value as usize]).collect();
+        let normals = Column::per_corner(values, index.collect());
+        let mut entry_vertex = vec![0; kept_values.len()];
+        for (corner, &vertex) in part_faces.corners().iter().enumerate().rev() {
+            if let Some(slot) = normals.slot(corner, vertex) {
+                entry_vertex[slot as usize] = vertex;
+            }
+        }
+        let normals = NormalField {
+            normals,
+            entry_vertex,
+            face_normals: faces.iter().map(|&face| field.face_normals[face as usize]).collect(),
+            morph_normals: Vec::new(),
+            // Their numbers are those of the whole.
+            faults: Faults::default(),
+            summary: field.summary,
+        };
+        let builder = MeshBuilder {
+            positions: kept_vertices.iter().map(|&vertex| mesh.positions()[vertex as usize]).collect(),
+            storage: mesh.storage(),
+            faces: part_faces,
+            columns: Columns::default(),
+        };
+        let colours = whole.colours.as_ref();
+        let colours =
+            colours.map(|colours| kept_vertices.iter().map(|&vertex| colours[vertex as usize]).collect());
+        let source = |&face: &u32| whole.source_faces.as_ref().map_or(face, |faces| faces[face as usize]);
+        let source_faces = Some(faces.iter().map(source).collect());
+        kept_vertices.iter().for_each(|&vertex| self.vertices[vertex as usize] = NONE);
+        kept_values.iter().for_each(|&value| self.values[value as usize] = NONE);
+        let mesh = builder.build().expect("part of a mesh that was checked");
+        SceneMesh { mesh, normals, colours, source_faces }
+    }
+}
+
+/// Numbers what is used in ascending order, and returns it.
+fn number(numbers: &mut [u32], used: impl Iterator<Item = u32>) -> Vec<u32> {
+    let mut kept: Vec<u32> = Vec::new();
+    for old in used {
+        if numbers[old as usize] == NONE {
+            numbers[old as usize] = 0;
+            kept.push(old);
+        }
+    }
+    kept.sort_unstable();
+    kept.iter().zip(0..).for_each(|(&old, new)| numbers[old as usize] = new);
+    kept
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::{Format, ReadOptions, read_bytes};
+    use crate::raster::load::LoadOptions;
+
+    #[test]
+    fn parts_keep_what_they_had_in_the_whole() {
+        let text = "v 0 0 0 1 0 0\nv 1 0 0\nv 1 1 0 0 1 0\nv 0 1 0\nv 2 0 1\nv 2 1 1 0 0 1\nv 9 9 9\n\
+            f 1 2 3\nusemtl b\nf 2 5 6 3\nusemtl a\nf 1 3 4\nusemtl b\nf 6 5 2\n";
+        let loaded = read_bytes(text.into(), Some(Format::Obj), None, &ReadOptions::default()).unwrap();
+        let part = loaded.parts[0].clone();
+        let labels = part.mesh.columns().materials.clone().unwrap();
+        let whole = SceneMesh::new(part, Format::Obj, &LoadOptions::default());
+        let parts = by_label(&whole, &labels.of_face).unwrap();
+        let found: Vec<_> = parts.iter().map(|(label, part)| (*label, part.source_faces.clone())).collect();
+        assert_eq!(found, [(0, Some(vec![1, 3])), (1, Some(vec![2])), (NONE, Some(vec![0]))]);
+        for (_, part) in &parts {
+            let (mesh, normals) = (&part.mesh, &part.normals);
+            for (face, &source) in part.source_faces.as_ref().unwrap().iter().enumerate() {
+                assert_eq!(normals.face_normals[face], whole.normals.face_normals[source as usize]);
+                let (here, there) = (mesh.faces().range(face), whole.mesh.faces().range(source as usize));
+                for (corner, old) in here.zip(there) {
+                    let (vertex, was) = (mesh.faces().corners()[corner], whole.mesh.faces().corners()[old]);
+                    assert_eq!(mesh.positions()[vertex as usize], whole.mesh.positions()[was as usize]);
+                    assert_eq!(normals.normals.get(corner, vertex), whole.normals.normals.get(old, was));
+                    let colour =
+                        |mesh: &SceneMesh, vertex: u32| mesh.colours.as_ref().unwrap()[vertex as usize];
+                    assert_eq!(colour(part, vertex), colour(&whole, was));
+                }
+            }
+            let slots = normals.normals.corner_index(mesh.faces().corners());
+            let used = |list: &[u32], count: usize| (0..count as u32).all(|number| list.contains(&number));
+            assert!(
+                used(mesh.faces().corners(), mesh.vertex_count()) && used(&slots, normals.entry_vertex.len())
+            );
+        }
+        assert!(by_label(&whole, &[7, 7, 7, 7]).is_none());
+    }
+}
