@@ -1,6 +1,7 @@
 //! What may be typed. Nothing here looks at a file; [`request`](super::request) decides what it all means.
 
 use super::choice::{Choice, Choices};
+use super::render::RenderArgs;
 use super::surface::SurfaceArgs;
 use clap::{ArgGroup, Args, Parser, Subcommand};
 use crease::io::{Emit, Format, NormalFormat, TangentPolicy};
@@ -28,7 +29,7 @@ Examples:
   cat part.stl | crease normals - --format stl --to ply -o - > part.ply
   crease normals part.stl --emit face --json";
 
-/// Mesh normals: compute them, split them at creases, write them back losslessly.
+/// Mesh normals: compute them, split them at creases, write them back losslessly, draw what they look like.
 #[derive(Parser)]
 #[command(name = "crease", version, after_help = EXIT_CODES, max_term_width = 110)]
 pub struct Cli {
@@ -43,6 +44,7 @@ pub struct Cli {
 #[derive(Subcommand)]
 pub enum Verb {
     Normals(Box<NormalsArgs>),
+    Render(Box<RenderArgs>),
     Surface(Box<SurfaceArgs>),
     /// Print a completion script for a shell
     Completions {
@@ -260,7 +262,7 @@ pub const EMITS: &[Choice<Emit>] = &[
     ("face", Emit::Face, "one per face: PLY face properties, STL facets, or rows of the JSON report"),
 ];
 
-const WEIGHTS: &[Choice<Weight>] = &[
+pub const WEIGHTS: &[Choice<Weight>] = &[
     ("uniform", Weight::Uniform, "all alike (Gouraud 1971)"),
     ("area", Weight::Area, "area of the face"),
     ("angle", Weight::Angle, "angle of the face at the corner (Thürmer & Wüthrich 1998)"),
@@ -332,7 +334,7 @@ const NORMAL_FORMATS: &[Choice<NormalFormat>] = &[
     ("i8", NormalFormat::I8, "8-bit integers (KHR_mesh_quantization)"),
 ];
 
-fn crease_angle(text: &str) -> Result<Degrees, String> {
+pub fn crease_angle(text: &str) -> Result<Degrees, String> {
     if text == "off" {
         let Crease::Angle(off) = Crease::OFF else { unreachable!("off is an angle") };
         return Ok(off);

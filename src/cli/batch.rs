@@ -48,7 +48,7 @@ pub fn run(request: &Request, console: &Console) -> Exit {
 /// What a failure means to the caller of the program.
 pub fn exit_of(failure: &Failure) -> Exit {
     match failure {
-        Failure::Read(_) | Failure::Internal(_) => Exit::BadInput,
+        Failure::Read(_) | Failure::Draw(_) | Failure::Internal(_) => Exit::BadInput,
         Failure::Write(_) => Exit::OutputFailed,
     }
 }
@@ -67,7 +67,7 @@ fn tell(report: &Report, job: &Job, request: &Request, console: &Console) {
         return;
     }
     let brief = request.jobs.len() > 1 && console.verbosity < Verbosity::Verbose;
-    notes::print(report, brief, console);
+    notes::print(&report.input.path, &report.notes, brief, console);
     if report.error.is_none() {
         console.report(&if brief {
             text::line(report, console.report_style())

@@ -1,5 +1,6 @@
 //! The command-line program: what was typed ([`args`]) becomes a checked [`request`], which is carried out input
-//! by input ([`batch`], [`normals`]) and told about ([`report`], [`text`]). Other verbs have a module each ([`surface`]).
+//! by input ([`batch`], [`normals`]) and told about ([`report`], [`text`]). Other verbs have a module each ([`render`],
+//! [`surface`]).
 
 mod args;
 mod batch;
@@ -11,6 +12,7 @@ mod normals;
 mod notes;
 mod output;
 mod progress;
+mod render;
 mod report;
 mod request;
 mod surface;
@@ -37,6 +39,7 @@ pub fn main() -> ExitCode {
     let cli = Cli::parse();
     let exit = match cli.verb {
         Verb::Normals(ref args) => normals_verb(args, &cli),
+        Verb::Render(ref args) => render::main(args, cli.color),
         Verb::Surface(ref args) => surface::main(args, cli.color),
         Verb::Completions { shell } => docs::completions(shell),
         Verb::Man { ref verb } => docs::manual(verb.as_deref()),

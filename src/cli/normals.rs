@@ -16,6 +16,8 @@ use std::time::Instant;
 #[derive(Debug)]
 pub enum Failure {
     Read(ReadError),
+    /// The input was read, but cannot be drawn.
+    Draw(String),
     Write(String),
     /// A fault of this program.
     Internal(String),
@@ -90,15 +92,16 @@ fn read(
             io::read(path, job.format, &request.read)
         }
         Source::Stdin => {
-            let bytes = read_stdin(&request.read.limits, progress)?;
+            let bytes = read_stdin(&request.read.limits, |bytes| progress.came(bytes))?;
             report.input.bytes = Some(bytes.len() as u64);
             io::read_bytes(bytes, job.format, None, &request.read)
         }
     }
 }
 
-fn read_stdin(limits: &Limits, progress: &FileProgress<'_>) -> Result<Vec<u8>, ReadError> {
-    /// Bytes that are read before the bar moves on.
+/// All of standard input; `came` is told of every piece.
+pub fn read_stdin(limits: &Limits, came: impl Fn(u64)) -> Result<Vec<u8>, ReadError> {
+    /// Bytes that make a piece.
     const PIECE: u64 = 1 << 20;
     let mut stdin = std::io::stdin().lock();
     let fail = |problem, found: String, advice: &str| ReadError::new(problem, Place::File, found, advice);
@@ -114,7 +117,7 @@ fn read_stdin(limits: &Limits, progress: &FileProgress<'_>) -> Result<Vec<u8>, R
         let read = stdin.by_ref().take(PIECE).read_to_end(&mut bytes);
         match read {
             Ok(0) => return Ok(bytes),
-            Ok(more) => progress.came(more as u64),
+            Ok(more) => came(more as u64),
             Err(error) => {
                 let advice = "check the command before the pipe";
                 return Err(fail(Problem::Io, format!("could not read standard input: {error}"), advice));

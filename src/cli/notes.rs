@@ -1,23 +1,23 @@
 //! Notes on an input, for people.
 
 use super::console::{Console, Verbosity};
-use super::report::{NoteReport, PlaceReport, Report};
+use super::report::{NoteReport, PlaceReport};
 
 /// How many notes of an input are printed unless all are asked for.
 const NOTES: usize = 20;
 
 /// Prints the notes of an input: when brief, warnings only.
-pub fn print(report: &Report, brief: bool, console: &Console) {
+pub fn print(path: &str, notes: &[NoteReport], brief: bool, console: &Console) {
     let all = console.verbosity == Verbosity::Verbose;
     let most = if all { usize::MAX } else { NOTES };
-    let wanted: Vec<_> = report.notes.iter().filter(|note| !brief || note.severity == "warning").collect();
+    let wanted: Vec<_> = notes.iter().filter(|note| !brief || note.severity == "warning").collect();
     for note in wanted.iter().take(most) {
         let at = note.place.as_ref().map_or(String::new(), |at| format!("{}: ", place(at)));
-        let text = format!("{}: {at}{}{}", report.input.path, note.text, more_like_it(note, all));
+        let text = format!("{}: {at}{}{}", path, note.text, more_like_it(note, all));
         if note.severity == "warning" { console.warning(&text) } else { console.note(&text) }
     }
     if wanted.len() > most {
-        console.note(&format!("{}: {} more; -v shows them", report.input.path, wanted.len() - most));
+        console.note(&format!("{}: {} more; -v shows them", path, wanted.len() - most));
     }
 }
 

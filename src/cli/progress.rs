@@ -1,4 +1,4 @@
-//! A bar for long work: bytes of input done, their rate, and the time left.
+//! Bars for long work: what is done of it, its rate, and the time left.
 
 use super::console::Console;
 use super::inputs::Source;
@@ -13,11 +13,24 @@ use std::time::Duration;
 /// Nobody has to be told about work that is over sooner.
 const SHORT: Duration = Duration::from_secs(1);
 
+const FRAMES_TEMPLATE: &str = "drawing [{wide_bar}] {pos}/{len} frames, {eta} left";
 const TEMPLATE: &str = "{spinner} {msg} [{wide_bar}] {bytes}/{total_bytes}{rate_and_left}";
 
 /// The bar of a run; it does nothing where it would not be seen.
 #[derive(Debug)]
 pub struct Progress {
+    late: LateBar,
+}
+
+/// The bar of an animation: its frames.
+#[derive(Debug)]
+pub struct FrameProgress {
+    late: LateBar,
+}
+
+/// A bar that is seen once work has taken a while.
+#[derive(Debug)]
+struct LateBar {
     bar: ProgressBar,
     /// Shows the bar after a while, unless the sender is gone by then.
     waiting: Option<(Sender<()>, JoinHandle<()>)>,
@@ -43,18 +56,56 @@ pub enum Stage {
 
 impl Progress {
     pub fn new(console: &Console, jobs: &[Job]) -> Self {
-        let total = jobs.iter().map(size).sum();
         if !console.may_show_progress() {
-            return Self { bar: ProgressBar::hidden(), waiting: None };
+            return Self { late: LateBar::hidden() };
         }
-        Self::after(SHORT, total, ProgressDrawTarget::stderr())
+        Self::after(SHORT, jobs.iter().map(size).sum(), ProgressDrawTarget::stderr())
     }
 
     /// A bar that is shown after a delay.
     fn after(delay: Duration, total: u64, target: ProgressDrawTarget) -> Self {
-        let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::hidden());
         let style = ProgressStyle::with_template(TEMPLATE).expect("a right template");
-        bar.set_style(style.with_key("rate_and_left", rate_and_left));
+        let style = style.with_key("rate_and_left", rate_and_left);
+        Self { late: LateBar::after(delay, total, style, target) }
+    }
+
+    /// Begins with an input.
+    pub fn begin(&self, job: &Job) -> FileProgress<'_> {
+        let bar = &self.late.bar;
+        FileProgress { bar, start: bar.position(), bytes: AtomicU64::new(size(job)) }
+    }
+
+    /// Prints something while the bar is away.
+    pub fn suspended(&self, print: impl FnOnce()) {
+        self.late.bar.suspend(print);
+    }
+}
+
+impl FrameProgress {
+    /// A bar over so many frames; none for one.
+    pub fn new(console: &Console, frames: u64) -> Self {
+        if frames < 2 || !console.may_show_progress() {
+            return Self { late: LateBar::hidden() };
+        }
+        let style = ProgressStyle::with_template(FRAMES_TEMPLATE).expect("a right template");
+        Self { late: LateBar::after(SHORT, frames, style, ProgressDrawTarget::stderr()) }
+    }
+
+    /// One more is done.
+    pub fn done(&self) {
+        self.late.bar.inc(1);
+    }
+}
+
+impl LateBar {
+    /// A bar that is never seen.
+    fn hidden() -> Self {
+        Self { bar: ProgressBar::hidden(), waiting: None }
+    }
+
+    fn after(delay: Duration, total: u64, style: ProgressStyle, target: ProgressDrawTarget) -> Self {
+        let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::hidden());
+        bar.set_style(style);
         let (sender, receiver) = mpsc::channel::<()>();
         let shown = bar.clone();
         let thread = thread::spawn(move || {
@@ -64,16 +115,6 @@ impl Progress {
             }
         });
         Self { bar, waiting: Some((sender, thread)) }
-    }
-
-    /// Begins with an input.
-    pub fn begin(&self, job: &Job) -> FileProgress<'_> {
-        FileProgress { bar: &self.bar, start: self.bar.position(), bytes: AtomicU64::new(size(job)) }
-    }
-
-    /// Prints something while the bar is away.
-    pub fn suspended(&self, print: impl FnOnce()) {
-        self.bar.suspend(print);
     }
 }
 
@@ -109,7 +150,7 @@ impl Drop for FileProgress<'_> {
     }
 }
 
-impl Drop for Progress {
+impl Drop for LateBar {
     fn drop(&mut self) {
         if let Some((sender, thread)) = self.waiting.take() {
             drop(sender);
@@ -211,10 +252,11 @@ mod tests {
         file.stage(Stage::Read);
         file.came(600);
         file.came(300);
-        assert_eq!((progress.bar.length(), progress.bar.position()), (Some(900), 300));
+        let bar = &progress.late.bar;
+        assert_eq!((bar.length(), bar.position()), (Some(900), 300));
         file.stage(Stage::Write);
-        assert_eq!(progress.bar.position(), 600);
+        assert_eq!(bar.position(), 600);
         drop(file);
-        assert_eq!(progress.bar.position(), 900);
+        assert_eq!(bar.position(), 900);
     }
 }

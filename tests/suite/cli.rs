@@ -14,12 +14,12 @@ use std::process::Output;
 use tempfile::TempDir;
 
 /// A file of `data/`.
-fn data(name: &str) -> PathBuf {
+pub(crate) fn data(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("data").join(name)
 }
 
 /// The program, with an environment that does not speak of colour.
-fn crease() -> Command {
+pub(crate) fn crease() -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_crease"));
     for name in ["NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE"] {
         command.env_remove(name);
@@ -39,20 +39,20 @@ fn succeed<A: AsRef<OsStr>>(args: impl IntoIterator<Item = A>) -> Output {
     output
 }
 
-fn code(output: &Output) -> i32 {
+pub(crate) fn code(output: &Output) -> i32 {
     output.status.code().expect("no signal")
 }
 
-fn text(bytes: &[u8]) -> &str {
+pub(crate) fn text(bytes: &[u8]) -> &str {
     std::str::from_utf8(bytes).unwrap()
 }
 
-fn path(path: impl AsRef<Path>) -> String {
+pub(crate) fn path(path: impl AsRef<Path>) -> String {
     path.as_ref().to_str().unwrap().to_owned()
 }
 
 /// A folder with some files in it.
-fn folder(files: &[(&str, &str)]) -> TempDir {
+pub(crate) fn folder(files: &[(&str, &str)]) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
     for (name, content) in files {
         let path = folder.path().join(name);
@@ -63,7 +63,7 @@ fn folder(files: &[(&str, &str)]) -> TempDir {
 }
 
 /// All files below a folder, sorted, relative to it.
-fn names(folder: &Path) -> Vec<String> {
+pub(crate) fn names(folder: &Path) -> Vec<String> {
     let mut found = Vec::new();
     let mut open = vec![folder.to_path_buf()];
     while let Some(next) = open.pop() {
@@ -80,5 +80,5 @@ fn names(folder: &Path) -> Vec<String> {
     found
 }
 
-const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-const BAD: &str = "v 0 0 0\nf 1 2 3\n";
+pub(crate) const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+pub(crate) const BAD: &str = "v 0 0 0\nf 1 2 3\n";

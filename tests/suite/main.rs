@@ -21,6 +21,7 @@ mod ply;
 mod random;
 mod raster;
 mod reference;
+mod render;
 mod shade;
 mod stl;
 mod surface;

@@ -72,6 +72,7 @@ impl ErrorReport {
             Failure::Read(error) => {
                 Self { kind: "input", message: error.to_string(), input: Some(InputError::new(error)) }
             }
+            Failure::Draw(message) => Self { kind: "input", message: message.clone(), input: None },
             Failure::Write(message) => Self { kind: "output", message: message.clone(), input: None },
             Failure::Internal(message) => Self {
                 kind: "internal",
@@ -94,6 +95,11 @@ impl NoteReport {
             more: note.more,
             also: note.also.iter().filter_map(PlaceReport::new).collect(),
         }
+    }
+
+    /// A warning about the input as a whole.
+    pub fn warning(text: String) -> Self {
+        Self { severity: "warning", place: None, text, more: 0, also: Vec::new() }
     }
 }
 

@@ -94,6 +94,14 @@ impl SceneFile {
         scene
     }
 
+    /// The mesh of an object, by its number; `None` for analytic surfaces and beyond the last object.
+    pub fn mesh_of(&self, object: usize) -> Option<&SceneMesh> {
+        match self.objects.get(object)?.shape {
+            SceneShape::Mesh(mesh) => self.meshes.get(mesh),
+            SceneShape::Surface(_) => None,
+        }
+    }
+
     fn object<'a>(&'a self, object: &SceneObject) -> Object<'a> {
         let (shape, colours) = match object.shape {
             SceneShape::Mesh(number) => {

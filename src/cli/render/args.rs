@@ -1,0 +1,311 @@
+//! What may be typed after `render`.
+
+use super::fields::{self, CameraChange};
+use super::values::{self, GuardSwitch};
+use crate::cli::args::{EXIT_CODES, FORMATS, RunArgs, WEIGHTS, WHENS, crease_angle};
+use crate::cli::choice::{Choice, Choices};
+use clap::Args;
+use crease::io::Format;
+use crease::normals::{Weight, When};
+use crease::num::{Degrees, LinearRgb, Transfer};
+use crease::raster::{Bits, Cull, FlatSample, Interpolation, Samples, Shading, Show};
+use crease::report::Overlay;
+use crease::shade::{Light, Material, ToneRule};
+use glam::DVec3;
+use std::path::PathBuf;
+
+const EXAMPLES: &str = "\
+Examples:
+  crease render bunny.obj -o bunny.png
+  crease render gear.obj --shading flat --overlay wire,creases -o gear.png --size 1280x960
+  crease render ball.glb --compare flat,gouraud,phong -o panels.png
+  crease render quad.obj --shading gouraud --interpolation scanline --rotate 0,0,45 -o quad.png
+  crease render part.stl --camera 'eye=3,2,5 target=0,0,0 angle=40' --light 'point position=2,4,3' -o part.png
+  crease render scene.toml --probe 320,240
+  crease render teapot.obj --turntable 36 -o spin.gif";
+
+const SYNTAX: &str = "\
+Cameras, lights and materials are words KEY=VALUE between spaces, in quotes for the shell; vectors are X,Y,Z:
+  --camera    eye=V target=V up=V angle=DEG (from top to bottom) or height=N (parallel projection) near=N;
+              what is left out stays as it is
+  --light     directional towards=V
+              point       position=V
+              spot        position=V axis=V [cut-off=DEG] [soft-edge=DEG] [exponent=N]
+              rectangle   centre=V u=V v=V (from the middle to the middles of two sides; it shines to u × v)
+              disc        centre=V normal=V radius=N
+              each with [colour=C], point and spot with
+              [attenuation=none|inverse-square|inverse-square:RANGE|offset:K|KC,KL,KQ]
+  --material  [colour=C] [ka=N] [kd=N] [ks=N] [highlight=C] [exponent=N]
+Colours are #rrggbb (sRGB), or linear light: R,G,B, or one number for a grey.";
+
+/// Draw a mesh or a scene
+///
+/// A mesh is framed by itself, lit by a key light and drawn with the normals that `crease normals` would write. A scene
+/// (TOML or glTF) brings its camera, lights and settings; options override them.
+#[derive(Args)]
+#[command(
+    after_help = EXAMPLES,
+    after_long_help = format!("{SYNTAX}\n\n{EXAMPLES}\n\n{EXIT_CODES}")
+)]
+pub struct RenderArgs {
+    /// A mesh, a glTF file, a scene in TOML, or `-` for a mesh from standard input
+    #[arg(value_name = "INPUT")]
+    pub input: PathBuf,
+
+    #[command(flatten)]
+    pub output: PictureArgs,
+    #[command(flatten)]
+    pub shading: ShadingArgs,
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    #[command(flatten)]
+    pub normals: NormalArgs,
+    #[command(flatten)]
+    pub colour: ColourArgs,
+    #[command(flatten)]
+    pub run: RunArgs,
+}
+
+#[derive(Args)]
+#[command(next_help_heading = "Input and output")]
+pub struct PictureArgs {
+    /// Write the picture to this PNG or GIF file, or to standard output with `-`
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+
+    /// Format of the input, where its name cannot tell [default: by name, else by content]
+    #[arg(long, value_name = "FORMAT", value_parser = Choices(FORMATS))]
+    pub format: Option<Format>,
+
+    /// Companion files (meshes of a scene, MTL, glTF buffers) may be read from this folder and below [default: the
+    /// input's folder]
+    #[arg(long, value_name = "DIR")]
+    pub root: Option<PathBuf>,
+
+    /// Width and height in pixels, each up to 16384; with --compare those of each panel [default: 640x480]
+    #[arg(long, value_name = "WxH", value_parser = values::size)]
+    pub size: Option<[u32; 2]>,
+
+    /// Places looked at in each pixel, each shaded by itself; 4, 8 and 16 are the patterns of Direct3D [default: 4;
+    /// of scenes 1]
+    #[arg(long, value_name = "N", value_parser = Choices(SAMPLES))]
+    pub samples: Option<Samples>,
+
+    /// Bits of each component [default: 8]
+    #[arg(long, value_name = "N", value_parser = Choices(BITS))]
+    pub bits: Option<Bits>,
+
+    /// Draw panels side by side that differ in shading or interpolation, as --compare flat,gouraud,phong,exact or
+    /// --compare scanline,affine,perspective
+    #[arg(long, value_name = "WHAT,WHAT", value_parser = Choices(VARIANTS), value_delimiter = ',',
+          conflicts_with_all = ["shading", "turntable", "probe"])]
+    pub compare: Vec<Variant>,
+
+    /// Draw an animation of N frames: one turn about the upright axis; the light stays. Needs a GIF output
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=720), conflicts_with = "probe")]
+    pub turntable: Option<u16>,
+
+    /// Tell the numbers behind a pixel, counted from 0 at the upper left: what is seen, N, L, V, R, H, every term
+    #[arg(long, value_name = "X,Y", value_parser = values::pixel, conflicts_with_all = ["show", "overlay"])]
+    pub probe: Option<[u32; 2]>,
+}
+
+#[derive(Args)]
+#[command(next_help_heading = "Shading")]
+pub struct ShadingArgs {
+    /// Where colours are computed [default: phong]
+    #[arg(long, value_name = "HOW", value_parser = Choices(SHADINGS))]
+    pub shading: Option<Shading>,
+
+    /// How values at the corners of a face spread over it [default: perspective]
+    #[arg(long, value_name = "HOW", value_parser = Choices(INTERPOLATIONS))]
+    pub interpolation: Option<Interpolation>,
+
+    /// Whose highlight; or the colours that the file gives its vertices, unlit [default: blinn]
+    #[arg(long, value_name = "WHOSE", value_parser = Choices(REFLECTIONS))]
+    pub reflection: Option<ReflectionChoice>,
+
+    /// Exponent of the highlight, 0 or more: the larger, the smaller the highlight [default: 32]
+    #[arg(long, value_name = "N", value_parser = values::not_negative, allow_negative_numbers = true)]
+    pub exponent: Option<f64>,
+
+    /// Where flat faces are lit [default: centroid]
+    #[arg(long, value_name = "WHERE", value_parser = Choices(FLAT_SAMPLES))]
+    pub flat_sample: Option<FlatSample>,
+
+    /// Show, in place of light: `normals` (n + 1)/2; `facing` front green, back red; `depth` white near, black far;
+    /// `face-id` a colour for each face; `deviation[=DEG]` the angle between interpolated and true normal, from black
+    /// over red and yellow to white at 15° or the angle given
+    #[arg(long, value_name = "WHAT", value_parser = values::show)]
+    pub show: Option<Show>,
+
+    /// Draw lines over the picture, hidden where a surface is in front
+    #[arg(long, value_name = "WHAT,WHAT", value_parser = Choices(OVERLAYS), value_delimiter = ',')]
+    pub overlay: Vec<Overlay>,
+
+    /// Leave out faces by the side that is seen [default: none]
+    #[arg(long, value_name = "WHICH", value_parser = Choices(CULLS))]
+    pub cull: Option<Cull>,
+
+    /// Light faces seen from behind on that side
+    #[arg(long)]
+    pub two_sided: bool,
+}
+
+#[derive(Args)]
+#[command(next_help_heading = "Scene")]
+pub struct SceneArgs {
+    /// Change the camera [default: it frames the mesh, 30° from top to bottom]
+    #[arg(long, value_name = "CAMERA", value_parser = fields::camera)]
+    pub camera: Option<CameraChange>,
+
+    /// A light, in place of all that the scene has but ambient light; may be given several times
+    #[arg(long, value_name = "LIGHT", value_parser = fields::light)]
+    pub light: Vec<Light>,
+
+    /// Ambient light, in place of what the scene has
+    #[arg(long, value_name = "COLOUR", value_parser = values::colour)]
+    pub ambient: Option<LinearRgb>,
+
+    /// The material of all objects
+    #[arg(long, value_name = "MATERIAL", value_parser = fields::material)]
+    pub material: Option<Material>,
+
+    /// What is seen where there is nothing [default: black]
+    #[arg(long, value_name = "COLOUR", value_parser = values::colour)]
+    pub background: Option<LinearRgb>,
+
+    /// Turn the objects about the middle of their box by degrees, about the x axis first, then y, then z; camera and
+    /// light stay
+    #[arg(long, value_name = "X,Y,Z", value_parser = values::vector, allow_hyphen_values = true)]
+    pub rotate: Option<DVec3>,
+}
+
+#[derive(Args)]
+#[command(next_help_heading = "Normals (as `crease normals` has them)")]
+pub struct NormalArgs {
+    /// How much each face counts at a corner
+    #[arg(long, value_name = "WEIGHT", default_value = "angle", value_parser = Choices(WEIGHTS))]
+    pub weight: Weight,
+
+    /// Edges that bend by more than this many degrees stay sharp; `off` for none [default: 40 without smoothing groups]
+    #[arg(long, value_name = "DEG|off", value_parser = crease_angle, allow_negative_numbers = true)]
+    pub crease: Option<Degrees>,
+
+    /// Which normals of the file to replace
+    #[arg(long, value_name = "WHICH", default_value = "always", value_parser = Choices(WHENS))]
+    pub when: When,
+}
+
+#[derive(Args)]
+#[command(next_help_heading = "Formulas and numbers")]
+pub struct ColourArgs {
+    /// Switch one of the guards of the formulas that the literature leaves out: highlight, diffuse, spot, renormalise,
+    /// underflow; may be given several times
+    #[arg(long, value_name = "NAME=on|off", value_parser = values::guard)]
+    pub guard: Vec<GuardSwitch>,
+
+    /// Switch all guards off, but for those that --guard switches on
+    #[arg(long)]
+    pub literal: bool,
+
+    /// What becomes of colours over 1 [default: clamp]
+    #[arg(long, value_name = "RULE", value_parser = Choices(TONES))]
+    pub tone: Option<ToneRule>,
+
+    /// How linear light becomes codes [default: srgb; for --show normals and depth, direct]
+    #[arg(long, value_name = "CURVE", value_parser = Choices(TRANSFERS))]
+    pub transfer: Option<Transfer>,
+}
+
+/// One panel of `--compare`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Variant {
+    Shading(Shading),
+    Interpolation(Interpolation),
+}
+
+/// What `--reflection` takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ReflectionChoice {
+    Phong,
+    Blinn,
+    Given,
+}
+
+pub const SHADINGS: &[Choice<Shading>] = &[
+    ("flat", Shading::Flat, "once a face"),
+    ("gouraud", Shading::Gouraud, "at the corners; colours are interpolated (Gouraud 1971)"),
+    ("phong", Shading::Phong, "at every sample; normals are interpolated (Phong 1973)"),
+    ("wireframe", Shading::Wireframe, "nowhere: edges are drawn"),
+    ("exact", Shading::Exact, "at every sample, on the analytic surface that an object stands for"),
+];
+
+pub const INTERPOLATIONS: &[Choice<Interpolation>] = &[
+    (
+        "scanline",
+        Interpolation::Scanline,
+        "along the polygon's edges, then along the scanline: turns with the face",
+    ),
+    ("affine", Interpolation::Affine, "barycentric on triangles of the picture: ignores perspective"),
+    (
+        "perspective",
+        Interpolation::Perspective,
+        "barycentric on triangles of the scene: right under perspective",
+    ),
+];
+
+const VARIANTS: &[Choice<Variant>] = &[
+    ("flat", Variant::Shading(Shading::Flat), "flat shading"),
+    ("gouraud", Variant::Shading(Shading::Gouraud), "Gouraud shading"),
+    ("phong", Variant::Shading(Shading::Phong), "Phong shading"),
+    ("wireframe", Variant::Shading(Shading::Wireframe), "edges"),
+    ("exact", Variant::Shading(Shading::Exact), "the analytic surface"),
+    ("scanline", Variant::Interpolation(Interpolation::Scanline), "scanline interpolation"),
+    ("affine", Variant::Interpolation(Interpolation::Affine), "affine interpolation"),
+    ("perspective", Variant::Interpolation(Interpolation::Perspective), "perspective-correct interpolation"),
+];
+
+const REFLECTIONS: &[Choice<ReflectionChoice>] = &[
+    ("phong", ReflectionChoice::Phong, "(V·R)ⁿ with the mirrored ray (Phong 1973)"),
+    ("blinn", ReflectionChoice::Blinn, "(N·H)ⁿ with the half-vector (Blinn 1977)"),
+    ("given", ReflectionChoice::Given, "no light: the colours of vertices are interpolated"),
+];
+
+const FLAT_SAMPLES: &[Choice<FlatSample>] = &[
+    ("centroid", FlatSample::Centroid, "at the mean of the corners"),
+    ("vertex-mean", FlatSample::VertexMean, "at every corner; the face gets the mean of the colours"),
+];
+
+const OVERLAYS: &[Choice<Overlay>] = &[
+    ("wire", Overlay::Wire, "edges of faces"),
+    ("creases", Overlay::Creases, "edges whose sides have different normals"),
+    ("vertex-normals", Overlay::VertexNormals, "lines along the normals of vertices"),
+    ("face-normals", Overlay::FaceNormals, "lines along the normals of faces"),
+];
+
+const CULLS: &[Choice<Cull>] = &[
+    ("none", Cull::None, "none"),
+    ("back", Cull::Back, "those seen from behind"),
+    ("front", Cull::Front, "those seen from the front"),
+];
+
+pub const SAMPLES: &[Choice<Samples>] = &[
+    ("1", Samples::One, "the centre"),
+    ("4", Samples::Four, "a rotated square"),
+    ("8", Samples::Eight, "eight places, no two in a row or column"),
+    ("16", Samples::Sixteen, "sixteen, likewise"),
+];
+
+pub const BITS: &[Choice<Bits>] =
+    &[("8", Bits::Eight, "256 steps"), ("16", Bits::Sixteen, "65536 steps; PNG only")];
+
+pub const TONES: &[Choice<ToneRule>] = &[
+    ("clamp", ToneRule::Clamp, "each component is clamped to 1"),
+    ("max", ToneRule::DivideByMax, "the colour is divided by its largest component"),
+];
+
+pub const TRANSFERS: &[Choice<Transfer>] = &[
+    ("srgb", Transfer::Srgb, "the curve of sRGB"),
+    ("direct", Transfer::Direct, "the number itself, as the lectures have it"),
+];

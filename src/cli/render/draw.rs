@@ -1,0 +1,153 @@
+//! Drawing what was asked for: a picture, panels, or an animation.
+
+use super::args::{INTERPOLATIONS, SHADINGS, Variant};
+use super::request::{FileKind, Request, Subject};
+use super::turn;
+use crate::cli::choice::name_of;
+use crate::cli::progress::FrameProgress;
+use crease::num::Degrees;
+use crease::raster::{Image, RenderError, RenderSettings, Scene, SceneFile, Shading, Statistics, render};
+use crease::report::{Animation, Panel, Picture, ReportError, encode_png, overlay, panels};
+
+/// A picture as a file, and what was drawn for it.
+pub struct Drawn {
+    pub bytes: Vec<u8>,
+    pub size: [u32; 2],
+    pub drawings: Vec<Drawing>,
+    /// The image, if there is just one.
+    pub image: Option<Image>,
+}
+
+/// One drawing of the scene.
+pub struct Drawing {
+    /// What tells it from the others.
+    pub name: Option<String>,
+    pub statistics: Statistics,
+}
+
+/// Why there is no picture.
+#[derive(Debug)]
+pub enum DrawError {
+    Render(RenderError),
+    Report(ReportError),
+}
+
+impl From<RenderError> for DrawError {
+    fn from(error: RenderError) -> Self {
+        Self::Render(error)
+    }
+}
+
+impl From<ReportError> for DrawError {
+    fn from(error: ReportError) -> Self {
+        Self::Report(error)
+    }
+}
+
+/// Draws a changed scene, and turns it for an animation.
+pub fn draw(file: &mut SceneFile, request: &Request, progress: &FrameProgress) -> Result<Drawn, DrawError> {
+    match request.subject {
+        Subject::Picture => {
+            let image = image(file, &file.settings, request)?;
+            let drawings = vec![Drawing { name: None, statistics: image.statistics }];
+            let picture = Picture { size: image.size, pixels: image.pixels };
+            let bytes = match request.target {
+                Some(_) => as_file(&picture, &file.settings, request.file)?,
+                None => Vec::new(),
+            };
+            let image = Image { pixels: picture.pixels, ..image };
+            Ok(Drawn { bytes, size: image.size, drawings, image: Some(image) })
+        }
+        Subject::Panels(variants) => {
+            let (mut drawings, mut sheet) = (Vec::new(), Vec::new());
+            for variant in variants {
+                let settings = variant.settings(&file.settings);
+                let image = image(file, &settings, request)?;
+                drawings.push(Drawing { name: Some(variant.name().into()), statistics: image.statistics });
+                sheet.push(Panel { caption: variant.caption().into(), picture: image.into() });
+            }
+            let sheet = panels(&sheet)?;
+            let bytes = as_file(&sheet, &file.settings, request.file)?;
+            Ok(Drawn { bytes, size: sheet.size, drawings, image: None })
+        }
+        Subject::Turntable(frames) => turntable(file, frames, request, progress),
+    }
+}
+
+/// Draws a scene with the lines that are asked for over it.
+fn image(file: &SceneFile, settings: &RenderSettings, request: &Request) -> Result<Image, RenderError> {
+    let mut scene = file.scene();
+    add_overlays(&mut scene, settings, request);
+    render(&scene, settings)
+}
+
+fn add_overlays(scene: &mut Scene, settings: &RenderSettings, request: &Request) {
+    let kinds = &request.args.shading.overlay;
+    let lines: Vec<_> = kinds.iter().map(|&kind| overlay(scene, settings.size, kind)).collect();
+    scene.lines.extend(lines);
+}
+
+fn as_file(picture: &Picture, settings: &RenderSettings, kind: FileKind) -> Result<Vec<u8>, ReportError> {
+    match kind {
+        FileKind::Png => encode_png(picture, settings.transfer),
+        FileKind::Gif => {
+            let mut animation = Animation::default();
+            animation.push(picture.clone())?;
+            animation.encode_gif(0)
+        }
+    }
+}
+
+/// Hundredths of a second that a whole turn takes, and the shortest time of a frame that viewers heed.
+const TURN: u16 = 400;
+const SHORTEST: u16 = 2;
+
+fn turntable(
+    file: &mut SceneFile,
+    frames: u16,
+    request: &Request,
+    progress: &FrameProgress,
+) -> Result<Drawn, DrawError> {
+    let pivot = turn::pivot(file);
+    let placed: Vec<_> = file.objects.iter().map(|object| object.transform).collect();
+    let up = file.scene().camera.up;
+    let mut animation = Animation::default();
+    let mut drawings = Vec::new();
+    for frame in 0..frames {
+        let angle = Degrees(360.0 * f64::from(frame) / f64::from(frames));
+        // Each frame turns from the start: roundings do not add up.
+        file.objects.iter_mut().zip(&placed).for_each(|(object, &transform)| object.transform = transform);
+        turn::turn(file, turn::about(up, angle), pivot);
+        let image = image(file, &file.settings, request)?;
+        drawings.push(Drawing { name: Some(format!("{}°", angle.0)), statistics: image.statistics });
+        animation.push(image.into())?;
+        progress.done();
+    }
+    let bytes = animation.encode_gif((TURN / frames).max(SHORTEST))?;
+    Ok(Drawn { bytes, size: file.settings.size, drawings, image: None })
+}
+
+impl Variant {
+    fn settings(self, settings: &RenderSettings) -> RenderSettings {
+        match self {
+            Variant::Shading(shading) => RenderSettings { shading, ..*settings },
+            Variant::Interpolation(interpolation) => RenderSettings { interpolation, ..*settings },
+        }
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Variant::Shading(shading) => name_of(SHADINGS, &shading),
+            Variant::Interpolation(interpolation) => name_of(INTERPOLATIONS, &interpolation),
+        }
+    }
+
+    /// Its name as books write it.
+    fn caption(self) -> &'static str {
+        match self {
+            Variant::Shading(Shading::Gouraud) => "Gouraud",
+            Variant::Shading(Shading::Phong) => "Phong",
+            _ => self.name(),
+        }
+    }
+}

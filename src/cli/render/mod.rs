@@ -1,0 +1,139 @@
+//! The verb `render`: load a scene, change it as asked, draw it, store the picture, tell about it.
+
+mod args;
+mod draw;
+mod fields;
+mod report;
+mod request;
+mod text;
+mod turn;
+mod values;
+
+pub use args::RenderArgs;
+
+use super::args::Color;
+use super::batch::{exit_of, guarded};
+use super::console::{Console, Verbosity, escaped};
+use super::inputs::Source;
+use super::normals::{Failure, read_stdin};
+use super::output::Store;
+use super::progress::FrameProgress;
+use super::report::{ErrorReport, NoteReport, json_line};
+use super::{Exit, notes, usage_error, use_threads};
+use crease::io::{self, ReadError, Written};
+use crease::raster::{Image, SceneFile, load};
+use crease::report::{PixelReport, probe_pixel};
+use draw::DrawError;
+use report::{DrawingReport, OutputReport, Report, SceneReport, SettingsReport};
+use request::{Request, Subject};
+use std::time::Instant;
+
+/// Carries the verb out.
+pub fn main(args: &RenderArgs, color: Color) -> Exit {
+    let console = Console::new(&args.run, color, args.output.output.as_deref());
+    let request = Request::resolve(args).unwrap_or_else(|message| usage_error("render", message));
+    use_threads(args.run.threads);
+    let mut report = Report::new(&request);
+    let start = Instant::now();
+    let result = guarded(|| work(&request, &console, &mut report));
+    report.seconds.total = start.elapsed().as_secs_f64();
+    if let Err(failure) = &result {
+        report.fail(ErrorReport::new(failure));
+    }
+    tell(&report, &console);
+    match result {
+        Err(failure) => exit_of(&failure),
+        Ok(()) if !console.has_reported() => Exit::OutputFailed,
+        Ok(()) => Exit::Done,
+    }
+}
+
+fn work(request: &Request, console: &Console, report: &mut Report) -> Result<(), Failure> {
+    let start = Instant::now();
+    let mut file = read(request).map_err(Failure::Read)?;
+    report.notes.extend(file.notes.iter().map(NoteReport::new));
+    request.change(&mut file).map_err(Failure::Draw)?;
+    report.notes.extend(gains(&file));
+    report.scene = Some(SceneReport::new(&file, &file.scene()));
+    report.settings = Some(SettingsReport::new(&file.settings));
+    report.seconds.load = start.elapsed().as_secs_f64();
+
+    let start = Instant::now();
+    let frames = if let Subject::Turntable(frames) = request.subject { frames } else { 1 };
+    let progress = FrameProgress::new(console, frames.into());
+    let drawn = draw::draw(&mut file, request, &progress).map_err(|error| match error {
+        DrawError::Render(error) => Failure::Draw(error.to_string()),
+        DrawError::Report(error) => Failure::Write(error.to_string()),
+    })?;
+    drop(progress);
+    report.drawings = drawn.drawings.iter().map(DrawingReport::new).collect();
+    if let (Some(pixel), Some(image)) = (request.args.output.probe, &drawn.image) {
+        report.probe = Some(probe(&file, image, pixel).map_err(Failure::Draw)?);
+    }
+    report.seconds.draw = start.elapsed().as_secs_f64();
+
+    let Some(target) = &request.target else { return Ok(()) };
+    let start = Instant::now();
+    report.output = Some(OutputReport::new(target, request.file, &drawn));
+    let written = Written { bytes: drawn.bytes, ..Written::default() };
+    Store::new(false, false).store(written, target).map_err(|error| Failure::Write(format!("{error:#}")))?;
+    report.seconds.write = start.elapsed().as_secs_f64();
+    Ok(())
+}
+
+fn read(request: &Request) -> Result<SceneFile, ReadError> {
+    match &request.source {
+        Source::File(path) => load(path, request.format, &request.load),
+        Source::Stdin => {
+            let bytes = read_stdin(&request.load.read.limits, |_| ())?;
+            let loaded = io::read_bytes(bytes, request.format, None, &request.load.read)?;
+            SceneFile::from_loaded(loaded, &request.load)
+        }
+    }
+}
+
+/// A warning for each object that reflects more light than it gets.
+fn gains(file: &SceneFile) -> impl Iterator<Item = NoteReport> {
+    let lit = file.objects.iter().enumerate().filter(|(_, object)| !object.given);
+    lit.filter_map(|(number, object)| {
+        let gain = object.material.gain()?;
+        Some(NoteReport::warning(format!("object {}: {gain}", number + 1)))
+    })
+}
+
+fn probe(file: &SceneFile, image: &Image, pixel: [u32; 2]) -> Result<PixelReport, String> {
+    let [width, height] = image.size;
+    let [x, y] = pixel;
+    let Some(shown) = image.pixel(x, y) else {
+        return Err(format!("pixel ({x}, {y}) is outside the picture of {width}x{height} pixels"));
+    };
+    let mut report =
+        probe_pixel(&file.scene(), &file.settings, pixel, shown).map_err(|error| error.to_string())?;
+    // Faces are told by their numbers in the file.
+    for seen in report.samples.iter_mut().filter_map(|sample| sample.seen.as_mut()) {
+        if let (Some(face), Some(mesh)) = (seen.face, file.mesh_of(seen.object)) {
+            seen.face = Some(mesh.source_faces.as_ref().map_or(face, |faces| faces[face as usize]));
+        }
+    }
+    Ok(report)
+}
+
+fn tell(report: &Report, console: &Console) {
+    if let Some(error) = &report.error {
+        console.error(&format!("{}: {}", escaped(&report.input.path), error.message));
+    }
+    if console.json {
+        console.report(&json_line(report));
+        return;
+    }
+    if console.verbosity > Verbosity::Quiet {
+        notes::print(&report.input.path, &report.notes, false, console);
+        if report.error.is_none() && report.probe.is_none() {
+            console.report(&text::block(report, console.report_style()));
+        }
+    }
+    // What was asked for is told however quiet it should be.
+    if let Some(probe) = &report.probe {
+        console.report(&probe.to_string());
+    }
+}

@@ -1,0 +1,90 @@
+//! The numbers behind a pixel.
+
+use super::{BEFORE, gear, picture, render, report, square, with};
+use crate::cli::{code, text};
+
+/// The lamp of the tests at an angle of 60° to the square's normal.
+const LAMP: [&str; 6] =
+    ["--light", "directional towards=1.7320508075688772,0,1", "--ambient", "0.5", "--transfer", "direct"];
+
+#[test]
+fn a_student_can_follow_the_formula() {
+    let (_folder, square) = square();
+    let args = with(&with(&[square.as_str()], &BEFORE), &LAMP);
+    let args =
+        with(&args, &["--samples", "1", "--material", "colour=1 ka=0.2 kd=0.6 ks=0", "--probe", "20,20"]);
+    let output = render(&args);
+    assert_eq!(code(&output), 0, "{}", text(&output.stderr));
+    let told = text(&output.stdout);
+    for part in [
+        "pixel        (20, 20)",
+        "face 1",
+        "weight 0.",
+        "N            (0.000000000, 0.000000000, 1.000000000)",
+    ] {
+        assert!(told.contains(part), "no {part:?} in\n{told}");
+    }
+    for part in ["N·L        0.500000000", "L          (0.866025404, 0.000000000, 0.500000000), at infinity"]
+    {
+        assert!(told.contains(part), "no {part:?} in\n{told}");
+    }
+    // 0.5 · 0.2 of ambient light and 0.6 · 0.5 of the lamp.
+    for part in [
+        "ambient      (0.100000000",
+        "sum          (0.400000000",
+        "8-bit        [102, 102, 102], in the picture [102, 102, 102]",
+    ] {
+        assert!(told.contains(part), "no {part:?} in\n{told}");
+    }
+    let report = report(&args);
+    let sample = &report["probe"]["samples"][0];
+    // Two roundings: of the lamp's direction and of the product.
+    let n_dot_l = sample["lit"][0]["light"]["lights"][0]["n_dot_l"].as_f64().unwrap();
+    assert!((n_dot_l - 0.5).abs() <= 2.0 * f64::EPSILON, "{n_dot_l}");
+    assert_eq!(sample["face"], 0);
+    let weights: f64 = sample["weights"].as_array().unwrap().iter().map(|w| w.as_f64().unwrap()).sum();
+    assert!((weights - 1.0).abs() < 1e-12);
+}
+
+/// The second computation agrees with the picture within one step, in every mode.
+#[test]
+fn recomputed_pixels_are_those_of_the_picture() {
+    let gear = gear();
+    for more in [
+        &["--shading", "flat"][..],
+        &["--shading", "flat", "--flat-sample", "vertex-mean"],
+        &["--shading", "gouraud", "--interpolation", "scanline"],
+        &["--shading", "gouraud", "--interpolation", "affine"],
+        &["--shading", "phong", "--light", "point position=1,3,2 attenuation=offset:1"],
+        &["--shading", "phong", "--samples", "16"],
+        &["--literal", "--samples", "1"],
+    ] {
+        let args = with(&gear, more);
+        let shown = picture(&args);
+        for at in [[48, 36], [30, 20], [60, 50], [20, 40], [70, 30], [2, 2]] {
+            let place = format!("{},{}", at[0], at[1]);
+            let report = report(&with(&args, &["--probe", &place]));
+            let codes = |name: &str| -> Vec<u8> {
+                let list = report["probe"][name].as_array().unwrap_or_else(|| panic!("{report}"));
+                list.iter().map(|code| code.as_u64().unwrap() as u8).collect()
+            };
+            let (computed, own) = (codes("computed"), codes("picture"));
+            assert_eq!(own, shown.get_pixel(at[0], at[1]).0);
+            // One step of the code.
+            assert!(
+                computed.iter().zip(&own).all(|(a, b)| a.abs_diff(*b) <= 1),
+                "{more:?} {at:?}: {computed:?} {own:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn outside_and_beside_the_mesh() {
+    let gear = gear();
+    let beside = render(with(&gear, &["--probe", "0,0"]));
+    assert!(text(&beside.stdout).contains("nothing but the background"), "{}", text(&beside.stdout));
+    let outside = render(with(&gear, &["--probe", "96,0"]));
+    assert_eq!(code(&outside), 3);
+    assert!(text(&outside.stderr).contains("outside the picture of 96x72"), "{}", text(&outside.stderr));
+}

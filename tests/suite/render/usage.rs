@@ -1,0 +1,183 @@
+//! Help, and command lines and scenes that are refused.
+
+use super::{SQUARE, gear, render, report, with};
+use crate::cli::{BAD, code, crease, folder, names, path, text};
+
+/// Every option that the verb promises, with its values.
+const OPTIONS: &[(&str, &[&str])] = &[
+    ("-o, --output", &["FILE"]),
+    ("--format", &["obj", "ply", "stl", "gltf", "glb"]),
+    ("--root", &[]),
+    ("--size", &["WxH", "640x480"]),
+    ("--samples", &["1", "4", "8", "16"]),
+    ("--bits", &["8", "16"]),
+    ("--compare", &["flat", "gouraud", "phong", "wireframe", "exact", "scanline", "affine", "perspective"]),
+    ("--turntable", &["N"]),
+    ("--probe", &["X,Y"]),
+    ("--shading", &["flat", "gouraud", "phong", "wireframe", "exact"]),
+    ("--interpolation", &["scanline", "affine", "perspective"]),
+    ("--reflection", &["phong", "blinn", "given"]),
+    ("--exponent", &["32"]),
+    ("--flat-sample", &["centroid", "vertex-mean"]),
+    ("--show", &["normals", "facing", "depth", "face-id", "deviation"]),
+    ("--overlay", &["wire", "creases", "vertex-normals", "face-normals"]),
+    ("--cull", &["none", "back", "front"]),
+    ("--two-sided", &[]),
+    ("--camera", &["CAMERA"]),
+    ("--light", &["LIGHT"]),
+    ("--ambient", &["COLOUR"]),
+    ("--material", &["MATERIAL"]),
+    ("--background", &["COLOUR"]),
+    ("--rotate", &["X,Y,Z"]),
+    ("--weight", &["uniform", "area", "angle", "angle-area", "max", "edge", "quadric"]),
+    ("--crease", &["DEG|off"]),
+    ("--when", &["always", "missing", "broken"]),
+    ("--guard", &["highlight", "diffuse", "spot", "renormalise", "underflow"]),
+    ("--literal", &[]),
+    ("--tone", &["clamp", "max"]),
+    ("--transfer", &["srgb", "direct"]),
+    ("--threads", &[]),
+    ("--json", &[]),
+    ("-q, --quiet", &[]),
+    ("-v, --verbose", &[]),
+];
+
+#[test]
+fn help_has_every_option_with_its_values_and_examples() {
+    let output = render(["--help"]);
+    assert_eq!(code(&output), 0);
+    let help = text(&output.stdout);
+    for (option, values) in OPTIONS {
+        let heading = |end: &str| {
+            help.find(&format!("\n      {option}{end}")).or(help.find(&format!("\n  {option}{end}")))
+        };
+        let start = heading(" ").or(heading("\n"));
+        let start = start.unwrap_or_else(|| panic!("no {option} in\n{help}"));
+        let rest = &help[start + option.len()..];
+        let end =
+            ["\n      --", "\n  -"].iter().filter_map(|next| rest.find(next)).min().unwrap_or(rest.len());
+        for value in *values {
+            assert!(rest[..end].contains(value), "no {value} in\n{option}{}", &rest[..end]);
+        }
+    }
+    assert!(help.contains("Examples:\n  crease render") && help.contains("Exit codes:"));
+    assert!(help.contains("directional towards=V"));
+}
+
+#[test]
+fn completions_and_manual_pages_know_the_verb() {
+    for shell in ["bash", "zsh", "fish"] {
+        let output = crease().args(["completions", shell]).output().unwrap();
+        assert!(text(&output.stdout).contains("turntable"), "{shell}");
+    }
+    let page = crease().args(["man", "render"]).output().unwrap();
+    assert!(text(&page.stdout).contains(".TH crease-render 1") && text(&page.stdout).contains("turntable"));
+}
+
+#[test]
+fn wrong_command_lines_are_refused_with_a_reason() {
+    let work = folder(&[("a.obj", SQUARE), ("sub/b.obj", SQUARE)]);
+    let at = |name: &str| path(work.path().join(name));
+    let [a, out] = [at("a.obj"), at("out.png")];
+    let before = names(work.path());
+    let table: &[(&[&str], &str)] = &[
+        (&[], "<INPUT>"),
+        (&[&a], "--output is needed"),
+        (&[&at("sub"), "-o", &out], "is a folder"),
+        (&[&a, "-o", &at("sub")], "is a folder"),
+        (&[&a, "-o", &at("out.jpg")], "neither in .png nor in .gif"),
+        (&[&a, "-o", &at("out")], "neither in .png nor in .gif"),
+        (&[&a, "-o", &out, "--size", "20000x10"], "16384"),
+        (&[&a, "-o", &out, "--size", "0x10"], "16384"),
+        (&[&a, "-o", &out, "--size", "wide"], "WIDTHxHEIGHT"),
+        (&[&a, "-o", &out, "--samples", "5"], "16"),
+        (&[&a, "-o", &out, "--bits", "12"], "possible values"),
+        (&[&a, "-o", &at("a.gif"), "--bits", "16"], "GIF has 8 bits"),
+        (&[&a, "-o", &out, "--shading", "toon"], "gouraud"),
+        (&[&a, "-o", &out, "--exponent", "-1"], "0 or more"),
+        (&[&a, "-o", &out, "--exponent", "nan"], "finite"),
+        (&[&a, "-o", &out, "--show", "age"], "face-id"),
+        (&[&a, "-o", &out, "--overlay", "hair"], "vertex-normals"),
+        (&[&a, "-o", &out, "--compare", "flat,toon"], "gouraud"),
+        (&[&a, "-o", &out, "--compare", "flat", "--shading", "flat"], "cannot be used with"),
+        (&[&a, "-o", &out, "--turntable", "8"], ".gif"),
+        (&[&a, "-o", &at("a.gif"), "--turntable", "1"], "2..=720"),
+        (&[&a, "--probe", "3,4", "--turntable", "8"], "cannot be used with"),
+        (&[&a, "--probe", "3,4", "--show", "depth"], "cannot be used with"),
+        (&[&a, "--probe", "3,4", "--shading", "wireframe"], "a wireframe has none"),
+        (&[&a, "--probe", "3"], "column and row"),
+        (&[&a, "-o", &out, "--rotate", "1,2"], "three numbers"),
+        (&[&a, "-o", &out, "--rotate", "1,2,inf"], "finite"),
+        (&[&a, "-o", &out, "--camera", "eye=1,2"], "eye: "),
+        (&[&a, "-o", &out, "--camera", "zoom=2"], "there is no zoom"),
+        (&[&a, "-o", &out, "--light", "sun"], "directional, point, spot"),
+        (&[&a, "-o", &out, "--light", "point"], "position= is missing"),
+        (&[&a, "-o", &out, "--material", "kd=-1"], "0 or more"),
+        (&[&a, "-o", &out, "--ambient", "dim"], "#rrggbb"),
+        (&[&a, "-o", &out, "--background", "#12345"], "#rrggbb"),
+        (&[&a, "-o", &out, "--guard", "honour=on"], "renormalise"),
+        (&[&a, "-o", &out, "--crease", "200"], "0 to 180"),
+        (&[&a, "-o", &out, "--threads", "0"], "1..=1024"),
+        (&[&a, &a, "-o", &out], "unexpected argument"),
+    ];
+    for (args, expected) in table {
+        let output = render(*args);
+        let message = text(&output.stderr);
+        assert_eq!(code(&output), 2, "{args:?}: {message}");
+        assert!(message.contains(expected), "{args:?}: {message}");
+        assert!(output.stdout.is_empty(), "{args:?}");
+    }
+    assert_eq!(names(work.path()), before, "nothing is written");
+}
+
+#[test]
+fn each_kind_of_failure_has_its_code_and_names_its_cause() {
+    let work = folder(&[
+        ("good.obj", SQUARE),
+        ("plain.obj", crate::cli::TRIANGLE),
+        ("bad.obj", BAD),
+        ("empty.obj", "v 0 0 0\n"),
+    ]);
+    let at = |name: &str| path(work.path().join(name));
+    let [good, out] = [at("good.obj"), at("out.png")];
+    let table: &[(&[&str], i32, &str)] = &[
+        (&[&at("nowhere.obj"), "-o", &out], 3, "nowhere.obj"),
+        (&[&at("bad.obj"), "-o", &out], 3, "line 2"),
+        (&[&at("empty.obj"), "-o", &out], 3, "no faces"),
+        (&[&good, "-o", &out, "--shading", "exact"], 3, "analytic surface"),
+        (&[&at("plain.obj"), "-o", &out, "--reflection", "given"], 3, "no colours"),
+        (&[&good, "-o", &out, "--camera", "eye=0,0,0 target=0,0,0"], 3, "same point"),
+        (&[&good, "-o", &out, "--camera", "up=0,0,0"], 3, "up vector"),
+        (&[&good, "-o", &out, "--camera", "angle=180"], 3, "between 0 and 180"),
+        (&[&good, "-o", &out, "--camera", "height=0"], 3, "above 0"),
+        (&[&good, "-o", &out, "--camera", "near=-1"], 3, "near distance"),
+        (&[&good, "-o", &out, "--light", "directional towards=0,0,0"], 3, "direction"),
+        (&[&good, "-o", &out, "--light", "spot position=0,0,1 axis=0,0,-1 cut-off=120"], 3, "cut-off"),
+        (&[&good, "-o", &out, "--light", "disc centre=0,0,1 normal=0,0,-1 radius=0"], 3, "radius"),
+        (&[&good, "-o", &out, "--light", "point position=0,0,1 attenuation=0,0,0"], 3, "kc + kl + kq"),
+        (
+            &[&good, "-o", &at("spin.gif"), "--turntable", "720", "--size", "16384x16384"],
+            3,
+            "fewer or smaller",
+        ),
+        (&[&good, "-o", &at("good.obj/out.png")], 4, "good.obj"),
+    ];
+    for (args, expected, cause) in table {
+        let output = render(*args);
+        let message = text(&output.stderr);
+        assert_eq!(code(&output), *expected, "{args:?}: {message}");
+        assert!(message.starts_with("error: ") && message.contains(cause), "{args:?}: {message}");
+    }
+    let files = names(work.path());
+    assert_eq!(files, ["bad.obj", "empty.obj", "good.obj", "plain.obj"], "nothing is written");
+}
+
+#[test]
+fn errors_and_warnings_are_data_too() {
+    let gear = gear();
+    let failed = report(&with(&gear, &["--shading", "exact"]));
+    assert_eq!((&failed["status"], &failed["error"]["kind"]), (&"failed".into(), &"input".into()));
+    let bright = report(&with(&gear, &["--material", "kd=0.9 ks=0.7"]));
+    assert_eq!(bright["notes"][0]["severity"], "warning");
+    assert!(bright["notes"][0]["text"].as_str().unwrap().contains("k_d + k_s"), "{}", bright["notes"]);
+}
