@@ -62,6 +62,7 @@
 
 pub mod io;
 pub mod mesh;
+pub mod metric;
 pub mod normals;
 pub mod num;
 pub mod pipeline;

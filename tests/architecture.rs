@@ -34,7 +34,7 @@ const PROGRAM: &str = "cli";
 const OUTSIDE: &[(&str, &[&str])] = &[
     ("ab_glyph", &["report"]),
     ("anyhow", &["cli"]),
-    ("base64", &["io"]),
+    ("base64", &["io", "report"]),
     ("bevy_mikktspace", &["io"]),
     ("bytemuck", &["num", "mesh", "surface", "io", "normals", "raster"]),
     ("clap", &["cli"]),
@@ -64,7 +64,10 @@ const OUTSIDE: &[(&str, &[&str])] = &[
     ("serde_json", &["io", "report", "cli"]),
     ("spade", &["mesh", "surface"]),
     ("tempfile", &["cli"]),
-    ("thiserror", &["num", "mesh", "surface", "io", "normals", "shade", "raster", "pipeline", "report"]),
+    (
+        "thiserror",
+        &["num", "mesh", "surface", "io", "normals", "shade", "raster", "pipeline", "metric", "report"],
+    ),
     ("tobj", &["io"]),
     ("toml", &["raster"]),
     ("zmij", &["io"]),

@@ -1,5 +1,5 @@
 //! What people and programs are told (layer 7): pictures as files, labels, lines over a picture, the numbers behind a
-//! pixel.
+//! pixel; pages and plots.
 //!
 //! ```
 //! use crease::num::Transfer;
@@ -14,20 +14,24 @@
 
 mod animation;
 mod error;
+mod html;
 mod label;
 mod overlay;
 mod palette;
 mod panel;
 mod picture;
+mod plot;
 mod png;
 mod probe;
 
 pub use animation::Animation;
 pub use error::ReportError;
+pub use html::{Page, Table, escape_html};
 pub use label::{draw_text, text_width};
 pub use overlay::{Overlay, overlay};
 pub use palette::Palette;
 pub use panel::{Panel, panels};
 pub use picture::Picture;
+pub use plot::{Axis, Mark, Plot, Scale, Series};
 pub use png::encode_png;
 pub use probe::{LitReport, PixelReport, SampleReport, SeenReport, probe_pixel};

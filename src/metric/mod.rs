@@ -1,0 +1,5 @@
+//! Numbers from pictures (layer 4).
+
+mod difference;
+
+pub use difference::{Difference, ImageError, MetricError, image_error};

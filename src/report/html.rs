@@ -1,0 +1,310 @@
+//! Pages that open from disk with nothing else: one file, no address, no script.
+
+use super::error::ReportError;
+use super::picture::Picture;
+use super::png::encode_png;
+use crate::num::Transfer;
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use std::borrow::Cow;
+use std::collections::BTreeSet;
+use std::fmt::Write;
+
+/// Text as HTML: what would be markup is escaped, also between quotation marks.
+///
+/// ```
+/// assert_eq!(crease::report::escape_html("a < b & \"c\""), "a &lt; b &amp; &quot;c&quot;");
+/// ```
+pub fn escape_html(text: &str) -> Cow<'_, str> {
+    if !text.contains(['&', '<', '>', '"', '\'']) {
+        return Cow::Borrowed(text);
+    }
+    let mut out = String::with_capacity(text.len() + 16);
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\'' => out.push_str("&#39;"),
+            _ => out.push(c),
+        }
+    }
+    Cow::Owned(out)
+}
+
+/// A page under construction: headings, paragraphs, tables and figures, one after the other.
+///
+/// Everything is inside the one file: style, pictures (as data) and drawings. Each picture has alternative text, headings
+/// are linked from a list of contents, and the style knows paper. Text that comes in is escaped; [`Page::raw`] is not.
+///
+/// ```
+/// use crease::report::{Page, Table};
+///
+/// let mut page = Page::new("Weights", "Which normals?");
+/// page.heading("Errors");
+/// page.paragraph("In degrees.");
+/// page.table(&Table::new("Root mean square", &["weight", "rms"]).row(["max", "0.498"]));
+/// assert!(page.finish().starts_with("<!DOCTYPE html>"));
+/// ```
+#[derive(Debug)]
+pub struct Page {
+    title: String,
+    lead: String,
+    body: String,
+    /// The text and the id of each heading.
+    contents: Vec<(String, String)>,
+    ids: BTreeSet<String>,
+}
+
+impl Page {
+    /// An empty page with a title and a sentence under it.
+    pub fn new(title: &str, lead: &str) -> Self {
+        Self {
+            title: title.to_owned(),
+            lead: lead.to_owned(),
+            body: String::new(),
+            contents: Vec::new(),
+            ids: BTreeSet::new(),
+        }
+    }
+
+    /// A part's heading, listed in the contents.
+    pub fn heading(&mut self, text: &str) {
+        let id = self.id(text);
+        let _ = writeln!(self.body, "<h2 id=\"{id}\">{}</h2>", escape_html(text));
+        self.contents.push((text.to_owned(), id));
+    }
+
+    /// A heading within a part.
+    pub fn subheading(&mut self, text: &str) {
+        let id = self.id(text);
+        let _ = writeln!(self.body, "<h3 id=\"{id}\">{}</h3>", escape_html(text));
+    }
+
+    /// A paragraph.
+    pub fn paragraph(&mut self, text: &str) {
+        let _ = writeln!(self.body, "<p>{}</p>", escape_html(text));
+    }
+
+    /// A list of points.
+    pub fn list<'a>(&mut self, points: impl IntoIterator<Item = &'a str>) {
+        self.body.push_str("<ul>\n");
+        for point in points {
+            let _ = writeln!(self.body, "<li>{}</li>", escape_html(point));
+        }
+        self.body.push_str("</ul>\n");
+    }
+
+    /// A table.
+    pub fn table(&mut self, table: &Table) {
+        let _ = writeln!(
+            self.body,
+            "<div class=\"wide\"><table><caption>{}</caption>",
+            escape_html(&table.caption)
+        );
+        self.body.push_str("<thead><tr>");
+        for column in &table.columns {
+            let _ = write!(self.body, "<th scope=\"col\">{}</th>", escape_html(column));
+        }
+        self.body.push_str("</tr></thead>\n<tbody>\n");
+        for row in &table.rows {
+            self.body.push_str("<tr>");
+            for (column, cell) in row.iter().enumerate() {
+                let tag = if column == 0 { "th scope=\"row\"" } else { "td" };
+                let end = if column == 0 { "th" } else { "td" };
+                let _ = write!(self.body, "<{tag}>{}</{end}>", escape_html(cell));
+            }
+            self.body.push_str("</tr>\n");
+        }
+        self.body.push_str("</tbody></table></div>\n");
+    }
+
+    /// Pictures side by side under one caption, as many in a row as fit; each with what it shows for those who cannot see
+    /// it. Nothing for no pictures.
+    ///
+    /// # Errors
+    /// Sizes that do not fit a picture's pixels.
+    pub fn pictures(&mut self, pictures: &[(&Picture, &str)], caption: &str) -> Result<(), ReportError> {
+        let images = pictures.iter().map(|(picture, alternative)| image(picture, alternative));
+        let images: Vec<String> = images.collect::<Result<_, _>>()?;
+        if !images.is_empty() {
+            let (images, caption) = (images.join("\n"), escape_html(caption));
+            let _ = writeln!(
+                self.body,
+                "<figure>\n<div class=\"row\">\n{images}\n</div>\n<figcaption>{caption}</figcaption>\n</figure>"
+            );
+        }
+        Ok(())
+    }
+
+    /// A drawing under a caption; it is given an id for its parts to refer to. See [`Plot::svg`](super::Plot::svg).
+    pub fn drawing(&mut self, name: &str, caption: &str, draw: impl FnOnce(&str) -> String) {
+        let id = self.id(name);
+        let (drawing, caption) = (draw(&id), escape_html(caption));
+        let _ = writeln!(self.body, "<figure>\n{drawing}\n<figcaption>{caption}</figcaption>\n</figure>");
+    }
+
+    /// HTML as it is.
+    pub fn raw(&mut self, html: &str) {
+        self.body.push_str(html);
+    }
+
+    /// An id made from a text, unlike all others of the page.
+    pub fn id(&mut self, text: &str) -> String {
+        let letters =
+            text.chars().map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '-' });
+        let words: String = letters.collect();
+        let words: Vec<&str> = words.split('-').filter(|word| !word.is_empty()).collect();
+        let base = if words.is_empty() { "part".to_owned() } else { words.join("-") };
+        let numbered = (1..).map(|n: u32| if n == 1 { base.clone() } else { format!("{base}-{n}") });
+        // Ids of drawings have parts of their own after a dot, which no id made here contains.
+        let id = numbered.into_iter().find(|id| !self.ids.contains(id)).expect("there are numbers enough");
+        self.ids.insert(id.clone());
+        id
+    }
+
+    /// The whole page.
+    pub fn finish(self) -> String {
+        let (title, lead) = (escape_html(&self.title), escape_html(&self.lead));
+        let entries = self.contents.iter();
+        let entries =
+            entries.map(|(text, id)| format!("<li><a href=\"#{id}\">{}</a></li>\n", escape_html(text)));
+        let contents: String = entries.collect();
+        let contents = match contents.as_str() {
+            "" => String::new(),
+            entries => format!("<nav aria-label=\"Contents\"><ol>\n{entries}</ol></nav>\n"),
+        };
+        format!(
+            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{title}</title>\n\
+             <style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>{title}</h1>\n<p class=\"lead\">{lead}</p>\n\
+             {contents}{body}</main>\n</body>\n</html>\n",
+            body = self.body,
+        )
+    }
+}
+
+const STYLE: &str = include_str!("page.css");
+
+/// A picture as an element that holds its own bytes.
+fn image(picture: &Picture, alternative: &str) -> Result<String, ReportError> {
+    let file = STANDARD.encode(encode_png(picture, Transfer::Srgb)?);
+    let ([width, height], alternative) = (picture.size, escape_html(alternative));
+    Ok(format!(
+        "<img src=\"data:image/png;base64,{file}\" width=\"{width}\" height=\"{height}\" alt=\"{alternative}\">"
+    ))
+}
+
+/// Rows under columns, the first of which names the row.
+#[derive(Clone, Debug, Default)]
+pub struct Table {
+    caption: String,
+    columns: Vec<String>,
+    rows: Vec<Vec<String>>,
+}
+
+impl Table {
+    /// A table without rows.
+    pub fn new(caption: &str, columns: &[&str]) -> Self {
+        Self {
+            caption: caption.to_owned(),
+            columns: columns.iter().map(|&column| column.to_owned()).collect(),
+            rows: Vec::new(),
+        }
+    }
+
+    /// With another row.
+    #[must_use]
+    pub fn row<T: Into<String>>(mut self, cells: impl IntoIterator<Item = T>) -> Self {
+        self.push(cells);
+        self
+    }
+
+    /// Adds a row. Cells that are not there are empty.
+    pub fn push<T: Into<String>>(&mut self, cells: impl IntoIterator<Item = T>) {
+        let mut row: Vec<String> = cells.into_iter().map(Into::into).collect();
+        row.resize(self.columns.len(), String::new());
+        self.rows.push(row);
+    }
+
+    /// Whether there are no rows.
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// As text for a terminal: columns of equal width, numbers to the right.
+    pub fn to_text(&self) -> String {
+        let lines = || std::iter::once(&self.columns).chain(&self.rows);
+        let width = |column: usize| lines().map(|line| line[column].chars().count()).max().unwrap_or(0);
+        let widths: Vec<usize> = (0..self.columns.len()).map(width).collect();
+        let mut text = format!("{}\n", self.caption);
+        for line in lines() {
+            let cells = line.iter().zip(&widths).enumerate().map(|(column, (cell, width))| {
+                let fill = " ".repeat(width - cell.chars().count());
+                if column == 0 { format!("{cell}{fill}") } else { format!("{fill}{cell}") }
+            });
+            let _ = writeln!(text, "  {}", cells.collect::<Vec<_>>().join("  ").trim_end());
+        }
+        text
+    }
+
+    /// As a table of Markdown, without the caption.
+    pub fn to_markdown(&self) -> String {
+        let line = |cells: &[String]| {
+            let cells = cells.iter().map(|cell| cell.replace('|', "\\|"));
+            format!("| {} |\n", cells.collect::<Vec<_>>().join(" | "))
+        };
+        let mut text = line(&self.columns);
+        let _ = writeln!(text, "|---|{}", "---:|".repeat(self.columns.len().saturating_sub(1)));
+        self.rows.iter().for_each(|row| text.push_str(&line(row)));
+        text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn text_cannot_become_markup() {
+        let mut page = Page::new("a<b>", "\"&'");
+        page.heading("<script>");
+        page.paragraph("x < y");
+        page.table(&Table::new("<i>", &["<u>"]).row(["<s>"]));
+        let picture = Picture::filled([1, 1], false, [0.0; 3]);
+        page.pictures(&[(&picture, "a \"quoted\" <alternative>")], "<b>").unwrap();
+        let page = page.finish();
+        for forbidden in ["<script>", "a<b>", "x < y", "<i>", "<u>", "<s>", "<alternative>", "\"quoted\""] {
+            assert!(!page.contains(forbidden), "{forbidden} in {page}");
+        }
+    }
+
+    #[test]
+    fn ids_are_all_different() {
+        let mut page = Page::new("", "");
+        let ids = ["A b", "a-b", "a b", "", "·"].map(|text| page.id(text));
+        assert_eq!(ids, ["a-b", "a-b-2", "a-b-3", "part", "part-2"]);
+    }
+
+    #[test]
+    fn tables_are_the_same_in_every_form() {
+        let table =
+            Table::new("Errors", &["weight", "rms"]).row(["max", "0.5"]).row(["a|b", "11.25"]).row(["–"]);
+        assert_eq!(table.to_text(), "Errors\n  weight    rms\n  max       0.5\n  a|b     11.25\n  –\n");
+        let markdown = "| weight | rms |\n|---|---:|\n| max | 0.5 |\n| a\\|b | 11.25 |\n| – |  |\n";
+        assert_eq!(table.to_markdown(), markdown);
+        assert!(!table.is_empty());
+    }
+
+    #[test]
+    fn contents_lead_to_headings() {
+        let mut page = Page::new("t", "");
+        page.heading("Same");
+        page.heading("Same");
+        let page = page.finish();
+        for id in ["same", "same-2"] {
+            assert!(page.contains(&format!("href=\"#{id}\"")) && page.contains(&format!("id=\"{id}\"")));
+        }
+    }
+}

@@ -1,0 +1,173 @@
+//! Axes: where numbers lie, and which are written.
+
+/// How numbers are spread along an axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Scale {
+    /// Evenly.
+    #[default]
+    Linear,
+    /// By their logarithms.
+    Log,
+}
+
+/// An axis of a plot.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Axis {
+    /// What it measures, with its unit.
+    pub label: String,
+    /// How.
+    pub scale: Scale,
+    /// Its ends; by default what the points need.
+    pub range: Option<[f64; 2]>,
+}
+
+impl Axis {
+    /// A linear axis.
+    pub fn linear(label: &str) -> Self {
+        Self { label: label.to_owned(), ..Self::default() }
+    }
+
+    /// A logarithmic axis.
+    pub fn log(label: &str) -> Self {
+        Self { label: label.to_owned(), scale: Scale::Log, range: None }
+    }
+
+    /// Whether a number has a place on the axis.
+    pub(super) fn takes(&self, x: f64) -> bool {
+        x.is_finite() && (self.scale == Scale::Linear || x > 0.0)
+    }
+
+    /// The axis laid out for numbers that it takes.
+    pub(super) fn fit(&self, numbers: impl Iterator<Item = f64>) -> Fitted {
+        let found = numbers.fold(None, |ends: Option<[f64; 2]>, x| {
+            Some(ends.map_or([x, x], |[low, high]| [low.min(x), high.max(x)]))
+        });
+        let given =
+            self.range.filter(|range| range.iter().all(|&end| self.takes(end)) && range[0] < range[1]);
+        let [low, high] = given.or(found).unwrap_or([1.0, 10.0]).map(|x| self.scale.place(x));
+        // A single number gets room on both sides; others a little, unless the ends were given.
+        let room = if high > low { 0.04 * (high - low) } else { 0.5 * low.abs().max(1.0) };
+        let room = if given.is_some() { 0.0 } else { room };
+        Fitted { scale: self.scale, low: low - room, high: high + room }
+    }
+}
+
+impl Scale {
+    /// Where a number lies, in numbers or decades.
+    fn place(self, x: f64) -> f64 {
+        match self {
+            Scale::Linear => x,
+            Scale::Log => libm::log10(x),
+        }
+    }
+}
+
+/// An axis with its ends.
+pub(super) struct Fitted {
+    scale: Scale,
+    low: f64,
+    high: f64,
+}
+
+impl Fitted {
+    /// Where a number lies, as a share of the axis.
+    pub(super) fn share(&self, x: f64) -> f64 {
+        (self.scale.place(x) - self.low) / (self.high - self.low)
+    }
+
+    /// The numbers that are marked: those with a text are written.
+    pub(super) fn ticks(&self) -> Vec<(f64, String)> {
+        match self.scale {
+            Scale::Linear => self.even_ticks(),
+            Scale::Log if self.high - self.low < 0.8 => {
+                // Less than a decade: as if it were linear, between the same ends.
+                let [low, high] = [self.low, self.high].map(|end| libm::exp10(end));
+                Fitted { scale: Scale::Linear, low, high }.even_ticks()
+            }
+            Scale::Log => self.decades(),
+        }
+    }
+
+    /// Multiples of 1, 2 or 5 times a power of ten: four to ten of them.
+    fn even_ticks(&self) -> Vec<(f64, String)> {
+        let length = self.high - self.low;
+        let decade = libm::floor(libm::log10(length / 5.0));
+        let step = [1.0, 2.0, 5.0, 10.0].into_iter().map(|factor| factor * libm::exp10(decade));
+        let step = step.into_iter().find(|step| length / step <= 8.0).unwrap_or(length);
+        let decimals = (-libm::floor(libm::log10(step))).max(0.0) as usize;
+        let (first, last) = (libm::ceil(self.low / step) as i64, libm::floor(self.high / step) as i64);
+        (first..=last)
+            .map(|k| {
+                let x = k as f64 * step;
+                (x, if decimals > 4 { short(x) } else { format!("{x:.decimals$}") })
+            })
+            .collect()
+    }
+
+    /// Powers of ten, written every so many; between them 2 and 5 if there is room.
+    fn decades(&self) -> Vec<(f64, String)> {
+        let (first, last) = (libm::floor(self.low) as i32, libm::ceil(self.high) as i32);
+        let spread = self.high - self.low;
+        let every = (spread / 8.0).ceil().max(1.0) as i32;
+        let mut ticks = Vec::new();
+        for decade in first..=last {
+            for factor in [1.0, 2.0, 5.0] {
+                // From the decimal text, so that the number is the nearest one there is.
+                let x: f64 = format!("{factor}e{decade}").parse().unwrap_or(1.0);
+                let inside = (self.low..=self.high).contains(&libm::log10(x));
+                let written = (factor == 1.0 && decade.rem_euclid(every) == 0) || spread < 2.5;
+                if inside && (factor == 1.0 || spread < 4.0) {
+                    ticks.push((x, if written { short(x) } else { String::new() }));
+                }
+            }
+        }
+        ticks
+    }
+}
+
+/// A number in few characters.
+fn short(x: f64) -> String {
+    match x.abs() {
+        0.0 => "0".into(),
+        magnitude if (0.001..100_000.0).contains(&magnitude) => format!("{x}"),
+        _ => format!("{x:e}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn written(axis: &Axis, numbers: &[f64]) -> Vec<String> {
+        let ticks = axis.fit(numbers.iter().copied()).ticks();
+        ticks.into_iter().map(|(_, text)| text).filter(|text| !text.is_empty()).collect()
+    }
+
+    #[test]
+    fn ticks_are_round_numbers() {
+        assert_eq!(written(&Axis::linear(""), &[0.0, 1.0]), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
+        assert_eq!(written(&Axis::linear(""), &[-3.0, 40.0]), ["0", "10", "20", "30", "40"]);
+        let decades = ["1e-8", "1e-6", "1e-4", "0.01", "1"];
+        assert_eq!(written(&Axis::log(""), &[1e-9, 1.0]), decades);
+        assert_eq!(written(&Axis::log(""), &[1.0, 60.0]), ["1", "2", "5", "10", "20", "50"]);
+        assert_eq!(written(&Axis::log(""), &[2.0, 4.0]), ["2.0", "2.5", "3.0", "3.5", "4.0"]);
+    }
+
+    #[test]
+    fn every_number_lies_within_its_axis() {
+        for (axis, numbers) in [
+            (Axis::linear(""), vec![3.0]),
+            (Axis::linear(""), vec![0.0]),
+            (Axis::log(""), vec![1e-300, 1e300]),
+            (Axis::log(""), vec![7.0]),
+            (Axis::log(""), Vec::new()),
+        ] {
+            let fitted = axis.fit(numbers.iter().copied());
+            assert!(numbers.iter().all(|&x| (0.0..=1.0).contains(&fitted.share(x))), "{numbers:?}");
+            assert!(fitted.ticks().iter().all(|&(x, _)| (-1e-9..=1.0 + 1e-9).contains(&fitted.share(x))));
+            assert!(!fitted.ticks().is_empty());
+        }
+        let given = Axis { range: Some([0.0, 2.0]), ..Axis::linear("") }.fit([9.0].into_iter());
+        assert_eq!((given.share(0.0), given.share(2.0)), (0.0, 1.0));
+    }
+}

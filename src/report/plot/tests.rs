@@ -1,0 +1,62 @@
+use super::*;
+
+fn series(name: &str, mark: Mark, points: &[[f64; 2]]) -> Series {
+    Series { name: name.into(), points: points.to_vec(), mark, ..Series::default() }
+}
+
+fn plot(series: Vec<Series>) -> Plot {
+    Plot {
+        title: "T < U".into(),
+        description: "what is seen".into(),
+        x: Axis::log("x"),
+        y: Axis::log("y"),
+        series,
+        ..Plot::default()
+    }
+}
+
+/// Every number written in an attribute.
+fn is_finite(svg: &str) -> bool {
+    !["NaN", "inf"].iter().any(|bad| svg.contains(bad))
+}
+
+#[test]
+fn every_part_that_is_referred_to_is_there() {
+    let svg = plot(vec![series("a", Mark::Line, &[[1.0, 2.0], [3.0, 4.0]])]).svg("p");
+    for id in ["p.title", "p.desc", "p.field"] {
+        assert_eq!(svg.matches(&format!("id=\"{id}\"")).count(), 1, "{id}");
+    }
+    assert!(svg.contains("aria-labelledby=\"p.title p.desc\"") && svg.contains("url(#p.field)"));
+    assert!(svg.contains("T &lt; U") && !svg.contains("http"));
+    assert_eq!(svg.matches("<g").count(), svg.matches("</g>").count());
+}
+
+/// A sign for each point that has a place, and one in the legend.
+#[test]
+fn what_has_no_place_is_left_out() {
+    let odd = [[0.0, 1.0], [1.0, f64::NAN], [f64::INFINITY, 1.0], [1.0, -1.0], [1.0, 1.0], [2.0, 1.0]];
+    let svg = plot(vec![series("a", Mark::Points, &odd)]).svg("p");
+    assert!(is_finite(&svg), "{svg}");
+    assert_eq!(svg.matches("fill-opacity").count(), 2 + 1);
+    for empty in [vec![], vec![series("a", Mark::Steps, &[])], vec![series("", Mark::Line, &[[1.0, 1.0]])]] {
+        assert!(is_finite(&plot(empty).svg("p")));
+    }
+}
+
+#[test]
+fn marks_differ() {
+    let points = [[1.0, 1.0], [2.0, 4.0], [3.0, 2.0]];
+    let paths = |mark| {
+        let svg = plot(vec![series("", mark, &points)]).svg("p");
+        let start = svg.find("stroke-width=\"1.6\"");
+        start.map(|start| {
+            let path = svg[..start].rfind("d=\"").unwrap();
+            svg[path..start].matches(['L', 'H', 'V']).map(str::to_owned).collect::<String>()
+        })
+    };
+    assert_eq!(paths(Mark::Points), None);
+    assert_eq!(paths(Mark::Line).as_deref(), Some("LL"));
+    assert_eq!(paths(Mark::Guide).as_deref(), Some("LL"));
+    assert_eq!(paths(Mark::Frontier).as_deref(), Some("HVHV"));
+    assert_eq!(paths(Mark::Steps).as_deref(), Some("VHVHV"));
+}
