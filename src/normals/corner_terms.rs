@@ -4,11 +4,11 @@ use super::face_shape::{FaceShape, FaceState, face_shape};
 use super::positions::Source;
 use super::weight::{CornerMeasures, CornerWeight, TriangleMeasures, dot};
 use crate::mesh::{FacesRef, Storage};
-use crate::num::{self, Kernel, Product};
+use crate::num::{self, Kernel, Lanes, OneLane, Scalars, Split, Vectors};
 use glam::DVec3;
 
-/// A face's share in sums: corner c adds `vector` · `weights[c]`, where `vector` is n̂ or the area vector with its
-/// length beside it. So the fourth component of a sum is the sum of weights.
+/// A face's share in sums: corner c adds `vector` · `weights[c]`, where `vector` is n̂ or a multiple of the area vector,
+/// with its length beside it. So the fourth component of a sum is the sum of weights.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct CornerTerms {
     /// The face's vector and its length.
@@ -58,19 +58,30 @@ impl CornerTerms {
             return;
         }
         let exponent = shape.exponent.clamp(-EXPONENTS, EXPONENTS);
-        self.vector = if W::BY_AREA {
-            let unit = num::power_of_two(2 * exponent);
-            (shape.vector * unit).extend(shape.length * unit).to_array()
-        } else {
-            shape.unit.extend(1.0).to_array()
+        self.vector = match (W::BY_AREA, W::EVEN) {
+            (true, _) => {
+                let unit = num::power_of_two(2 * exponent);
+                (shape.vector * unit).extend(shape.length * unit).to_array()
+            }
+            (false, true) => shape.unit.extend(1.0).to_array(),
+            (false, false) => shape.vector.extend(shape.length).to_array(),
         };
         if let [p0, p1, p2] = self.points[..] {
-            let edge = |from: DVec3, to: DVec3| num::scale(to - from, -shape.exponent);
-            let mut measures = TriangleMeasures::new(shape.length, edge(p0, p1), edge(p0, p2), edge(p1, p2));
-            measures.opposite = measures.opposite.map(|square| square.max(SMALLEST_SQUARE));
-            self.weights.extend(W::of_triangle(measures));
+            let arch = OneLane::<Split>::new();
+            let edge = |from: DVec3, to: DVec3| {
+                Vectors::new(arch, num::scale(to - from, -shape.exponent).to_array())
+            };
+            let length = Scalars::new(arch, shape.length);
+            let mut measures = TriangleMeasures::new(length, edge(p0, p1), edge(p0, p2), edge(p1, p2));
+            let smallest = Scalars::new(arch, SMALLEST_SQUARE);
+            measures.opposite = measures.opposite.map(|square| square.max(smallest));
+            self.weights.extend(W::of_triangle(measures).map(|weight| weight.value));
         } else {
             self.fill_polygon::<W>(&shape, repeats);
+        }
+        if !W::BY_AREA && !W::EVEN {
+            let reciprocal = 1.0 / shape.length;
+            self.weights.iter_mut().for_each(|weight| *weight *= reciprocal);
         }
         if W::POWER != 0 {
             let unit = num::power_of_two(W::POWER * exponent);
@@ -131,7 +142,7 @@ impl Kernel for Shape<'_> {
     type Output = FaceShape;
 
     #[inline(always)]
-    fn run<P: Product>(self) -> FaceShape {
-        face_shape::<P>(self.points, self.storage, self.lossy)
+    fn run<A: Lanes>(self, _: A) -> FaceShape {
+        face_shape::<A>(self.points, self.storage, self.lossy)
     }
 }

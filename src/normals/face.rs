@@ -1,13 +1,13 @@
 //! Normals of faces.
 
-use super::block::{BlockTerms, Corners, LANES, block_terms};
+use super::block::{GroupTerms, are_inner, group_terms};
 use super::corner_terms::CornerTerms;
 use super::emit::Emit;
 use super::face_shape::FaceState;
 use super::positions::{Positions, Source, Visitor};
 use super::weight::Uniform;
 use crate::mesh::FacesRef;
-use crate::num::{self, Kernel, Product};
+use crate::num::{self, Kernel, LANES, Lanes};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -76,30 +76,35 @@ impl<S: Source, O: Emit> Kernel for SomeFaces<'_, S, O> {
     type Output = ();
 
     #[inline(always)]
-    fn run<P: Product>(mut self) {
+    fn run<A: Lanes>(mut self, arch: A) {
         let mut scalar = CornerTerms::default();
-        if !self.faces.is_triangles() {
-            for at in 0..self.unit.len() {
-                self.face(at, &mut scalar);
-            }
-            return;
-        }
-        let (mut corners, mut terms) = (Corners::new(), BlockTerms::new());
-        let triangles = self.faces.corners().as_chunks::<3>().0;
-        let triangles = &triangles[self.first..self.first + self.unit.len()];
-        for (start, triangles) in (0..).step_by(LANES).zip(triangles.chunks(LANES)) {
-            let count = triangles.len();
-            corners.gather(triangles, self.source);
-            let all_settled = block_terms::<P, S, Uniform>(&corners, count, self.source, &mut terms);
-            for lane in 0..count {
-                if !all_settled && terms.settled[lane] == 0 {
-                    self.face(start + lane, &mut scalar);
-                    continue;
+        let (groups, rest): (&[[[u32; 3]; LANES]], usize) = if self.faces.is_triangles() {
+            let triangles = self.faces.corners().as_chunks::<3>().0;
+            let groups = triangles[self.first..self.first + self.unit.len()].as_chunks().0;
+            (groups, groups.len() * LANES)
+        } else {
+            (&[], 0)
+        };
+        let all_inner = are_inner(&self.source, groups.as_flattened());
+        let mut terms = GroupTerms::ZERO;
+        for (start, triangles) in (0..).step_by(LANES).zip(groups) {
+            let inner = all_inner || are_inner(&self.source, triangles);
+            let settled = if inner {
+                group_terms::<A, S, Uniform>(arch, triangles, &self.source, &mut terms)
+            } else {
+                0
+            };
+            for (row, vector) in terms.vectors.0.iter().enumerate() {
+                if settled >> row & 1 == 1 {
+                    self.unit[start + row] = O::emit_row(arch, vector, 1.0);
+                    self.state[start + row] = FaceState::Counted;
+                } else {
+                    self.face(start + row, &mut scalar);
                 }
-                let [x, y, z, _] = terms.vectors[lane];
-                self.unit[start + lane] = O::emit(DVec3::new(x, y, z));
-                self.state[start + lane] = FaceState::Counted;
             }
+        }
+        for at in rest..self.unit.len() {
+            self.face(at, &mut scalar);
         }
     }
 }

@@ -1,11 +1,10 @@
 //! From sums to unit vectors.
 
-use super::block::LANES;
 use super::emit::Emit;
 use super::part::Sum;
 use super::sums::{CANCELLING, SlotState};
 use super::term::classify;
-use crate::num::{self, Kernel, Product};
+use crate::num::{self, Kernel, LANES, Lanes, Scalars, Vectors};
 use glam::DVec3;
 
 /// Where the results of some slots in a row go.
@@ -49,7 +48,8 @@ const SAME_WAY: f64 = 1.0 + 64.0 * f64::EPSILON;
 
 /// Turns the sums of a part into unit vectors.
 pub(crate) struct Finish<'a, 'b, O> {
-    pub(crate) sums: &'a [Sum],
+    /// Set to zero on the way, for the next call.
+    pub(crate) sums: &'a mut [Sum],
     /// Where to write, ascending.
     pub(crate) outputs: &'a mut [Output<'b, O>],
     pub(crate) doubts: &'a mut Doubts,
@@ -62,57 +62,48 @@ impl<O: Emit> Kernel for Finish<'_, '_, O> {
     type Output = ();
 
     #[inline(always)]
-    fn run<P: Product>(self) {
+    fn run<A: Lanes>(self, arch: A) {
         let Self { mut sums, outputs, doubts, areas } = self;
+        // No sum is shorter than nothing: where single faces are not looked for, none is found.
+        let same_way = if areas { 0.0 } else { SAME_WAY };
         for Output { first, unit, state } in outputs {
-            let (own, others) = sums.split_at(unit.len());
+            let (own, others) = sums.split_at_mut(unit.len());
             sums = others;
             state.fill(SlotState::Good);
-            let blocks = own.chunks(LANES).zip(unit.chunks_mut(LANES)).zip(state.chunks_mut(LANES));
-            for (first, ((sums, unit), state)) in (*first..).step_by(LANES).zip(blocks) {
-                // No sum is shorter than nothing: where single faces are not looked for, none is found.
-                if finish_block(sums, unit, if areas { 0.0 } else { SAME_WAY }) {
-                    continue;
+            let groups = own.chunks_mut(LANES).zip(unit.chunks_mut(LANES)).zip(state.chunks_mut(LANES));
+            for (first, ((sums, unit), state)) in (*first..).step_by(LANES).zip(groups) {
+                if !finish_group(arch, sums, unit, same_way) {
+                    for (slot, ((&sum, unit), state)) in (first..).zip(sums.iter().zip(unit).zip(state)) {
+                        let (vector, worth) = finish_one(sum, slot, areas, doubts);
+                        (*unit, *state) = (O::emit(vector), worth);
+                    }
                 }
-                for (slot, ((&sum, unit), state)) in (first..).zip(sums.iter().zip(unit).zip(state)) {
-                    let (vector, worth) = finish_one(sum, slot, areas, doubts);
-                    (*unit, *state) = (O::emit(vector), worth);
-                }
+                sums.fill(Sum::default());
             }
         }
     }
 }
 
-/// A full block of sums at once; false if one of them is out of the ordinary, and then nothing is certain.
+/// Eight sums at once; false if one of them is out of the ordinary, and then nothing is certain.
 #[inline(always)]
-fn finish_block<O: Emit>(sums: &[Sum], unit: &mut [O], same_way: f64) -> bool {
-    let Ok(sums) = <&[Sum; LANES]>::try_from(sums) else { return false };
-    let mut columns = [[0.0; LANES]; 4];
-    for lane in 0..LANES {
-        let Sum([x, y, z, weights]) = sums[lane];
-        columns[0][lane] = x;
-        columns[1][lane] = y;
-        columns[2][lane] = z;
-        columns[3][lane] = weights;
+fn finish_group<A: Lanes, O: Emit>(arch: A, sums: &[Sum], unit: &mut [O], same_way: f64) -> bool {
+    let (Ok(sums), Ok(unit)) = (<&[Sum; LANES]>::try_from(sums), <&mut [O; LANES]>::try_from(unit)) else {
+        return false;
+    };
+    let [x, y, z, weights] = arch.columns(sums.each_ref().map(|Sum(sum)| sum));
+    let weights = Scalars::new(arch, weights);
+    let squared = Vectors::new(arch, [x, y, z]).squared_length();
+    let length = squared.sqrt();
+    let reciprocal = arch.to_array((Scalars::splat(arch, 1.0) / length).value);
+    let (shortest, longest) = num::PLAIN_SQUARES;
+    let ordinary = Scalars::splat(arch, shortest).less(squared)
+        & squared.less(Scalars::splat(arch, longest))
+        & weights.less(Scalars::splat(arch, CANCELLING) * length)
+        & (Scalars::splat(arch, same_way) * length).less(weights);
+    for (row, (unit, Sum(sum))) in unit.iter_mut().zip(sums).enumerate() {
+        *unit = O::emit_row(arch, sum, reciprocal[A::lane(row)]);
     }
-    let mut good = [0_u64; LANES];
-    for lane in 0..LANES {
-        let vector = DVec3::new(columns[0][lane], columns[1][lane], columns[2][lane]);
-        let weights = columns[3][lane];
-        let squared = num::squared_length(vector);
-        let length = squared.sqrt();
-        let direction = vector * (1.0 / length);
-        columns[0][lane] = direction.x;
-        columns[1][lane] = direction.y;
-        columns[2][lane] = direction.z;
-        let ordinary =
-            num::is_plain(squared) & (weights <= CANCELLING * length) & (weights > same_way * length);
-        good[lane] = u64::from(ordinary);
-    }
-    for (lane, unit) in unit.iter_mut().enumerate().take(LANES) {
-        *unit = O::emit(DVec3::new(columns[0][lane], columns[1][lane], columns[2][lane]));
-    }
-    good.iter().fold(1, |all, one| all & one) == 1
+    ordinary.row_bits() == u8::MAX
 }
 
 /// One sum.

@@ -1,16 +1,16 @@
 //! The work of one part: adding up its share of slots.
 
-use super::block::{BlockTerms, Corners, LANES, block_terms};
+use super::block::{ALL, GroupTerms, are_inner, group_terms};
 use super::corner_terms::CornerTerms;
 use super::face_shape::FaceState;
 use super::finish::Doubts;
-use super::partition::Numbering;
-use super::positions::{Scalar, Source};
+use super::partition::{Numbering, bounds};
+use super::positions::Source;
 use super::sums::SumRequest;
 use super::term::adds;
 use super::weight::CornerWeight;
 use crate::mesh::NONE;
-use crate::num::{Kernel, Product};
+use crate::num::{Kernel, LANES, Lanes};
 use std::marker::PhantomData;
 use std::ops::Range;
 
@@ -60,108 +60,144 @@ pub(crate) struct Accumulate<'a, S, W> {
 }
 
 impl<S: Source, W: CornerWeight> Kernel for Accumulate<'_, S, W> {
-    type Output = ();
+    /// Whether every vertex exists.
+    type Output = bool;
 
     #[inline(always)]
-    fn run<P: Product>(mut self) {
+    fn run<A: Lanes>(mut self, arch: A) -> bool {
+        let mut work = Work::new();
         match self.walk {
             Walk::Share(faces) if self.request.faces.is_triangles() => {
                 let triangles = &self.request.faces.corners().as_chunks::<3>().0[faces.clone()];
                 let slots = &self.request.target.as_chunks::<3>().0[faces.clone()];
-                let mut work = Work::new();
                 for (first, (triangles, slots)) in
-                    faces.clone().step_by(LANES).zip(triangles.chunks(LANES).zip(slots.chunks(LANES)))
+                    faces.clone().step_by(BLOCK).zip(triangles.chunks(BLOCK).zip(slots.chunks(BLOCK)))
                 {
-                    self.block::<P>(triangles, slots, &mut work, |lane| first + lane);
+                    if !self.block(arch, triangles, slots, &mut work, |at| first + at) {
+                        return false;
+                    }
                 }
             }
             Walk::Listed(faces) if self.request.faces.is_triangles() => {
                 let triangles = self.request.faces.corners().as_chunks::<3>().0;
                 let slots = self.request.target.as_chunks::<3>().0;
-                let mut work = Work::new();
-                let (mut some_triangles, mut some_slots) = ([[0; 3]; LANES], [[0; 3]; LANES]);
-                for faces in faces.chunks(LANES) {
-                    for (lane, &face) in faces.iter().enumerate() {
-                        some_triangles[lane] = triangles[face as usize];
-                        some_slots[lane] = slots[face as usize];
+                let (mut some_triangles, mut some_slots) = ([[0; 3]; BLOCK], [[0; 3]; BLOCK]);
+                for faces in faces.chunks(BLOCK) {
+                    for (at, &face) in faces.iter().enumerate() {
+                        some_triangles[at] = triangles[face as usize];
+                        some_slots[at] = slots[face as usize];
                     }
                     let count = faces.len();
-                    let face = |lane: usize| faces[lane] as usize;
-                    self.block::<P>(&some_triangles[..count], &some_slots[..count], &mut work, face);
+                    let face = |at: usize| faces[at] as usize;
+                    if !self.block(arch, &some_triangles[..count], &some_slots[..count], &mut work, face) {
+                        return false;
+                    }
                 }
             }
             Walk::Share(faces) => self.polygons(faces.clone()),
             Walk::Listed(faces) => self.polygons(faces.iter().map(|&face| face as usize)),
         }
+        true
     }
 }
 
+/// Triangles that are computed before they are added: enough to fill the pipeline, few enough to stay at hand.
+const BLOCK: usize = 8 * LANES;
+
 /// Memory for blocks of triangles.
-struct Work<T> {
-    corners: Corners<T>,
-    terms: BlockTerms,
+struct Work {
+    terms: [GroupTerms; BLOCK / LANES],
     scalar: CornerTerms,
 }
 
-impl<T: Scalar> Work<T> {
+impl Work {
     fn new() -> Self {
-        Self { corners: Corners::new(), terms: BlockTerms::new(), scalar: CornerTerms::default() }
+        Self { terms: [GroupTerms::ZERO; BLOCK / LANES], scalar: CornerTerms::default() }
     }
 }
 
 impl<S: Source, W: CornerWeight> Accumulate<'_, S, W> {
-    /// Up to [`LANES`] triangles.
+    /// Up to [`BLOCK`] triangles; false if a vertex does not exist.
     #[inline(always)]
-    fn block<P: Product>(
+    fn block<A: Lanes>(
         &mut self,
+        arch: A,
         triangles: &[[u32; 3]],
         slots: &[[u32; 3]],
-        work: &mut Work<S::Scalar>,
+        Work { terms, scalar }: &mut Work,
         face: impl Fn(usize) -> usize,
-    ) {
-        let Work { corners, terms, scalar } = work;
-        corners.gather(triangles, self.source);
-        if !block_terms::<P, S, W>(corners, triangles.len(), self.source, terms) {
-            for lane in 0..triangles.len() {
-                if terms.settled[lane] == 0 {
-                    self.settle(lane, face(lane), terms, scalar);
-                }
+    ) -> bool {
+        let all_inner = are_inner(&self.source, triangles);
+        let (groups, rest) = triangles.as_chunks::<LANES>();
+        for (group, (triangles, terms)) in groups.iter().zip(&mut *terms).enumerate() {
+            let inner = all_inner || are_inner(&self.source, triangles);
+            let settled =
+                if inner { group_terms::<A, S, W>(arch, triangles, &self.source, terms) } else { 0 };
+            if settled != ALL && !self.settle(settled, LANES, terms, scalar, |row| face(group * LANES + row))
+            {
+                return false;
             }
         }
-        match self.numbering {
+        if !rest.is_empty() {
+            let first = groups.len() * LANES;
+            if !self.settle(0, rest.len(), &mut terms[groups.len()], scalar, |row| face(first + row)) {
+                return false;
+            }
+        }
+        let (numbering, sums) = (self.numbering, &mut self.sums[..]);
+        let missed = match numbering {
             Numbering::Alone => {
-                scatter::<W>(terms, slots, self.sums, |slot| slot as usize);
+                scatter::<A, W>(arch, terms, slots, sums, |slot| slot as usize);
+                false
             }
-            Numbering::Chunked(_) => {
-                let numbering = self.numbering;
-                let missed = scatter::<W>(terms, slots, self.sums, |slot| numbering.local(slot));
-                if missed {
-                    self.write_down(slots, face);
+            Numbering::Chunked(_) => match numbering.offset(bounds(slots.as_flattened())) {
+                Some(offset) => {
+                    scatter::<A, W>(arch, terms, slots, sums, |slot| slot.wrapping_sub(offset) as usize)
                 }
-            }
+                None => scatter::<A, W>(arch, terms, slots, sums, |slot| numbering.local(slot)),
+            },
+        };
+        if missed {
+            self.write_down(slots, face);
         }
+        true
     }
 
-    /// Puts a triangle right that could not be computed together with others.
+    /// Puts triangles right that could not be computed together with others; false if a vertex does not exist.
     #[inline(never)]
-    fn settle(&mut self, lane: usize, face: usize, terms: &mut BlockTerms, scalar: &mut CornerTerms) {
-        scalar.fill::<S, W>(self.request.faces, self.source, face, |_| false);
-        if scalar.state != FaceState::Counted {
-            self.odd.push((face as u32, scalar.state));
+    fn settle(
+        &mut self,
+        settled: u8,
+        count: usize,
+        terms: &mut GroupTerms,
+        scalar: &mut CornerTerms,
+        face: impl Fn(usize) -> usize,
+    ) -> bool {
+        let Self { request, source, .. } = *self;
+        for row in (0..count).filter(|row| settled >> row & 1 == 0) {
+            let face = face(row);
+            if request.faces.face(face).iter().any(|&vertex| vertex as usize >= source.count()) {
+                return false;
+            }
+            scalar.fill::<S, W>(request.faces, source, face, |_| false);
+            if scalar.state != FaceState::Counted {
+                self.odd.push((face as u32, scalar.state));
+            }
+            if adds(scalar.state, request.slivers) {
+                terms.set(row, scalar.vector, &scalar.weights);
+            } else {
+                terms.set(row, [0.0; 4], &[0.0; 3]);
+            }
         }
-        if adds(scalar.state, self.request.slivers) {
-            terms.set(lane, scalar.vector, &scalar.weights);
-        } else {
-            terms.set(lane, [0.0; 4], &[0.0; 3]);
-        }
+        true
     }
 
     /// Writes the faces of a block down of which a corner is another part's.
     #[inline(never)]
     fn write_down(&mut self, slots: &[[u32; 3]], face: impl Fn(usize) -> usize) {
-        for (lane, slots) in slots.iter().enumerate() {
+        for (at, slots) in slots.iter().enumerate() {
             if slots.iter().any(|&slot| self.is_abroad(slot)) {
-                self.abroad.push(face(lane) as u32);
+                self.abroad.push(face(at) as u32);
             }
         }
     }
@@ -170,6 +206,7 @@ impl<S: Source, W: CornerWeight> Accumulate<'_, S, W> {
         slot != NONE && self.numbering.local(slot) >= self.sums.len()
     }
 
+    /// Faces of any size. Their vertices exist: only slices of triangles come unchecked.
     fn polygons(&mut self, faces: impl Iterator<Item = usize>) {
         let Self { request, source, numbering, .. } = *self;
         let mut scalar = CornerTerms::default();
@@ -181,7 +218,9 @@ impl<S: Source, W: CornerWeight> Accumulate<'_, S, W> {
             }
             if adds(scalar.state, request.slivers) {
                 for (&slot, &weight) in slots.iter().zip(&scalar.weights) {
-                    add(self.sums, numbering.local(slot), scalar.vector, weight);
+                    if let Some(Sum(sum)) = self.sums.get_mut(numbering.local(slot)) {
+                        *sum = std::array::from_fn(|i| sum[i] + scalar.vector[i] * weight);
+                    }
                 }
             }
             if slots.iter().any(|&slot| self.is_abroad(slot)) {
@@ -193,39 +232,46 @@ impl<S: Source, W: CornerWeight> Accumulate<'_, S, W> {
 
 /// Adds the triangles of a block to the slots of their corners; tells whether a slot was not there.
 #[inline(always)]
-fn scatter<W: CornerWeight>(
-    terms: &BlockTerms,
+fn scatter<A: Lanes, W: CornerWeight>(
+    arch: A,
+    terms: &[GroupTerms; BLOCK / LANES],
     slots: &[[u32; 3]],
     sums: &mut [Sum],
     local: impl Fn(u32) -> usize,
 ) -> bool {
     let mut missed = false;
-    let BlockTerms { vectors, weights: [weight0, weight1, weight2], .. } = terms;
-    for (lane, &[a, b, c]) in slots.iter().enumerate().take(LANES) {
-        let vector = vectors[lane];
-        let (u, v, w) = match W::EVEN {
-            true => (1.0, 1.0, 1.0),
-            false => (weight0[lane], weight1[lane], weight2[lane]),
-        };
-        missed |= !add(sums, local(a), vector, u);
-        missed |= !add(sums, local(b), vector, v);
-        missed |= !add(sums, local(c), vector, w);
+    let (groups, rest) = slots.as_chunks::<LANES>();
+    for (terms, slots) in terms.iter().zip(groups) {
+        for row in 0..LANES {
+            missed |= add::<A, W>(arch, terms, row, slots[row].map(&local), sums);
+        }
+    }
+    for (row, slots) in rest.iter().enumerate() {
+        missed |= add::<A, W>(arch, &terms[groups.len()], row, slots.map(&local), sums);
     }
     missed
 }
 
-/// Adds to a slot, unless it is not there.
+/// Adds one triangle; tells whether a slot was not there.
 #[inline(always)]
-fn add(sums: &mut [Sum], slot: usize, vector: [f64; 4], weight: f64) -> bool {
-    let Some(Sum(sum)) = sums.get_mut(slot) else { return false };
-    // Written out, so that it becomes one vector addition.
-    *sum = [
-        sum[0] + vector[0] * weight,
-        sum[1] + vector[1] * weight,
-        sum[2] + vector[2] * weight,
-        sum[3] + vector[3] * weight,
-    ];
-    true
+fn add<A: Lanes, W: CornerWeight>(
+    arch: A,
+    terms: &GroupTerms,
+    row: usize,
+    slots: [usize; 3],
+    sums: &mut [Sum],
+) -> bool {
+    let mut missed = false;
+    for corner in 0..3 {
+        match sums.get_mut(slots[corner]) {
+            Some(Sum(sum)) if W::EVEN => arch.add_row(sum, &terms.vectors.0[row]),
+            Some(Sum(sum)) => {
+                arch.add_scaled_row(sum, &terms.vectors.0[row], terms.weights.0[row][corner]);
+            }
+            None => missed = true,
+        }
+    }
+    missed
 }
 
 /// Whether a corner has the same slot as the one before it in its face.

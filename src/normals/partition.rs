@@ -9,7 +9,7 @@
 use super::finish::Output;
 use super::sums::SlotState;
 use crate::mesh::FacesRef;
-use crate::num::{self, Kernel, Product};
+use crate::num::{self, Kernel, Lanes};
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -158,6 +158,17 @@ pub(crate) enum Numbering<'a> {
 }
 
 impl Numbering<'_> {
+    /// What to subtract from each slot between these two, if the part owns them all.
+    #[inline(always)]
+    pub(crate) fn offset(self, (low, high): (u32, u32)) -> Option<u32> {
+        let Numbering::Chunked(starts) = self else { return Some(0) };
+        let (first, last) = (chunk_of(low), chunk_of(high));
+        let (start, end) = (*starts.get(first)?, *starts.get(last)?);
+        // Own chunks are numbered without gaps.
+        let all_own = start != ELSEWHERE && end.wrapping_sub(start) as usize == (last - first) * CHUNK;
+        all_own.then(|| ((first * CHUNK) as u32).wrapping_sub(start))
+    }
+
     /// The number of a slot among the part's own; beyond their count for the slots of others and for
     /// [`NONE`](crate::mesh::NONE).
     #[inline(always)]
@@ -201,19 +212,20 @@ fn existing((first, last): (usize, usize), count: usize) -> Range<usize> {
     first.min(end)..end
 }
 
-/// Lowest and highest of some slots; a kernel so that it is compiled with the widest instructions.
+/// Lowest and highest of some slots.
+#[inline(always)]
+pub(crate) fn bounds(slots: &[u32]) -> (u32, u32) {
+    slots.iter().fold((u32::MAX, 0), |(low, high), &slot| (low.min(slot), high.max(slot)))
+}
+
+/// The same; a kernel so that it is compiled with the widest instructions.
 pub(crate) struct Bounds<'a>(pub(crate) &'a [u32]);
 
 impl Kernel for Bounds<'_> {
     type Output = (u32, u32);
 
     #[inline(always)]
-    fn run<P: Product>(self) -> (u32, u32) {
-        let (mut low, mut high) = (u32::MAX, 0);
-        for &slot in self.0 {
-            low = low.min(slot);
-            high = high.max(slot);
-        }
-        (low, high)
+    fn run<A: Lanes>(self, _: A) -> (u32, u32) {
+        bounds(self.0)
     }
 }

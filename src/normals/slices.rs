@@ -8,7 +8,7 @@ use super::positions::Positions;
 use super::sums::{SlotState, SumRequest, SumScratch, weighted_sums_into};
 use super::{Fault, FaultReason, Faults, Slivers, Weight};
 use crate::mesh::{FacesRef, Storage};
-use crate::num::{self, Kernel, Product};
+use crate::num::{self, Kernel, Lanes};
 use glam::DVec3;
 
 /// The type of coordinates: `f32` or `f64`.
@@ -214,7 +214,7 @@ pub fn vertex_normals<T: Coordinate>(
     if weight == Weight::Quadric {
         return Err(SliceError::QuadricNeedsMesh);
     }
-    check(positions.len(), triangles, positions.len(), normals.len())?;
+    check_lengths(positions.len(), triangles, positions.len(), normals.len())?;
     let (faces, points) = (FacesRef::triangles(triangles), T::positions(positions));
     let request = SumRequest {
         faces,
@@ -228,6 +228,9 @@ pub fn vertex_normals<T: Coordinate>(
     states.resize(positions.len(), SlotState::Empty);
     let normals = T::normals(normals);
     let outcome = weighted_sums_into(&request, &mut scratch.sums, normals, states);
+    if outcome.vertex_missing {
+        return Err(no_such_vertex(positions.len(), triangles));
+    }
 
     let added = |state: FaceState| state == FaceState::Sliver && slivers == Slivers::Keep;
     let odd = outcome.odd.into_iter().filter(|&(_, state)| !added(state));
@@ -273,6 +276,20 @@ pub(super) fn check(
     expected: usize,
     found: usize,
 ) -> Result<(), SliceError> {
+    check_lengths(vertices, triangles, expected, found)?;
+    match num::dispatch(Highest(triangles)) {
+        Some(highest) if highest as usize >= vertices => Err(no_such_vertex(vertices, triangles)),
+        _ => Ok(()),
+    }
+}
+
+/// That the output has the right length.
+fn check_lengths(
+    vertices: usize,
+    triangles: &[[u32; 3]],
+    expected: usize,
+    found: usize,
+) -> Result<(), SliceError> {
     for (what, count) in [("vertices", vertices), ("corners", 3 * triangles.len())] {
         if count >= crate::mesh::NONE as usize {
             return Err(SliceError::TooLarge { what, count });
@@ -281,10 +298,7 @@ pub(super) fn check(
     if found != expected {
         return Err(SliceError::OutputLength { found, expected });
     }
-    match num::dispatch(Highest(triangles)) {
-        Some(highest) if highest as usize >= vertices => Err(no_such_vertex(vertices, triangles)),
-        _ => Ok(()),
-    }
+    Ok(())
 }
 
 /// The first vertex that does not exist.
@@ -301,7 +315,7 @@ impl Kernel for Highest<'_> {
     type Output = Option<u32>;
 
     #[inline(always)]
-    fn run<P: Product>(self) -> Option<u32> {
+    fn run<A: Lanes>(self, _: A) -> Option<u32> {
         let corners = self.0.as_flattened();
         (!corners.is_empty()).then(|| corners.iter().fold(0, |highest, &vertex| highest.max(vertex)))
     }

@@ -60,15 +60,19 @@ pub(crate) struct Sums {
 #[derive(Default)]
 pub(crate) struct SumScratch {
     partition: Partition,
+    /// Their sums are zero between calls.
     parts: Vec<Part>,
 }
 
 /// What is worth knowing beside the sums themselves.
+#[derive(Default)]
 pub(crate) struct Outcome {
     /// The faces that are not simply counted, ascending.
     pub(crate) odd: Vec<OddFace>,
     /// Whether it is certain that every slot is [`SlotState::Good`].
     pub(crate) all_good: bool,
+    /// Whether a face has a vertex that does not exist. Then nothing was computed.
+    pub(crate) vertex_missing: bool,
 }
 
 /// Adds up Σ w n̂ for every slot, each sum in ascending face index whatever the number of threads.
@@ -117,26 +121,25 @@ impl<S: Source, O: Emit> WeightVisitor for WithWeight<'_, S, O> {
 
     fn visit<W: CornerWeight>(self) -> Self::Output {
         let Self { all: WithSource { request, scratch, unit, state }, source } = self;
-        let SumScratch { partition, parts } = scratch;
+        // Whatever stops the work half way, the next call does not find its sums.
+        let SumScratch { mut partition, mut parts } = std::mem::take(scratch);
         partition.fill(request.faces, request.target, request.slots);
         parts.resize_with(partition.parts(), Part::default);
-        let partition = &*partition;
         let alone = partition.parts() == 1;
 
         let accumulate = |part: &mut Part, walk: Walk| {
             let Part { sums, starts, odd, abroad, .. } = part;
             let numbering = if alone { Numbering::Alone } else { Numbering::Chunked(starts) };
             let weight = PhantomData::<W>;
-            num::dispatch(Accumulate { request, source, walk, numbering, sums, odd, abroad, weight });
+            num::dispatch(Accumulate { request, source, walk, numbering, sums, odd, abroad, weight })
         };
         let add_share = |(number, part): (usize, &mut Part)| {
             part.odd.clear();
             part.abroad.clear();
-            part.sums.clear();
             part.sums.resize(partition.number(number, request.slots, &mut part.starts), Sum::default());
             let share = partition.share(number);
             let faces = share.start * BLOCK_FACES..(share.end * BLOCK_FACES).min(request.faces.len());
-            accumulate(part, Walk::Share(&faces));
+            accumulate(part, Walk::Share(&faces))
         };
         let finish = |part: &mut Part, outputs: &mut [Output<O>]| {
             let Part { sums, doubts, .. } = part;
@@ -144,10 +147,14 @@ impl<S: Source, O: Emit> WeightVisitor for WithWeight<'_, S, O> {
             num::dispatch(Finish { sums, outputs, doubts, areas: W::BY_AREA && W::EVEN });
         };
         if let [part] = &mut parts[..] {
-            add_share((0, part));
+            if !add_share((0, part)) {
+                return Outcome { vertex_missing: true, ..Outcome::default() };
+            }
             finish(part, &mut [Output { first: 0, unit: &mut *unit, state: &mut *state }]);
         } else {
-            parts.par_iter_mut().enumerate().for_each(add_share);
+            if !parts.par_iter_mut().enumerate().map(add_share).reduce(|| true, |a, b| a & b) {
+                return Outcome { vertex_missing: true, ..Outcome::default() };
+            }
             let abroad: Vec<Vec<u32>> =
                 parts.iter_mut().map(|part| std::mem::take(&mut part.abroad)).collect();
             let outputs = partition.outputs(unit, state);
@@ -170,6 +177,7 @@ impl<S: Source, O: Emit> WeightVisitor for WithWeight<'_, S, O> {
             unit[slot as usize] = O::emit(vector);
             state[slot as usize] = worth;
         }
-        Outcome { odd, all_good: !doubts.not_all_good }
+        *scratch = SumScratch { partition, parts };
+        Outcome { odd, all_good: !doubts.not_all_good, vertex_missing: false }
     }
 }

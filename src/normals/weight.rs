@@ -1,28 +1,28 @@
 //! How much a face counts at each of its corners.
 
 use super::Weight;
-use crate::num;
+use crate::num::{self, Arithmetic, Scalars, Vectors};
 use glam::DVec3;
 
-/// The measures of a triangle that weights are made of, in any unit of length.
+/// The measures of triangles that weights are made of, in any unit of length.
 #[derive(Clone, Copy)]
-pub(crate) struct TriangleMeasures {
+pub(crate) struct TriangleMeasures<A: Arithmetic> {
     /// Twice the area: |e1×e2| at every corner.
-    pub(crate) double_area: f64,
+    pub(crate) double_area: Scalars<A>,
     /// e1·e2 at each corner.
-    pub(crate) dots: [f64; 3],
+    pub(crate) dots: [Scalars<A>; 3],
     /// |e|² of the edge opposite each corner.
-    pub(crate) opposite: [f64; 3],
+    pub(crate) opposite: [Scalars<A>; 3],
 }
 
-impl TriangleMeasures {
+impl<A: Arithmetic> TriangleMeasures<A> {
     /// From the edges P0→P1, P0→P2 and P1→P2.
     #[inline(always)]
-    pub(crate) fn new(double_area: f64, e1: DVec3, e2: DVec3, e3: DVec3) -> Self {
+    pub(crate) fn new(double_area: Scalars<A>, e1: Vectors<A>, e2: Vectors<A>, e3: Vectors<A>) -> Self {
         Self {
             double_area,
-            dots: [dot(e1, e2), -dot(e1, e3), dot(e2, e3)],
-            opposite: [num::squared_length(e3), num::squared_length(e2), num::squared_length(e1)],
+            dots: [e1.dot(e2), Scalars::splat(double_area.arch, 0.0) - e1.dot(e3), e2.dot(e3)],
+            opposite: [e3.squared_length(), e2.squared_length(), e1.squared_length()],
         }
     }
 }
@@ -57,7 +57,7 @@ pub(crate) trait CornerWeight: Copy + Send + Sync + 'static {
     const POWER: i32 = 0;
 
     /// The weights of a triangle's corners.
-    fn of_triangle(measures: TriangleMeasures) -> [f64; 3];
+    fn of_triangle<A: Arithmetic>(measures: TriangleMeasures<A>) -> [Scalars<A>; 3];
 
     /// The weight of a polygon's corner.
     fn of_corner(measures: CornerMeasures) -> f64;
@@ -71,8 +71,8 @@ impl CornerWeight for Uniform {
     const EVEN: bool = true;
 
     #[inline(always)]
-    fn of_triangle(_: TriangleMeasures) -> [f64; 3] {
-        [1.0; 3]
+    fn of_triangle<A: Arithmetic>(measures: TriangleMeasures<A>) -> [Scalars<A>; 3] {
+        [Scalars::splat(measures.double_area.arch, 1.0); 3]
     }
 
     fn of_corner(_: CornerMeasures) -> f64 {
@@ -89,8 +89,8 @@ impl CornerWeight for Area {
     const EVEN: bool = true;
 
     #[inline(always)]
-    fn of_triangle(_: TriangleMeasures) -> [f64; 3] {
-        [1.0; 3]
+    fn of_triangle<A: Arithmetic>(measures: TriangleMeasures<A>) -> [Scalars<A>; 3] {
+        [Scalars::splat(measures.double_area.arch, 1.0); 3]
     }
 
     fn of_corner(_: CornerMeasures) -> f64 {
@@ -104,7 +104,7 @@ pub(crate) struct Angle;
 
 impl CornerWeight for Angle {
     #[inline(always)]
-    fn of_triangle(measures: TriangleMeasures) -> [f64; 3] {
+    fn of_triangle<A: Arithmetic>(measures: TriangleMeasures<A>) -> [Scalars<A>; 3] {
         num::triangle_angles(measures.double_area, measures.dots)
     }
 
@@ -122,7 +122,7 @@ impl CornerWeight for AngleArea {
     const BY_AREA: bool = true;
 
     #[inline(always)]
-    fn of_triangle(measures: TriangleMeasures) -> [f64; 3] {
+    fn of_triangle<A: Arithmetic>(measures: TriangleMeasures<A>) -> [Scalars<A>; 3] {
         Angle::of_triangle(measures)
     }
 
@@ -139,7 +139,7 @@ impl CornerWeight for Max {
     const POWER: i32 = -2;
 
     #[inline(always)]
-    fn of_triangle(measures: TriangleMeasures) -> [f64; 3] {
+    fn of_triangle<A: Arithmetic>(measures: TriangleMeasures<A>) -> [Scalars<A>; 3] {
         let [a, b, c] = measures.opposite;
         // One division: 1/(bc) = a/(abc), and so on. Nothing here leaves f64 for edges of the f32 range.
         let common = measures.double_area / ((a * b) * c);
@@ -159,10 +159,10 @@ impl CornerWeight for Edge {
     const POWER: i32 = -2;
 
     #[inline(always)]
-    fn of_triangle(measures: TriangleMeasures) -> [f64; 3] {
+    fn of_triangle<A: Arithmetic>(measures: TriangleMeasures<A>) -> [Scalars<A>; 3] {
         let [a, b, c] = measures.opposite;
         let (a, b, c) = (a.sqrt(), b.sqrt(), c.sqrt());
-        let common = 1.0 / ((a * b) * c);
+        let common = Scalars::splat(a.arch, 1.0) / ((a * b) * c);
         [common * a, common * b, common * c]
     }
 

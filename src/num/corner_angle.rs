@@ -1,5 +1,7 @@
 //! The angle of a corner, without the platform's arc tangent.
 
+use super::lanes::{Arithmetic, OneLane, Scalars};
+use super::product::Split;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// tan(π/8) and tan(3π/8): between them the angle is measured from π/4, beyond from 0 or π/2.
@@ -24,8 +26,8 @@ const ATAN: [f64; 10] = [
 
 /// atan2(y, x) for y ≥ 0, in [0, π]: the angle with the sine y and the cosine x, up to a common factor.
 ///
-/// The error is at most 2 ulp wherever y/x neither overflows nor underflows. There are no branches, one division
-/// and no fused operation, so that a compiler can run several at once and gets the same bits on every CPU.
+/// The error is at most 2 ulp wherever y/x neither overflows nor underflows. There is one division and no fused operation,
+/// so it gives the same bits on every CPU.
 /// Both arguments zero give NaN: there is no angle.
 #[inline(always)]
 pub(crate) fn corner_angle(y: f64, x: f64) -> f64 {
@@ -38,7 +40,7 @@ pub(crate) fn corner_angle(y: f64, x: f64) -> f64 {
     let z = select(y, y - ax, -ax) / select(ax, y + ax, y);
     // Each base angle is a sum of two doubles; the lower one goes into the small part.
     let (base, base_low) = (select(0.0, FRAC_PI_4, FRAC_PI_2), select(0.0, 0.25 * PI_LOW, 0.5 * PI_LOW));
-    let rest = atan_rest(z);
+    let rest = atan_rest(Scalars::new(OneLane::<Split>::new(), z)).value;
     let small = z + (rest + base_low);
     if x < 0.0 { (PI - base) - (z + ((rest + base_low) - PI_LOW)) } else { base + small }
 }
@@ -48,44 +50,46 @@ pub(crate) fn corner_angle(y: f64, x: f64) -> f64 {
 /// The largest angle, which is the one with the smallest dot product, is what the others leave of π; those are acute, and
 /// share one division. The error is at most 4 ulp. Neither branches nor fused operations, as above.
 #[inline(always)]
-pub(crate) fn triangle_angles(double_area: f64, dots: [f64; 3]) -> [f64; 3] {
-    let first = (dots[0] <= dots[1]) & (dots[0] <= dots[2]);
-    let third = !first & (dots[2] < dots[1]);
+pub(crate) fn triangle_angles<A: Arithmetic>(
+    double_area: Scalars<A>,
+    dots: [Scalars<A>; 3],
+) -> [Scalars<A>; 3] {
+    let second = dots[1].less(dots[0]);
+    let third = dots[2].less(second.select(dots[1], dots[0]));
     // The dot products at the other two corners, in order.
-    let (a, b) = (if first { dots[1] } else { dots[0] }, if third { dots[1] } else { dots[2] });
+    let a = third.select(dots[0], second.select(dots[0], dots[1]));
+    let b = third.select(dots[1], dots[2]);
     let (a, b) = (Reduced::new(double_area, a), Reduced::new(double_area, b));
-    let common = 1.0 / (a.denominator * b.denominator);
+    let common = Scalars::splat(double_area.arch, 1.0) / (a.denominator * b.denominator);
     let (a, b) = (a.angle(b.denominator * common), b.angle(a.denominator * common));
-    let c = (PI - a) - b;
-    let middle = if third { b } else { c };
-    [if first { c } else { a }, if first { a } else { middle }, if third { c } else { b }]
+    let c = (Scalars::splat(double_area.arch, PI) - a) - b;
+    [third.select(a, second.select(a, c)), third.select(b, second.select(c, a)), third.select(c, b)]
 }
 
 /// An acute angle as base + atan(numerator / denominator), the quotient within ±tan(π/8).
-struct Reduced {
-    numerator: f64,
-    denominator: f64,
-    base: f64,
+struct Reduced<A: Arithmetic> {
+    numerator: Scalars<A>,
+    denominator: Scalars<A>,
+    base: Scalars<A>,
 }
 
-impl Reduced {
+impl<A: Arithmetic> Reduced<A> {
     /// For y > 0, and x > 0 but for rounding.
     #[inline(always)]
-    fn new(y: f64, x: f64) -> Self {
-        let (below, above) = (y < TAN_PI_8 * x, y > TAN_3PI_8 * x);
-        let select = |low: f64, middle: f64, high: f64| {
-            let upper = if above { high } else { middle };
-            if below { low } else { upper }
-        };
+    fn new(y: Scalars<A>, x: Scalars<A>) -> Self {
+        let below = y.less(Scalars::splat(y.arch, TAN_PI_8) * x);
+        let above = (Scalars::splat(y.arch, TAN_3PI_8) * x).less(y);
+        let zero = Scalars::splat(y.arch, 0.0);
+        let (quarter, half) = (Scalars::splat(y.arch, FRAC_PI_4), Scalars::splat(y.arch, FRAC_PI_2));
         Self {
-            numerator: select(y, y - x, -x),
-            denominator: select(x, y + x, y),
-            base: select(0.0, FRAC_PI_4, FRAC_PI_2),
+            numerator: below.select(y, above.select(zero - x, y - x)),
+            denominator: below.select(x, above.select(y, y + x)),
+            base: below.select(zero, above.select(half, quarter)),
         }
     }
 
     #[inline(always)]
-    fn angle(&self, reciprocal: f64) -> f64 {
+    fn angle(&self, reciprocal: Scalars<A>) -> Scalars<A> {
         let z = self.numerator * reciprocal;
         self.base + (z + atan_rest(z))
     }
@@ -93,15 +97,20 @@ impl Reduced {
 
 /// atan z − z for |z| ≤ tan(π/8).
 #[inline(always)]
-fn atan_rest(z: f64) -> f64 {
+fn atan_rest<A: Arithmetic>(z: Scalars<A>) -> Scalars<A> {
     let s = z * z;
     let s2 = s * s;
     let s4 = s2 * s2;
     // Estrin's scheme: short chains, so that the pipeline is kept busy.
-    let low = (ATAN[0] + s * ATAN[1]) + s2 * (ATAN[2] + s * ATAN[3]);
-    let middle = (ATAN[4] + s * ATAN[5]) + s2 * (ATAN[6] + s * ATAN[7]);
-    let high = ATAN[8] + s * ATAN[9];
-    z * s * (low + s4 * (middle + s4 * high))
+    let low = atan_pair(s, 0) + s2 * atan_pair(s, 2);
+    let middle = atan_pair(s, 4) + s2 * atan_pair(s, 6);
+    z * s * (low + s4 * (middle + s4 * atan_pair(s, 8)))
+}
+
+/// Two terms of the polynomial.
+#[inline(always)]
+fn atan_pair<A: Arithmetic>(s: Scalars<A>, first: usize) -> Scalars<A> {
+    Scalars::splat(s.arch, ATAN[first]) + s * Scalars::splat(s.arch, ATAN[first + 1])
 }
 
 #[cfg(test)]
@@ -137,7 +146,8 @@ mod tests {
             let spread = [1, 3, 30, 100][round % 4];
             let (x, y) = (numbers.spread(spread.min(3)), numbers.spread(spread).abs());
             let dots = [x, 1.0 - x, x * (x - 1.0) + y * y];
-            let angles = triangle_angles(y, dots);
+            let one = |x: f64| Scalars::new(OneLane::<Split>::new(), x);
+            let angles = triangle_angles(one(y), dots.map(one)).map(|angle| angle.value);
             let largest = (0..3).min_by(|&i, &j| dots[i].total_cmp(&dots[j])).unwrap();
             for corner in (0..3).filter(|&corner| corner != largest) {
                 // libm's own error is below one ulp.

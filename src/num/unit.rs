@@ -33,8 +33,8 @@ impl UnitVec3 {
     }
 }
 
-/// Lengths whose squares and their sums keep all their bits.
-const PLAIN: std::ops::Range<f64> = 1e-120..1e120;
+/// Between these, squared lengths and what they are sums of keep all their bits.
+pub(crate) const PLAIN_SQUARES: (f64, f64) = (1e-240, 1e240);
 
 /// Direction and length of a finite vector other than zero, the same bits at any scale: a power of two brings
 /// it into range first where it must.
@@ -53,8 +53,8 @@ pub(crate) fn direction(v: DVec3) -> (DVec3, f64) {
 
 /// Whether a squared length has lost nothing: `direction` then takes its plain way, which is every time in practice.
 #[inline(always)]
-pub(crate) fn is_plain(squared: f64) -> bool {
-    (PLAIN.start * PLAIN.start..=PLAIN.end * PLAIN.end).contains(&squared)
+fn is_plain(squared: f64) -> bool {
+    (PLAIN_SQUARES.0..=PLAIN_SQUARES.1).contains(&squared)
 }
 
 /// x² + y² + z², added in this order everywhere.

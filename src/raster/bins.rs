@@ -7,7 +7,7 @@ use super::settings::Cull;
 use super::setup::{CornerRows, GROUP, TILE, double_area};
 use super::triangles::DrawnObject;
 use super::view::View;
-use crate::num::{self, Kernel, Product};
+use crate::num::{self, Kernel, Lanes};
 use rayon::prelude::*;
 
 /// Marks a triangle that has to be clipped before it is drawn; the other bits are its number, all objects counted
@@ -151,7 +151,7 @@ impl Kernel for FindTiles<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn run<P: Product>(self) {
+    fn run<A: Lanes>(self, _: A) {
         let Self { object, range, binning, counts, found } = self;
         let mut clipper = Clipper::default();
         let mut corners = CornerRows::new();

@@ -6,7 +6,7 @@ use super::job::Job;
 use super::list::TileList;
 use super::project::ScreenVertex;
 use super::setup::{CornerRows, GROUP, Setup};
-use crate::num::{Kernel, Product};
+use crate::num::{Kernel, Lanes};
 
 /// Draws the triangles of a tile in order, a group at a time.
 pub(super) struct DrawTriangles<'a> {
@@ -21,7 +21,7 @@ impl Kernel for DrawTriangles<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn run<P: Product>(self) {
+    fn run<A: Lanes>(self, _: A) {
         let Self { job, list, origin, visible } = self;
         let (triangles, pieces) = (&list.triangles[..], &list.pieces[..]);
         let mut group = Group { corners: CornerRows::new(), owners: [0; GROUP], count: 0, origin };

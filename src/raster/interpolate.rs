@@ -4,7 +4,7 @@ use super::coverage::place;
 use super::fixed::BITS;
 use super::records::Record;
 use super::view::Rays;
-use crate::num::{Kernel, Product};
+use crate::num::{Kernel, Lanes};
 
 /// Samples that are computed side by side.
 pub(super) const BATCH: usize = 512;
@@ -39,7 +39,7 @@ impl Kernel for Interpolate<'_> {
     /// Edge functions in doubles are exact: coordinates have 25 bits. So weights are never negative, and values stay
     /// within the hull of those at the corners up to rounding.
     #[inline(always)]
-    fn run<P: Product>(self) {
+    fn run<A: Lanes>(self, _: A) {
         let Self { records, seen, origin, perspective, out } = self;
         let mut x = [[0_i32; LANES]; 3];
         let mut y = [[0_i32; LANES]; 3];
@@ -101,7 +101,7 @@ impl Kernel for Positions<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn run<P: Product>(self) {
+    fn run<A: Lanes>(self, _: A) {
         let Self { rays, seen, depth, origin, out } = self;
         let mut rows = [[0.0_f32; BATCH]; 3];
         let [xs, ys, depths] = &mut rows;

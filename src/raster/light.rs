@@ -6,7 +6,7 @@ use super::project::Points;
 use super::triangles::DrawnObject;
 use super::view::ObjectMap;
 use crate::mesh::NONE;
-use crate::num::{self, Kernel, Product};
+use crate::num::{self, Kernel, Lanes};
 use crate::shade::{Shader, SurfaceRows};
 use glam::{DVec3, Vec3};
 
@@ -173,7 +173,7 @@ impl Kernel for FromEye<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn run<P: Product>(self) {
+    fn run<A: Lanes>(self, _: A) {
         let Self { points, map, per_unit, vertices, out: [out_x, out_y, out_z] } = self;
         let mut rows = [[0.0; LANES]; 3];
         for (block, vertices) in vertices.chunks(LANES).enumerate() {

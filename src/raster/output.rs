@@ -6,7 +6,7 @@ use super::job::Job;
 use super::picture::{Image, Pixels};
 use super::setup::TILE;
 use super::tile::Finished;
-use crate::num::{self, Kernel, Product, Transfer};
+use crate::num::{self, Kernel, Lanes, Transfer};
 use crate::shade::ToneRule;
 
 /// How colours are quantised.
@@ -106,7 +106,7 @@ impl Kernel for WriteTile<'_, '_> {
     type Output = u64;
 
     #[inline(always)]
-    fn run<P: Product>(self) -> u64 {
+    fn run<A: Lanes>(self, _: A) -> u64 {
         let Self { target, output, tile } = self;
         let mut covered = 0;
         for (y, coverage) in target.coverage.iter_mut().enumerate() {

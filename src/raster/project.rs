@@ -2,7 +2,7 @@
 
 use super::fixed::{GUARD, snap};
 use super::view::{ObjectMap, View};
-use crate::num::{self, Kernel, Product};
+use crate::num::{self, Kernel, Lanes};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -97,7 +97,7 @@ impl<T: Point> Kernel for Project<'_, T> {
     type Output = u32;
 
     #[inline(always)]
-    fn run<P: Product>(self) -> u32 {
+    fn run<A: Lanes>(self, _: A) -> u32 {
         let Self { points, map, view, out } = self;
         let mut outside = 0;
         let mut rows = [[0.0; LANES]; 3];

@@ -6,7 +6,7 @@ use super::formula::{self, Triple};
 use super::shader::{Ready, Shader, SurfacePoint, View, turned};
 use super::source::{PointSource, Source, SpotSource};
 use super::term::{Highlight, LightTerm};
-use crate::num::{Kernel, Product, dispatch};
+use crate::num::{Kernel, Lanes, dispatch};
 
 /// Points of surfaces, a row for each coordinate, in the frame of the settings.
 #[derive(Clone, Copy, Debug)]
@@ -98,7 +98,7 @@ impl Kernel for Shading<'_> {
     type Output = Option<usize>;
 
     #[inline(always)]
-    fn run<P: Product>(self) -> Option<usize> {
+    fn run<A: Lanes>(self, _: A) -> Option<usize> {
         let Self { shader, rows, out: [red, green, blue] } = self;
         let zero = [0.0; LANES];
         let mut block = Block {

@@ -1,0 +1,172 @@
+//! Eight numbers at a time, with the instructions that the CPU has.
+//!
+//! A compiler left alone with loops over arrays finds vector instructions in some builds and misses them in others, so
+//! kernels name them. They do it through [`Arithmetic`]: a formula written once runs on one number or on eight, and as
+//! every operation is the one of IEEE 754, it gives the same bits either way and on any CPU.
+
+#[cfg(target_arch = "x86_64")]
+mod avx2;
+#[cfg(target_arch = "x86_64")]
+mod avx512;
+mod plain;
+mod scalars;
+
+#[cfg(target_arch = "x86_64")]
+pub(super) use avx2::Avx2;
+#[cfg(target_arch = "x86_64")]
+pub(super) use avx512::Avx512;
+pub(crate) use plain::OneLane;
+pub(super) use plain::Plain;
+pub(crate) use scalars::{Scalars, Truth, Vectors};
+
+use super::product::Product;
+
+/// How many numbers a kernel works on at a time.
+pub(crate) const LANES: usize = 8;
+
+/// Arithmetic on one number or several, a token for the instructions that do it. Nothing is fused and nothing
+/// approximate.
+pub(crate) trait Arithmetic: Copy {
+    /// The numbers.
+    type Number: Copy;
+    /// One yes or no for each.
+    type Mask: Copy;
+
+    /// The same number in each lane.
+    fn splat(self, x: f64) -> Self::Number;
+    fn add(self, a: Self::Number, b: Self::Number) -> Self::Number;
+    fn sub(self, a: Self::Number, b: Self::Number) -> Self::Number;
+    fn mul(self, a: Self::Number, b: Self::Number) -> Self::Number;
+    fn div(self, a: Self::Number, b: Self::Number) -> Self::Number;
+    fn sqrt(self, a: Self::Number) -> Self::Number;
+    fn abs(self, a: Self::Number) -> Self::Number;
+    /// ab − fl(ab), given fl(ab); see [`Product`].
+    fn product_error(self, a: Self::Number, b: Self::Number, product: Self::Number) -> Self::Number;
+    /// a < b; no for NaN.
+    fn less(self, a: Self::Number, b: Self::Number) -> Self::Mask;
+    /// Bits that `found` has or in which a and b differ, as a number.
+    fn differences(self, found: Self::Number, a: Self::Number, b: Self::Number) -> Self::Number;
+    fn and(self, a: Self::Mask, b: Self::Mask) -> Self::Mask;
+    /// `yes` where the mask says so, elsewhere `no`.
+    fn select(self, mask: Self::Mask, yes: Self::Number, no: Self::Number) -> Self::Number;
+}
+
+/// Eight rows of four numbers, such as a vector and its length for each of eight faces.
+#[derive(Clone, Copy)]
+#[repr(align(64))]
+pub(crate) struct Rows(pub(crate) [[f64; 4]; LANES]);
+
+impl Rows {
+    pub(crate) const ZERO: Self = Self([[0.0; 4]; LANES]);
+}
+
+/// Eight lanes, and the way between them and rows in memory.
+pub(crate) trait Lanes: Arithmetic + Product {
+    /// The lane that a row becomes: where columns come from rows, any order serves as long as it is kept.
+    fn lane(row: usize) -> usize;
+    /// The numbers of all lanes, by lane.
+    fn to_array(self, a: Self::Number) -> [f64; LANES];
+    /// The mask, one bit a lane.
+    fn bits(self, mask: Self::Mask) -> u8;
+    /// The first three columns of eight rows.
+    fn columns_of_singles(self, rows: [&[f32; 4]; LANES]) -> [Self::Number; 3];
+    /// The columns of eight rows.
+    fn columns(self, rows: [&[f64; 4]; LANES]) -> [Self::Number; 4];
+    /// Columns as rows.
+    fn rows(self, columns: [Self::Number; 4]) -> Rows;
+    /// sum += row.
+    fn add_row(self, sum: &mut [f64; 4], row: &[f64; 4]);
+    /// sum += factor · row, rounded twice.
+    fn add_scaled_row(self, sum: &mut [f64; 4], row: &[f64; 4], factor: f64);
+    /// factor · row.
+    fn scaled_row(self, row: &[f64; 4], factor: f64) -> [f64; 4];
+    /// factor · row, rounded once more to single precision.
+    fn scaled_row_of_singles(self, row: &[f64; 4], factor: f64) -> [f32; 4];
+
+    /// The mask, one bit a row.
+    #[inline(always)]
+    fn row_bits(self, mask: Self::Mask) -> u8 {
+        let bits = self.bits(mask);
+        // Almost always all are set.
+        if bits == u8::MAX {
+            return bits;
+        }
+        (0..LANES).fold(0, |rows, row| rows | (bits >> Self::lane(row) & 1) << row)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::dispatch::{Kernel, dispatch};
+    use super::super::product::Split;
+    use super::super::test_numbers::Numbers;
+    use super::*;
+
+    /// Everything that lanes can do to some rows, as bits.
+    struct Everything<'a>(&'a [[f64; 4]; LANES]);
+
+    impl Kernel for Everything<'_> {
+        type Output = Vec<u64>;
+
+        fn run<A: Lanes>(self, arch: A) -> Vec<u64> {
+            let rows = self.0;
+            let [a, b, c, d] = arch.columns(rows.each_ref());
+            let mut found: Vec<f64> = Vec::new();
+            let mut take = |x: A::Number| {
+                let lanes = arch.to_array(x);
+                found.extend((0..LANES).map(|row| lanes[A::lane(row)]));
+            };
+            [a, b, c, d].into_iter().for_each(&mut take);
+            for x in [arch.add(a, b), arch.sub(a, b), arch.mul(a, b), arch.div(a, b), arch.abs(a)] {
+                take(x);
+            }
+            take(arch.sqrt(arch.abs(c)));
+            take(arch.product_error(a, b, arch.mul(a, b)));
+            take(arch.differences(a, b, c));
+            let (first, second) = (arch.less(a, b), arch.less(c, d));
+            take(arch.select(first, c, d));
+            take(arch.select(arch.and(first, second), c, arch.splat(0.5)));
+            found.extend([first, second].map(|mask| f64::from(arch.row_bits(mask))));
+            found.extend(arch.rows([d, a, c, b]).0.as_flattened());
+            let singles = rows.map(|row| row.map(|x| x as f32));
+            arch.columns_of_singles(singles.each_ref()).into_iter().for_each(|x| {
+                let lanes = arch.to_array(x);
+                found.extend((0..LANES).map(|row| lanes[A::lane(row)]));
+            });
+            let mut sum = rows[0];
+            arch.add_row(&mut sum, &rows[1]);
+            found.extend(sum);
+            arch.add_scaled_row(&mut sum, &rows[2], rows[3][0]);
+            found.extend(sum);
+            found.extend(arch.scaled_row(&sum, rows[4][1]));
+            found.extend(arch.scaled_row_of_singles(&sum, rows[5][2]).map(f64::from));
+            found.into_iter().map(f64::to_bits).collect()
+        }
+    }
+
+    #[test]
+    fn the_cpus_instructions_do_what_plain_arithmetic_does() {
+        let mut numbers = Numbers::new(12);
+        for round in 0..20_000 {
+            let rows = [[(); 4]; LANES].map(|row| row.map(|()| numbers.spread([2, 100][round % 2])));
+            let truth = Everything(&rows).run(Plain::<Split>::new());
+            assert_eq!(dispatch(Everything(&rows)), truth, "{rows:?}");
+            #[cfg(target_arch = "x86_64")]
+            if let Some(avx2) = Avx2::new() {
+                assert_eq!(Everything(&rows).run(avx2), truth, "{rows:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn plain_lanes_come_from_rows_in_order() {
+        let arch = Plain::<Split>::new();
+        let rows = std::array::from_fn(|row| std::array::from_fn(|column| (10 * row + column) as f64));
+        let columns = arch.columns(std::array::from_fn(|row| &rows[row]));
+        assert_eq!(columns[2], [2.0, 12.0, 22.0, 32.0, 42.0, 52.0, 62.0, 72.0]);
+        assert_eq!(arch.rows(columns).0, rows);
+        let low = arch.less(columns[0], arch.splat(25.0));
+        assert_eq!(arch.row_bits(low), 0b111);
+        assert_eq!(arch.select(low, columns[0], columns[1])[2..4], [20.0, 31.0]);
+    }
+}
