@@ -3,11 +3,10 @@
 //! A tile is 16 × 16 blocks of 4 × 4 pixels, and is stored block by block: what is computed side by side lies side by
 //! side, and a triangle of a few pixels touches few blocks.
 
-use super::setup::{Setup, TILE};
+use super::setup::{GROUP, SIDE, Setup, TILE};
 
-/// Pixels of a block, and of the side of a block.
+/// Pixels of a block.
 pub(super) const LANES: usize = SIDE * SIDE;
-pub(super) const SIDE: usize = 4;
 /// Blocks along the side of a tile.
 pub(super) const BLOCKS: usize = TILE / SIDE;
 /// Pixels of a tile.
@@ -46,6 +45,37 @@ impl Visible {
         self.owner.fill(NOTHING);
     }
 
+    /// Draws one of a group, of which is known which pixels it covers from its first on; gives what
+    /// [`draw`](Self::draw) gives.
+    ///
+    /// Where triangles are as small as pixels, most of a block would be computed for nothing.
+    #[inline(always)]
+    pub(super) fn draw_small(
+        &mut self,
+        group: &Setup<[i32; GROUP], [f32; GROUP]>,
+        lane: usize,
+        mut mask: u32,
+        owner: u32,
+    ) {
+        let [x, y] = [group.x[0][lane] as usize, group.y[0][lane] as usize];
+        let [right, down] = [group.depth_right[lane], group.depth_down[lane]];
+        let range = group.depth_range.each_ref().map(|row| row[lane]);
+        while mask != 0 {
+            let pixel = mask.trailing_zeros() as usize;
+            mask &= mask - 1;
+            let [x, y] = [x + pixel % SIDE, y + pixel / SIDE];
+            // Rounded as in a block: first to its corner, then to the pixel.
+            let [column, row] = [x, y].map(|n| (n & !(SIDE - 1)) as f32);
+            let [from_column, from_row] = [x, y].map(|n| (n % SIDE) as f32);
+            let corner = (group.depth[lane] + right * column) + down * row;
+            let z = between(corner + (right * from_column + down * from_row), range);
+            let at = number([x, y]) % PIXELS;
+            let wins = z > self.depth[at];
+            self.depth[at] = if wins { z } else { self.depth[at] };
+            self.owner[at] = if wins { owner } else { self.owner[at] };
+        }
+    }
+
     /// Draws a triangle. Where it is as near as what is there, what is there stays: draw in ascending face index.
     #[inline(always)]
     pub(super) fn draw(&mut self, setup: &Setup, owner: u32) {
@@ -73,6 +103,13 @@ impl Visible {
             }
         }
     }
+}
+
+/// A depth between those of the corners; compared so that what overflowed to NaN becomes the low end.
+#[inline(always)]
+fn between(z: f32, [low, high]: [f32; 2]) -> f32 {
+    let z = if z > low { z } else { low };
+    if z < high { z } else { high }
 }
 
 /// What is the same for all blocks that a triangle touches: differences from a block's first pixel to each other.
@@ -113,16 +150,12 @@ impl BlockLanes {
         depths: &mut [f32; LANES],
         owners: &mut [u32; LANES],
     ) {
-        let [low, high] = self.depth_range;
         for lane in 0..LANES {
             // Within ±2³¹ by the bound in `Setup`; wrapping only spares the check.
             let side = edge[0].wrapping_add(self.edge[0][lane])
                 | edge[1].wrapping_add(self.edge[1][lane])
                 | edge[2].wrapping_add(self.edge[2][lane]);
-            let z = depth + self.depth[lane];
-            // Compared so that what overflowed to NaN becomes the low end.
-            let z = if z > low { z } else { low };
-            let z = if z < high { z } else { high };
+            let z = between(depth + self.depth[lane], self.depth_range);
             let wins = side >= 0 && z > depths[lane];
             depths[lane] = if wins { z } else { depths[lane] };
             owners[lane] = if wins { owner } else { owners[lane] };
@@ -134,7 +167,7 @@ impl BlockLanes {
 mod tests {
     use super::super::fixed::ONE;
     use super::super::project::ScreenVertex;
-    use super::super::setup::double_area;
+    use super::super::setup::{CornerRows, LARGE, double_area};
     use super::*;
     use crate::num::test_numbers::Numbers;
 
@@ -185,6 +218,35 @@ mod tests {
         assert!(got == expected);
         let owners: std::collections::BTreeSet<u32> = visible.owner.iter().copied().collect();
         assert!(owners.len() > 20, "the test is too easy: {}", owners.len());
+    }
+
+    /// Groups of triangles from under a pixel to several blocks, also across the tile's border.
+    #[test]
+    fn small_triangles_give_what_blocks_give() {
+        let mut numbers = Numbers::new(13);
+        let (mut visible, mut expected) = (Visible::new(), Visible::new());
+        let (mut corners, mut group, mut masks) = (CornerRows::new(), Setup::rows(), [0; GROUP]);
+        let mut small = 0;
+        for round in 0..400 {
+            for lane in 0..GROUP {
+                corners.set(lane, &random(&mut numbers, [200, 500, 1000, 2000][(round + lane) % 4]));
+            }
+            group.prepare(&corners, [128, 128]);
+            group.masks(&mut masks);
+            for (lane, &mask) in masks.iter().enumerate() {
+                let (setup, owner) = (group.get(lane), (round * GROUP + lane) as u32);
+                if double_area(&corners.get(lane)) == 0.0 || mask == LARGE {
+                    continue;
+                }
+                small += usize::from(mask != 0);
+                visible.draw_small(&group, lane, mask, owner);
+                if !setup.is_empty() {
+                    expected.draw(&setup, owner);
+                }
+            }
+        }
+        assert!(visible.owner == expected.owner && visible.depth == expected.depth);
+        assert!(small > 4000, "the test is too easy: {small}");
     }
 
     #[test]

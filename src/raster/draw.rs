@@ -5,7 +5,7 @@ use super::coverage::Visible;
 use super::job::Job;
 use super::list::TileList;
 use super::project::ScreenVertex;
-use super::setup::{CornerRows, GROUP, Setup};
+use super::setup::{CornerRows, GROUP, LARGE, Setup};
 use crate::num::{Kernel, Lanes};
 
 /// Draws the triangles of a tile in order, a group at a time.
@@ -78,7 +78,13 @@ impl Group {
             return;
         }
         setups.prepare(&self.corners, self.origin);
-        for lane in 0..self.count {
+        let mut masks = [0; GROUP];
+        setups.masks(&mut masks);
+        for (lane, &mask) in masks.iter().enumerate().take(self.count) {
+            if mask != LARGE {
+                visible.draw_small(setups, lane, mask, self.owners[lane]);
+                continue;
+            }
             let setup = setups.get(lane);
             if !setup.is_empty() {
                 visible.draw(&setup, self.owners[lane]);

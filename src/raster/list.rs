@@ -111,10 +111,12 @@ impl TileList {
                 Some(next) => from + whole[from..].partition_point(|&owner| number(owner) < next.first),
             };
             if from < end {
-                records.extend(whole[from..end].iter().map(|&owner| {
+                // Written where they stay: appending to a list copies each once more.
+                records.resize(end, Record::cast(object.object));
+                for (record, &owner) in records[from..].iter_mut().zip(&whole[from..end]) {
                     let triangle = number(owner) - object.first;
-                    Record::new(job, object, triangle, &object.screen(triangle))
-                }));
+                    *record = Record::new(job, object, triangle, &object.screen(triangle));
+                }
                 runs.push(Run { object: object.object, drawn: Some(at), records: from..end });
             }
             from = end;

@@ -1,9 +1,10 @@
 //! From linear colours to the numbers of a picture.
 
 use super::bins::tiles;
-use super::coverage::{BLOCKS, LANES, PIXELS, SIDE};
+use super::coverage::{BLOCKS, LANES, PIXELS};
 use super::job::Job;
 use super::picture::{Image, Pixels};
+use super::setup::SIDE;
 use super::setup::TILE;
 use super::tile::Finished;
 use crate::num::{self, Kernel, Lanes, Transfer};

@@ -34,6 +34,7 @@ pub(super) struct Record {
 }
 
 impl Record {
+    #[inline(always)]
     pub(super) fn new(job: &Job, object: &DrawnObject, triangle: u32, v: &[ScreenVertex; 3]) -> Self {
         let front = (double_area(v) < 0.0) != object.mirrored;
         Self {

@@ -5,6 +5,8 @@ use super::project::ScreenVertex;
 
 /// Pixels along the side of a tile.
 pub(super) const TILE: usize = 64;
+/// Pixels along the side of a block, and of the window in which small triangles are drawn.
+pub(super) const SIDE: usize = 4;
 
 /// Twice the signed area of a triangle in squares of 1/256 pixel: positive if it runs clockwise as seen (y is down).
 /// Exact: the products have at most 48 bits.
@@ -121,6 +123,9 @@ pub(super) fn depth_plane([a, b, c]: &[ScreenVertex; 3], area: f64, origin: [i32
     [depth as f32, (right * one) as f32, (down * one) as f32]
 }
 
+/// In place of the pixels of a triangle that covers more than 4 × 4.
+pub(super) const LARGE: u32 = u32::MAX;
+
 /// Triangles that are prepared side by side.
 pub(super) const GROUP: usize = 32;
 
@@ -191,6 +196,49 @@ impl Setup<[i32; GROUP], [f32; GROUP]> {
                 self.x[i][lane] = setup.x[i];
                 self.y[i][lane] = setup.y[i];
             }
+        }
+    }
+
+    /// Which pixels each covers of the 4 × 4 that begin at the first that it may cover, a bit for each, row by row;
+    /// [`LARGE`] for triangles that may cover others too.
+    #[inline(always)]
+    pub(super) fn masks(&self, masks: &mut [u32; GROUP]) {
+        // The sign of each edge's complement, from the last pixel to the first: lane by lane, so that all lanes go on
+        // side by side.
+        masks.fill(0);
+        let mut edge = [[0; GROUP]; 3];
+        for (i, edge) in edge.iter_mut().enumerate() {
+            for lane in 0..GROUP {
+                // Within the tile below 2³¹, as in `Setup::new`; what wraps is beyond it, and is masked out.
+                let right = self.right[i][lane].wrapping_mul(self.x[0][lane] + SIDE as i32 - 1);
+                let down = self.down[i][lane].wrapping_mul(self.y[0][lane] + SIDE as i32 - 1);
+                edge[lane] = self.edge[i][lane].wrapping_add(right).wrapping_add(down);
+            }
+        }
+        for pixel in (0..SIDE * SIDE).rev() {
+            for lane in 0..GROUP {
+                let outside = (edge[0][lane] | edge[1][lane] | edge[2][lane]) as u32 >> 31;
+                masks[lane] = masks[lane] << 1 | (1 - outside);
+            }
+            for (i, edge) in edge.iter_mut().enumerate() {
+                let last = if pixel % SIDE == 0 { SIDE as i32 - 1 } else { -1 };
+                for lane in 0..GROUP {
+                    // To the left; or to the end of the row above.
+                    let step = self.right[i][lane].wrapping_mul(last);
+                    let up = if pixel % SIDE == 0 { self.down[i][lane] } else { 0 };
+                    edge[lane] = edge[lane].wrapping_add(step).wrapping_sub(up);
+                }
+            }
+        }
+        for lane in 0..GROUP {
+            let (columns, rows) = (self.x[1][lane] - self.x[0][lane], self.y[1][lane] - self.y[0][lane]);
+            let fits = (columns < SIDE as i32) & (rows < SIDE as i32);
+            let is_empty = (columns < 0) | (rows < 0);
+            // In the box: as many columns of each row, and as many rows.
+            let in_columns = ((2_u32 << (columns & 3)) - 1) * 0x1111;
+            let in_rows = (0x10_u32 << ((rows & 3) * SIDE as i32)) - 1;
+            let small = if is_empty { 0 } else { masks[lane] & in_columns & in_rows };
+            masks[lane] = if fits { small } else { LARGE };
         }
     }
 
