@@ -65,8 +65,8 @@ impl Camera {
     /// A perspective camera (30° from top to bottom) that shows everything within the given bounds, seen from the
     /// front, a little from above and from the right; `aspect` is width over height of the picture.
     ///
-    /// Bounds of any size and at any place are framed alike. A single point is framed as if it had a size of a
-    /// millionth of its distance from the origin (or of 1 at the origin).
+    /// Bounds of any size and at any place are framed alike, unless they are smaller than 10⁻¹² of their distance from
+    /// the origin. A single point is framed as if it had a size of a millionth of that distance (or of 1 at the origin).
     ///
     /// ```
     /// use crease::raster::Camera;
@@ -81,11 +81,12 @@ impl Camera {
         let half = high * 0.5 - low * 0.5;
         let largest = half.abs().max_element();
         let radius = largest * (half / largest.max(f64::MIN_POSITIVE)).length();
-        let smallest = match centre.abs().max_element() {
-            0.0 => 1.0,
-            distance => distance * 1e-6,
+        let place = centre.abs().max_element();
+        let radius = match (largest > 0.0, place > 0.0) {
+            (true, _) => radius.max(place * 1e-12),
+            (false, true) => place * 1e-6,
+            (false, false) => 1.0,
         };
-        let radius = if largest > 0.0 { radius.max(smallest * 1e-6) } else { smallest };
         let vertical = 0.5 * Radians::from(FRAMING_ANGLE).0;
         let horizontal = libm::atan(libm::tan(vertical) * aspect);
         let distance = MARGIN * radius / libm::sin(vertical.min(horizontal));

@@ -14,15 +14,16 @@ const YELLOW: LinearRgb = LinearRgb::new(1.0, 1.0, 0.0);
 
 /// Holds a number to all digits of its text: within half a unit of the last.
 #[track_caller]
-fn digits(got: f64, expected: &str) {
+pub fn digits(got: f64, expected: &str) {
     let decimals = expected.split_once('.').map_or(0, |(_, decimals)| decimals.len());
     let half = 0.5 * libm::pow(10.0, -(decimals as f64));
     let expected: f64 = expected.parse().unwrap();
     assert!((got - expected).abs() <= half * (1.0 + 1e-9), "{got}, not {expected}");
 }
 
+/// The same for each component.
 #[track_caller]
-fn all_digits(got: [f64; 3], expected: [&str; 3]) {
+pub fn all_digits(got: [f64; 3], expected: [&str; 3]) {
     got.into_iter().zip(expected).for_each(|(got, expected)| digits(got, expected));
 }
 

@@ -22,6 +22,7 @@ mod random;
 mod raster;
 mod reference;
 mod render;
+mod scenes;
 mod shade;
 mod stl;
 mod surface;

@@ -4,11 +4,11 @@ use super::lights::plain_material;
 use super::{LoadOptions, SceneFile, SceneMesh, SceneObject, SceneShape, looks, split};
 use crate::io::{Appearance, FileMaterial, FileNode, FileReflection, Format, Loaded, Note, Part};
 use crate::io::{Place, Problem, ReadError};
-use crate::mesh::NONE;
+use crate::mesh::{NONE, normal_matrix};
 use crate::num::LinearRgb;
 use crate::raster::{Camera, RenderSettings};
 use crate::shade::{Light, Material};
-use glam::{DMat4, DVec3};
+use glam::{DMat3, DMat4, DVec3};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -27,8 +27,8 @@ impl SceneFile {
     /// - MTL: K_a = Ka (Kd where it is missing), K_d = Kd, K_s = Ks, n = Ns with (N·H)ⁿ. Faces without a material that a
     ///   library defines are grey plastic.
     /// - glTF: K_d = base colour · (1 − metallic), K_a = base colour; with α = roughness², the exponent of (N·H)ⁿ is
-    ///   n = 2/α² − 2, from 0 to 10⁴, and K_s = F₀ (n + 8)/8, at most 1, with F₀ between 0.04 and the base colour by
-    ///   `metallic`. Intensities in lux or candela are divided by π, as that standard has it.
+    ///   n = 2/α² − 2, from 0 to 10⁴, and K_s = F₀ (n + 8)/8, no component above 1, with F₀ between 0.04 and the base
+    ///   colour by `metallic`. Intensities in lux or candela are divided by π, as that standard has it.
     ///
     /// Images, transparency and vertex colours under light are not drawn, which a note tells.
     ///
@@ -45,6 +45,7 @@ impl SceneFile {
             nodes = parts.iter().map(|part| part.name.clone()).enumerate().map(as_it_stands).collect();
         }
         nodes.retain(|node| parts[node.part].mesh.face_count() > parts[node.part].non_finite_faces.len());
+        leave_out_flat(&mut nodes, &mut notes);
         check(&nodes, &parts)?;
         notes.extend(looks.notes.iter().cloned());
 
@@ -87,6 +88,17 @@ impl SceneFile {
             _ => 1.0,
         };
         looks::view(looks, distance, notes)
+    }
+}
+
+/// Nodes that squeeze their mesh flat, as animations have them that let things vanish: nothing of it faces anywhere.
+fn leave_out_flat(nodes: &mut Vec<FileNode>, notes: &mut Vec<Note>) {
+    let is_flat = |node: &FileNode| normal_matrix(DMat3::from_mat4(node.world_from_part)).is_none();
+    let flat: Vec<&str> = nodes.iter().filter(|node| is_flat(node)).map(|node| &*node.name).collect();
+    if let Some(name) = flat.first() {
+        let text = format!("the node `{name}` squeezes its mesh flat, which is not drawn");
+        notes.push(Note { more: flat.len() as u64 - 1, ..Note::remark(text) });
+        nodes.retain(|node| !is_flat(node));
     }
 }
 

@@ -48,19 +48,20 @@ pub(super) fn material(file: &FileMaterial) -> (Material, bool) {
 /// - With α = roughness², the highlight of the microfacet model is about as wide as (N·H)ⁿ with n = 2/α² − 2
 ///   (B. Walter et al., *Microfacet models for refraction through rough surfaces*, EGSR 2007, §5.2), from 0 for the
 ///   roughest to 10⁴ for the smoothest surfaces.
-/// - K_s = F₀ (n + 8)/8, at most 1, where F₀ is 0.04 mixed with the base colour by `metallic`: the smaller a highlight,
-///   the brighter, so that as much light is reflected (T. Akenine-Möller et al., *Real-Time Rendering*, 3rd ed., 2008,
-///   §7.6, eq. 7.49).
+/// - K_s = F₀ (n + 8)/8, where F₀ is 0.04 mixed with the base colour by `metallic`: the smaller a highlight, the
+///   brighter, so that as much light is reflected (T. Akenine-Möller et al., *Real-Time Rendering*, 3rd ed., 2008,
+///   §7.6, eq. 7.49). No component is above 1; where one would be, all are made less, so that gold stays golden.
 /// - K_a = base colour.
 fn metallic_roughness(base: LinearRgb, metallic: f64, roughness: f64) -> Material {
     let alpha = roughness * roughness;
     let exponent = (2.0 / (alpha * alpha) - 2.0).clamp(0.0, LARGEST_EXPONENT);
     let from_above = LinearRgb::grey(DIELECTRIC * (1.0 - metallic)) + base * metallic;
-    let specular = (from_above * ((exponent + 8.0) / 8.0)).to_array().map(|k| k.min(1.0));
+    let largest = from_above.to_array().into_iter().fold(0.0, f64::max);
+    let specular = from_above * ((exponent + 8.0) / 8.0).min(1.0 / largest);
     Material {
         ambient: Reflectance::Merged(base),
         diffuse: Reflectance::Merged(base * (1.0 - metallic)),
-        specular: Reflectance::Merged(specular.into()),
+        specular: Reflectance::Merged(specular),
         exponent,
         reflection: Reflection::Blinn,
     }

@@ -1,6 +1,7 @@
 //! The files of `data/`, written from their shapes by code that shares nothing with the crate's own writers.
 
 use super::shapes::{self, GEAR_PARTS, Shape};
+use super::stage::stage;
 use base64::Engine;
 use libm::{cos, sin};
 use std::f64::consts::PI;
@@ -21,6 +22,7 @@ pub fn files() -> Vec<(&'static str, Vec<u8>)> {
         ("mirrored.gltf", mirrored().into_bytes()),
         ("morph.gltf", morph().into_bytes()),
         ("sphere-seam.glb", sphere_seam()),
+        ("scenes/stage.gltf", stage().into_bytes()),
     ]
 }
 
@@ -197,12 +199,12 @@ fn stl_binary(shape: &Shape) -> Vec<u8> {
     out
 }
 
-fn f32_bytes(values: &[[f64; 3]]) -> Vec<u8> {
+pub fn f32_bytes(values: &[[f64; 3]]) -> Vec<u8> {
     values.as_flattened().iter().flat_map(|&x| (x as f32).to_le_bytes()).collect()
 }
 
 /// `"min":[…],"max":[…]` of positions as stored.
-fn bounds(values: &[[f64; 3]]) -> String {
+pub fn bounds(values: &[[f64; 3]]) -> String {
     let fold = |pick: fn(f32, f32) -> f32| {
         let bound = |axis: usize| values.iter().map(|p| p[axis] as f32).reduce(pick).unwrap_or(0.0);
         format!("[{},{},{}]", bound(0), bound(1), bound(2))
@@ -210,11 +212,11 @@ fn bounds(values: &[[f64; 3]]) -> String {
     format!("\"min\":{},\"max\":{}", fold(f32::min), fold(f32::max))
 }
 
-fn index_bytes(triangles: &[[u32; 3]]) -> Vec<u8> {
+pub fn index_bytes(triangles: &[[u32; 3]]) -> Vec<u8> {
     triangles.as_flattened().iter().flat_map(|&v| (v as u16).to_le_bytes()).collect()
 }
 
-fn data_uri(bytes: &[u8]) -> String {
+pub fn data_uri(bytes: &[u8]) -> String {
     format!(
         "data:application/octet-stream;base64,{}",
         base64::engine::general_purpose::STANDARD.encode(bytes)

@@ -1,6 +1,7 @@
 //! That each option reaches what it names. What the library makes of it is tested there.
 
 use super::{BEFORE, bytes, gear, picture, pixels_unlike, report, square, with};
+use crate::cli::{data, path};
 use std::collections::BTreeSet;
 
 /// Options of which each value makes a picture of its own: other than those of the other values, and all but one other
@@ -55,8 +56,10 @@ fn every_value_of_every_option_makes_its_own_picture() {
 /// What the defaults are called.
 #[test]
 fn defaults_are_what_help_says() {
-    let gear = gear();
-    let plain = bytes(&gear);
+    // A mesh without materials of its own.
+    let [_, size, pixels] = gear();
+    let bracket = [path(data("bracket.obj")), size, pixels];
+    let plain = bytes(&bracket);
     for (option, value) in [
         ("--samples", "4"),
         ("--bits", "8"),
@@ -75,7 +78,7 @@ fn defaults_are_what_help_says() {
         ("--guard", "highlight=on"),
         ("--threads", "2"),
     ] {
-        assert_eq!(bytes(&with(&gear, &[option, value])), plain, "{option} {value}");
+        assert_eq!(bytes(&with(&bracket, &[option, value])), plain, "{option} {value}");
     }
 }
 

@@ -58,6 +58,9 @@ pub(super) fn material(
         exponent: keys.exponent.map_or(plain.exponent, |Number(exponent)| exponent),
         reflection: Reflection::default(),
     };
-    material.check().map_err(|error| wrong(source, &span, &error))?;
+    // An ambient reflection that is that of diffuse light is none to complain about.
+    let given =
+        Material { ambient: keys.ambient.map_or(Reflectance::NONE, |_| material.ambient), ..material };
+    given.check().map_err(|error| wrong(source, &span, &error))?;
     Ok((Some(material), colouring))
 }

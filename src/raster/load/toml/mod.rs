@@ -1,6 +1,6 @@
 //! Scenes written in TOML.
 //!
-//! `data/scenes` of the repository has annotated examples; `keys` lists every key there is.
+//! `data/scenes` of the repository has annotated examples; [`load`](super::load) documents every key.
 
 mod keys;
 mod lights;
@@ -22,7 +22,7 @@ use std::path::Path;
 use toml::Spanned;
 
 impl SceneFile {
-    /// A scene from the text of a TOML file that lies in the folder `base`. Meshes are looked for there, and in no place
+    /// A scene from the text of a TOML file that lies in the folder `base`; [`load`](crate::raster::load) lists its keys. Meshes are looked for there, and in no place
     /// outside of it unless [`ReadOptions::root`](crate::io::ReadOptions::root) names one.
     ///
     /// ```

@@ -9,7 +9,7 @@ use super::values::Vector;
 use crate::io::{self, Note, Place, Problem, ReadError, ReadOptions};
 use crate::mesh::{Column, Columns, Faces, Mesh, MeshBuilder, normal_matrix};
 use crate::normals::{When, compute};
-use crate::num::LinearRgb;
+use crate::num::{LinearRgb, UnitVec3};
 use crate::raster::load::bare::{MOST_OBJECTS, MOST_PLACED_CORNERS};
 use crate::raster::load::lights::plain_material;
 use crate::raster::load::{LoadOptions, SceneFile, SceneMesh, SceneObject, SceneShape};
@@ -196,21 +196,26 @@ impl<'a> Builder<'a> {
         }
         let mut faces = Faces::new();
         keys.faces.iter().for_each(|face| faces.push(face));
-        let vectors = |list: &[Vector]| list.iter().map(|vector| vector.get()).collect();
-        let normals = keys.normals.as_ref().map(|normals| Column::per_vertex(vectors(normals)));
-        let columns = Columns { normals, ..Columns::default() };
-        let builder =
-            MeshBuilder { positions: vectors(&keys.vertices), faces, columns, ..MeshBuilder::default() };
-        let mesh = builder.build().map_err(|fault| error("faces", &fault.to_string()))?;
-        let colours: Option<Vec<LinearRgb>> =
-            keys.colours.as_ref().map(|colours| colours.iter().map(|colour| colour.0).collect());
-        match &colours {
-            Some(colours) if colours.len() != mesh.vertex_count() => {
-                let found = format!("{} colours for {} vertices", colours.len(), mesh.vertex_count());
-                Err(error("colours", &found))
+        let vectors = |list: &[Vector]| list.iter().map(|vector| vector.get()).collect::<Vec<_>>();
+        let positions = vectors(&keys.vertices);
+        let one_each = |member: &str, count: Option<usize>| match count {
+            Some(count) if count != positions.len() => {
+                Err(error(member, &format!("{count} {member} for {} vertices", positions.len())))
             }
-            _ => Ok((mesh, colours)),
+            _ => Ok(()),
+        };
+        one_each("normals", keys.normals.as_ref().map(Vec::len))?;
+        one_each("colours", keys.colours.as_ref().map(Vec::len))?;
+        let mut normals = keys.normals.as_ref().map(|normals| vectors(normals));
+        for (vertex, normal) in normals.iter_mut().flatten().enumerate() {
+            let unit = UnitVec3::new(*normal);
+            *normal = unit.ok_or_else(|| error("normals", &format!("normal {vertex} is {normal}")))?.get();
         }
+        let columns = Columns { normals: normals.map(Column::per_vertex), ..Columns::default() };
+        let builder = MeshBuilder { positions, faces, columns, ..MeshBuilder::default() };
+        let mesh = builder.build().map_err(|fault| error("faces", &fault.to_string()))?;
+        let colours = keys.colours.as_ref();
+        Ok((mesh, colours.map(|colours| colours.iter().map(|colour| colour.0).collect())))
     }
 
     fn surface(

@@ -9,7 +9,8 @@ use crate::io::ReadError;
 use crate::num::{Degrees, Transfer};
 use crate::raster::load::SceneFile;
 use crate::raster::{
-    Bits, Camera, Cull, FlatSample, Interpolation, LineStyle, Projection, RenderSettings, Samples, Shading,
+    Bits, Camera, CameraError, Cull, FlatSample, Interpolation, LineStyle, Projection, RenderSettings,
+    Samples, Shading,
 };
 use crate::shade::{DepthCue, Guards, ToneRule};
 use glam::DVec3;
@@ -155,7 +156,8 @@ pub(super) fn camera(source: Source, keys: &Spanned<CameraKeys>) -> Result<Camer
     };
     let (eye, target) = (keys.eye.get(), keys.target.get());
     let near = match projection {
-        Projection::Perspective(_) => eye.distance(target) * NEAR_SHARE,
+        // Above 0 even where eye and target are the same, which is told below.
+        Projection::Perspective(_) => (eye.distance(target) * NEAR_SHARE).max(f64::MIN_POSITIVE),
         Projection::Orthographic(_) => 0.0,
     };
     let camera = Camera {
@@ -165,8 +167,15 @@ pub(super) fn camera(source: Source, keys: &Spanned<CameraKeys>) -> Result<Camer
         projection,
         near: keys.near.map_or(near, |Number(near)| near),
     };
-    match camera.check() {
-        Ok(()) => Ok(camera),
-        Err(error) => Err(source.error(&span, &error.to_string(), "")),
-    }
+    camera.check().map(|()| camera).map_err(|error| {
+        let key = match error {
+            CameraError::NonFinite(_) => "eye",
+            CameraError::NoDirection(_) => "target",
+            CameraError::NoUp(_) => "up",
+            CameraError::Angle(_) => "angle",
+            CameraError::Height(_) => "height",
+            CameraError::Near(_) => "near",
+        };
+        source.error(&source.member(&span, &[key]), &error.to_string(), "")
+    })
 }

@@ -1,0 +1,198 @@
+//! glTF files as scenes: what their nodes, cameras, lights and materials become.
+
+use super::scene;
+use crease::io::{Format, ReadError, ReadOptions, read_bytes};
+use crease::num::{LinearRgb, Radians};
+use crease::raster::{LoadOptions, Projection, SceneFile, probe, render};
+use crease::shade::{Attenuation, Light, Material, Reflectance, Reflection};
+use glam::{DMat4, DVec3};
+
+/// A square of two units in the plane z = 0, seen by an orthographic camera from z = 3; the middle of a picture of odd
+/// size is the origin. `nodes` follow the square's and the camera's, `material` and `lights` fill in.
+fn square(nodes: &str, material: &str, lights: &str) -> Result<SceneFile, ReadError> {
+    use base64::Engine;
+    let positions: [f32; 12] = [-1.0, -1.0, 0.0, 1.0, -1.0, 0.0, 1.0, 1.0, 0.0, -1.0, 1.0, 0.0];
+    let mut bytes: Vec<u8> = positions.iter().flat_map(|x| x.to_le_bytes()).collect();
+    bytes.extend([0, 1, 2, 0, 2, 3_u8]);
+    let data = base64::engine::general_purpose::STANDARD.encode(bytes);
+    let count = nodes.matches("\"node\"").count() + 2;
+    let all: Vec<String> = (0..count).map(|node| node.to_string()).collect();
+    let text = format!(
+        r#"{{"asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": [{all}]}}],
+        "nodes": [{{"mesh": 0}}, {{"camera": 0, "translation": [0, 0, 3]}}{nodes}],
+        "cameras": [{{"type": "orthographic", "orthographic": {{"xmag": 1, "ymag": 1.5, "znear": 0, "zfar": 9}}}}],
+        "extensionsUsed": ["KHR_lights_punctual", "KHR_materials_unlit"],
+        "extensions": {{"KHR_lights_punctual": {{"lights": [{lights}]}}}},
+        "materials": [{{"name": "m", {material}}}],
+        "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}, "indices": 1, "material": 0}}]}}],
+        "accessors": [{{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [-1, -1, 0], "max": [1, 1, 0]}},
+            {{"bufferView": 1, "componentType": 5121, "count": 6, "type": "SCALAR"}}],
+        "bufferViews": [{{"buffer": 0, "byteLength": 48}}, {{"buffer": 0, "byteOffset": 48, "byteLength": 6}}],
+        "buffers": [{{"byteLength": 54, "uri": "data:application/octet-stream;base64,{data}"}}]}}"#,
+        all = all.join(",")
+    );
+    let loaded = read_bytes(text.into_bytes(), Some(Format::Gltf), None, &ReadOptions::default())?;
+    SceneFile::from_loaded(loaded, &LoadOptions::default())
+}
+
+const MATTE: &str =
+    r#""pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.25, 0.1, 1], "metallicFactor": 0}"#;
+
+/// The colour in the middle of the picture.
+fn middle(mut file: SceneFile) -> [f64; 3] {
+    file.settings.size = [31, 31];
+    let scene = file.scene();
+    let point = probe(&scene, &file.settings, [15, 15], 0).unwrap().unwrap();
+    assert!(point.position.length() < 1e-12, "{point:?}");
+    point.colour(&scene, &file.settings).unwrap().to_array()
+}
+
+#[test]
+fn the_example_has_its_camera_lights_and_materials() {
+    let file = scene("stage.gltf");
+    let camera = file.camera.unwrap();
+    assert_eq!(camera.eye, DVec3::new(0.0, 2.4, 7.0));
+    assert_eq!(camera.projection, Projection::Perspective(Radians(0.55)));
+    assert_eq!(camera.near, 0.1);
+    // It looks down by 17°: a quaternion of ten digits.
+    let forward = camera.axes().unwrap()[2];
+    assert!((libm::asin(-forward.y).to_degrees() - 17.0).abs() < 1e-6, "{forward}");
+    let names: Vec<&str> = file.objects.iter().map(|object| &*object.name).collect();
+    assert_eq!(names, ["floor", "red", "gold", "mirrored", "on top"]);
+    // The child of the mirrored node stands on top of it: 0.4 + 0.4·1.5.
+    let at = file.objects[4].transform.w_axis.truncate();
+    assert!(at.distance(DVec3::new(1.4, 1.0, 0.2)) < 1e-12, "{at}");
+    let lights = file.lights.clone().unwrap();
+    let [
+        Light::Directional { towards, colour },
+        Light::Point { position, attenuation, .. },
+        Light::Spot { cone, .. },
+    ] = lights[..]
+    else {
+        panic!("{lights:?}")
+    };
+    assert_eq!(colour.to_array(), [1.0, 0.96, 0.9].map(|c| c * (2.0 * std::f64::consts::FRAC_1_PI)));
+    assert!(towards.y > 0.7 && towards.z > 0.6, "{towards}");
+    assert_eq!((position, attenuation), (DVec3::new(-3.0, 2.0, 1.0), Attenuation::InverseSquare));
+    assert!(cone.axis.distance(DVec3::NEG_Y) < 1e-9 && cone.cut_off == Radians(0.35));
+    assert_eq!(file.objects[1].material.diffuse, Reflectance::Merged(LinearRgb::new(0.7, 0.12, 0.1)));
+    // Mirrored or not, every box is seen from outside.
+    let image = render(&file.scene(), &file.settings).unwrap();
+    assert!(image.statistics.covered_pixels > 50_000);
+}
+
+/// As the standard has it, a white surface under a light of 1 lux at N·L shows N·L/π.
+#[test]
+fn a_directional_light_is_in_lux() {
+    let sun = r#"{"type": "directional", "intensity": 3.141592653589793}"#;
+    // Turned by 60° about y, so that N·L is a half.
+    let node = r#", {"name": "node", "rotation": [0, 0.5, 0, 0.8660254037844386],
+        "extensions": {"KHR_lights_punctual": {"light": 0}}}"#;
+    let mut file = square(node, MATTE, sun).unwrap();
+    file.objects[0].material.specular = Reflectance::NONE;
+    let expected = [0.25, 0.125, 0.05];
+    for (got, expected) in middle(file).into_iter().zip(expected) {
+        // The intensity passes through single precision.
+        assert!((got - expected).abs() < 1e-6 * expected, "{got} is not {expected}");
+    }
+}
+
+#[test]
+fn a_point_light_is_in_candela_and_fades_by_the_square() {
+    let lamp = |range: &str| format!(r#"{{"type": "point", "intensity": 3.141592653589793{range}}}"#);
+    let node = r#", {"name": "node", "translation": [0, 0, 2], "extensions": {"KHR_lights_punctual": {"light": 0}}}"#;
+    let shown = |range: &str| {
+        let mut file = square(node, MATTE, &lamp(range)).unwrap();
+        file.objects[0].material.specular = Reflectance::NONE;
+        middle(file)[0]
+    };
+    assert!((shown("") - 0.5 / 4.0).abs() < 1e-7);
+    // (1 − (d/r)⁴)/d²
+    assert!((shown(r#", "range": 4"#) - 0.5 / 4.0 * (15.0 / 16.0)).abs() < 1e-7);
+    assert_eq!(shown(r#", "range": 1.5"#), 0.0);
+}
+
+#[test]
+fn metal_and_roughness_become_a_highlight() {
+    let material = |base: &str, metallic: f64, roughness: f64| -> Material {
+        let text = format!(
+            r#""pbrMetallicRoughness": {{"baseColorFactor": {base}, "metallicFactor": {metallic}, "roughnessFactor": {roughness}}}"#
+        );
+        square("", &text, "").unwrap().objects[0].material
+    };
+    // α = 1/4 gives n = 30, and K_s = 0.04 · 38/8.
+    let plastic = material("[0.5, 0.25, 0.125, 1]", 0.0, 0.5);
+    assert_eq!((plastic.exponent, plastic.reflection), (30.0, Reflection::Blinn));
+    assert_eq!(plastic.diffuse, Reflectance::Merged(LinearRgb::new(0.5, 0.25, 0.125)));
+    let Reflectance::Merged(specular) = plastic.specular else { panic!("{plastic:?}") };
+    assert!(specular.to_array().into_iter().all(|k| (k - 0.19).abs() < 1e-15), "{specular:?}");
+    // Metal has no diffuse reflection, and a highlight of its own hue, as bright as it may be.
+    let gold = material("[1, 0.75, 0.25, 1]", 1.0, 0.5);
+    assert_eq!(gold.diffuse, Reflectance::Merged(LinearRgb::BLACK));
+    assert_eq!(gold.specular, Reflectance::Merged(LinearRgb::new(1.0, 0.75, 0.25)));
+    // The roughest has no highlight to speak of, the smoothest one that can still be drawn.
+    assert_eq!(material("[1, 1, 1, 1]", 0.0, 1.0).exponent, 0.0);
+    assert_eq!(material("[1, 1, 1, 1]", 0.0, 0.0).exponent, 1e4);
+    assert_eq!(material("[0, 0, 0, 1]", 1.0, 0.5).specular, Reflectance::Merged(LinearRgb::BLACK));
+}
+
+#[test]
+fn unlit_materials_show_their_colour() {
+    let file =
+        square("", &format!("{MATTE}, \"extensions\": {{\"KHR_materials_unlit\": {{}}}}"), "").unwrap();
+    assert!(file.objects[0].given);
+    for (got, expected) in middle(file).into_iter().zip([0.5, 0.25, 0.1]) {
+        assert!((got - expected).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn without_lights_and_camera_it_is_framed_and_lit_by_itself() {
+    let mut file = square("", MATTE, "").unwrap();
+    assert!(file.lights.is_none() && file.camera.is_some());
+    assert_eq!(file.scene().lights.len(), 2);
+    file.camera = None;
+    file.settings.size = [40, 30];
+    let covered = render(&file.scene(), &file.settings).unwrap().statistics.covered_pixels;
+    assert!(covered > 100, "{covered}");
+}
+
+/// The first camera is taken, and what makes no sense is left out; both are told.
+#[test]
+fn what_is_not_taken_is_told() {
+    let nodes = r#", {"name": "node", "camera": 0}, {"name": "node", "mesh": 0, "scale": [1, 0, 1]},
+        {"name": "node", "extensions": {"KHR_lights_punctual": {"light": 0}}}"#;
+    let file =
+        square(nodes, MATTE, r#"{"type": "spot", "spot": {"innerConeAngle": 0.5, "outerConeAngle": 0.25}}"#);
+    let file = file.unwrap();
+    assert!(file.lights.is_none() && file.objects.len() == 1);
+    let said = file.notes.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
+    for piece in ["the first of 2 cameras", "squeezes its mesh flat", "light `` is left out"] {
+        assert!(said.contains(piece), "{said}");
+    }
+}
+
+#[test]
+fn nodes_in_a_circle_are_refused_with_their_place() {
+    let nodes = r#", {"name": "node", "children": [3]}, {"name": "node", "children": [2]}"#;
+    let error = square(nodes, MATTE, "").unwrap_err().to_string();
+    assert!(error.contains("/nodes/") && error.contains("own"), "{error}");
+}
+
+/// A scene file that refers to a glTF file takes its objects at their places, under its own transform.
+#[test]
+fn scenes_may_refer_to_gltf_files() {
+    let (whole, own) = (scene("stage.toml"), scene("stage.gltf"));
+    assert_eq!(whole.meshes.len(), own.meshes.len(), "read once");
+    assert_eq!(whole.objects.len(), 2 * own.objects.len());
+    let (first, again) = whole.objects.split_at(own.objects.len());
+    assert_eq!(first, own.objects);
+    let moved = DMat4::from_translation(DVec3::new(-0.9, 0.05, 1.4))
+        * DMat4::from_scale(DVec3::new(-0.25, 0.25, 0.25));
+    for (object, own) in again.iter().zip(&own.objects) {
+        assert_eq!((&*object.name, object.shape), ("model", own.shape));
+        assert!(object.transform.abs_diff_eq(moved * own.transform, 1e-15));
+        assert_eq!(object.material.exponent, 40.0);
+    }
+    assert_eq!(whole.lights.unwrap().len(), 2);
+}
