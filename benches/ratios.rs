@@ -7,7 +7,8 @@
 mod meshes;
 
 use crease::normals::{Scratch, Slivers, Weight, vertex_normals};
-use meshes::{Mesh, baseline, grid, icosphere, shuffled};
+use crease::trade::plain_vertex_normals;
+use meshes::{Mesh, grid, icosphere, shuffled};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -45,7 +46,7 @@ fn measure(mesh: &Mesh, pools: &[rayon::ThreadPool; 2], rounds: usize) -> Vec<(&
     let (source, mut target) = (vec![1_u8; bytes], vec![0_u8; bytes]);
     let mut normals = vec![[0.0_f32; 3]; positions.len()];
     let mut candidates: Vec<Candidate> = vec![
-        ("baseline", Box::new(move || baseline(positions, triangles, black_box(&mut normals)))),
+        ("baseline", Box::new(move || plain_vertex_normals(positions, triangles, black_box(&mut normals)))),
         ("copy", Box::new(move || black_box(&mut target).copy_from_slice(black_box(&source)))),
     ];
     let ours = [

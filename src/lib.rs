@@ -71,3 +71,4 @@ pub mod raster;
 pub mod report;
 pub mod shade;
 pub mod surface;
+pub mod trade;

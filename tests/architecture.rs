@@ -52,7 +52,13 @@ const OUTSIDE: &[(&str, &[&str])] = &[
     ("ignore", &["cli"]),
     ("image", &["report"]),
     ("indicatif", &["cli"]),
-    ("libm", &["num", "mesh", "surface", "io", "normals", "shade", "quality", "raster", "metric", "report"]),
+    (
+        "libm",
+        &[
+            "num", "mesh", "surface", "io", "normals", "shade", "quality", "raster", "metric", "trade",
+            "report",
+        ],
+    ),
     ("memchr", &["io"]),
     ("png", &["report"]),
     ("pulp", &["num"]),

@@ -3,6 +3,7 @@
 mod angle;
 mod colour;
 mod corner_angle;
+mod digits;
 mod dispatch;
 mod exact;
 mod lanes;
@@ -19,6 +20,7 @@ mod unit;
 
 pub use angle::{Degrees, Radians};
 pub use colour::{LinearRgb, Srgb8, Transfer};
+pub use digits::three_digits;
 pub use power::{Power, Underflow, exp2, log2};
 pub use real::Real;
 pub use scale::unit_scale;

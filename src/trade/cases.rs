@@ -1,0 +1,240 @@
+//! The surfaces and the ways to cut them that errors are measured on.
+
+use super::Effort;
+use crate::mesh::{Link, Mesh, Topology};
+use crate::surface::{
+    BezierPatch, Catenoid, Cone, Cylinder, Ellipsoid, MonkeySaddle, Pattern, Primitive, Sphere, Superquadric,
+    Surface, SurfaceError, Tessellation, Torus, Wave,
+};
+use glam::DVec3;
+use serde::Serialize;
+
+/// A surface with a name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Subject {
+    /// What reports call it: as the verb `surface` does.
+    pub name: &'static str,
+    /// The surface, with its usual measures.
+    pub surface: Surface,
+}
+
+impl Subject {
+    /// The ones that are measured: five with [`Effort::Quick`], else all but the plane, on which every normal is exact.
+    pub fn all(effort: Effort) -> Vec<Subject> {
+        let subject = |name, surface| Subject { name, surface };
+        let mut all = vec![
+            subject("sphere", Sphere::default().into()),
+            subject("torus", Torus::default().into()),
+            subject("wave", Surface::Wave(Wave::default())),
+            subject("catenoid", Surface::Catenoid(Catenoid::default())),
+            subject("superquadric", Surface::Superquadric(Superquadric::default())),
+        ];
+        if effort != Effort::Quick {
+            all.extend([
+                subject("ellipsoid", Ellipsoid::default().into()),
+                subject("cylinder", Cylinder::default().into()),
+                subject("cone", Cone::default().into()),
+                subject("monkey-saddle", Surface::MonkeySaddle(MonkeySaddle::default())),
+                subject("bezier", Surface::Patch(Box::<BezierPatch>::default())),
+                subject("teapot", Surface::Teapot),
+            ]);
+        }
+        all
+    }
+
+    /// Whether the surface has a normal at a vertex of it: everywhere but at the tip of a cone.
+    pub(super) fn is_smooth_at(&self, position: DVec3) -> bool {
+        let on_axis = position.x == 0.0 && position.z == 0.0;
+        !(on_axis && matches!(self.surface, Surface::Primitive(Primitive::Cone(_))))
+    }
+}
+
+/// A way to cut a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Tiling {
+    /// A grid, all cells cut the same way.
+    Regular,
+    /// A grid whose vertices move by up to a quarter of a cell each way, its cells cut at random: what scans and
+    /// simplified meshes look like.
+    Jittered,
+    /// Cells ten times as long one way.
+    Stretched,
+    /// Every other row a thousand times as close to the next.
+    Slivers,
+    /// The cells of a jittered grid, uncut.
+    Quads,
+    /// The dual of a jittered grid.
+    Polygons,
+    /// A subdivided icosahedron.
+    Icosphere,
+    /// Marching tetrahedra.
+    Marching,
+    /// Delaunay triangles of scattered points.
+    Scattered,
+    /// The jittered grid with vertices off the surface by up to a twentieth of an edge.
+    Noisy,
+}
+
+impl Tiling {
+    /// All of them.
+    pub const ALL: [Tiling; 10] = [
+        Tiling::Regular,
+        Tiling::Jittered,
+        Tiling::Stretched,
+        Tiling::Slivers,
+        Tiling::Quads,
+        Tiling::Polygons,
+        Tiling::Icosphere,
+        Tiling::Marching,
+        Tiling::Scattered,
+        Tiling::Noisy,
+    ];
+
+    /// The name in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Tiling::Regular => "regular",
+            Tiling::Jittered => "jittered",
+            Tiling::Stretched => "stretched",
+            Tiling::Slivers => "slivers",
+            Tiling::Quads => "quads",
+            Tiling::Polygons => "polygons",
+            Tiling::Icosphere => "icosphere",
+            Tiling::Marching => "marching",
+            Tiling::Scattered => "scattered",
+            Tiling::Noisy => "noisy",
+        }
+    }
+
+    /// The class of meshes that it stands for.
+    pub fn describes(self) -> &'static str {
+        match self {
+            Tiling::Regular => "regular grids",
+            Tiling::Jittered => "irregular triangles",
+            Tiling::Stretched => "triangles ten times as long as wide",
+            Tiling::Slivers => "good triangles beside needles",
+            Tiling::Quads => "irregular quads",
+            Tiling::Polygons => "polygons of many corners",
+            Tiling::Icosphere => "subdivided icosahedra",
+            Tiling::Marching => "marching tetrahedra",
+            Tiling::Scattered => "Delaunay triangles of scattered points",
+            Tiling::Noisy => "scans with noise",
+        }
+    }
+
+    /// Whether a surface can be cut this way.
+    pub fn fits(self, surface: &Surface) -> bool {
+        match self {
+            Tiling::Icosphere => surface.star_shaped().is_some(),
+            Tiling::Marching => surface.zero_set().is_some(),
+            Tiling::Scattered => surface.heights().is_some(),
+            _ => true,
+        }
+    }
+
+    /// The settings at a level of resolution. Each level halves the edges of the one before; level 2 is the 64 × 32 that
+    /// figures are quoted for, an icosphere of 1280 triangles, and a lattice of 24 along the longest side.
+    pub fn tessellation(self, surface: &Surface, level: u32) -> Tessellation {
+        let segments = match (self, surface) {
+            (Tiling::Marching, _) => [6, 6],
+            (_, Surface::Teapot) => [2, 2],
+            (_, Surface::Patch(_)) => [12, 12],
+            _ if surface.heights().is_some() => [12, 12],
+            _ => [16, 8],
+        };
+        let (pattern, jitter) = match self {
+            Tiling::Regular => (Pattern::Triangles, 0.0),
+            Tiling::Jittered | Tiling::Noisy => (Pattern::Triangles, 0.5),
+            Tiling::Stretched => (Pattern::Stretched(10.0), 0.0),
+            Tiling::Slivers => (Pattern::Slivers(1000.0), 0.0),
+            Tiling::Quads => (Pattern::Quads, 0.5),
+            Tiling::Polygons => (Pattern::Polygons, 0.5),
+            Tiling::Icosphere => (Pattern::Icosphere(level + 1), 0.0),
+            Tiling::Marching => (Pattern::Marching, 0.0),
+            Tiling::Scattered => (Pattern::Scattered, 0.0),
+        };
+        let noise = if self == Tiling::Noisy { 0.05 } else { 0.0 };
+        Tessellation {
+            pattern,
+            segments: segments.map(|n| n << level),
+            jitter,
+            noise,
+            ..Tessellation::default()
+        }
+    }
+
+    /// The levels that are measured: four, which is three halvings, the last of them the finest. The icosphere of 42
+    /// vertices is left out: by symmetry every weight is exact on it.
+    pub(super) fn levels(self, effort: Effort) -> std::ops::Range<u32> {
+        let finest = match (effort, self) {
+            (Effort::Quick, Tiling::Icosphere) => 4,
+            (Effort::Quick, _) => 3,
+            (Effort::Usual, _) | (Effort::Full, Tiling::Marching) => 4,
+            (Effort::Full, _) => 5,
+        };
+        finest - 3..finest + 1
+    }
+}
+
+/// A mesh of a surface, and what is needed to measure normals on it.
+pub(super) struct Specimen {
+    pub(super) mesh: Mesh,
+    pub(super) topology: Topology,
+    /// The exact normal of each vertex; none where errors are not counted: on open sides, whose vertices lack half of their
+    /// faces, and where the surface has no normal.
+    pub(super) truth: Vec<Option<DVec3>>,
+}
+
+impl Specimen {
+    pub(super) fn new(subject: &Subject, tessellation: &Tessellation) -> Result<Self, SurfaceError> {
+        let mesh = subject.surface.tessellate(tessellation)?;
+        let topology = Topology::by_index(mesh.faces(), mesh.vertex_count());
+        let normals = mesh.columns().normals.as_ref().map_or(&[][..], |column| &column.values);
+        let known = normals.iter().zip(mesh.positions());
+        let mut truth: Vec<Option<DVec3>> =
+            known.map(|(&normal, &position)| subject.is_smooth_at(position).then_some(normal)).collect();
+        let corners = mesh.faces().corners();
+        for half_edge in 0..corners.len() as u32 {
+            if topology.link(half_edge) == Link::Boundary {
+                let (from, to) = topology.ends(corners, half_edge);
+                [from, to].into_iter().for_each(|vertex| truth[vertex as usize] = None);
+            }
+        }
+        Ok(Self { mesh, topology, truth })
+    }
+
+    /// Vertices that are not counted.
+    pub(super) fn excluded(&self) -> usize {
+        self.truth.iter().filter(|normal| normal.is_none()).count()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_surface_can_be_cut_every_way_that_fits() {
+        for subject in Subject::all(Effort::Full) {
+            for tiling in Tiling::ALL.into_iter().filter(|tiling| tiling.fits(&subject.surface)) {
+                let tessellation = tiling.tessellation(&subject.surface, 0);
+                let specimen = Specimen::new(&subject, &tessellation).unwrap();
+                let counted = specimen.truth.len() - specimen.excluded();
+                assert!(counted >= 12, "{} {}: {counted}", subject.name, tiling.name());
+                let open = !matches!(subject.name, "sphere" | "torus" | "ellipsoid" | "superquadric");
+                assert_eq!(specimen.excluded() > 0, open, "{} {}", subject.name, tiling.name());
+            }
+        }
+    }
+
+    #[test]
+    fn level_two_is_what_figures_are_quoted_for() {
+        let torus = Surface::from(Torus::default());
+        let tessellation = Tiling::Jittered.tessellation(&torus, 2);
+        assert_eq!((tessellation.segments, tessellation.jitter), ([64, 32], 0.5));
+        let sphere = Surface::from(Sphere::default());
+        let pattern = Tiling::Icosphere.tessellation(&sphere, 2).pattern;
+        assert_eq!(pattern, Pattern::Icosphere(3));
+    }
+}

@@ -1,0 +1,147 @@
+//! What vertex normals cost.
+
+use super::baseline::plain_vertex_normals;
+use super::cases::{Specimen, Subject, Tiling};
+use super::timing::{Candidate, medians};
+use super::vertex::{recipe, weight_name};
+use super::{Effort, Observer, Progress};
+use crate::mesh::{Faces, Mesh, MeshBuilder, Storage, Topology};
+use crate::normals::{NormalRecipe, Precision, Scratch, Slivers, Weight, compute_on, vertex_normals};
+use glam::DVec3;
+use serde::Serialize;
+use std::hint::black_box;
+
+/// Costs on one thread, of a jittered torus whose positions are `f32` values.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Costs {
+    /// Triangles of the mesh.
+    pub triangles: usize,
+    /// Nanoseconds a triangle of the [plain loop](plain_vertex_normals): single precision, area weights, no care.
+    pub plain_ns: f64,
+    /// The others, each in the same run.
+    pub rows: Vec<CostRow>,
+}
+
+/// What one way costs.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CostRow {
+    /// What it is.
+    pub way: Way,
+    /// The weight.
+    #[serde(serialize_with = "weight_name")]
+    pub weight: Weight,
+    /// Nanoseconds a triangle.
+    pub ns_per_triangle: f64,
+    /// How many times as much as the plain loop.
+    pub ratio: f64,
+}
+
+/// A way to vertex normals.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Way {
+    /// [`vertex_normals`]: slices in, slices out, faithful.
+    Slices,
+    /// [`compute_on`] a mesh whose topology is there, with creases and faults, faithful.
+    Mesh,
+    /// The same with [`Precision::Fast`].
+    MeshFast,
+}
+
+impl Costs {
+    /// Times every weight every way.
+    pub fn measure(effort: Effort, observe: Observer) -> Self {
+        observe(Progress { stage: "cost", done: 0, total: 1 });
+        let (level, rounds) = match effort {
+            Effort::Quick => (3, 3),
+            Effort::Usual => (4, 5),
+            Effort::Full => (5, 7),
+        };
+        let subjects = Subject::all(Effort::Quick);
+        let torus = subjects.iter().find(|subject| subject.name == "torus");
+        let specimen = torus.and_then(|torus| {
+            Specimen::new(torus, &Tiling::Jittered.tessellation(&torus.surface, level)).ok()
+        });
+        let costs =
+            specimen.map_or_else(Self::default, |specimen| Self::on(&in_single(&specimen.mesh), rounds));
+        observe(Progress { stage: "cost", done: 1, total: 1 });
+        costs
+    }
+
+    /// Times every weight every way on a mesh, whose polygons count as the triangles that they can be cut into.
+    pub(super) fn on(mesh: &Mesh, rounds: usize) -> Self {
+        let topology = Topology::build(mesh, NormalRecipe::default().weld);
+        let positions: Vec<[f32; 3]> = mesh.positions().iter().map(|p| p.as_vec3().to_array()).collect();
+        let triangles = fans(mesh.faces());
+        let mut candidates: Vec<Candidate> = Vec::new();
+        let mut normals = vec![[0.0; 3]; positions.len()];
+        let (places, list) = (&positions, &triangles);
+        candidates.push(Box::new(move || plain_vertex_normals(places, list, black_box(&mut normals))));
+        let mut ways = Vec::new();
+        for weight in Weight::ALL {
+            if weight != Weight::Quadric {
+                let (mut scratch, mut normals) = (Scratch::new(), vec![[0.0; 3]; positions.len()]);
+                candidates.push(Box::new(move || {
+                    let faults =
+                        vertex_normals(places, list, weight, Slivers::Exclude, &mut scratch, &mut normals);
+                    drop(black_box(faults));
+                }));
+                ways.push((Way::Slices, weight));
+            }
+            for (way, precision) in [(Way::Mesh, Precision::Faithful), (Way::MeshFast, Precision::Fast)] {
+                let (recipe, topology) = (NormalRecipe { precision, ..recipe(weight) }, &topology);
+                candidates.push(Box::new(move || drop(black_box(compute_on(mesh, topology, &recipe)))));
+                ways.push((way, weight));
+            }
+        }
+        let seconds = medians(candidates, rounds);
+        let count = triangles.len().max(1) as f64;
+        let row = |(&(way, weight), &taken): (&(Way, Weight), &f64)| CostRow {
+            way,
+            weight,
+            ns_per_triangle: taken * 1e9 / count,
+            ratio: taken / seconds[0],
+        };
+        Self {
+            triangles: triangles.len(),
+            plain_ns: seconds[0] * 1e9 / count,
+            rows: ways.iter().zip(&seconds[1..]).map(row).collect(),
+        }
+    }
+
+    /// What a weight costs one way, as a multiple of the plain loop.
+    pub fn ratio(&self, way: Way, weight: Weight) -> Option<f64> {
+        self.rows.iter().find(|row| row.way == way && row.weight == weight).map(|row| row.ratio)
+    }
+
+    /// The cheapest faithful way to a weight: through slices, if it can be had there.
+    pub fn cheapest(&self, weight: Weight) -> Option<f64> {
+        self.ratio(Way::Slices, weight).or_else(|| self.ratio(Way::Mesh, weight))
+    }
+}
+
+/// Polygons as fans of triangles: for the time that they take, not for their shape.
+fn fans(faces: &Faces) -> Vec<[u32; 3]> {
+    let fan = |face: &[u32]| {
+        let first = face[0];
+        face[1..].windows(2).map(|pair| [first, pair[0], pair[1]]).collect::<Vec<_>>()
+    };
+    faces.iter().flat_map(fan).collect()
+}
+
+/// The mesh with its positions rounded to single precision, as engines and binary files have them.
+pub(super) fn in_single(mesh: &Mesh) -> Mesh {
+    rounded(mesh, |position| position)
+}
+
+/// The mesh with every position moved and then rounded to single precision.
+pub(super) fn rounded(mesh: &Mesh, place: impl Fn(DVec3) -> DVec3) -> Mesh {
+    let round = |&position: &DVec3| place(position).as_vec3().as_dvec3();
+    let builder = MeshBuilder {
+        positions: mesh.positions().iter().map(round).collect(),
+        storage: Storage::F32,
+        faces: mesh.faces().clone(),
+        ..MeshBuilder::default()
+    };
+    builder.build().expect("the faces are those of a mesh, and places stay in range")
+}

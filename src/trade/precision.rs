@@ -1,0 +1,112 @@
+//! `fast` beside `faithful`, where it matters.
+
+use super::angles::{AngleErrors, angle_between};
+use super::cases::{Specimen, Subject, Tiling};
+use super::cost::rounded;
+use super::vertex::{recipe, weight_name};
+use crate::mesh::Topology;
+use crate::normals::{NormalField, NormalRecipe, Precision, Weight, compute_on};
+use crate::num::Radians;
+use glam::DVec3;
+use serde::Serialize;
+
+/// Normals in single precision beside faithful ones, of a torus stored in single precision.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PrecisionRow {
+    /// What is special about the mesh.
+    pub case: &'static str,
+    /// The weight.
+    #[serde(serialize_with = "weight_name")]
+    pub weight: Weight,
+    /// Between `fast` and `faithful`.
+    pub fast: AngleErrors,
+    /// Between `faithful` and the surface: what the tessellation and the storage cost.
+    pub faithful: AngleErrors,
+    /// Whether `fast` saw that the mesh is out of its range, and left it to `faithful`.
+    pub declined: bool,
+}
+
+/// How a mesh is made hard for single precision.
+type Hardship = (&'static str, Tiling, fn(DVec3) -> DVec3);
+
+const CASES: [Hardship; 7] = [
+    ("64 × 32, jittered", Tiling::Jittered, |p| p),
+    ("stretched ten times", Tiling::Stretched, |p| p),
+    ("slivers of 1 : 1000", Tiling::Slivers, |p| p),
+    ("marching tetrahedra", Tiling::Marching, |p| p),
+    ("10³ from the origin", Tiling::Jittered, |p| p + DVec3::new(1e3, 0.0, 0.0)),
+    ("10⁵ from the origin", Tiling::Jittered, |p| p + DVec3::new(1e5, 0.0, 0.0)),
+    ("scaled by 10⁻⁷", Tiling::Jittered, |p| p * 1e-7),
+];
+
+/// All rows: seven cases with four weights each.
+pub fn precision_rows() -> Vec<PrecisionRow> {
+    let subjects = Subject::all(super::Effort::Quick);
+    let Some(torus) = subjects.iter().find(|subject| subject.name == "torus") else { return Vec::new() };
+    let rows = |(case, tiling, place): Hardship| {
+        let tessellation = tiling.tessellation(&torus.surface, 2);
+        let specimen = Specimen::new(torus, &tessellation);
+        let weights = [Weight::Uniform, Weight::Area, Weight::Angle, Weight::Max];
+        weights.into_iter().filter_map(move |weight| row(case, specimen.as_ref().ok()?, place, weight))
+    };
+    CASES.into_iter().flat_map(|case| rows(case).collect::<Vec<_>>()).collect()
+}
+
+fn row(
+    case: &'static str,
+    specimen: &Specimen,
+    place: fn(DVec3) -> DVec3,
+    weight: Weight,
+) -> Option<PrecisionRow> {
+    let mesh = rounded(&specimen.mesh, place);
+    let topology = Topology::by_index(mesh.faces(), mesh.vertex_count());
+    let compute = |precision| compute_on(&mesh, &topology, &NormalRecipe { precision, ..recipe(weight) });
+    let [faithful, fast] = [Precision::Faithful, Precision::Fast].map(compute);
+    let pairs = faithful.normals.values.iter().zip(&fast.normals.values);
+    let differences: Vec<Radians> = pairs.map(|(&a, &b)| angle_between(a, b)).collect();
+    let truth = |field: &NormalField| {
+        let known = field.normals.values.iter().zip(&field.entry_vertex);
+        let error = |(&normal, &vertex): (&DVec3, &u32)| {
+            Some(angle_between(normal, specimen.truth[vertex as usize]?))
+        };
+        known.filter_map(error).collect::<Vec<_>>()
+    };
+    Some(PrecisionRow {
+        case,
+        weight,
+        fast: AngleErrors::of(&differences),
+        faithful: AngleErrors::of(&truth(&faithful)),
+        declined: fast.summary.fast_declined,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fast_is_close_or_declines() {
+        let rows = precision_rows();
+        assert_eq!(rows.len(), 28);
+        for row in &rows {
+            let (fast, case) = (row.fast, row.case);
+            match row.declined {
+                true => assert_eq!(fast.max, 0.0, "{case}: what is left to faithful is the same"),
+                // Single precision's 6e-8 in each of some dozens of operations, over thinness of a tenth at the least.
+                false => assert!(fast.max < 0.01, "{case} {}: {}", row.weight.name(), fast.max),
+            }
+            // Max's weights are exact on grids of the torus's own parameters: there nothing is lost but to storage.
+            let is_exact =
+                row.weight == Weight::Max && (case.contains("stretched") || case.contains("slivers"));
+            let beside = if is_exact { 0.01 } else { 0.1 * row.faithful.rms };
+            assert!(fast.rms <= beside, "{case} {}: {fast:?}", row.weight.name());
+        }
+        assert!(rows.iter().any(|row| row.declined) && rows.iter().any(|row| row.fast.max > 0.0));
+        // Far away the stored positions themselves are coarse: what no arithmetic gets back.
+        let at = |case: &str| {
+            let found = rows.iter().find(|row| row.case.starts_with(case) && row.weight == Weight::Max);
+            found.unwrap().faithful.rms
+        };
+        assert!(at("10⁵") > 1.2 * at("64"), "{} {}", at("10⁵"), at("64"));
+    }
+}

@@ -1,0 +1,248 @@
+//! Vertex normals against the truth: every weight on every surface, cut in every way, at four resolutions.
+
+use super::angles::{AngleErrors, Histogram, angle_between, order_of_convergence};
+use super::cases::{Specimen, Subject, Tiling};
+use super::{Effort, Observer, Progress};
+use crate::mesh::Mesh;
+use crate::normals::{Crease, NormalField, NormalRecipe, Weight, compute_on};
+use crate::num::Radians;
+use glam::DVec3;
+use rayon::prelude::*;
+use serde::{Serialize, Serializer};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// The errors of all weights on one surface cut one way.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct VertexCase {
+    /// The surface.
+    pub surface: &'static str,
+    /// How it is cut.
+    pub tiling: Tiling,
+    /// The meshes, coarse to fine, each with edges half as long as the one before.
+    pub meshes: Vec<MeshSize>,
+    /// Which of them errors are quoted and drawn of: 64 × 32 and its like.
+    pub quoted: usize,
+    /// One for each of [`Weight::ALL`].
+    pub methods: Vec<MethodErrors>,
+}
+
+/// The size of a mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct MeshSize {
+    /// Cells along the parameters (of a lattice: the first along its longest side).
+    pub segments: [u32; 2],
+    /// Its vertices.
+    pub vertices: usize,
+    /// Its faces.
+    pub faces: usize,
+    /// Vertices whose errors are not counted: on open sides, and at the tip of a cone.
+    pub excluded: usize,
+}
+
+/// The errors of one weight.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MethodErrors {
+    /// The weight.
+    #[serde(serialize_with = "weight_name")]
+    pub weight: Weight,
+    /// Against the exact normals, for each mesh.
+    pub errors: Vec<AngleErrors>,
+    /// The order of convergence of the root mean square; `None` where it is exact.
+    pub order: Option<f64>,
+    /// The errors on the [quoted](VertexCase::quoted) mesh.
+    pub histogram: Histogram,
+}
+
+/// A weight as its name.
+pub(super) fn weight_name<S: Serializer>(weight: &Weight, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(weight.name())
+}
+
+/// The level whose errors are quoted and drawn.
+const QUOTED: u32 = 2;
+
+impl VertexCase {
+    /// Measures one surface cut one way, at the given levels of resolution. A surface that cannot be cut like this has no
+    /// meshes.
+    pub fn measure(subject: &Subject, tiling: Tiling, levels: std::ops::Range<u32>) -> Self {
+        let methods = Weight::ALL.map(|weight| MethodErrors {
+            weight,
+            errors: Vec::new(),
+            order: None,
+            histogram: Histogram::default(),
+        });
+        let quoted =
+            (QUOTED.clamp(levels.start, levels.end.max(levels.start + 1) - 1) - levels.start) as usize;
+        let mut case =
+            Self { surface: subject.name, tiling, meshes: Vec::new(), quoted, methods: methods.into() };
+        for level in levels {
+            let tessellation = tiling.tessellation(&subject.surface, level);
+            let Ok(specimen) = Specimen::new(subject, &tessellation) else { continue };
+            case.meshes.push(MeshSize {
+                segments: tessellation.segments,
+                vertices: specimen.mesh.vertex_count(),
+                faces: specimen.mesh.face_count(),
+                excluded: specimen.excluded(),
+            });
+            for method in &mut case.methods {
+                let angles = errors(&specimen, method.weight);
+                method.errors.push(AngleErrors::of(&angles));
+                if case.meshes.len() == quoted + 1 {
+                    method.histogram = Histogram::of(&angles);
+                }
+            }
+        }
+        for method in &mut case.methods {
+            let rms: Vec<f64> = method.errors.iter().map(|errors| errors.rms).collect();
+            method.order = order_of_convergence(&rms);
+        }
+        case
+    }
+
+    /// The errors of a weight on the quoted mesh.
+    pub fn quoted_errors(&self, weight: Weight) -> Option<AngleErrors> {
+        let method = self.methods.iter().find(|method| method.weight == weight)?;
+        method.errors.get(self.quoted).copied()
+    }
+}
+
+/// All cases of an effort, several at a time. The numbers do not depend on how many.
+pub fn vertex_cases(effort: Effort, observe: Observer) -> Vec<VertexCase> {
+    let subjects = Subject::all(effort);
+    let pairs: Vec<(&Subject, Tiling)> = subjects
+        .iter()
+        .flat_map(|subject| Tiling::ALL.map(|tiling| (subject, tiling)))
+        .filter(|(subject, tiling)| tiling.fits(&subject.surface))
+        .collect();
+    let (done, total) = (AtomicUsize::new(0), pairs.len());
+    let measure = |&(subject, tiling): &(&Subject, Tiling)| {
+        let case = VertexCase::measure(subject, tiling, tiling.levels(effort));
+        let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+        observe(Progress { stage: "vertex normals", done, total });
+        case
+    };
+    pairs.par_iter().with_max_len(1).map(measure).collect()
+}
+
+/// The recipe that weights are compared with: no edge is hard.
+pub(super) fn recipe(weight: Weight) -> NormalRecipe {
+    NormalRecipe { weight, crease: Crease::OFF, ..NormalRecipe::default() }
+}
+
+/// The angle to the truth of every entry that is counted.
+pub(super) fn errors(specimen: &Specimen, weight: Weight) -> Vec<Radians> {
+    let field = compute_on(&specimen.mesh, &specimen.topology, &recipe(weight));
+    let error =
+        |(&normal, &vertex): (&DVec3, &u32)| Some(angle_between(normal, specimen.truth[vertex as usize]?));
+    field.normals.values.par_iter().zip(&field.entry_vertex).filter_map(error).collect()
+}
+
+/// The angle to the truth at every vertex of a mesh of a surface, 0 where it is not counted; and the mesh with its field.
+/// For pictures.
+pub fn error_map(
+    subject: &Subject,
+    tiling: Tiling,
+    weight: Weight,
+) -> Option<(Mesh, NormalField, Vec<Radians>)> {
+    let specimen = Specimen::new(subject, &tiling.tessellation(&subject.surface, QUOTED)).ok()?;
+    let field = compute_on(&specimen.mesh, &specimen.topology, &recipe(weight));
+    let mut angles = vec![Radians(0.0); specimen.mesh.vertex_count()];
+    for (&normal, &vertex) in field.normals.values.iter().zip(&field.entry_vertex) {
+        if let Some(truth) = specimen.truth[vertex as usize] {
+            angles[vertex as usize] = angle_between(normal, truth);
+        }
+    }
+    Some((specimen.mesh, field, angles))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn subject(name: &str) -> Subject {
+        Subject::all(Effort::Full).into_iter().find(|subject| subject.name == name).unwrap()
+    }
+
+    /// Errors to as many digits as are printed.
+    fn assert_printed(found: f64, printed: f64, digits: i32) {
+        let unit = libm::exp10(f64::from(-digits));
+        assert!((found - printed).abs() <= 0.500_001 * unit, "{found} is not {printed}");
+    }
+
+    /// Figures computed apart from this program, in double precision, to all their digits.
+    #[test]
+    fn icosphere_figures_come_out() {
+        let case = VertexCase::measure(&subject("sphere"), Tiling::Icosphere, 0..4);
+        assert_eq!(case.meshes[2].vertices, 642);
+        let at = |level: usize, weight| {
+            let method = case.methods.iter().find(|method| method.weight == weight).unwrap();
+            (method.errors[level].rms, method.errors[level].max)
+        };
+        for (level, weight, rms, max) in [
+            (2, Weight::Uniform, 0.292_900, 0.473_844),
+            (2, Weight::Area, 0.422_980, 0.676_912),
+            (2, Weight::Angle, 0.166_633, 0.298_514),
+            (2, Weight::Edge, 0.108_986, 0.242_017),
+            (1, Weight::Uniform, 0.651_007, 0.759_910),
+            (1, Weight::Area, 0.943_064, 1.354_141),
+            (1, Weight::Angle, 0.369_381, 0.595_582),
+        ] {
+            let found = at(level, weight);
+            assert_printed(found.0, rms, 6);
+            assert_printed(found.1, max, 6);
+        }
+        for level in 0..4 {
+            // Positions are rounded by 1.1e-16 over edges of 0.07 and more, up to a sixth part of a turn about them: 57°·6·1.6e-15.
+            assert!(at(level, Weight::Max).1 < 5e-13, "{level}: {}", at(level, Weight::Max).1);
+        }
+        // Level 1 (42 vertices): exact by symmetry, whatever the weight of the first order.
+        for weight in Weight::ALL.into_iter().filter(|&weight| weight != Weight::Quadric) {
+            assert!(at(0, weight).1 < 1e-13, "{}", weight.name());
+        }
+    }
+
+    /// From 64 × 32 to 512 × 256: first order on the jittered torus, second order on the regular one, and quadrics of second
+    /// order on both.
+    #[test]
+    fn the_torus_converges_as_published() {
+        let case = VertexCase::measure(&subject("torus"), Tiling::Jittered, 2..6);
+        let method = |case: &VertexCase, weight| {
+            case.methods.iter().find(|method| method.weight == weight).cloned().unwrap()
+        };
+        for (weight, rms, max) in [(Weight::Uniform, 1.644, 4.677), (Weight::Max, 0.498, 2.054)] {
+            let found = method(&case, weight);
+            assert_printed(found.errors[0].rms, rms, 3);
+            assert_printed(found.errors[0].max, max, 3);
+            assert!((found.order.unwrap() - 1.0).abs() < 0.05, "{:?}", found.order);
+        }
+        let quadric = method(&case, Weight::Quadric).order.unwrap();
+        assert!((quadric - 2.0).abs() < 0.15, "{quadric}");
+        let regular = VertexCase::measure(&subject("torus"), Tiling::Regular, 2..6);
+        for weight in [Weight::Uniform, Weight::Area, Weight::Angle, Weight::Edge] {
+            let order = method(&regular, weight).order.unwrap();
+            assert!((order - 2.0).abs() < 0.05, "{}: {order}", weight.name());
+        }
+        // Exact on grids of the torus's own parameters.
+        assert!(method(&regular, Weight::Max).errors.iter().all(|errors| errors.max < 1e-10));
+    }
+
+    /// Second order inside, on every surface that is smooth enough.
+    #[test]
+    fn quadrics_are_second_order_on_jittered_meshes() {
+        for name in ["wave", "monkey-saddle", "ellipsoid", "bezier"] {
+            let case = VertexCase::measure(&subject(name), Tiling::Jittered, 2..6);
+            let quadric = case.methods.iter().find(|method| method.weight == Weight::Quadric).unwrap();
+            let order = quadric.order.unwrap();
+            assert!((order - 2.0).abs() < 0.15, "{name}: {order} from {:?}", quadric.errors);
+        }
+    }
+
+    #[test]
+    fn threads_change_no_bit() {
+        let measure = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| VertexCase::measure(&subject("wave"), Tiling::Scattered, 0..3))
+        };
+        assert_eq!(measure(1), measure(3));
+    }
+}
