@@ -3,6 +3,7 @@
 use super::choice::{Choice, Choices};
 use super::render::RenderArgs;
 use super::surface::SurfaceArgs;
+use super::trade::TradeArgs;
 use clap::{ArgGroup, Args, Parser, Subcommand};
 use crease::io::{Emit, Format, NormalFormat, TangentPolicy};
 use crease::mesh::{Orient, Weld};
@@ -46,6 +47,7 @@ pub enum Verb {
     Normals(Box<NormalsArgs>),
     Render(Box<RenderArgs>),
     Surface(Box<SurfaceArgs>),
+    Trade(Box<TradeArgs>),
     /// Print a completion script for a shell
     Completions {
         /// The shell

@@ -1,6 +1,6 @@
 //! The command-line program: what was typed ([`args`]) becomes a checked [`request`], which is carried out input
 //! by input ([`batch`], [`normals`]) and told about ([`report`], [`text`]). Other verbs have a module each ([`render`],
-//! [`surface`]).
+//! [`surface`], [`trade`]).
 
 mod args;
 mod batch;
@@ -17,6 +17,7 @@ mod report;
 mod request;
 mod surface;
 mod text;
+mod trade;
 
 use args::{Cli, NormalsArgs, Verb};
 use clap::error::ErrorKind;
@@ -41,6 +42,7 @@ pub fn main() -> ExitCode {
         Verb::Normals(ref args) => normals_verb(args, &cli),
         Verb::Render(ref args) => render::main(args, cli.color),
         Verb::Surface(ref args) => surface::main(args, cli.color),
+        Verb::Trade(ref args) => trade::main(args, cli.color),
         Verb::Completions { shell } => docs::completions(shell),
         Verb::Man { ref verb } => docs::manual(verb.as_deref()),
     };

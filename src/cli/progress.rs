@@ -3,6 +3,7 @@
 use super::console::Console;
 use super::inputs::Source;
 use super::request::Job;
+use crease::trade;
 use indicatif::{HumanBytes, HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use std::fmt::Write;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -13,6 +14,7 @@ use std::time::Duration;
 /// Nobody has to be told about work that is over sooner.
 const SHORT: Duration = Duration::from_secs(1);
 
+const STEPS_TEMPLATE: &str = "{spinner} {msg} [{wide_bar}] {pos}/{len}";
 const FRAMES_TEMPLATE: &str = "drawing [{wide_bar}] {pos}/{len} frames, {eta} left";
 const TEMPLATE: &str = "{spinner} {msg} [{wide_bar}] {bytes}/{total_bytes}{rate_and_left}";
 
@@ -25,6 +27,12 @@ pub struct Progress {
 /// The bar of an animation: its frames.
 #[derive(Debug)]
 pub struct FrameProgress {
+    late: LateBar,
+}
+
+/// A bar over the steps of a measurement, stage by stage.
+#[derive(Debug)]
+pub struct StepProgress {
     late: LateBar,
 }
 
@@ -94,6 +102,23 @@ impl FrameProgress {
     /// One more is done.
     pub fn done(&self) {
         self.late.bar.inc(1);
+    }
+}
+
+impl StepProgress {
+    pub fn new(console: &Console) -> Self {
+        if !console.may_show_progress() {
+            return Self { late: LateBar::hidden() };
+        }
+        let style = ProgressStyle::with_template(STEPS_TEMPLATE).expect("a right template");
+        Self { late: LateBar::after(SHORT, 1, style, ProgressDrawTarget::stderr()) }
+    }
+
+    /// So far it has come.
+    pub fn step(&self, step: trade::Progress) {
+        self.late.bar.set_message(step.stage);
+        self.late.bar.set_length(step.total as u64);
+        self.late.bar.set_position(step.done as u64);
     }
 }
 

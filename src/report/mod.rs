@@ -23,6 +23,7 @@ mod picture;
 mod plot;
 mod png;
 mod probe;
+mod trade;
 
 pub use animation::Animation;
 pub use error::ReportError;
@@ -35,3 +36,7 @@ pub use picture::Picture;
 pub use plot::{Axis, Mark, Plot, Scale, Series};
 pub use png::encode_png;
 pub use probe::{LitReport, PixelReport, SampleReport, SeenReport, probe_pixel};
+pub use trade::{
+    approximation_table, box_table, class_table, cost_table, encoding_table, order_table, own_page,
+    own_table, precision_table, shading_table, surface_table, trade_page,
+};

@@ -26,4 +26,5 @@ mod scenes;
 mod shade;
 mod stl;
 mod surface;
+mod trade;
 mod triangulate;

@@ -1,0 +1,69 @@
+//! What may be typed for `crease trade`.
+
+use super::super::args::{EXIT_CODES, FORMATS, RunArgs, crease_angle};
+use super::super::choice::Choices;
+use clap::Args;
+use crease::io::Format;
+use crease::num::Degrees;
+use crease::trade::Effort;
+use std::path::PathBuf;
+
+const EXAMPLES: &str = "\
+Examples:
+  crease trade
+  crease trade --quick
+  crease trade -o trade
+  crease trade --json > trade.json
+  crease trade bunny.obj
+  crease trade part.stl --crease 30 -o part-trade";
+
+/// Measure accuracy against speed
+///
+/// Without an input: vertex normals of every weight against surfaces whose normals are known, ways to store normals, ways to
+/// shade, and what each costs; about a minute and a half. Errors are the same in every run, times are of this machine. With
+/// a mesh: what the weights differ by on it, what they cost, and which to use.
+#[derive(Args)]
+#[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"))]
+pub struct TradeArgs {
+    /// A mesh of your own, or `-` for standard input
+    #[arg(value_name = "INPUT")]
+    pub input: Option<PathBuf>,
+
+    /// Write a page of HTML, with plots and pictures, into this folder, which is made if need be
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+
+    /// Measure less: some seconds
+    #[arg(long, conflicts_with_all = ["full", "input"])]
+    pub quick: bool,
+
+    /// Measure more: finer meshes, larger pictures, some minutes
+    #[arg(long, conflicts_with = "input")]
+    pub full: bool,
+
+    /// Print the main tables as Markdown
+    #[arg(long, conflicts_with_all = ["json", "input"])]
+    pub markdown: bool,
+
+    /// Format of the input, where its name cannot tell [default: by name, else by content]
+    #[arg(long, value_name = "FORMAT", value_parser = Choices(FORMATS), requires = "input")]
+    pub format: Option<Format>,
+
+    /// Edges of the input that bend by more than this many degrees stay sharp; `off` for none [default: 40 without smoothing
+    /// groups]
+    #[arg(long, value_name = "DEG|off", value_parser = crease_angle, allow_negative_numbers = true, requires = "input")]
+    pub crease: Option<Degrees>,
+
+    #[command(flatten)]
+    pub run: RunArgs,
+}
+
+impl TradeArgs {
+    pub fn effort(&self) -> Effort {
+        match (self.quick, self.full) {
+            (true, _) => Effort::Quick,
+            (_, true) => Effort::Full,
+            _ => Effort::Usual,
+        }
+    }
+}

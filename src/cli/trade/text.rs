@@ -1,0 +1,101 @@
+//! What `crease trade` prints for people.
+
+use super::super::console::{Style, escaped};
+use super::report::{Measured, Report};
+use crease::report::{
+    Table, approximation_table, box_table, class_table, cost_table, encoding_table, order_table, own_table,
+    precision_table, shading_table, surface_table,
+};
+use crease::trade::{EncodingRow, OwnMesh, Trade, advice};
+use std::fmt::Write;
+
+/// Tables, then advice. `long` also has every surface, and Phong's highlights.
+pub fn text(measured: &Measured, report: &Report, style: Style, long: bool) -> String {
+    let (tables, advice) = match measured {
+        Measured::Surfaces(trade) => (tables(trade, long), advice(trade)),
+        Measured::Own(own) => (vec![own_table(own)], own_advice(own)),
+    };
+    let mut text = String::new();
+    for table in &tables {
+        text.push_str(&heading(&table.to_text(), style));
+        text.push('\n');
+    }
+    let _ = writeln!(text, "{}", style.paint(Style::BOLD, "Advice"));
+    for sentence in advice {
+        text.push_str(&wrapped(&sentence));
+    }
+    if let Some(path) = &report.output {
+        let _ = writeln!(text, "\npage: {}", escaped(path));
+    }
+    text
+}
+
+fn tables(trade: &Trade, long: bool) -> Vec<Table> {
+    let mut tables = vec![class_table(trade), order_table(trade), box_table(trade), cost_table(trade)];
+    if long {
+        tables.insert(1, surface_table(trade));
+    }
+    tables.push(precision_table(trade));
+    tables.push(encoding_table(&trade.encodings));
+    tables.push(shading_table(&trade.shading, "blinn"));
+    if long {
+        tables.push(shading_table(&trade.shading, "phong"));
+    }
+    tables.push(approximation_table(trade));
+    tables
+}
+
+fn own_advice(own: &OwnMesh) -> Vec<String> {
+    let first = format!("Use --weight {}.", own.recommended.name());
+    std::iter::once(first).chain(own.reasons.iter().cloned()).collect()
+}
+
+/// The tables that a README quotes: weights by class, their costs, and encodings of every even number of bits.
+pub fn markdown(measured: &Measured) -> String {
+    let Measured::Surfaces(trade) = measured else { return String::new() };
+    let is_quoted = |row: &&EncodingRow| {
+        let odd = ["oct 9", "oct 11", "oct 13", "oct 14", "oct 15"];
+        !odd.iter().any(|odd| row.name.starts_with(odd))
+    };
+    let encodings: Vec<EncodingRow> = trade.encodings.iter().filter(is_quoted).cloned().collect();
+    let tables = [class_table(trade), cost_table(trade), encoding_table(&encodings)];
+    tables.map(|table| table.to_markdown()).join("\n")
+}
+
+/// The first line in bold.
+fn heading(text: &str, style: Style) -> String {
+    let (first, rest) = text.split_once('\n').unwrap_or((text, ""));
+    format!("{}\n{rest}", style.paint(Style::BOLD, first))
+}
+
+/// A sentence as a point of a list, in lines of at most 100 letters.
+fn wrapped(sentence: &str) -> String {
+    const WIDTH: usize = 100;
+    let mut text = String::from("  -");
+    let mut column = text.len();
+    for word in sentence.split(' ') {
+        let length = word.chars().count() + 1;
+        if column + length > WIDTH {
+            text.push_str("\n   ");
+            column = 3;
+        }
+        text.push(' ');
+        text.push_str(word);
+        column += length;
+    }
+    text.push('\n');
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_sentences_are_broken_between_words() {
+        let sentence = "word ".repeat(40);
+        let text = wrapped(sentence.trim_end());
+        assert!(text.lines().count() == 3 && text.lines().all(|line| line.chars().count() <= 100), "{text}");
+        assert_eq!(text.split_whitespace().count(), 41);
+    }
+}

@@ -1,0 +1,206 @@
+//! Plots of the measurement.
+
+use crate::normals::Weight;
+use crate::num::three_digits;
+use crate::report::{Axis, Mark, Plot, Series};
+use crate::trade::{EncodingRow, Histogram, OwnMesh, ShadingRow, Tiling, Trade, VertexCase, frontier};
+
+/// Errors below this, in degrees, are exact and have no place on a logarithmic axis.
+const EXACT: f64 = 1e-9;
+
+fn colour(weight: Weight) -> Option<usize> {
+    Weight::ALL.iter().position(|&other| other == weight)
+}
+
+/// Error against cost of every weight on a class of meshes, with the Pareto frontier.
+pub(super) fn frontier_plot(trade: &Trade, tiling: Tiling) -> Plot {
+    let points = trade.of_class(tiling);
+    let place = |point: &crate::trade::ClassPoint| [point.ratio, point.rms];
+    let best: Vec<[f64; 2]> = frontier(&points).iter().map(place).collect();
+    let on_it: Vec<&str> = frontier(&points).iter().map(|point| point.weight.name()).collect();
+    let line =
+        Series { name: "Pareto frontier".into(), points: best, mark: Mark::Frontier, ..Series::default() };
+    let weights = points.iter().map(|point| Series {
+        name: point.weight.name().into(),
+        points: vec![place(point)],
+        colour: colour(point.weight),
+        ..Series::default()
+    });
+    Plot {
+        title: format!("Error against cost: {}", tiling.describes()),
+        description: format!("From cheap to accurate, nothing beats: {}.", on_it.join(", ")),
+        size: [680, 320],
+        x: Axis::log("times the plain f32 loop, one thread"),
+        y: Axis::log("rms error, degrees"),
+        series: std::iter::once(line).chain(weights).collect(),
+    }
+}
+
+/// Errors over edge lengths on one surface.
+pub(super) fn convergence_plot(case: &VertexCase) -> Plot {
+    // The mean edge in units of the coarsest one.
+    let faces: Vec<f64> = case.meshes.iter().map(|mesh| mesh.faces as f64).collect();
+    let edge = |place: usize| (faces[0] / faces[place]).sqrt();
+    let mut series: Vec<Series> = case
+        .methods
+        .iter()
+        .map(|method| Series {
+            name: match method.order {
+                Some(order) => format!("{}, order {order:.2}", method.weight.name()),
+                None => format!("{}, exact", method.weight.name()),
+            },
+            points: method
+                .errors
+                .iter()
+                .enumerate()
+                .map(|(place, errors)| [edge(place), if errors.rms < EXACT { 0.0 } else { errors.rms }])
+                .collect(),
+            mark: Mark::Line,
+            colour: colour(method.weight),
+            ..Series::default()
+        })
+        .collect();
+    let coarsest = case.methods.iter().filter_map(|method| Some(method.errors.first()?.rms));
+    let top = coarsest.fold(0.0, f64::max) * 1.6;
+    let finest = edge(faces.len() - 1);
+    for (name, power) in [("slope 1", 1), ("slope 2", 2)] {
+        let low = if power == 1 { top * finest } else { top * finest * finest };
+        series.push(Series {
+            name: name.into(),
+            points: vec![[1.0, top], [finest, low]],
+            mark: Mark::Guide,
+            ..Series::default()
+        });
+    }
+    let orders = case.methods.iter().map(|method| {
+        let order = method.order.map_or("exact".into(), |order| format!("{order:.2}"));
+        format!("{} {order}", method.weight.name())
+    });
+    Plot {
+        title: format!("Convergence: {}, {}", case.surface, case.tiling.name()),
+        description: format!("Orders: {}.", orders.collect::<Vec<_>>().join(", ")),
+        size: [680, 340],
+        x: Axis::log("mean edge, coarsest mesh = 1"),
+        y: Axis::log("rms error, degrees"),
+        series,
+    }
+}
+
+/// How many normals have an error of which size.
+pub(super) fn histogram_plot(case: &VertexCase) -> Plot {
+    let edges: Vec<f64> = Histogram::edges().collect();
+    let has_errors = |errors: &crate::trade::AngleErrors| errors.rms > EXACT;
+    let shown = case.methods.iter().filter(|method| method.errors.get(case.quoted).is_some_and(has_errors));
+    let series = shown.map(|method| {
+        let shares = method.histogram.shares.iter().chain(method.histogram.shares.last());
+        // Bins that are empty on both sides of all others are left out.
+        let points = edges.iter().zip(shares).map(|(&edge, &share)| [edge, 100.0 * share]);
+        let points: Vec<[f64; 2]> = points.collect();
+        let first = points.iter().position(|point| point[1] > 0.0).unwrap_or(0);
+        let last = points.iter().rposition(|point| point[1] > 0.0).map_or(points.len(), |last| last + 2);
+        Series {
+            name: method.weight.name().into(),
+            points: points[first..last.min(points.len())].to_vec(),
+            mark: Mark::Steps,
+            colour: colour(method.weight),
+            ..Series::default()
+        }
+    });
+    let medians = case.methods.iter().filter_map(|method| {
+        let errors = method.errors.get(case.quoted)?;
+        Some(format!("{} {}°", method.weight.name(), three_digits(errors.median)))
+    });
+    Plot {
+        title: format!("Errors of normals: {}, {}", case.surface, case.tiling.name()),
+        description: format!("Medians: {}.", medians.collect::<Vec<_>>().join(", ")),
+        size: [680, 320],
+        x: Axis::log("error, degrees"),
+        y: Axis::linear("normals in a quarter of a decade, %"),
+        series: series.collect(),
+    }
+}
+
+/// The worst angle of encodings over their bits.
+pub(super) fn encoding_plot(rows: &[EncodingRow]) -> Plot {
+    let kind = |name: &str, takes: &dyn Fn(&EncodingRow) -> bool| Series {
+        name: name.into(),
+        points: rows.iter().filter(|row| takes(row)).map(|row| [row.bytes as f64, row.max]).collect(),
+        mark: Mark::Points,
+        ..Series::default()
+    };
+    let nearest = |row: &EncodingRow| row.name.ends_with("nearest");
+    let octahedral = |row: &EncodingRow| row.name.starts_with("oct");
+    let half_step = (1.0_f64 / 510.0).to_degrees();
+    Plot {
+        title: "Stored normals: the worst angle".into(),
+        description:
+            "The worst angle falls by half with each bit of an octahedral component; those of 16 bits are \
+                      below four thousandths of a degree in four bytes."
+                .into(),
+        size: [680, 320],
+        x: Axis { range: Some([1.0, 13.0]), ..Axis::linear("bytes of a normal") },
+        y: Axis::log("largest error, degrees"),
+        series: vec![
+            kind("octahedral", &|row| octahedral(row) && !nearest(row)),
+            kind("octahedral, nearest", &|row| octahedral(row) && nearest(row)),
+            kind("snorm", &|row| row.name.starts_with("snorm")),
+            kind("floating point", &|row| !octahedral(row) && !row.name.starts_with("snorm")),
+            Series {
+                name: "half a step, diffuse".into(),
+                points: vec![[1.0, half_step], [13.0, half_step]],
+                mark: Mark::Guide,
+                ..Series::default()
+            },
+        ],
+    }
+}
+
+/// Errors of ways to shade over the number of faces, on regular meshes of one surface.
+pub(super) fn shading_plot(rows: &[ShadingRow], surface: &str) -> Plot {
+    let ways = [("flat", None), ("gouraud", Some("perspective")), ("phong", Some("perspective"))];
+    let series = ["blinn", "phong"].into_iter().flat_map(|reflection| {
+        ways.map(|(shading, interpolation)| {
+            let of_way = rows.iter().filter(|row| {
+                row.surface == surface
+                    && row.tiling == Tiling::Regular
+                    && (row.reflection, row.shading, row.interpolation)
+                        == (reflection, shading, interpolation)
+            });
+            Series {
+                name: format!("{shading}, {reflection} highlight"),
+                points: of_way.map(|row| [row.faces as f64, row.error.linear.rms]).collect(),
+                mark: Mark::Line,
+                ..Series::default()
+            }
+        })
+    });
+    Plot {
+        title: format!("Shading: {surface}"),
+        description:
+            "Flat shading is worst and Phong shading best at every number of faces; all come closer to the \
+                      picture of the surface as faces grow in number."
+                .into(),
+        size: [680, 320],
+        x: Axis::log("faces"),
+        y: Axis::log("rms error, steps of 1/255"),
+        series: series.collect(),
+    }
+}
+
+/// Estimated error against cost on somebody's own mesh.
+pub(super) fn own_plot(own: &OwnMesh) -> Plot {
+    let series = own.methods.iter().filter(|method| method.weight != Weight::Quadric).map(|method| Series {
+        name: method.weight.name().into(),
+        points: vec![[method.ratio, method.estimate.rms]],
+        colour: colour(method.weight),
+        ..Series::default()
+    });
+    Plot {
+        title: "Estimated error against cost".into(),
+        description: format!("Recommended: {}.", own.recommended.name()),
+        size: [680, 320],
+        x: Axis::log("times the plain f32 loop, one thread"),
+        y: Axis::log("rms angle to the quadric's normals, degrees"),
+        series: series.collect(),
+    }
+}

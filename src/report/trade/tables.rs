@@ -1,0 +1,300 @@
+//! Tables of the measurement.
+
+use crate::normals::Weight;
+use crate::num::three_digits;
+use crate::report::Table;
+use crate::trade::{EncodingRow, OwnMesh, ShadingRow, Tiling, Trade, Way};
+
+/// Where there is no number.
+const NONE: &str = "–";
+
+/// Columns: one thing, then every weight.
+fn by_weight(caption: &str, first: &[&'static str]) -> Table {
+    let columns: Vec<&str> = first.iter().copied().chain(Weight::ALL.map(Weight::name)).collect();
+    Table::new(caption, &columns)
+}
+
+/// Errors below the rounding of positions are none.
+fn degrees(x: f64) -> String {
+    if x < 1e-9 { "exact".into() } else { three_digits(x) }
+}
+
+/// The rms error of each weight on each class of meshes, the median over its surfaces; the best sum of faces is marked with a star.
+pub fn class_table(trade: &Trade) -> Table {
+    let mut table =
+        by_weight("Vertex normals: rms error in degrees at 64 × 32, median over surfaces", &["mesh"]);
+    for tiling in Tiling::ALL {
+        let points = trade.of_class(tiling);
+        let sums = points.iter().filter(|point| point.weight != Weight::Quadric);
+        let best = sums.map(|point| point.rms).fold(f64::INFINITY, f64::min);
+        let cells = points.iter().map(|point| {
+            let star = if point.weight != Weight::Quadric && point.rms == best { "*" } else { "" };
+            format!("{}{star}", degrees(point.rms))
+        });
+        if !points.is_empty() {
+            table.push(std::iter::once(tiling.name().to_owned()).chain(cells));
+        }
+    }
+    table
+}
+
+/// The order of convergence of each weight on each class of meshes: the median over its surfaces.
+pub fn order_table(trade: &Trade) -> Table {
+    let mut table = by_weight("Order of convergence over three halvings, median over surfaces", &["mesh"]);
+    for tiling in Tiling::ALL {
+        let cases: Vec<_> = trade.vertex.iter().filter(|case| case.tiling == tiling).collect();
+        let order = |weight: Weight| {
+            let methods =
+                cases.iter().flat_map(|case| &case.methods).filter(|method| method.weight == weight);
+            let mut orders: Vec<f64> = methods.filter_map(|method| method.order).collect();
+            orders.sort_by(f64::total_cmp);
+            orders.get(orders.len() / 2).map_or("exact".into(), |order| format!("{order:.2}"))
+        };
+        if !cases.is_empty() {
+            table.push(std::iter::once(tiling.name().to_owned()).chain(Weight::ALL.map(order)));
+        }
+    }
+    table
+}
+
+/// Every surface in every tiling: rms and largest error on the quoted mesh.
+pub fn surface_table(trade: &Trade) -> Table {
+    let mut table = by_weight("Error in degrees at 64 × 32: rms / largest", &["surface", "mesh", "left out"]);
+    for case in &trade.vertex {
+        let error = |weight: Weight| {
+            let errors = case.quoted_errors(weight);
+            errors.map_or(NONE.into(), |e| format!("{} / {}", degrees(e.rms), degrees(e.max)))
+        };
+        let excluded = case.meshes.get(case.quoted).map_or(0, |mesh| mesh.excluded);
+        let names = [case.surface.to_owned(), case.tiling.name().to_owned(), excluded.to_string()];
+        table.push(names.into_iter().chain(Weight::ALL.map(error)));
+    }
+    table
+}
+
+/// What each weight costs each way.
+pub fn cost_table(trade: &Trade) -> Table {
+    let costs = &trade.costs;
+    let caption = format!(
+        "Cost on one thread, {} triangles: ns per triangle (times the plain f32 loop, {} ns)",
+        costs.triangles,
+        three_digits(costs.plain_ns)
+    );
+    let mut table = Table::new(&caption, &["weight", "slices, faithful", "mesh, faithful", "mesh, fast"]);
+    for weight in Weight::ALL {
+        let cell = |way: Way| {
+            let row = costs.rows.iter().find(|row| row.way == way && row.weight == weight);
+            row.map_or(NONE.into(), |row| {
+                format!("{} ({}×)", three_digits(row.ns_per_triangle), three_digits(row.ratio))
+            })
+        };
+        let ways = [Way::Slices, Way::Mesh, Way::MeshFast].map(cell);
+        table.push(std::iter::once(weight.name().to_owned()).chain(ways));
+    }
+    table
+}
+
+/// How far corners of boxes are from their diagonals.
+pub fn box_table(trade: &Trade) -> Table {
+    let caption = "Corners of boxes, all 64 triangulations: degrees off the diagonal";
+    let mut table = Table::new(caption, &["weight", "1 × 1 × 1", "1 × 1 × 10"]);
+    for weight in Weight::ALL {
+        let rows: Vec<String> = trade
+            .boxes
+            .iter()
+            .filter(|row| row.weight == weight)
+            .map(|row| match row.deviations.as_slice() {
+                values if values.len() <= 3 => {
+                    let values =
+                        values.iter().map(|&x| if x < 1e-9 { "0".into() } else { format!("{x:.3}") });
+                    values.collect::<Vec<_>>().join(", ")
+                }
+                values => format!("{:.1} to {:.1}", values[0], values[values.len() - 1]),
+            })
+            .collect();
+        if !rows.is_empty() {
+            table.push(std::iter::once(weight.name().to_owned()).chain(rows));
+        }
+    }
+    table
+}
+
+/// `fast` beside `faithful`.
+pub fn precision_table(trade: &Trade) -> Table {
+    let columns =
+        ["torus stored in f32", "weight", "fast − faithful, rms", "largest", "faithful − truth, rms", ""];
+    let mut table = Table::new("Precision: degrees", &columns);
+    for row in &trade.precision {
+        table.push([
+            row.case.to_owned(),
+            row.weight.name().to_owned(),
+            three_digits(row.fast.rms),
+            three_digits(row.fast.max),
+            three_digits(row.faithful.rms),
+            if row.declined { "left to faithful" } else { "" }.to_owned(),
+        ]);
+    }
+    table
+}
+
+/// Stored normals.
+pub fn encoding_table(rows: &[EncodingRow]) -> Table {
+    let caption = "Stored normals: degrees, and the largest highlight exponents within half an 8-bit step";
+    let columns =
+        ["encoding", "bytes", "mean", "largest", "diffuse", "n, Blinn", "n, Phong", "encode ns", "decode ns"];
+    let mut table = Table::new(caption, &columns);
+    let exponent = |n: Option<u64>| match n {
+        Some(1_000_000_000..) => "any".into(),
+        Some(n) => n.to_string(),
+        None => NONE.into(),
+    };
+    for row in rows {
+        table.push([
+            row.name.clone(),
+            row.bytes.to_string(),
+            three_digits(row.mean),
+            three_digits(row.max),
+            if row.diffuse { "yes" } else { "no" }.to_owned(),
+            exponent(row.blinn),
+            exponent(row.phong),
+            three_digits(row.encode_ns),
+            three_digits(row.decode_ns),
+        ]);
+    }
+    table
+}
+
+/// Ways to shade with one kind of highlight: rms error in steps of 1/255 and the share of pixels over half a step.
+pub fn shading_table(rows: &[ShadingRow], reflection: &str) -> Table {
+    const WAYS: [(&str, Option<&str>); 7] = [
+        ("flat", None),
+        ("gouraud", Some("scanline")),
+        ("gouraud", Some("affine")),
+        ("gouraud", Some("perspective")),
+        ("phong", Some("scanline")),
+        ("phong", Some("affine")),
+        ("phong", Some("perspective")),
+    ];
+    let caption = format!(
+        "Shading, {reflection} highlight: rms error in steps of 1/255 of linear light (pixels over half a step); \
+         pixels covered otherwise"
+    );
+    let columns = [
+        "surface",
+        "mesh",
+        "faces",
+        "flat",
+        "gouraud scanline",
+        "affine",
+        "perspective",
+        "phong scanline",
+        "affine",
+        "perspective",
+        "covered otherwise",
+        "Y rms, phong",
+        "largest, phong",
+    ];
+    let mut table = Table::new(&caption, &columns);
+    let of_reflection: Vec<&ShadingRow> = rows.iter().filter(|row| row.reflection == reflection).collect();
+    for mesh in
+        of_reflection.chunk_by(|a, b| (a.surface, a.tiling, a.faces) == (b.surface, b.tiling, b.faces))
+    {
+        let find = |(shading, interpolation)| {
+            mesh.iter().find(|row| row.shading == shading && row.interpolation == interpolation)
+        };
+        let cell = |way| {
+            find(way).map_or(NONE.into(), |row| {
+                format!("{} ({:.0} %)", three_digits(row.error.linear.rms), 100.0 * row.error.linear.over)
+            })
+        };
+        let phong = find(WAYS[6]).map(|row| row.error);
+        let last = phong.map_or([NONE; 3].map(str::to_owned), |error| {
+            let covered = format!("{:.2} %", 100.0 * error.disagreement);
+            [covered, three_digits(error.luminance.rms), three_digits(error.linear.max)]
+        });
+        let first = mesh[0];
+        let names = [first.surface.to_owned(), first.tiling.name().to_owned(), first.faces.to_string()];
+        table.push(names.into_iter().chain(WAYS.map(cell)).chain(last));
+    }
+    table
+}
+
+/// The crate's own approximations.
+pub fn approximation_table(trade: &Trade) -> Table {
+    let columns = ["approximation", "largest error", "unit", "ns", "ns of libm"];
+    let mut table = Table::new("Approximations of this crate beside libm", &columns);
+    for row in &trade.approximations {
+        table.push([
+            row.what.clone(),
+            three_digits(row.error),
+            row.unit.to_owned(),
+            three_digits(row.ns),
+            three_digits(row.exact_ns),
+        ]);
+    }
+    table
+}
+
+/// The weights on somebody's own mesh.
+pub fn own_table(own: &OwnMesh) -> Table {
+    let caption = format!(
+        "Angle to the quadric's normals in degrees, over {} of {} normals; cost on one thread (plain f32 loop: {} ns a \
+         triangle)",
+        own.estimated_from,
+        own.normals,
+        three_digits(own.plain_ns)
+    );
+    let columns = ["weight", "rms", "median", "99 %", "largest", "ns/triangle", "× plain", "rms to angle"];
+    let mut table = Table::new(&caption, &columns);
+    let angle = Weight::ALL.iter().position(|&weight| weight == Weight::Angle);
+    for (place, method) in own.methods.iter().enumerate() {
+        let of_estimate = |x: f64| match method.weight {
+            Weight::Quadric => NONE.into(),
+            _ => three_digits(x),
+        };
+        let estimate = method.estimate;
+        let star = if method.weight == own.recommended { "*" } else { "" };
+        table.push([
+            format!("{}{star}", method.weight.name()),
+            of_estimate(estimate.rms),
+            of_estimate(estimate.median),
+            of_estimate(estimate.p99),
+            of_estimate(estimate.max),
+            three_digits(method.ns_per_triangle),
+            three_digits(method.ratio),
+            angle.map_or(NONE.into(), |angle| three_digits(own.differences[place][angle])),
+        ]);
+    }
+    table
+}
+
+/// Milliseconds of each way to shade, on the finest regular mesh of each surface.
+pub(super) fn shading_times(rows: &[ShadingRow]) -> Table {
+    let mut surfaces: Vec<&str> = rows.iter().map(|row| row.surface).collect();
+    surfaces.dedup();
+    let columns: Vec<&str> =
+        ["shading", "interpolation"].into_iter().chain(surfaces.iter().copied()).collect();
+    let mut table = Table::new("Time of a picture of the finest regular mesh, all threads: ms", &columns);
+    let finest = |surface: &str| {
+        let regular = rows.iter().filter(|row| row.surface == surface && row.tiling == Tiling::Regular);
+        regular.map(|row| row.faces).max().unwrap_or(0)
+    };
+    let first = surfaces.first().copied().unwrap_or_default();
+    let is_shown = |row: &&ShadingRow, surface: &str| {
+        row.surface == surface
+            && row.reflection == "blinn"
+            && row.tiling == Tiling::Regular
+            && row.faces == finest(surface)
+    };
+    for way in rows.iter().filter(|row| is_shown(row, first)) {
+        let cell = |surface: &&str| {
+            let same = |row: &&ShadingRow| {
+                is_shown(row, surface) && (row.shading, row.interpolation) == (way.shading, way.interpolation)
+            };
+            rows.iter().find(same).map_or(NONE.into(), |row| three_digits(row.milliseconds))
+        };
+        let names = [way.shading.to_owned(), way.interpolation.unwrap_or(NONE).to_owned()];
+        table.push(names.into_iter().chain(surfaces.iter().map(cell)));
+    }
+    table
+}

@@ -1,0 +1,176 @@
+//! The verb `trade` and its page.
+
+use crate::cli;
+use assert_cmd::Command;
+use std::collections::BTreeSet;
+use std::path::Path;
+use std::sync::LazyLock;
+
+fn crease(arguments: &[&str]) -> Command {
+    let mut command = cli::crease();
+    command.args(arguments).current_dir(env!("CARGO_MANIFEST_DIR"));
+    command
+}
+
+/// What one quick measurement printed, and its page.
+static QUICK: LazyLock<(serde_json::Value, String)> = LazyLock::new(|| {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path().join("new/folder");
+    let output = crease(&["trade", "--quick", "--json", "-o", place.to_str().unwrap()]).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let page = std::fs::read_to_string(place.join("index.html")).unwrap();
+    (serde_json::from_slice(&output.stdout).unwrap(), page)
+});
+
+/// Every value of an attribute in a page.
+fn values<'a>(page: &'a str, attribute: &str) -> Vec<&'a str> {
+    let start = format!(" {attribute}=\"");
+    page.split(start.as_str()).skip(1).map(|rest| rest.split('"').next().unwrap()).collect()
+}
+
+/// Start tags of one kind.
+fn tags<'a>(page: &'a str, name: &str) -> Vec<&'a str> {
+    let start = format!("<{name}");
+    let tags = page.split(start.as_str()).skip(1).filter(|rest| rest.starts_with([' ', '>']));
+    tags.map(|rest| rest.split('>').next().unwrap()).collect()
+}
+
+fn check_page(page: &str) {
+    // Nothing from elsewhere, by whatever spelling.
+    for elsewhere in ["http:", "https:", "//", "url(", "@import", "<script", "<link", "<iframe", "<base"] {
+        let text = strip_data(page);
+        let inside = elsewhere == "url(";
+        let found =
+            text.match_indices(elsewhere).filter(|(at, _)| !inside || !text[at + 4..].starts_with('#'));
+        assert_eq!(found.count(), 0, "{elsewhere}");
+    }
+    // Every id once, and every reference to one that is there.
+    let ids = values(page, "id");
+    let known: BTreeSet<&str> = ids.iter().copied().collect();
+    assert_eq!(ids.len(), known.len());
+    let links =
+        values(page, "href").into_iter().map(|href| href.strip_prefix('#').expect("a link within the page"));
+    let labels = values(page, "aria-labelledby").into_iter().flat_map(str::split_whitespace);
+    let clips = values(page, "clip-path").into_iter().map(|url| {
+        url.strip_prefix("url(#").and_then(|url| url.strip_suffix(')')).expect("a reference within the page")
+    });
+    let references: Vec<&str> = links.chain(labels).chain(clips).collect();
+    assert!(!references.is_empty());
+    for reference in references {
+        assert!(known.contains(reference), "{reference}");
+    }
+    // Every picture and every drawing says what it shows.
+    let alternatives = tags(page, "img").into_iter().map(|tag| values(tag, "alt").concat());
+    assert!(alternatives.into_iter().all(|alternative| alternative.len() > 10));
+    let drawings = tags(page, "svg");
+    assert!(drawings.iter().all(|tag| tag.contains("role=\"img\"") && tag.contains("aria-labelledby")));
+    assert_eq!(tags(page, "desc").len(), drawings.len());
+    let described = page.split("<desc").skip(1).map(|rest| rest.split_once('>').unwrap().1);
+    assert!(described.into_iter().all(|text| text.find('<').unwrap() > 10));
+    // Every element that is opened is closed.
+    for name in [
+        "html", "head", "body", "main", "div", "figure", "table", "tr", "td", "th", "svg", "g", "text", "ul",
+        "li",
+    ] {
+        let closed = page.matches(&format!("</{name}>")).count();
+        assert_eq!(tags(page, name).len(), closed, "{name}");
+    }
+    for bad in ["NaN", "inf\"", "Infinity"] {
+        assert!(!strip_data(page).contains(bad), "{bad}");
+    }
+    assert!(
+        page.contains("@media print")
+            && page.contains("lang=\"en\"")
+            && page.contains("<meta charset=\"utf-8\">")
+    );
+}
+
+/// Without the bytes of pictures, which may spell anything.
+fn strip_data(page: &str) -> String {
+    let mut parts = page.split("data:image/png;base64,");
+    let mut text = parts.next().unwrap().to_owned();
+    parts.for_each(|part| text.push_str(part.split_once('"').unwrap().1));
+    text
+}
+
+#[test]
+fn the_page_stands_alone() {
+    let (_, page) = &*QUICK;
+    check_page(page);
+    assert!(tags(page, "svg").len() > 10 && tags(page, "img").len() >= 9);
+    assert!(page.rfind("Advice").unwrap() > page.len() - 10_000, "advice is the last part");
+}
+
+#[test]
+fn the_report_has_every_part() {
+    let (report, _) = &*QUICK;
+    assert_eq!((report["schema"].as_str(), report["status"].as_str()), (Some("crease-trade/1"), Some("ok")));
+    let surfaces = &report["surfaces"];
+    for part in ["vertex", "boxes", "precision", "encodings", "shading", "approximations"] {
+        assert!(surfaces[part].as_array().is_some_and(|rows| !rows.is_empty()), "{part}");
+    }
+    assert!(surfaces["costs"]["rows"].as_array().unwrap().len() == 20);
+    assert!(report["advice"].as_array().unwrap().len() > 5);
+    // The figures that are quoted, in the report as in the library's own tests: jittered torus at 64 × 32.
+    let cases = surfaces["vertex"].as_array().unwrap();
+    let torus = cases.iter().find(|case| case["surface"] == "torus" && case["tiling"] == "jittered").unwrap();
+    let level =
+        torus["meshes"].as_array().unwrap().iter().position(|mesh| mesh["segments"][0] == 64).unwrap();
+    for (weight, rms) in [("uniform", 1.644), ("max", 0.498)] {
+        let methods = torus["methods"].as_array().unwrap();
+        let method = methods.iter().find(|method| method["weight"] == weight).unwrap();
+        let found = method["errors"][level]["rms"].as_f64().unwrap();
+        assert!((found - rms).abs() <= 0.0005, "{weight}: {found}");
+    }
+}
+
+/// Errors alone: what is left when everything that tells of time is taken out.
+fn without_times(value: &mut serde_json::Value) {
+    match value {
+        serde_json::Value::Object(members) => {
+            let is_time = |key: &str| {
+                key.ends_with("ns")
+                    || key.starts_with("ns_")
+                    || ["ratio", "milliseconds", "seconds", "advice", "output"].contains(&key)
+            };
+            members.retain(|key, _| !is_time(key));
+            members.values_mut().for_each(without_times);
+        }
+        serde_json::Value::Array(list) => list.iter_mut().for_each(without_times),
+        _ => {}
+    }
+}
+
+#[test]
+fn errors_are_the_same_in_every_run_with_any_number_of_threads() {
+    let again = crease(&["trade", "--quick", "--json", "--threads", "3"]).output().unwrap();
+    let mut again: serde_json::Value = serde_json::from_slice(&again.stdout).unwrap();
+    let mut first = QUICK.0.clone();
+    without_times(&mut again);
+    without_times(&mut first);
+    assert_eq!(again.to_string(), first.to_string());
+    assert!(first["surfaces"]["encodings"][0]["max"].is_number());
+}
+
+#[test]
+fn a_mesh_of_ones_own_gets_a_recommendation() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = crease(&["trade", "data/gear.obj", "-o", folder.path().to_str().unwrap()]).output().unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(output.status.success() && text.contains("Use --weight "), "{text}");
+    let page = std::fs::read_to_string(folder.path().join("index.html")).unwrap();
+    check_page(&page);
+    assert!(page.contains("data/gear.obj") && page.contains("Use --weight "));
+}
+
+#[test]
+fn what_cannot_be_read_or_written_is_told() {
+    let missing = crease(&["trade", "data/no-such.obj"]).output().unwrap();
+    assert_eq!(missing.status.code(), Some(3));
+    assert!(String::from_utf8_lossy(&missing.stderr).contains("data/no-such.obj"));
+    let in_the_way = Path::new("Cargo.toml");
+    let refused = crease(&["trade", "data/gear.obj", "-o", in_the_way.to_str().unwrap()]).output().unwrap();
+    assert_eq!(refused.status.code(), Some(4));
+    let usage = crease(&["trade", "--quick", "data/gear.obj"]).output().unwrap();
+    assert_eq!(usage.status.code(), Some(2));
+}
