@@ -46,8 +46,8 @@ pub(crate) struct Extent {
 
 impl Extent {
     fn new(largest: f64) -> Option<Self> {
-        // Differences are at most twice as large, and 53 bits long.
-        let grain = num::power_of_two(num::exponent(largest) - 50);
+        // Differences are at most twice as large, and 53 bits long. Where all is zero, any grain will do.
+        let grain = num::power_of_two((num::exponent(largest) - 50).max(-1022));
         largest.is_finite().then(|| Self { bar: bar(Storage::F32, largest), grain })
     }
 }
