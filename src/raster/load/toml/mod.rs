@@ -1,6 +1,6 @@
 //! Scenes written in TOML.
 //!
-//! `data/scenes` of the repository has annotated examples; [`load`](super::load) documents every key.
+//! `data/scenes` of the repository has annotated examples; [`load`](super::load()) documents every key.
 
 mod keys;
 mod lights;
@@ -22,8 +22,9 @@ use std::path::Path;
 use toml::Spanned;
 
 impl SceneFile {
-    /// A scene from the text of a TOML file that lies in the folder `base`; [`load`](crate::raster::load) lists its keys. Meshes are looked for there, and in no place
-    /// outside of it unless [`ReadOptions::root`](crate::io::ReadOptions::root) names one.
+    /// A scene from the text of a TOML file that lies in the folder `base`; [`load`](crate::raster::load()) lists its keys.
+    /// Meshes are looked for there, and in no place outside of it unless
+    /// [`ReadOptions::root`](crate::io::ReadOptions::root) names one.
     ///
     /// ```
     /// use crease::raster::{LoadOptions, SceneFile, render};
