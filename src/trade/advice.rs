@@ -49,7 +49,8 @@ fn on_class(trade: &Trade, tiling: Tiling) -> Option<String> {
         three_digits(worst.rms),
     );
     let on_frontier = |weight: Weight| frontier(&points).into_iter().find(|point| point.weight == weight);
-    if let Some(quadric) = on_frontier(Weight::Quadric) {
+    let is_worth_it = |quadric: &ClassPoint| ALIKE * quadric.rms < best.rms;
+    if let Some(quadric) = on_frontier(Weight::Quadric).filter(is_worth_it) {
         text.push_str(&format!(
             " Where accuracy is worth {} times the plain loop, quadric: {}°.",
             three_digits(quadric.ratio),

@@ -1,6 +1,6 @@
 //! What this crate's own approximations cost and save.
 
-use super::timing::{Candidate, medians};
+use super::timing::{Candidate, fewest_seconds};
 use crate::num::{Power, Real, Underflow, corner_angle};
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -51,7 +51,7 @@ pub fn approximation_rows() -> Vec<ApproximationRow> {
         rows.push(ApproximationRow { what, error, unit, ns: 0.0, exact_ns: 0.0 });
         candidates.extend([approximate, exact]);
     }
-    let seconds = medians(candidates, 3);
+    let seconds = fewest_seconds(candidates, 3);
     for (row, pair) in rows.iter_mut().zip(seconds.as_chunks::<2>().0) {
         [row.ns, row.exact_ns] = pair.map(|seconds| seconds * 1e9 / COUNT as f64);
     }

@@ -2,7 +2,7 @@
 
 use super::baseline::plain_vertex_normals;
 use super::cases::{Specimen, Subject, Tiling};
-use super::timing::{Candidate, medians};
+use super::timing::{Candidate, fewest_seconds};
 use super::vertex::{recipe, weight_name};
 use super::{Effort, Observer, Progress};
 use crate::mesh::{Faces, Mesh, MeshBuilder, Storage, Topology};
@@ -94,7 +94,7 @@ impl Costs {
                 ways.push((way, weight));
             }
         }
-        let seconds = medians(candidates, rounds);
+        let seconds = fewest_seconds(candidates, rounds);
         let count = triangles.len().max(1) as f64;
         let row = |(&(way, weight), &taken): (&(Way, Weight), &f64)| CostRow {
             way,

@@ -1,6 +1,5 @@
 //! Times that can be compared.
 
-use super::angles::median;
 use std::time::Instant;
 
 /// Something to measure.
@@ -9,9 +8,10 @@ pub(super) type Candidate<'a> = Box<dyn FnMut() + Send + 'a>;
 /// Shorter measurements say more of the clock than of the work.
 const SHORTEST: f64 = 2e-3;
 
-/// Median seconds of each candidate on one thread. They take turns, so that a machine that is busy for a while slows all of
-/// them alike; the first turn is for warming up and to find how often the work must be repeated.
-pub(super) fn medians(mut candidates: Vec<Candidate>, rounds: usize) -> Vec<f64> {
+/// The fewest seconds of each candidate on one thread: what it takes when nothing else disturbs it. They take turns, so that a
+/// machine that is busy for a while does not slow one of them alone; the first turn is for warming up and to find how often
+/// the work must be repeated.
+pub(super) fn fewest_seconds(mut candidates: Vec<Candidate>, rounds: usize) -> Vec<f64> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
     let mut measure = || {
         let repeats: Vec<u32> = candidates
@@ -22,15 +22,15 @@ pub(super) fn medians(mut candidates: Vec<Candidate>, rounds: usize) -> Vec<f64>
                 (SHORTEST / start.elapsed().as_secs_f64().max(1e-9)).ceil().clamp(1.0, 1e6) as u32
             })
             .collect();
-        let mut seconds = vec![Vec::with_capacity(rounds); candidates.len()];
+        let mut fewest = vec![f64::INFINITY; candidates.len()];
         for _ in 0..rounds {
-            for ((work, &repeats), seconds) in candidates.iter_mut().zip(&repeats).zip(&mut seconds) {
+            for ((work, &repeats), fewest) in candidates.iter_mut().zip(&repeats).zip(&mut fewest) {
                 let start = Instant::now();
                 (0..repeats).for_each(|_| work());
-                seconds.push(start.elapsed().as_secs_f64() / f64::from(repeats));
+                *fewest = fewest.min(start.elapsed().as_secs_f64() / f64::from(repeats));
             }
         }
-        seconds.into_iter().map(|seconds| median(seconds).unwrap_or_default()).collect()
+        fewest
     };
     match pool {
         Ok(pool) => pool.install(measure),
@@ -56,7 +56,7 @@ mod tests {
                 })
             })
             .collect();
-        let seconds = medians(candidates, 3);
+        let seconds = fewest_seconds(candidates, 3);
         assert!(seconds.iter().all(|&seconds| seconds >= 3e-3), "{seconds:?}");
         assert_eq!(counts.each_ref().map(|count| count.load(Ordering::Relaxed)), [4, 4]);
     }

@@ -22,7 +22,7 @@ pub enum Rounding {
 /// and `Plain` alike, are directions that have a code. (Meyer et al. 2010; Cigolle et al. 2014.)
 ///
 /// Worst angle, in degrees, of any unit normal: 0.958 for 8 bits (0.637 with [`Rounding::Nearest`]), half of it with each
-/// further bit, 0.0037 (0.00247) for 16.
+/// further bit, 0.00372 (0.00247) for 16.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Octahedral {
     bits: u32,
