@@ -19,7 +19,8 @@ pub fn to_half(x: f64) -> u16 {
     let exponent = if magnitude == 0.0 { SMALLEST } else { libm::ilogb(magnitude).max(SMALLEST) };
     let steps = libm::rint(libm::scalbn(magnitude, DIGITS - exponent)) as u16;
     // The leading one adds to the exponent's field; so does a step that carries over.
-    sign | (((exponent - SMALLEST) as u16) << DIGITS) + steps
+    let field = ((exponent - SMALLEST) as u16) << DIGITS;
+    sign | (field + steps)
 }
 
 /// The value of an IEEE 754 binary16.

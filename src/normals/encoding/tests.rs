@@ -1,5 +1,6 @@
 use super::*;
 use crate::num::test_numbers::Numbers;
+use std::f64::consts::FRAC_1_SQRT_2;
 
 fn angle(a: DVec3, b: DVec3) -> f64 {
     libm::atan2(a.cross(b).length(), a.dot(b)).to_degrees()
@@ -57,8 +58,8 @@ fn octahedral_codes_are_those_of_meshoptimizer() {
     let cases = [
         ([1.0, 0.0, 0.0], [0x7f, 0], [0x7ff, 0]),
         ([0.0, -1.0, 0.0], [0, -0x7f], [0, -0x7ff]),
-        ([0.707_106_8, 0.0, 0.707_168], [0x3f, 0], [0x3ff, 0]),
-        ([-0.707_106_8, 0.0, -0.707_168], [-0x7f, 0x40], [-0x7ff, 0x400]),
+        ([FRAC_1_SQRT_2, 0.0, 0.707_168], [0x3f, 0], [0x3ff, 0]),
+        ([-FRAC_1_SQRT_2, 0.0, -0.707_168], [-0x7f, 0x40], [-0x7ff, 0x400]),
     ];
     for (normal, eight, twelve) in cases {
         let encode = |bits| Octahedral::new(bits).unwrap().encode(DVec3::from(normal), Rounding::Plain);

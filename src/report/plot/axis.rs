@@ -81,7 +81,7 @@ impl Fitted {
             Scale::Linear => self.even_ticks(),
             Scale::Log if self.high - self.low < 0.8 => {
                 // Less than a decade: as if it were linear, between the same ends.
-                let [low, high] = [self.low, self.high].map(|end| libm::exp10(end));
+                let [low, high] = [self.low, self.high].map(libm::exp10);
                 Fitted { scale: Scale::Linear, low, high }.even_ticks()
             }
             Scale::Log => self.decades(),
