@@ -2,7 +2,8 @@
 //! may be, and where `unsafe` may stand.
 //!
 //! The check reads tokens, not types: paths that begin with `crate`, `super` or the name of an outside crate.
-//! Unit tests (`#[cfg(test)] mod tests`, last in their file) are not held to layers or length.
+//! Unit tests (`#[cfg(test)] mod tests`, last in their file, or a file of its own whose name ends in `tests.rs`) are not
+//! held to layers or length.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -40,6 +41,7 @@ const OUTSIDE: &[(&str, &[&str])] = &[
     ("clap", &["cli"]),
     ("clap_complete", &["cli"]),
     ("clap_mangen", &["cli"]),
+    ("dashu", &["trade"]),
     ("fast_float2", &["io"]),
     (
         "glam",
@@ -123,6 +125,9 @@ fn planted_breaches_are_found() {
         ("num/a.rs", "#[cfg(test)]\nmod tests { fn f() {} }\nfn after() {}", "tests come last"),
         ("num/a.rs", "#[cfg(test)]\nmod tests { }\nuse crate::mesh;", "num may not use mesh"),
         ("num/a.rs", &long, "501 lines"),
+        ("num/a.rs", "mod b_tests;", "declare it under #[cfg(test)]"),
+        ("num/b_tests.rs", "fn f() { unsafe { g() } }", "unsafe"),
+        ("normals/a.rs", "use dashu::float::FBig;", "normals may not name dashu"),
     ];
     for (path, source, expected) in planted {
         let found = breaches(path, source);
@@ -150,6 +155,8 @@ fn what_is_allowed_passes() {
         ("num/a.rs", "#![deny(unsafe_code)] mod gltf_like {} fn f() { my::clap::g() }"),
         ("num/a.rs", "fn f() {}\n#[cfg(test)]\nmod tests { use crate::normals; }\n"),
         ("num/a.rs", &long_tests),
+        ("num/a.rs", "#[cfg(test)]\nmod b_tests;"),
+        ("num/b_tests.rs", "use crate::trade::exact; use dashu::float::FBig;"),
     ];
     for (path, source) in allowed {
         assert_eq!(breaches(path, source), Vec::<String>::new(), "{path}: {source:?}");
@@ -162,6 +169,7 @@ fn breaches(path: &str, source: &str) -> Vec<String> {
     let mut add = |what: String| found.push(format!("src/{path}: {what}"));
     let tokens = tokens(source);
     let (code, lines) = match split_tests(&tokens) {
+        _ if path.ends_with("tests.rs") => (&tokens[..0], 0),
         Tests::None => (&tokens[..], source.lines().count()),
         Tests::Last { start } => (&tokens[..start], tokens[start].line),
         Tests::Inside => {
@@ -171,6 +179,9 @@ fn breaches(path: &str, source: &str) -> Vec<String> {
     };
     if lines > LONGEST {
         add(format!("{lines} lines without tests; {LONGEST} is the most"));
+    }
+    for name in loose_tests(&tokens) {
+        add(format!("mod {name} holds unit tests by its name; declare it under #[cfg(test)]"));
     }
     if tokens.iter().any(|token| token.text == "unsafe") {
         add("there is no unsafe code here".into());
@@ -199,6 +210,16 @@ fn breaches(path: &str, source: &str) -> Vec<String> {
         }
     }
     found
+}
+
+/// The modules in files of their own that are called tests but are compiled without them.
+fn loose_tests(tokens: &[Token]) -> Vec<&str> {
+    const HEAD: [&str; 7] = ["#", "[", "cfg", "(", "test", ")", "]"];
+    let declared = (0..tokens.len()).filter(|&at| is(tokens, at, "mod") && is(tokens, at + 2, ";"));
+    let named = declared.filter(|&at| tokens[at + 1].text.ends_with("tests"));
+    let is_marked =
+        |at: usize| (0..HEAD.len()).all(|k| at >= HEAD.len() && is(tokens, at - HEAD.len() + k, HEAD[k]));
+    named.filter(|&at| !is_marked(at)).map(|at| tokens[at + 1].text.as_str()).collect()
 }
 
 fn layer_of(module: &str) -> Option<u32> {

@@ -2,6 +2,7 @@
 
 use super::choice::{Choice, Choices};
 use super::render::RenderArgs;
+use super::stress::StressArgs;
 use super::surface::SurfaceArgs;
 use super::trade::TradeArgs;
 use clap::{ArgGroup, Args, Parser, Subcommand};
@@ -15,7 +16,7 @@ use std::path::PathBuf;
 pub const EXIT_CODES: &str = "\
 Exit codes:
   0  done
-  1  findings at or above a limit that was asked for (no verb of this version)
+  1  an expectation of `crease stress` does not hold
   2  wrong usage
   3  an input could not be read
   4  an output could not be made or stored
@@ -46,6 +47,7 @@ pub struct Cli {
 pub enum Verb {
     Normals(Box<NormalsArgs>),
     Render(Box<RenderArgs>),
+    Stress(Box<StressArgs>),
     Surface(Box<SurfaceArgs>),
     Trade(Box<TradeArgs>),
     /// Print a completion script for a shell

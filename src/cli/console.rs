@@ -36,6 +36,8 @@ impl Style {
     pub const BOLD: &str = "1";
     pub const RED: &str = "1;31";
     pub const YELLOW: &str = "1;33";
+    #[cfg(test)]
+    pub const PLAIN: Style = Style(false);
 
     /// Text in a colour, or as it is.
     pub fn paint(self, colour: &str, text: &str) -> String {

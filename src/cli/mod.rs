@@ -1,6 +1,6 @@
 //! The command-line program: what was typed ([`args`]) becomes a checked [`request`], which is carried out input
 //! by input ([`batch`], [`normals`]) and told about ([`report`], [`text`]). Other verbs have a module each ([`render`],
-//! [`surface`], [`trade`]).
+//! [`stress`], [`surface`], [`trade`]).
 
 mod args;
 mod batch;
@@ -15,6 +15,7 @@ mod progress;
 mod render;
 mod report;
 mod request;
+mod stress;
 mod surface;
 mod text;
 mod trade;
@@ -30,6 +31,7 @@ use std::process::ExitCode;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Exit {
     Done = 0,
+    Findings = 1,
     BadInput = 3,
     OutputFailed = 4,
     PartOfBatch = 5,
@@ -41,6 +43,7 @@ pub fn main() -> ExitCode {
     let exit = match cli.verb {
         Verb::Normals(ref args) => normals_verb(args, &cli),
         Verb::Render(ref args) => render::main(args, cli.color),
+        Verb::Stress(ref args) => stress::main(args, cli.color),
         Verb::Surface(ref args) => surface::main(args, cli.color),
         Verb::Trade(ref args) => trade::main(args, cli.color),
         Verb::Completions { shell } => docs::completions(shell),

@@ -15,7 +15,7 @@ use std::time::Duration;
 const SHORT: Duration = Duration::from_secs(1);
 
 const STEPS_TEMPLATE: &str = "{spinner} {msg} [{wide_bar}] {pos}/{len}";
-const FRAMES_TEMPLATE: &str = "drawing [{wide_bar}] {pos}/{len} frames, {eta} left";
+const COUNT_TEMPLATE: &str = "{prefix} [{wide_bar}] {pos}/{len} {msg}, {eta} left";
 const TEMPLATE: &str = "{spinner} {msg} [{wide_bar}] {bytes}/{total_bytes}{rate_and_left}";
 
 /// The bar of a run; it does nothing where it would not be seen.
@@ -24,9 +24,9 @@ pub struct Progress {
     late: LateBar,
 }
 
-/// The bar of an animation: its frames.
+/// The bar of work on several things of one kind: the frames of an animation, the cases of a catalogue.
 #[derive(Debug)]
-pub struct FrameProgress {
+pub struct CountProgress {
     late: LateBar,
 }
 
@@ -89,14 +89,17 @@ impl Progress {
     }
 }
 
-impl FrameProgress {
-    /// A bar over so many frames; none for one.
-    pub fn new(console: &Console, frames: u64) -> Self {
-        if frames < 2 || !console.may_show_progress() {
+impl CountProgress {
+    /// A bar over so many things, with what is being done and their name; none for one.
+    pub fn new(console: &Console, doing: &'static str, things: &'static str, count: u64) -> Self {
+        if count < 2 || !console.may_show_progress() {
             return Self { late: LateBar::hidden() };
         }
-        let style = ProgressStyle::with_template(FRAMES_TEMPLATE).expect("a right template");
-        Self { late: LateBar::after(SHORT, frames, style, ProgressDrawTarget::stderr()) }
+        let style = ProgressStyle::with_template(COUNT_TEMPLATE).expect("a right template");
+        let late = LateBar::after(SHORT, count, style, ProgressDrawTarget::stderr());
+        late.bar.set_prefix(doing);
+        late.bar.set_message(things);
+        Self { late }
     }
 
     /// One more is done.

@@ -8,80 +8,12 @@ use super::{Scratch, slices};
 use crate::mesh::{Faces, Storage};
 use crate::num::power_of_two;
 use crate::num::test_numbers::Numbers;
-use dashu::base::Abs;
-use dashu::float::{FBig, round::mode::HalfEven};
-use dashu::integer::IBig;
+use crate::trade::exact::{distance, error_in_ulps, face_normal};
 use glam::DVec3;
-
-type Big = FBig<HalfEven, 2>;
 
 /// How many cases of each kind: the sum over kinds is above 50 000, or a million with `CREASE_LONG=1`.
 fn cases() -> usize {
     if std::env::var_os("CREASE_LONG").is_some_and(|value| value == "1") { 130_000 } else { 6_500 }
-}
-
-/// A double as a multiple of 2^-1074.
-fn whole(x: f64) -> IBig {
-    let bits = x.to_bits();
-    let (exponent, fraction) = ((bits >> 52 & 0x7ff) as usize, bits & ((1 << 52) - 1));
-    let magnitude =
-        if exponent == 0 { IBig::from(fraction) } else { IBig::from(fraction | 1 << 52) << (exponent - 1) };
-    if x < 0.0 { -magnitude } else { magnitude }
-}
-
-/// Twice the area vector, in units of 2^-2148: Σ Pi × Pi+1, which is exact here wherever the origin is. That it is the
-/// same as the formulas of the kernels is the first thing that this tests.
-fn area_vector(points: &[DVec3]) -> [IBig; 3] {
-    let points: Vec<[IBig; 3]> = points.iter().map(|point| point.to_array().map(whole)).collect();
-    let mut sum = [IBig::ZERO, IBig::ZERO, IBig::ZERO];
-    for (i, p) in points.iter().enumerate() {
-        let q = &points[(i + 1) % points.len()];
-        for (axis, sum) in sum.iter_mut().enumerate() {
-            let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
-            *sum += &p[j] * &q[k] - &p[k] * &q[j];
-        }
-    }
-    sum
-}
-
-/// The unit normal to 256 bits; `None` for zero area.
-fn truth(points: &[DVec3]) -> Option<[Big; 3]> {
-    let vector = area_vector(points).map(|x| Big::from_parts(x, 0).with_precision(256).value());
-    let squared = vector.iter().fold(Big::ZERO, |sum, x| sum + x * x);
-    if squared == Big::ZERO {
-        return None;
-    }
-    let length = squared.with_precision(256).value().sqrt();
-    Some(vector.map(|x| x / &length))
-}
-
-fn big(x: f64) -> Big {
-    Big::try_from(x).unwrap().with_precision(256).value()
-}
-
-/// Spacing of `f32` values at a magnitude.
-fn ulp32(x: f64) -> f64 {
-    let exponent = (x.to_bits() >> 52 & 0x7ff) as i32 - 1023;
-    power_of_two((exponent - 23).max(-149))
-}
-
-/// The largest error of a component in units of the last place of the true one.
-fn error_in_ulps(got: [f32; 3], truth: &[Big; 3]) -> f64 {
-    let error = |(got, truth): (f32, &Big)| {
-        if !got.is_finite() {
-            return f64::INFINITY;
-        }
-        let distance = (big(f64::from(got)) - truth).abs().to_f64().value();
-        distance / ulp32(truth.to_f64().value())
-    };
-    got.into_iter().zip(truth).map(error).fold(0.0, f64::max)
-}
-
-/// The angle between a computed and a true unit vector, to first order.
-fn angle(got: DVec3, truth: &[Big; 3]) -> f64 {
-    let error = |(got, truth): (f64, &Big)| (big(got) - truth).to_f64().value();
-    let errors: Vec<f64> = got.to_array().into_iter().zip(truth).map(error).collect();
-    DVec3::new(errors[0], errors[1], errors[2]).length()
 }
 
 /// Polygons that are hard on cross products, with `f32` coordinates: one kind after the other.
@@ -149,7 +81,7 @@ fn triangles_of_f32_are_right_to_an_ulp_or_exactly_degenerate() {
             faults.faces.iter().filter(|fault| fault.reason == super::FaultReason::ZeroArea).peekable();
         for (i, polygon) in polygons.iter().enumerate() {
             let reported = without.next_if(|fault| fault.index as usize == i).is_some();
-            let Some(truth) = truth(polygon) else {
+            let Some(truth) = face_normal(polygon) else {
                 assert!(reported, "kind {kind}: a degenerate triangle was not found: {polygon:?}");
                 degenerate += 1;
                 continue;
@@ -186,7 +118,7 @@ fn quads_of_f32_are_right_to_an_ulp_or_exactly_degenerate() {
         let polygons: Vec<_> = (0..cases() / 5).map(|_| hard_polygon(&mut numbers, kind, 4)).collect();
         let normals = normals_of(&polygons, Storage::F32);
         for (i, polygon) in polygons.iter().enumerate() {
-            match truth(polygon) {
+            match face_normal(polygon) {
                 None => assert_eq!(normals.state[i], FaceState::ZeroArea, "kind {kind}: {polygon:?}"),
                 Some(truth) => {
                     let error = error_in_ulps(normals.unit[i].as_vec3().to_array(), &truth);
@@ -202,12 +134,12 @@ fn check_angles(polygons: &[Vec<DVec3>], storage: Storage) -> usize {
     let normals = normals_of(polygons, storage);
     let mut out_of_range = 0;
     for (i, polygon) in polygons.iter().enumerate() {
-        match (truth(polygon), normals.state[i]) {
+        match (face_normal(polygon), normals.state[i]) {
             (None, state) => assert_eq!(state, FaceState::ZeroArea, "{polygon:?}"),
             (Some(_), FaceState::OutOfRange) => out_of_range += 1,
             (Some(truth), state) => {
                 assert!(state.has_direction(), "{state:?}: {polygon:?}");
-                let error = angle(normals.unit[i], &truth);
+                let error = distance(normals.unit[i], &truth);
                 assert!(error <= 1e-12, "{error:e} rad: {polygon:?}");
             }
         }

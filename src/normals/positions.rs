@@ -222,3 +222,18 @@ impl Positions<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::normals::{FaultReason, Scratch, face_normals};
+
+    /// More than eight triangles, so that they are looked at side by side.
+    #[test]
+    fn triangles_that_are_all_at_the_origin_are_degenerate() {
+        let mut normals = [[0.0_f32; 3]; 20];
+        let faults =
+            face_normals(&[[0.0; 3]; 3], &[[0, 1, 2]; 20], &mut Scratch::new(), &mut normals).unwrap();
+        assert!(faults.faces.len() == 20 && faults.faces.iter().all(|f| f.reason == FaultReason::ZeroArea));
+        assert_eq!(normals, [[0.0, 0.0, 1.0]; 20]);
+    }
+}

@@ -8,14 +8,14 @@ mod dispatch;
 mod exact;
 mod lanes;
 mod least_squares;
+#[cfg(any(test, feature = "stress"))]
+pub(crate) mod numbers;
 mod power;
 mod product;
 mod real;
 mod scale;
 mod steepness;
 mod sum;
-#[cfg(test)]
-pub(crate) mod test_numbers;
 mod unit;
 
 pub use angle::{Degrees, Radians};
@@ -33,6 +33,10 @@ pub(crate) use dispatch::{Kernel, dispatch};
 pub(crate) use exact::ExactSum;
 pub(crate) use lanes::{Arithmetic, LANES, Lanes, OneLane, Rows, Scalars, Truth, Vectors};
 pub(crate) use least_squares::least_squares;
+#[cfg(test)]
+pub(crate) use numbers as test_numbers;
+#[cfg(feature = "stress")]
+pub(crate) use product::difference_of_products;
 pub(crate) use product::{Product, Split, cross};
 pub(crate) use sum::two_difference;
 pub(crate) use unit::{PLAIN_SQUARES, direction, exponent, power_of_two, scale, squared_length};

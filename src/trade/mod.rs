@@ -1,9 +1,9 @@
-//! Accuracy against speed, measured (layer 5).
+//! Accuracy against speed, measured, and the extremes (layer 5).
 //!
 //! *Which vertex normals should I use?* is answered with numbers: errors against surfaces whose normals are known, beside
 //! what they cost; the same for ways to store normals, to shade with them, and for the approximations that this crate's own
 //! code makes. Errors are the same bits at any number of threads; times are of the machine, as ratios to a plain loop that
-//! ran in between.
+//! ran in between. Module `stress` asks what happens where numbers end.
 
 mod advice;
 mod angles;
@@ -13,10 +13,14 @@ mod cases;
 mod cost;
 mod effort;
 mod encodings;
+#[cfg(any(test, feature = "stress"))]
+pub(crate) mod exact;
 mod own;
 mod precision;
 mod shading;
 mod solids;
+#[cfg(feature = "stress")]
+pub mod stress;
 mod summary;
 mod timing;
 mod vertex;

@@ -25,6 +25,8 @@ mod render;
 mod scenes;
 mod shade;
 mod stl;
+mod stress;
 mod surface;
+mod theory;
 mod trade;
 mod triangulate;

@@ -4,7 +4,7 @@ use super::args::{INTERPOLATIONS, SHADINGS, Variant};
 use super::request::{FileKind, Request, Subject};
 use super::turn;
 use crate::cli::choice::name_of;
-use crate::cli::progress::FrameProgress;
+use crate::cli::progress::CountProgress;
 use crease::num::Degrees;
 use crease::raster::{Image, RenderError, RenderSettings, Scene, SceneFile, Shading, Statistics, render};
 use crease::report::{Animation, Panel, Picture, ReportError, encode_png, overlay, panels};
@@ -45,7 +45,7 @@ impl From<ReportError> for DrawError {
 }
 
 /// Draws a changed scene, and turns it for an animation.
-pub fn draw(file: &mut SceneFile, request: &Request, progress: &FrameProgress) -> Result<Drawn, DrawError> {
+pub fn draw(file: &mut SceneFile, request: &Request, progress: &CountProgress) -> Result<Drawn, DrawError> {
     match request.subject {
         Subject::Picture => {
             let image = image(file, &file.settings, request)?;
@@ -106,7 +106,7 @@ fn turntable(
     file: &mut SceneFile,
     frames: u16,
     request: &Request,
-    progress: &FrameProgress,
+    progress: &CountProgress,
 ) -> Result<Drawn, DrawError> {
     let pivot = turn::pivot(file);
     let placed: Vec<_> = file.objects.iter().map(|object| object.transform).collect();

@@ -17,7 +17,7 @@ use super::console::{Console, Verbosity, escaped};
 use super::inputs::Source;
 use super::normals::{Failure, read_stdin};
 use super::output::Store;
-use super::progress::FrameProgress;
+use super::progress::CountProgress;
 use super::report::{ErrorReport, NoteReport, json_line};
 use super::{Exit, notes, usage_error, use_threads};
 use crease::io::{self, ReadError, Written};
@@ -60,7 +60,7 @@ fn work(request: &Request, console: &Console, report: &mut Report) -> Result<(),
 
     let start = Instant::now();
     let frames = if let Subject::Turntable(frames) = request.subject { frames } else { 1 };
-    let progress = FrameProgress::new(console, frames.into());
+    let progress = CountProgress::new(console, "drawing", "frames", frames.into());
     let drawn = draw::draw(&mut file, request, &progress).map_err(|error| match error {
         DrawError::Render(error) => Failure::Draw(error.to_string()),
         DrawError::Report(error) => Failure::Write(error.to_string()),

@@ -58,7 +58,7 @@ fn help_has_every_option_with_its_values_and_examples() {
 #[test]
 fn the_program_tells_its_verbs_and_version() {
     let help = crease().arg("--help").output().unwrap();
-    for verb in ["normals", "surface", "completions", "man"] {
+    for verb in ["normals", "stress", "surface", "completions", "man"] {
         assert!(text(&help.stdout).contains(&format!("\n  {verb} ")), "{verb}");
     }
     let version = crease().arg("--version").output().unwrap();

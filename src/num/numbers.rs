@@ -1,4 +1,4 @@
-//! Reproducible numbers for tests.
+//! Reproducible numbers to test with.
 
 /// A 64-bit generator (splitmix64): the same numbers on every machine.
 pub(crate) struct Numbers(u64);
@@ -22,6 +22,7 @@ impl Numbers {
     }
 
     /// Puts things in another order.
+    #[cfg(test)]
     pub(crate) fn shuffle<T>(&mut self, things: &mut [T]) {
         for i in (1..things.len()).rev() {
             things.swap(i, self.below(i + 1));

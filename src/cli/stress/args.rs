@@ -1,0 +1,48 @@
+//! What may be typed for `crease stress`.
+
+use super::super::args::{EXIT_CODES, RunArgs};
+use super::super::choice::{Choice, Choices};
+use clap::Args;
+use crease::trade::stress::Group;
+
+const EXAMPLES: &str = "\
+Examples:
+  crease stress
+  crease stress --only needle,offset -v
+  crease stress --list
+  crease stress --json > stress.json";
+
+/// Run the numerical extremes and print what holds
+///
+/// Each case computes something at the end of what numbers can hold and compares it with exact arithmetic, or with the
+/// same formula in 256 bits. The table shows the worst error of `faithful` and of `fast` (of f64 and f32 where there is no
+/// such choice) beside what the formula gives in plain f32 code; a cross marks where that fails so that it can be seen,
+/// by half a step of an 8-bit picture or more. With -v it tells what is computed, and the source of each bound.
+#[derive(Args)]
+#[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"))]
+pub struct StressArgs {
+    /// Run these groups of cases only; may be given several times
+    #[arg(long, value_name = "GROUP", value_parser = Choices(GROUPS), value_delimiter = ',')]
+    pub only: Vec<Group>,
+
+    /// List the cases without running them
+    #[arg(long, conflicts_with = "json")]
+    pub list: bool,
+
+    #[command(flatten)]
+    pub run: RunArgs,
+}
+
+const fn choice(group: Group) -> Choice<Group> {
+    (group.name(), group, group.about())
+}
+
+const GROUPS: &[Choice<Group>] = &{
+    let mut choices = [choice(Group::ALL[0]); Group::ALL.len()];
+    let mut at = 1;
+    while at < choices.len() {
+        choices[at] = choice(Group::ALL[at]);
+        at += 1;
+    }
+    choices
+};

@@ -1,0 +1,157 @@
+//! What `crease stress` tells people.
+
+use super::super::console::Style;
+use super::super::text::count;
+use super::report::Summary;
+use crease::trade::stress::{Group, StressCase, StressResult, Unit, Worst};
+use std::fmt::Write as _;
+
+/// Marks plain code that fails so that it can be seen.
+const CROSS: char = '✗';
+const HEADINGS: [&str; 6] = ["case", "allowed", "faithful", "fast", "plain f32", ""];
+
+type Row = [String; 6];
+
+/// All results, group by group.
+pub fn table(results: &[StressResult], seconds: f64, verbose: bool, style: Style) -> String {
+    let rows: Vec<Row> = results.iter().map(row).collect();
+    let widths: [usize; 6] = std::array::from_fn(|column| {
+        let cells = rows.iter().map(|row| row[column].chars().count());
+        cells.chain([HEADINGS[column].len()]).max().unwrap_or(0)
+    });
+    let mut out = String::new();
+    let mut before: (Option<Group>, &str) = (None, "");
+    for (result, row) in results.iter().zip(&rows) {
+        let case = result.case;
+        if before.0 != Some(case.group) {
+            let blank = if out.is_empty() { "" } else { "\n" };
+            let name = style.paint(Style::BOLD, case.group.name());
+            let _ = writeln!(out, "{blank}{name}: {}", case.group.about());
+            line(&mut out, &HEADINGS.map(str::to_owned), &widths, result, style);
+        }
+        if before != (Some(case.group), case.expectation) {
+            let _ = writeln!(out, "  expected: {}", case.expectation);
+        }
+        line(&mut out, row, &widths, result, style);
+        if verbose {
+            detail(&mut out, result);
+        }
+        before = (Some(case.group), case.expectation);
+    }
+    let summary = Summary::new(results);
+    let verdict = match summary.broken {
+        0 => "all expectations hold".to_owned(),
+        broken => style.paint(Style::RED, &format!("{broken} do not hold")),
+    };
+    let _ = writeln!(
+        out,
+        "\n{}: {verdict}. Plain f32 code fails visibly in {} of them ({CROSS}). {seconds:.1} s",
+        count(summary.cases, "case"),
+        summary.plain_fails
+    );
+    out
+}
+
+fn line(out: &mut String, row: &Row, widths: &[usize; 6], result: &StressResult, style: Style) {
+    let mut text = String::from("  ");
+    for (cell, width) in row.iter().zip(widths) {
+        let _ = write!(text, "{cell:width$}  ");
+    }
+    let text = text.trim_end();
+    let text = if result.holds() { text.to_owned() } else { style.paint(Style::RED, text) };
+    let _ = writeln!(out, "{text}");
+}
+
+fn row(result: &StressResult) -> Row {
+    let (case, measured) = (result.case, result.measured);
+    let fast = match (measured.fast, case.fast_bound) {
+        (Some(_), Some(_)) if measured.declined == measured.samples => "declined".to_owned(),
+        (Some(worst), Some(bound)) if measured.declined > 0 => {
+            format!("{}, {} declined", error(worst, bound.unit), measured.declined)
+        }
+        (Some(worst), Some(bound)) => error(worst, bound.unit),
+        _ => "–".to_owned(),
+    };
+    let cross = if result.plain_fails() { format!(" {CROSS}") } else { String::new() };
+    let plain = measured.plain.map_or("–".to_owned(), |worst| error(worst, case.plain_unit) + &cross);
+    [
+        case.name.clone(),
+        amount(case.bound.most, case.bound.unit),
+        error(measured.faithful, case.bound.unit),
+        fast,
+        plain,
+        if result.holds() { "holds" } else { "BREAKS" }.to_owned(),
+    ]
+}
+
+fn detail(out: &mut String, result: &StressResult) {
+    let case = result.case;
+    let _ = writeln!(out, "      {} ({})", case.what, count(result.measured.samples, "result"));
+    let _ = writeln!(out, "      bound: {}", case.bound.source);
+    if let Some(bound) = case.fast_bound {
+        let _ = writeln!(out, "      fast: {}; {}", amount(bound.most, bound.unit), bound.source);
+    }
+    if result.measured.plain.is_some() {
+        let _ = writeln!(out, "      plain: {}", case.plain_formula);
+    }
+}
+
+/// The worst of many, and how many are none.
+fn error(worst: Worst, unit: Unit) -> String {
+    let number = amount(worst.error, unit);
+    match worst.undefined {
+        0 => number,
+        undefined if worst.error == 0.0 => format!("NaN x{undefined}"),
+        undefined => format!("{number}, NaN x{undefined}"),
+    }
+}
+
+/// A number with its unit.
+fn amount(x: f64, unit: Unit) -> String {
+    let number = match x {
+        0.0 => "0".to_owned(),
+        x if !x.is_finite() => "inf".to_owned(),
+        x if unit == Unit::Wrong => format!("{x}"),
+        x if (1e-2..1e4).contains(&x) => {
+            format!("{x:.3}").trim_end_matches('0').trim_end_matches('.').to_owned()
+        }
+        x => format!("{x:.1e}"),
+    };
+    match unit {
+        Unit::Ulps => number + " ulp",
+        Unit::Degrees => number + "°",
+        Unit::Relative => number + " rel",
+        Unit::Absolute => number,
+        Unit::Wrong => number + " wrong",
+    }
+}
+
+/// The names of cases and what they compute.
+pub fn list(cases: &[StressCase], style: Style) -> String {
+    let mut out = String::new();
+    let width = cases.iter().map(|case| case.name.chars().count()).max().unwrap_or(0);
+    let mut group = None;
+    for case in cases {
+        if group.replace(case.group) != Some(case.group) {
+            let name = style.paint(Style::BOLD, case.group.name());
+            let _ = writeln!(out, "{name}: {}", case.group.about());
+        }
+        let _ = writeln!(out, "  {:width$}  {}", case.name, case.what);
+    }
+    out
+}
+
+/// What is wrong with a case that does not hold.
+pub fn breach(result: &StressResult) -> String {
+    let (case, measured) = (result.case, result.measured);
+    let (way, worst, bound) = match (measured.fast, case.fast_bound) {
+        (Some(fast), Some(bound)) if result.faithful_holds => ("fast", fast, bound),
+        _ => ("faithful", measured.faithful, case.bound),
+    };
+    format!(
+        "{case:?}: {way} is off by {}, allowed are {} ({})",
+        error(worst, bound.unit),
+        amount(bound.most, bound.unit),
+        bound.source
+    )
+}
