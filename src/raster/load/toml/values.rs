@@ -157,7 +157,7 @@ impl Loose {
         }
     }
 
-    fn from_hex(&self) -> Option<LinearRgb> {
+    fn hex_colour(&self) -> Option<LinearRgb> {
         let Loose::Text(text) = self else { return None };
         let digits = text.strip_prefix('#').filter(|digits| digits.len() == 6 && digits.is_ascii())?;
         let [_, r, g, b] = u32::from_str_radix(digits, 16).ok()?.to_be_bytes();
@@ -169,7 +169,7 @@ impl TryFrom<Loose> for Colour {
     type Error = &'static str;
 
     fn try_from(loose: Loose) -> Result<Self, Self::Error> {
-        let colour = loose.three().map(LinearRgb::from).or_else(|| loose.from_hex());
+        let colour = loose.three().map(LinearRgb::from).or_else(|| loose.hex_colour());
         colour.map(Colour).ok_or("a colour is 3 linear components, 1 number for a grey, or \"#rrggbb\"")
     }
 }
@@ -184,7 +184,7 @@ impl TryFrom<Loose> for Reflects {
                 Ok(Reflects::Whole(Reflectance::new(k, colour)))
             }
             loose => {
-                let colour = loose.three().map(LinearRgb::from).or_else(|| loose.from_hex());
+                let colour = loose.three().map(LinearRgb::from).or_else(|| loose.hex_colour());
                 let colour = colour.ok_or("a coefficient k, a colour K = k·O, or { k = …, colour = … }")?;
                 Ok(Reflects::Whole(Reflectance::Merged(colour)))
             }
