@@ -56,10 +56,10 @@ pub enum CameraError {
 /// The vertical angle of [`Camera::framing`].
 const FRAMING_ANGLE: Degrees = Degrees(30.0);
 /// How much wider than the mesh the picture of [`Camera::framing`] is.
-const MARGIN: f64 = 1.1;
+pub(super) const MARGIN: f64 = 1.1;
 /// Near distance of [`Camera::framing`] as a share of that to the mesh's nearest point. Depth is stored as near over
 /// distance in floating point, which costs no precision when the near plane is close.
-const NEAR_SHARE: f64 = 1.0 / 64.0;
+pub(super) const NEAR_SHARE: f64 = 1.0 / 64.0;
 
 impl Camera {
     /// A perspective camera (30° from top to bottom) that shows everything within the given bounds, seen from the
@@ -131,6 +131,10 @@ impl Camera {
             Projection::Orthographic(height) if height <= 0.0 => return Err(CameraError::Height(height)),
             _ => {}
         }
+        let forward = UnitVec3::new(self.target * 0.5 - self.eye * 0.5)
+            .ok_or(CameraError::NoDirection(self.eye))?
+            .get();
+        // After the direction: a near distance may be a share of that to the target.
         let perspective = matches!(self.projection, Projection::Perspective(_));
         if !self.near.is_finite() {
             return Err(CameraError::NonFinite("near distance"));
@@ -138,9 +142,6 @@ impl Camera {
         if self.near < 0.0 || perspective && self.near == 0.0 {
             return Err(CameraError::Near(self.near));
         }
-        let forward = UnitVec3::new(self.target * 0.5 - self.eye * 0.5)
-            .ok_or(CameraError::NoDirection(self.eye))?
-            .get();
         let up = UnitVec3::new(self.up).ok_or(CameraError::NoUp(self.up))?.get();
         let across = forward.cross(up);
         // Within a few roundings of parallel there is no direction left in the cross product.

@@ -58,7 +58,8 @@ impl<'a> Job<'a> {
             return Err(RenderError::Size(width, height));
         }
         let view = View::new(&scene.camera, settings.size)?;
-        if !scene.background.is_finite() {
+        // In single precision, in which it is drawn.
+        if !scene.background.to_array().iter().all(|&component| (component as f32).is_finite()) {
             return Err(RenderError::Number {
                 what: "the background",
                 found: format!("{:?}", scene.background.to_array()),

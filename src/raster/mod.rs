@@ -12,6 +12,7 @@ mod coverage;
 mod draw;
 mod error;
 mod fixed;
+mod framing;
 mod interpolate;
 mod job;
 mod light;

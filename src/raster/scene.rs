@@ -101,33 +101,50 @@ impl Scene<'_> {
     /// Smallest and largest corner of the box around all that is drawn, in the scene's space; `None` if nothing is.
     /// Vertices that no face uses do not count.
     pub fn bounds(&self) -> Option<(DVec3, DVec3)> {
-        let objects = self.objects.iter().flat_map(|object| {
-            let map = move |point: DVec3| object.transform.transform_point3(point);
-            let (low, high) = match &object.shape {
+        let mut bounds: Option<(DVec3, DVec3)> = None;
+        self.each_point(|point| {
+            let (low, high) = bounds.unwrap_or((point, point));
+            bounds = Some((low.min(point), high.max(point)));
+        });
+        bounds
+    }
+
+    /// Visits all points between which something is drawn, in the scene's space; of analytic surfaces the corners of
+    /// the box around them.
+    pub(super) fn each_point(&self, mut visit: impl FnMut(DVec3)) {
+        for Object { shape, transform, .. } in &self.objects {
+            let mut visit = |point: DVec3| visit(transform.transform_point3(point));
+            match shape {
                 Shape::Mesh { mesh, .. } => {
                     let positions = mesh.positions();
-                    bounds(mesh.faces().corners().iter().map(|&vertex| map(positions[vertex as usize])))?
+                    let used = used(mesh.faces().corners(), positions.len());
+                    positions.iter().zip(used).filter(|(_, used)| *used).for_each(|(&point, _)| visit(point));
                 }
-                Shape::Triangles(triangles) => {
-                    let corners = triangles.triangles.as_flattened().iter();
-                    let points = corners.filter_map(|&vertex| triangles.positions.get(vertex as usize));
-                    bounds(points.map(|point| map(DVec3::from(point.map(f64::from)))))?
+                Shape::Triangles(Triangles { positions, triangles, .. }) => {
+                    let points = positions.iter().map(|point| DVec3::from(point.map(f64::from)));
+                    let used = used(triangles.as_flattened(), positions.len());
+                    points.zip(used).filter(|(_, used)| *used).for_each(|(point, _)| visit(point));
                 }
                 Shape::Surface(primitive) => {
-                    let signs = [-1.0, 1.0];
-                    let corners = signs.into_iter().flat_map(|x| signs.map(|y| [x, y]));
-                    let corners = corners.flat_map(|[x, y]| signs.map(|z| DVec3::new(x, y, z)));
-                    bounds(corners.map(|corner| map(corner * primitive.half_extents())))?
+                    let extents = primitive.half_extents();
+                    for signs in 0..8 {
+                        let sign = |bit: u32| if signs >> bit & 1 == 0 { -1.0 } else { 1.0 };
+                        visit(extents * DVec3::new(sign(0), sign(1), sign(2)));
+                    }
                 }
-            };
-            Some([low, high])
-        });
-        let lines = self.lines.iter().flat_map(|lines| lines.points.iter().copied());
-        bounds(objects.flatten().chain(lines))
+            }
+        }
+        self.lines.iter().flat_map(|lines| &lines.points).for_each(|&point| visit(point));
     }
 }
 
-fn bounds(mut points: impl Iterator<Item = DVec3>) -> Option<(DVec3, DVec3)> {
-    let first = points.next()?;
-    Some(points.fold((first, first), |(low, high), point| (low.min(point), high.max(point))))
+/// Which vertices the corners of faces use.
+fn used(corners: &[u32], vertices: usize) -> Vec<bool> {
+    let mut used = vec![false; vertices];
+    for &vertex in corners {
+        if let Some(used) = used.get_mut(vertex as usize) {
+            *used = true;
+        }
+    }
+    used
 }

@@ -37,7 +37,7 @@ const NORMAL_SIDE: f64 = 480.0;
 /// Length of the lines along normals, as a share of the picture's height where the camera's target is ...
 const NORMAL_LENGTH: f64 = 0.06;
 /// ... and in mean edges of the mesh, so that those of a dense one do not hide it.
-const NORMAL_EDGES: f64 = 2.5;
+const NORMAL_EDGES: f64 = 1.5;
 /// Normals closer than this are the same: about the step of 8-bit encodings.
 const SAME: Degrees = Degrees(0.1);
 

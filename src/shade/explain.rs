@@ -281,9 +281,11 @@ impl fmt::Display for LightExplanation {
 
 impl Term {
     fn write(&self, f: &mut fmt::Formatter, name: &str) -> fmt::Result {
-        write!(f, "  {name}   {}", Vector(self.guarded))?;
-        if self.literal != self.guarded {
-            write!(f, "; without guards {}", Vector(self.literal))?;
+        let [guarded, literal] = [self.guarded, self.literal].map(|term| Vector(term).to_string());
+        write!(f, "  {name}   {guarded}")?;
+        // Normals that are not renormalised differ in the last places even where they had unit length.
+        if literal != guarded {
+            write!(f, "; without guards {literal}")?;
         }
         writeln!(f)
     }

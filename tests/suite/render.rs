@@ -1,9 +1,12 @@
 //! The verb `render` from outside.
 
 mod files;
+mod gallery;
 mod golden;
+mod hostile;
 mod options;
 mod probe;
+mod scenes;
 mod usage;
 
 use crate::cli::{crease, path, text};

@@ -101,7 +101,7 @@ pub struct PictureArgs {
           conflicts_with_all = ["shading", "turntable", "probe"])]
     pub compare: Vec<Variant>,
 
-    /// Draw an animation of N frames: one turn about the upright axis; the light stays. Needs a GIF output
+    /// Draw an animation of N frames: one turn about the upright axis; camera and lights stay. Needs a GIF output
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=720), conflicts_with = "probe")]
     pub turntable: Option<u16>,
 
@@ -125,7 +125,7 @@ pub struct ShadingArgs {
     #[arg(long, value_name = "WHOSE", value_parser = Choices(REFLECTIONS))]
     pub reflection: Option<ReflectionChoice>,
 
-    /// Exponent of the highlight, 0 or more: the larger, the smaller the highlight [default: 32]
+    /// Exponent of the highlight, 0 or more: the larger, the smaller the highlight [default: the material's; 32 of what has none]
     #[arg(long, value_name = "N", value_parser = values::not_negative, allow_negative_numbers = true)]
     pub exponent: Option<f64>,
 
@@ -175,8 +175,8 @@ pub struct SceneArgs {
     #[arg(long, value_name = "COLOUR", value_parser = values::colour)]
     pub background: Option<LinearRgb>,
 
-    /// Turn the objects about the middle of their box by degrees, about the x axis first, then y, then z; camera and
-    /// light stay
+    /// Turn the objects about the middle of their box by degrees, about the x axis first, then y, then z; the
+    /// camera and the lights of a scene stay
     #[arg(long, value_name = "X,Y,Z", value_parser = values::vector, allow_hyphen_values = true)]
     pub rotate: Option<DVec3>,
 }

@@ -59,14 +59,15 @@ pub fn draw(file: &mut SceneFile, request: &Request, progress: &CountProgress) -
             Ok(Drawn { bytes, size: image.size, drawings, image: Some(image) })
         }
         Subject::Panels(variants) => {
-            let (mut drawings, mut sheet) = (Vec::new(), Vec::new());
+            let (mut drawings, mut list) = (Vec::new(), Vec::new());
             for variant in variants {
                 let settings = variant.settings(&file.settings);
                 let image = image(file, &settings, request)?;
                 drawings.push(Drawing { name: Some(variant.name().into()), statistics: image.statistics });
-                sheet.push(Panel { caption: variant.caption().into(), picture: image.into() });
+                list.push(Panel { caption: variant.caption().into(), picture: image.into() });
             }
-            let sheet = panels(&sheet)?;
+            let sheet = panels(&list)?;
+            drop(list);
             let bytes = as_file(&sheet, &file.settings, request.file)?;
             Ok(Drawn { bytes, size: sheet.size, drawings, image: None })
         }

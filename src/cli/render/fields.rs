@@ -73,7 +73,6 @@ impl CameraChange {
     pub fn apply(&self, camera: &Camera) -> Camera {
         let (eye, target) = (self.eye.unwrap_or(camera.eye), self.target.unwrap_or(camera.target));
         let moved = self.eye.or(self.target).map(|_| eye.distance(target) * NEAR_SHARE);
-        let moved = moved.filter(|&near| near > 0.0);
         Camera {
             eye,
             target,

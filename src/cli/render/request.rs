@@ -39,8 +39,8 @@ pub enum Subject<'a> {
     Turntable(u16),
 }
 
-/// All frames are kept until their palette is known; this many bytes may be.
-const MOST_FRAME_BYTES: u64 = 1 << 30;
+/// Most pixels of all frames or panels together, as many as the largest single picture has.
+const MOST_PIXELS: u64 = 1 << 28;
 
 impl<'a> Request<'a> {
     /// Checks what was typed against itself.
@@ -94,9 +94,6 @@ impl<'a> Request<'a> {
         if args.output.bits == Some(Bits::Sixteen) && self.file == FileKind::Gif {
             return usage("GIF has 8 bits a component; --bits 16 needs a PNG output");
         }
-        if args.output.probe.is_some() && args.shading.shading == Some(Shading::Wireframe) {
-            return usage("--probe tells how colours come about, and a wireframe has none");
-        }
         Ok(())
     }
 
@@ -112,32 +109,49 @@ impl<'a> Request<'a> {
     /// What the scene lacks.
     pub fn change(&self, file: &mut SceneFile) -> Result<(), String> {
         self.change_settings(file);
-        if let Subject::Turntable(frames) = self.subject {
-            let [width, height] = file.settings.size.map(u64::from);
-            let bytes = width * height * 3 * u64::from(frames);
-            if bytes > MOST_FRAME_BYTES {
-                return Err(format!(
-                    "{frames} frames of {width}x{height} pixels take {bytes} bytes; {MOST_FRAME_BYTES} is the most: take \
-                     fewer or smaller ones"
-                ));
-            }
+        self.check_amount(file.settings.size)?;
+        if self.args.output.probe.is_some() && file.settings.shading == Shading::Wireframe {
+            return Err(
+                "--probe tells how colours come about, and a wireframe has none: give another --shading"
+                    .into(),
+            );
         }
         self.change_materials(file)?;
         let scene = &self.args.scene;
         file.background = scene.background.unwrap_or(file.background);
+        if let Some(degrees) = scene.rotate {
+            let pivot = turn::pivot(file);
+            turn::turn(file, rotation(degrees), pivot);
+        }
         // From here on the camera stays where it is, whatever turns.
-        let camera = file.scene().camera;
+        let camera = match self.subject {
+            Subject::Turntable(_) => turn::camera(file),
+            _ => file.scene().camera,
+        };
         let camera = scene.camera.map_or(camera, |change| change.apply(&camera));
         file.camera = Some(camera);
         if !scene.light.is_empty() || scene.ambient.is_some() {
             let before = file.lights.take().unwrap_or_else(|| default_lights(&camera).to_vec());
             file.lights = Some(lights(&before, &scene.light, scene.ambient));
         }
-        if let Some(degrees) = scene.rotate {
-            let pivot = turn::pivot(file);
-            turn::turn(file, rotation(degrees), pivot);
-        }
         Ok(())
+    }
+
+    /// All frames are kept until their palette is known, and all panels until they are put together.
+    fn check_amount(&self, size: [u32; 2]) -> Result<(), String> {
+        let (count, what) = match self.subject {
+            Subject::Picture => return Ok(()),
+            Subject::Panels(variants) => (variants.len(), "panels"),
+            Subject::Turntable(frames) => (frames.into(), "frames"),
+        };
+        let [width, height] = size.map(u64::from);
+        let pixels = width * height * count as u64;
+        match pixels > MOST_PIXELS {
+            true => Err(format!(
+                "{count} {what} of {width}x{height} pixels have {pixels}; {MOST_PIXELS} is the most: take fewer or smaller ones"
+            )),
+            false => Ok(()),
+        }
     }
 
     fn change_settings(&self, file: &mut SceneFile) {

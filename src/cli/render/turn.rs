@@ -1,8 +1,8 @@
 //! Turning the objects of a scene.
 
 use crease::num::{Degrees, UnitVec3};
-use crease::raster::{SceneFile, rotation};
-use glam::{DMat3, DMat4, DVec3};
+use crease::raster::{Camera, SceneFile, rotation};
+use glam::{DMat3, DMat4, DVec2, DVec3};
 
 /// The rotation by an angle about a vector, counter-clockwise as seen from its tip.
 pub fn about(axis: DVec3, Degrees(degrees): Degrees) -> DMat4 {
@@ -23,6 +23,17 @@ pub fn about(axis: DVec3, Degrees(degrees): Degrees) -> DMat4 {
 pub fn pivot(file: &SceneFile) -> DVec3 {
     let scene = file.scene();
     scene.bounds().map_or(scene.camera.target, |(low, high)| low * 0.5 + high * 0.5)
+}
+
+/// The file's camera, or one that holds the objects however they are turned about their upright axis.
+pub fn camera(file: &SceneFile) -> Camera {
+    let scene = file.scene();
+    let (None, Some((low, high))) = (file.camera, scene.bounds()) else { return scene.camera };
+    let (centre, half) = (low * 0.5 + high * 0.5, high * 0.5 - low * 0.5);
+    let [width, height] = file.settings.size.map(f64::from);
+    let radius = DVec2::new(half.x, half.z).length();
+    let half = DVec3::new(radius, half.y, radius);
+    Camera::framing((centre - half, centre + half), width / height)
 }
 
 /// Turns all objects about a point.

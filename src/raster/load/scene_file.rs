@@ -82,14 +82,9 @@ impl SceneFile {
             camera: Camera::framing((DVec3::ZERO, DVec3::ZERO), 1.0),
             background: self.background,
         };
-        match (self.camera, scene.bounds()) {
-            (Some(camera), _) => scene.camera = camera,
-            (None, Some(bounds)) => {
-                let [width, height] = self.settings.size.map(|side| f64::from(side.max(1)));
-                scene.camera = Camera::framing(bounds, width / height);
-            }
-            (None, None) => {}
-        }
+        let [width, height] = self.settings.size.map(|side| f64::from(side.max(1)));
+        let camera = self.camera.or_else(|| scene.framing(width / height));
+        scene.camera = camera.unwrap_or(scene.camera);
         scene.lights = self.lights.clone().unwrap_or_else(|| default_lights(&scene.camera).to_vec());
         scene
     }

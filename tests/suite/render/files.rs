@@ -69,7 +69,7 @@ fn sixteen_bits_hold_the_eight() {
 #[test]
 fn a_turntable_turns_once() {
     let (folder, square) = square();
-    let args = with(&[square.as_str()], &["--size", "40x40", "--shading", "flat"]);
+    let args = with(&with(&[square.as_str()], &BEFORE), &["--shading", "flat"]);
     let out = path(folder.path().join("spin.gif"));
     let turned = report(&with(&args, &["--turntable", "8", "-o", &out]));
     assert_eq!(turned["drawings"].as_array().unwrap().len(), 8);

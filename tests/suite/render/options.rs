@@ -78,7 +78,7 @@ fn defaults_are_what_help_says() {
         ("--guard", "highlight=on"),
         ("--threads", "2"),
     ] {
-        assert_eq!(bytes(&with(&bracket, &[option, value])), plain, "{option} {value}");
+        assert!(bytes(&with(&bracket, &[option, value])) == plain, "{option} {value}");
     }
 }
 

@@ -76,7 +76,7 @@ fn completions_and_manual_pages_know_the_verb() {
 
 #[test]
 fn wrong_command_lines_are_refused_with_a_reason() {
-    let work = folder(&[("a.obj", SQUARE), ("sub/b.obj", SQUARE)]);
+    let work = folder(&[("a.obj", SQUARE), ("sub/b.obj", SQUARE), ("mesh.png", SQUARE)]);
     let at = |name: &str| path(work.path().join(name));
     let [a, out] = [at("a.obj"), at("out.png")];
     let before = names(work.path());
@@ -104,7 +104,8 @@ fn wrong_command_lines_are_refused_with_a_reason() {
         (&[&a, "-o", &at("a.gif"), "--turntable", "1"], "2..=720"),
         (&[&a, "--probe", "3,4", "--turntable", "8"], "cannot be used with"),
         (&[&a, "--probe", "3,4", "--show", "depth"], "cannot be used with"),
-        (&[&a, "--probe", "3,4", "--shading", "wireframe"], "a wireframe has none"),
+        (&[&a, "--probe", "3,4", "--compare", "flat,phong"], "cannot be used with"),
+        (&[&at("mesh.png"), "--format", "obj", "-o", &at("mesh.png")], "overwrite the input"),
         (&[&a, "--probe", "3"], "column and row"),
         (&[&a, "-o", &out, "--rotate", "1,2"], "three numbers"),
         (&[&a, "-o", &out, "--rotate", "1,2,inf"], "finite"),
@@ -137,13 +138,38 @@ fn each_kind_of_failure_has_its_code_and_names_its_cause() {
         ("plain.obj", crate::cli::TRIANGLE),
         ("bad.obj", BAD),
         ("empty.obj", "v 0 0 0\n"),
+        ("syntax.toml", "[[object]\n"),
+        ("unknown.toml", "[settings]\n\nshades = \"phong\"\n"),
+        ("type.toml", "[settings]\nsize = \"big\"\n"),
+        ("range.toml", "[settings]\nsamples = 5\n"),
+        ("missing.toml", "[[object]]\nmesh = \"nowhere.obj\"\n"),
+        ("sub/away.toml", "[[object]]\nmesh = \"../good.obj\"\n"),
+        ("eye.toml", "[camera]\neye = [1, 1, 1]\ntarget = [1, 1, 1]\n"),
+        ("nan.toml", "[[light.point]]\nposition = [nan, 0, 0]\ncolour = 1\n"),
+        (
+            "exponent.toml",
+            "[[object]]\nsurface = { sphere = { radius = 1 } }\nmaterial = { exponent = -2 }\n",
+        ),
+        ("nothing.toml", ""),
+        ("wire.toml", "[settings]\nshading = \"wireframe\"\n[[object]]\nmesh = \"good.obj\"\n"),
     ]);
+    let before = names(work.path());
     let at = |name: &str| path(work.path().join(name));
     let [good, out] = [at("good.obj"), at("out.png")];
     let table: &[(&[&str], i32, &str)] = &[
         (&[&at("nowhere.obj"), "-o", &out], 3, "nowhere.obj"),
         (&[&at("bad.obj"), "-o", &out], 3, "line 2"),
         (&[&at("empty.obj"), "-o", &out], 3, "no faces"),
+        (&[&at("syntax.toml"), "-o", &out], 3, "line 1"),
+        (&[&at("unknown.toml"), "-o", &out], 3, "line 3: `settings.shades`"),
+        (&[&at("type.toml"), "-o", &out], 3, "line 2: `settings.size`"),
+        (&[&at("range.toml"), "-o", &out], 3, "line 2: `settings.samples`"),
+        (&[&at("missing.toml"), "-o", &out], 3, "nowhere.obj"),
+        (&[&at("sub/away.toml"), "-o", &out], 3, "--root"),
+        (&[&at("eye.toml"), "-o", &out], 3, "same point"),
+        (&[&at("nan.toml"), "-o", &out], 3, "line 2: `light.point.position`"),
+        (&[&at("exponent.toml"), "-o", &out], 3, "line 3: `object.material.exponent`"),
+        (&[&at("nothing.toml"), "-o", &out], 3, "no objects"),
         (&[&good, "-o", &out, "--shading", "exact"], 3, "analytic surface"),
         (&[&at("plain.obj"), "-o", &out, "--reflection", "given"], 3, "no colours"),
         (&[&good, "-o", &out, "--camera", "eye=0,0,0 target=0,0,0"], 3, "same point"),
@@ -160,6 +186,9 @@ fn each_kind_of_failure_has_its_code_and_names_its_cause() {
             3,
             "fewer or smaller",
         ),
+        (&[&good, "-o", &out, "--compare", "flat,phong", "--size", "16384x16384"], 3, "2 panels of"),
+        (&[&good, "--probe", "3,4", "--shading", "wireframe"], 3, "a wireframe has none"),
+        (&[&at("wire.toml"), "--probe", "3,4"], 3, "a wireframe has none"),
         (&[&good, "-o", &at("good.obj/out.png")], 4, "good.obj"),
     ];
     for (args, expected, cause) in table {
@@ -168,8 +197,7 @@ fn each_kind_of_failure_has_its_code_and_names_its_cause() {
         assert_eq!(code(&output), *expected, "{args:?}: {message}");
         assert!(message.starts_with("error: ") && message.contains(cause), "{args:?}: {message}");
     }
-    let files = names(work.path());
-    assert_eq!(files, ["bad.obj", "empty.obj", "good.obj", "plain.obj"], "nothing is written");
+    assert_eq!(names(work.path()), before, "nothing is written");
 }
 
 #[test]

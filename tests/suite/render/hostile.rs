@@ -1,0 +1,165 @@
+//! Inputs and numbers at the ends of their ranges: a picture or a clear error, never anything else.
+
+use super::{BEFORE, pixels_unlike, render, square, with};
+use crate::cli::{code, folder, path, text};
+
+/// A picture that can be read, or the error of a bad input.
+fn picture_or_error(args: &[String]) -> Result<image::RgbImage, String> {
+    let output = render(with(args, &["-o", "-", "-q"]));
+    match code(&output) {
+        0 => Ok(image::load_from_memory(&output.stdout).unwrap().into_rgb8()),
+        3 => {
+            let message = text(&output.stderr).to_owned();
+            assert!(
+                message.starts_with("error: ") && !message.contains("fault of crease"),
+                "{args:?}: {message}"
+            );
+            assert!(output.stdout.is_empty());
+            Err(message)
+        }
+        other => panic!("{args:?}: exit code {other}, {}", text(&output.stderr)),
+    }
+}
+
+#[test]
+fn meshes_of_any_size_and_place_are_framed() {
+    for (scale, offset) in
+        [(1.0, 0.0), (1e-30, 1e-28), (1e30, -1e31), (1e-3, 1e7), (1e-200, 0.0), (1e100, 0.0), (1e307, 0.0)]
+    {
+        let at = |x: f64| x * scale + offset;
+        let corner = |x: f64, y: f64, z: f64| format!("v {:e} {:e} {:e}\n", at(x), at(y), at(z));
+        let mesh = [corner(0., 0., 0.), corner(1., 0., 0.), corner(0., 1., 0.), corner(0., 0., 1.)].concat()
+            + "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+        let folder = folder(&[("a.obj", &mesh)]);
+        let file = path(folder.path().join("a.obj"));
+        let args = with(&[file.as_str()], &["--size", "64x48", "--background", "#0000ff"]);
+        let Ok(picture) = picture_or_error(&args) else {
+            assert!(!(1e-30..=1e30).contains(&scale), "{scale:e} {offset:e} is promised");
+            continue;
+        };
+        let seen = pixels_unlike(&picture, [0, 0, 255]);
+        assert!((600..2000).contains(&seen), "{scale:e} {offset:e}: {seen} of 3072 pixels");
+    }
+}
+
+/// No area, no extent, or everything in one place.
+#[test]
+fn degenerate_meshes_are_drawn_or_refused() {
+    let meshes = [
+        "v 1 1 1\nf 1 1 1\n",
+        "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n",
+        "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n",
+        "v 0 0 0\nv 5e-324 0 0\nv 0 5e-324 0\nf 1 2 3\n",
+        "v 1.7e308 0 0\nv -1.7e308 0 0\nv 0 1.7e308 0\nf 1 2 3\n",
+        "v 0 0 0\nv 1e-9 0 0\nv 0 1e9 0\nf 1 2 3\n",
+        "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+        "v 1e999 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4 1 2 3 4\n",
+    ];
+    for mesh in meshes {
+        for option in
+            [&["--shading", "phong"][..], &["--show", "deviation"], &["--overlay", "wire,vertex-normals"]]
+        {
+            let folder = folder(&[("a.obj", mesh)]);
+            let args = with(&[path(folder.path().join("a.obj"))], &["--size", "32x24"]);
+            let _ = picture_or_error(&with(&args, option));
+        }
+    }
+}
+
+/// A colour that is not finite is an error, and so are cameras and lights that make no sense.
+#[test]
+fn numbers_at_the_ends_of_their_ranges() {
+    let (_folder, square) = square();
+    let [camera, place, size, sides] = BEFORE;
+    // An option may be given once.
+    let but = |option: &str| match option {
+        "--camera" => with(&[square.as_str()], &[size, sides]),
+        "--size" => with(&[square.as_str()], &[camera, place]),
+        _ => with(&[square.as_str()], &BEFORE),
+    };
+    let refused: &[&[&str]] = &[
+        &["--light", "point position=0,0,1 colour=1e300"],
+        &["--light", "directional towards=0,0,0"],
+        &["--camera", "eye=1e308,0,0 target=-1e308,0,0 up=1,0,0"],
+        &["--camera", "eye=0,0,0 target=0,0,1e-320 up=0,0,1"],
+        &["--background", "1e300"],
+        &["--material", "kd=1e300"],
+        &["--light", "point position=0,0,1e300"],
+        &["--camera", "near=1e-300"],
+    ];
+    for more in refused {
+        assert!(picture_or_error(&with(&but(more[0]), more)).is_err(), "{more:?} makes a picture");
+    }
+    let drawn: &[&[&str]] = &[
+        &["--exponent", "1e9"],
+        &["--exponent", "0"],
+        &["--camera", "eye=0,0,1e30"],
+        &["--camera", "angle=179.9999"],
+        &["--camera", "angle=1e-5"],
+        &["--rotate", "1e15,-1e15,0.5"],
+        &["--light", "point position=0,0,0"],
+        &["--light", "point position=0,0,1e-200 attenuation=inverse-square colour=1e30"],
+        &["--light", "spot position=0,0,3 axis=0,0,-1 cut-off=0.001 exponent=1e6"],
+        &["--literal", "--light", "directional towards=0,0,-1"],
+        &["--size", "1x1"],
+        &["--size", "16384x1"],
+        &["--size", "1x16384"],
+    ];
+    for more in drawn {
+        if let Err(message) = picture_or_error(&with(&but(more[0]), more)) {
+            panic!("{more:?}: {message}");
+        }
+    }
+}
+
+/// The eye in the middle of the mesh, and behind it.
+#[test]
+fn faces_around_and_behind_the_eye_are_clipped() {
+    let gear = super::gear();
+    for camera in [
+        "eye=0,0,0 target=0,0,-1 angle=100",
+        "eye=0,0.3,0.5 target=0,0.2,-1 angle=150",
+        "eye=0,0,9 target=0,0,10",
+    ] {
+        picture_or_error(&with(&gear, &["--camera", camera, "--shading", "gouraud"])).unwrap();
+    }
+    let inside =
+        super::report(&with(&gear, &["--camera", "eye=0,0.3,0.5 target=0,0.2,-1 angle=150 near=0.01"]));
+    assert!(inside["drawings"][0]["triangles_clipped"].as_u64().unwrap() > 0, "{inside}");
+}
+
+/// The most memory that drawing a square takes at this size, in bytes.
+fn peak(file: &str, size: &str) -> u64 {
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_crease"));
+    let folder = tempfile::tempdir().unwrap();
+    let out = path(folder.path().join("out.png"));
+    let mut child = command.args(["render", file, "--size", size, "-q", "-o", &out]).spawn().unwrap();
+    let status = format!("/proc/{}/status", child.id());
+    let mut peak = 0;
+    // The kernel's mark only rises: what counts is to look often while the program runs.
+    while child.try_wait().unwrap().is_none() {
+        let text = std::fs::read_to_string(&status).unwrap_or_default();
+        let mark = text.lines().find_map(|line| line.strip_prefix("VmHWM:")?.trim().strip_suffix(" kB"));
+        peak = mark.and_then(|mark| mark.parse::<u64>().ok()).unwrap_or(peak).max(peak);
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    assert!(child.wait().unwrap().success());
+    peak << 10
+}
+
+/// 8 bytes a pixel and 64 MiB beside what a small picture takes.
+#[test]
+fn memory_grows_by_few_bytes_a_pixel() {
+    if !std::path::Path::new("/proc/self/status").exists() {
+        println!("skipped: peak memory is read from /proc");
+        return;
+    }
+    let (_folder, square) = square();
+    let (small, large) = (peak(&square, "64x64"), peak(&square, "6000x6000"));
+    let grown = large.saturating_sub(small);
+    let pixels = 36_000_000;
+    assert!(grown < 8 * pixels + (64 << 20), "{} MiB more", grown >> 20);
+    // That the mark was read at all: the colours alone are 3 bytes a pixel.
+    assert!(grown > 3 * pixels, "{} MiB more", grown >> 20);
+}
