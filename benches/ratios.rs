@@ -6,7 +6,8 @@
 
 mod meshes;
 
-use crease::normals::{Scratch, Slivers, Weight, vertex_normals};
+use crease::normals::{Scratch, Slivers, Weight, corner_normals, vertex_normals};
+use crease::num::Degrees;
 use crease::trade::plain_vertex_normals;
 use meshes::{Mesh, grid, icosphere, shuffled};
 use std::hint::black_box;
@@ -47,7 +48,7 @@ fn measure(mesh: &Mesh, pools: &[rayon::ThreadPool; 2], rounds: usize) -> Vec<(&
     let mut normals = vec![[0.0_f32; 3]; positions.len()];
     let mut candidates: Vec<Candidate> = vec![
         ("baseline", Box::new(move || plain_vertex_normals(positions, triangles, black_box(&mut normals)))),
-        ("copy", Box::new(move || black_box(&mut target).copy_from_slice(black_box(&source)))),
+        ("memory copy", Box::new(move || black_box(&mut target).copy_from_slice(black_box(&source)))),
     ];
     let ours = [
         ("area, 1 thread", Weight::Area, &pools[0]),
@@ -65,6 +66,24 @@ fn measure(mesh: &Mesh, pools: &[rayon::ThreadPool; 2], rounds: usize) -> Vec<(&
         };
         candidates.push((name, Box::new(work)));
     }
+    let (mut scratch, mut corner_entries, mut index) =
+        (Scratch::new(), Vec::new(), vec![0; 3 * triangles.len()]);
+    let crease = move || {
+        let result = pools[1].install(|| {
+            corner_normals(
+                positions,
+                triangles,
+                Weight::Angle,
+                Degrees(40.0),
+                Slivers::Exclude,
+                &mut scratch,
+                &mut corner_entries,
+                &mut index,
+            )
+        });
+        black_box(result.expect("the mesh is sound"));
+    };
+    candidates.push(("crease 40°, 2 threads", Box::new(crease)));
     let repeats = (TRIANGLES_PER_MEASUREMENT / triangles.len()).max(1);
     let mut seconds = vec![Vec::new(); candidates.len()];
     for round in 0..=rounds {

@@ -3,7 +3,7 @@
 use super::corner_terms::CornerTerms;
 use super::finish::Doubts;
 use super::part::{OddFace, OddFaces, repeats};
-use super::partition::{BLOCK_FACES, Bounds, CHUNK, chunk_of};
+use super::partition::Bounds;
 use super::positions::Source;
 use super::sums::{SlotState, SumRequest};
 use super::term::{Term, adds, mean};
@@ -13,6 +13,15 @@ use crate::num;
 use glam::DVec3;
 use rayon::prelude::*;
 use std::marker::PhantomData;
+
+/// Faces walked at a time.
+const BLOCK_FACES: usize = 1024;
+/// Slots whose notes are kept together.
+const CHUNK: usize = 512;
+
+fn chunk_of(slot: u32) -> usize {
+    slot as usize / CHUNK
+}
 
 /// Gives the results that sums alone do not: of slots of one face, which get its normal to the bit, of those that nothing
 /// was added to, and of those that seem to cancel.

@@ -2,7 +2,6 @@
 //!
 //! The scalar path, [`CornerTerms`](super::corner_terms::CornerTerms), gives the same bits.
 
-use super::partition::bounds;
 use super::positions::{Extent, Source};
 use super::sliver;
 use super::weight::{CornerWeight, TriangleMeasures};
@@ -48,7 +47,8 @@ pub(crate) fn bar(storage: Storage, largest: f64) -> f64 {
 /// Whether vertices exist and none is the last. Others need the scalar path, as rows are read with the number after them.
 #[inline(always)]
 pub(crate) fn are_inner<S: Source>(source: &S, triangles: &[[u32; 3]]) -> bool {
-    (bounds(triangles.as_flattened()).1 as usize) < source.count().saturating_sub(1)
+    let highest = triangles.as_flattened().iter().fold(0, |highest, &vertex| vertex.max(highest));
+    (highest as usize) < source.count().saturating_sub(1)
 }
 
 /// Computes what eight triangles, which [`are_inner`], add to sums. Gives one bit for each that is settled; what is not needs

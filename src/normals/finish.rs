@@ -7,16 +7,6 @@ use super::term::classify;
 use crate::num::{self, Kernel, LANES, Lanes, Scalars, Vectors};
 use glam::DVec3;
 
-/// Where the results of some slots in a row go.
-pub(crate) struct Output<'a, O> {
-    /// The first of them.
-    pub(crate) first: u32,
-    /// Unit vectors.
-    pub(crate) unit: &'a mut [O],
-    /// What those are worth.
-    pub(crate) state: &'a mut [SlotState],
-}
-
 /// Slots whose sums do not say all, by their numbers in the mesh.
 #[derive(Default)]
 pub(crate) struct Doubts {
@@ -46,40 +36,40 @@ impl Doubts {
 /// A sum shorter than its weights by less than this comes from faces that point the same way to the last bits.
 const SAME_WAY: f64 = 1.0 + 64.0 * f64::EPSILON;
 
-/// Turns the sums of a part into unit vectors.
-pub(crate) struct Finish<'a, 'b, O> {
-    /// Set to zero on the way, for the next call.
+/// Turns sums into unit vectors.
+pub(crate) struct Finish<'a, O> {
+    /// The sums of some slots in a row. Set to zero on the way, for the next call.
     pub(crate) sums: &'a mut [Sum],
-    /// Where to write, ascending.
-    pub(crate) outputs: &'a mut [Output<'b, O>],
+    /// The first of those slots.
+    pub(crate) first: u32,
+    /// Where to write unit vectors.
+    pub(crate) unit: &'a mut [O],
+    /// What those are worth.
+    pub(crate) state: &'a mut [SlotState],
     pub(crate) doubts: &'a mut Doubts,
     /// Whether the sums are of plain area vectors. Then a slot of one face comes to that face's bits by itself, but Σ w is
     /// only an upper bound.
     pub(crate) areas: bool,
 }
 
-impl<O: Emit> Kernel for Finish<'_, '_, O> {
+impl<O: Emit> Kernel for Finish<'_, O> {
     type Output = ();
 
     #[inline(always)]
     fn run<A: Lanes>(self, arch: A) {
-        let Self { mut sums, outputs, doubts, areas } = self;
+        let Self { sums, first, unit, state, doubts, areas } = self;
         // No sum is shorter than nothing: where single faces are not looked for, none is found.
         let same_way = if areas { 0.0 } else { SAME_WAY };
-        for Output { first, unit, state } in outputs {
-            let (own, others) = sums.split_at_mut(unit.len());
-            sums = others;
-            state.fill(SlotState::Good);
-            let groups = own.chunks_mut(LANES).zip(unit.chunks_mut(LANES)).zip(state.chunks_mut(LANES));
-            for (first, ((sums, unit), state)) in (*first..).step_by(LANES).zip(groups) {
-                if !finish_group(arch, sums, unit, same_way) {
-                    for (slot, ((&sum, unit), state)) in (first..).zip(sums.iter().zip(unit).zip(state)) {
-                        let (vector, worth) = finish_one(sum, slot, areas, doubts);
-                        (*unit, *state) = (O::emit(vector), worth);
-                    }
+        state.fill(SlotState::Good);
+        let groups = sums.chunks_mut(LANES).zip(unit.chunks_mut(LANES)).zip(state.chunks_mut(LANES));
+        for (first, ((sums, unit), state)) in (first..).step_by(LANES).zip(groups) {
+            if !finish_group(arch, sums, unit, same_way) {
+                for (slot, ((&sum, unit), state)) in (first..).zip(sums.iter().zip(unit).zip(state)) {
+                    let (vector, worth) = finish_one(sum, slot, areas, doubts);
+                    (*unit, *state) = (O::emit(vector), worth);
                 }
-                sums.fill(Sum::default());
             }
+            sums.fill([0.0; 4]);
         }
     }
 }
@@ -90,7 +80,7 @@ fn finish_group<A: Lanes, O: Emit>(arch: A, sums: &[Sum], unit: &mut [O], same_w
     let (Ok(sums), Ok(unit)) = (<&[Sum; LANES]>::try_from(sums), <&mut [O; LANES]>::try_from(unit)) else {
         return false;
     };
-    let [x, y, z, weights] = arch.columns(sums.each_ref().map(|Sum(sum)| sum));
+    let [x, y, z, weights] = arch.columns(sums.each_ref());
     let weights = Scalars::new(arch, weights);
     let squared = Vectors::new(arch, [x, y, z]).squared_length();
     let length = squared.sqrt();
@@ -100,19 +90,14 @@ fn finish_group<A: Lanes, O: Emit>(arch: A, sums: &[Sum], unit: &mut [O], same_w
         & squared.less(Scalars::splat(arch, longest))
         & weights.less(Scalars::splat(arch, CANCELLING) * length)
         & (Scalars::splat(arch, same_way) * length).less(weights);
-    for (row, (unit, Sum(sum))) in unit.iter_mut().zip(sums).enumerate() {
+    for (row, (unit, sum)) in unit.iter_mut().zip(sums).enumerate() {
         *unit = O::emit_row(arch, sum, reciprocal[A::lane(row)]);
     }
     ordinary.row_bits() == u8::MAX
 }
 
 /// One sum.
-fn finish_one(
-    Sum([x, y, z, weights]): Sum,
-    slot: u32,
-    areas: bool,
-    doubts: &mut Doubts,
-) -> (DVec3, SlotState) {
+fn finish_one([x, y, z, weights]: Sum, slot: u32, areas: bool, doubts: &mut Doubts) -> (DVec3, SlotState) {
     if weights == 0.0 {
         doubts.recount.push(slot);
         doubts.not_all_good = true;

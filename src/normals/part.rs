@@ -1,15 +1,14 @@
-//! The work of one part: adding up its share of slots.
+//! The work of one part: adding up faces.
 
 use super::block::{ALL, GroupTerms, are_inner, group_terms};
 use super::corner_terms::CornerTerms;
 use super::face_shape::FaceState;
 use super::finish::Doubts;
-use super::partition::{Numbering, bounds};
+use super::partition::{BLOCK, Touched};
 use super::positions::Source;
 use super::sums::SumRequest;
 use super::term::adds;
 use super::weight::CornerWeight;
-use crate::mesh::NONE;
 use crate::num::{Kernel, LANES, Lanes};
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -17,45 +16,77 @@ use std::ops::Range;
 /// A face that is not simply counted.
 pub(crate) type OddFace = (u32, FaceState);
 
-/// A running sum: Σ w n̂ and Σ w. Aligned, so that none lies across two cache lines.
-#[derive(Clone, Copy, Default)]
-#[repr(align(32))]
-pub(crate) struct Sum(pub(crate) [f64; 4]);
+/// A running sum: Σ w n̂ and Σ w.
+pub(crate) type Sum = [f64; 4];
 
 /// Memory of one part.
 #[derive(Default)]
 pub(crate) struct Part {
-    /// The sums of its slots.
-    pub(crate) sums: Vec<Sum>,
-    /// Where those begin, chunk by chunk.
-    pub(crate) starts: Vec<u32>,
+    pub(crate) sums: SumArray,
+    /// The slots that its share touches.
+    pub(crate) touched: Touched,
     /// Faces of its share that are not simply counted.
     pub(crate) odd: Vec<OddFace>,
-    /// Faces of its share with a corner in another part's slot.
-    pub(crate) abroad: Vec<u32>,
     pub(crate) doubts: Doubts,
 }
 
-/// Which faces to add.
-#[derive(Clone, Copy)]
-pub(crate) enum Walk<'a> {
-    /// Some in a row.
-    Share(&'a Range<usize>),
-    /// Those that other parts have written down, ascending.
-    Listed(&'a [u32]),
+impl Part {
+    /// Throws away what a share has added to the slots below `own`, and gives the faces that did, ascending: they are to be
+    /// added to their owners' sums.
+    pub(crate) fn hand_over(&mut self, request: &SumRequest, share: Range<usize>, own: usize) -> Vec<u32> {
+        let SumRequest { faces, target, slots, .. } = *request;
+        let abroad = self.touched.abroad(share, own, faces, target);
+        let sums = &mut self.sums.get(slots)[..own];
+        for &face in &abroad {
+            for &slot in &target[faces.range(face as usize)] {
+                if let Some(sum) = sums.get_mut(slot as usize) {
+                    *sum = [0.0; 4];
+                }
+            }
+        }
+        abroad
+    }
 }
 
-/// Adds faces to the sums of a part.
+/// A sum for every slot, all zero between calls. Pages that no face touches are never given memory.
+#[derive(Default)]
+pub(crate) struct SumArray(Vec<f64>);
+
+impl SumArray {
+    /// Numbers in a cache line, within which sums are aligned: none lies across two.
+    const LINE: usize = 8;
+
+    /// Makes room for so many.
+    pub(crate) fn reserve(&mut self, slots: usize) {
+        let numbers = 4 * slots + Self::LINE;
+        if self.0.len() < numbers {
+            self.0 = bytemuck::zeroed_vec(numbers);
+        }
+    }
+
+    pub(crate) fn get(&mut self, slots: usize) -> &mut [Sum] {
+        let start = self.0.as_ptr().align_offset(Self::LINE * size_of::<f64>());
+        &mut self.0[start..].as_chunks_mut().0[..slots]
+    }
+}
+
+/// Which faces to add, and to which slots.
+pub(crate) enum Walk<'a> {
+    /// Some in a row, to any slot; takes down which.
+    Share(Range<usize>, Option<&'a mut Touched>),
+    /// Those that have been written down, ascending, to slots from this one on.
+    Listed(&'a [u32], usize),
+}
+
+/// Adds faces to sums.
 pub(crate) struct Accumulate<'a, S, W> {
     pub(crate) request: &'a SumRequest<'a>,
     pub(crate) source: S,
     pub(crate) walk: Walk<'a>,
-    pub(crate) numbering: Numbering<'a>,
+    /// Slots beyond its end are left alone.
     pub(crate) sums: &'a mut [Sum],
     /// Takes the faces that are not simply counted.
     pub(crate) odd: &'a mut Vec<OddFace>,
-    /// Takes the faces with a corner in another part's slot.
-    pub(crate) abroad: &'a mut Vec<u32>,
     pub(crate) weight: PhantomData<W>,
 }
 
@@ -64,214 +95,169 @@ impl<S: Source, W: CornerWeight> Kernel for Accumulate<'_, S, W> {
     type Output = bool;
 
     #[inline(always)]
-    fn run<A: Lanes>(mut self, arch: A) -> bool {
-        let mut work = Work::new();
-        match self.walk {
-            Walk::Share(faces) if self.request.faces.is_triangles() => {
-                let triangles = &self.request.faces.corners().as_chunks::<3>().0[faces.clone()];
-                let slots = &self.request.target.as_chunks::<3>().0[faces.clone()];
-                for (first, (triangles, slots)) in
-                    faces.clone().step_by(BLOCK).zip(triangles.chunks(BLOCK).zip(slots.chunks(BLOCK)))
-                {
-                    if !self.block(arch, triangles, slots, &mut work, |at| first + at) {
+    fn run<A: Lanes>(self, arch: A) -> bool {
+        let Self { request, source, walk, sums, odd, .. } = self;
+        let mut terms = Terms::<S, W>::new(request, source, odd);
+        match walk {
+            Walk::Share(share, mut touched) => {
+                for first in share.clone().step_by(BLOCK) {
+                    let faces = first..(first + BLOCK).min(share.end);
+                    if let Some(touched) = &mut touched {
+                        let corners = request.faces.start(faces.start)..request.faces.start(faces.end);
+                        touched.note(&request.target[corners]);
+                    }
+                    if !request.faces.is_triangles() {
+                        terms.polygons(faces, sums, 0);
+                        continue;
+                    }
+                    let triangles = &request.faces.corners().as_chunks::<3>().0[faces.clone()];
+                    if !terms.block(arch, triangles, |at| first + at) {
                         return false;
                     }
+                    let slots = &request.target.as_chunks::<3>().0[faces];
+                    terms.scatter(arch, slots, sums, |slot| slot as usize);
                 }
             }
-            Walk::Listed(faces) if self.request.faces.is_triangles() => {
-                let triangles = self.request.faces.corners().as_chunks::<3>().0;
-                let slots = self.request.target.as_chunks::<3>().0;
-                let (mut some_triangles, mut some_slots) = ([[0; 3]; BLOCK], [[0; 3]; BLOCK]);
+            Walk::Listed(faces, first_slot) if request.faces.is_triangles() => {
+                let triangles = request.faces.corners().as_chunks::<3>().0;
+                let slots = request.target.as_chunks::<3>().0;
                 for faces in faces.chunks(BLOCK) {
+                    let (mut some_triangles, mut some_slots) = ([[0; 3]; BLOCK], [[0; 3]; BLOCK]);
                     for (at, &face) in faces.iter().enumerate() {
                         some_triangles[at] = triangles[face as usize];
                         some_slots[at] = slots[face as usize];
                     }
                     let count = faces.len();
-                    let face = |at: usize| faces[at] as usize;
-                    if !self.block(arch, &some_triangles[..count], &some_slots[..count], &mut work, face) {
+                    if !terms.block(arch, &some_triangles[..count], |at| faces[at] as usize) {
                         return false;
                     }
+                    let own =
+                        |slot: u32| if slot as usize >= first_slot { slot as usize } else { usize::MAX };
+                    terms.scatter(arch, &some_slots[..count], sums, own);
                 }
             }
-            Walk::Share(faces) => self.polygons(faces.clone()),
-            Walk::Listed(faces) => self.polygons(faces.iter().map(|&face| face as usize)),
+            Walk::Listed(faces, first_slot) => {
+                terms.polygons(faces.iter().map(|&face| face as usize), sums, first_slot);
+            }
         }
         true
     }
 }
 
-/// Triangles that are computed before they are added: enough to fill the pipeline, few enough to stay at hand.
-const BLOCK: usize = 8 * LANES;
-
-/// Memory for blocks of triangles.
-struct Work {
-    terms: [GroupTerms; BLOCK / LANES],
+/// A block of triangles: what each adds to sums.
+struct Terms<'a, S, W> {
+    request: &'a SumRequest<'a>,
+    source: S,
+    odd: &'a mut Vec<OddFace>,
+    groups: [GroupTerms; BLOCK / LANES],
     scalar: CornerTerms,
+    weight: PhantomData<W>,
 }
 
-impl Work {
-    fn new() -> Self {
-        Self { terms: [GroupTerms::ZERO; BLOCK / LANES], scalar: CornerTerms::default() }
+impl<'a, S: Source, W: CornerWeight> Terms<'a, S, W> {
+    fn new(request: &'a SumRequest<'a>, source: S, odd: &'a mut Vec<OddFace>) -> Self {
+        let groups = [GroupTerms::ZERO; BLOCK / LANES];
+        Self { request, source, odd, groups, scalar: CornerTerms::default(), weight: PhantomData }
     }
-}
 
-impl<S: Source, W: CornerWeight> Accumulate<'_, S, W> {
-    /// Up to [`BLOCK`] triangles; false if a vertex does not exist.
+    /// Computes up to [`BLOCK`] triangles; false if a vertex does not exist.
     #[inline(always)]
-    fn block<A: Lanes>(
-        &mut self,
-        arch: A,
-        triangles: &[[u32; 3]],
-        slots: &[[u32; 3]],
-        Work { terms, scalar }: &mut Work,
-        face: impl Fn(usize) -> usize,
-    ) -> bool {
-        let all_inner = are_inner(&self.source, triangles);
+    fn block<A: Lanes>(&mut self, arch: A, triangles: &[[u32; 3]], face: impl Fn(usize) -> usize) -> bool {
+        // A copy, which stays in registers.
+        let source = self.source;
+        let all_inner = are_inner(&source, triangles);
         let (groups, rest) = triangles.as_chunks::<LANES>();
-        for (group, (triangles, terms)) in groups.iter().zip(&mut *terms).enumerate() {
-            let inner = all_inner || are_inner(&self.source, triangles);
-            let settled =
-                if inner { group_terms::<A, S, W>(arch, triangles, &self.source, terms) } else { 0 };
-            if settled != ALL && !self.settle(settled, LANES, terms, scalar, |row| face(group * LANES + row))
-            {
+        for (group, triangles) in groups.iter().enumerate() {
+            let inner = all_inner || are_inner(&source, triangles);
+            let terms = &mut self.groups[group];
+            let settled = if inner { group_terms::<A, S, W>(arch, triangles, &source, terms) } else { 0 };
+            if settled != ALL && !self.settle(group, LANES, settled, &face) {
                 return false;
             }
         }
-        if !rest.is_empty() {
-            let first = groups.len() * LANES;
-            if !self.settle(0, rest.len(), &mut terms[groups.len()], scalar, |row| face(first + row)) {
-                return false;
-            }
-        }
-        let (numbering, sums) = (self.numbering, &mut self.sums[..]);
-        let missed = match numbering {
-            Numbering::Alone => {
-                scatter::<A, W>(arch, terms, slots, sums, |slot| slot as usize);
-                false
-            }
-            Numbering::Chunked(_) => match numbering.offset(bounds(slots.as_flattened())) {
-                Some(offset) => {
-                    scatter::<A, W>(arch, terms, slots, sums, |slot| slot.wrapping_sub(offset) as usize)
-                }
-                None => scatter::<A, W>(arch, terms, slots, sums, |slot| numbering.local(slot)),
-            },
-        };
-        if missed {
-            self.write_down(slots, face);
-        }
-        true
+        rest.is_empty() || self.settle(groups.len(), rest.len(), 0, &face)
     }
 
-    /// Puts triangles right that could not be computed together with others; false if a vertex does not exist.
+    /// Puts the triangles of a group right that could not be computed together, those without a bit; false if a vertex
+    /// does not exist.
     #[inline(never)]
-    fn settle(
-        &mut self,
-        settled: u8,
-        count: usize,
-        terms: &mut GroupTerms,
-        scalar: &mut CornerTerms,
-        face: impl Fn(usize) -> usize,
-    ) -> bool {
+    fn settle(&mut self, group: usize, count: usize, settled: u8, face: impl Fn(usize) -> usize) -> bool {
         let Self { request, source, .. } = *self;
         for row in (0..count).filter(|row| settled >> row & 1 == 0) {
-            let face = face(row);
+            let face = face(group * LANES + row);
             if request.faces.face(face).iter().any(|&vertex| vertex as usize >= source.count()) {
                 return false;
             }
-            scalar.fill::<S, W>(request.faces, source, face, |_| false);
-            if scalar.state != FaceState::Counted {
-                self.odd.push((face as u32, scalar.state));
-            }
-            if adds(scalar.state, request.slivers) {
-                terms.set(row, scalar.vector, &scalar.weights);
+            if self.fill(face, |_| false) {
+                self.groups[group].set(row, self.scalar.vector, &self.scalar.weights);
             } else {
-                terms.set(row, [0.0; 4], &[0.0; 3]);
+                self.groups[group].set(row, [0.0; 4], &[0.0; 3]);
             }
         }
         true
     }
 
-    /// Writes the faces of a block down of which a corner is another part's.
-    #[inline(never)]
-    fn write_down(&mut self, slots: &[[u32; 3]], face: impl Fn(usize) -> usize) {
-        for (at, slots) in slots.iter().enumerate() {
-            if slots.iter().any(|&slot| self.is_abroad(slot)) {
-                self.abroad.push(face(at) as u32);
+    /// Computes one face by the scalar path; tells whether it adds to sums.
+    fn fill(&mut self, face: usize, repeats: impl Fn(usize) -> bool) -> bool {
+        self.scalar.fill::<S, W>(self.request.faces, self.source, face, repeats);
+        let state = self.scalar.state;
+        if state != FaceState::Counted {
+            self.odd.push((face as u32, state));
+        }
+        adds(state, self.request.slivers)
+    }
+
+    /// Adds the triangles of the block to the sums of their corners. What is beyond the sums is left alone.
+    #[inline(always)]
+    fn scatter<A: Lanes>(&self, arch: A, slots: &[[u32; 3]], sums: &mut [Sum], place: impl Fn(u32) -> usize) {
+        let (groups, rest) = slots.as_chunks::<LANES>();
+        for (terms, slots) in self.groups.iter().zip(groups) {
+            for row in 0..LANES {
+                add::<A, W>(arch, terms, row, slots[row].map(&place), sums);
             }
+        }
+        for (row, slots) in rest.iter().enumerate() {
+            add::<A, W>(arch, &self.groups[groups.len()], row, slots.map(&place), sums);
         }
     }
 
-    fn is_abroad(&self, slot: u32) -> bool {
-        slot != NONE && self.numbering.local(slot) >= self.sums.len()
-    }
-
-    /// Faces of any size. Their vertices exist: only slices of triangles come unchecked.
-    fn polygons(&mut self, faces: impl Iterator<Item = usize>) {
-        let Self { request, source, numbering, .. } = *self;
-        let mut scalar = CornerTerms::default();
+    /// Adds faces of any size. Their vertices exist: only slices of triangles come unchecked.
+    fn polygons(&mut self, faces: impl Iterator<Item = usize>, sums: &mut [Sum], first_slot: usize) {
         for face in faces {
-            let slots = &request.target[request.faces.range(face)];
-            scalar.fill::<S, W>(request.faces, source, face, |corner| repeats(slots, corner));
-            if scalar.state != FaceState::Counted {
-                self.odd.push((face as u32, scalar.state));
+            let slots = &self.request.target[self.request.faces.range(face)];
+            if !self.fill(face, |corner| repeats(slots, corner)) {
+                continue;
             }
-            if adds(scalar.state, request.slivers) {
-                for (&slot, &weight) in slots.iter().zip(&scalar.weights) {
-                    if let Some(Sum(sum)) = self.sums.get_mut(numbering.local(slot)) {
-                        *sum = std::array::from_fn(|i| sum[i] + scalar.vector[i] * weight);
-                    }
+            let CornerTerms { vector, weights, .. } = &self.scalar;
+            for (&slot, &weight) in
+                slots.iter().zip(weights).filter(|&(&slot, _)| slot as usize >= first_slot)
+            {
+                if let Some(sum) = sums.get_mut(slot as usize) {
+                    *sum = std::array::from_fn(|i| sum[i] + vector[i] * weight);
                 }
             }
-            if slots.iter().any(|&slot| self.is_abroad(slot)) {
-                self.abroad.push(face as u32);
-            }
         }
     }
 }
 
-/// Adds the triangles of a block to the slots of their corners; tells whether a slot was not there.
-#[inline(always)]
-fn scatter<A: Lanes, W: CornerWeight>(
-    arch: A,
-    terms: &[GroupTerms; BLOCK / LANES],
-    slots: &[[u32; 3]],
-    sums: &mut [Sum],
-    local: impl Fn(u32) -> usize,
-) -> bool {
-    let mut missed = false;
-    let (groups, rest) = slots.as_chunks::<LANES>();
-    for (terms, slots) in terms.iter().zip(groups) {
-        for row in 0..LANES {
-            missed |= add::<A, W>(arch, terms, row, slots[row].map(&local), sums);
-        }
-    }
-    for (row, slots) in rest.iter().enumerate() {
-        missed |= add::<A, W>(arch, &terms[groups.len()], row, slots.map(&local), sums);
-    }
-    missed
-}
-
-/// Adds one triangle; tells whether a slot was not there.
+/// Adds one triangle. Places beyond the sums are left alone.
 #[inline(always)]
 fn add<A: Lanes, W: CornerWeight>(
     arch: A,
     terms: &GroupTerms,
     row: usize,
-    slots: [usize; 3],
+    places: [usize; 3],
     sums: &mut [Sum],
-) -> bool {
-    let mut missed = false;
+) {
     for corner in 0..3 {
-        match sums.get_mut(slots[corner]) {
-            Some(Sum(sum)) if W::EVEN => arch.add_row(sum, &terms.vectors.0[row]),
-            Some(Sum(sum)) => {
+        match sums.get_mut(places[corner]) {
+            Some(sum) if W::EVEN => arch.add_row(sum, &terms.vectors.0[row]),
+            Some(sum) => {
                 arch.add_scaled_row(sum, &terms.vectors.0[row], terms.weights.0[row][corner]);
             }
-            None => missed = true,
+            None => {}
         }
     }
-    missed
 }
 
 /// Whether a corner has the same slot as the one before it in its face.

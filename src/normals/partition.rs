@@ -1,224 +1,117 @@
 //! Sharing sums out among threads so that no thread count changes a bit.
 //!
-//! The faces are cut into as many shares as there are *parts*. Slots (vertices or smooth groups) are owned by parts, in
-//! chunks, each by the first part in whose share it is touched. A part adds up its share in ascending order, to its own
-//! slots only; faces with a corner in an earlier part's slot it writes down. When all shares are done, each part adds
-//! what later parts have written down for it, again in ascending order. So every sum runs in ascending face index; and
-//! with faces in any sensible order little is written down, whatever the order of vertices is.
+//! The faces are cut into as many shares as there are *parts*, and each part adds up its share to sums of its own, all
+//! slots (vertices or smooth groups) in reach. Then slots are *owned*: the first part owns those up to the highest that it
+//! has touched, the next part what it has touched beyond, and so on. What a part has added to the slots of earlier parts
+//! is thrown away, and those faces are added once more, to their owner's sums, in ascending order. So every sum runs in
+//! ascending face index; and as long as vertices are numbered in about the order of the faces that use them, all parts
+//! are busy with slots of their own.
 
-use super::finish::Output;
-use super::sums::SlotState;
 use crate::mesh::FacesRef;
-use crate::num::{self, Kernel, Lanes};
-use rayon::prelude::*;
+use crate::num::{Kernel, Lanes};
 use std::ops::Range;
 
-/// Faces walked at a time.
-pub(crate) const BLOCK_FACES: usize = 1024;
-/// log2 of the slots in a chunk.
-const CHUNK_BITS: usize = 9;
-/// Slots in a chunk.
-pub(crate) const CHUNK: usize = 1 << CHUNK_BITS;
-/// A part's share of blocks is worth a task of its own from here on.
-const SMALLEST_SHARE: usize = 8;
-/// Numbers of parts must fit a byte.
-const MOST_PARTS: usize = 128;
-/// Parts for each thread, so that a thread that is held up does not hold up all.
-const PARTS_PER_THREAD: usize = 2;
-/// Up to this many chunks between the lowest and the highest of a block's slots are all taken as touched, without a look
-/// at every corner.
-const FEW_CHUNKS: usize = 16;
+/// Faces that are computed before they are added: enough to fill the pipeline, few enough to stay at hand.
+pub(crate) const BLOCK: usize = 64;
+/// A share of fewer faces is not worth a task of its own.
+const SMALLEST_SHARE: usize = 8192;
 
-/// The chunk that a slot is in.
-#[inline(always)]
-pub(crate) fn chunk_of(slot: u32) -> usize {
-    slot as usize >> CHUNK_BITS
-}
-
-/// The chunk belongs to another part; no slot of it is in reach.
-const ELSEWHERE: u32 = u32::MAX - CHUNK as u32;
-
-/// Who adds what, and who owns what.
-#[derive(Default)]
+/// Which faces are whose.
+#[derive(Clone, Copy)]
 pub(crate) struct Partition {
     parts: usize,
     faces: usize,
-    /// The part that owns each chunk; nothing where there is one part.
-    owners: Vec<u8>,
 }
 
 impl Partition {
-    /// Shares slots out for the threads of the current pool. With one thread there is one part, at no cost.
-    pub(crate) fn fill(&mut self, faces: FacesRef, target: &[u32], slots: usize) {
-        let threads = rayon::current_num_threads();
-        self.faces = faces.len();
-        self.parts = if threads <= 1 {
-            1
-        } else {
-            (threads * PARTS_PER_THREAD).min(MOST_PARTS).min(self.blocks() / SMALLEST_SHARE).max(1)
-        };
-        self.owners.clear();
-        if self.parts == 1 {
-            return;
-        }
-        self.owners = self.find_owners(faces, target, slots.div_ceil(CHUNK));
-        // With faces in no order at all the first part owns all, and sharing out is not worth its while.
-        let firsts = self.owners.iter().filter(|&&owner| owner == 0).count();
-        if 2 * firsts > self.owners.len() + CHUNK / self.parts {
-            self.parts = 1;
-            self.owners.clear();
-        }
+    /// One part for each thread of the current pool; only one if faces come in no order.
+    pub(crate) fn new(faces: FacesRef, target: &[u32]) -> Self {
+        let parts = rayon::current_num_threads().min(faces.len() / SMALLEST_SHARE).max(1);
+        let shared = Self { parts, faces: faces.len() };
+        if shared.ascends(faces, target) { shared } else { Self { parts: 1, ..shared } }
     }
 
-    fn find_owners(&self, faces: FacesRef, target: &[u32], chunks: usize) -> Vec<u8> {
-        const NOBODY: u8 = u8::MAX;
-        let seen_by = |part: usize| {
-            let mut seen = vec![NOBODY; chunks];
-            for block in self.share(part) {
-                let block = self.block(block);
-                for_each_run(&target[faces.start(block.start)..faces.start(block.end)], |chunks| {
-                    let chunks = existing(chunks, seen.len());
-                    seen[chunks].fill(part as u8);
-                });
-            }
-            seen
+    /// Whether most slots that a share begins with lie beyond those that the share before it begins with.
+    fn ascends(self, faces: FacesRef, target: &[u32]) -> bool {
+        let beginning = |part: usize| {
+            let first = self.share(part).start;
+            &target[faces.start(first)..faces.start((first + BLOCK).min(self.faces))]
         };
-        let seen: Vec<Vec<u8>> = (0..self.parts).into_par_iter().map(seen_by).collect();
-        let owner = |chunk: usize| {
-            // `NOBODY` is the highest. What no face touches goes to anyone.
-            let first = seen.iter().map(|seen| seen[chunk]).min().filter(|&part| part != NOBODY);
-            first.unwrap_or((chunk * self.parts / chunks) as u8)
-        };
-        (0..chunks).map(owner).collect()
+        (1..self.parts).all(|part| {
+            let end = reach(beginning(part - 1)).end;
+            let slots = beginning(part);
+            2 * slots.iter().filter(|&&slot| slot >= end).count() > slots.len()
+        })
     }
 
     /// How many parts there are.
-    pub(crate) fn parts(&self) -> usize {
+    pub(crate) fn parts(self) -> usize {
         self.parts
     }
 
-    /// How many blocks there are.
-    pub(crate) fn blocks(&self) -> usize {
-        self.faces.div_ceil(BLOCK_FACES)
+    /// The faces that are a part's share: whole blocks, but for the last.
+    pub(crate) fn share(self, part: usize) -> Range<usize> {
+        let blocks = self.faces.div_ceil(BLOCK);
+        let start = |part: usize| (part * blocks / self.parts * BLOCK).min(self.faces);
+        start(part)..start(part + 1)
+    }
+}
+
+/// The slots that a share of faces touches.
+#[derive(Default)]
+pub(crate) struct Touched {
+    /// The lowest slot of each block.
+    lowest: Vec<u32>,
+    /// Beyond the highest.
+    end: u32,
+}
+
+impl Touched {
+    pub(crate) fn clear(&mut self) {
+        self.lowest.clear();
+        self.end = 0;
     }
 
-    /// The faces of a block.
-    pub(crate) fn block(&self, block: usize) -> Range<usize> {
-        block * BLOCK_FACES..((block + 1) * BLOCK_FACES).min(self.faces)
+    /// Takes down the slots of the next block.
+    #[inline(always)]
+    pub(crate) fn note(&mut self, slots: &[u32]) {
+        let Range { start, end } = reach(slots);
+        self.lowest.push(start);
+        self.end = self.end.max(end);
     }
 
-    /// The blocks that are a part's share.
-    pub(crate) fn share(&self, part: usize) -> Range<usize> {
-        part * self.blocks() / self.parts..(part + 1) * self.blocks() / self.parts
+    pub(crate) fn end(&self) -> usize {
+        self.end as usize
     }
 
-    /// The places for the results of each part's slots, ascending.
-    pub(crate) fn outputs<'a, O>(
+    /// Those faces of the share that touch slots below `own`.
+    pub(crate) fn abroad(
         &self,
-        unit: &'a mut [O],
-        state: &'a mut [SlotState],
-    ) -> Vec<Vec<Output<'a, O>>> {
-        let mut outputs: Vec<_> = (0..self.parts).map(|_| Vec::new()).collect();
-        for (chunk, (unit, state)) in unit.chunks_mut(CHUNK).zip(state.chunks_mut(CHUNK)).enumerate() {
-            outputs[usize::from(self.owners[chunk])].push(Output {
-                first: (chunk * CHUNK) as u32,
-                unit,
-                state,
-            });
-        }
-        outputs
-    }
-
-    /// Writes down where each chunk's slots begin among a part's own, and gives how many those are.
-    pub(crate) fn number(&self, part: usize, slots: usize, starts: &mut Vec<u32>) -> usize {
-        starts.clear();
-        if self.parts == 1 {
-            return slots;
-        }
-        let mut own = 0;
-        starts.extend(self.owners.iter().enumerate().map(|(chunk, &owner)| {
-            if usize::from(owner) != part {
-                return ELSEWHERE;
-            }
-            let start = own;
-            own += CHUNK.min(slots - chunk * CHUNK);
-            start as u32
-        }));
-        own
+        share: Range<usize>,
+        own: usize,
+        faces: FacesRef,
+        target: &[u32],
+    ) -> Vec<u32> {
+        let blocks = share.clone().step_by(BLOCK).zip(&self.lowest);
+        blocks
+            .filter(|&(_, &lowest)| (lowest as usize) < own)
+            .flat_map(|(first, _)| first..(first + BLOCK).min(share.end))
+            .filter(|&face| target[faces.range(face)].iter().any(|&slot| (slot as usize) < own))
+            .map(|face| face as u32)
+            .collect()
     }
 }
 
-/// How a part numbers its slots.
-#[derive(Clone, Copy)]
-pub(crate) enum Numbering<'a> {
-    /// The only part: as they are.
-    Alone,
-    /// Chunk after chunk; this is where the slots of each chunk begin.
-    Chunked(&'a [u32]),
-}
-
-impl Numbering<'_> {
-    /// What to subtract from each slot between these two, if the part owns them all.
-    #[inline(always)]
-    pub(crate) fn offset(self, (low, high): (u32, u32)) -> Option<u32> {
-        let Numbering::Chunked(starts) = self else { return Some(0) };
-        let (first, last) = (chunk_of(low), chunk_of(high));
-        let (start, end) = (*starts.get(first)?, *starts.get(last)?);
-        // Own chunks are numbered without gaps.
-        let all_own = start != ELSEWHERE && end.wrapping_sub(start) as usize == (last - first) * CHUNK;
-        all_own.then(|| ((first * CHUNK) as u32).wrapping_sub(start))
-    }
-
-    /// The number of a slot among the part's own; beyond their count for the slots of others and for
-    /// [`NONE`](crate::mesh::NONE).
-    #[inline(always)]
-    pub(crate) fn local(self, slot: u32) -> usize {
-        match self {
-            Numbering::Alone => slot as usize,
-            Numbering::Chunked(starts) => {
-                let start = starts.get(chunk_of(slot)).copied().unwrap_or(ELSEWHERE);
-                start as usize + (slot as usize & (CHUNK - 1))
-            }
-        }
-    }
-}
-
-/// Calls back with runs of chunks, first and last, that cover all slots of a block: one run if the block's lowest and
-/// highest slot are not far apart, else the same for small pieces of it.
-fn for_each_run(slots: &[u32], mut visit: impl FnMut((usize, usize))) {
-    const PIECE: usize = 48;
-    let run = |slots: &[u32]| {
-        let (low, high) = num::dispatch(Bounds(slots));
-        (chunk_of(low), chunk_of(high))
-    };
-    let is_short = |(low, high): (usize, usize)| high.saturating_sub(low) < FEW_CHUNKS;
-    let whole = run(slots);
-    if is_short(whole) {
-        return visit(whole);
-    }
-    for piece in slots.chunks(PIECE) {
-        let run = run(piece);
-        if is_short(run) {
-            visit(run);
-        } else {
-            piece.iter().for_each(|&slot| visit((chunk_of(slot), chunk_of(slot))));
-        }
-    }
-}
-
-/// Those of some chunks, first and last given, that there are.
-fn existing((first, last): (usize, usize), count: usize) -> Range<usize> {
-    let end = count.min(last + 1);
-    first.min(end)..end
-}
-
-/// Lowest and highest of some slots.
+/// From the lowest of some slots to beyond the highest. [`NONE`](crate::mesh::NONE) is the highest number: it lowers no
+/// minimum, and one more is nothing.
 #[inline(always)]
-pub(crate) fn bounds(slots: &[u32]) -> (u32, u32) {
-    slots.iter().fold((u32::MAX, 0), |(low, high), &slot| (low.min(slot), high.max(slot)))
+fn reach(slots: &[u32]) -> Range<u32> {
+    let wider =
+        |Range { start, end }: Range<u32>, &slot: &u32| start.min(slot)..end.max(slot.wrapping_add(1));
+    slots.iter().fold(u32::MAX..0, wider)
 }
 
-/// The same; a kernel so that it is compiled with the widest instructions.
+/// Lowest and highest of some slots; a kernel so that it is compiled with the widest instructions.
 pub(crate) struct Bounds<'a>(pub(crate) &'a [u32]);
 
 impl Kernel for Bounds<'_> {
@@ -226,6 +119,6 @@ impl Kernel for Bounds<'_> {
 
     #[inline(always)]
     fn run<A: Lanes>(self, _: A) -> (u32, u32) {
-        bounds(self.0)
+        self.0.iter().fold((u32::MAX, 0), |(low, high), &slot| (low.min(slot), high.max(slot)))
     }
 }

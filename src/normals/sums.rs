@@ -2,9 +2,9 @@
 
 use super::again::LookAgain;
 use super::emit::Emit;
-use super::finish::{Doubts, Finish, Output};
+use super::finish::{Doubts, Finish};
 use super::part::{Accumulate, OddFace, Part, Sum, Walk};
-use super::partition::{BLOCK_FACES, Numbering, Partition};
+use super::partition::Partition;
 use super::positions::{Positions, Source, Visitor};
 use super::weight::{CornerWeight, WeightVisitor, visit_weight};
 use super::{Slivers, Weight};
@@ -13,6 +13,7 @@ use crate::num;
 use glam::DVec3;
 use rayon::prelude::*;
 use std::marker::PhantomData;
+use std::ops::Range;
 
 /// A sum with more than this times its own length in weights has cancelled.
 pub(crate) const CANCELLING: f64 = 1e6;
@@ -59,7 +60,6 @@ pub(crate) struct Sums {
 /// Memory that can be used again by the next call.
 #[derive(Default)]
 pub(crate) struct SumScratch {
-    partition: Partition,
     /// Their sums are zero between calls.
     parts: Vec<Part>,
 }
@@ -121,63 +121,84 @@ impl<S: Source, O: Emit> WeightVisitor for WithWeight<'_, S, O> {
 
     fn visit<W: CornerWeight>(self) -> Self::Output {
         let Self { all: WithSource { request, scratch, unit, state }, source } = self;
+        let SumRequest { faces, target, slots, .. } = *request;
+        let partition = Partition::new(faces, target);
         // Whatever stops the work half way, the next call does not find its sums.
-        let SumScratch { mut partition, mut parts } = std::mem::take(scratch);
-        partition.fill(request.faces, request.target, request.slots);
-        parts.resize_with(partition.parts(), Part::default);
-        let alone = partition.parts() == 1;
+        let mut memory = std::mem::take(&mut scratch.parts);
+        memory.resize_with(partition.parts().max(memory.len()), Part::default);
+        let parts = &mut memory[..partition.parts()];
+        let alone = parts.len() == 1;
 
-        let accumulate = |part: &mut Part, walk: Walk| {
-            let Part { sums, starts, odd, abroad, .. } = part;
-            let numbering = if alone { Numbering::Alone } else { Numbering::Chunked(starts) };
-            let weight = PhantomData::<W>;
-            num::dispatch(Accumulate { request, source, walk, numbering, sums, odd, abroad, weight })
+        let accumulate = |walk: Walk, sums: &mut [Sum], odd: &mut Vec<OddFace>| {
+            num::dispatch(Accumulate { request, source, walk, sums, odd, weight: PhantomData::<W> })
         };
         let add_share = |(number, part): (usize, &mut Part)| {
-            part.odd.clear();
-            part.abroad.clear();
-            part.sums.resize(partition.number(number, request.slots, &mut part.starts), Sum::default());
-            let share = partition.share(number);
-            let faces = share.start * BLOCK_FACES..(share.end * BLOCK_FACES).min(request.faces.len());
-            accumulate(part, Walk::Share(&faces))
+            let Part { sums, touched, odd, .. } = part;
+            sums.reserve(slots);
+            touched.clear();
+            odd.clear();
+            let walk = Walk::Share(partition.share(number), (!alone).then_some(touched));
+            accumulate(walk, sums.get(slots), odd)
         };
-        let finish = |part: &mut Part, outputs: &mut [Output<O>]| {
-            let Part { sums, doubts, .. } = part;
-            doubts.clear();
-            num::dispatch(Finish { sums, outputs, doubts, areas: W::BY_AREA && W::EVEN });
-        };
-        if let [part] = &mut parts[..] {
-            if !add_share((0, part)) {
-                return Outcome { vertex_missing: true, ..Outcome::default() };
-            }
-            finish(part, &mut [Output { first: 0, unit: &mut *unit, state: &mut *state }]);
-        } else {
-            if !parts.par_iter_mut().enumerate().map(add_share).reduce(|| true, |a, b| a & b) {
-                return Outcome { vertex_missing: true, ..Outcome::default() };
-            }
-            let abroad: Vec<Vec<u32>> =
-                parts.iter_mut().map(|part| std::mem::take(&mut part.abroad)).collect();
-            let outputs = partition.outputs(unit, state);
-            parts.par_iter_mut().zip(outputs).enumerate().for_each(|(number, (part, mut outputs))| {
-                let odd = part.odd.len();
-                for faces in &abroad[number + 1..] {
-                    accumulate(part, Walk::Listed(faces));
-                }
-                part.odd.truncate(odd);
-                finish(part, &mut outputs);
-            });
+        if !for_each_part(parts, add_share).into_iter().all(|found| found) {
+            return Outcome { vertex_missing: true, ..Outcome::default() };
         }
 
-        // Shares ascend, and so do the faces in them; slots need not.
+        let owned = owned_slots(parts, slots);
+        let abroad = for_each_part(parts, |(number, part)| {
+            part.hand_over(request, partition.share(number), owned[number].start)
+        });
+        let (mut unit_left, mut state_left, mut work) = (&mut *unit, &mut *state, Vec::new());
+        for (part, owned) in parts.iter_mut().zip(owned) {
+            let unit = unit_left.split_off_mut(..owned.len()).expect("one for each slot");
+            let state = state_left.split_off_mut(..owned.len()).expect("one for each slot");
+            work.push((part, owned, unit, state));
+        }
+        for_each_part(&mut work, |(number, (part, owned, unit, state))| {
+            let Part { sums, odd, doubts, .. } = &mut **part;
+            let sums = &mut sums.get(slots)[..owned.end];
+            let found = odd.len();
+            for faces in &abroad[number + 1..] {
+                accumulate(Walk::Listed(faces, owned.start), sums, odd);
+            }
+            // The parts in whose share these faces are have found them too.
+            odd.truncate(found);
+            doubts.clear();
+            let (sums, first) = (&mut sums[owned.start..], owned.start as u32);
+            num::dispatch(Finish { sums, first, unit, state, doubts, areas: W::BY_AREA && W::EVEN });
+        });
+
+        // Shares ascend, and so do the faces in them; slots do too.
         let odd: Vec<OddFace> = parts.iter().flat_map(|part| part.odd.iter().copied()).collect();
         let mut doubts = Doubts::default();
         parts.iter().for_each(|part| doubts.join(&part.doubts));
+        scratch.parts = memory;
         let again = LookAgain::<S, W> { request, source, odd: &odd, weight: PhantomData };
         for (slot, vector, worth) in again.run(&doubts) {
             unit[slot as usize] = O::emit(vector);
             state[slot as usize] = worth;
         }
-        *scratch = SumScratch { partition, parts };
         Outcome { odd, all_good: !doubts.not_all_good, vertex_missing: false }
+    }
+}
+
+/// The slots that each part owns: from where earlier parts end up to the highest that it touches; the last one the rest.
+fn owned_slots(parts: &[Part], slots: usize) -> Vec<Range<usize>> {
+    let mut start = 0;
+    let owned = parts.iter().enumerate().map(|(number, part)| {
+        let end = if number + 1 == parts.len() { slots } else { part.touched.end().clamp(start, slots) };
+        std::mem::replace(&mut start, end)..end
+    });
+    owned.collect()
+}
+
+/// Does work for each of some parts at the same time; for one alone without asking for threads.
+fn for_each_part<P: Send, R: Send>(
+    parts: &mut [P],
+    work: impl Fn((usize, &mut P)) -> R + Sync + Send,
+) -> Vec<R> {
+    match parts {
+        [part] => vec![work((0, part))],
+        parts => parts.par_iter_mut().enumerate().map(work).collect(),
     }
 }
