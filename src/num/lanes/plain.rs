@@ -143,7 +143,7 @@ impl<P: Product> Arithmetic for Plain<P> {
 
     #[inline(always)]
     fn product_error(self, a: Self::Number, b: Self::Number, _: Self::Number) -> Self::Number {
-        each(|i| P::two_product(a[i], b[i]).1)
+        P::product_errors(a, b)
     }
 
     #[inline(always)]
