@@ -212,8 +212,8 @@ impl<'a, S: Source, W: CornerWeight> Terms<'a, S, W> {
     fn scatter<A: Lanes>(&self, arch: A, slots: &[[u32; 3]], sums: &mut [Sum], place: impl Fn(u32) -> usize) {
         let (groups, rest) = slots.as_chunks::<LANES>();
         for (terms, slots) in self.groups.iter().zip(groups) {
-            for row in 0..LANES {
-                add::<A, W>(arch, terms, row, slots[row].map(&place), sums);
+            for (row, slots) in slots.iter().enumerate() {
+                add::<A, W>(arch, terms, row, slots.map(&place), sums);
             }
         }
         for (row, slots) in rest.iter().enumerate() {
@@ -249,8 +249,8 @@ fn add<A: Lanes, W: CornerWeight>(
     places: [usize; 3],
     sums: &mut [Sum],
 ) {
-    for corner in 0..3 {
-        match sums.get_mut(places[corner]) {
+    for (corner, place) in places.into_iter().enumerate() {
+        match sums.get_mut(place) {
             Some(sum) if W::EVEN => arch.add_row(sum, &terms.vectors.0[row]),
             Some(sum) => {
                 arch.add_scaled_row(sum, &terms.vectors.0[row], terms.weights.0[row][corner]);

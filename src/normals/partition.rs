@@ -108,7 +108,7 @@ impl Touched {
 fn reach(slots: &[u32]) -> Range<u32> {
     let wider =
         |Range { start, end }: Range<u32>, &slot: &u32| start.min(slot)..end.max(slot.wrapping_add(1));
-    slots.iter().fold(u32::MAX..0, wider)
+    slots.iter().fold(Range { start: u32::MAX, end: 0 }, wider)
 }
 
 /// Lowest and highest of some slots; a kernel so that it is compiled with the widest instructions.

@@ -208,37 +208,37 @@ impl Setup<[i32; GROUP], [f32; GROUP]> {
         masks.fill(0);
         let mut edge = [[0; GROUP]; 3];
         for (i, edge) in edge.iter_mut().enumerate() {
-            for lane in 0..GROUP {
+            for (lane, edge) in edge.iter_mut().enumerate() {
                 // Within the tile below 2³¹, as in `Setup::new`; what wraps is beyond it, and is masked out.
                 let right = self.right[i][lane].wrapping_mul(self.x[0][lane] + SIDE as i32 - 1);
                 let down = self.down[i][lane].wrapping_mul(self.y[0][lane] + SIDE as i32 - 1);
-                edge[lane] = self.edge[i][lane].wrapping_add(right).wrapping_add(down);
+                *edge = self.edge[i][lane].wrapping_add(right).wrapping_add(down);
             }
         }
         for pixel in (0..SIDE * SIDE).rev() {
-            for lane in 0..GROUP {
+            for (lane, mask) in masks.iter_mut().enumerate() {
                 let outside = (edge[0][lane] | edge[1][lane] | edge[2][lane]) as u32 >> 31;
-                masks[lane] = masks[lane] << 1 | (1 - outside);
+                *mask = *mask << 1 | (1 - outside);
             }
             for (i, edge) in edge.iter_mut().enumerate() {
                 let last = if pixel % SIDE == 0 { SIDE as i32 - 1 } else { -1 };
-                for lane in 0..GROUP {
+                for (lane, edge) in edge.iter_mut().enumerate() {
                     // To the left; or to the end of the row above.
                     let step = self.right[i][lane].wrapping_mul(last);
                     let up = if pixel % SIDE == 0 { self.down[i][lane] } else { 0 };
-                    edge[lane] = edge[lane].wrapping_add(step).wrapping_sub(up);
+                    *edge = edge.wrapping_add(step).wrapping_sub(up);
                 }
             }
         }
-        for lane in 0..GROUP {
+        for (lane, mask) in masks.iter_mut().enumerate() {
             let (columns, rows) = (self.x[1][lane] - self.x[0][lane], self.y[1][lane] - self.y[0][lane]);
             let fits = (columns < SIDE as i32) & (rows < SIDE as i32);
             let is_empty = (columns < 0) | (rows < 0);
             // In the box: as many columns of each row, and as many rows.
             let in_columns = ((2_u32 << (columns & 3)) - 1) * 0x1111;
             let in_rows = (0x10_u32 << ((rows & 3) * SIDE as i32)) - 1;
-            let small = if is_empty { 0 } else { masks[lane] & in_columns & in_rows };
-            masks[lane] = if fits { small } else { LARGE };
+            let small = if is_empty { 0 } else { *mask & in_columns & in_rows };
+            *mask = if fits { small } else { LARGE };
         }
     }
 

@@ -29,8 +29,11 @@ fn encodings() -> [(Encoding, f64); 9] {
 /// How far from a pole or an edge: at it, next to it in `f64`, a rounding of `f32` away, and up to a step of 8 bits.
 const DISTANCES: [f64; 7] = [0.0, 1e-300, 1e-16, 1e-8, 1e-5, 1e-3, 1e-2];
 
+/// What makes directions.
+type Directions = fn() -> Vec<DVec3>;
+
 pub(super) fn cases() -> Vec<StressCase> {
-    let places: [(&str, &str, fn() -> Vec<DVec3>); 2] = [
+    let places: [(&str, &str, Directions); 2] = [
         ("poles", "the six axes and directions up to 1e-2 off them", poles),
         ("octant edges", "directions in the planes x = 0, y = 0, z = 0 and up to 1e-2 off them", edges),
     ];
@@ -45,7 +48,7 @@ fn case(
     what: &'static str,
     encoding: Encoding,
     most: f64,
-    directions: fn() -> Vec<DVec3>,
+    directions: Directions,
 ) -> StressCase {
     StressCase {
         group: Group::Encoding,

@@ -117,8 +117,9 @@ fn measure_opposite() -> Measured {
             };
             let field = compute(&mesh, &recipe);
             let named = Faults::count(&field.faults.corners, FaultReason::CancellingFan);
-            let is_bad = |normal: &&DVec3| !((normal.length() - 1.0).abs() < 1e-6);
-            let bad = field.normals.values.iter().filter(is_bad).count();
+            let is_unit = |normal: &&DVec3| (normal.length() - 1.0).abs() < 1e-6;
+            let normals = &field.normals.values;
+            let bad = normals.len() - normals.iter().filter(is_unit).count();
             (corners - named + bad, field.summary.fast_declined)
         };
         wrong += wrong_of(Precision::Faithful).0;

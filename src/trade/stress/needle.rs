@@ -41,7 +41,7 @@ fn thin(thinness: f64) -> Vec<Triangle> {
     let triangle = |i: usize| {
         let along = vector(&mut numbers).normalize();
         let across = along.cross(vector(&mut numbers)).normalize();
-        let start = if i % 2 == 0 { DVec3::ZERO } else { vector(&mut numbers) };
+        let start = if i.is_multiple_of(2) { DVec3::ZERO } else { vector(&mut numbers) };
         let apex = along * numbers.unit() + across * thinness;
         [start, start + along, start + apex].map(|corner| corner.as_vec3())
     };
