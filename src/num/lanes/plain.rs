@@ -96,12 +96,6 @@ impl<P: Product> Product for Plain<P> {
     }
 }
 
-/// `f` of each lane.
-#[inline(always)]
-fn each<T>(f: impl Fn(usize) -> T) -> [T; LANES] {
-    std::array::from_fn(f)
-}
-
 impl<P: Product> Arithmetic for Plain<P> {
     type Number = [f64; LANES];
     type Mask = [bool; LANES];
@@ -113,57 +107,57 @@ impl<P: Product> Arithmetic for Plain<P> {
 
     #[inline(always)]
     fn add(self, a: Self::Number, b: Self::Number) -> Self::Number {
-        each(|i| a[i] + b[i])
+        P::each(|i| a[i] + b[i])
     }
 
     #[inline(always)]
     fn sub(self, a: Self::Number, b: Self::Number) -> Self::Number {
-        each(|i| a[i] - b[i])
+        P::each(|i| a[i] - b[i])
     }
 
     #[inline(always)]
     fn mul(self, a: Self::Number, b: Self::Number) -> Self::Number {
-        each(|i| a[i] * b[i])
+        P::each(|i| a[i] * b[i])
     }
 
     #[inline(always)]
     fn div(self, a: Self::Number, b: Self::Number) -> Self::Number {
-        each(|i| a[i] / b[i])
+        P::each(|i| a[i] / b[i])
     }
 
     #[inline(always)]
     fn sqrt(self, a: Self::Number) -> Self::Number {
-        each(|i| a[i].sqrt())
+        P::each(|i| a[i].sqrt())
     }
 
     #[inline(always)]
     fn abs(self, a: Self::Number) -> Self::Number {
-        each(|i| a[i].abs())
+        P::each(|i| a[i].abs())
     }
 
     #[inline(always)]
     fn product_error(self, a: Self::Number, b: Self::Number, _: Self::Number) -> Self::Number {
-        P::product_errors(a, b)
+        P::each(|i| P::two_product(a[i], b[i]).1)
     }
 
     #[inline(always)]
     fn less(self, a: Self::Number, b: Self::Number) -> Self::Mask {
-        each(|i| a[i] < b[i])
+        P::each(|i| a[i] < b[i])
     }
 
     #[inline(always)]
     fn differences(self, found: Self::Number, a: Self::Number, b: Self::Number) -> Self::Number {
-        each(|i| self.0.differences(found[i], a[i], b[i]))
+        P::each(|i| self.0.differences(found[i], a[i], b[i]))
     }
 
     #[inline(always)]
     fn and(self, a: Self::Mask, b: Self::Mask) -> Self::Mask {
-        each(|i| a[i] & b[i])
+        P::each(|i| a[i] & b[i])
     }
 
     #[inline(always)]
     fn select(self, mask: Self::Mask, yes: Self::Number, no: Self::Number) -> Self::Number {
-        each(|i| if mask[i] { yes[i] } else { no[i] })
+        P::each(|i| if mask[i] { yes[i] } else { no[i] })
     }
 }
 
@@ -185,17 +179,17 @@ impl<P: Product> Lanes for Plain<P> {
 
     #[inline(always)]
     fn columns_of_singles(self, rows: [&[f32; 4]; LANES]) -> [Self::Number; 3] {
-        std::array::from_fn(|column| each(|i| f64::from(rows[i][column])))
+        std::array::from_fn(|column| P::each(|i| f64::from(rows[i][column])))
     }
 
     #[inline(always)]
     fn columns(self, rows: [&[f64; 4]; LANES]) -> [Self::Number; 4] {
-        std::array::from_fn(|column| each(|i| rows[i][column]))
+        std::array::from_fn(|column| P::each(|i| rows[i][column]))
     }
 
     #[inline(always)]
     fn rows(self, columns: [Self::Number; 4]) -> Rows {
-        Rows(each(|i| columns.map(|column| column[i])))
+        Rows(P::each(|i| columns.map(|column| column[i])))
     }
 
     #[inline(always)]
