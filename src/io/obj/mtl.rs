@@ -79,13 +79,13 @@ impl Search {
     /// One `mtllib` statement: one name with blanks in it, if there is such a file, or else several names.
     fn libraries(&mut self, names: &str) {
         if self.may_look() && self.companions.find(Path::new(""), names).is_ok() {
-            return self.library(names);
+            return self.read_library(names);
         }
         for name in split_names(names) {
             if self.looked_for > MOST_FILES {
                 return;
             }
-            self.library(name);
+            self.read_library(name);
         }
     }
 
@@ -94,7 +94,7 @@ impl Search {
         self.looked_for <= MOST_FILES
     }
 
-    fn library(&mut self, name: &str) {
+    fn read_library(&mut self, name: &str) {
         let Some(path) = self.file(Path::new(""), name) else { return };
         let mut bytes = Vec::new();
         let read = fs::File::open(&path).and_then(|file| file.take(MOST_BYTES).read_to_end(&mut bytes));
