@@ -1,5 +1,7 @@
 //! Numbers for people.
 
+use std::fmt;
+
 /// A number with three significant digits, with an exponent where it would otherwise be long.
 ///
 /// ```
@@ -18,6 +20,28 @@ pub fn three_digits(x: f64) -> String {
     }
 }
 
+/// A number with nine decimals, which tell every printed figure of the lectures; without the sign that a zero may have, or
+/// that rounding leaves in front of one.
+pub(crate) struct Nine(pub(crate) f64);
+
+impl fmt::Display for Nine {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        // What is nearer to zero than half of the last place is printed as zero.
+        let shown = if self.0.abs() < 0.5e-9 { 0.0 } else { self.0 };
+        write!(f, "{shown:.9}")
+    }
+}
+
+/// A vector or a colour, with nine decimals each.
+pub(crate) struct NineEach(pub(crate) [f64; 3]);
+
+impl fmt::Display for NineEach {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let [x, y, z] = self.0.map(Nine);
+        write!(f, "({x}, {y}, {z})")
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -26,5 +50,12 @@ mod tests {
     fn three_digits_are_kept() {
         let texts = [0.0, 0.0, -0.001_234, 1.0, 1.644, 312.4, 1e7, f64::INFINITY].map(three_digits);
         assert_eq!(texts, ["0", "0", "-0.00123", "1.00", "1.64", "312", "1.00e7", "inf"]);
+    }
+
+    #[test]
+    fn no_zero_has_a_sign() {
+        let texts = [-0.0, -4e-10, -6e-10, -1.0 / 3.0, f64::NAN].map(|x| Nine(x).to_string());
+        assert_eq!(texts, ["0.000000000", "0.000000000", "-0.000000001", "-0.333333333", "NaN"]);
+        assert_eq!(NineEach([-0.0, 1.0, -2.0]).to_string(), "(0.000000000, 1.000000000, -2.000000000)");
     }
 }

@@ -1,6 +1,6 @@
 //! Everything about one pixel: what is seen at its samples, how each is lit, and what the picture shows.
 
-use crate::num::LinearRgb;
+use crate::num::{LinearRgb, Nine, NineEach};
 use crate::raster::{ProbePoint, RenderError, RenderSettings, Scene, probe};
 use crate::shade::Explanation;
 use serde::Serialize;
@@ -138,10 +138,6 @@ impl PixelReport {
     }
 }
 
-fn vector([x, y, z]: [f64; 3]) -> String {
-    format!("({x:.9}, {y:.9}, {z:.9})")
-}
-
 impl fmt::Display for PixelReport {
     /// The sample nearest to the middle of the pixel in full, then the pixel as a whole.
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
@@ -157,10 +153,10 @@ impl fmt::Display for PixelReport {
                 None => writeln!(f, "seen         nothing but the background")?,
             }
             if self.samples.len() > 1 {
-                writeln!(f, "colour       {}", vector(sample.colour))?;
+                writeln!(f, "colour       {}", NineEach(sample.colour))?;
             }
         }
-        writeln!(f, "pixel's sum  {}", vector(self.linear))?;
+        writeln!(f, "pixel's sum  {}", NineEach(self.linear))?;
         writeln!(f, "8-bit        {:?}, in the picture {:?}", self.computed, self.picture)
     }
 }
@@ -175,18 +171,18 @@ impl fmt::Display for SeenReport {
             None => writeln!(f, "seen         object {}, an analytic surface, its {side}", self.object + 1)?,
         }
         for (vertex, weight) in self.vertices.iter().zip(&self.weights) {
-            writeln!(f, "  vertex {:<5}weight {weight:.9}", vertex + 1)?;
+            writeln!(f, "  vertex {:<5}weight {}", vertex + 1, Nine(*weight))?;
         }
-        writeln!(f, "at           {}, {:.9} along the axis", vector(self.position), self.distance)?;
-        writeln!(f, "face normal  {}", vector(self.face_normal))?;
-        writeln!(f, "normal       {}, as interpolated", vector(self.interpolated_normal))?;
+        writeln!(f, "at           {}, {} along the axis", NineEach(self.position), Nine(self.distance))?;
+        writeln!(f, "face normal  {}", NineEach(self.face_normal))?;
+        writeln!(f, "normal       {}, as interpolated", NineEach(self.interpolated_normal))?;
         let many = self.lit.len() > 1;
         for lit in &self.lit {
             if many {
-                writeln!(f, "with share   {:.9}:", lit.share)?;
+                writeln!(f, "with share   {}:", Nine(lit.share))?;
             }
             if let Some(given) = lit.given {
-                writeln!(f, "given        {}", vector(given))?;
+                writeln!(f, "given        {}", NineEach(given))?;
             }
             if let Some(light) = &lit.light {
                 writeln!(f, "{light}")?;

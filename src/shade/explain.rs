@@ -8,6 +8,7 @@ use super::settings::{Guards, ShadeSettings};
 use super::shader::{Ready, Shader, SurfacePoint, View};
 use super::source::Source;
 use super::term::{Highlight, LightTerm, same_half_vector};
+use crate::num::{Nine, NineEach};
 use glam::DVec3;
 use serde::Serialize;
 use std::fmt;
@@ -220,33 +221,23 @@ impl Shader<f64> {
     }
 }
 
-/// Numbers as people read them: nine digits tell every printed figure of the lectures.
-struct Vector([f64; 3]);
-
-impl fmt::Display for Vector {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let [x, y, z] = self.0;
-        write!(f, "({x:.9}, {y:.9}, {z:.9})")
-    }
-}
-
 impl fmt::Display for Explanation {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        writeln!(f, "position     {}", Vector(self.position))?;
-        writeln!(f, "N            {}", Vector(self.normal))?;
+        writeln!(f, "position     {}", NineEach(self.position))?;
+        writeln!(f, "N            {}", NineEach(self.normal))?;
         match self.view_distance {
             Some(distance) => {
-                writeln!(f, "V            {}, viewer at distance {distance:.9}", Vector(self.view))?
+                writeln!(f, "V            {}, viewer at distance {}", NineEach(self.view), Nine(distance))?
             }
-            None => writeln!(f, "V            {}, viewer at infinity", Vector(self.view))?,
+            None => writeln!(f, "V            {}, viewer at infinity", NineEach(self.view))?,
         }
-        writeln!(f, "ambient      {}", Vector(self.ambient))?;
+        writeln!(f, "ambient      {}", NineEach(self.ambient))?;
         self.lights.iter().try_for_each(|light| light.fmt(f))?;
         if let Some(factor) = self.depth_cue {
-            writeln!(f, "depth cue    {factor:.9}, on all but ambient light")?;
+            writeln!(f, "depth cue    {}, on all but ambient light", Nine(factor))?;
         }
-        writeln!(f, "sum          {}", Vector(self.sum))?;
-        write!(f, "colour       {}, tone {}", Vector(self.colour), self.tone)
+        writeln!(f, "sum          {}", NineEach(self.sum))?;
+        write!(f, "colour       {}, tone {}", NineEach(self.colour), self.tone)
     }
 }
 
@@ -255,24 +246,28 @@ impl fmt::Display for LightExplanation {
         // People count from 1.
         writeln!(f, "light {}, {}", self.light + 1, self.kind)?;
         match self.distance {
-            Some(distance) => writeln!(f, "  L          {}, distance {distance:.9}", Vector(self.towards))?,
-            None => writeln!(f, "  L          {}, at infinity", Vector(self.towards))?,
+            Some(distance) => {
+                writeln!(f, "  L          {}, distance {}", NineEach(self.towards), Nine(distance))?
+            }
+            None => writeln!(f, "  L          {}, at infinity", NineEach(self.towards))?,
         }
-        writeln!(f, "  attenuation {:.9}", self.attenuation)?;
+        writeln!(f, "  attenuation {}", Nine(self.attenuation))?;
         if let Some(cone) = self.cone {
-            writeln!(f, "  cone       {cone:.9}")?;
+            writeln!(f, "  cone       {}", Nine(cone))?;
         }
         if let Some(irradiance) = self.irradiance {
-            writeln!(f, "  irradiance {irradiance:.9}")?;
+            writeln!(f, "  irradiance {}", Nine(irradiance))?;
         }
-        writeln!(f, "  N·L        {:.9}", self.n_dot_l)?;
-        writeln!(f, "  R          {}, V·R {:.9}", Vector(self.reflected), self.v_dot_r)?;
+        writeln!(f, "  N·L        {}", Nine(self.n_dot_l))?;
+        writeln!(f, "  R          {}, V·R {}", NineEach(self.reflected), Nine(self.v_dot_r))?;
         match (self.half, self.n_dot_h) {
-            (Some(half), Some(cosine)) => writeln!(f, "  H          {}, N·H {cosine:.9}", Vector(half))?,
+            (Some(half), Some(cosine)) => {
+                writeln!(f, "  H          {}, N·H {}", NineEach(half), Nine(cosine))?
+            }
             _ => writeln!(f, "  H          none: L = −V")?,
         }
         if let Some(HighlightExplanation { cosine_of, exponent, power }) = &self.highlight {
-            writeln!(f, "  highlight  ({cosine_of})^{exponent} = {power:.9}")?;
+            writeln!(f, "  highlight  ({cosine_of})^{exponent} = {}", Nine(*power))?;
         }
         self.diffuse.write(f, "diffuse ")?;
         self.specular.write(f, "specular")
@@ -281,7 +276,7 @@ impl fmt::Display for LightExplanation {
 
 impl Term {
     fn write(&self, f: &mut fmt::Formatter, name: &str) -> fmt::Result {
-        let [guarded, literal] = [self.guarded, self.literal].map(|term| Vector(term).to_string());
+        let [guarded, literal] = [self.guarded, self.literal].map(|term| NineEach(term).to_string());
         write!(f, "  {name}   {guarded}")?;
         // Normals that are not renormalised differ in the last places even where they had unit length.
         if literal != guarded {
