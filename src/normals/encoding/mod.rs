@@ -178,6 +178,12 @@ fn split<const N: usize>(code: u128, bits: u32) -> [i32; N] {
     std::array::from_fn(|at| ((code >> (at as u32 * bits)) as i32) << unused >> unused)
 }
 
+/// The largest code of signed normalised integers: 2^(bits−1) − 1.
+#[inline]
+fn largest_code(bits: u32) -> f64 {
+    f64::from((1_i32 << (bits - 1)) - 1)
+}
+
 /// Made unit; +Z without direction.
 #[inline]
 fn unit(v: DVec3) -> DVec3 {

@@ -1,6 +1,6 @@
 //! The octahedron, unfolded to a square.
 
-use super::unit;
+use super::{largest_code, unit};
 use glam::{DVec2, DVec3};
 
 /// How a place between codes becomes a code.
@@ -39,16 +39,10 @@ impl Octahedral {
         self.bits
     }
 
-    /// The largest code: 2^(bits−1) − 1.
-    #[inline]
-    fn largest(self) -> f64 {
-        f64::from((1_i32 << (self.bits - 1)) - 1)
-    }
-
     /// The code of a direction of any length. Zero and what is not finite get the code of +Z.
     #[inline]
     pub fn encode(self, direction: DVec3, rounding: Rounding) -> [i32; 2] {
-        let place = unfold(direction) * self.largest();
+        let place = unfold(direction) * largest_code(self.bits);
         match rounding {
             Rounding::Plain => place.round().to_array().map(|x| x as i32),
             Rounding::Nearest => self.nearest(place, unit(direction)),
@@ -60,7 +54,7 @@ impl Octahedral {
         let low = place.floor();
         let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]].map(|step| {
             // Codes end at the square's sides; beyond them the surface continues elsewhere, and not nearer.
-            let corner = (low + DVec2::from(step)).min(DVec2::splat(self.largest()));
+            let corner = (low + DVec2::from(step)).min(DVec2::splat(largest_code(self.bits)));
             corner.to_array().map(|x| x as i32)
         });
         let distance = |code: [i32; 2]| self.decode(code).distance_squared(direction);
@@ -75,7 +69,7 @@ impl Octahedral {
     /// The unit normal of a code. Components are clamped to the square: −2^(bits−1) counts as −1.
     #[inline]
     pub fn decode(self, code: [i32; 2]) -> DVec3 {
-        let [x, y] = code.map(|component| (f64::from(component) / self.largest()).clamp(-1.0, 1.0));
+        let [x, y] = code.map(|component| (f64::from(component) / largest_code(self.bits)).clamp(-1.0, 1.0));
         let z = 1.0 - x.abs() - y.abs();
         // Below the square's diagonals: folded back.
         let over = (-z).max(0.0);

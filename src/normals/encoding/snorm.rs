@@ -1,6 +1,6 @@
 //! Signed normalised integers.
 
-use super::unit;
+use super::{largest_code, unit};
 use glam::DVec3;
 
 /// Each component by itself: c = round((2^(bits−1) − 1) x), and back max(c / (2^(bits−1) − 1), −1), made unit.
@@ -26,20 +26,15 @@ impl Snorm {
         self.bits
     }
 
-    #[inline]
-    fn largest(self) -> f64 {
-        f64::from((1_i32 << (self.bits - 1)) - 1)
-    }
-
     /// The code of a unit normal. What is beyond 1 is clamped, NaN gives 0.
     #[inline]
     pub fn encode(self, normal: DVec3) -> [i32; 3] {
-        normal.to_array().map(|x| (x.clamp(-1.0, 1.0) * self.largest()).round() as i32)
+        normal.to_array().map(|x| (x.clamp(-1.0, 1.0) * largest_code(self.bits)).round() as i32)
     }
 
     /// The unit normal of a code; +Z for three zeros.
     #[inline]
     pub fn decode(self, code: [i32; 3]) -> DVec3 {
-        unit(code.map(|component| (f64::from(component) / self.largest()).max(-1.0)).into())
+        unit(code.map(|component| (f64::from(component) / largest_code(self.bits)).max(-1.0)).into())
     }
 }

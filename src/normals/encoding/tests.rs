@@ -20,19 +20,13 @@ fn directions(count: usize) -> impl Iterator<Item = DVec3> {
 /// What the module's table says of each.
 fn worst(encoding: Encoding) -> f64 {
     match encoding {
-        Encoding::Octahedral(codec, Rounding::Plain) => 0.958 * 127.0 / codec.largest_code(),
-        Encoding::Octahedral(codec, Rounding::Nearest) => 0.637 * 127.0 / codec.largest_code(),
+        Encoding::Octahedral(codec, Rounding::Plain) => 0.958 * 127.0 / largest_code(codec.bits()),
+        Encoding::Octahedral(codec, Rounding::Nearest) => 0.637 * 127.0 / largest_code(codec.bits()),
         Encoding::Snorm(Snorm::EIGHT) => 0.391,
         Encoding::Snorm(Snorm::TEN) => 0.0971,
         Encoding::Snorm(_) => 0.0016,
         Encoding::Half => 0.024,
         Encoding::Single => 2.9e-6,
-    }
-}
-
-impl Octahedral {
-    fn largest_code(self) -> f64 {
-        f64::from((1 << (self.bits() - 1)) - 1)
     }
 }
 
