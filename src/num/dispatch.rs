@@ -39,8 +39,16 @@ pub(crate) fn dispatch<K: Kernel>(kernel: K) -> K::Output {
     } else if let Some(arch) = Avx2::new() {
         arch.token().vectorize(With { kernel, arch })
     } else {
-        kernel.run(Plain::<super::product::Split>::new())
+        plainly(kernel)
     }
+}
+
+/// Runs a kernel with the instructions that every CPU of this target has. By itself, as without optimisation a kernel with all
+/// that is inlined into it takes most of a megabyte of stack, and twice that does not fit into a thread's.
+#[cfg(target_arch = "x86_64")]
+#[inline(never)]
+fn plainly<K: Kernel>(kernel: K) -> K::Output {
+    kernel.run(Plain::<super::product::Split>::new())
 }
 
 /// Runs a kernel with the fused multiply-add that every CPU of this target has.
