@@ -291,18 +291,35 @@ mod tests {
     use super::super::test_meshes::{bumpy, with_threads};
     use super::super::{Slivers, Weight};
     use super::*;
-    use crate::mesh::Storage;
+    use crate::mesh::{FacesRef, Storage};
+    use crate::normals::partition::Partition;
+    use crate::num::test_numbers::Numbers;
 
     #[test]
     fn any_number_of_threads_gives_the_same_bits() {
         let (faces, points) = bumpy(200, 11);
+        let mut numbers = Numbers::new(8);
+        // In no order, it is all one part's work; with a few faces far from where they belong, parts touch slots that are
+        // others', the first one the very last. Shares begin in order, by which parts are told from no order.
         let mut shuffled = faces.clone();
-        crate::num::test_numbers::Numbers::new(8).shuffle(&mut shuffled);
-        for faces in [&faces, &shuffled] {
+        numbers.shuffle(&mut shuffled);
+        let mut mixed = faces.clone();
+        mixed.swap(3 * BLOCK, faces.len() - 1);
+        let begins_no_share = |face: &usize| (110..150).contains(&(face / BLOCK % 156));
+        let inside: Vec<usize> = (0..faces.len()).filter(begins_no_share).collect();
+        for &face in inside.iter().step_by(97) {
+            mixed.swap(face, inside[numbers.below(inside.len())]);
+        }
+        let parts = |faces: &[[u32; 3]]| {
+            let target = faces.as_flattened();
+            with_threads(8, || Partition::new(FacesRef::triangles(faces), target).parts())
+        };
+        assert_eq!([&faces, &mixed, &shuffled].map(|faces| parts(faces)), [8, 8, 1]);
+        for faces in [&faces, &mixed, &shuffled] {
             for weight in Weight::ALL {
                 for storage in [Storage::F32, Storage::F64] {
                     let request = SumRequest {
-                        faces: crate::mesh::FacesRef::triangles(faces),
+                        faces: FacesRef::triangles(faces),
                         positions: Positions::F64(&points, storage),
                         target: faces.as_flattened(),
                         slots: points.len(),
