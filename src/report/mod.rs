@@ -23,6 +23,7 @@ mod picture;
 mod plot;
 mod png;
 mod probe;
+mod seams;
 mod trade;
 
 pub use animation::Animation;

@@ -1,5 +1,6 @@
 //! Lines over a picture that show what shading is made from: edges, creases, normals.
 
+use super::seams::{Rim, seams};
 use crate::mesh::{Link, Mesh, Topology, Weld, normal_matrix};
 use crate::normals::NormalField;
 use crate::num::{Degrees, LinearRgb, Radians};
@@ -11,7 +12,7 @@ use glam::{DMat3, DVec3};
 pub enum Overlay {
     /// The edges of faces.
     Wire,
-    /// Edges whose two sides have different normals: by more than 0.1° at either end.
+    /// Edges whose two sides have different normals: by more than 0.1° at either end. The sides may be of two objects.
     Creases,
     /// A line from each vertex along its normal; several where smooth groups meet.
     VertexNormals,
@@ -49,16 +50,27 @@ pub fn overlay(scene: &Scene, size: [u32; 2], kind: Overlay) -> Lines {
     let style = LineStyle { colour, width: width * (side / NORMAL_SIDE).max(1.0), hide: true };
     let mut lines = Lines { points: Vec::new(), segments: Vec::new(), style };
     let longest = NORMAL_LENGTH * height_at_target(scene);
+    let mut rims = Vec::new();
     for object in &scene.objects {
         let Some(form) = Form::new(object) else { continue };
         match kind {
             Overlay::Wire => form.join(form.edges(), &mut lines),
-            Overlay::Creases => form.join(form.creases(), &mut lines),
+            Overlay::Creases => form.join(form.creases(&mut rims), &mut lines),
             Overlay::VertexNormals => form.stand(form.vertex_normals(), longest, &mut lines),
             Overlay::FaceNormals => form.stand(form.face_normals(), longest, &mut lines),
         }
     }
+    for points in seams(rims, differ) {
+        let first = lines.points.len() as u32;
+        lines.points.extend(points);
+        lines.segments.push([first, first + 1]);
+    }
     lines
+}
+
+/// Whether two unit normals are not [`SAME`].
+fn differ(a: DVec3, b: DVec3) -> bool {
+    libm::atan2(a.cross(b).length(), a.dot(b)) > Radians::from(SAME).0
 }
 
 /// The height of the picture in units of the scene, where the camera's target is.
@@ -117,13 +129,14 @@ impl<'a> Form<'a> {
         unique(self.faces().flat_map(of_face).collect())
     }
 
-    fn creases(&self) -> Vec<[u32; 2]> {
+    /// Creases between faces of the object; adds the edges that it ends at to `rims`.
+    fn creases(&self, rims: &mut Vec<Rim>) -> Vec<[u32; 2]> {
         let Source::Mesh(mesh, normals) = &self.source else { return Vec::new() };
         let topology = Topology::build(mesh, Weld::Exact);
         let corners = mesh.faces().corners();
         let normal = |corner: u32| normals.normals.get(corner as usize, corners[corner as usize]);
         let differ = |a: u32, b: u32| match (normal(a), normal(b)) {
-            (Some(a), Some(b)) => libm::atan2(a.cross(*b).length(), a.dot(*b)) > Radians::from(SAME).0,
+            (Some(&a), Some(&b)) => differ(a, b),
             _ => false,
         };
         let is_crease = |&edge: &u32| {
@@ -143,6 +156,14 @@ impl<'a> Form<'a> {
             let (a, b) = topology.ends(corners, edge);
             [a.min(b), a.max(b)]
         };
+        if let Some(matrix) = normal_matrix(DMat3::from_mat4(self.object.transform)) {
+            let end = |corner: u32| {
+                let point = self.points[corners[corner as usize] as usize];
+                Some((point, matrix.apply(*normal(corner)?)?))
+            };
+            let boundary = (0..corners.len() as u32).filter(|&edge| topology.link(edge) == Link::Boundary);
+            rims.extend(boundary.filter_map(|edge| Some(Rim::new(end(edge)?, end(topology.next(edge))?))));
+        }
         unique((0..corners.len() as u32).filter(is_crease).map(ends).collect())
     }
 
