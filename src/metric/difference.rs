@@ -1,5 +1,7 @@
 //! How far one picture is from another.
 
+use super::MetricError;
+use super::luminance::same_size;
 use crate::num::{CompensatedSum, LinearRgb, Transfer};
 use crate::raster::Image;
 use serde::Serialize;
@@ -37,23 +39,15 @@ pub struct Difference {
     pub over: f64,
 }
 
-/// Why pictures cannot be compared.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum MetricError {
-    /// They are not of one size.
-    #[error("the pictures are {} by {} and {} by {} pixels; draw both at the same size", .0[0], .0[1], .1[0], .1[1])]
-    Sizes([u32; 2], [u32; 2]),
-    /// One has quantised colours only.
-    #[error("a picture has no linear colours; draw it with RenderSettings::keep_linear")]
-    NoLinear,
-}
-
 /// Compares two pictures of one size by their linear samples, before any rounding; both drawn with
 /// [`keep_linear`](crate::raster::RenderSettings::keep_linear). `threshold` is in steps of 1/255: ½ is where rounding to 8 bits
 /// may begin to show.
 ///
 /// Pixels that both cover partly but alike mix the same background into both, so their differences are those of the
 /// surface, less in proportion.
+///
+/// *Claims* differences of light, of luminance and of codes, as the pictures have them. *Does not claim* that they are seen:
+/// the eye forgives a large area that is a little off and not a line between two that are ([`slope_jumps`](super::slope_jumps)).
 ///
 /// ```
 /// use crease::metric::image_error;
@@ -74,9 +68,7 @@ pub enum MetricError {
 /// # Errors
 /// [`MetricError`].
 pub fn image_error(picture: &Image, truth: &Image, threshold: f64) -> Result<ImageError, MetricError> {
-    if picture.size != truth.size {
-        return Err(MetricError::Sizes(picture.size, truth.size));
-    }
+    same_size(picture, truth)?;
     let (Some(colours), Some(true_colours)) = (&picture.linear, &truth.linear) else {
         return Err(MetricError::NoLinear);
     };

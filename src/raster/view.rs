@@ -82,6 +82,29 @@ impl View {
     }
 }
 
+impl Camera {
+    /// Where on a picture of this size a point of the scene is seen, in pixels from its upper left corner; it may be outside, or
+    /// hidden. `None` for points nearer than the near plane.
+    ///
+    /// ```
+    /// use crease::raster::Camera;
+    /// use glam::DVec3;
+    ///
+    /// let camera = Camera::framing((DVec3::ZERO, DVec3::ONE), 1.0);
+    /// let [x, y] = camera.on_picture([200, 100], DVec3::splat(0.5))?.unwrap();
+    /// assert!((x - 100.0).abs() < 1e-9 && (y - 50.0).abs() < 1e-9);
+    /// # Ok::<(), crease::raster::CameraError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`check`](Self::check).
+    pub fn on_picture(&self, size: [u32; 2], point: DVec3) -> Result<Option<[f64; 2]>, CameraError> {
+        let view = View::new(self, size)?;
+        let seen = ObjectMap::new(&view, DMat4::IDENTITY, point).view(point);
+        Ok((seen.z >= view.near).then(|| view.on_picture(seen)))
+    }
+}
+
 /// The way from an object's own space to view space and to the scene's axes about the eye.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ObjectMap {

@@ -1,0 +1,205 @@
+//! What lateral inhibition predicts: a difference of Gaussians along a profile.
+
+use super::{MetricError, Profile};
+use serde::Serialize;
+use std::f64::consts::{PI, SQRT_2};
+
+/// Pixels in a degree of sight: a monitor 0.7 m wide with 3840 pixels, seen from 0.7 m (the viewing conditions of FLIP,
+/// Andersson et al. 2020).
+pub const PIXELS_PER_DEGREE: f64 = 67.0;
+
+/// A receptive field with an exciting centre and an inhibiting surround: the Gaussian of the centre less that of the surround,
+/// both of area 1, with standard deviations in pixels.
+///
+/// Its answer to even light and to an even slope is 0. To a break of slope by Δ it is Δ(σs − σc)/√(2π), dark at the foot of
+/// a ramp and bright at its knee; beside a step of ΔI it is ΔI (Φ(x/σc) − Φ(x/σs)) at the distance x.
+///
+/// *Claims*: what this linear model predicts for these σ, which are a choice, not measured in anyone's eye; say them with
+/// every number. *Does not claim* what is seen. Wallis & Georgeson (Journal of Vision 12(13):18, 2012) rule
+/// such models out as measures of strength: what is seen hardly grows with contrast, and a step, beside which the model
+/// predicts bands, shows none. Call the number *predicted*.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct DifferenceOfGaussians {
+    centre: f64,
+    surround: f64,
+}
+
+/// The largest answers along a profile.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Overshoot {
+    /// The largest answer, in units of luminance: *predicted* brightening.
+    pub bright: f64,
+    /// x of it.
+    pub bright_at: f64,
+    /// The smallest answer: *predicted* darkening, 0 or below.
+    pub dark: f64,
+    /// x of it.
+    pub dark_at: f64,
+}
+
+/// How far a Gaussian is followed, in standard deviations of the surround. Beyond are 6e-7 of it.
+const REACH: f64 = 5.0;
+
+impl Default for DifferenceOfGaussians {
+    /// σ of 1 and 1.6 pixels: 0.9 and 1.4 minutes of arc at [`PIXELS_PER_DEGREE`]; the ratio is that at which the difference
+    /// comes closest to the Laplacian of a Gaussian (Marr & Hildreth 1980).
+    fn default() -> Self {
+        Self { centre: 1.0, surround: 1.6 }
+    }
+}
+
+impl DifferenceOfGaussians {
+    /// With the standard deviations of centre and surround in pixels.
+    ///
+    /// # Errors
+    /// Widths that are not finite, not above 0, or of which the centre's is not the smaller.
+    pub fn new(centre: f64, surround: f64) -> Result<Self, MetricError> {
+        match centre > 0.0 && centre < surround && surround.is_finite() {
+            true => Ok(Self { centre, surround }),
+            false => Err(MetricError::Widths([centre, surround])),
+        }
+    }
+
+    /// The standard deviations of centre and surround, in pixels.
+    pub fn widths(&self) -> [f64; 2] {
+        [self.centre, self.surround]
+    }
+
+    /// The same in degrees of sight.
+    pub fn degrees(&self, pixels_per_degree: f64) -> [f64; 2] {
+        self.widths().map(|width| width / pixels_per_degree)
+    }
+
+    /// The answer at a break of slope from g to g + Δ per pixel: Δ(σc − σs)/√(2π), negative (dark) where slope increases.
+    pub fn at_corner(&self, jump: f64) -> f64 {
+        jump * (self.centre - self.surround) / (2.0 * PI).sqrt()
+    }
+
+    /// The largest answer beside a step of ΔI, and its distance: ΔI (Φ(x/σc) − Φ(x/σs)) is largest at
+    /// x = σcσs √(2 ln(σs/σc)/(σs² − σc²)). For 1 and 1.6 that is 0.111682 ΔI at 1.2420 pixels.
+    pub fn beside_step(&self, step: f64) -> (f64, f64) {
+        let Self { centre, surround } = *self;
+        let spread = (surround - centre) * (surround + centre);
+        let at = centre * surround * (2.0 * libm::log(surround / centre) / spread).sqrt();
+        (step * (normal_share(at / centre) - normal_share(at / surround)), at)
+    }
+
+    /// x and answer along a profile, at the pixels that are at least 5 σ of the surround from its ends; none if it is shorter.
+    ///
+    /// Pixels are squares of even light, as a screen shows them: Gaussians are integrated over each. So a step between
+    /// pixels is answered exactly, and a break of slope at a pixel's centre by 1 + 1/(24 σcσs) times the answer to the
+    /// unbroken ramp, and less where σ is larger.
+    pub fn along(&self, profile: &Profile) -> Vec<[f64; 2]> {
+        let reach = (REACH * self.surround).ceil() as usize;
+        let (centre, surround) = (kernel(self.centre, reach), kernel(self.surround, reach));
+        let weights: Vec<f64> = centre.iter().zip(&surround).map(|(c, s)| c - s).collect();
+        let windows = profile.luminance.windows(weights.len()).enumerate();
+        let answer = |window: &[f64]| window.iter().zip(&weights).map(|(y, weight)| y * weight).sum();
+        windows.map(|(i, window)| [profile.centre(i + reach), answer(window)]).collect()
+    }
+
+    /// The largest and smallest answer along a profile: the overshoot *predicted*. `None` where the profile is too short for any
+    /// answer.
+    pub fn predicted_overshoot(&self, profile: &Profile) -> Option<Overshoot> {
+        let answers = self.along(profile);
+        let best = |sign: f64| answers.iter().copied().max_by(|a, b| (sign * a[1]).total_cmp(&(sign * b[1])));
+        let ([bright_at, bright], [dark_at, dark]) = (best(1.0)?, best(-1.0)?);
+        Some(Overshoot { bright, bright_at, dark, dark_at })
+    }
+}
+
+/// Φ: the share of a normal distribution below `x` standard deviations.
+fn normal_share(x: f64) -> f64 {
+    0.5 * libm::erfc(-x / SQRT_2)
+}
+
+/// A Gaussian integrated over pixels, with area 1.
+fn kernel(width: f64, reach: usize) -> Vec<f64> {
+    let edge = |pixel: f64| normal_share(pixel / width);
+    let half: Vec<f64> =
+        (0..=reach).map(|pixel| edge(0.5 - pixel as f64) - edge(-0.5 - pixel as f64)).collect();
+    let area = half[0] + 2.0 * half[1..].iter().sum::<f64>();
+    half[1..].iter().rev().chain(&half).map(|weight| weight / area).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn profile(value: impl Fn(f64) -> f64) -> Profile {
+        Profile { row: 0, start: 0, luminance: (0..200).map(|i| value(f64::from(i) + 0.5)).collect() }
+    }
+
+    fn of(surround: f64) -> DifferenceOfGaussians {
+        DifferenceOfGaussians::new(1.0, surround).unwrap()
+    }
+
+    /// The figures of the closed forms, to the digits that they were computed to independently.
+    #[test]
+    fn figures_by_formula() {
+        for (surround, corner, beside) in
+            [(1.6, 0.239_365, 0.111_682), (2.0, 0.398_942, 0.161_337), (5.0, 1.595_769, 0.323_558)]
+        {
+            assert!((of(surround).at_corner(-1.0) - corner).abs() < 1e-6);
+            assert!((of(surround).beside_step(1.0).0 - beside).abs() < 1e-6);
+        }
+        assert!((of(3.0).beside_step(2.0).0 - 2.0 * 0.242_164).abs() < 2e-6);
+        assert!((of(1.6).beside_step(1.0).1 - 1.242_0).abs() < 1e-4);
+        let [centre, surround] = DifferenceOfGaussians::default().degrees(PIXELS_PER_DEGREE);
+        assert!((60.0 * centre - 0.895_5).abs() < 1e-4 && (60.0 * surround - 1.432_8).abs() < 1e-4);
+    }
+
+    #[test]
+    fn even_light_and_slopes_have_no_answer() {
+        for flat in [profile(|_| 0.7), profile(|x| 0.001 * x)] {
+            let overshoot = DifferenceOfGaussians::default().predicted_overshoot(&flat).unwrap();
+            // Seventeen products of numbers below 1.
+            assert!(overshoot.bright < 1e-15 && overshoot.dark > -1e-15, "{overshoot:?}");
+        }
+        let short = profile(|_| 1.0).between(0, 16);
+        assert_eq!(DifferenceOfGaussians::default().predicted_overshoot(&short), None);
+    }
+
+    /// A step between pixels: Φ(x/σc) − Φ(x/σs) at every pixel centre, by erf; what is cut off is below 1e-6.
+    #[test]
+    fn a_step_is_answered_by_the_closed_form() {
+        for surround in [1.6, 2.0, 5.0] {
+            let model = of(surround);
+            let step = profile(|x| if x > 100.0 { 0.6 } else { 0.2 });
+            for [x, answer] in model.along(&step) {
+                let t = x - 100.0;
+                let share = |width: f64| 0.5 * libm::erf(t / (width * SQRT_2));
+                let expected = 0.4 * (share(1.0) - share(surround));
+                assert!((answer - expected).abs() < 1e-6, "{surround} {x}: {answer} {expected}");
+            }
+            let (largest, at) = model.beside_step(0.4);
+            let overshoot = model.predicted_overshoot(&step).unwrap();
+            assert!(overshoot.bright <= largest + 1e-6 && overshoot.bright > 0.9 * largest);
+            assert!((overshoot.bright_at - 100.0 - at).abs() < 1.0, "nearest pixel");
+            assert!((overshoot.bright + overshoot.dark).abs() < 1e-12, "steps are symmetric");
+        }
+    }
+
+    /// A ramp: dark at the foot, bright at the knee, by the closed form and the stated effect of pixels.
+    #[test]
+    fn a_ramp_is_answered_by_the_closed_form() {
+        for (centre, surround) in [(1.0, 1.6), (2.0, 3.2), (4.0, 6.4)] {
+            let model = DifferenceOfGaussians::new(centre, surround).unwrap();
+            let ramp = profile(|x| 0.01 * (x - 60.5).clamp(0.0, 80.0));
+            let overshoot = model.predicted_overshoot(&ramp).unwrap();
+            let expected = model.at_corner(-0.01) * (1.0 + 1.0 / (24.0 * centre * surround));
+            // The next terms of Euler and Maclaurin's formula are a thousandth of these at σ = 1.
+            assert!((overshoot.bright / expected - 1.0).abs() < 2e-3, "{overshoot:?} {expected}");
+            assert!((overshoot.dark / expected + 1.0).abs() < 2e-3, "{overshoot:?} {expected}");
+            assert_eq!((overshoot.dark_at, overshoot.bright_at), (60.5, 140.5));
+        }
+    }
+
+    #[test]
+    fn impossible_widths_are_refused() {
+        for (centre, surround) in [(0.0, 1.0), (2.0, 2.0), (3.0, 1.0), (f64::NAN, 1.0), (1.0, f64::INFINITY)]
+        {
+            assert!(matches!(DifferenceOfGaussians::new(centre, surround), Err(MetricError::Widths(_))));
+        }
+    }
+}
