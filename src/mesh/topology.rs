@@ -333,6 +333,22 @@ mod tests {
     }
 
     #[test]
+    fn a_flat_triangle_hands_an_edge_on_and_stands_in_no_way() {
+        let seam = [[0., 0., 0.], [0., 1., 0.]];
+        let positions = [&[[-1., 0., 0.]][..], &seam, &seam, &[[1., 0., 0.]], &seam[..1], &seam].concat();
+        // It shares an edge with the left side by index: its other edge goes on to the right side's.
+        let handing: [&[u32]; 3] = [&[0, 1, 2], &[2, 1, 6], &[5, 4, 3]];
+        let topology = Topology::build(&mesh(&positions, &handing), Weld::Exact);
+        assert_eq!((topology.link(1), topology.link(5)), (Link::Twin(3), Link::Welded(7)));
+        assert_eq!(topology.link(4), Link::Boundary, "it has no length");
+        // On its own, it is left out, and the two sides meet.
+        let alone: [&[u32]; 3] = [&[0, 1, 2], &[7, 8, 6], &[5, 4, 3]];
+        let topology = Topology::build(&mesh(&positions, &alone), Weld::Exact);
+        assert_eq!((topology.link(1), topology.link(7)), (Link::Welded(7), Link::Welded(1)));
+        assert_eq!([3, 4, 5].map(|h| topology.link(h)), [Link::Boundary; 3]);
+    }
+
+    #[test]
     fn sheets_back_to_back_stay_apart() {
         let positions: Vec<[f64; 3]> = [SOUP, SOUP].concat();
         let faces: [&[u32]; 4] = [&[0, 1, 2], &[3, 4, 5], &[7, 6, 8], &[10, 9, 11]];

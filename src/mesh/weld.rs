@@ -63,16 +63,17 @@ pub(super) fn join(
 
     // (lower class, higher class, whether it runs downwards, half-edge)
     let mut edges: Vec<(u32, u32, bool, u32)> = open
-        .par_iter()
-        .filter_map(|&h| {
-            let (a, b) = ends(h);
-            let (a, b) = (class(a), class(b));
-            // An edge of no length, and the edges of a face that has only two places left, join nothing: such a
-            // face must not stand between its neighbours.
-            let face = faces.face(face_of(h));
-            let places = || face.iter().map(|v| rim.binary_search(v).map_or(u32::MAX - v, |i| of_rim[i]));
-            let flat = a == b || face.len() == 3 && is_collapsed(places());
-            (!flat).then_some((a.min(b), a.max(b), a > b, h))
+        .par_chunk_by(|&a, &b| face_of(a) == face_of(b))
+        .flat_map_iter(|of_face| {
+            let classes = |&h: &u32| (h, class(ends(h).0), class(ends(h).1));
+            // An edge of no length joins nothing.
+            let long = of_face.iter().map(classes).filter(|&(_, a, b)| a != b);
+            let mut long: Vec<_> = long.map(|(h, a, b)| (a.min(b), a.max(b), a > b, h)).collect();
+            let place = |v| rim.binary_search(v).map_or(u32::MAX - v, |i| of_rim[i]);
+            if is_collapsed(faces.face(face_of(of_face[0])).iter().map(place)) {
+                keep_surplus(&mut long);
+            }
+            long
         })
         .collect();
     edges.par_sort_unstable();
@@ -89,6 +90,16 @@ pub(super) fn join(
         }
     }
     Joined { links, wide_clusters, ambiguous }
+}
+
+/// Leaves of the edges of a face that has only two places left, all between the two, those that run one way without another
+/// that runs the other way: both ways open, such a face would stand between its neighbours, which meet there themselves.
+fn keep_surplus(edges: &mut Vec<(u32, u32, bool, u32)>) {
+    let down = edges.iter().filter(|edge| edge.2).count();
+    let up = edges.len() - down;
+    let surplus = up.abs_diff(down);
+    edges.retain(|edge| edge.2 == (down > up));
+    edges.truncate(surplus);
 }
 
 /// Which rim vertices coincide: one class number for each, in the order of the rim.
