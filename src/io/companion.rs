@@ -28,16 +28,18 @@ impl fmt::Display for Refusal {
 /// The folders that companion files are looked for in.
 pub(super) struct Companions {
     base: PathBuf,
-    root: Option<PathBuf>,
+    /// Where they may be: the base, and the root of the options.
+    allowed: Vec<PathBuf>,
 }
 
 impl Companions {
-    /// Companions of a file in the folder `base`; from nowhere outside it, or outside the root of the options.
+    /// Companions of a file in the folder `base`; from nowhere outside it and outside the root of the options.
     pub fn new(base: &Path, options: &ReadOptions) -> Self {
         // The folder of a bare file name is the empty path.
         let base = if base.as_os_str().is_empty() { Path::new(".") } else { base };
-        let root = options.root.as_deref().unwrap_or(base).canonicalize().ok();
-        Self { base: base.to_owned(), root }
+        let folders = [Some(base), options.root.as_deref()];
+        let allowed = folders.into_iter().flatten().filter_map(|folder| folder.canonicalize().ok());
+        Self { base: base.to_owned(), allowed: allowed.collect() }
     }
 
     /// The file that a name refers to from the folder `folder`, relative to the input's. Symbolic links are followed
@@ -53,14 +55,14 @@ impl Companions {
         let found = folder.join(name).canonicalize();
         let path = found.or_else(|_| folder.join(name.replace('\\', "/")).canonicalize());
         let path = path.map_err(|_| Refusal::Missing)?;
-        if !self.root.as_ref().is_some_and(|root| path.starts_with(root)) {
+        if !self.allowed.iter().any(|folder| path.starts_with(folder)) {
             return Err(Refusal::Outside);
         }
         if path.is_file() { Ok(path) } else { Err(Refusal::Missing) }
     }
 }
 
-/// The file that a name refers to from the folder `base`, where it must lie, or within the root of the options.
+/// The file that a name refers to from the folder `base`, in which it must lie, or else within the root of the options.
 pub(crate) fn companion(base: &Path, name: &str, options: &ReadOptions) -> Result<PathBuf, ReadError> {
     Companions::new(base, options).find(Path::new(""), name).map_err(|refusal| {
         let advice = match refusal {
@@ -124,6 +126,12 @@ mod tests {
         }
         let root = ReadOptions { root: Some(outer.path().to_owned()), ..ReadOptions::default() };
         assert!(Companions::new(&inner, &root).find(Path::new(""), "../out.mtl").is_ok());
+        let elsewhere = tempfile::tempdir().unwrap();
+        let root = ReadOptions { root: Some(elsewhere.path().to_owned()), ..ReadOptions::default() };
+        assert!(
+            Companions::new(&inner, &root).find(Path::new(""), "a b.mtl").is_ok(),
+            "a root takes nothing away"
+        );
     }
 
     #[test]
