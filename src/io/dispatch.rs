@@ -1,5 +1,6 @@
 //! Which module reads and writes which format.
 
+use super::remarks::remarks;
 use super::{Document, FileMaterial, Format, Loaded, Part, PartEdit, ReadError, ReadOptions};
 use super::{WriteError, WriteOptions, Written};
 use super::{gltf, obj, ply, stl};
@@ -12,12 +13,14 @@ pub(super) fn read(
     base: Option<&Path>,
     options: &ReadOptions,
 ) -> Result<Loaded, ReadError> {
-    match format {
+    let mut loaded = match format {
         Format::Obj => obj::read(bytes, base, options),
         Format::Gltf | Format::Glb => gltf::read(bytes, base, options),
         Format::Stl => stl::read(bytes, base, options),
         Format::Ply => ply::read(bytes, base, options),
-    }
+    }?;
+    loaded.notes.extend(remarks(&loaded.parts));
+    Ok(loaded)
 }
 
 /// Writes a file again in its own format with changes; all else survives byte for byte. glTF may change its container.

@@ -19,6 +19,7 @@ mod number;
 pub mod obj;
 mod open;
 pub mod ply;
+mod remarks;
 pub mod stl;
 mod tally;
 mod text;
