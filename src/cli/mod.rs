@@ -25,6 +25,7 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
 use console::Console;
 use request::{Request, RequestError};
+use std::io::Write as _;
 use std::process::ExitCode;
 
 /// What the program tells its caller. Wrong usage ends it in [`usage_error`], with clap's 2.
@@ -39,7 +40,10 @@ pub enum Exit {
 
 /// Runs the program on the arguments that it was started with.
 pub fn main() -> ExitCode {
-    let cli = Cli::parse();
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => return told(&error),
+    };
     let exit = match cli.verb {
         Verb::Normals(ref args) => normals_verb(args, &cli),
         Verb::Render(ref args) => render::main(args, cli.color),
@@ -64,6 +68,15 @@ fn normals_verb(args: &NormalsArgs, cli: &Cli) -> Exit {
     };
     use_threads(args.run.threads);
     batch::run(&request, &console)
+}
+
+/// Prints wrong usage, or the help or version that was asked for; the latter can fail as any output can.
+fn told(error: &clap::Error) -> ExitCode {
+    let printed = output::forgive_broken_pipe(error.print().and_then(|()| std::io::stdout().flush()));
+    match printed {
+        Err(_) if !error.use_stderr() => ExitCode::from(Exit::OutputFailed as u8),
+        _ => ExitCode::from(error.exit_code() as u8),
+    }
 }
 
 /// Bounds the number of threads; to be called before any work is done.

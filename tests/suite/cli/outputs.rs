@@ -143,6 +143,10 @@ fn a_report_that_cannot_be_written_is_a_failure() {
         assert_eq!(output.status.code(), Some(4));
         assert!(text(&output.stderr).contains("the report could not be written"), "{extra:?}");
     }
+    for args in [&["--version"][..], &["normals", "--help"]] {
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_crease"));
+        assert_eq!(command.args(args).stdout(full()).status().unwrap().code(), Some(4), "{args:?}");
+    }
 }
 
 #[test]
