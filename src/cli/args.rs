@@ -99,7 +99,7 @@ pub struct NormalsArgs {
 #[derive(Args)]
 #[command(next_help_heading = "Input and output")]
 pub struct OutputArgs {
-    /// Write to this file, or to standard output with `-` (one input only)
+    /// Write to this file, or to standard output with `-` (one input only); its folder is made if need be
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 

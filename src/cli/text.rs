@@ -101,6 +101,7 @@ struct Total {
     dropped: usize,
     non_finite: usize,
     quadric_fallbacks: usize,
+    cone_declined: usize,
     wide_clusters: usize,
     before_groups: usize,
     fast_declined: usize,
@@ -144,6 +145,7 @@ impl Total {
         self.dropped += part.dropped_faces;
         self.non_finite += part.non_finite_faces;
         self.quadric_fallbacks += part.quadric_fallbacks;
+        self.cone_declined += part.cone_declined;
         self.wide_clusters += part.wide_clusters;
         self.before_groups += part.faces_before_groups;
         self.fast_declined += usize::from(part.fast_declined);
@@ -316,6 +318,10 @@ fn remarks(report: &Report, total: &Total) -> Vec<(&'static str, String)> {
             "quadric",
             format!("{} fell back to the angle mean", count(total.quadric_fallbacks, "fit")),
         ));
+    }
+    if total.cone_declined > 0 {
+        let fans = count(total.cone_declined, "fan");
+        rows.push(("cone", format!("{fans} too large for the cone rule, cut by the fan rule")));
     }
     if total.wide_clusters > 0 {
         let clusters = count(total.wide_clusters, "cluster");

@@ -210,6 +210,7 @@ impl PartReport {
             non_finite_faces: part.non_finite_faces,
             orientation: part.orientation.as_ref().map(OrientationReport::new),
             quadric_fallbacks: part.summary.quadric_fallbacks,
+            cone_declined: part.summary.cone_declined,
             wide_clusters: part.summary.wide_clusters,
             faces_before_groups: part.summary.faces_before_groups,
             fast_declined: part.summary.fast_declined,

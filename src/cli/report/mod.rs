@@ -28,7 +28,7 @@
 //! and `vertex`, or `vertex`, all from 0 as in the file, and `reason`; at most 100 of each kind, absent if there are none), `reversed_faces`,
 //! `dropped_faces` (without area), `non_finite_faces` (dropped under `--force`), `orientation` (absent unless
 //! asked for: counts of `components`, `closed`, `open_left`, `non_orientable`, `flat`, `undecided`, `inside_out`,
-//! `cavities`), `quadric_fallbacks`, `wide_clusters`, `faces_before_groups`, `fast_declined`; and under
+//! `cavities`), `quadric_fallbacks`, `cone_declined` (fans too large for the cone rule), `wide_clusters`, `faces_before_groups`, `fast_declined`; and under
 //! `--emit face --json` without an output `face_normals`: `[x, y, z]` for each face, null for a dropped one.
 
 mod fill;
@@ -158,6 +158,7 @@ pub struct PartReport {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub orientation: Option<OrientationReport>,
     pub quadric_fallbacks: usize,
+    pub cone_declined: usize,
     pub wide_clusters: usize,
     pub faces_before_groups: usize,
     pub fast_declined: bool,

@@ -87,6 +87,7 @@ struct Part {
     non_finite_faces: usize,
     orientation: Option<BTreeMap<String, usize>>,
     quadric_fallbacks: usize,
+    cone_declined: usize,
     wide_clusters: usize,
     faces_before_groups: usize,
     fast_declined: bool,
