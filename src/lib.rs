@@ -67,6 +67,7 @@ pub mod metric;
 pub mod normals;
 pub mod num;
 pub mod pipeline;
+pub mod quality;
 pub mod raster;
 #[cfg(feature = "report")]
 pub mod report;

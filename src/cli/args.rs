@@ -1,6 +1,7 @@
 //! What may be typed. Nothing here looks at a file; [`request`](super::request) decides what it all means.
 
 use super::choice::{Choice, Choices};
+use super::inspect::InspectArgs;
 use super::render::RenderArgs;
 use super::stress::StressArgs;
 use super::surface::SurfaceArgs;
@@ -16,7 +17,7 @@ use std::path::PathBuf;
 pub const EXIT_CODES: &str = "\
 Exit codes:
   0  done
-  1  an expectation of `crease stress` does not hold
+  1  `crease inspect --fail-on` found something, or an expectation of `crease stress` does not hold
   2  wrong usage
   3  an input could not be read
   4  an output could not be made or stored
@@ -46,6 +47,7 @@ pub struct Cli {
 #[derive(Subcommand)]
 pub enum Verb {
     Normals(Box<NormalsArgs>),
+    Inspect(Box<InspectArgs>),
     Render(Box<RenderArgs>),
     Stress(Box<StressArgs>),
     Surface(Box<SurfaceArgs>),

@@ -1,6 +1,6 @@
 //! The command-line program: what was typed ([`args`]) becomes a checked [`request`], which is carried out input
-//! by input ([`batch`], [`normals`]) and told about ([`report`], [`text`]). Other verbs have a module each ([`render`],
-//! [`stress`], [`surface`], [`trade`]).
+//! by input ([`batch`], [`normals`]) and told about ([`report`], [`text`]). Other verbs have a module each ([`inspect`],
+//! [`render`], [`stress`], [`surface`], [`trade`]).
 
 mod args;
 mod batch;
@@ -8,6 +8,7 @@ mod choice;
 mod console;
 mod docs;
 mod inputs;
+mod inspect;
 mod normals;
 mod notes;
 mod output;
@@ -46,6 +47,7 @@ pub fn main() -> ExitCode {
     };
     let exit = match cli.verb {
         Verb::Normals(ref args) => normals_verb(args, &cli),
+        Verb::Inspect(ref args) => inspect::main(args, cli.color),
         Verb::Render(ref args) => render::main(args, cli.color),
         Verb::Stress(ref args) => stress::main(args, cli.color),
         Verb::Surface(ref args) => surface::main(args, cli.color),

@@ -5,7 +5,7 @@ use super::output::{Store, folder_of, replaced_note};
 use super::progress::{FileProgress, Stage};
 use super::report::{OutputReport, PartReport, Report};
 use super::request::{Job, Request, Target};
-use crease::io::{self, Format, Limits, Loaded, Note, Place, Problem, ReadError, Written};
+use crease::io::{self, Format, Limits, Loaded, Note, Place, Problem, ReadError, ReadOptions, Written};
 use crease::pipeline;
 use std::io::{IsTerminal, Read};
 use std::path::Path;
@@ -33,7 +33,7 @@ pub fn run(
 ) -> Result<(), Failure> {
     progress.stage(Stage::Read);
     let start = Instant::now();
-    let loaded = read(job, request, progress, report).map_err(Failure::Read)?;
+    let loaded = load(job, &request.read, progress, &mut report.input.bytes).map_err(Failure::Read)?;
     report.seconds.read = start.elapsed().as_secs_f64();
     report.input.format = Some(loaded.format.extension());
     report.add_notes(&loaded.notes);
@@ -80,21 +80,22 @@ fn compute(
     })
 }
 
-fn read(
+/// Reads a job's input and tells how many bytes it has.
+pub fn load(
     job: &Job,
-    request: &Request,
+    options: &ReadOptions,
     progress: &FileProgress<'_>,
-    report: &mut Report,
+    length: &mut Option<u64>,
 ) -> Result<Loaded, ReadError> {
     match &job.source {
         Source::File(path) => {
-            report.input.bytes = path.metadata().ok().map(|metadata| metadata.len());
-            io::read(path, job.format, &request.read)
+            *length = path.metadata().ok().map(|metadata| metadata.len());
+            io::read(path, job.format, options)
         }
         Source::Stdin => {
-            let bytes = read_stdin(&request.read.limits, |bytes| progress.came(bytes))?;
-            report.input.bytes = Some(bytes.len() as u64);
-            io::read_bytes(bytes, job.format, None, &request.read)
+            let bytes = read_stdin(&options.limits, |bytes| progress.came(bytes))?;
+            *length = Some(bytes.len() as u64);
+            io::read_bytes(bytes, job.format, None, options)
         }
     }
 }

@@ -18,7 +18,7 @@ mod steepness;
 mod sum;
 mod unit;
 
-pub use angle::{Degrees, Radians};
+pub use angle::{Degrees, Radians, angle_between};
 pub use colour::{LinearRgb, Srgb8, Transfer};
 pub use digits::three_digits;
 pub use power::{Power, Underflow, exp2, log2};

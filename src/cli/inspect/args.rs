@@ -1,0 +1,179 @@
+//! What may be typed for `crease inspect`.
+
+use super::super::args::{EXIT_CODES, FORMATS, RunArgs};
+use super::super::choice::{Choice, Choices};
+use clap::Args;
+use crease::io::Format;
+use crease::num::Degrees;
+use crease::quality::catalogue::Kind;
+use crease::quality::{Severity, Thresholds};
+use std::path::PathBuf;
+
+const EXAMPLES: &str = "\
+Examples:
+  crease inspect part.glb
+  crease inspect models --recursive --json --fail-on error
+  crease inspect part.obj --severity warning --ignore needle-faces
+  crease inspect part.obj --only stray-normals --deviation 5 -v
+  crease inspect --explain averaged-crease";
+
+/// Tell what is wrong with a mesh's normals, why, where, and how much it shows
+///
+/// Stored normals are compared with those that the mesh's own were most likely made by: the weighting and the crease angle
+/// that reproduce them best. Each finding has a stable name, a severity (error: wrong in any picture; warning: shows in
+/// some; note: worth knowing, may be meant), a cause, its worst places, and the command that mends it if one does.
+#[derive(Args)]
+#[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"))]
+pub struct InspectArgs {
+    /// Files, folders (with --recursive), or `-` for standard input
+    #[arg(value_name = "INPUT", required_unless_present = "explain")]
+    pub inputs: Vec<PathBuf>,
+
+    /// Take all mesh files in folders and in the folders below, hidden ones left out
+    #[arg(short, long)]
+    pub recursive: bool,
+
+    /// Format of the input, where its name cannot tell [default: by name, else by content]
+    #[arg(long, value_name = "FORMAT", value_parser = Choices(FORMATS))]
+    pub format: Option<Format>,
+
+    /// Companion files (MTL, glTF buffers) may be read from this folder and below [default: the input's folder]
+    #[arg(long, value_name = "DIR")]
+    pub root: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub findings: FindingArgs,
+    #[command(flatten)]
+    pub thresholds: ThresholdArgs,
+    #[command(flatten)]
+    pub run: RunArgs,
+}
+
+#[derive(Args)]
+#[command(next_help_heading = "Findings")]
+pub struct FindingArgs {
+    /// End with exit code 1 if a finding is at least that grave
+    #[arg(long, value_name = "SEVERITY", value_parser = Choices(SEVERITIES))]
+    pub fail_on: Option<Severity>,
+
+    /// Tell only findings that are at least that grave
+    #[arg(long, value_name = "SEVERITY", default_value = "note", value_parser = Choices(SEVERITIES))]
+    pub severity: Severity,
+
+    /// Leave these findings out; may be given several times
+    #[arg(long, value_name = "ID", value_parser = kind, value_delimiter = ',')]
+    pub ignore: Vec<Kind>,
+
+    /// Tell these findings only; may be given several times
+    #[arg(long, value_name = "ID", value_parser = kind, value_delimiter = ',')]
+    pub only: Vec<Kind>,
+
+    /// Explain a finding, or all of them with `all`, and end
+    #[arg(long, value_name = "ID", value_parser = explained, exclusive = true)]
+    pub explain: Option<Explained>,
+}
+
+/// What `--explain` is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Explained {
+    All,
+    One(Kind),
+}
+
+#[derive(Args)]
+#[command(next_help_heading = "Thresholds (angles in degrees)")]
+pub struct ThresholdArgs {
+    /// How far a stored normal may be from the one that its mesh's own rule gives [default: 15]
+    #[arg(long, value_name = "DEG")]
+    pub deviation: Option<f64>,
+
+    /// How far past the crease angle an edge with one normal on both sides may bend [default: 10]
+    #[arg(long, value_name = "DEG")]
+    pub past_crease: Option<f64>,
+
+    /// How far the normals on the two sides of a smooth edge may be apart [default: 2]
+    #[arg(long, value_name = "DEG")]
+    pub seam: Option<f64>,
+
+    /// Most by which the length of a normal may differ from 1 [default: 0.00674]
+    #[arg(long, value_name = "LENGTH")]
+    pub length: Option<f64>,
+
+    /// How far the corners of a polygon may leave its plane [default: 10]
+    #[arg(long, value_name = "DEG")]
+    pub planarity: Option<f64>,
+
+    /// Height over longest edge below which a face is a needle [default: 0.001]
+    #[arg(long, value_name = "RATIO")]
+    pub needle: Option<f64>,
+
+    /// Most faces round a vertex [default: 48]
+    #[arg(long, value_name = "N")]
+    pub valence: Option<u32>,
+
+    /// The highlight that each face has to hold, as its Blinn exponent [default: 32]
+    #[arg(long, value_name = "N")]
+    pub exponent: Option<f64>,
+
+    /// How far a normal may lean from its face before shadows break up [default: 20]
+    #[arg(long, value_name = "DEG")]
+    pub terminator: Option<f64>,
+
+    /// The width of the mesh on the screen, in pixels, for outlines [default: 512]
+    #[arg(long, value_name = "PIXELS")]
+    pub size: Option<f64>,
+}
+
+impl ThresholdArgs {
+    /// The defaults with what was typed, or what is wrong with it.
+    pub fn resolve(&self) -> Result<Thresholds, String> {
+        let mut thresholds = Thresholds::default();
+        let angle = |value: Option<f64>, name: &str, into: &mut Degrees| match value {
+            Some(value) if !(0.0..=180.0).contains(&value) => {
+                Err(format!("--{name} takes an angle from 0 to 180 degrees, not {value}"))
+            }
+            Some(value) => {
+                *into = Degrees(value);
+                Ok(())
+            }
+            None => Ok(()),
+        };
+        angle(self.deviation, "deviation", &mut thresholds.deviation)?;
+        angle(self.past_crease, "past-crease", &mut thresholds.crease)?;
+        angle(self.seam, "seam", &mut thresholds.seam)?;
+        angle(self.planarity, "planarity", &mut thresholds.planarity)?;
+        angle(self.terminator, "terminator", &mut thresholds.terminator)?;
+        let number = |value: Option<f64>, name: &str, least: f64, into: &mut f64| match value {
+            Some(value) if !(value.is_finite() && value >= least) => {
+                Err(format!("--{name} takes a number of {least} or more, not {value}"))
+            }
+            Some(value) => {
+                *into = value;
+                Ok(())
+            }
+            None => Ok(()),
+        };
+        number(self.length, "length", 0.0, &mut thresholds.length)?;
+        number(self.needle, "needle", 0.0, &mut thresholds.needle)?;
+        number(self.exponent, "exponent", 1.0, &mut thresholds.exponent)?;
+        number(self.size, "size", 1.0, &mut thresholds.size)?;
+        thresholds.strict_length = thresholds.strict_length.min(thresholds.length);
+        thresholds.valence = self.valence.unwrap_or(thresholds.valence);
+        Ok(thresholds)
+    }
+}
+
+const SEVERITIES: &[Choice<Severity>] = &[
+    ("error", Severity::Error, "wrong in any picture"),
+    ("warning", Severity::Warning, "shows in some light or some viewer"),
+    ("note", Severity::Note, "worth knowing, may be meant"),
+];
+
+fn kind(id: &str) -> Result<Kind, String> {
+    Kind::of_id(id)
+        .ok_or_else(|| "no finding has this name; `crease inspect --explain all` lists them".into())
+}
+
+fn explained(id: &str) -> Result<Explained, String> {
+    if id == "all" { Ok(Explained::All) } else { kind(id).map(Explained::One) }
+}

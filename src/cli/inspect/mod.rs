@@ -1,0 +1,165 @@
+//! The verb `inspect`: what is wrong with the normals of meshes.
+
+mod args;
+mod report;
+mod text;
+
+pub use args::InspectArgs;
+
+use super::args::Color;
+use super::batch::guarded;
+use super::console::{Console, Verbosity, escaped};
+use super::inputs::{self, Source};
+use super::normals::{self, Failure};
+use super::progress::{FileProgress, Progress, Stage};
+use super::report::{ErrorReport, json_line};
+use super::request::{Job, RequestError};
+use super::{Exit, usage_error, use_threads};
+use args::{Explained, FindingArgs};
+use crease::io::ReadOptions;
+use crease::quality::{Diagnosis, Thresholds, diagnose};
+use report::InspectReport;
+use std::path::Path;
+use std::time::Instant;
+
+/// Carries the verb out.
+pub fn main(args: &InspectArgs, color: Color) -> Exit {
+    let console = Console::new(&args.run, color, None);
+    if let Some(explained) = args.findings.explain {
+        let style = console.report_style();
+        console.report(&match explained {
+            Explained::All => text::catalogue(style),
+            Explained::One(kind) => text::explanation(kind.entry(), style),
+        });
+        return if console.has_reported() { Exit::Done } else { Exit::OutputFailed };
+    }
+    let thresholds = args.thresholds.resolve().unwrap_or_else(|message| usage_error("inspect", message));
+    let jobs = match jobs(args) {
+        Ok(jobs) => jobs,
+        Err(RequestError::Usage(message)) => usage_error("inspect", message),
+        Err(RequestError::Input(message)) => {
+            console.error(&message);
+            return Exit::BadInput;
+        }
+    };
+    use_threads(args.run.threads);
+    run(&jobs, args, &thresholds, &console)
+}
+
+fn jobs(args: &InspectArgs) -> Result<Vec<Job>, RequestError> {
+    if let Some(root) = args.root.as_ref().filter(|root| !root.is_dir()) {
+        return Err(RequestError::Usage(format!("--root {} is no folder", root.display())));
+    }
+    let found = inputs::expand(&args.inputs, args.recursive, None)?;
+    Ok(found
+        .into_iter()
+        .map(|input| Job { source: input.source, format: args.format, target: None, to: None })
+        .collect())
+}
+
+fn run(jobs: &[Job], args: &InspectArgs, thresholds: &Thresholds, console: &Console) -> Exit {
+    let progress = Progress::new(console, jobs);
+    let read = ReadOptions { root: args.root.clone(), ..ReadOptions::default() };
+    let (mut failed, mut told) = (0, false);
+    for job in jobs {
+        let mut report = InspectReport::new(&name(job));
+        let start = Instant::now();
+        let file = progress.begin(job);
+        let result = guarded(|| inspect(job, &read, args, thresholds, &file, &mut report));
+        drop(file);
+        report.seconds.total = start.elapsed().as_secs_f64();
+        match result {
+            Ok(true) => (report.status, told) = ("findings", true),
+            Ok(false) => {}
+            Err(failure) => {
+                failed += 1;
+                report.status = "failed";
+                report.error = Some(ErrorReport::new(&failure));
+            }
+        }
+        progress.suspended(|| tell(&report, jobs.len() > 1, console));
+    }
+    drop(progress);
+    match (failed, jobs.len()) {
+        _ if !console.has_reported() => Exit::OutputFailed,
+        (0, _) => {
+            if told {
+                Exit::Findings
+            } else {
+                Exit::Done
+            }
+        }
+        (_, 1) => Exit::BadInput,
+        _ => Exit::PartOfBatch,
+    }
+}
+
+/// Reads and looks; tells whether something is as grave as `--fail-on`.
+fn inspect(
+    job: &Job,
+    read: &ReadOptions,
+    args: &InspectArgs,
+    thresholds: &Thresholds,
+    progress: &FileProgress<'_>,
+    report: &mut InspectReport,
+) -> Result<bool, Failure> {
+    progress.stage(Stage::Read);
+    let start = Instant::now();
+    let loaded = normals::load(job, read, progress, &mut report.input.bytes).map_err(Failure::Read)?;
+    report.seconds.read = start.elapsed().as_secs_f64();
+    report.input.format = Some(loaded.format.extension());
+
+    progress.stage(Stage::Compute);
+    let start = Instant::now();
+    let all = loaded.parts.iter().map(|part| part.mesh.face_count()).sum();
+    let done = std::cell::Cell::new(0);
+    let mut diagnosis = diagnose(&loaded, thresholds, &|faces| {
+        done.set(done.get() + faces);
+        progress.within(Stage::Compute, done.get(), all);
+    });
+    report.seconds.inspect = start.elapsed().as_secs_f64();
+    keep_wanted(&mut diagnosis, &args.findings);
+    report.fill(&diagnosis, &mended(job, loaded.format.extension()));
+    Ok(args.findings.fail_on.is_some_and(|least| diagnosis.worst() >= Some(least)))
+}
+
+fn keep_wanted(diagnosis: &mut Diagnosis, args: &FindingArgs) {
+    diagnosis.findings.retain(|finding| {
+        finding.severity >= args.severity
+            && !args.ignore.contains(&finding.kind)
+            && (args.only.is_empty() || args.only.contains(&finding.kind))
+    });
+}
+
+fn name(job: &Job) -> String {
+    match &job.source {
+        Source::Stdin => "-".into(),
+        Source::File(path) => path.display().to_string(),
+    }
+}
+
+/// A name for what mends an input, beside it.
+fn mended(job: &Job, extension: &str) -> String {
+    let stem = match &job.source {
+        Source::File(path) => path.with_extension(""),
+        Source::Stdin => Path::new("stdin").to_path_buf(),
+    };
+    format!("{}-mended.{extension}", stem.display())
+}
+
+fn tell(report: &InspectReport, brief: bool, console: &Console) {
+    if let Some(error) = &report.error {
+        console.error(&format!("{}: {}", escaped(&report.input.path), error.message));
+    }
+    if console.json {
+        console.report(&json_line(report));
+    } else if console.verbosity > Verbosity::Quiet && report.error.is_none() {
+        let verbose = console.verbosity == Verbosity::Verbose;
+        let style = console.report_style();
+        console.report(&if brief && !verbose {
+            text::line(report, style)
+        } else {
+            text::block(report, style, verbose)
+        });
+    }
+}

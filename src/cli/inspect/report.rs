@@ -1,0 +1,199 @@
+//! What `crease inspect` tells programs.
+//!
+//! # The JSON schema, `crease-inspect/1`
+//! One object on one line for each input, in the order of the inputs. A change that could break a reader raises the
+//! number after the slash; new members may come at any time.
+//!
+//! | member | meaning |
+//! |---|---|
+//! | `schema`, `crease` | `"crease-inspect/1"`; the program's version |
+//! | `status` | `"ok"`: read, and nothing that `--fail-on` asks for; `"findings"`: read, and something; `"failed"`: not read |
+//! | `error` | as in `crease-normals/1`, if it failed |
+//! | `input` | as in `crease-normals/1` |
+//! | `verdict` | the gravest severity told, or null |
+//! | `counts` | how many findings are `error`, `warning`, `note` |
+//! | `parts` | `name`, `vertices`, `faces`, `corners`, and `estimate`, null if stored normals do not tell: `weight`, `crease` (degrees), `sample` (corners), `reproduced`, `separated` (shares), `median` (degrees) |
+//! | `findings` | the gravest first, below |
+//! | `seconds` | `read`, `inspect`, `total` |
+//!
+//! A finding has `id`, `severity`, `family`, `cause` (in words), `element` (what is counted), `count`, `of`, `share`,
+//! `area_share`, `degrees` (the largest angle, or null), `steps` (what that does under a key light, in 8-bit steps, or
+//! null), `command` (what mends it, or null) and `places`: the worst ten. A place has `part`, and where known `face`,
+//! `corner` (of the face), `vertex`, all from 0, `position`, `degrees`, `node` (the name of the first node
+//! that has the part, glTF) and `line` (OBJ, from 1).
+
+use super::super::report::{ErrorReport, InputReport};
+use crease::quality::{Diagnosis, Estimate, Finding, PartDiagnosis, Severity, Site};
+use serde::Serialize;
+
+/// The report of one input.
+#[derive(Debug, Serialize)]
+pub struct InspectReport {
+    pub schema: &'static str,
+    pub crease: &'static str,
+    pub status: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub error: Option<ErrorReport>,
+    pub input: InputReport,
+    pub verdict: Option<Severity>,
+    pub counts: Counts,
+    pub parts: Vec<PartReport>,
+    pub findings: Vec<FindingReport>,
+    pub seconds: Seconds,
+}
+
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Counts {
+    pub error: usize,
+    pub warning: usize,
+    pub note: usize,
+}
+
+#[derive(Debug, Serialize)]
+pub struct PartReport {
+    pub name: String,
+    pub vertices: usize,
+    pub faces: usize,
+    pub corners: usize,
+    pub estimate: Option<EstimateReport>,
+}
+
+#[derive(Debug, Serialize)]
+pub struct EstimateReport {
+    pub weight: &'static str,
+    pub crease: f64,
+    pub sample: usize,
+    pub reproduced: f64,
+    pub separated: f64,
+    pub median: f64,
+}
+
+#[derive(Debug, Serialize)]
+pub struct FindingReport {
+    pub id: &'static str,
+    pub severity: Severity,
+    pub family: &'static str,
+    pub cause: String,
+    pub element: &'static str,
+    pub count: u64,
+    pub of: u64,
+    pub share: f64,
+    pub area_share: f64,
+    pub degrees: Option<f64>,
+    pub steps: Option<f64>,
+    pub command: Option<String>,
+    pub places: Vec<SiteReport>,
+}
+
+#[derive(Debug, Serialize)]
+pub struct SiteReport {
+    pub part: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub face: Option<u32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub corner: Option<u32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub vertex: Option<u32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub position: Option<[f64; 3]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub degrees: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub node: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line: Option<u64>,
+}
+
+#[derive(Debug, Default, Serialize)]
+pub struct Seconds {
+    pub read: f64,
+    pub inspect: f64,
+    pub total: f64,
+}
+
+impl InspectReport {
+    pub fn new(path: &str) -> Self {
+        Self {
+            schema: "crease-inspect/1",
+            crease: env!("CARGO_PKG_VERSION"),
+            status: "ok",
+            error: None,
+            input: InputReport { path: path.to_owned(), format: None, bytes: None },
+            verdict: None,
+            counts: Counts::default(),
+            parts: Vec::new(),
+            findings: Vec::new(),
+            seconds: Seconds::default(),
+        }
+    }
+
+    /// Takes over what was found, with the names that a command to mend it would have.
+    pub fn fill(&mut self, diagnosis: &Diagnosis, output: &str) {
+        let count = |severity| diagnosis.count(severity);
+        self.counts = Counts {
+            error: count(Severity::Error),
+            warning: count(Severity::Warning),
+            note: count(Severity::Note),
+        };
+        self.verdict = diagnosis.worst();
+        self.parts = diagnosis.parts.iter().map(PartReport::new).collect();
+        let path = self.input.path.clone();
+        self.findings = diagnosis.findings.iter().map(|it| FindingReport::new(it, &path, output)).collect();
+    }
+}
+
+impl PartReport {
+    fn new(part: &PartDiagnosis) -> Self {
+        let estimate = |estimate: Estimate| EstimateReport {
+            weight: estimate.weight.name(),
+            crease: estimate.crease.0,
+            sample: estimate.sample,
+            reproduced: estimate.reproduced,
+            separated: estimate.separated,
+            median: estimate.median.0,
+        };
+        Self {
+            name: part.name.clone(),
+            vertices: part.vertices,
+            faces: part.faces,
+            corners: part.corners,
+            estimate: part.estimate.map(estimate),
+        }
+    }
+}
+
+impl FindingReport {
+    fn new(finding: &Finding, input: &str, output: &str) -> Self {
+        let entry = finding.kind.entry();
+        Self {
+            id: entry.id,
+            severity: finding.severity,
+            family: entry.family.name(),
+            cause: finding.cause.clone(),
+            element: entry.element.name(),
+            count: finding.count,
+            of: finding.of,
+            share: finding.share(),
+            area_share: finding.area_share,
+            degrees: finding.degrees,
+            steps: finding.steps,
+            command: finding.command(input, output),
+            places: finding.places.iter().map(SiteReport::new).collect(),
+        }
+    }
+}
+
+impl SiteReport {
+    fn new(site: &Site) -> Self {
+        Self {
+            part: site.part,
+            face: site.face,
+            corner: site.corner,
+            vertex: site.vertex,
+            position: site.position.map(|position| position.to_array()),
+            degrees: site.degrees,
+            node: site.node.clone(),
+            line: site.line,
+        }
+    }
+}

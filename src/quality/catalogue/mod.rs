@@ -1,0 +1,157 @@
+//! Every finding there is: what it means for a picture, and what to do.
+//!
+//! `crease inspect --explain` and the pages of reports read from here.
+
+mod geometry;
+mod shading;
+mod smoothing;
+mod stored;
+
+use super::finding::{Element, Severity};
+
+/// A kind of finding.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[allow(missing_docs, reason = "the catalogue has an entry for each: `Kind::entry`")]
+pub enum Kind {
+    NoNormals,
+    MissingNormals,
+    NotFinite,
+    ZeroNormals,
+    NotUnit,
+    LooseLength,
+    Inverted,
+    Flipped,
+    AgainstFace,
+    Constant,
+    SwappedAxes,
+    Rotated,
+    Untransformed,
+    Stray,
+    Custom,
+    Faceted,
+    Quantised,
+    AveragedCrease,
+    SplitSeam,
+    NeedlessSeam,
+    GroupMismatch,
+    InconsistentWinding,
+    NonOrientable,
+    InsideOut,
+    ZeroArea,
+    BelowStorage,
+    Needles,
+    DuplicateFaces,
+    BackToBack,
+    NonPlanar,
+    Concave,
+    Crossed,
+    NonManifold,
+    PinchedVertices,
+    Folded,
+    Cancelling,
+    HighValence,
+    FarFromOrigin,
+    MirroredNode,
+    SingularNode,
+    Terminator,
+    MachBands,
+    CoarseOutline,
+    LostHighlight,
+}
+
+/// The groups of findings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Family {
+    /// The normals that a file has.
+    Stored,
+    /// Which edges they are smooth over.
+    Smoothing,
+    /// Geometry that spoils normals.
+    Geometry,
+    /// What even right normals will show.
+    Shading,
+}
+
+impl Family {
+    /// The heading used in reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Family::Stored => "stored normals",
+            Family::Smoothing => "smoothing",
+            Family::Geometry => "geometry",
+            Family::Shading => "shading risk",
+        }
+    }
+}
+
+/// What the catalogue says of a kind of finding.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// The kind.
+    pub kind: Kind,
+    /// The stable name, on the command line and in reports.
+    pub id: &'static str,
+    /// How much it matters at most; a finding may be less.
+    pub severity: Severity,
+    /// What it counts.
+    pub element: Element,
+    /// What it is about.
+    pub family: Family,
+    /// The cause in few words.
+    pub title: &'static str,
+    /// What is the case, how it is told from other causes, and what that means for a picture.
+    pub meaning: &'static str,
+    /// What to do.
+    pub advice: &'static str,
+    /// Options of `crease normals` that mend it; `None` if none does. A finding may have better ones.
+    pub remedy: Option<&'static str>,
+}
+
+const FAMILIES: [&[Entry]; 4] = [stored::ENTRIES, smoothing::ENTRIES, geometry::ENTRIES, shading::ENTRIES];
+
+/// All entries, in the order of [`Kind`].
+pub fn entries() -> impl Iterator<Item = &'static Entry> {
+    FAMILIES.into_iter().flatten()
+}
+
+impl Kind {
+    /// How many kinds there are.
+    pub(super) const COUNT: usize = Kind::LostHighlight as usize + 1;
+
+    /// What the catalogue says of it.
+    pub fn entry(self) -> &'static Entry {
+        entries().nth(self as usize).expect("an entry for every kind")
+    }
+
+    /// The stable name, on the command line and in reports.
+    pub fn id(self) -> &'static str {
+        self.entry().id
+    }
+
+    /// The kind with this name.
+    pub fn of_id(id: &str) -> Option<Kind> {
+        entries().find(|entry| entry.id == id).map(|entry| entry.kind)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn every_kind_has_one_entry_in_its_place() {
+        assert_eq!(entries().count(), Kind::COUNT);
+        let mut ids = BTreeSet::new();
+        for (number, entry) in entries().enumerate() {
+            assert_eq!(entry.kind as usize, number, "{}", entry.id);
+            assert!(ids.insert(entry.id), "{} stands twice", entry.id);
+            assert_eq!(Kind::of_id(entry.id), Some(entry.kind));
+            assert!(entry.id.chars().all(|c| c.is_ascii_lowercase() || c == '-'), "{}", entry.id);
+            for text in [entry.meaning, entry.advice] {
+                assert!(text.len() > 40 && text.ends_with('.'), "{}: {text}", entry.id);
+            }
+        }
+        assert_eq!(Kind::of_id("nothing"), None);
+    }
+}

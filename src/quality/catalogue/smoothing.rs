@@ -1,0 +1,56 @@
+//! Findings about which edges normals are smooth over.
+
+use super::super::finding::{Element, Severity};
+use super::{Entry, Family, Kind};
+
+const fn entry(
+    kind: Kind,
+    id: &'static str,
+    severity: Severity,
+    title: &'static str,
+    meaning: &'static str,
+    advice: &'static str,
+    remedy: Option<&'static str>,
+) -> Entry {
+    let family = Family::Smoothing;
+    Entry { kind, id, severity, element: Element::Edge, family, title, meaning, advice, remedy }
+}
+
+pub(super) const ENTRIES: &[Entry] = &[
+    entry(
+        Kind::AveragedCrease,
+        "averaged-crease",
+        Severity::Warning,
+        "sharp edges with one normal on both sides",
+        "Edges that bend as much as those that the mesh keeps sharp share their normals: both faces are shaded as if the edge were round. Flat faces show a gradient towards it, and the corner looks inflated.",
+        "Compute normals with a crease angle below the bend of these edges.",
+        Some(""),
+    ),
+    entry(
+        Kind::SplitSeam,
+        "split-seam",
+        Severity::Warning,
+        "smooth edges with different normals on their two sides",
+        "The edge bends less than those that the mesh keeps smooth, yet its sides have normals of their own: at a uv seam, between two primitives, or after pieces were joined. A line shows where the surface has none.",
+        "Compute normals; coincident edges are joined for smoothing, and vertices stay apart.",
+        Some(""),
+    ),
+    entry(
+        Kind::NeedlessSeam,
+        "needless-seam",
+        Severity::Note,
+        "seams whose two sides have the same normal",
+        "Position, normal and texture coordinates are equal on both sides, but the vertices are two. No picture shows it; it costs memory, and tools that go by indices see a rim there and will not smooth over it.",
+        "Merge the vertices with a tool that does; normals need nothing.",
+        None,
+    ),
+    entry(
+        Kind::GroupMismatch,
+        "group-mismatch",
+        Severity::Note,
+        "smoothing groups and stored normals disagree",
+        "The groups say smooth where the normals are split, or sharp where they are shared. A program that goes by groups shows another shape than one that goes by normals.",
+        "Compute normals from the groups, or leave the groups out.",
+        Some("--groups honour"),
+    ),
+];

@@ -1,0 +1,68 @@
+//! Faces that stand twice at one place.
+
+use super::catalogue::Kind;
+use super::facts::Facts;
+use super::tally::{Spot, Tallies};
+use glam::DVec3;
+use rustc_hash::FxHashMap;
+
+/// Finds faces with the same places for corners as an earlier one, by the way that they go round.
+pub(super) fn find(facts: &Facts<'_>, found: &mut Tallies) {
+    let mut first: FxHashMap<Vec<[u64; 3]>, u32> = FxHashMap::default();
+    let candidates = crowded_faces(facts);
+    for face in candidates {
+        let places = places(facts, face);
+        let lowest = (0..places.len()).min_by_key(|&i| places[i]).unwrap_or(0);
+        let mut turned = places.clone();
+        turned.rotate_left(lowest);
+        let mut reversed = turned.clone();
+        reversed[1..].reverse();
+        let area = facts.area[face];
+        if first.contains_key(&turned) {
+            found.add(Kind::DuplicateFaces, Spot::face(face, 0.0), area);
+            continue;
+        }
+        if first.contains_key(&reversed) {
+            found.add(Kind::BackToBack, Spot::face(face, 0.0), area);
+        }
+        first.insert(turned, face as u32);
+    }
+}
+
+/// Faces that share the place of their middle and their area with another: the only ones worth comparing corner by
+/// corner, and in most meshes none.
+fn crowded_faces(facts: &Facts<'_>) -> Vec<usize> {
+    let key = |face: usize| {
+        let range = facts.mesh.faces().range(face);
+        // The sum of the places does not depend on their order if it is one of whole numbers.
+        let hash = |place: [u64; 3]| {
+            place
+                .iter()
+                .fold(0u64, |hash, &bits| (hash ^ bits).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(29))
+        };
+        range.fold(0u64, |sum, corner| sum.wrapping_add(hash(place(facts, corner))))
+    };
+    let mut keys: Vec<(u64, u32)> = (0..facts.mesh.face_count())
+        .filter(|&face| facts.area[face] > 0.0)
+        .map(|face| (key(face), face as u32))
+        .collect();
+    use rayon::slice::ParallelSliceMut;
+    keys.par_sort_unstable();
+    let mut faces: Vec<usize> = keys
+        .chunk_by(|a, b| a.0 == b.0)
+        .filter(|chunk| chunk.len() > 1)
+        .flat_map(|chunk| chunk.iter().map(|&(_, face)| face as usize))
+        .collect();
+    faces.sort_unstable();
+    faces
+}
+
+fn places(facts: &Facts<'_>, face: usize) -> Vec<[u64; 3]> {
+    facts.mesh.faces().range(face).map(|corner| place(facts, corner)).collect()
+}
+
+/// The bits of the position of a corner, −0 taken as +0.
+fn place(facts: &Facts<'_>, corner: usize) -> [u64; 3] {
+    let position = facts.mesh.positions()[facts.mesh.faces().corners()[corner] as usize];
+    (position + DVec3::ZERO).to_array().map(f64::to_bits)
+}

@@ -1,0 +1,137 @@
+//! What all findings about a part are made from, worked out once.
+
+use super::estimate::{Estimate, estimate};
+use crate::mesh::{Column, Mesh, Orient, Orientation, Topology, Weld, orient};
+use crate::normals::{Crease, FaultReason, Groups, NormalField, NormalRecipe, compute_on};
+use crate::num::unit_scale;
+use glam::DVec3;
+
+/// What a face is good for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Worth {
+    /// It has a direction, and its neighbours agree with it.
+    Sound,
+    /// It runs against its neighbours, or its whole component is inside out: its direction is the opposite.
+    Turned,
+    /// It has no direction, or one that is noise.
+    Silent,
+}
+
+/// A part, its topology, and the normals that it should have.
+pub(super) struct Facts<'a> {
+    pub(super) mesh: &'a Mesh,
+    pub(super) topology: Topology,
+    /// The stored normals, if there are any at all.
+    pub(super) stored: Option<&'a Column<DVec3>>,
+    /// How the stored normals were made, as far as they tell.
+    pub(super) estimate: Option<Estimate>,
+    /// Normals computed that way; with the default recipe if there are none to go by.
+    pub(super) field: NormalField,
+    pub(super) worth: Vec<Worth>,
+    /// Area of each face, in units that keep it in range.
+    pub(super) area: Vec<f64>,
+    /// The length in that unit that the largest extent of the mesh has.
+    pub(super) size: f64,
+    /// From lengths of the part to that unit.
+    pub(super) scale: f64,
+    /// What `--orient outward` would find.
+    pub(super) outward: Orientation,
+    /// Faces that `--orient consistent` would turn, ascending.
+    pub(super) minority: Vec<u32>,
+    /// Whether the file can share vertices at all; STL cannot.
+    pub(super) shares_vertices: bool,
+}
+
+impl<'a> Facts<'a> {
+    pub(super) fn new(mesh: &'a Mesh, shares_vertices: bool) -> Self {
+        let topology = Topology::build(mesh, Weld::Exact);
+        let stored = mesh.columns().normals.as_ref().filter(|stored| !stored.values.is_empty());
+        let field = compute_on(mesh, &topology, &NormalRecipe::default());
+        let minority = orient(mesh, &topology, Orient::Consistent).reversed;
+        let outward = orient(mesh, &topology, Orient::Outward);
+        let worth = worth(mesh, &field, &minority, &outward.reversed);
+        let extent = mesh.bounds().map_or(0.0, |(low, high)| (high - low).max_element());
+        let scale = unit_scale(extent);
+        let area = (0..mesh.face_count()).map(|face| vector_area(mesh, face, scale).length()).collect();
+        let mut facts = Self {
+            mesh,
+            topology,
+            stored,
+            estimate: None,
+            field,
+            worth,
+            area,
+            size: extent * scale,
+            scale,
+            outward,
+            minority,
+            shares_vertices,
+        };
+        facts.estimate = stored.and_then(|stored| estimate(&facts, stored));
+        if let Some(estimate) = facts.estimate {
+            facts.field = compute_on(mesh, &facts.topology, &estimate.recipe());
+        } else if stored.is_some() {
+            let recipe =
+                NormalRecipe { groups: Groups::Ignore, crease: Crease::Default, ..NormalRecipe::default() };
+            facts.field = compute_on(mesh, &facts.topology, &recipe);
+        }
+        facts
+    }
+
+    /// The face's own unit normal.
+    pub(super) fn face_normal(&self, face: usize) -> DVec3 {
+        self.field.face_normals[face]
+    }
+
+    /// The normal that a corner should have.
+    pub(super) fn expected(&self, corner: usize) -> DVec3 {
+        let vertex = self.mesh.faces().corners()[corner];
+        *self.field.normals.get(corner, vertex).expect("a field has a normal for every corner")
+    }
+
+    /// The normal that a corner has in the file, as a unit vector; `None` if it has none with a direction.
+    pub(super) fn stored_unit(&self, corner: usize) -> Option<DVec3> {
+        let stored = *self.stored?.get(corner, self.mesh.faces().corners()[corner])?;
+        crate::num::UnitVec3::new(stored).map(crate::num::UnitVec3::get)
+    }
+
+    /// The normal that a corner is shaded with: its own, or the computed one.
+    pub(super) fn shaded(&self, corner: usize) -> DVec3 {
+        self.stored_unit(corner).unwrap_or_else(|| self.expected(corner))
+    }
+
+    /// The position of a corner, scaled.
+    pub(super) fn place(&self, corner: usize) -> DVec3 {
+        self.mesh.positions()[self.mesh.faces().corners()[corner] as usize] * self.scale
+    }
+
+    /// The area of all faces.
+    pub(super) fn total_area(&self) -> f64 {
+        self.area.iter().sum()
+    }
+}
+
+fn worth(mesh: &Mesh, field: &NormalField, minority: &[u32], inward: &[u32]) -> Vec<Worth> {
+    let mut worth = vec![Worth::Sound; mesh.face_count()];
+    // What both lists have is only against its neighbours; what one has is that, or part of what is inside out.
+    for &face in minority.iter().chain(inward) {
+        worth[face as usize] = Worth::Turned;
+    }
+    let silent =
+        [FaultReason::ZeroArea, FaultReason::BelowStorage, FaultReason::OutOfRange, FaultReason::NonFinite];
+    for fault in field.faults.faces.iter().filter(|fault| silent.contains(&fault.reason)) {
+        worth[fault.index as usize] = Worth::Silent;
+    }
+    worth
+}
+
+/// The vector area of a face: half the sum of the cross products of its edges, from its first corner.
+pub(super) fn vector_area(mesh: &Mesh, face: usize, scale: f64) -> DVec3 {
+    let corners = mesh.faces().face(face);
+    let place = |vertex: u32| mesh.positions()[vertex as usize];
+    let first = place(corners[0]);
+    let spokes = corners[1..]
+        .windows(2)
+        .map(|pair| ((place(pair[0]) - first) * scale).cross((place(pair[1]) - first) * scale));
+    spokes.sum::<DVec3>() * 0.5
+}

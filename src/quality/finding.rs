@@ -1,0 +1,135 @@
+//! What a diagnosis says: findings with causes, counts and places.
+
+use super::catalogue::Kind;
+use glam::DVec3;
+use serde::Serialize;
+
+/// How much a finding matters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Severity {
+    /// Worth knowing; may well be meant.
+    Note,
+    /// Shows in pictures, in some light or some viewer.
+    Warning,
+    /// Wrong in any picture.
+    Error,
+}
+
+impl Severity {
+    /// All severities, from the least.
+    pub const ALL: [Severity; 3] = [Severity::Note, Severity::Warning, Severity::Error];
+
+    /// The name used on the command line and in reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Severity::Note => "note",
+            Severity::Warning => "warning",
+            Severity::Error => "error",
+        }
+    }
+}
+
+/// What a finding counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Element {
+    /// Corners of faces.
+    Corner,
+    /// Faces.
+    Face,
+    /// Edges between two faces, each counted once.
+    Edge,
+    /// Vertices that faces use.
+    Vertex,
+    /// Places of a mesh in the world.
+    Node,
+    /// Whole meshes.
+    Mesh,
+}
+
+impl Element {
+    /// The name used in reports, in the singular.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Element::Corner => "corner",
+            Element::Face => "face",
+            Element::Edge => "edge",
+            Element::Vertex => "vertex",
+            Element::Node => "node",
+            Element::Mesh => "mesh",
+        }
+    }
+}
+
+/// One of the places of a finding. All numbers count from 0, as the mesh was read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Site {
+    /// Which part of the file.
+    pub part: usize,
+    /// The face, if it is about one.
+    pub face: Option<u32>,
+    /// Which corner of the face.
+    pub corner: Option<u32>,
+    /// The vertex.
+    pub vertex: Option<u32>,
+    /// Where that is, in the space of the part.
+    pub position: Option<DVec3>,
+    /// How far off it is, if that is an angle.
+    pub degrees: Option<f64>,
+    /// The name of the node that has the part, the first one if there are several (glTF).
+    pub node: Option<String>,
+    /// The line of the file that has the face (OBJ).
+    pub line: Option<u64>,
+}
+
+/// Something that is wrong, or worth knowing, and where.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Finding {
+    /// What it is: the key to the [catalogue](super::catalogue).
+    pub kind: Kind,
+    /// How much it matters here.
+    pub severity: Severity,
+    /// The cause in words, with the numbers of this mesh.
+    pub cause: String,
+    /// How many elements.
+    pub count: u64,
+    /// Of how many.
+    pub of: u64,
+    /// Their share of the surface's area; a corner has its part of its face, an edge counts nothing.
+    pub area_share: f64,
+    /// The largest angle, in degrees, if an angle measures it.
+    pub degrees: Option<f64>,
+    /// What that angle does to the grey value under a key light at most ([`key_light_steps`](super::key_light_steps)).
+    pub steps: Option<f64>,
+    /// The worst ten places, worst first.
+    pub places: Vec<Site>,
+    /// Options of `crease normals` that mend it; `None` if none does.
+    pub remedy: Option<String>,
+}
+
+impl Finding {
+    /// The share of elements that it concerns.
+    pub fn share(&self) -> f64 {
+        if self.of == 0 { 0.0 } else { self.count as f64 / self.of as f64 }
+    }
+
+    /// The command that mends it, for these names of input and output.
+    ///
+    /// ```
+    /// use crease::io::{Format, ReadOptions, read_bytes};
+    /// use crease::quality::{Thresholds, diagnose};
+    ///
+    /// let zero = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 0\nf 1//1 2//1 3//1\n";
+    /// let loaded = read_bytes(zero.to_vec(), Some(Format::Obj), None, &ReadOptions::default())?;
+    /// let diagnosis = diagnose(&loaded, &Thresholds::default(), &|_| {});
+    /// let command = diagnosis.findings[0].command("a.obj", "b.obj");
+    /// assert_eq!(command.as_deref(), Some("crease normals a.obj -o b.obj --when broken"));
+    /// # Ok::<(), crease::io::ReadError>(())
+    /// ```
+    pub fn command(&self, input: &str, output: &str) -> Option<String> {
+        let options = self.remedy.as_ref()?;
+        let space = if options.is_empty() { "" } else { " " };
+        Some(format!("crease normals {input} -o {output}{space}{options}"))
+    }
+}

@@ -1,0 +1,240 @@
+//! Findings about geometry that spoils normals: faces, edges, vertices.
+
+use super::Thresholds;
+use super::catalogue::Kind;
+use super::facts::Facts;
+use super::finding::Severity;
+use super::tally::{Spot, Tallies, scan};
+use super::{duplicates, polygons};
+use crate::mesh::Link;
+use crate::normals::FaultReason;
+use crate::num::{Degrees, Radians, angle_between};
+use glam::DVec3;
+
+/// Everything about the shape of a part.
+pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Tallies) {
+    winding(facts, found);
+    let faces = scan(facts.mesh.face_count(), |faces, found| {
+        for face in faces {
+            needle(facts, face, thresholds, found);
+            polygons::look_at(facts, face, thresholds, found);
+            for half_edge in facts.mesh.faces().range(face) {
+                edge(facts, face, half_edge as u32, thresholds, found);
+            }
+        }
+    });
+    found.merge(faces);
+    faults(facts, found);
+    let vertices = scan(facts.mesh.vertex_count(), |vertices, found| {
+        vertices.for_each(|vertex| fans(facts, vertex, thresholds, found));
+    });
+    found.merge(vertices);
+    duplicates::find(facts, found);
+    far_from_origin(facts, thresholds, found);
+}
+
+/// Faces that run against their neighbours, and components that face the wrong way.
+fn winding(facts: &Facts<'_>, found: &mut Tallies) {
+    // Pieces that only touch may run as they like; their edges are no edges by index.
+    let by_index = |half_edge: usize| match facts.topology.link(half_edge as u32) {
+        Link::Inconsistent(other) => {
+            let corners = facts.mesh.faces().corners();
+            facts.topology.ends(corners, half_edge as u32) == facts.topology.ends(corners, other)
+        }
+        _ => false,
+    };
+    let mut certain = !facts.shares_vertices;
+    for &face in &facts.minority {
+        certain |= facts.mesh.faces().range(face as usize).any(by_index);
+        found.add(Kind::InconsistentWinding, Spot::face(face as usize, 0.0), facts.area[face as usize]);
+    }
+    if !certain {
+        found.tally(Kind::InconsistentWinding).severity = Some(Severity::Warning);
+    }
+    if facts.outward.inside_out > 0 {
+        // Where both would turn a face it is against its neighbours only.
+        let whole = facts.outward.reversed.iter().filter(|face| facts.minority.binary_search(face).is_err());
+        let (mut meant, mut corners) = (0, 0);
+        for &face in whole {
+            found.add(Kind::InsideOut, Spot::face(face as usize, 0.0), facts.area[face as usize]);
+            for corner in facts.mesh.faces().range(face as usize) {
+                let inward = |normal: DVec3| normal.dot(facts.face_normal(face as usize)) > 0.0;
+                corners += 1;
+                meant += usize::from(facts.stored_unit(corner).is_none_or(inward));
+            }
+        }
+        let tally = found.tally(Kind::InsideOut);
+        let components = facts.outward.inside_out;
+        tally.remark =
+            Some(format!("in {components} closed component{}", if components == 1 { "" } else { "s" }));
+        // Rooms and skies are seen from within; their normals say so as well.
+        if 2 * meant > corners {
+            tally.severity = Some(Severity::Warning);
+        }
+    }
+    if facts.outward.non_orientable > 0 {
+        let half_edges = 0..facts.mesh.faces().corner_count() as u32;
+        let turned =
+            half_edges.filter(|&h| matches!(facts.topology.link(h), Link::Inconsistent(other) if h < other));
+        for half_edge in turned {
+            let face = facts.topology.face_of(half_edge) as usize;
+            if facts.minority.binary_search(&(face as u32)).is_err() {
+                found.add(Kind::NonOrientable, Spot::face(face, 0.0), facts.area[face]);
+            }
+        }
+    }
+}
+
+/// A face whose height is a small part of its longest edge.
+fn needle(facts: &Facts<'_>, face: usize, thresholds: &Thresholds, found: &mut Tallies) {
+    let range = facts.mesh.faces().range(face);
+    if range.len() > 3 || facts.area[face] == 0.0 {
+        return;
+    }
+    let shape = height_over_length(facts, face);
+    if shape < thresholds.needle {
+        found.add(Kind::Needles, Spot::face(face, -shape), facts.area[face]);
+    }
+}
+
+/// Height over longest edge, of a triangle; of a polygon, that of a triangle with its area.
+fn height_over_length(facts: &Facts<'_>, face: usize) -> f64 {
+    let range = facts.mesh.faces().range(face);
+    let length = |corner: usize| {
+        (facts.place(facts.topology.next(corner as u32) as usize) - facts.place(corner)).length_squared()
+    };
+    let longest = range.map(length).fold(0.0, f64::max);
+    2.0 * facts.area[face] / longest
+}
+
+/// Edges of too many faces, and folds.
+fn edge(facts: &Facts<'_>, face: usize, half_edge: u32, thresholds: &Thresholds, found: &mut Tallies) {
+    match facts.topology.link(half_edge) {
+        Link::NonManifold | Link::Ambiguous => {
+            let (tail, head) = facts.topology.ends(facts.mesh.faces().corners(), half_edge);
+            // Of the half-edges there, those that run upwards speak for the edge, or one face may be told twice.
+            if tail < head {
+                found.add(
+                    Kind::NonManifold,
+                    Spot { is_angle: false, ..Spot::corner(face, half_edge as usize, 0.0) },
+                    0.0,
+                );
+            }
+        }
+        Link::Twin(across) | Link::Welded(across) if half_edge < across => {
+            let other = facts.topology.face_of(across) as usize;
+            if facts.area[face] == 0.0 || facts.area[other] == 0.0 {
+                return;
+            }
+            let bend = Degrees::from(angle_between(facts.face_normal(face), facts.face_normal(other))).0;
+            if bend >= thresholds.fold.0 {
+                found.add(Kind::Folded, Spot::corner(face, half_edge as usize, bend), 0.0);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// What computing normals ran into.
+fn faults(facts: &Facts<'_>, found: &mut Tallies) {
+    for fault in &facts.field.faults.faces {
+        let kind = match fault.reason {
+            FaultReason::ZeroArea => Kind::ZeroArea,
+            FaultReason::BelowStorage => Kind::BelowStorage,
+            _ => continue,
+        };
+        found.add(kind, Spot::face(fault.index as usize, 0.0), facts.area[fault.index as usize]);
+    }
+    for fault in facts.field.faults.corners.iter().filter(|fault| fault.reason == FaultReason::CancellingFan)
+    {
+        let face = facts.topology.face_of(fault.index) as usize;
+        let area = facts.area[face] / facts.mesh.faces().range(face).len() as f64;
+        found.add(
+            Kind::Cancelling,
+            Spot { is_angle: false, ..Spot::corner(face, fault.index as usize, 0.0) },
+            area,
+        );
+    }
+}
+
+/// Vertices with many faces, and those where several fans touch.
+fn fans(facts: &Facts<'_>, vertex: usize, thresholds: &Thresholds, found: &mut Tallies) {
+    let ring = facts.topology.corners_at(vertex as u32);
+    if ring.len() as u64 > u64::from(thresholds.valence) {
+        found.add(Kind::HighValence, Spot::vertex(vertex, ring.len() as f64), 0.0);
+    }
+    // Where a seam passes, the fan goes on at other vertices; non-manifold edges are told as such.
+    if facts.topology.is_welded(vertex as u32) {
+        return;
+    }
+    let mut rims = 0;
+    for &corner in ring {
+        match facts.topology.link(corner) {
+            Link::Boundary => rims += 1,
+            Link::Twin(_) => {}
+            _ => return,
+        }
+        if !matches!(facts.topology.link(facts.topology.previous(corner)), Link::Boundary | Link::Twin(_)) {
+            return;
+        }
+    }
+    let Some(&start) = ring.first() else { return };
+    if rims > 1 || !is_one_fan(facts, start, ring.len(), rims) {
+        found.add(Kind::PinchedVertices, Spot::vertex(vertex, rims as f64), 0.0);
+    }
+}
+
+/// Whether walking from a corner reaches all corners of its vertex, over edges by index.
+fn is_one_fan(facts: &Facts<'_>, start: u32, corners: usize, rims: usize) -> bool {
+    let twin = |half_edge: u32| match facts.topology.link(half_edge) {
+        Link::Twin(across) => Some(across),
+        _ => None,
+    };
+    let (mut corner, mut reached) = (start, 1);
+    while let Some(across) = twin(corner) {
+        corner = facts.topology.next(across);
+        if corner == start {
+            return reached == corners && rims == 0;
+        }
+        reached += 1;
+    }
+    corner = start;
+    while let Some(across) = twin(facts.topology.previous(corner)) {
+        corner = across;
+        reached += 1;
+    }
+    reached == corners
+}
+
+/// What rounding to 32 bits does to the normal of a usual face.
+fn far_from_origin(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Tallies) {
+    /// Faces looked at.
+    const SAMPLE: usize = 10_000;
+    let Some((low, high)) = facts.mesh.bounds() else { return };
+    let farthest = low.abs().max(high.abs()).max_element() * facts.scale;
+    let stride = facts.mesh.face_count().div_ceil(SAMPLE).max(1);
+    let mut heights: Vec<f64> = (0..facts.mesh.face_count())
+        .step_by(stride)
+        .filter(|&face| facts.area[face] > 0.0)
+        .map(|face| {
+            let shape = height_over_length(facts, face);
+            (2.0 * facts.area[face] * shape).sqrt()
+        })
+        .collect();
+    // A dense mesh round the origin has small faces too; far is what lies outside its own size.
+    if heights.is_empty() || farthest < 4.0 * facts.size {
+        return;
+    }
+    heights.sort_unstable_by(f64::total_cmp);
+    let height = heights[heights.len() / 2];
+    // Half a unit in the last place of 24 bits at each of the two ends of the height.
+    let rounding = farthest * f64::from(f32::EPSILON) / 2.0;
+    let error = Degrees::from(Radians(libm::atan2(2.0 * rounding, height))).0;
+    if error > thresholds.rounding.0 {
+        found.add(Kind::FarFromOrigin, Spot::mesh().by(error), facts.total_area());
+        let bits = libm::floor(libm::log2(height / rounding)).max(0.0);
+        found.tally(Kind::FarFromOrigin).remark = Some(format!(
+            "{bits} bits are left for the height of a face, whose normal may be off by {error:.2}°"
+        ));
+    }
+}

@@ -1,0 +1,35 @@
+//! What is wrong with a mesh's normals, why, where, and how much it shows (layer 3).
+//!
+//! [`diagnose`] looks at a file and gives a [`Diagnosis`]: findings with a stable name, a cause in words, counts, the
+//! worst places, and what mends them. The [`catalogue`] tells what each finding means for a picture.
+//!
+//! # How a normal is judged
+//! Stored normals are compared with those that *this* mesh's own normals were most likely made by: the weighting and the
+//! crease angle that reproduce them best ([`Estimate`]). So a mesh made by another rule than our default is not wrong,
+//! and where no rule fits, the normals were made by hand and are only noted. Faces that run against their neighbours, that
+//! are inside out or without direction have no say about normals: their cause is told of them, not of the normals.
+//!
+//! Findings about shading are notes: they are what even right normals will show.
+
+pub mod catalogue;
+mod diagnosis;
+mod duplicates;
+mod estimate;
+mod facts;
+mod finding;
+mod geometry;
+mod light;
+mod polygons;
+mod quantisation;
+mod shading;
+mod smoothing;
+mod stored;
+mod tally;
+mod thresholds;
+mod turned;
+
+pub use diagnosis::{Diagnosis, PartDiagnosis, diagnose};
+pub use estimate::{Estimate, SAMPLE};
+pub use finding::{Element, Finding, Severity, Site};
+pub use light::key_light_steps;
+pub use thresholds::Thresholds;

@@ -1,0 +1,145 @@
+//! Findings about edges: what stored normals do across them, against how far they bend.
+
+use super::Thresholds;
+use super::catalogue::Kind;
+use super::facts::{Facts, Worth};
+use super::finding::Severity;
+use super::tally::{Spot, Tallies, scan};
+use crate::mesh::{Column, Link, SmoothingGroups};
+use crate::num::{Degrees, angle_between};
+use glam::DVec3;
+
+/// Two stored normals closer than this, in degrees, are one as far as pictures go.
+const SAME: f64 = 1.0;
+
+/// The share of bent edges that the estimated crease angle has to put on the right side before the others are faults.
+const RULE: f64 = 0.98;
+
+/// Everything about which edges stored normals are smooth over.
+pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Tallies) {
+    let (Some(stored), Some(estimate)) = (facts.stored, facts.estimate) else { return };
+    // Facets have one normal each.
+    if !facts.shares_vertices {
+        return;
+    }
+    let groups = facts.mesh.columns().smoothing.as_ref();
+    let crease = estimate.crease.0;
+    let mut edges = scan(facts.mesh.face_count(), |faces, found| {
+        for face in faces {
+            for half_edge in facts.mesh.faces().range(face) {
+                if let Some(edge) = Edge::at(facts, stored, half_edge as u32) {
+                    edge.judge(facts, crease, groups, thresholds, found);
+                }
+            }
+        }
+    });
+    let follows = estimate.is_rule() && estimate.separated >= RULE;
+    for kind in [Kind::AveragedCrease, Kind::SplitSeam] {
+        let tally = edges.tally(kind);
+        tally.remedy = Some(estimate.options());
+        if !follows {
+            tally.severity = Some(Severity::Note);
+        }
+    }
+    found.merge(edges);
+}
+
+/// An edge between two sound faces, with the stored normals on both sides at both ends.
+struct Edge {
+    half_edge: u32,
+    across: u32,
+    faces: [usize; 2],
+    /// How far it bends, in degrees.
+    bend: f64,
+    /// How far the stored normals of the two sides are apart at each end, in degrees.
+    gaps: [f64; 2],
+    /// Corners of the two faces at each end.
+    ends: [[usize; 2]; 2],
+}
+
+impl Edge {
+    /// The edge of a half-edge, told once for both.
+    fn at(facts: &Facts<'_>, stored: &Column<DVec3>, half_edge: u32) -> Option<Edge> {
+        let across = facts.topology.across(half_edge).filter(|&across| half_edge < across)?;
+        let faces = [half_edge, across].map(|corner| facts.topology.face_of(corner) as usize);
+        if faces.iter().any(|&face| facts.worth[face] != Worth::Sound) {
+            return None;
+        }
+        let ends = [
+            [half_edge, facts.topology.next(across)].map(|corner| corner as usize),
+            [facts.topology.next(half_edge), across].map(|corner| corner as usize),
+        ];
+        let corners = facts.mesh.faces().corners();
+        let gap = |[a, b]: [usize; 2]| {
+            if stored.slot(a, corners[a]).is_some_and(|slot| Some(slot) == stored.slot(b, corners[b])) {
+                return facts.stored_unit(a).map(|_| 0.0);
+            }
+            Some(Degrees::from(angle_between(facts.stored_unit(a)?, facts.stored_unit(b)?)).0)
+        };
+        let gaps = [gap(ends[0])?, gap(ends[1])?];
+        let bend = Degrees::from(angle_between(facts.face_normal(faces[0]), facts.face_normal(faces[1]))).0;
+        Some(Edge { half_edge, across, faces, bend, gaps, ends })
+    }
+
+    fn judge(
+        &self,
+        facts: &Facts<'_>,
+        crease: f64,
+        groups: Option<&SmoothingGroups>,
+        thresholds: &Thresholds,
+        found: &mut Tallies,
+    ) {
+        let spot = Spot::corner(self.faces[0], self.half_edge as usize, self.bend);
+        let [low, high] = [self.gaps[0].min(self.gaps[1]), self.gaps[0].max(self.gaps[1])];
+        if high <= SAME && self.bend > crease + thresholds.crease.0 {
+            let leaning = self.ends.as_flattened().iter().map(|&corner| facts.leaning(corner));
+            found.add(Kind::AveragedCrease, spot.by(leaning.fold(0.0, f64::max)), 0.0);
+        } else if low > thresholds.seam.0 && self.goes_on(facts) {
+            found.add(Kind::SplitSeam, spot.by(high), 0.0);
+        } else if high == 0.0 && facts.shares_vertices && self.is_needless(facts) {
+            found.add(Kind::NeedlessSeam, Spot { is_angle: false, weight: 0.0, ..spot }, 0.0);
+        }
+        if let Some(groups) = groups {
+            let [a, b] = self.faces.map(|face| groups.of_face[face]);
+            let meant_smooth = a == b && a != 0;
+            // A flat edge looks the same either way.
+            if (meant_smooth && low > thresholds.seam.0)
+                || (!meant_smooth && high <= SAME && self.bend > SAME)
+            {
+                found.add(Kind::GroupMismatch, spot, 0.0);
+            }
+        }
+    }
+
+    /// Whether the recipe that fits best has one normal on both sides, at both ends.
+    fn goes_on(&self, facts: &Facts<'_>) -> bool {
+        self.ends.iter().all(|&[a, b]| facts.expected(a) == facts.expected(b))
+    }
+
+    /// Whether the edge is cut although nothing differs on its two sides.
+    fn is_needless(&self, facts: &Facts<'_>) -> bool {
+        if facts.topology.link(self.half_edge) != Link::Welded(self.across) {
+            return false;
+        }
+        let columns = facts.mesh.columns();
+        let corners = facts.mesh.faces().corners();
+        let alike = |a: usize, b: usize| {
+            let (u, v) = (corners[a], corners[b]);
+            columns.uvs.as_ref().is_none_or(|uvs| uvs.get(a, u) == uvs.get(b, v))
+                && columns.colors.as_ref().is_none_or(|colours| colours[u as usize] == colours[v as usize])
+        };
+        let material = columns
+            .materials
+            .as_ref()
+            .is_none_or(|it| it.of_face[self.faces[0]] == it.of_face[self.faces[1]]);
+        material && self.ends.iter().all(|&[a, b]| alike(a, b))
+    }
+}
+
+impl Facts<'_> {
+    /// How far the normal that a corner is shaded with is from its face, in degrees.
+    pub(super) fn leaning(&self, corner: usize) -> f64 {
+        let face = self.topology.face_of(corner as u32) as usize;
+        Degrees::from(angle_between(self.shaded(corner), self.face_normal(face))).0
+    }
+}

@@ -1,0 +1,158 @@
+//! Findings about stored normals, corner by corner.
+
+use super::Thresholds;
+use super::catalogue::Kind;
+use super::facts::{Facts, Worth};
+use super::finding::Severity;
+use super::tally::{Spot, Tallies, scan};
+use super::{quantisation, turned};
+use crate::mesh::Column;
+use crate::num::{Degrees, angle_between};
+use glam::DVec3;
+
+/// From here on, in degrees, a normal counts as the opposite of the right one.
+const OPPOSITE: f64 = 135.0;
+
+/// The share of corners against their faces from which on it is all of them.
+const ALL: f64 = 0.9;
+
+/// Everything about the normals that a part has in its file.
+pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Tallies) {
+    let Some(stored) = facts.stored else {
+        found.add(Kind::NoNormals, Spot::mesh(), facts.total_area());
+        return;
+    };
+    let corners = scan(facts.mesh.face_count(), |faces, found| {
+        faces.for_each(|face| look_at(facts, stored, face, thresholds, found));
+    });
+    let judged = Judged::new(facts, &corners);
+    found.merge(corners);
+    let is_turned_as_a_whole = turned::find(facts, thresholds, found);
+    if is_turned_as_a_whole {
+        // One cause explains them all.
+        for kind in [Kind::Flipped, Kind::AgainstFace, Kind::Stray] {
+            found.take(kind);
+        }
+    } else if judged.against >= ALL * judged.sound {
+        for kind in [Kind::AgainstFace, Kind::Stray, Kind::Flipped] {
+            found.rename(kind, Kind::Inverted);
+        }
+    } else {
+        grade_strays(facts, found, judged.sound);
+    }
+    find_facets(facts, found);
+    quantisation::find(facts, stored, thresholds, found);
+}
+
+/// How many corners could be told to be against their faces, and how many are.
+struct Judged {
+    sound: f64,
+    against: f64,
+}
+
+impl Judged {
+    fn new(facts: &Facts<'_>, found: &Tallies) -> Self {
+        let corners = (0..facts.mesh.face_count())
+            .filter(|&face| facts.worth[face] == Worth::Sound)
+            .map(|face| facts.mesh.faces().range(face).len());
+        let against = found.get(Kind::Flipped).count + found.get(Kind::AgainstFace).count;
+        Self { sound: corners.sum::<usize>() as f64, against: against as f64 }
+    }
+}
+
+fn look_at(
+    facts: &Facts<'_>,
+    stored: &Column<DVec3>,
+    face: usize,
+    thresholds: &Thresholds,
+    found: &mut Tallies,
+) {
+    let range = facts.mesh.faces().range(face);
+    let corners = facts.mesh.faces().corners();
+    let area = facts.area[face] / range.len() as f64;
+    for corner in range {
+        let spot = Spot::corner(face, corner, 0.0);
+        let Some(&normal) = stored.get(corner, corners[corner]) else {
+            found.add(Kind::MissingNormals, Spot { is_angle: false, ..spot }, area);
+            continue;
+        };
+        let length = normal.length();
+        let off = (length - 1.0).abs();
+        if !normal.is_finite() {
+            found.add(Kind::NotFinite, Spot { is_angle: false, ..spot }, area);
+        } else if length == 0.0 {
+            // Nothing right could stand at a corner of a face without direction.
+            if facts.worth[face] != Worth::Silent {
+                found.add(Kind::ZeroNormals, Spot { is_angle: false, ..spot }, area);
+            }
+        } else if off > thresholds.length {
+            found.add(Kind::NotUnit, Spot { weight: off, is_angle: false, ..spot }, area);
+        } else if off > thresholds.strict_length {
+            found.add(Kind::LooseLength, Spot { weight: off, is_angle: false, ..spot }, area);
+        }
+        if facts.worth[face] == Worth::Sound
+            && let Some(unit) = facts.stored_unit(corner)
+            && let Some((kind, degrees)) = direction(facts, face, corner, unit, thresholds)
+        {
+            found.add(kind, spot.by(degrees), area);
+        }
+    }
+}
+
+/// What is wrong with the direction of a normal, and by how many degrees.
+fn direction(
+    facts: &Facts<'_>,
+    face: usize,
+    corner: usize,
+    normal: DVec3,
+    thresholds: &Thresholds,
+) -> Option<(Kind, f64)> {
+    let degrees = |other: DVec3| Degrees::from(angle_between(normal, other)).0;
+    let off = degrees(facts.expected(corner));
+    if off <= thresholds.deviation.0 {
+        return None;
+    }
+    let kind = match degrees(facts.face_normal(face)) > 90.0 + thresholds.against.0 {
+        true if off > OPPOSITE => Kind::Flipped,
+        true => Kind::AgainstFace,
+        false => Kind::Stray,
+    };
+    Some((kind, off))
+}
+
+/// Strays are faults where all others follow a rule; where none does, the normals are of another making.
+fn grade_strays(facts: &Facts<'_>, found: &mut Tallies, sound: f64) {
+    let strays = found.get(Kind::Stray).count as f64;
+    match facts.estimate {
+        Some(estimate) if estimate.is_rule() && strays <= 0.05 * sound => {
+            found.tally(Kind::Stray).remedy = Some(estimate.options());
+        }
+        _ => found.rename(Kind::Stray, Kind::Custom),
+    }
+    if facts.estimate.is_none_or(|estimate| !estimate.is_rule()) {
+        let against = found.tally(Kind::AgainstFace);
+        against.severity = Some(Severity::Note);
+    }
+}
+
+/// Flat normals on a shape that bends smoothly nearly everywhere.
+fn find_facets(facts: &Facts<'_>, found: &mut Tallies) {
+    let Some(estimate) = facts.estimate else { return };
+    if !facts.shares_vertices || estimate.crease.0 > 0.0 || estimate.reproduced < 0.99 {
+        return;
+    }
+    let (mut bent, mut gentle) = (0usize, 0usize);
+    for half_edge in 0..facts.mesh.faces().corner_count() as u32 {
+        let Some(across) = facts.topology.across(half_edge).filter(|&across| half_edge < across) else {
+            continue;
+        };
+        let [a, b] =
+            [half_edge, across].map(|corner| facts.face_normal(facts.topology.face_of(corner) as usize));
+        let bend = Degrees::from(angle_between(a, b)).0;
+        bent += usize::from(bend > 1.0);
+        gentle += usize::from(bend > 1.0 && bend < 30.0);
+    }
+    if bent >= 100 && gentle as f64 >= 0.9 * bent as f64 {
+        found.add(Kind::Faceted, Spot::mesh(), facts.total_area());
+    }
+}

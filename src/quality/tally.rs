@@ -1,0 +1,167 @@
+//! Counting findings, in parallel and with the same result at any number of threads.
+
+use super::catalogue::Kind;
+use super::finding::Severity;
+use crate::mesh::NONE;
+use rayon::prelude::*;
+use std::ops::Range;
+
+/// How many places of a finding are kept.
+pub(super) const PLACES: usize = 10;
+
+/// One occurrence. What it is not about is [`NONE`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Spot {
+    pub(super) face: u32,
+    /// A corner of the mesh, not of the face.
+    pub(super) corner: u32,
+    pub(super) vertex: u32,
+    /// How bad it is: the order of places.
+    pub(super) weight: f64,
+    /// Whether the weight is an angle in degrees.
+    pub(super) is_angle: bool,
+}
+
+impl Spot {
+    /// A corner that is off by an angle.
+    pub(super) fn corner(face: usize, corner: usize, degrees: f64) -> Self {
+        Self { face: face as u32, corner: corner as u32, vertex: NONE, weight: degrees, is_angle: true }
+    }
+
+    /// A face, with something that makes it worse than others.
+    pub(super) fn face(face: usize, weight: f64) -> Self {
+        Self { face: face as u32, corner: NONE, vertex: NONE, weight, is_angle: false }
+    }
+
+    /// A vertex.
+    pub(super) fn vertex(vertex: usize, weight: f64) -> Self {
+        Self { face: NONE, corner: NONE, vertex: vertex as u32, weight, is_angle: false }
+    }
+
+    /// Neither face nor vertex: the mesh as a whole.
+    pub(super) fn mesh() -> Self {
+        Self { face: NONE, corner: NONE, vertex: NONE, weight: 0.0, is_angle: false }
+    }
+
+    /// The same, with an angle for its weight.
+    pub(super) fn by(self, degrees: f64) -> Self {
+        Self { weight: degrees, is_angle: true, ..self }
+    }
+
+    /// Worse ones first; among equals the first of the mesh.
+    fn order(&self, other: &Self) -> std::cmp::Ordering {
+        let place = |spot: &Self| (spot.face, spot.corner, spot.vertex);
+        other.weight.total_cmp(&self.weight).then_with(|| place(self).cmp(&place(other)))
+    }
+}
+
+/// How often something was found, and the worst places.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Tally {
+    pub(super) count: u64,
+    pub(super) area: f64,
+    /// At most [`PLACES`], worst first.
+    pub(super) worst: Vec<Spot>,
+    /// What else is to be said of it.
+    pub(super) remark: Option<String>,
+    /// Where it is not the catalogue's.
+    pub(super) severity: Option<Severity>,
+    /// Where it is not the catalogue's.
+    pub(super) remedy: Option<String>,
+}
+
+impl Tally {
+    fn keep(&mut self, spot: Spot) {
+        if self.worst.len() == PLACES && self.worst[PLACES - 1].order(&spot).is_lt() {
+            return;
+        }
+        let at = self.worst.partition_point(|known| known.order(&spot).is_lt());
+        self.worst.insert(at, spot);
+        self.worst.truncate(PLACES);
+    }
+
+    fn merge(&mut self, other: Tally) {
+        self.count += other.count;
+        self.area += other.area;
+        other.worst.into_iter().for_each(|spot| self.keep(spot));
+        self.remark = self.remark.take().or(other.remark);
+        self.severity = self.severity.max(other.severity);
+        self.remedy = self.remedy.take().or(other.remedy);
+    }
+}
+
+/// One tally for every kind of finding.
+#[derive(Clone, Debug)]
+pub(super) struct Tallies(Vec<Tally>);
+
+impl Tallies {
+    pub(super) fn new() -> Self {
+        Self(vec![Tally::default(); Kind::COUNT])
+    }
+
+    pub(super) fn get(&self, kind: Kind) -> &Tally {
+        &self.0[kind as usize]
+    }
+
+    pub(super) fn tally(&mut self, kind: Kind) -> &mut Tally {
+        &mut self.0[kind as usize]
+    }
+
+    pub(super) fn take(&mut self, kind: Kind) -> Tally {
+        std::mem::take(&mut self.0[kind as usize])
+    }
+
+    /// Counts an occurrence that covers so much area.
+    pub(super) fn add(&mut self, kind: Kind, spot: Spot, area: f64) {
+        let tally = self.tally(kind);
+        tally.count += 1;
+        tally.area += area;
+        tally.keep(spot);
+    }
+
+    /// What one kind has goes over to another.
+    pub(super) fn rename(&mut self, from: Kind, to: Kind) {
+        let tally = self.take(from);
+        self.tally(to).merge(tally);
+    }
+
+    pub(super) fn merge(&mut self, other: Tallies) {
+        self.0.iter_mut().zip(other.0).for_each(|(own, other)| own.merge(other));
+    }
+}
+
+/// Looks at all of so many things, in parallel, block by block. Blocks have a fixed length and are added up in their
+/// order, so that sums do not depend on the number of threads.
+pub(super) fn scan(count: usize, look: impl Fn(Range<usize>, &mut Tallies) + Sync) -> Tallies {
+    const BLOCK: usize = 1 << 14;
+    let blocks: Vec<Tallies> = (0..count.div_ceil(BLOCK))
+        .into_par_iter()
+        .map(|block| {
+            let mut found = Tallies::new();
+            look(block * BLOCK..((block + 1) * BLOCK).min(count), &mut found);
+            found
+        })
+        .collect();
+    let mut all = Tallies::new();
+    blocks.into_iter().for_each(|found| all.merge(found));
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_worst_places_are_kept_in_order() {
+        let weight = |i: usize| ((i * 7919) % 1000) as f64;
+        let found = scan(100_000, |range, found| {
+            range.for_each(|i| found.add(Kind::Needles, Spot::face(i, weight(i)), 0.5));
+        });
+        let tally = found.get(Kind::Needles);
+        assert_eq!((tally.count, tally.area), (100_000, 50_000.0));
+        let mut all: Vec<Spot> = (0..100_000).map(|i| Spot::face(i, weight(i))).collect();
+        all.sort_by(Spot::order);
+        assert_eq!(tally.worst, all[..PLACES]);
+        assert!(tally.worst.iter().all(|spot| spot.weight == 999.0));
+    }
+}
