@@ -3,10 +3,11 @@
 use super::catalogue::{Kind, entries};
 use super::facts::Facts;
 use super::finding::{Element, Finding, Severity, Site};
-use super::tally::{PLACES, Spot, Tallies, Tally};
+use super::tally::{Spot, Tallies, Tally};
 use super::turned::{explained_by, largest_turn};
 use super::{Estimate, Thresholds, geometry, key_light_steps, shading, smoothing, stored};
-use crate::io::{FileNode, Format, Loaded};
+use crate::io::obj::ObjDocument;
+use crate::io::{Document, FileNode, Format, Loaded};
 use crate::mesh::{Mesh, NONE, normal_matrix};
 use glam::DMat3;
 
@@ -75,7 +76,7 @@ pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) 
         if part.mesh.face_count() > 0 {
             let nodes: Vec<&FileNode> = loaded.nodes.iter().filter(|node| node.part == number).collect();
             let facts = Facts::new(&part.mesh, loaded.format != Format::Stl);
-            let mut found = Tallies::new();
+            let mut found = Tallies::new(thresholds.places);
             look(&facts, &nodes, thresholds, &mut found);
             own.estimate = facts.estimate;
             own.vertices = facts.field.summary.referenced_vertices;
@@ -85,6 +86,7 @@ pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) 
                 merged.of += elements(&facts, entry.element, nodes.len());
                 merged.all_area += facts.total_area() / (facts.scale * facts.scale);
                 merged.add(found.take(entry.kind), &facts, number, nodes.first());
+                merged.sites.truncate(thresholds.places);
             }
         }
         done(part.mesh.face_count());
@@ -92,8 +94,25 @@ pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) 
     }
     diagnosis.findings =
         entries().zip(merged).filter_map(|(entry, merged)| merged.finding(entry.kind)).collect();
+    if let Document::Obj(document) = &loaded.document {
+        find_lines(&mut diagnosis.findings, document);
+    }
     diagnosis.findings.sort_by_key(|finding| (std::cmp::Reverse(finding.severity), finding.kind));
     diagnosis
+}
+
+/// Adds the line of the file to every place that has a face, in one pass over the text.
+fn find_lines(findings: &mut [Finding], document: &ObjDocument) {
+    let mut sites: Vec<&mut Site> = findings
+        .iter_mut()
+        .flat_map(|finding| &mut finding.places)
+        .filter(|site| site.face.is_some())
+        .collect();
+    sites.sort_by_key(|site| site.face);
+    let faces: Vec<u32> = sites.iter().filter_map(|site| site.face).collect();
+    for (site, line) in sites.into_iter().zip(document.lines_of_faces(&faces)) {
+        site.line = Some(line);
+    }
 }
 
 fn look(facts: &Facts<'_>, nodes: &[&FileNode], thresholds: &Thresholds, found: &mut Tallies) {
@@ -181,7 +200,6 @@ impl Merged {
         self.sites.extend(tally.worst.into_iter().map(site));
         // Stable: among equals earlier parts come first.
         self.sites.sort_by(|a, b| b.0.total_cmp(&a.0));
-        self.sites.truncate(PLACES);
     }
 
     fn finding(self, kind: Kind) -> Option<Finding> {

@@ -4,10 +4,13 @@ use super::catalogue::Kind;
 use super::facts::Facts;
 use super::tally::{Spot, Tallies};
 use glam::DVec3;
+use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 
-/// Finds faces with the same places for corners as an earlier one, by the way that they go round.
-pub(super) fn find(facts: &Facts<'_>, found: &mut Tallies) {
+/// Finds faces with the same places for corners as an earlier one, by the way that they go round. Gives all faces that
+/// stand twice the same way, ascending.
+pub(super) fn find(facts: &Facts<'_>, found: &mut Tallies) -> Vec<u32> {
+    let mut doubled = Vec::new();
     let mut first: FxHashMap<Vec<[u64; 3]>, u32> = FxHashMap::default();
     let candidates = crowded_faces(facts);
     for face in candidates {
@@ -18,7 +21,8 @@ pub(super) fn find(facts: &Facts<'_>, found: &mut Tallies) {
         let mut reversed = turned.clone();
         reversed[1..].reverse();
         let area = facts.area[face];
-        if first.contains_key(&turned) {
+        if let Some(&other) = first.get(&turned) {
+            doubled.extend([other, face as u32]);
             found.add(Kind::DuplicateFaces, Spot::face(face, 0.0), area);
             continue;
         }
@@ -27,6 +31,9 @@ pub(super) fn find(facts: &Facts<'_>, found: &mut Tallies) {
         }
         first.insert(turned, face as u32);
     }
+    doubled.sort_unstable();
+    doubled.dedup();
+    doubled
 }
 
 /// Faces that share the place of their middle and their area with another: the only ones worth comparing corner by
@@ -46,7 +53,6 @@ fn crowded_faces(facts: &Facts<'_>) -> Vec<usize> {
         .filter(|&face| facts.area[face] > 0.0)
         .map(|face| (key(face), face as u32))
         .collect();
-    use rayon::slice::ParallelSliceMut;
     keys.par_sort_unstable();
     let mut faces: Vec<usize> = keys
         .chunk_by(|a, b| a.0 == b.0)

@@ -2,7 +2,7 @@
 
 use super::facts::{Facts, Worth};
 use crate::mesh::Column;
-use crate::normals::{Crease, Groups, NormalRecipe, Weight};
+use crate::normals::{Crease, Groups, NormalRecipe, Weight, compute_on};
 use crate::num::{Degrees, angle_between};
 use glam::DVec3;
 use rayon::prelude::*;
@@ -30,6 +30,8 @@ pub struct Estimate {
     pub weight: Weight,
     /// The crease angle that reproduces them best: 0 if they are flat, 180 if no edge is sharp.
     pub crease: Degrees,
+    /// Whether smoothing groups reproduce them better than a crease angle alone; the angle then applies beside them.
+    pub groups: bool,
     /// Corners looked at.
     pub sample: usize,
     /// The share of them that it reproduces within 5°.
@@ -46,7 +48,7 @@ impl Estimate {
         NormalRecipe {
             weight: self.weight,
             crease: Crease::Angle(self.crease),
-            groups: Groups::Ignore,
+            groups: if self.groups { Groups::Honour } else { Groups::Ignore },
             ..NormalRecipe::default()
         }
     }
@@ -57,8 +59,14 @@ impl Estimate {
             Weight::Angle => String::new(),
             weight => format!("--weight {} ", weight.name()),
         };
-        options.push_str(&format!("--crease {} --groups ignore", self.crease.0));
+        options.push_str(&format!("--crease {}", self.crease.0));
+        options.push_str(if self.groups { "" } else { " --groups ignore" });
         options
+    }
+
+    /// The bend in degrees from which on edges may be sharp: with smoothing groups any.
+    pub(super) fn sharp_from(&self) -> f64 {
+        if self.groups { 0.0 } else { self.crease.0 }
     }
 
     /// Whether the normals follow a rule closely enough for exceptions to be faults.
@@ -86,14 +94,37 @@ pub(super) fn estimate(facts: &Facts<'_>, stored: &Column<DVec3>) -> Option<Esti
     let mut own: Vec<f64> = errors.iter().map(|all| all[best]).collect();
     let reproduced = own.iter().filter(|&&error| error <= REPRODUCED).count() as f64 / own.len() as f64;
     own.sort_unstable_by(f64::total_cmp);
-    Some(Estimate {
+    let plain = Estimate {
         weight: MEANS[best],
         crease: Degrees(crease),
+        groups: false,
         sample: own.len(),
         reproduced,
         separated,
         median: Degrees(own[own.len() / 2]),
-    })
+    };
+    let has_groups = facts.mesh.columns().smoothing.is_some();
+    Some(if has_groups && !plain.is_rule() { with_groups(facts, &sample, plain) } else { plain })
+}
+
+/// The estimate with smoothing groups beside its crease angle, or beside the default one, if that reproduces more.
+fn with_groups(facts: &Facts<'_>, sample: &[u32], plain: Estimate) -> Estimate {
+    let candidates = [plain.crease, Crease::DEFAULT_ANGLE, Degrees(180.0)];
+    let tried = candidates.map(|crease| {
+        let candidate = Estimate { groups: true, crease, ..plain };
+        let field = compute_on(facts.mesh, &facts.topology, &candidate.recipe());
+        let error = |&corner: &u32| {
+            let expected = field.normals.get(corner as usize, facts.mesh.faces().corners()[corner as usize]);
+            let stored = facts.stored_unit(corner as usize);
+            stored.zip(expected).map_or(180.0, |(a, b)| Degrees::from(angle_between(a, *b)).0)
+        };
+        let mut errors: Vec<f64> = sample.par_iter().map(error).collect();
+        let within = errors.iter().filter(|&&error| error <= REPRODUCED).count();
+        errors.sort_unstable_by(f64::total_cmp);
+        let reproduced = within as f64 / errors.len() as f64;
+        Estimate { reproduced, separated: reproduced, median: Degrees(errors[errors.len() / 2]), ..candidate }
+    });
+    tried.into_iter().fold(plain, |best, next| if next.reproduced > best.reproduced { next } else { best })
 }
 
 /// Corners with a direction on sound faces; if there are too many, those that a fixed generator picks.

@@ -1,7 +1,7 @@
 //! What all findings about a part are made from, worked out once.
 
 use super::estimate::{Estimate, estimate};
-use crate::mesh::{Column, Mesh, Orient, Orientation, Topology, Weld, orient};
+use crate::mesh::{Column, Link, Mesh, Orient, Orientation, Topology, Weld, orient};
 use crate::normals::{Crease, FaultReason, Groups, NormalField, NormalRecipe, compute_on};
 use crate::num::unit_scale;
 use glam::DVec3;
@@ -38,6 +38,8 @@ pub(super) struct Facts<'a> {
     pub(super) outward: Orientation,
     /// Faces that `--orient consistent` would turn, ascending.
     pub(super) minority: Vec<u32>,
+    /// Of each vertex whether a turned face is at it, so that the mean there says nothing; empty if there are none.
+    beside_turned: Vec<bool>,
     /// Whether the file can share vertices at all; STL cannot.
     pub(super) shares_vertices: bool,
 }
@@ -65,8 +67,10 @@ impl<'a> Facts<'a> {
             scale,
             outward,
             minority,
+            beside_turned: Vec::new(),
             shares_vertices,
         };
+        facts.mark_turned();
         facts.estimate = stored.and_then(|stored| estimate(&facts, stored));
         if let Some(estimate) = facts.estimate {
             facts.field = compute_on(mesh, &facts.topology, &estimate.recipe());
@@ -76,6 +80,29 @@ impl<'a> Facts<'a> {
             facts.field = compute_on(mesh, &facts.topology, &recipe);
         }
         facts
+    }
+
+    fn mark_turned(&mut self) {
+        let turned: Vec<usize> =
+            (0..self.worth.len()).filter(|&face| self.worth[face] == Worth::Turned).collect();
+        if !turned.is_empty() {
+            self.beside_turned = vec![false; self.mesh.vertex_count()];
+        }
+        for half_edge in turned.into_iter().flat_map(|face| self.mesh.faces().range(face)) {
+            let corners = self.mesh.faces().corners();
+            self.beside_turned[corners[half_edge] as usize] = true;
+            // Beyond a seam it is another vertex.
+            if let Link::Inconsistent(other) = self.topology.link(half_edge as u32) {
+                let (tail, head) = self.topology.ends(corners, other);
+                self.beside_turned[tail as usize] = true;
+                self.beside_turned[head as usize] = true;
+            }
+        }
+    }
+
+    /// Whether the faces round a corner's vertex agree, so that their mean says something.
+    pub(super) fn is_judged(&self, corner: usize) -> bool {
+        self.beside_turned.is_empty() || !self.beside_turned[self.mesh.faces().corners()[corner] as usize]
     }
 
     /// The face's own unit normal.

@@ -102,7 +102,7 @@ pub struct Finding {
     pub degrees: Option<f64>,
     /// What that angle does to the grey value under a key light at most ([`key_light_steps`](super::key_light_steps)).
     pub steps: Option<f64>,
-    /// The worst ten places, worst first.
+    /// The worst places, worst first: as many as [`Thresholds::places`](super::Thresholds::places).
     pub places: Vec<Site>,
     /// Options of `crease normals` that mend it; `None` if none does.
     pub remedy: Option<String>,

@@ -10,31 +10,33 @@ use crate::mesh::Link;
 use crate::normals::FaultReason;
 use crate::num::{Degrees, Radians, angle_between};
 use glam::DVec3;
+use rayon::prelude::*;
 
 /// Everything about the shape of a part.
 pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Tallies) {
-    winding(facts, found);
-    let faces = scan(facts.mesh.face_count(), |faces, found| {
+    let doubled = duplicates::find(facts, found);
+    winding(facts, &doubled, found);
+    let faces = scan(facts.mesh.face_count(), thresholds.places, |faces, found| {
         for face in faces {
             needle(facts, face, thresholds, found);
             polygons::look_at(facts, face, thresholds, found);
             for half_edge in facts.mesh.faces().range(face) {
-                edge(facts, face, half_edge as u32, thresholds, found);
+                fold(facts, face, half_edge as u32, thresholds, found);
             }
         }
     });
     found.merge(faces);
     faults(facts, found);
-    let vertices = scan(facts.mesh.vertex_count(), |vertices, found| {
+    let vertices = scan(facts.mesh.vertex_count(), thresholds.places, |vertices, found| {
         vertices.for_each(|vertex| fans(facts, vertex, thresholds, found));
     });
     found.merge(vertices);
-    duplicates::find(facts, found);
+    crowded_edges(facts, found);
     far_from_origin(facts, thresholds, found);
 }
 
 /// Faces that run against their neighbours, and components that face the wrong way.
-fn winding(facts: &Facts<'_>, found: &mut Tallies) {
+fn winding(facts: &Facts<'_>, doubled: &[u32], found: &mut Tallies) {
     // Pieces that only touch may run as they like; their edges are no edges by index.
     let by_index = |half_edge: usize| match facts.topology.link(half_edge as u32) {
         Link::Inconsistent(other) => {
@@ -44,7 +46,8 @@ fn winding(facts: &Facts<'_>, found: &mut Tallies) {
         _ => false,
     };
     let mut certain = !facts.shares_vertices;
-    for &face in &facts.minority {
+    // A face that stands twice runs the same way as its double: that is told as what it is.
+    for &face in facts.minority.iter().filter(|face| doubled.binary_search(face).is_err()) {
         certain |= facts.mesh.faces().range(face as usize).any(by_index);
         found.add(Kind::InconsistentWinding, Spot::face(face as usize, 0.0), facts.area[face as usize]);
     }
@@ -107,20 +110,9 @@ fn height_over_length(facts: &Facts<'_>, face: usize) -> f64 {
     2.0 * facts.area[face] / longest
 }
 
-/// Edges of too many faces, and folds.
-fn edge(facts: &Facts<'_>, face: usize, half_edge: u32, thresholds: &Thresholds, found: &mut Tallies) {
+/// Edges where the surface turns back.
+fn fold(facts: &Facts<'_>, face: usize, half_edge: u32, thresholds: &Thresholds, found: &mut Tallies) {
     match facts.topology.link(half_edge) {
-        Link::NonManifold | Link::Ambiguous => {
-            let (tail, head) = facts.topology.ends(facts.mesh.faces().corners(), half_edge);
-            // Of the half-edges there, those that run upwards speak for the edge, or one face may be told twice.
-            if tail < head {
-                found.add(
-                    Kind::NonManifold,
-                    Spot { is_angle: false, ..Spot::corner(face, half_edge as usize, 0.0) },
-                    0.0,
-                );
-            }
-        }
         Link::Twin(across) | Link::Welded(across) if half_edge < across => {
             let other = facts.topology.face_of(across) as usize;
             if facts.area[face] == 0.0 || facts.area[other] == 0.0 {
@@ -132,6 +124,34 @@ fn edge(facts: &Facts<'_>, face: usize, half_edge: u32, thresholds: &Thresholds,
             }
         }
         _ => {}
+    }
+}
+
+/// Edges of more than two faces, each once.
+fn crowded_edges(facts: &Facts<'_>, found: &mut Tallies) {
+    let corners = facts.mesh.faces().corners();
+    let place =
+        |vertex: u32| (facts.mesh.positions()[vertex as usize] + DVec3::ZERO).to_array().map(f64::to_bits);
+    let mut edges: Vec<([[u64; 3]; 2], u32)> = (0..corners.len() as u32)
+        .into_par_iter()
+        .filter_map(|half_edge| {
+            let (tail, head) = facts.topology.ends(corners, half_edge);
+            let ends = match facts.topology.link(half_edge) {
+                // By index where it is one by index, else by place.
+                Link::NonManifold => [[u64::from(tail); 3], [u64::from(head); 3]],
+                Link::Ambiguous => [place(tail), place(head)],
+                _ => return None,
+            };
+            let [a, b] = ends;
+            Some(([a.min(b), a.max(b)], half_edge))
+        })
+        .collect();
+    edges.par_sort_unstable();
+    for edge in edges.chunk_by(|a, b| a.0 == b.0) {
+        let half_edge = edge[0].1;
+        let face = facts.topology.face_of(half_edge) as usize;
+        let spot = Spot { is_angle: false, ..Spot::corner(face, half_edge as usize, edge.len() as f64) };
+        found.add(Kind::NonManifold, spot, 0.0);
     }
 }
 

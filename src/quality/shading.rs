@@ -9,7 +9,7 @@ use crate::num::{Degrees, angle_between};
 /// Risks of shading with the normals that a viewer has: the stored ones, or the computed ones where there are none.
 pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Tallies) {
     let highlight = half_width(thresholds.exponent);
-    let risks = scan(facts.mesh.face_count(), |faces, found| {
+    let risks = scan(facts.mesh.face_count(), thresholds.places, |faces, found| {
         for face in faces.filter(|&face| facts.worth[face] == Worth::Sound) {
             corners(facts, face, highlight, thresholds, found);
             for half_edge in facts.mesh.faces().range(face) {

@@ -23,8 +23,8 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
         return;
     }
     let groups = facts.mesh.columns().smoothing.as_ref();
-    let crease = estimate.crease.0;
-    let mut edges = scan(facts.mesh.face_count(), |faces, found| {
+    let crease = estimate.sharp_from();
+    let mut edges = scan(facts.mesh.face_count(), thresholds.places, |faces, found| {
         for face in faces {
             for half_edge in facts.mesh.faces().range(face) {
                 if let Some(edge) = Edge::at(facts, stored, half_edge as u32) {
@@ -44,6 +44,17 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
     found.merge(edges);
 }
 
+/// Whether one of the two edges of its face at a corner has one normal on both sides where the rule of the mesh has two.
+pub(super) fn is_averaged(facts: &Facts<'_>, corner: usize) -> bool {
+    let (Some(stored), Some(estimate)) = (facts.stored, facts.estimate) else { return false };
+    let ways = [corner as u32, facts.topology.previous(corner as u32)];
+    facts.shares_vertices
+        && ways
+            .into_iter()
+            .filter_map(|half_edge| Edge::either_way(facts, stored, half_edge))
+            .any(|edge| edge.is_averaged(facts, estimate.sharp_from()))
+}
+
 /// An edge between two sound faces, with the stored normals on both sides at both ends.
 struct Edge {
     half_edge: u32,
@@ -60,7 +71,13 @@ struct Edge {
 impl Edge {
     /// The edge of a half-edge, told once for both.
     fn at(facts: &Facts<'_>, stored: &Column<DVec3>, half_edge: u32) -> Option<Edge> {
-        let across = facts.topology.across(half_edge).filter(|&across| half_edge < across)?;
+        let is_first = facts.topology.across(half_edge).is_some_and(|across| half_edge < across);
+        if is_first { Self::either_way(facts, stored, half_edge) } else { None }
+    }
+
+    /// The edge of a half-edge.
+    fn either_way(facts: &Facts<'_>, stored: &Column<DVec3>, half_edge: u32) -> Option<Edge> {
+        let across = facts.topology.across(half_edge)?;
         let faces = [half_edge, across].map(|corner| facts.topology.face_of(corner) as usize);
         if faces.iter().any(|&face| facts.worth[face] != Worth::Sound) {
             return None;
@@ -91,7 +108,7 @@ impl Edge {
     ) {
         let spot = Spot::corner(self.faces[0], self.half_edge as usize, self.bend);
         let [low, high] = [self.gaps[0].min(self.gaps[1]), self.gaps[0].max(self.gaps[1])];
-        if high <= SAME && self.bend > crease + thresholds.crease.0 {
+        if self.is_averaged(facts, crease + thresholds.crease.0) {
             let leaning = self.ends.as_flattened().iter().map(|&corner| facts.leaning(corner));
             found.add(Kind::AveragedCrease, spot.by(leaning.fold(0.0, f64::max)), 0.0);
         } else if low > thresholds.seam.0 && self.goes_on(facts) {
@@ -109,6 +126,12 @@ impl Edge {
                 found.add(Kind::GroupMismatch, spot, 0.0);
             }
         }
+    }
+
+    /// Whether both sides have one normal where the rule of the mesh has two.
+    fn is_averaged(&self, facts: &Facts<'_>, from: f64) -> bool {
+        let is_shared = self.gaps[0].max(self.gaps[1]) <= SAME;
+        is_shared && self.bend > from && !self.goes_on(facts)
     }
 
     /// Whether the recipe that fits best has one normal on both sides, at both ends.

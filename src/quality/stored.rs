@@ -5,7 +5,7 @@ use super::catalogue::Kind;
 use super::facts::{Facts, Worth};
 use super::finding::Severity;
 use super::tally::{Spot, Tallies, scan};
-use super::{quantisation, turned};
+use super::{quantisation, smoothing, turned};
 use crate::mesh::Column;
 use crate::num::{Degrees, angle_between};
 use glam::DVec3;
@@ -22,7 +22,7 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
         found.add(Kind::NoNormals, Spot::mesh(), facts.total_area());
         return;
     };
-    let corners = scan(facts.mesh.face_count(), |faces, found| {
+    let corners = scan(facts.mesh.face_count(), thresholds.places, |faces, found| {
         faces.for_each(|face| look_at(facts, stored, face, thresholds, found));
     });
     let judged = Judged::new(facts, &corners);
@@ -91,6 +91,7 @@ fn look_at(
             found.add(Kind::LooseLength, Spot { weight: off, is_angle: false, ..spot }, area);
         }
         if facts.worth[face] == Worth::Sound
+            && facts.is_judged(corner)
             && let Some(unit) = facts.stored_unit(corner)
             && let Some((kind, degrees)) = direction(facts, face, corner, unit, thresholds)
         {
@@ -115,6 +116,8 @@ fn direction(
     let kind = match degrees(facts.face_normal(face)) > 90.0 + thresholds.against.0 {
         true if off > OPPOSITE => Kind::Flipped,
         true => Kind::AgainstFace,
+        // An edge that should be sharp explains its corners.
+        false if smoothing::is_averaged(facts, corner) => return None,
         false => Kind::Stray,
     };
     Some((kind, off))

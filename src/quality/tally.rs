@@ -6,9 +6,6 @@ use crate::mesh::NONE;
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// How many places of a finding are kept.
-pub(super) const PLACES: usize = 10;
-
 /// One occurrence. What it is not about is [`NONE`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Spot {
@@ -60,7 +57,7 @@ impl Spot {
 pub(super) struct Tally {
     pub(super) count: u64,
     pub(super) area: f64,
-    /// At most [`PLACES`], worst first.
+    /// At most so many as were asked for, worst first.
     pub(super) worst: Vec<Spot>,
     /// What else is to be said of it.
     pub(super) remark: Option<String>,
@@ -71,19 +68,19 @@ pub(super) struct Tally {
 }
 
 impl Tally {
-    fn keep(&mut self, spot: Spot) {
-        if self.worst.len() == PLACES && self.worst[PLACES - 1].order(&spot).is_lt() {
+    fn keep(&mut self, spot: Spot, most: usize) {
+        if self.worst.len() >= most && self.worst.last().is_none_or(|last| last.order(&spot).is_lt()) {
             return;
         }
         let at = self.worst.partition_point(|known| known.order(&spot).is_lt());
         self.worst.insert(at, spot);
-        self.worst.truncate(PLACES);
+        self.worst.truncate(most);
     }
 
-    fn merge(&mut self, other: Tally) {
+    fn merge(&mut self, other: Tally, most: usize) {
         self.count += other.count;
         self.area += other.area;
-        other.worst.into_iter().for_each(|spot| self.keep(spot));
+        other.worst.into_iter().for_each(|spot| self.keep(spot, most));
         self.remark = self.remark.take().or(other.remark);
         self.severity = self.severity.max(other.severity);
         self.remedy = self.remedy.take().or(other.remedy);
@@ -92,57 +89,63 @@ impl Tally {
 
 /// One tally for every kind of finding.
 #[derive(Clone, Debug)]
-pub(super) struct Tallies(Vec<Tally>);
+pub(super) struct Tallies {
+    tallies: Vec<Tally>,
+    /// How many places of each finding are kept.
+    most: usize,
+}
 
 impl Tallies {
-    pub(super) fn new() -> Self {
-        Self(vec![Tally::default(); Kind::COUNT])
+    pub(super) fn new(most: usize) -> Self {
+        Self { tallies: vec![Tally::default(); Kind::COUNT], most }
     }
 
     pub(super) fn get(&self, kind: Kind) -> &Tally {
-        &self.0[kind as usize]
+        &self.tallies[kind as usize]
     }
 
     pub(super) fn tally(&mut self, kind: Kind) -> &mut Tally {
-        &mut self.0[kind as usize]
+        &mut self.tallies[kind as usize]
     }
 
     pub(super) fn take(&mut self, kind: Kind) -> Tally {
-        std::mem::take(&mut self.0[kind as usize])
+        std::mem::take(&mut self.tallies[kind as usize])
     }
 
     /// Counts an occurrence that covers so much area.
     pub(super) fn add(&mut self, kind: Kind, spot: Spot, area: f64) {
+        let most = self.most;
         let tally = self.tally(kind);
         tally.count += 1;
         tally.area += area;
-        tally.keep(spot);
+        tally.keep(spot, most);
     }
 
     /// What one kind has goes over to another.
     pub(super) fn rename(&mut self, from: Kind, to: Kind) {
-        let tally = self.take(from);
-        self.tally(to).merge(tally);
+        let (tally, most) = (self.take(from), self.most);
+        self.tally(to).merge(tally, most);
     }
 
     pub(super) fn merge(&mut self, other: Tallies) {
-        self.0.iter_mut().zip(other.0).for_each(|(own, other)| own.merge(other));
+        let most = self.most;
+        self.tallies.iter_mut().zip(other.tallies).for_each(|(own, other)| own.merge(other, most));
     }
 }
 
 /// Looks at all of so many things, in parallel, block by block. Blocks have a fixed length and are added up in their
 /// order, so that sums do not depend on the number of threads.
-pub(super) fn scan(count: usize, look: impl Fn(Range<usize>, &mut Tallies) + Sync) -> Tallies {
+pub(super) fn scan(count: usize, most: usize, look: impl Fn(Range<usize>, &mut Tallies) + Sync) -> Tallies {
     const BLOCK: usize = 1 << 14;
     let blocks: Vec<Tallies> = (0..count.div_ceil(BLOCK))
         .into_par_iter()
         .map(|block| {
-            let mut found = Tallies::new();
+            let mut found = Tallies::new(most);
             look(block * BLOCK..((block + 1) * BLOCK).min(count), &mut found);
             found
         })
         .collect();
-    let mut all = Tallies::new();
+    let mut all = Tallies::new(most);
     blocks.into_iter().for_each(|found| all.merge(found));
     all
 }
@@ -154,14 +157,14 @@ mod tests {
     #[test]
     fn the_worst_places_are_kept_in_order() {
         let weight = |i: usize| ((i * 7919) % 1000) as f64;
-        let found = scan(100_000, |range, found| {
+        let found = scan(100_000, 10, |range, found| {
             range.for_each(|i| found.add(Kind::Needles, Spot::face(i, weight(i)), 0.5));
         });
         let tally = found.get(Kind::Needles);
         assert_eq!((tally.count, tally.area), (100_000, 50_000.0));
         let mut all: Vec<Spot> = (0..100_000).map(|i| Spot::face(i, weight(i))).collect();
         all.sort_by(Spot::order);
-        assert_eq!(tally.worst, all[..PLACES]);
+        assert_eq!(tally.worst, all[..10]);
         assert!(tally.worst.iter().all(|spot| spot.weight == 999.0));
     }
 }

@@ -42,6 +42,8 @@ pub struct Thresholds {
     pub outline: f64,
     /// The size in pixels that outlines are measured at.
     pub size: f64,
+    /// How many places of each finding are told, the worst first. Counts are always complete.
+    pub places: usize,
 }
 
 impl Default for Thresholds {
@@ -65,6 +67,7 @@ impl Default for Thresholds {
             band: Degrees(15.0),
             outline: 1.0,
             size: 512.0,
+            places: 10,
         }
     }
 }

@@ -11,6 +11,7 @@ mod gltf_edit;
 mod gltf_hostile;
 mod gltf_synthetic;
 mod hostile;
+mod inspect;
 mod invariance;
 mod lectures;
 mod meshes;

@@ -68,6 +68,10 @@ pub struct FindingArgs {
     #[arg(long, value_name = "ID", value_parser = kind, value_delimiter = ',')]
     pub only: Vec<Kind>,
 
+    /// How many places of each finding to tell, the worst first [default: 10 in JSON, 1 as text, 10 with -v]
+    #[arg(long, value_name = "N")]
+    pub places: Option<usize>,
+
     /// Explain a finding, or all of them with `all`, and end
     #[arg(long, value_name = "ID", value_parser = explained, exclusive = true)]
     pub explain: Option<Explained>,

@@ -33,7 +33,8 @@ pub fn main(args: &InspectArgs, color: Color) -> Exit {
         });
         return if console.has_reported() { Exit::Done } else { Exit::OutputFailed };
     }
-    let thresholds = args.thresholds.resolve().unwrap_or_else(|message| usage_error("inspect", message));
+    let mut thresholds = args.thresholds.resolve().unwrap_or_else(|message| usage_error("inspect", message));
+    thresholds.places = args.findings.places.unwrap_or(thresholds.places);
     let jobs = match jobs(args) {
         Ok(jobs) => jobs,
         Err(RequestError::Usage(message)) => usage_error("inspect", message),
@@ -77,7 +78,7 @@ fn run(jobs: &[Job], args: &InspectArgs, thresholds: &Thresholds, console: &Cons
                 report.error = Some(ErrorReport::new(&failure));
             }
         }
-        progress.suspended(|| tell(&report, jobs.len() > 1, console));
+        progress.suspended(|| tell(&report, args, jobs.len() > 1, console));
     }
     drop(progress);
     match (failed, jobs.len()) {
@@ -147,7 +148,7 @@ fn mended(job: &Job, extension: &str) -> String {
     format!("{}-mended.{extension}", stem.display())
 }
 
-fn tell(report: &InspectReport, brief: bool, console: &Console) {
+fn tell(report: &InspectReport, args: &InspectArgs, brief: bool, console: &Console) {
     if let Some(error) = &report.error {
         console.error(&format!("{}: {}", escaped(&report.input.path), error.message));
     }
@@ -156,10 +157,11 @@ fn tell(report: &InspectReport, brief: bool, console: &Console) {
     } else if console.verbosity > Verbosity::Quiet && report.error.is_none() {
         let verbose = console.verbosity == Verbosity::Verbose;
         let style = console.report_style();
+        let places = args.findings.places.unwrap_or(if verbose { usize::MAX } else { 1 });
         console.report(&if brief && !verbose {
             text::line(report, style)
         } else {
-            text::block(report, style, verbose)
+            text::block(report, style, verbose, places)
         });
     }
 }

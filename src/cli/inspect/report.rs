@@ -12,7 +12,7 @@
 //! | `input` | as in `crease-normals/1` |
 //! | `verdict` | the gravest severity told, or null |
 //! | `counts` | how many findings are `error`, `warning`, `note` |
-//! | `parts` | `name`, `vertices`, `faces`, `corners`, and `estimate`, null if stored normals do not tell: `weight`, `crease` (degrees), `sample` (corners), `reproduced`, `separated` (shares), `median` (degrees) |
+//! | `parts` | `name`, `vertices`, `faces`, `corners`, and `estimate`, null if stored normals do not tell: `weight`, `crease` (degrees), `groups` (whether smoothing groups count too), `sample` (corners), `reproduced`, `separated` (shares), `median` (degrees) |
 //! | `findings` | the gravest first, below |
 //! | `seconds` | `read`, `inspect`, `total` |
 //!
@@ -62,6 +62,7 @@ pub struct PartReport {
 pub struct EstimateReport {
     pub weight: &'static str,
     pub crease: f64,
+    pub groups: bool,
     pub sample: usize,
     pub reproduced: f64,
     pub separated: f64,
@@ -147,6 +148,7 @@ impl PartReport {
         let estimate = |estimate: Estimate| EstimateReport {
             weight: estimate.weight.name(),
             crease: estimate.crease.0,
+            groups: estimate.groups,
             sample: estimate.sample,
             reproduced: estimate.reproduced,
             separated: estimate.separated,

@@ -7,9 +7,6 @@ use crease::quality::Severity;
 use crease::quality::catalogue::{Entry, entries};
 use std::fmt::Write;
 
-/// Places that are printed unless all are asked for.
-const PLACES: usize = 1;
-
 /// The verdict in one line.
 pub fn line(report: &InspectReport, style: Style) -> String {
     let name = style.paint(Style::BOLD, &escaped(&report.input.path));
@@ -31,7 +28,7 @@ fn verdict(counts: Counts, style: Style) -> String {
 }
 
 /// The verdict, how the normals were made, and every finding.
-pub fn block(report: &InspectReport, style: Style, verbose: bool) -> String {
+pub fn block(report: &InspectReport, style: Style, verbose: bool, places: usize) -> String {
     let mut out = line(report, style);
     for part in
         report.parts.iter().filter(|part| verbose || report.parts.len() == 1 && part.estimate.is_some())
@@ -40,20 +37,21 @@ pub fn block(report: &InspectReport, style: Style, verbose: bool) -> String {
         let made = match &part.estimate {
             Some(estimate) if estimate.reproduced < 0.5 => "; no rule reproduces the stored normals".into(),
             Some(estimate) => format!(
-                "; stored normals are best reproduced by --weight {} --crease {}: {} % of corners within 5°",
+                "; stored normals are best reproduced by --weight {} --crease {}{}: {} % of corners within 5°",
                 estimate.weight,
                 estimate.crease,
+                if estimate.groups { " and smoothing groups" } else { "" },
                 three_digits(100.0 * estimate.reproduced)
             ),
             None => String::new(),
         };
         let _ = writeln!(out, "  {name}{} faces, {} vertices{made}", part.faces, part.vertices);
     }
-    report.findings.iter().for_each(|finding| out.push_str(&paragraph(finding, report, style, verbose)));
+    report.findings.iter().for_each(|finding| out.push_str(&paragraph(finding, report, style, places)));
     out
 }
 
-fn paragraph(finding: &FindingReport, report: &InspectReport, style: Style, verbose: bool) -> String {
+fn paragraph(finding: &FindingReport, report: &InspectReport, style: Style, places: usize) -> String {
     let colour = match finding.severity {
         Severity::Error => Style::RED,
         Severity::Warning => Style::YELLOW,
@@ -88,7 +86,6 @@ fn paragraph(finding: &FindingReport, report: &InspectReport, style: Style, verb
             three_digits(degrees)
         );
     }
-    let places = if verbose { usize::MAX } else { PLACES };
     for site in finding.places.iter().take(places).filter(|site| site.position.is_some()) {
         let _ = writeln!(out, "    at {}", place(site, report));
     }

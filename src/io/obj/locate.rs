@@ -6,6 +6,7 @@
 use super::arguments::Fault;
 use super::lexer::{Cursor, Keyword, statements};
 use crate::io::Problem;
+use crate::io::text::lines_of;
 
 /// How many vertices, texture coordinates and normals a file defines.
 #[derive(Clone, Copy, Debug, Default)]
@@ -116,4 +117,27 @@ pub(super) fn arguments_of(text: &[u8], keyword: Keyword, number: usize) -> Opti
         .filter(|statement| statement.keyword == keyword)
         .nth(number)
         .map(|statement| statement.arguments)
+}
+
+/// The line of each of some faces, ascending, as the reader counts them: those of fewer than three corners are skipped.
+pub(super) fn lines_of_faces(text: &[u8], faces: &[u32]) -> Vec<u64> {
+    let has_three = |arguments: usize| {
+        let mut cursor = Cursor::new(text, arguments);
+        (0..3).all(|_| {
+            cursor.skip_blanks();
+            !cursor.at_statement_end() && cursor.corner().is_some()
+        })
+    };
+    let mut wanted = faces.iter().peekable();
+    let mut offsets = Vec::with_capacity(faces.len());
+    let statements = statements(text).filter(|statement| statement.keyword == Keyword::Face);
+    for (face, statement) in statements.filter(|statement| has_three(statement.arguments)).enumerate() {
+        while wanted.next_if(|&&wanted| wanted as usize == face).is_some() {
+            offsets.push(statement.start);
+        }
+        if wanted.peek().is_none() {
+            break;
+        }
+    }
+    lines_of(text, &offsets)
 }

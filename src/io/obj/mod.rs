@@ -66,6 +66,11 @@ impl ObjDocument {
         &self.text
     }
 
+    /// The line of each of some faces, which ascend and may repeat, from 1. The text is read again for it.
+    pub fn lines_of_faces(&self, faces: &[u32]) -> Vec<u64> {
+        locate::lines_of_faces(&self.text, faces)
+    }
+
     /// What the material libraries say.
     pub(super) fn materials(&self) -> &[FileMaterial] {
         &self.materials

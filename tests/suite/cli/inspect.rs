@@ -1,0 +1,167 @@
+//! The verb `inspect`: exit codes, choices of findings, and a JSON report with the members that are documented.
+
+use super::{TRIANGLE, code, crease, data, folder, path, text};
+use serde::Deserialize;
+use std::process::Output;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[allow(dead_code, reason = "the members are checked by being read")]
+struct Report {
+    schema: String,
+    crease: String,
+    status: String,
+    error: Option<serde_json::Value>,
+    input: serde_json::Value,
+    verdict: Option<String>,
+    counts: Counts,
+    parts: Vec<Part>,
+    findings: Vec<Finding>,
+    seconds: Seconds,
+}
+
+#[derive(Debug, Deserialize, PartialEq)]
+#[serde(deny_unknown_fields)]
+struct Counts {
+    error: usize,
+    warning: usize,
+    note: usize,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[allow(dead_code, reason = "the members are checked by being read")]
+struct Part {
+    name: String,
+    vertices: usize,
+    faces: usize,
+    corners: usize,
+    estimate: Option<Estimate>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[allow(dead_code, reason = "the members are checked by being read")]
+struct Estimate {
+    weight: String,
+    crease: f64,
+    groups: bool,
+    sample: usize,
+    reproduced: f64,
+    separated: f64,
+    median: f64,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[allow(dead_code, reason = "the members are checked by being read")]
+struct Finding {
+    id: String,
+    severity: String,
+    family: String,
+    cause: String,
+    element: String,
+    count: u64,
+    of: u64,
+    share: f64,
+    area_share: f64,
+    degrees: Option<f64>,
+    steps: Option<f64>,
+    command: Option<String>,
+    places: Vec<Place>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[allow(dead_code, reason = "the members are checked by being read")]
+struct Place {
+    part: usize,
+    face: Option<u32>,
+    corner: Option<u32>,
+    vertex: Option<u32>,
+    position: Option<[f64; 3]>,
+    degrees: Option<f64>,
+    node: Option<String>,
+    line: Option<u64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[allow(dead_code, reason = "the members are checked by being read")]
+struct Seconds {
+    read: f64,
+    inspect: f64,
+    total: f64,
+}
+
+/// Two triangles of a square, the second with a normal that points down.
+const FLIPPED: &str =
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nvn 0 0 -1\nf 1//1 2//1 3//1\nf 1//1 3//2 4//1\n";
+
+fn inspect(args: &[&str]) -> Output {
+    crease().arg("inspect").args(args).output().unwrap()
+}
+
+#[test]
+fn the_report_has_the_documented_members() {
+    let files = folder(&[("flipped.obj", FLIPPED)]);
+    let output = inspect(&["--json", &path(files.path().join("flipped.obj"))]);
+    assert_eq!(code(&output), 0, "{}", text(&output.stderr));
+    let report: Report = serde_json::from_str(text(&output.stdout)).unwrap();
+    assert_eq!((report.schema.as_str(), report.status.as_str()), ("crease-inspect/1", "ok"));
+    let finding = &report.findings[0];
+    assert_eq!(
+        (finding.id.as_str(), finding.severity.as_str(), finding.count),
+        ("flipped-normals", "error", 1)
+    );
+    let place = &finding.places[0];
+    assert_eq!(
+        (place.face, place.corner, place.vertex, place.position),
+        (Some(1), Some(1), Some(2), Some([1.0, 1.0, 0.0]))
+    );
+    assert_eq!(place.line, Some(8), "the line of the face");
+    assert_eq!(report.verdict.as_deref(), Some("error"));
+    assert_eq!(report.counts, Counts { error: 1, warning: 0, note: report.findings.len() - 1 });
+}
+
+#[test]
+fn gates_end_with_1_where_something_is_found() {
+    let files = folder(&[("flipped.obj", FLIPPED), ("good.obj", TRIANGLE)]);
+    let (flipped, good) = (path(files.path().join("flipped.obj")), path(files.path().join("good.obj")));
+    assert_eq!(code(&inspect(&[&flipped])), 0);
+    assert_eq!(code(&inspect(&["--fail-on", "error", &flipped])), 1);
+    assert_eq!(code(&inspect(&["--fail-on", "error", &good])), 0);
+    assert_eq!(code(&inspect(&["--fail-on", "note", &good])), 1);
+    assert_eq!(code(&inspect(&["--fail-on", "error", "--ignore", "flipped-normals", &flipped])), 0);
+    assert_eq!(code(&inspect(&["--fail-on", "note", "--only", "needle-faces", &flipped])), 0);
+    let both = inspect(&["--json", "--recursive", "--fail-on", "error", &path(files.path())]);
+    assert_eq!((code(&both), text(&both.stdout).lines().count()), (1, 2));
+    let statuses =
+        text(&both.stdout).lines().map(|line| serde_json::from_str::<Report>(line).unwrap().status);
+    assert_eq!(statuses.collect::<Vec<_>>(), ["findings", "ok"]);
+    assert_eq!(code(&inspect(&["nowhere.obj"])), 3);
+    assert_eq!(code(&inspect(&["nowhere.obj", &good])), 5);
+    assert_eq!(code(&inspect(&[])), 2);
+    assert_eq!(code(&inspect(&["--only", "nothing", &good])), 2);
+    assert_eq!(code(&inspect(&["--deviation", "200", &good])), 2);
+}
+
+#[test]
+fn every_finding_is_explained() {
+    let all = inspect(&["--explain", "all"]);
+    for entry in crease::quality::catalogue::entries() {
+        assert!(text(&all.stdout).contains(entry.id), "{}", entry.id);
+        let one = inspect(&["--explain", entry.id]);
+        let said = text(&one.stdout);
+        assert!(said.contains(entry.meaning) && said.contains(entry.advice), "{said}");
+    }
+}
+
+#[test]
+fn text_begins_with_a_verdict() {
+    let output = inspect(&[&path(data("gear.obj"))]);
+    let said = text(&output.stdout);
+    assert!(said.lines().next().unwrap().contains("gear.obj: ") && said.contains("no-normals"), "{said}");
+    let quiet = inspect(&["-q", &path(data("gear.obj"))]);
+    assert!(quiet.stdout.is_empty());
+}

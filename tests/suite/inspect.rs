@@ -1,0 +1,57 @@
+//! The diagnosis itself, tested: faults planted at known places, clean meshes, real meshes with known faults, and whether
+//! what is suggested mends what was found.
+
+mod clean;
+mod mended;
+mod planted;
+mod real;
+
+use crease::io::{Document, FileNode, Format, Loaded, Part};
+use crease::mesh::{Columns, Faces, Mesh, MeshBuilder};
+use crease::normals::{Crease, NormalRecipe, Weight, compute};
+use crease::num::Degrees;
+use crease::quality::{Diagnosis, Severity, Thresholds, diagnose};
+use crease::surface::{Surface, Tessellation};
+use glam::DVec3;
+
+/// A mesh as if it were read from a file that can share vertices.
+fn loaded(mesh: Mesh) -> Loaded {
+    Loaded {
+        format: Format::Obj,
+        parts: vec![Part { mesh, ..Part::default() }],
+        nodes: Vec::<FileNode>::new(),
+        notes: Vec::new(),
+        document: Document::None,
+    }
+}
+
+/// Everything that is found in a mesh, with up to so many places of each.
+fn inspect(mesh: &Mesh, places: usize) -> Diagnosis {
+    diagnose(&loaded(mesh.clone()), &Thresholds { places, ..Thresholds::default() }, &|_| {})
+}
+
+/// The kinds that are no notes.
+fn grave(diagnosis: &Diagnosis) -> Vec<&'static str> {
+    let grave = diagnosis.findings.iter().filter(|finding| finding.severity > Severity::Note);
+    grave.map(|finding| finding.kind.id()).collect()
+}
+
+fn recipe(weight: Weight, crease: f64) -> NormalRecipe {
+    NormalRecipe { weight, crease: Crease::Angle(Degrees(crease)), ..NormalRecipe::default() }
+}
+
+/// A mesh with the normals of a recipe stored in it.
+fn with_normals(mesh: Mesh, recipe: &NormalRecipe) -> Mesh {
+    let normals = compute(&mesh, recipe).normals;
+    mesh.with_normals(Some(normals))
+}
+
+/// A surface of the catalogue, cut finely enough that every fault can be told from the shape.
+fn surface(surface: &Surface, segments: [u32; 2]) -> Mesh {
+    surface.tessellate(&Tessellation { segments, ..Tessellation::default() }).unwrap()
+}
+
+/// A mesh of other positions or faces, without columns.
+fn rebuilt(positions: Vec<DVec3>, faces: Faces) -> Mesh {
+    MeshBuilder { positions, faces, columns: Columns::default(), ..MeshBuilder::default() }.build().unwrap()
+}

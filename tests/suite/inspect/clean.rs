@@ -1,0 +1,77 @@
+//! Meshes that nothing is wrong with.
+
+use super::{grave, inspect, recipe, surface, with_normals};
+use crate::cli::data;
+use crate::meshes;
+use crease::io::{ReadOptions, read};
+use crease::mesh::Mesh;
+use crease::normals::{NormalRecipe, Weight};
+use crease::surface::{Cylinder, Pattern, Sphere, Superquadric, Surface, Tessellation, Torus, Wave};
+
+/// A clean mesh and what it is good for.
+pub(super) struct Clean {
+    pub(super) name: &'static str,
+    pub(super) mesh: Mesh,
+    /// What its normals were made with.
+    pub(super) recipe: NormalRecipe,
+    pub(super) is_closed: bool,
+    /// Its normals point so many ways that their storage shows.
+    pub(super) is_round: bool,
+    /// Its faces are so uneven that weightings differ.
+    pub(super) is_uneven: bool,
+}
+
+fn clean(name: &'static str, mesh: Mesh, crease: f64) -> Clean {
+    let recipe = recipe(Weight::Angle, crease);
+    let mesh = with_normals(mesh.with_normals(None), &recipe);
+    Clean { name, mesh, recipe, is_closed: true, is_round: true, is_uneven: false }
+}
+
+fn jittered(shape: &Surface, segments: [u32; 2]) -> Mesh {
+    let tessellation = Tessellation { segments, jitter: 0.5, ..Tessellation::default() };
+    shape.tessellate(&tessellation).unwrap()
+}
+
+fn file(name: &str) -> Mesh {
+    read(&data(name), None, &ReadOptions::default()).unwrap().parts.remove(0).mesh
+}
+
+/// Analytic surfaces and files of our own; the real ones are added where they are there.
+pub(super) fn meshes() -> Vec<Clean> {
+    let ball = Tessellation { pattern: Pattern::Icosphere(3), ..Tessellation::default() };
+    let sphere = Surface::from(Sphere::default());
+    let torus = Surface::from(Torus::default());
+    let mut all = vec![
+        clean("icosphere", sphere.tessellate(&ball).unwrap(), 40.0),
+        Clean { is_uneven: true, ..clean("torus", jittered(&torus, [48, 24]), 40.0) },
+        Clean {
+            is_closed: false,
+            is_uneven: true,
+            ..clean("wave", jittered(&Surface::Wave(Wave::default()), [40, 40]), 40.0)
+        },
+        Clean { is_round: false, ..clean("gear", file("gear.obj"), 40.0) },
+    ];
+    if let Some(path) = meshes::path("ref/fandisk_vtk_split30.ply") {
+        let mesh = read(&path, None, &ReadOptions::default()).unwrap().parts.remove(0).mesh;
+        all.push(Clean { is_uneven: true, ..clean("fandisk", mesh, 30.0) });
+    }
+    all
+}
+
+#[test]
+fn clean_meshes_get_no_warning() {
+    for clean in meshes() {
+        let diagnosis = inspect(&clean.mesh, 10);
+        assert_eq!(grave(&diagnosis), Vec::<&str>::new(), "{}", clean.name);
+    }
+    for (shape, segments) in [
+        (Surface::from(Cylinder::default()), [32, 8]),
+        (Surface::from(Torus::default()), [32, 16]),
+        (Surface::Superquadric(Superquadric::default()), [32, 16]),
+        (Surface::Teapot, [6, 6]),
+    ] {
+        // With the exact normals of the surface, which no mean of faces is.
+        let diagnosis = inspect(&surface(&shape, segments), 10);
+        assert_eq!(grave(&diagnosis), Vec::<&str>::new(), "{shape:?}");
+    }
+}

@@ -1,0 +1,103 @@
+//! Real meshes: those with known faults, and all the others.
+
+use super::grave;
+use crate::meshes::{path, rows};
+use crease::io::{ReadOptions, read};
+use crease::quality::catalogue::Kind;
+use crease::quality::{Diagnosis, Thresholds, diagnose};
+
+fn inspect(name: &str) -> Option<Diagnosis> {
+    let loaded = read(&path(name)?, None, &ReadOptions::default()).unwrap();
+    Some(diagnose(&loaded, &Thresholds::default(), &|_| {}))
+}
+
+/// What the manifest says of these files, in the names of the catalogue, and how often.
+const KNOWN: [(&str, Kind, Option<u64>); 16] = [
+    ("stl/Spider_binary_flipped.stl", Kind::Inverted, None),
+    ("stl/Spider_ascii_flipped.stl", Kind::Inverted, None),
+    ("stl/Spider_binary_flipped.stl", Kind::ZeroArea, Some(56)),
+    ("stl/torus_wrong_normals.stl", Kind::SwappedAxes, Some(1)),
+    ("stl/busted_zero_normals.STL", Kind::ZeroNormals, Some(3 * 3878)),
+    ("obj/box-incorrect-winding-order.obj", Kind::InconsistentWinding, None),
+    ("obj/box-unnormalized.obj", Kind::NotUnit, None),
+    ("obj/box-incomplete-normals.obj", Kind::MissingNormals, None),
+    ("obj/moebius.obj", Kind::NonOrientable, None),
+    ("obj/non_manifold_wrap.obj", Kind::NonManifold, None),
+    ("obj/fan3.obj", Kind::NonManifold, Some(1)),
+    ("obj/hourglass_ico.obj", Kind::PinchedVertices, Some(1)),
+    ("obj/spider.obj", Kind::ZeroArea, Some(56)),
+    ("gltf/car_negscale.glb", Kind::MirroredNode, Some(2)),
+    ("gltf/car_negscale.glb", Kind::ZeroArea, Some(12)),
+    ("gltf/alien.glb", Kind::ZeroArea, Some(7)),
+];
+
+#[test]
+fn known_faults_are_found() {
+    for (name, kind, count) in KNOWN {
+        let Some(diagnosis) = inspect(name) else { continue };
+        let found = diagnosis.get(kind);
+        assert!(found.is_some(), "{name}: {} is not among {:?}", kind.id(), diagnosis.findings);
+        if let Some(count) = count {
+            assert_eq!(found.map(|finding| finding.count), Some(count), "{name}: {}", kind.id());
+        }
+    }
+}
+
+/// References that another program computed, and analytic shapes.
+#[test]
+fn good_meshes_get_no_warning() {
+    for name in [
+        "ref/fandisk_vtk_split30.ply",
+        "ref/wingnut_vtk_split45.ply",
+        "gltf/roundedCube.glb",
+        "gltf/ShapeCollection.glb",
+        "ply/suzanne_vn.ply",
+        "gltf/BoxInterleaved.glb",
+    ] {
+        let Some(diagnosis) = inspect(name) else { continue };
+        assert_eq!(grave(&diagnosis), Vec::<&str>::new(), "{name}");
+    }
+}
+
+/// Nothing that can be read is too much for it, and numbers stay within bounds.
+#[test]
+fn every_readable_file_is_diagnosed() {
+    let files = [
+        ("obj", &["obj"][..]),
+        ("ply", &["ply"]),
+        ("stl", &["stl", "STL"]),
+        ("gltf", &["gltf", "glb"]),
+        ("bad", &["obj", "ply", "stl", "gltf", "glb"]),
+    ];
+    let long = std::env::var_os("CREASE_LONG").is_some();
+    for row in files.into_iter().flat_map(|(folder, extensions)| rows(folder, extensions)) {
+        let Ok(loaded) = read(&row.path, None, &ReadOptions::default()) else { continue };
+        let faces: usize = loaded.parts.iter().map(|part| part.mesh.face_count()).sum();
+        if faces > 5_000 && !long {
+            continue;
+        }
+        let diagnosis = diagnose(&loaded, &Thresholds::default(), &|_| {});
+        for finding in &diagnosis.findings {
+            let name = format!("{}: {}", row.name(), finding.kind.id());
+            assert!(
+                finding.count > 0 && finding.count <= finding.of,
+                "{name}: {} of {}",
+                finding.count,
+                finding.of
+            );
+            assert!((0.0..=1.0).contains(&finding.area_share), "{name}: {}", finding.area_share);
+            assert!(!finding.places.is_empty() && finding.places.len() <= 10, "{name}");
+            assert!(finding.degrees.is_none_or(|degrees| (0.0..=180.0001).contains(&degrees)), "{name}");
+        }
+    }
+}
+
+/// The same bytes at any number of threads.
+#[test]
+fn threads_change_nothing() {
+    let diagnose_with = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| super::inspect(&super::clean::meshes()[1].mesh, 10))
+    };
+    assert_eq!(diagnose_with(1), diagnose_with(5));
+}
