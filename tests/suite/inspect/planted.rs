@@ -84,17 +84,20 @@ fn averaged_crease(clean: &Clean) -> Option<Planted> {
     let before = normals.clone();
     let corners = clean.mesh.faces().corners();
     let mut places = BTreeSet::new();
-    let mut touched: BTreeSet<u32> = BTreeSet::new();
+    // By place: beyond a seam the same corner of the shape is another vertex.
+    let mut touched: BTreeSet<[u64; 3]> = BTreeSet::new();
+    let place =
+        |corner: u32| clean.mesh.positions()[corners[corner as usize] as usize].to_array().map(f64::to_bits);
     let far = |a: DVec3, b: DVec3| angle_between(a, b).0 > 0.8;
     for half_edge in 0..corners.len() as u32 {
         let Some(across) = topology.across(half_edge).filter(|&across| half_edge < across) else { continue };
         let ends = [[half_edge, topology.next(across)], [topology.next(half_edge), across]];
-        let vertices = ends.map(|[corner, _]| corners[corner as usize]);
+        let places_of_ends = ends.map(|[corner, _]| place(corner));
         let is_sharp = ends.iter().all(|&[a, b]| far(before[a as usize], before[b as usize]));
-        if !is_sharp || vertices.iter().any(|vertex| touched.contains(vertex)) || half_edge % 5 != 0 {
+        if !is_sharp || places_of_ends.iter().any(|place| touched.contains(place)) || half_edge % 5 != 0 {
             continue;
         }
-        touched.extend(vertices);
+        touched.extend(places_of_ends);
         for pair in ends {
             let mean = (before[pair[0] as usize] + before[pair[1] as usize]).normalize();
             pair.iter().for_each(|&corner| normals[corner as usize] = mean);
@@ -224,7 +227,13 @@ fn planted_faults_are_found_where_they_are_and_named() {
             let others: Vec<&str> =
                 super::grave(&diagnosis).into_iter().filter(|id| *id != planted.expected.id()).collect();
             if !others.is_empty() {
-                misses.push(format!("{name} comes with {others:?}"));
+                let all: Vec<_> = diagnosis
+                    .findings
+                    .iter()
+                    .filter(|it| others.contains(&it.kind.id()))
+                    .map(|it| (it.kind.id(), it.count, it.places.first().cloned()))
+                    .collect();
+                misses.push(format!("{name} ({} places) comes with {all:?}", planted.places.len()));
             }
         }
     }
