@@ -60,6 +60,9 @@
 //!   B. A. Barsky, *A new concept and method for line clipping*, ACM TOG 3(1):1–22, 1984.
 //! - J. Pineda, *A parallel algorithm for polygon rasterization*, SIGGRAPH 1988, and M. Olano, T. Greer, *Triangle scan
 //!   conversion using 2D homogeneous coordinates*, Graphics Hardware 1997: edge functions.
+//! - M. J.-Y. Chiang, Y. K. Li, B. Burley, *Taming the shadow terminator*, SIGGRAPH 2019 Talks: light on faces that turn away.
+//! - S. A. Wallis, M. A. Georgeson, *Mach bands and multiscale models of spatial vision*, Journal of Vision 12(13):18, 2012:
+//!   what [`metric`] does not claim.
 
 pub mod io;
 pub mod mesh;

@@ -8,7 +8,7 @@ use super::triangles::DrawnObject;
 use super::view::{Rays, View};
 use crate::mesh::{ColumnIndex, NONE, NormalMatrix, normal_matrix};
 use crate::num::unit_scale;
-use crate::shade::{Frame, ShadeSettings, Shader, Viewer};
+use crate::shade::{Frame, ShadeSettings, Shader, Terminator, Viewer};
 use crate::surface::Placed;
 use glam::{DMat3, DVec3, Vec3};
 use rayon::prelude::*;
@@ -112,6 +112,13 @@ pub(super) fn frame(scene: &Scene, view: &View) -> Frame {
     Frame { origin: view.eye, unit: unit.clamp(f64::MIN_POSITIVE, f64::MAX) }
 }
 
+impl RenderSettings {
+    /// Whether what lights a sample depends on the normal of its face as well.
+    pub(super) fn asks_faces(&self) -> bool {
+        self.shading == Shading::Phong && self.terminator != Terminator::Smooth
+    }
+}
+
 /// What shaders are made with.
 pub(super) fn shade_settings(settings: &RenderSettings, view: &View, frame: Frame) -> ShadeSettings {
     let is_far = !view.perspective || settings.infinite_viewer;
@@ -119,6 +126,7 @@ pub(super) fn shade_settings(settings: &RenderSettings, view: &View, frame: Fram
         viewer: if is_far { Viewer::Towards(-view.axes[2]) } else { Viewer::At(view.eye) },
         frame,
         guards: settings.guards,
+        terminator: settings.terminator,
         depth_cue: settings.depth_cue,
         // Faces know which side is seen: see `Prepared::corner_normal`.
         two_sided: false,
@@ -256,8 +264,9 @@ fn check_lists(number: usize, object: &Object, settings: &RenderSettings) -> Res
         Shape::Triangles(triangles) => {
             let vertices = triangles.positions.len();
             count("normals", triangles.normals.len(), "vertices", vertices)?;
-            let wants_faces =
-                settings.shading == Shading::Flat || matches!(settings.show, Show::Deviation(_));
+            let wants_faces = settings.shading == Shading::Flat
+                || matches!(settings.show, Show::Deviation(_))
+                || settings.asks_faces();
             if wants_faces || !triangles.face_normals.is_empty() {
                 count("face normals", triangles.face_normals.len(), "triangles", triangles.triangles.len())?;
             }

@@ -22,6 +22,8 @@ pub(super) struct Painter {
     values: Box<[Row; 3]>,
     positions: Box<[Row; 3]>,
     colours: Box<[Row; 3]>,
+    /// Normals of faces.
+    faces: Box<[Row; 3]>,
     light: PointLight,
     /// Polygons of the scanline algorithm, by ascending face.
     polygons: Vec<(u32, ScanPolygon)>,
@@ -44,6 +46,7 @@ impl Painter {
             values: rows(),
             positions: rows(),
             colours: rows(),
+            faces: rows(),
             light: PointLight::new(),
             polygons: Vec::new(),
         }
@@ -229,7 +232,15 @@ impl Painter {
                     });
                 }
             }
-            let Self { values, positions, colours, .. } = self;
+            let by_faces = job.settings.asks_faces() && !prepared.is_cast && shader.is_some();
+            if by_faces {
+                for (lane, seen) in seen.iter().enumerate() {
+                    let record = &records[seen.record as usize];
+                    let normal = prepared.face_normal(record.face, record.turned).to_array();
+                    self.faces.iter_mut().zip(normal).for_each(|(row, component)| row[lane] = component);
+                }
+            }
+            let Self { values, positions, colours, faces, .. } = self;
             if let Some(shader) = shader {
                 let rows = SurfaceRows {
                     positions: positions.each_ref().map(|row| &row[..count]),
@@ -237,7 +248,12 @@ impl Painter {
                 };
                 let colours = colours.each_mut().map(|row| &mut row[..count]);
                 let error = |error| RenderError::NotFinite { object, error };
-                shader.shade_rows(&rows, colours).map_err(error)?;
+                let faces = faces.each_ref().map(|row| &row[..count]);
+                let done = match by_faces {
+                    true => shader.shade_rows_on(&rows, faces, colours),
+                    false => shader.shade_rows(&rows, colours),
+                };
+                done.map_err(error)?;
             } else if job.settings.show != Show::Shaded {
                 for (lane, seen) in seen.iter().enumerate() {
                     let at = |rows: &[Row; 3]| Vec3::new(rows[0][lane], rows[1][lane], rows[2][lane]);

@@ -104,7 +104,11 @@ impl ProbePoint {
         let probe = probe.map_err(|error| RenderError::Shade { object, error })?;
         let explain = |lit: &LitPoint| {
             let position = shade.frame.to_local(lit.position).to_array();
-            probe.explain(&SurfacePoint { position, normal: lit.normal.to_array() })
+            let point = SurfacePoint { position, normal: lit.normal.to_array() };
+            match settings.asks_faces() && self.face.is_some() {
+                true => probe.explain_on(&point, self.face_normal.to_array()),
+                false => probe.explain(&point),
+            }
         };
         Ok(self.lit.iter().map(explain).collect())
     }

@@ -2,7 +2,7 @@
 
 use super::samples::Samples;
 use crate::num::{Degrees, LinearRgb, Transfer};
-use crate::shade::{DepthCue, Guards, ToneRule};
+use crate::shade::{DepthCue, Guards, Terminator, ToneRule};
 
 /// Where a surface's colour is computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -130,6 +130,9 @@ pub struct RenderSettings {
     pub infinite_viewer: bool,
     /// The guards of the lighting formulas.
     pub guards: Guards,
+    /// What becomes of light that reaches a face from behind, under [`Shading::Phong`]. Gouraud's shading lights corners, which
+    /// several faces share, and flat shading has no other normal than the face's: there it changes nothing.
+    pub terminator: Terminator,
     /// Fading with the distance to the viewer.
     pub depth_cue: Option<DepthCue>,
     /// What becomes of colours out of range.
@@ -157,6 +160,7 @@ impl Default for RenderSettings {
             show: Show::default(),
             infinite_viewer: false,
             guards: Guards::default(),
+            terminator: Terminator::default(),
             depth_cue: None,
             tone: ToneRule::default(),
             transfer: Transfer::default(),

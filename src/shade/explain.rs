@@ -133,11 +133,20 @@ impl Probe {
     /// What [`Shader::shade`] computes at this point, step by step. Numbers that are not finite are told as they are:
     /// this is where one looks for what made a colour undefined.
     pub fn explain(&self, point: &SurfacePoint<f64>) -> Explanation {
+        self.explain_ready(point, None)
+    }
+
+    /// The same of [`Shader::shade_on`]: on a face with this unit normal.
+    pub fn explain_on(&self, point: &SurfacePoint<f64>, face: [f64; 3]) -> Explanation {
+        self.explain_ready(point, self.guarded.face(face))
+    }
+
+    fn explain_ready(&self, point: &SurfacePoint<f64>, face: Option<[f64; 3]>) -> Explanation {
         let shader = &self.guarded;
         // V is told even where nothing needs it.
         let (view, distance) = shader.viewer.at(point.position);
-        let ready = Ready { view, view_distance: distance, ..shader.ready(point) };
-        let literally = Ready { view, view_distance: distance, ..self.literal.ready(point) };
+        let ready = Ready { view, view_distance: distance, face, ..shader.ready(point) };
+        let literally = Ready { view, view_distance: distance, face, ..self.literal.ready(point) };
         // Guards decide how a light counts, not whether the material answers it: both have the same terms.
         let terms = shader.lights.iter().zip(&self.literal.lights);
         let lights: Vec<_> = terms

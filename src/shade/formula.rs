@@ -97,6 +97,18 @@ pub(super) fn at_least<R: Real>(x: R, least: R) -> R {
     if x < least { least } else { x }
 }
 
+/// The share of light left near the terminator, −g³ + g² + g with g = N_g·L/((N·L)(N_g·N)): 1 for g ≥ 1, 0 where the face is
+/// turned away (Chiang, Li & Burley 2019). Takes N_g·L, N·L and N_g·N of unit vectors.
+#[inline(always)]
+pub(super) fn softened<R: Real>(face_light: R, normal_light: R, face_normal: R) -> R {
+    let product = normal_light * face_normal;
+    let g = face_light / product;
+    let soft = g * (R::ONE + g * (R::ONE - g));
+    // Also where N itself is turned away: what is left there is not this factor's to take.
+    let soft = if product > face_light { soft } else { R::ONE };
+    if face_light > R::ZERO { soft } else { R::ZERO }
+}
+
 /// R = 2N(N·L) − L (F5).
 #[inline(always)]
 pub(super) fn mirrored<R: Real>(normal: Triple<R>, light: Triple<R>) -> Triple<R> {

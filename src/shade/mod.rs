@@ -14,6 +14,9 @@
 //! [`Guards::literal`] is the formulas as printed. In any mode a half-vector of 0/0 gives no highlight, and a colour
 //! that is not finite is an error ([`NotFinite`]), never a colour.
 //!
+//! [`Terminator`] is what becomes of light on a face that turns away from it while the interpolated normal does not: nothing by
+//! default, for there are no shadows here.
+//!
 //! # The formulas of the lectures
 //! S0 is Medeiros Filho, *Iluminação e Sombreamento* (2017), S3 Ting, *Tonalização* (2008), S4 Vieira, *Iluminação local*.
 //! Each formula has a test of its number in the integration suite (`shade`, `lectures`); those about polygons and pictures
@@ -71,6 +74,6 @@ pub use light::{AreaShape, Attenuation, Cone, Light};
 pub use material::{EnergyGain, Material, Reflectance, Reflection, blinn_exponent, phong_exponent};
 pub use optics::{Fresnel, brewster_angle, critical_angle, fresnel, reflect, refract, refraction_angle};
 pub use rows::SurfaceRows;
-pub use settings::{DepthCue, Frame, Guards, ShadeSettings, Viewer};
+pub use settings::{DepthCue, Frame, Guards, ShadeSettings, Terminator, Viewer};
 pub use shader::{Shader, SurfacePoint};
 pub use tone::ToneRule;

@@ -3,6 +3,7 @@
 
 use super::error::NotFinite;
 use super::formula::{self, Triple};
+use super::settings::Terminator;
 use super::shader::{Ready, Shader, SurfacePoint, View, turned};
 use super::source::{PointSource, Source, SpotSource};
 use super::term::{Highlight, LightTerm};
@@ -27,14 +28,40 @@ impl Shader<f32> {
     /// # Panics
     /// If rows differ in length.
     pub fn shade_rows(&self, rows: &SurfaceRows, out: [&mut [f32]; 3]) -> Result<(), NotFinite> {
+        self.shade_rows_of(rows, None, out)
+    }
+
+    /// The same for points on faces with these unit normals: the bits of [`shade_on`](Self::shade_on) for each.
+    ///
+    /// # Errors
+    /// As [`shade_rows`](Self::shade_rows).
+    ///
+    /// # Panics
+    /// If rows differ in length.
+    pub fn shade_rows_on(
+        &self,
+        rows: &SurfaceRows,
+        faces: [&[f32]; 3],
+        out: [&mut [f32]; 3],
+    ) -> Result<(), NotFinite> {
+        self.shade_rows_of(rows, (self.terminator != Terminator::Smooth).then_some(faces), out)
+    }
+
+    fn shade_rows_of(
+        &self,
+        rows: &SurfaceRows,
+        faces: Option<[&[f32]; 3]>,
+        out: [&mut [f32]; 3],
+    ) -> Result<(), NotFinite> {
         let count = out[0].len();
         let same = |row: &[f32]| assert_eq!(row.len(), count, "rows of different lengths");
         rows.normals.into_iter().for_each(same);
+        faces.into_iter().flatten().for_each(same);
         out.iter().for_each(|row| same(row));
         if self.needs_positions() {
             rows.positions.into_iter().for_each(same);
         }
-        match dispatch(Shading { shader: self, rows, out }) {
+        match dispatch(Shading { shader: self, rows, faces, out }) {
             None => Ok(()),
             Some(index) => Err(self.not_finite(index, &self.point(rows, index))),
         }
@@ -71,6 +98,8 @@ struct Block {
     diffuse: Row,
     /// What the light's specular colour is multiplied by.
     specular: Row,
+    /// Only where the terminator asks for it.
+    face: [Row; 3],
     sum: [Row; 3],
 }
 
@@ -90,6 +119,8 @@ fn set(rows: &mut [Row; 3], i: usize, [x, y, z]: Triple<f32>) {
 struct Shading<'a> {
     shader: &'a Shader<f32>,
     rows: &'a SurfaceRows<'a>,
+    /// Normals of faces, where the terminator asks for them.
+    faces: Option<[&'a [f32]; 3]>,
     out: [&'a mut [f32]; 3],
 }
 
@@ -99,7 +130,7 @@ impl Kernel for Shading<'_> {
 
     #[inline(always)]
     fn run<A: Lanes>(self, _: A) -> Option<usize> {
-        let Self { shader, rows, out: [red, green, blue] } = self;
+        let Self { shader, rows, faces, out: [red, green, blue] } = self;
         let zero = [0.0; LANES];
         let mut block = Block {
             position: [zero; 3],
@@ -110,6 +141,7 @@ impl Kernel for Shading<'_> {
             factor: zero,
             diffuse: zero,
             specular: zero,
+            face: [zero; 3],
             sum: [zero; 3],
         };
         if let Some(View::Same([x, y, z])) = shader.view {
@@ -121,8 +153,17 @@ impl Kernel for Shading<'_> {
             if shader.needs_normals() {
                 block.load(shader, rows, lanes.clone());
             }
+            if let Some(faces) = faces {
+                for (row, source) in block.face.iter_mut().zip(faces) {
+                    row[..lanes.len()].copy_from_slice(&source[lanes.clone()]);
+                }
+            }
             for term in &shader.lights {
-                block.add(shader, term, lanes.len());
+                block.reflect_all(shader, term, lanes.len());
+                if faces.is_some() {
+                    block.hide(shader, term, lanes.len());
+                }
+                block.paint(term, lanes.len());
             }
             let out = [&mut red[lanes.clone()], &mut green[lanes.clone()], &mut blue[lanes]];
             if !block.finish(shader, out) {
@@ -170,9 +211,9 @@ impl Block {
         }
     }
 
-    /// What one light adds to the sum.
+    /// What the surface reflects of one light.
     #[inline(always)]
-    fn add(&mut self, shader: &Shader<f32>, term: &LightTerm<f32>, count: usize) {
+    fn reflect_all(&mut self, shader: &Shader<f32>, term: &LightTerm<f32>, count: usize) {
         match &term.source {
             Source::Directional(towards) => {
                 // One constant in place of four rows.
@@ -190,6 +231,29 @@ impl Block {
             }
             Source::Area(_) => self.reflect_area(shader, term, count),
         }
+    }
+
+    /// Takes away what faces keep from their points. Not inlined: it is rarely asked for.
+    fn hide(&mut self, shader: &Shader<f32>, term: &LightTerm<f32>, count: usize) {
+        for i in 0..count.min(LANES) {
+            let normal = get(&self.normal, i);
+            let towards = match &term.source {
+                Source::Directional(towards) => *towards,
+                Source::Point(_) | Source::Spot(..) => get(&self.towards, i),
+                Source::Area(_) => {
+                    let ready = self.ready(i);
+                    term.towards(&term.incoming(&ready), &ready)
+                }
+            };
+            let share = shader.reaching(get(&self.face, i), normal, towards);
+            self.diffuse[i] *= share;
+            self.specular[i] *= share;
+        }
+    }
+
+    /// Adds what one light gives to the sum.
+    #[inline(always)]
+    fn paint(&mut self, term: &LightTerm<f32>, count: usize) {
         let count = count.min(LANES);
         let paint = |sum: &mut [Row; 3], colour: Triple<f32>, amount: &Row| {
             for (sum, colour) in sum.iter_mut().zip(colour) {
@@ -289,18 +353,24 @@ impl Block {
     /// Area lights have a closed form that is no row's work: point by point.
     fn reflect_area(&mut self, shader: &Shader<f32>, term: &LightTerm<f32>, count: usize) {
         for i in 0..count {
-            let ready = Ready {
-                position: get(&self.position, i),
-                normal: get(&self.normal, i),
-                view: get(&self.view, i),
-                view_distance: self.view_distance[i],
-            };
+            let ready = self.ready(i);
             let incoming = term.incoming(&ready);
             self.diffuse[i] = shader.diffuse(&incoming, &ready);
             if let Some((_, highlight)) = &term.specular {
                 let cosine = shader.highlight_cosine(highlight, ready.normal, incoming.towards, ready.view);
                 self.specular[i] = incoming.factor * shader.power.of(cosine);
             }
+        }
+    }
+
+    /// One point of the block.
+    fn ready(&self, i: usize) -> Ready<f32> {
+        Ready {
+            position: get(&self.position, i),
+            normal: get(&self.normal, i),
+            view: get(&self.view, i),
+            view_distance: self.view_distance[i],
+            face: None,
         }
     }
 

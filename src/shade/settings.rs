@@ -19,8 +19,26 @@ pub struct ShadeSettings {
     /// triangle faces hands over its normals already turned and leaves this off, for a normal interpolated near a
     /// silhouette may point away from the viewer on a triangle that faces him.
     pub two_sided: bool,
+    /// What becomes of light that reaches a face from behind.
+    pub terminator: Terminator,
     /// What becomes of colours out of range.
     pub tone: ToneRule,
+}
+
+/// What becomes of light on a point whose own normal N still turns to it while its face, with the normal N_g, does so
+/// hardly or not: N·L > 0 ≥ N_g·L. It needs normals of faces: see [`Shader::shade_on`](super::Shader::shade_on).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Terminator {
+    /// It stays: only N counts. Right for smooth surfaces without shadows.
+    #[default]
+    Smooth,
+    /// It goes where N_g·L ≤ 0, as where a ray casts the face's own shadow: the border of light runs along the edges of
+    /// faces, and whole faces light up at once when the light turns.
+    Hard,
+    /// As [`Hard`](Self::Hard), but it goes gradually: times −g³ + g² + g for g = N_g·L/((N·L)(N_g·N)) < 1
+    /// (M. J.-Y. Chiang, Y. K. Li, B. Burley, *Taming the shadow terminator*, SIGGRAPH 2019 Talks). Applied to highlights too,
+    /// so that nothing of a light is left behind the face.
+    Soft,
 }
 
 /// Where the viewer is.

@@ -4,7 +4,7 @@ use super::error::{Check, NotFinite, ShadeError};
 use super::formula::{self, Triple};
 use super::light::Light;
 use super::material::{EnergyGain, Material};
-use super::settings::{Frame, Guards, ShadeSettings, Viewer};
+use super::settings::{Frame, Guards, ShadeSettings, Terminator, Viewer};
 use super::source::{Source, in_frame, rounded, unit};
 use super::term::{Highlight, Incoming, LightTerm};
 use super::tone::ToneRule;
@@ -41,6 +41,7 @@ pub struct Shader<R> {
     pub(super) power: Power<R>,
     pub(super) depth_cue: Option<R>,
     pub(super) two_sided: bool,
+    pub(super) terminator: Terminator,
     pub(super) limits: Limits<R>,
     pub(super) frame: Frame,
     pub(super) tone: ToneRule,
@@ -97,6 +98,8 @@ pub(super) struct Ready<R> {
     pub(super) view: Triple<R>,
     /// The distance to the viewer; 0 if he is at infinity.
     pub(super) view_distance: R,
+    /// The normal of its face, where the terminator asks for it.
+    pub(super) face: Option<Triple<R>>,
 }
 
 impl<R: Real> Shader<R> {
@@ -135,6 +138,7 @@ impl<R: Real> Shader<R> {
             power: Power::new(material.exponent, underflow),
             depth_cue: settings.depth_cue.filter(|_| lit).map(|cue| R::of(cue.k / settings.frame.unit)),
             two_sided: settings.two_sided,
+            terminator: settings.terminator,
             limits: Limits::new(settings.guards),
             frame: settings.frame,
             tone: settings.tone,
@@ -170,7 +174,19 @@ impl<R: Real> Shader<R> {
     /// # Errors
     /// If it is not finite: a point light at the point itself, an attenuation out of range, a NaN that was handed in.
     pub fn shade(&self, point: &SurfacePoint<R>) -> Result<[R; 3], NotFinite> {
-        let ready = self.ready(point);
+        self.shade_ready(point, self.ready(point))
+    }
+
+    /// The same on a face with this unit normal, which decides with [`ShadeSettings::terminator`] what light reaches the
+    /// point; with [`Terminator::Smooth`] it is the same number as without.
+    ///
+    /// # Errors
+    /// As [`shade`](Self::shade).
+    pub fn shade_on(&self, point: &SurfacePoint<R>, face: [R; 3]) -> Result<[R; 3], NotFinite> {
+        self.shade_ready(point, Ready { face: self.face(face), ..self.ready(point) })
+    }
+
+    fn shade_ready(&self, point: &SurfacePoint<R>, ready: Ready<R>) -> Result<[R; 3], NotFinite> {
         let sum = self.lights.iter().fold([R::ZERO; 3], |sum, term| self.add(term, &ready, sum));
         let colour = self.finish(sum, ready.view_distance);
         if colour.iter().all(|component| component.is_finite()) {
@@ -189,7 +205,31 @@ impl<R: Real> Shader<R> {
         };
         let normal = if self.limits.renormalise { formula::normalised(point.normal) } else { point.normal };
         let normal = if self.two_sided { turned(normal, view) } else { normal };
-        Ready { position: point.position, normal, view, view_distance }
+        Ready { position: point.position, normal, view, view_distance, face: None }
+    }
+
+    /// The normal of a face, if it matters.
+    pub(super) fn face(&self, face: Triple<R>) -> Option<Triple<R>> {
+        (self.terminator != Terminator::Smooth).then_some(face)
+    }
+
+    /// The share of light from a direction that a face lets reach a point.
+    #[inline(always)]
+    pub(super) fn reaching(&self, face: Triple<R>, normal: Triple<R>, towards: Triple<R>) -> R {
+        let face_light = formula::dot(face, towards);
+        match self.terminator {
+            Terminator::Soft => {
+                formula::softened(face_light, formula::dot(normal, towards), formula::dot(face, normal))
+            }
+            Terminator::Hard if face_light <= R::ZERO => R::ZERO,
+            Terminator::Hard | Terminator::Smooth => R::ONE,
+        }
+    }
+
+    /// The same of a point that may have no face.
+    fn reaching_from(&self, term: &LightTerm<R>, incoming: &Incoming<R>, ready: &Ready<R>) -> Option<R> {
+        let face = ready.face?;
+        Some(self.reaching(face, ready.normal, term.towards(incoming, ready)))
     }
 
     /// The sum and what one light adds to it.
@@ -206,7 +246,11 @@ impl<R: Real> Shader<R> {
         incoming: &Incoming<R>,
         ready: &Ready<R>,
     ) -> Triple<R> {
-        term.diffuse.map_or([R::ZERO; 3], |colour| formula::times(colour, self.diffuse(incoming, ready)))
+        term.diffuse.map_or([R::ZERO; 3], |colour| {
+            let diffuse = self.diffuse(incoming, ready);
+            let reaching = self.reaching_from(term, incoming, ready);
+            formula::times(colour, reaching.map_or(diffuse, |share| diffuse * share))
+        })
     }
 
     /// f I K_s cosⁿ, 0 if there is no highlight.
@@ -218,7 +262,9 @@ impl<R: Real> Shader<R> {
     ) -> Triple<R> {
         term.specular.map_or([R::ZERO; 3], |(colour, highlight)| {
             let cosine = self.highlight_cosine(&highlight, ready.normal, incoming.towards, ready.view);
-            formula::times(colour, incoming.factor * self.power.of(cosine))
+            let specular = incoming.factor * self.power.of(cosine);
+            let reaching = self.reaching_from(term, incoming, ready);
+            formula::times(colour, reaching.map_or(specular, |share| specular * share))
         })
     }
 

@@ -104,6 +104,16 @@ impl<R: Real> LightTerm<R> {
     }
 }
 
+impl<R: Real> LightTerm<R> {
+    /// L; of an area light that of its representative point, whether or not anything else needs it.
+    pub(super) fn towards(&self, incoming: &Incoming<R>, ready: &Ready<R>) -> Triple<R> {
+        let Source::Area(area) = &self.source else { return incoming.towards };
+        let [position, normal, view] =
+            [ready.position, ready.normal, ready.view].map(|v| DVec3::from_array(v.map(Real::to_f64)));
+        rounded(area.towards(position, normal, view).0)
+    }
+}
+
 /// H, unless light and viewer are opposite.
 pub(super) fn same_half_vector(light: DVec3, view: DVec3) -> Option<DVec3> {
     let sum = light + view;

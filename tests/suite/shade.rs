@@ -5,6 +5,7 @@ mod extremes;
 mod formulas;
 mod guards;
 mod rows;
+mod terminator;
 
 use crate::random::Random;
 use crease::num::LinearRgb;
