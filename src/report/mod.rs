@@ -13,6 +13,7 @@
 //! ```
 
 mod animation;
+mod diagnosis;
 mod error;
 mod html;
 mod label;
@@ -25,8 +26,10 @@ mod png;
 mod probe;
 mod seams;
 mod trade;
+mod viridis;
 
 pub use animation::Animation;
+pub use diagnosis::{Sight, deviation_picture, diagnosis_page};
 pub use error::ReportError;
 pub use html::{Page, Table, escape_html};
 pub use label::{draw_text, text_width};

@@ -3,6 +3,7 @@
 
 mod clean;
 mod mended;
+mod page;
 mod planted;
 mod real;
 

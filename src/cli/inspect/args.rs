@@ -7,11 +7,15 @@ use crease::io::Format;
 use crease::num::Degrees;
 use crease::quality::catalogue::Kind;
 use crease::quality::{Severity, Thresholds};
+use crease::report::Sight;
+use glam::DVec3;
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
 Examples:
   crease inspect part.glb
+  crease inspect part.glb --html report.html
+  crease inspect part.obj --heatmap deviation.png --view auto
   crease inspect models --recursive --json --fail-on error
   crease inspect part.obj --severity warning --ignore needle-faces
   crease inspect part.obj --only stray-normals --deviation 5 -v
@@ -42,11 +46,29 @@ pub struct InspectArgs {
     pub root: Option<PathBuf>,
 
     #[command(flatten)]
+    pub pictures: PictureArgs,
+    #[command(flatten)]
     pub findings: FindingArgs,
     #[command(flatten)]
     pub thresholds: ThresholdArgs,
     #[command(flatten)]
     pub run: RunArgs,
+}
+
+#[derive(Args)]
+#[command(next_help_heading = "Pictures (one input only)")]
+pub struct PictureArgs {
+    /// Write a page with pictures, histograms and explanations that opens from disk with nothing else
+    #[arg(long, value_name = "FILE")]
+    pub html: Option<PathBuf>,
+
+    /// Write the mesh coloured by the deviation of its stored normals, as PNG
+    #[arg(long, value_name = "FILE")]
+    pub heatmap: Option<PathBuf>,
+
+    /// Where pictures are seen from
+    #[arg(long, value_name = "SIDE", default_value = "auto", value_parser = Choices(VIEWS))]
+    pub view: Sight,
 }
 
 #[derive(Args)]
@@ -166,6 +188,16 @@ impl ThresholdArgs {
         Ok(thresholds)
     }
 }
+
+const VIEWS: &[Choice<Sight>] = &[
+    ("auto", Sight::Auto, "from where most of the worst places face"),
+    ("front", Sight::From(DVec3::Z), "from +z"),
+    ("back", Sight::From(DVec3::NEG_Z), "from −z"),
+    ("right", Sight::From(DVec3::X), "from +x"),
+    ("left", Sight::From(DVec3::NEG_X), "from −x"),
+    ("top", Sight::From(DVec3::Y), "from +y"),
+    ("bottom", Sight::From(DVec3::NEG_Y), "from −y"),
+];
 
 const SEVERITIES: &[Choice<Severity>] = &[
     ("error", Severity::Error, "wrong in any picture"),

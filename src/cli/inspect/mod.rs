@@ -7,17 +7,20 @@ mod text;
 pub use args::InspectArgs;
 
 use super::args::Color;
-use super::batch::guarded;
+use super::batch::{exit_of, guarded};
 use super::console::{Console, Verbosity, escaped};
 use super::inputs::{self, Source};
 use super::normals::{self, Failure};
+use super::output::Store;
 use super::progress::{FileProgress, Progress, Stage};
 use super::report::{ErrorReport, json_line};
-use super::request::{Job, RequestError};
+use super::request::{Job, RequestError, Target};
 use super::{Exit, usage_error, use_threads};
-use args::{Explained, FindingArgs};
-use crease::io::ReadOptions;
+use args::{Explained, FindingArgs, PictureArgs};
+use crease::io::{Loaded, ReadOptions, Written};
+use crease::num::Transfer;
 use crease::quality::{Diagnosis, Thresholds, diagnose};
+use crease::report::{ReportError, deviation_picture, diagnosis_page, encode_png};
 use report::InspectReport;
 use std::path::Path;
 use std::time::Instant;
@@ -52,6 +55,9 @@ fn jobs(args: &InspectArgs) -> Result<Vec<Job>, RequestError> {
         return Err(RequestError::Usage(format!("--root {} is no folder", root.display())));
     }
     let found = inputs::expand(&args.inputs, args.recursive, None)?;
+    if found.len() > 1 && (args.pictures.html.is_some() || args.pictures.heatmap.is_some()) {
+        return Err(RequestError::Usage(format!("--html and --heatmap take one input, not {}", found.len())));
+    }
     Ok(found
         .into_iter()
         .map(|input| Job { source: input.source, format: args.format, target: None, to: None })
@@ -61,7 +67,7 @@ fn jobs(args: &InspectArgs) -> Result<Vec<Job>, RequestError> {
 fn run(jobs: &[Job], args: &InspectArgs, thresholds: &Thresholds, console: &Console) -> Exit {
     let progress = Progress::new(console, jobs);
     let read = ReadOptions { root: args.root.clone(), ..ReadOptions::default() };
-    let (mut failed, mut told) = (0, false);
+    let (mut failed, mut told, mut failure_exit) = (0, false, Exit::BadInput);
     for job in jobs {
         let mut report = InspectReport::new(&name(job));
         let start = Instant::now();
@@ -74,6 +80,7 @@ fn run(jobs: &[Job], args: &InspectArgs, thresholds: &Thresholds, console: &Cons
             Ok(false) => {}
             Err(failure) => {
                 failed += 1;
+                failure_exit = exit_of(&failure);
                 report.status = "failed";
                 report.error = Some(ErrorReport::new(&failure));
             }
@@ -90,7 +97,7 @@ fn run(jobs: &[Job], args: &InspectArgs, thresholds: &Thresholds, console: &Cons
                 Exit::Done
             }
         }
-        (_, 1) => Exit::BadInput,
+        (_, 1) => failure_exit,
         _ => Exit::PartOfBatch,
     }
 }
@@ -121,7 +128,31 @@ fn inspect(
     report.seconds.inspect = start.elapsed().as_secs_f64();
     keep_wanted(&mut diagnosis, &args.findings);
     report.fill(&diagnosis, &mended(job, loaded.format.extension()));
+    draw(&loaded, &diagnosis, &report.input.path, args)?;
     Ok(args.findings.fail_on.is_some_and(|least| diagnosis.worst() >= Some(least)))
+}
+
+/// Makes and stores the pictures that were asked for.
+fn draw(loaded: &Loaded, diagnosis: &Diagnosis, name: &str, args: &InspectArgs) -> Result<(), Failure> {
+    /// Pixels along the sides of a heat map of its own.
+    const SIDE: u32 = 800;
+    let PictureArgs { html, heatmap, view } = &args.pictures;
+    let drawn = |error: ReportError| Failure::Draw(error.to_string());
+    let mut store = Store::new(false, false);
+    let mut put = |bytes: Vec<u8>, path: &Path| {
+        let written = Written { bytes, ..Written::default() };
+        let stored = store.store(written, &Target::File(path.to_path_buf()));
+        stored.map(drop).map_err(|error| Failure::Write(format!("{error:#}")))
+    };
+    if let Some(path) = html {
+        let output = format!("mended.{}", loaded.format.extension());
+        put(diagnosis_page(loaded, diagnosis, name, &output, *view).map_err(drawn)?.into_bytes(), path)?;
+    }
+    if let Some(path) = heatmap {
+        let picture = deviation_picture(loaded, diagnosis, *view, SIDE).map_err(drawn)?;
+        put(encode_png(&picture, Transfer::Srgb).map_err(drawn)?, path)?;
+    }
+    Ok(())
 }
 
 fn keep_wanted(diagnosis: &mut Diagnosis, args: &FindingArgs) {

@@ -1,27 +1,7 @@
 //! Findings about geometry that spoils normals.
 
-use super::super::finding::{Element, Severity};
-use super::{Entry, Family, Kind};
-
-const fn entry(
-    kind: Kind,
-    id: &'static str,
-    severity: Severity,
-    title: &'static str,
-    meaning: &'static str,
-    advice: &'static str,
-    remedy: Option<&'static str>,
-) -> Entry {
-    let element = match kind {
-        Kind::NonManifold | Kind::Folded => Element::Edge,
-        Kind::PinchedVertices | Kind::HighValence => Element::Vertex,
-        Kind::Cancelling => Element::Corner,
-        Kind::MirroredNode | Kind::SingularNode => Element::Node,
-        Kind::FarFromOrigin => Element::Mesh,
-        _ => Element::Face,
-    };
-    Entry { kind, id, severity, element, family: Family::Geometry, title, meaning, advice, remedy }
-}
+use super::super::finding::Severity;
+use super::{Entry, Kind, entry};
 
 pub(super) const ENTRIES: &[Entry] = &[
     entry(

@@ -107,6 +107,20 @@ pub struct Entry {
     pub remedy: Option<&'static str>,
 }
 
+/// An entry; what it counts and is about follow from its kind.
+const fn entry(
+    kind: Kind,
+    id: &'static str,
+    severity: Severity,
+    title: &'static str,
+    meaning: &'static str,
+    advice: &'static str,
+    remedy: Option<&'static str>,
+) -> Entry {
+    let (element, family) = (kind.element(), kind.family());
+    Entry { kind, id, severity, element, family, title, meaning, advice, remedy }
+}
+
 const FAMILIES: [&[Entry]; 4] = [stored::ENTRIES, smoothing::ENTRIES, geometry::ENTRIES, shading::ENTRIES];
 
 /// All entries, in the order of [`Kind`].
@@ -117,6 +131,52 @@ pub fn entries() -> impl Iterator<Item = &'static Entry> {
 impl Kind {
     /// How many kinds there are.
     pub(super) const COUNT: usize = Kind::LostHighlight as usize + 1;
+
+    /// Kinds stand in the order of their families.
+    const fn family(self) -> Family {
+        match self as usize {
+            number if number < Kind::AveragedCrease as usize => Family::Stored,
+            number if number < Kind::InconsistentWinding as usize => Family::Smoothing,
+            number if number < Kind::Terminator as usize => Family::Geometry,
+            _ => Family::Shading,
+        }
+    }
+
+    const fn element(self) -> Element {
+        match self {
+            Kind::NoNormals
+            | Kind::Constant
+            | Kind::SwappedAxes
+            | Kind::Rotated
+            | Kind::Untransformed
+            | Kind::Faceted
+            | Kind::Quantised
+            | Kind::FarFromOrigin => Element::Mesh,
+            Kind::AveragedCrease
+            | Kind::SplitSeam
+            | Kind::NeedlessSeam
+            | Kind::GroupMismatch
+            | Kind::NonManifold
+            | Kind::Folded
+            | Kind::MachBands
+            | Kind::CoarseOutline => Element::Edge,
+            Kind::PinchedVertices | Kind::HighValence => Element::Vertex,
+            Kind::MirroredNode | Kind::SingularNode => Element::Node,
+            Kind::MissingNormals
+            | Kind::NotFinite
+            | Kind::ZeroNormals
+            | Kind::NotUnit
+            | Kind::LooseLength
+            | Kind::Inverted
+            | Kind::Flipped
+            | Kind::AgainstFace
+            | Kind::Stray
+            | Kind::Custom
+            | Kind::Cancelling
+            | Kind::Terminator => Element::Corner,
+            _ => Element::Face,
+        }
+    }
 
     /// What the catalogue says of it.
     pub fn entry(self) -> &'static Entry {

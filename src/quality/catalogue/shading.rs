@@ -1,49 +1,43 @@
 //! Findings about what even right normals will show.
 
-use super::super::finding::{Element, Severity};
-use super::{Entry, Family, Kind};
+use super::super::finding::Severity;
+use super::{Entry, Kind, entry};
 
-const fn entry(
+const fn risk(
     kind: Kind,
     id: &'static str,
-    element: Element,
     title: &'static str,
     meaning: &'static str,
     advice: &'static str,
 ) -> Entry {
-    let (severity, family) = (Severity::Note, Family::Shading);
-    Entry { kind, id, severity, element, family, title, meaning, advice, remedy: None }
+    entry(kind, id, Severity::Note, title, meaning, advice, None)
 }
 
 pub(super) const ENTRIES: &[Entry] = &[
-    entry(
+    risk(
         Kind::Terminator,
         "shading-terminator",
-        Element::Corner,
         "normals far from their face",
         "For every direction between the two, a light sees the shading normal but not the face, or the face but not the normal. Along the edge of the shadow the surface breaks into triangles.",
         "Use smaller faces there, or a crease.",
     ),
-    entry(
+    risk(
         Kind::MachBands,
         "mach-bands",
-        Element::Edge,
         "smooth edges that bend a lot",
         "Brightness interpolated over the two faces has a kink at the edge, which eyes see as a bright or dark line along it.",
         "Use more faces where it bends, or shade each pixel (Phong) instead of each vertex (Gouraud).",
     ),
-    entry(
+    risk(
         Kind::CoarseOutline,
         "coarse-outline",
-        Element::Edge,
         "an outline with visible corners",
         "Where such an edge is seen against the background, its two faces cut the curve that the normals promise by more than the threshold, in pixels. The shading says round, the outline says polygon.",
         "Use more faces where it bends.",
     ),
-    entry(
+    risk(
         Kind::LostHighlight,
         "lost-highlight",
-        Element::Face,
         "faces too large for the highlight",
         "The normals at the corners of the face are further apart than the highlight is wide. Computed at the corners only (Gouraud), it vanishes inside the face and jumps from corner to corner in motion.",
         "Shade each pixel (Phong), or use more faces.",

@@ -1,20 +1,7 @@
 //! Findings about which edges normals are smooth over.
 
-use super::super::finding::{Element, Severity};
-use super::{Entry, Family, Kind};
-
-const fn entry(
-    kind: Kind,
-    id: &'static str,
-    severity: Severity,
-    title: &'static str,
-    meaning: &'static str,
-    advice: &'static str,
-    remedy: Option<&'static str>,
-) -> Entry {
-    let family = Family::Smoothing;
-    Entry { kind, id, severity, element: Element::Edge, family, title, meaning, advice, remedy }
-}
+use super::super::finding::Severity;
+use super::{Entry, Kind, entry};
 
 pub(super) const ENTRIES: &[Entry] = &[
     entry(

@@ -1,26 +1,7 @@
 //! Findings about the normals that a file has.
 
-use super::super::finding::{Element, Severity};
-use super::{Entry, Family, Kind};
-
-const fn entry(
-    kind: Kind,
-    id: &'static str,
-    severity: Severity,
-    title: &'static str,
-    meaning: &'static str,
-    advice: &'static str,
-    remedy: Option<&'static str>,
-) -> Entry {
-    let element = match kind {
-        Kind::NoNormals | Kind::Constant | Kind::SwappedAxes | Kind::Rotated | Kind::Untransformed => {
-            Element::Mesh
-        }
-        Kind::Faceted | Kind::Quantised => Element::Mesh,
-        _ => Element::Corner,
-    };
-    Entry { kind, id, severity, element, family: Family::Stored, title, meaning, advice, remedy }
-}
+use super::super::finding::Severity;
+use super::{Entry, Kind, entry};
 
 pub(super) const ENTRIES: &[Entry] = &[
     entry(
@@ -110,7 +91,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         Severity::Warning,
         "all normals are the same, though the shape bends",
         "The whole mesh is lit like one flat card: no form shows but its outline. Usually an exporter's default value; sometimes meant, for grass or signs.",
-        "Compute them.",
+        "Compute them from the faces.",
         Some(""),
     ),
     entry(

@@ -1,19 +1,16 @@
 //! Surfaces coloured by the errors of their normals.
 
 use crate::normals::Weight;
-use crate::num::{Degrees, LinearRgb, Radians, Srgb8};
+use crate::num::{Degrees, LinearRgb, Radians};
 use crate::raster::{Camera, Object, Paint, RenderError, RenderSettings, Samples, Scene, Shape, render};
 use crate::report::Picture;
+use crate::report::viridis::viridis;
 use crate::shade::Material;
 use crate::trade::{Subject, Tiling, error_map};
 use std::borrow::Cow;
 
 /// The errors at the ends of the colours, in degrees, as powers of ten.
 const ENDS: [f64; 2] = [-2.0, 1.0];
-/// Five of the colours of viridis (S. van der Walt & N. Smith, matplotlib 2015): in order of lightness, so that they can be
-/// told apart in grey.
-const COLOURS: [[u8; 3]; 5] = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]];
-
 /// What the colours mean.
 pub(super) const KEY: &str = "Dark violet is an error of 0.01° or less, blue-green 0.3°, yellow 10° or more, in even steps of the logarithm.";
 
@@ -46,11 +43,7 @@ fn colour(angle: Radians) -> LinearRgb {
     let [low, high] = ENDS;
     let share = (libm::log10(Degrees::from(angle).0) - low) / (high - low);
     // The logarithm of 0 is −∞: the first colour.
-    let place = share.clamp(0.0, 1.0) * (COLOURS.len() - 1) as f64;
-    let below = (place as usize).min(COLOURS.len() - 2);
-    let part = place - below as f64;
-    let [from, to] = [below, below + 1].map(|k| LinearRgb::from(Srgb8(COLOURS[k])));
-    from * (1.0 - part) + to * part
+    viridis(share)
 }
 
 #[cfg(test)]
@@ -62,6 +55,6 @@ mod tests {
         let luminance = |degrees: f64| colour(Degrees(degrees).into()).luminance();
         let errors = [0.0, 0.01, 0.03, 0.1, 0.5, 2.0, 10.0, 90.0].map(luminance);
         assert!(errors.is_sorted() && errors[0] == errors[1] && errors[6] == errors[7], "{errors:?}");
-        assert_eq!(Srgb8::from(colour(Radians(0.0))), Srgb8(COLOURS[0]));
+        assert_eq!(colour(Radians(0.0)), viridis(0.0));
     }
 }

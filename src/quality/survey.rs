@@ -1,0 +1,69 @@
+//! What pictures and histograms of a report are made of.
+
+use super::facts::Facts;
+use crate::io::Format;
+use crate::mesh::Mesh;
+use crate::num::{Degrees, angle_between};
+use glam::DVec3;
+
+/// The numbers behind the findings about a mesh, element by element.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Survey {
+    /// The unit normal that each corner is shaded with: the stored one, else the computed one.
+    pub shaded: Vec<DVec3>,
+    /// The unit normal of each face.
+    pub face_normals: Vec<DVec3>,
+    /// At each corner, the angle between its stored normal and the one that the rule of its mesh gives, in degrees; 0
+    /// where none is stored.
+    pub deviations: Vec<f64>,
+    /// The bend of each edge between two faces, in degrees.
+    pub bends: Vec<f64>,
+    /// The angle of the face at each corner, in degrees.
+    pub corner_angles: Vec<f64>,
+    /// The faces round each vertex that any uses.
+    pub valences: Vec<f64>,
+    /// The length of the edge that leaves each corner, over the median of them.
+    pub edge_lengths: Vec<f64>,
+}
+
+/// Measures a mesh that came from a file of this format.
+pub fn survey(mesh: &Mesh, format: Format) -> Survey {
+    if mesh.face_count() == 0 {
+        return Survey::default();
+    }
+    let facts = Facts::new(mesh, format != Format::Stl);
+    let corners = mesh.faces().corner_count();
+    let between = |a: DVec3, b: DVec3| Degrees::from(angle_between(a, b)).0;
+    let edge = |corner: usize| facts.place(facts.topology.next(corner as u32) as usize) - facts.place(corner);
+    let deviation = |corner: usize| {
+        facts.stored_unit(corner).map_or(0.0, |stored| between(stored, facts.expected(corner)))
+    };
+    let bend = |corner: usize| {
+        let across = facts.topology.across(corner as u32).filter(|&across| (corner as u32) < across)?;
+        let faces = [corner as u32, across].map(|corner| facts.topology.face_of(corner) as usize);
+        faces
+            .iter()
+            .all(|&face| facts.area[face] > 0.0)
+            .then(|| between(facts.face_normal(faces[0]), facts.face_normal(faces[1])))
+    };
+    let angle = |corner: usize| between(edge(corner), -edge(facts.topology.previous(corner as u32) as usize));
+    let mut lengths: Vec<f64> = (0..corners).map(|corner| edge(corner).length()).collect();
+    let median = {
+        let mut sorted = lengths.clone();
+        sorted.sort_unstable_by(f64::total_cmp);
+        sorted[corners / 2]
+    };
+    if median > 0.0 {
+        lengths.iter_mut().for_each(|length| *length /= median);
+    }
+    let valence = |vertex: u32| facts.topology.corners_at(vertex).len() as f64;
+    Survey {
+        shaded: (0..corners).map(|corner| facts.shaded(corner)).collect(),
+        face_normals: facts.field.face_normals.clone(),
+        deviations: (0..corners).map(deviation).collect(),
+        bends: (0..corners).filter_map(bend).collect(),
+        corner_angles: (0..corners).map(angle).collect(),
+        valences: (0..mesh.vertex_count() as u32).map(valence).filter(|&valence| valence > 0.0).collect(),
+        edge_lengths: lengths,
+    }
+}

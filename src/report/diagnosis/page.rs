@@ -1,0 +1,171 @@
+//! The page.
+
+use super::pictures::{Model, Sight};
+use super::plots::histograms;
+use crate::io::Loaded;
+use crate::num::three_digits;
+use crate::quality::{Diagnosis, Finding, Severity, Site, Survey, survey};
+use crate::report::{Page, Picture, ReportError, Table, escape_html};
+use std::fmt::Write;
+
+/// Pixels along the sides of overviews, and of close-ups.
+const SIDES: [u32; 2] = [420, 240];
+
+/// Findings that get close-ups of their own.
+const CLOSE_UPS: usize = 12;
+
+/// The diagnosis of a file as a page of HTML that opens from disk with nothing else: pictures from where the worst places
+/// face, each finding with its explanation, its worst place close up and the command that mends it, and histograms.
+/// `name` is what the file is called, `output` what mended it would be.
+///
+/// # Errors
+/// Pictures that cannot be drawn or made into files.
+pub fn diagnosis_page(
+    loaded: &Loaded,
+    diagnosis: &Diagnosis,
+    name: &str,
+    output: &str,
+    sight: Sight,
+) -> Result<String, ReportError> {
+    let surveys: Vec<Survey> = loaded.parts.iter().map(|part| survey(&part.mesh, loaded.format)).collect();
+    let model = Model::new(loaded, &surveys)?;
+    let mut page = Page::new(&format!("Normals of {name}"), &verdict(diagnosis));
+    overview(&mut page, &model, diagnosis, sight)?;
+    rules(&mut page, diagnosis);
+    let mut drawn = 0;
+    for finding in &diagnosis.findings {
+        let wanted = drawn < CLOSE_UPS;
+        drawn += usize::from(section(&mut page, &model, finding, (name, output), wanted)?);
+    }
+    page.heading("Distributions");
+    for (name, caption, plot) in histograms(&surveys) {
+        page.drawing(&format!("histogram of {name}"), caption, |id| plot.svg(id));
+    }
+    Ok(page.finish())
+}
+
+fn verdict(diagnosis: &Diagnosis) -> String {
+    let counted = |severity: Severity| match diagnosis.count(severity) {
+        1 => format!("1 {}", severity.name()),
+        count => format!("{count} {}s", severity.name()),
+    };
+    let [notes, warnings, errors] = Severity::ALL.map(counted);
+    let faces: usize = diagnosis.parts.iter().map(|part| part.faces).sum();
+    format!("{errors}, {warnings}, {notes} in {faces} faces.")
+}
+
+fn overview(page: &mut Page, model: &Model, diagnosis: &Diagnosis, sight: Sight) -> Result<(), ReportError> {
+    page.heading("Overview");
+    let Some(camera) = model.camera(diagnosis, sight) else {
+        page.paragraph("There are no faces to show.");
+        return Ok(());
+    };
+    let worst: Vec<&Site> = diagnosis
+        .findings
+        .iter()
+        .filter(|finding| finding.severity > Severity::Note)
+        .filter_map(|finding| finding.places.first())
+        .collect();
+    let heat = model.deviation(camera, SIDES[0], &worst)?;
+    let (facing, creases) = (model.facing(camera, SIDES[0])?, model.creases(camera, SIDES[0])?);
+    let pictures: [(&Picture, &str); 3] = [
+        (
+            &heat,
+            "the mesh coloured by the deviation of its stored normals, from violet, 0°, to yellow, 15° and more",
+        ),
+        (&facing, "the mesh with front faces green and back faces red"),
+        (&creases, "the mesh lit, with lines along creases and seams"),
+    ];
+    page.pictures(
+        &pictures,
+        "Left: how far stored normals are from those that the rule of their mesh gives; red rings mark the worst place of \
+         each error and warning, also where it lies behind. Middle: front faces green, back faces red. Right: lit, with \
+         lines where the normals of two sides differ.",
+    )?;
+    let mut links = String::from("<ul>\n");
+    for finding in &diagnosis.findings {
+        let (id, severity, cause) = (finding.kind.id(), finding.severity.name(), escape_html(&finding.cause));
+        let _ = writeln!(links, "<li><a href=\"#{id}\">{severity}: {id}</a>: {cause}</li>");
+    }
+    links.push_str("</ul>\n");
+    if !diagnosis.findings.is_empty() {
+        page.raw(&links);
+    }
+    Ok(())
+}
+
+/// How the normals of each part were made.
+fn rules(page: &mut Page, diagnosis: &Diagnosis) {
+    let columns = ["part", "faces", "weight", "crease angle", "within 5°", "median"];
+    let mut table = Table::new("How the stored normals were made, as far as they tell", &columns);
+    for (number, part) in diagnosis.parts.iter().enumerate() {
+        let Some(estimate) = part.estimate else { continue };
+        let name = if part.name.is_empty() { format!("part {number}") } else { part.name.clone() };
+        table.push([
+            name,
+            part.faces.to_string(),
+            estimate.weight.name().to_owned(),
+            format!("{}°", estimate.crease.0),
+            format!("{} %", three_digits(100.0 * estimate.reproduced)),
+            format!("{}°", three_digits(estimate.median.0)),
+        ]);
+    }
+    if !table.is_empty() {
+        page.table(&table);
+    }
+}
+
+/// One finding; tells whether it has a picture.
+fn section(
+    page: &mut Page,
+    model: &Model,
+    finding: &Finding,
+    (name, output): (&str, &str),
+    wanted: bool,
+) -> Result<bool, ReportError> {
+    let entry = finding.kind.entry();
+    page.heading(entry.id);
+    let mut said = format!("{}: {}. ", finding.severity.name(), finding.cause);
+    let _ = write!(said, "{} of {} ({} %)", finding.count, finding.of, three_digits(100.0 * finding.share()));
+    if let (Some(degrees), Some(steps)) = (finding.degrees, finding.steps) {
+        let _ = write!(
+            said,
+            "; up to {}°, {} of 255 grey steps under a key light",
+            three_digits(degrees),
+            three_digits(steps)
+        );
+    }
+    said.push('.');
+    page.paragraph(&said);
+    page.paragraph(entry.meaning);
+    page.paragraph(entry.advice);
+    if let Some(command) = finding.command(name, output) {
+        page.raw(&format!("<pre><code>{}</code></pre>\n", escape_html(&command)));
+    }
+    let worst = finding.places.first().filter(|_| wanted);
+    let picture = worst.map(|site| model.close_up(site, SIDES[1])).transpose()?.flatten();
+    if let Some(picture) = &picture {
+        let alternative =
+            format!("the worst place of {}, close up, seen from in front of its face", entry.id);
+        let from = "The worst place, seen from in front of its face, with the edges of faces.";
+        page.pictures(&[(picture, &alternative)], from)?;
+        page.raw("<p><a href=\"#overview\">Where it is in the whole</a></p>\n");
+    }
+    let columns = ["place", "face", "corner", "vertex", "position", "degrees"];
+    let mut table = Table::new("The worst places", &columns);
+    for site in finding.places.iter().filter(|site| site.position.is_some()) {
+        let number = |number: Option<u32>| number.map_or(String::new(), |number| number.to_string());
+        let place = match (&site.line, &site.node) {
+            (Some(line), _) => format!("line {line}"),
+            (None, Some(node)) if !node.is_empty() => node.clone(),
+            _ => format!("part {}", site.part),
+        };
+        let position = site.position.map(|p| p.to_array().map(three_digits).join(", ")).unwrap_or_default();
+        let degrees = site.degrees.map(three_digits).unwrap_or_default();
+        table.push([place, number(site.face), number(site.corner), number(site.vertex), position, degrees]);
+    }
+    if !table.is_empty() {
+        page.table(&table);
+    }
+    Ok(picture.is_some())
+}

@@ -1,0 +1,270 @@
+//! Pictures of what was found: deviation as colours, facing, creases, and the worst places close up.
+
+use crate::io::Loaded;
+use crate::mesh::{Column, Faces, Mesh, MeshBuilder};
+use crate::normals::{NormalField, Summary};
+use crate::num::{Degrees, LinearRgb};
+use crate::quality::{Diagnosis, Site, Survey, survey};
+use crate::raster::{
+    Camera, Object, Paint, Projection, RenderSettings, Samples, Scene, Shape, Show, default_lights, render,
+};
+use crate::report::label::{draw_text, text_width};
+use crate::report::viridis::viridis;
+use crate::report::{Overlay, Picture, ReportError, overlay};
+use crate::shade::Material;
+use glam::{DMat4, DVec3};
+use std::borrow::Cow;
+
+/// The deviation at the light end of the colours.
+const FULL: Degrees = Degrees(15.0);
+
+/// The least that a close-up shows, as a share of the whole.
+const CLOSEST: f64 = 1e-3;
+
+/// Where a file is seen from.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Sight {
+    /// From where most of the worst places face.
+    #[default]
+    Auto,
+    /// From this side.
+    From(DVec3),
+}
+
+/// A file taken apart, so that each corner has a colour and a normal of its own.
+pub(super) struct Model {
+    parts: Vec<PartModel>,
+    /// Which part stands where.
+    places: Vec<(usize, DMat4)>,
+}
+
+struct PartModel {
+    mesh: Mesh,
+    field: NormalField,
+    colours: Vec<LinearRgb>,
+}
+
+impl Model {
+    /// The file with what was measured of each part.
+    pub(super) fn new(loaded: &Loaded, surveys: &[Survey]) -> Result<Self, ReportError> {
+        let parts = loaded.parts.iter().zip(surveys);
+        let parts: Vec<PartModel> =
+            parts.map(|(part, survey)| PartModel::new(&part.mesh, survey)).collect::<Result<_, _>>()?;
+        let has_faces = |part: usize| parts[part].mesh.face_count() > 0;
+        let mut places: Vec<(usize, DMat4)> =
+            loaded.nodes.iter().map(|node| (node.part, node.world_from_part)).collect();
+        if places.is_empty() {
+            places = (0..parts.len()).map(|part| (part, DMat4::IDENTITY)).collect();
+        }
+        places.retain(|&(part, place)| has_faces(part) && place.determinant() != 0.0);
+        Ok(Self { parts, places })
+    }
+
+    /// Where a place is in the world, and which way its face looks there.
+    fn stand(&self, site: &Site) -> Option<(DVec3, DVec3)> {
+        let position = site.position?;
+        let place = self.places.iter().find(|(part, _)| *part == site.part)?.1;
+        let normals = &self.parts[site.part].field.face_normals;
+        let normal = site.face.map_or(DVec3::ZERO, |face| normals[face as usize]);
+        Some((place.transform_point3(position), place.transform_vector3(normal).normalize_or_zero()))
+    }
+
+    /// The scene from a camera, as it is lit, or coloured by deviation.
+    fn scene(&self, camera: Camera, is_coloured: bool) -> Scene<'_> {
+        let object = |&(part, transform): &(usize, DMat4)| {
+            let PartModel { mesh, field, colours } = &self.parts[part];
+            let plain = Object::new(Shape::Mesh { mesh, normals: field }, Material::default());
+            let paint = if is_coloured { Paint::Given(Cow::Borrowed(colours)) } else { plain.paint };
+            Object { paint, transform, ..plain }
+        };
+        Scene {
+            objects: self.places.iter().map(object).collect(),
+            lines: Vec::new(),
+            lights: default_lights(&camera).to_vec(),
+            camera,
+            background: LinearRgb::WHITE,
+        }
+    }
+
+    /// The box round all of it, in the world; `None` if there is nothing.
+    fn bounds(&self) -> Option<(DVec3, DVec3)> {
+        let any = Camera::framing((DVec3::ZERO, DVec3::ONE), 1.0);
+        self.scene(any, false).bounds()
+    }
+
+    /// A camera that sees all of it; `None` if there is nothing to see.
+    pub(super) fn camera(&self, diagnosis: &Diagnosis, sight: Sight) -> Option<Camera> {
+        let framing = Camera::framing(self.bounds()?, 1.0);
+        let distance = framing.eye.distance(framing.target);
+        let direction = match sight {
+            Sight::From(direction) => direction.normalize_or(DVec3::Z),
+            Sight::Auto => self.best_direction(diagnosis, (framing.eye - framing.target) / distance),
+        };
+        let up = if direction.y.abs() > 0.95 { DVec3::NEG_Z } else { DVec3::Y };
+        Some(Camera { eye: framing.target + direction * distance, up, ..framing })
+    }
+
+    /// Of the directions from a cube's faces, edges and corners, the one that most of the worst places face; the usual one
+    /// if they face none more than others.
+    fn best_direction(&self, diagnosis: &Diagnosis, usual: DVec3) -> DVec3 {
+        let sites = diagnosis.findings.iter().flat_map(|finding| {
+            // Errors decide before warnings, warnings before notes.
+            let weight = [1.0, 100.0, 10_000.0][finding.severity as usize];
+            finding.places.iter().map(move |site| (weight, site))
+        });
+        let normals: Vec<(f64, DVec3)> =
+            sites.filter_map(|(weight, site)| Some((weight, self.stand(site)?.1))).collect();
+        let score = |direction: DVec3| -> f64 {
+            normals.iter().map(|&(weight, normal)| weight * normal.dot(direction).max(0.0)).sum()
+        };
+        let steps = [-1.0, 0.0, 1.0];
+        let around =
+            steps.iter().flat_map(|&x| steps.iter().flat_map(move |&y| steps.map(|z| DVec3::new(x, y, z))));
+        let candidates = around.filter(|direction| *direction != DVec3::ZERO).map(DVec3::normalize);
+        candidates.fold(usual, |best, next| if score(next) > score(best) * 1.01 { next } else { best })
+    }
+
+    /// Coloured by deviation, with a legend, and with rings round some places.
+    pub(super) fn deviation(
+        &self,
+        camera: Camera,
+        side: u32,
+        sites: &[&Site],
+    ) -> Result<Picture, ReportError> {
+        let mut picture = draw(&self.scene(camera, true), side, Show::Shaded)?;
+        for site in sites {
+            if let Some((position, _)) = self.stand(site)
+                && let Ok(Some(at)) = camera.on_picture([side; 2], position)
+            {
+                ring(&mut picture, at, f64::from(side) / 40.0);
+            }
+        }
+        legend(&mut picture);
+        Ok(picture)
+    }
+
+    /// Front faces green, back faces red.
+    pub(super) fn facing(&self, camera: Camera, side: u32) -> Result<Picture, ReportError> {
+        draw(&self.scene(camera, false), side, Show::Facing)
+    }
+
+    /// Lit, with the edges whose two sides have different normals as lines.
+    pub(super) fn creases(&self, camera: Camera, side: u32) -> Result<Picture, ReportError> {
+        let mut scene = self.scene(camera, false);
+        scene.lines = vec![overlay(&scene, [side; 2], Overlay::Creases)];
+        draw(&scene, side, Show::Shaded)
+    }
+
+    /// A place close up, lit, with its edges; what stands in front of it is cut away. `None` for what is nowhere.
+    pub(super) fn close_up(&self, site: &Site, side: u32) -> Result<Option<Picture>, ReportError> {
+        let Some((position, normal)) = self.stand(site) else { return Ok(None) };
+        let mesh = &self.parts[site.part].mesh;
+        let face = site.face.map(|face| mesh.faces().face(face as usize));
+        let place =
+            self.places.iter().find(|(part, _)| *part == site.part).map_or(DMat4::IDENTITY, |it| it.1);
+        let reach =
+            |&vertex: &u32| place.transform_point3(mesh.positions()[vertex as usize]).distance(position);
+        let size = face.map_or(0.0, |face| face.iter().map(reach).fold(0.0, f64::max));
+        let Some((low, high)) = self.bounds() else { return Ok(None) };
+        // A face that is next to nothing is shown among its neighbours.
+        let size = size.max(CLOSEST * (high - low).length());
+        if size == 0.0 || !size.is_finite() {
+            return Ok(None);
+        }
+        let towards = if normal == DVec3::ZERO { DVec3::Z } else { normal };
+        let up = if towards.y.abs() > 0.95 { DVec3::NEG_Z } else { DVec3::Y };
+        let camera = Camera {
+            eye: position + towards * 4.0 * size,
+            target: position,
+            up,
+            projection: Projection::Orthographic(6.0 * size),
+            near: 0.0,
+        };
+        let mut scene = self.scene(camera, false);
+        scene.lines = vec![overlay(&scene, [side; 2], Overlay::Wire)];
+        let mut picture = draw(&scene, side, Show::Shaded)?;
+        ring(&mut picture, [f64::from(side) / 2.0; 2], f64::from(side) / 16.0);
+        Ok(Some(picture))
+    }
+}
+
+impl PartModel {
+    fn new(mesh: &Mesh, survey: &Survey) -> Result<Self, ReportError> {
+        let corners = mesh.faces().corners();
+        let mut faces = Faces::with_capacity(corners.len());
+        for range in mesh.faces().ranges() {
+            faces.push(&range.map(|corner| corner as u32).collect::<Vec<u32>>());
+        }
+        let positions = corners.iter().map(|&vertex| mesh.positions()[vertex as usize]).collect();
+        let apart = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build();
+        let apart = apart.map_err(|error| ReportError::Encoder(error.to_string()))?;
+        let own: Vec<u32> = (0..corners.len() as u32).collect();
+        let field = NormalField {
+            normals: Column::per_corner(survey.shaded.clone(), own.clone()),
+            entry_vertex: own,
+            face_normals: survey.face_normals.clone(),
+            morph_normals: Vec::new(),
+            faults: crate::normals::Faults::default(),
+            summary: Summary::default(),
+        };
+        let colours = survey.deviations.iter().map(|degrees| viridis(degrees / FULL.0)).collect();
+        Ok(Self { mesh: apart, field, colours })
+    }
+}
+
+/// The heat map of a file alone: how far stored normals are from those that the rule of their mesh gives.
+///
+/// # Errors
+/// If there is nothing to draw, or it cannot be drawn.
+pub fn deviation_picture(
+    loaded: &Loaded,
+    diagnosis: &Diagnosis,
+    sight: Sight,
+    side: u32,
+) -> Result<Picture, ReportError> {
+    let surveys: Vec<Survey> = loaded.parts.iter().map(|part| survey(&part.mesh, loaded.format)).collect();
+    let model = Model::new(loaded, &surveys)?;
+    let camera = model.camera(diagnosis, sight).ok_or(ReportError::Empty)?;
+    model.deviation(camera, side, &[])
+}
+
+fn draw(scene: &Scene<'_>, side: u32, show: Show) -> Result<Picture, ReportError> {
+    let settings = RenderSettings {
+        size: [side; 2],
+        samples: Samples::Four,
+        two_sided: true,
+        show,
+        ..RenderSettings::default()
+    };
+    Ok(render(scene, &settings).map_err(|error| ReportError::Encoder(error.to_string()))?.into())
+}
+
+/// A red ring round a point of a picture.
+fn ring(picture: &mut Picture, [x, y]: [f64; 2], radius: f64) {
+    let reach = radius as i64 + 3;
+    for dy in -reach..=reach {
+        for dx in -reach..=reach {
+            let [px, py] = [x as i64 + dx, y as i64 + dy];
+            let distance = libm::hypot(px as f64 + 0.5 - x, py as f64 + 0.5 - y);
+            let share = (1.5 - (distance - radius).abs()).clamp(0.0, 1.0);
+            picture.blend([px, py], [0.9, 0.1, 0.1], share as f32);
+        }
+    }
+}
+
+/// A bar of the colours with its ends in degrees, along the bottom.
+fn legend(picture: &mut Picture) {
+    let [width, height] = picture.size.map(i64::from);
+    let (bar, text) = ((height / 40).max(6), (height as f32 / 28.0).max(12.0));
+    let (left, right, top) = (width / 8, width - width / 8, height - 2 * bar);
+    for x in left..right {
+        let colour = viridis((x - left) as f64 / (right - left - 1) as f64);
+        let coded = crate::num::Srgb8::from(colour).0.map(|c| f32::from(c) / 255.0);
+        (top..top + bar).for_each(|y| picture.blend([x, y], coded, 1.0));
+    }
+    for (label, at) in [("0°", left), ("7.5°", (left + right) / 2), ("15° and more", right)] {
+        let wide = text_width(label, text) as i64;
+        let x = (at - wide / 2).clamp(0, width - wide);
+        draw_text(picture, label, [x, top - text as i64 - 2], text, [0.1; 3]);
+    }
+}

@@ -1,0 +1,91 @@
+//! Histograms of what was measured.
+
+use crate::quality::Survey;
+use crate::report::{Axis, Mark, Plot, Series};
+
+/// Bins of a histogram.
+const BINS: usize = 60;
+
+/// The histograms of some parts together, each with a name and a caption.
+pub(super) fn histograms(surveys: &[Survey]) -> Vec<(&'static str, &'static str, Plot)> {
+    let all =
+        |values: fn(&Survey) -> &Vec<f64>| surveys.iter().flat_map(values).copied().collect::<Vec<f64>>();
+    let deviations = all(|survey| &survey.deviations);
+    let farthest = deviations.iter().copied().fold(1.0, f64::max);
+    let valences = all(|survey| &survey.valences);
+    let most = valences.iter().copied().fold(12.0, f64::max);
+    let lengths = all(|survey| &survey.edge_lengths);
+    let longest = lengths.iter().copied().fold(3.0, f64::max).min(10.0);
+    vec![
+        (
+            "deviation",
+            "Right normals stand at the left end; faults stand apart from it.",
+            histogram("Deviation of stored normals", "degrees", &deviations, farthest),
+        ),
+        (
+            "dihedral angle",
+            "A gap between gentle and sharp edges is where a crease angle belongs.",
+            histogram("How far edges bend", "degrees", &all(|survey| &survey.bends), 180.0),
+        ),
+        (
+            "corner angle",
+            "Many near 0° or 180°: needles, whose normals are easily off.",
+            histogram(
+                "Angles of faces at their corners",
+                "degrees",
+                &all(|survey| &survey.corner_angles),
+                180.0,
+            ),
+        ),
+        (
+            "valence",
+            "How many faces meet at a vertex; poles stand far to the right.",
+            histogram("Faces round a vertex", "faces", &valences, most),
+        ),
+        (
+            "edge length",
+            "Over the median; what is longer than ten times is counted in the last bin.",
+            histogram("Lengths of edges", "median lengths", &lengths, longest),
+        ),
+    ]
+}
+
+fn histogram(title: &str, unit: &str, values: &[f64], end: f64) -> Plot {
+    let mut counts = [0usize; BINS];
+    for value in values.iter().filter(|value| value.is_finite()) {
+        counts[((value / end * BINS as f64) as usize).min(BINS - 1)] += 1;
+    }
+    let edge = |bin: usize| bin as f64 * end / BINS as f64;
+    let all = values.len().max(1) as f64;
+    let mut points: Vec<[f64; 2]> =
+        counts.iter().enumerate().map(|(bin, &count)| [edge(bin), 100.0 * count as f64 / all]).collect();
+    points.push([end, 0.0]);
+    let fullest = counts.iter().enumerate().max_by_key(|(_, count)| **count).map_or(0, |(bin, _)| bin);
+    Plot {
+        title: title.to_owned(),
+        description: format!(
+            "A histogram of {} values; most, {:.1} %, lie between {:.3} and {:.3} {unit}.",
+            values.len(),
+            100.0 * counts[fullest] as f64 / all,
+            edge(fullest),
+            edge(fullest + 1)
+        ),
+        size: [560, 260],
+        x: Axis { range: Some([0.0, end]), ..Axis::linear(unit) },
+        y: Axis::linear("per cent"),
+        series: vec![Series { points, mark: Mark::Steps, ..Series::default() }],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_value_is_in_a_bin() {
+        let plot = histogram("t", "degrees", &[0.0, 10.0, 180.0, 200.0], 180.0);
+        let share: f64 = plot.series[0].points.iter().map(|point| point[1]).sum();
+        assert!((share - 100.0).abs() < 1e-9);
+        assert_eq!((plot.series[0].points[0][1], plot.series[0].points[BINS - 1][1]), (25.0, 50.0));
+    }
+}
