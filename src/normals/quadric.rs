@@ -17,6 +17,14 @@ const FEWEST: usize = 6;
 /// A group of more corners than this has its ring searched by a tree: each of its neighbours asks for it.
 const CROWDED: usize = 128;
 
+/// How much farther a fit may turn the mean than the means of its neighbours turn, in tangents. Where means are
+/// one-sided, at the rim of a surface, the truth lies as far outside the mean as the next one lies inside: once. As much
+/// again is for jitter.
+const FARTHER: f64 = 2.0;
+
+/// What rounding to f64 turns fits to a plane by, with room: 1.3e-15 was the most. In tangents.
+const ROUNDING: f64 = 1.0 / (1_u64 << 40) as f64;
+
 /// The surface that quadrics are fitted to.
 #[derive(Clone, Copy)]
 pub(crate) struct QuadricRequest<'a> {
@@ -40,11 +48,18 @@ pub(crate) struct QuadricRequest<'a> {
 /// torus of 4096 triangles it turned no result by more than 2.8e-16 rad. There is no fit with fewer than 6
 /// neighbours, and none where they lie on a conic through the vertex, as all of a line do.
 ///
+/// Nor is there one that turns the mean in a direction in which the surface does not turn: by more than twice as much as
+/// the means of the neighbours do, each measured in the plane of the mean and the fit. Points on two lines, as on a
+/// cylinder of two rings, lie on a conic but for the rounding of their positions; what is fitted to that rounding may
+/// lie anywhere, and no threshold on the dependence of columns can tell it from a stretched mesh without knowing how
+/// the positions were rounded on their way here. The neighbours tell.
+///
 /// The neighbourhood is brought to unit size by a power of two, so scaling by one leaves the bits alone. Cost:
 /// sorting some dozens of points and at most 64·50 multiplications a group. Rings of more than 128 corners are
 /// searched by a tree, so that a tip where a million faces meet costs n log n, not n².
 pub(crate) fn quadric_normals(request: QuadricRequest, normals: &mut [DVec3]) -> usize {
     let rings = Rings::new(request, normals.len() as u32);
+    let means = normals.to_vec();
     normals
         .par_iter_mut()
         .enumerate()
@@ -53,7 +68,9 @@ pub(crate) fn quadric_normals(request: QuadricRequest, normals: &mut [DVec3]) ->
                 return 0;
             }
             let centre = rings.neighbours(group as u32, scratch);
-            let fitted = fit(centre, &scratch.chosen, *normal);
+            let around = || scratch.groups.iter().map(|&group| means[group as usize]);
+            let fitted =
+                fit(centre, &scratch.chosen, *normal).filter(|&fit| is_borne_out(fit, *normal, around()));
             *normal = fitted.unwrap_or(*normal);
             usize::from(fitted.is_none())
         })
@@ -81,6 +98,18 @@ fn fit(centre: DVec3, neighbours: &[Neighbour], normal: DVec3) -> Option<DVec3> 
     let mut columns = columns.each_mut().map(|column| &mut column[..count]);
     let [a, b, ..] = least_squares(&mut columns, &mut heights[..count])?;
     UnitVec3::new(normal - a * tangent - b * bitangent).map(UnitVec3::get)
+}
+
+/// Whether the means around a vertex turn in the direction in which a fit turns its own mean.
+fn is_borne_out(fit: DVec3, mean: DVec3, around: impl Iterator<Item = DVec3>) -> bool {
+    let turn = fit / fit.dot(mean) - mean;
+    let along = turn.normalize_or_zero();
+    let lean = |other: DVec3| {
+        let upright = other.dot(mean);
+        if upright > 0.0 { other.dot(along).abs() / upright } else { f64::INFINITY }
+    };
+    let most = around.filter(|&other| other != DVec3::ZERO).map(lean).fold(0.0, f64::max);
+    turn.length() <= FARTHER * most + ROUNDING
 }
 
 /// Finds neighbours.
@@ -132,7 +161,8 @@ impl<'a> Rings<'a> {
         }
     }
 
-    /// Puts the neighbours of a group into `scratch.chosen`, in order. Returns where the group itself stands:
+    /// Puts the neighbours of a group into `scratch.chosen`, in order, and the groups of the first ring into
+    /// `scratch.groups`. Returns where the group itself stands:
     /// the first by coordinates, should welding have joined vertices that are not quite in one place.
     fn neighbours(&self, group: u32, scratch: &mut Scratch) -> DVec3 {
         let Scratch { first, second, groups, candidates, chosen } = scratch;
@@ -156,17 +186,17 @@ impl<'a> Rings<'a> {
             candidates.sort_unstable();
             chosen.extend_from_slice(candidates);
         };
-        take_nearest(first);
-        if first.len() >= MOST {
-            return centre;
-        }
         groups.clear();
         let beside = corners.iter().flat_map(|&corner| self.beside(corner));
         groups.extend(beside.map(|corner| self.request.corner_group[corner as usize]));
         groups.sort_unstable();
         groups.dedup();
+        take_nearest(first);
+        if first.len() >= MOST {
+            return centre;
+        }
         second.clear();
-        for group in groups {
+        for group in groups.iter() {
             match self.crowds.get(group) {
                 // More than can be taken, should some be in the first ring or be the centre.
                 Some(tree) => tree.nearest(centre, scale, MOST + first.len() + 1, second),
@@ -393,6 +423,43 @@ mod tests {
         let (normals, fallbacks) = smooth(&build(axes.to_vec(), faces.concat()));
         assert_eq!(fallbacks, 6);
         assert!(normals.iter().zip(axes).all(|(&normal, axis)| angle(normal, axis) < 1e-15));
+    }
+
+    /// Columns of such a fit are dependent but for the rounding of positions. Without the test against the neighbours
+    /// normals were wrong by up to 90°; angle means are right to the rounding over the shorter edge.
+    #[test]
+    fn two_rings_of_rounded_positions_do_not_mislead() {
+        let mut numbers = Numbers::new(11);
+        type Store = fn(f64) -> f64;
+        let stores: [(Store, f64); 4] = [
+            (|x| x, 1e-16),
+            (|x| f64::from(x as f32), 6e-8),
+            (|x| (x * 1e6).round() / 1e6, 5e-7),
+            (|x| (x * 1e4).round() / 1e4, 5e-5),
+        ];
+        for (sides, (store, grain)) in
+            [16_u32, 32, 64].into_iter().flat_map(|s| stores.map(|store| (s, store)))
+        {
+            let turn = glam::DQuat::from_xyzw(numbers.unit(), numbers.unit(), numbers.unit(), numbers.unit());
+            let turn = turn.normalize();
+            let spoke = |v: u32| {
+                let angle = TAU * f64::from(v / 2) / f64::from(sides);
+                DVec3::new(libm::cos(angle), libm::sin(angle), 0.0)
+            };
+            let place = |v: u32| turn * (spoke(v) + 2.0 * f64::from(v % 2) * DVec3::Z);
+            let positions = (0..2 * sides).map(|v| DVec3::from(place(v).to_array().map(store))).collect();
+            let exact: Vec<DVec3> = (0..2 * sides).map(|v| turn * spoke(v)).collect();
+            let wall = |i: u32| {
+                let [a, b] = [2 * i, (2 * i + 2) % (2 * sides)];
+                [a, b, b + 1, a, b + 1, a + 1]
+            };
+            let (normals, _) = smooth(&build(positions, (0..sides).flat_map(wall).collect()));
+            // A corner that moves by √3 grains tilts a face by that over its shorter edge; the fit may triple it.
+            let shorter = TAU / f64::from(sides);
+            let allowed = (3.0 * 4.0 * 3.0_f64.sqrt() * grain / shorter).to_degrees() + 1e-12;
+            let (_, largest) = errors(&normals, &exact);
+            assert!(largest < allowed, "{sides} sides, {grain:e}: {largest:e}, allowed {allowed:e}");
+        }
     }
 
     #[test]

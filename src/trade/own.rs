@@ -17,8 +17,9 @@ use serde::Serialize;
 /// the jittered torus of 64 × 32 the quadric is off by 0.57° and Max's weights by 0.50°, on 128 × 64 by 0.14° and 0.25°. Ranks
 /// that are close mean little there; weights that are far off still show.
 ///
-/// Normals where the quadric gives what the angle mean gives to the bit say nothing, and are left out: it had too few
-/// neighbours, or all is flat.
+/// Normals where the quadric gives what the angle mean gives to the bit say nothing, and are left out: there was no quadric,
+/// having too few neighbours or none that bear it out ([`without_quadric`](Self::without_quadric)), or all is flat. What is
+/// left may be little of the mesh; the reasons say how much.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct OwnMesh {
     /// Vertices of all parts.
@@ -64,6 +65,8 @@ pub struct OwnMethod {
 const ALIKE: f64 = 1e-5;
 /// With fewer normals, or a smaller share of them, estimates mean nothing.
 const FEWEST: (usize, f64) = (20, 0.05);
+/// With a smaller share they are of a part of the mesh, which has to be said.
+const WELL_COVERED: f64 = 0.5;
 /// The usual weight is not worth leaving for less than a tenth.
 const WORTH_LEAVING: f64 = 1.1;
 
@@ -108,7 +111,7 @@ impl OwnMesh {
             })
             .collect();
         let alike = share_alike(&fields);
-        let (recommended, reasons) = recommend(&methods, told.len(), quadric.len(), alike);
+        let (recommended, reasons) = recommend(&methods, [told.len(), quadric.len(), without_quadric], alike);
         Self {
             vertices: parts.iter().map(|mesh| mesh.vertex_count()).sum(),
             faces: parts.iter().map(|mesh| mesh.face_count()).sum(),
@@ -151,12 +154,23 @@ fn share_alike(fields: &[Vec<DVec3>]) -> f64 {
     if first.is_empty() { 1.0 } else { alike as f64 / first.len() as f64 }
 }
 
-/// The weight to use, and why.
-fn recommend(methods: &[OwnMethod], told: usize, all: usize, alike: f64) -> (Weight, Vec<String>) {
+/// The weight to use, and why: from how many normals tell something, of how many, and for how many there is no quadric.
+fn recommend(
+    methods: &[OwnMethod],
+    [told, all, without_quadric]: [usize; 3],
+    alike: f64,
+) -> (Weight, Vec<String>) {
     let mut reasons = Vec::new();
     let percent = |share: f64| format!("{:.0} %", 100.0 * share);
     if alike > 0.05 {
         reasons.push(format!("{} of the normals are the same with every weight.", percent(alike)));
+    }
+    if without_quadric > 0 {
+        reasons.push(format!(
+            "{} of the normals have no quadric: too few neighbours, or none that bear it out, as on two rings of points. They \
+             are not in the estimate.",
+            percent(without_quadric as f64 / all as f64)
+        ));
     }
     let (fewest, share) = FEWEST;
     if told < fewest || (told as f64) < share * all as f64 {
@@ -169,6 +183,12 @@ fn recommend(methods: &[OwnMethod], told: usize, all: usize, alike: f64) -> (Wei
                 .into(),
         );
         return (Weight::Angle, reasons);
+    }
+    if (told as f64) < WELL_COVERED * all as f64 {
+        reasons.push(format!(
+            "Estimates are from {told} of {all} normals ({}): they say nothing of the rest.",
+            percent(told as f64 / all as f64)
+        ));
     }
     let of = |weight: Weight| methods.iter().find(|method| method.weight == weight);
     let sums = methods.iter().filter(|method| method.weight != Weight::Quadric);
@@ -246,6 +266,26 @@ mod tests {
             for (column, &difference) in of_row.iter().enumerate() {
                 assert_eq!(difference, own.differences[column][row]);
             }
+        }
+    }
+
+    /// The quadric through two rings of rounded points is anything: it was once taken for the truth, and all weights for 90°
+    /// off it.
+    #[test]
+    fn two_rings_tell_nothing() {
+        use crate::surface::{Cylinder, Tessellation};
+        let tessellation = Tessellation { segments: [48, 1], ..Tessellation::default() };
+        let mesh = Surface::from(Cylinder::default()).tessellate(&tessellation).unwrap();
+        let turn = glam::DQuat::from_xyzw(0.1, 0.7, -0.3, 0.5).normalize();
+        let positions = mesh.positions().iter().map(|&p| (turn * p).as_vec3().as_dvec3()).collect();
+        let faces = mesh.faces().clone();
+        let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap();
+        let own = OwnMesh::measure(&[&mesh], &NormalRecipe::default(), &|_| ());
+        assert_eq!((own.recommended, own.without_quadric), (Weight::Angle, own.normals));
+        assert_eq!(own.estimated_from, 0);
+        assert!(own.reasons.iter().any(|reason| reason.starts_with("100 % of the normals have no quadric")));
+        for method in &own.methods {
+            assert!(method.estimate.rms < 1.0, "{method:?}");
         }
     }
 
