@@ -23,9 +23,13 @@ pub struct EncodingRow {
     pub bytes: usize,
     /// The mean angle to what was encoded, in degrees.
     pub mean: f64,
-    /// The largest.
+    /// The largest of them.
     pub max: f64,
-    /// Whether a diffuse term stays within half a step of 8 bits.
+    /// How many directions these two are of.
+    pub directions: u32,
+    /// The angle that no normal is off by more: [`Encoding::worst_angle`], in degrees.
+    pub bound: f64,
+    /// Whether a diffuse term stays within half a step of 8 bits, of every normal: by the bound.
     pub diffuse: bool,
     /// The largest exponent of Blinn's highlight that does.
     pub blinn: Option<u64>,
@@ -85,12 +89,15 @@ pub fn encoding_rows(effort: Effort, observe: Observer) -> Vec<EncodingRow> {
     let row = |(done, encoding): (usize, Encoding)| {
         observe(Progress { stage: "encodings", done, total });
         let (mean, max) = encoding_error(encoding, directions);
-        let worst = Radians::from(Degrees(max));
+        let bound = encoding.worst_angle();
+        let worst = Radians::from(bound);
         EncodingRow {
             name: encoding.name(),
             bytes: encoding.bytes(),
             mean,
             max,
+            directions,
+            bound: bound.0,
             diffuse: largest_exponent(worst, HALF_STEP).is_some(),
             blinn: largest_exponent(worst, HALF_STEP),
             phong: largest_exponent(Radians(2.0 * worst.0), HALF_STEP),
@@ -154,6 +161,19 @@ mod tests {
             let found = encoding_error(encoding, DIRECTIONS);
             assert!((found.0 - mean).abs() <= 0.003 * mean + 0.5 * mean_unit, "{name}: mean {}", found.0);
             assert!((found.1 - max).abs() <= 0.02 * max + 0.5 * max_unit, "{name}: largest {}", found.1);
+        }
+    }
+
+    /// A sample knows less than the bound, and the fewer it is of, the less.
+    #[test]
+    fn exponents_do_not_depend_on_the_sample() {
+        let rows = encoding_rows(Effort::Quick, &|_| ());
+        let of = |name: &str| rows.iter().find(|row| row.name == name).unwrap();
+        assert_eq!((of("half ×3").blinn, of("half ×3").phong), (Some(59), Some(14)));
+        assert_eq!(of("snorm 3×16").blinn, Some(14960));
+        assert_eq!(of("oct 16+16").blinn, Some(2487));
+        for row in rows {
+            assert!(row.max <= row.bound && row.directions == DIRECTIONS / 10, "{row:?}");
         }
     }
 

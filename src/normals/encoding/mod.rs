@@ -1,7 +1,8 @@
 //! Normals in few bits: octahedral codes, signed normalised integers, half and single precision.
 //!
 //! Angles between a normal and what its code gives back, in degrees, and the largest highlight exponents n that every
-//! normal stays within half an 8-bit step for ([`largest_exponent`](crate::num::largest_exponent)):
+//! normal stays within half an 8-bit step for ([`largest_exponent`](crate::num::largest_exponent) of
+//! [`Encoding::worst_angle`]):
 //!
 //! | encoding | bytes | mean | worst | diffuse | n, Blinn | n, Phong |
 //! |---|---:|---:|---:|---|---:|---:|
@@ -9,14 +10,14 @@
 //! | 8 + 8, nearest | 2 | 0.315 | 0.637 | no | – | – |
 //! | 10 + 10 | 3 | 0.0837 | 0.238 | no | – | – |
 //! | 12 + 12 | 3 | 0.0209 | 0.0594 | yes | 9 | – |
-//! | 12 + 12, nearest | 3 | 0.0195 | 0.0396 | yes | 21 | 4 |
-//! | 16 + 16 | 4 | 0.00131 | 0.00372 | yes | 2400 | 600 |
-//! | 16 + 16, nearest | 4 | 0.00122 | 0.00247 | yes | 5600 | 1400 |
+//! | 12 + 12, nearest | 3 | 0.0195 | 0.0395 | yes | 21 | 4 |
+//! | 16 + 16 | 4 | 0.00131 | 0.00371 | yes | 2487 | 621 |
+//! | 16 + 16, nearest | 4 | 0.00122 | 0.00247 | yes | 5627 | 1406 |
 //! | [`Snorm`] 3 × 8 | 3 | 0.170 | 0.391 | no | – | – |
 //! | 3 × 10 | 4 | 0.0423 | 0.0971 | yes | 3 | – |
-//! | 3 × 16 | 6 | 0.00066 | 0.0016 | yes | 13000 | 3300 |
-//! | half × 3 | 6 | 0.0061 | 0.024 | yes | 59 | 14 |
-//! | single × 3 | 12 | 7.4e-7 | 2.9e-6 | yes | 10⁹ | 10⁹ |
+//! | 3 × 16 | 6 | 0.00066 | 0.00151 | yes | 14960 | 3739 |
+//! | half × 3 | 6 | 0.0061 | 0.0239 | yes | 59 | 14 |
+//! | single × 3 | 12 | 7.4e-7 | 2.92e-6 | yes | 10⁹ | 10⁹ |
 //!
 //! `crease trade` measures them again on two million directions. Octahedral codes are as good as three times as many
 //! bits in a grid of components would be: they waste none on lengths (Cigolle, Donow, Evangelakos, Mara, McGuire & Meyer,
@@ -44,8 +45,9 @@ pub use float::{from_half, to_half};
 pub use octahedral::{Octahedral, Rounding};
 pub use snorm::Snorm;
 
-use crate::num::UnitVec3;
+use crate::num::{Degrees, Radians, UnitVec3};
 use glam::DVec3;
+use std::f64::consts::FRAC_1_SQRT_2;
 
 /// A way to store a unit normal.
 ///
@@ -120,6 +122,28 @@ impl Encoding {
         self.bits().div_ceil(8) as usize
     }
 
+    /// An angle that no normal is farther from what its code gives back. Exponents of highlights that *every* normal serves
+    /// follow from it; those of the worst of a sample come out larger, the fewer are looked at.
+    ///
+    /// Octahedral codes: 0.958° (0.637° with [`Rounding::Nearest`]) for 8 bits, by the largest code for others; the worst
+    /// are in the middle of an octant, where half a step each way moves the normal by 3/√2 of 1/(2^(bits−1) − 1) rad
+    /// (0.957°; what is over stands for curvature). Integers: half a step in each component, at right angles to the normal at
+    /// worst, asin(√3/2 / (2^(bits−1) − 1)). Half and single precision: three components from ½ on, each off by half a unit
+    /// u of the last place there; of (±1, ±1, ±1)u at most (1 + √½)u is at right angles to such a normal, at
+    /// (√½, ½, ½); a factor 1 + 2⁻¹⁰ stands for the length that rounding changes.
+    pub fn worst_angle(self) -> Degrees {
+        let radians = match self {
+            Encoding::Octahedral(codec, rounding) => {
+                let of_eight = if rounding == Rounding::Nearest { 0.637 } else { 0.958 };
+                return Degrees(of_eight * 127.0 / largest_code(codec.bits()));
+            }
+            Encoding::Snorm(codec) => libm::asin(0.5 * 3.0_f64.sqrt() / largest_code(codec.bits())),
+            Encoding::Half => of_floats(-12),
+            Encoding::Single => of_floats(-25),
+        };
+        Degrees::from(Radians(radians))
+    }
+
     /// The code of a normal, in the lowest [`bits`](Self::bits): the first component lowest, negative numbers in two's
     /// complement.
     pub fn encode(self, normal: DVec3) -> u128 {
@@ -161,6 +185,11 @@ impl Encoding {
             self.decode(u128::from_le_bytes(code))
         })
     }
+}
+
+/// The worst angle of three numbers whose components from ½ to 1 are off by 2 to a power at most.
+fn of_floats(power: i32) -> f64 {
+    (1.0 + FRAC_1_SQRT_2) * (1.0 + 1.0 / 1024.0) * libm::ldexp(1.0, power)
 }
 
 /// Components side by side, the first one lowest.

@@ -6,7 +6,7 @@ use glam::DVec3;
 /// Each component by itself: c = round((2^(bits−1) − 1) x), and back max(c / (2^(bits−1) − 1), −1), made unit.
 ///
 /// The rule of glTF, Vulkan and Direct3D. Most of the codes are of vectors that are no normals, which is why octahedral
-/// codes do better with the same bits. Worst angle in degrees: 0.391 for 8 bits, 0.0971 for 10, 0.0016 for 16. The axes are
+/// codes do better with the same bits. Worst angle in degrees: 0.391 for 8 bits, 0.0971 for 10, 0.00151 for 16. The axes are
 /// exact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Snorm {

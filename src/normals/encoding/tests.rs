@@ -1,6 +1,5 @@
 use super::*;
 use crate::num::test_numbers::Numbers;
-use std::f64::consts::FRAC_1_SQRT_2;
 
 fn angle(a: DVec3, b: DVec3) -> f64 {
     libm::atan2(a.cross(b).length(), a.dot(b)).to_degrees()
@@ -19,15 +18,7 @@ fn directions(count: usize) -> impl Iterator<Item = DVec3> {
 
 /// What the module's table says of each.
 fn worst(encoding: Encoding) -> f64 {
-    match encoding {
-        Encoding::Octahedral(codec, Rounding::Plain) => 0.958 * 127.0 / largest_code(codec.bits()),
-        Encoding::Octahedral(codec, Rounding::Nearest) => 0.637 * 127.0 / largest_code(codec.bits()),
-        Encoding::Snorm(Snorm::EIGHT) => 0.391,
-        Encoding::Snorm(Snorm::TEN) => 0.0971,
-        Encoding::Snorm(_) => 0.0016,
-        Encoding::Half => 0.024,
-        Encoding::Single => 2.9e-6,
-    }
+    encoding.worst_angle().0
 }
 
 #[test]
@@ -43,6 +34,47 @@ fn no_direction_is_worse_than_documented() {
         // That the bound is not idle: a sample of this size comes within a tenth of it.
         let bound = worst(encoding);
         assert!((0.9 * bound..=bound).contains(&found), "{}: {found} of {bound}", encoding.name());
+    }
+}
+
+/// Normals that are looked for, as a sample does not find them: components halfway between two codes, where all three
+/// errors are at right angles to the normal.
+#[test]
+fn the_worst_directions_come_close_to_the_bound_and_not_over_it() {
+    let mut numbers = Numbers::new(59);
+    let mut halfway = |near: f64, step: f64| {
+        // As many steps as it takes the third component to go from one code to the next by the sphere's curvature.
+        let off = (0.9 / step.sqrt() * numbers.unit()).round() + 0.5;
+        ((near / step).round() + off) * step + 1e-9 * step * (numbers.unit() - 0.5)
+    };
+    let third = |a: f64, b: f64| (1.0 - a * a - b * b).max(0.0).sqrt();
+    for (encoding, share) in [
+        (Encoding::Half, 0.995),
+        (Encoding::Snorm(Snorm::SIXTEEN), 0.999),
+        (Encoding::OCTAHEDRAL_16, 0.997),
+        (Encoding::Single, 0.995),
+    ] {
+        let mut found = 0.0_f64;
+        for _ in 0..40_000 {
+            let normal = match encoding {
+                Encoding::Half | Encoding::Single => {
+                    let step = if encoding == Encoding::Half { 1.0 / 2048.0 } else { libm::ldexp(1.0, -24) };
+                    let [b, c] = [0; 2].map(|_| halfway(0.5, step));
+                    DVec3::new(third(b, c), b, c)
+                }
+                Encoding::Snorm(_) => {
+                    let [b, c] = [FRAC_1_SQRT_2, 0.0].map(|near| halfway(near, 1.0 / 32767.0));
+                    DVec3::new(-third(b, c), b, c)
+                }
+                Encoding::Octahedral(..) => {
+                    let [x, y] = [0; 2].map(|_| halfway(1.0 / 3.0, 1.0 / 32767.0));
+                    DVec3::new(x, y, 1.0 - x - y).normalize()
+                }
+            };
+            found = found.max(angle(normal, encoding.decode(encoding.encode(normal))));
+        }
+        let bound = worst(encoding);
+        assert!((share * bound..=bound).contains(&found), "{}: {found} of {bound}", encoding.name());
     }
 }
 
