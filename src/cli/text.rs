@@ -297,7 +297,13 @@ fn remarks(report: &Report, total: &Total) -> Vec<(&'static str, String)> {
     if let Some(angle) = report.parts.iter().find_map(|part| part.crease_degrees)
         && total.near_crease > 0
     {
-        rows.push(("near", format!("{} within 0.1° of {angle}°", count(total.near_crease, "edge"))));
+        rows.push((
+            "near",
+            format!(
+                "{} within 0.1° of {angle}°, or as near as the digits tell",
+                count(total.near_crease, "edge")
+            ),
+        ));
     }
     let faces = [
         (total.reversed, "turned round"),

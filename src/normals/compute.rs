@@ -1,6 +1,7 @@
 //! From a mesh and a recipe to a field of normals.
 
 use super::crease::CreaseTest;
+use super::digits::turns_by_rounding;
 use super::face::face_normals;
 use super::fans::FanWalker;
 use super::gather::TermTable;
@@ -77,7 +78,8 @@ fn try_compute(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe, fast: bo
         faces_before_groups: faces_before_groups(mesh, recipe),
         ..Summary::default()
     };
-    (summary.edges, summary.near_crease) = edge_counts(&walker);
+    let turns = matches!(walker.crease, CreaseTest::Over { .. }).then(|| turns_by_rounding(mesh)).flatten();
+    (summary.edges, summary.near_crease) = edge_counts(&walker, turns.as_deref());
     let groups = match (recipe.scope, recipe.rule) {
         (Scope::Vertex, _) => SmoothGroups::per_vertex(mesh.faces().view(), topology, mesh.vertex_count()),
         (Scope::Corner, CreaseRule::Fan) => SmoothGroups::by_fan(&walker, mesh.vertex_count()),

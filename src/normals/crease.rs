@@ -72,6 +72,8 @@ pub(crate) enum CreaseTest {
         limit: AngleLimit,
         /// Below and above the angle by what counts as near.
         near: [AngleLimit; 2],
+        /// The angle itself, in radians.
+        radians: f64,
     },
 }
 
@@ -85,6 +87,7 @@ impl CreaseTest {
             Some(Degrees(angle)) => Self::Over {
                 limit: AngleLimit::degrees(angle + SLACK_DEGREES),
                 near: [AngleLimit::degrees(angle - NEAR_DEGREES), AngleLimit::degrees(angle + NEAR_DEGREES)],
+                radians: angle.to_radians(),
             },
         }
     }
@@ -101,6 +104,13 @@ impl CreaseTest {
     /// Whether an edge between faces of these unit normals is near the crease angle.
     pub(crate) fn is_near(&self, a: DVec3, b: DVec3) -> bool {
         matches!(self, Self::Over { near: [low, high], .. } if low.exceeded(a, b) && !high.exceeded(a, b))
+    }
+
+    /// Whether it is near, or could be at the angle if the two normals were turned by so many radians in all.
+    pub(crate) fn is_near_if_turned(&self, a: DVec3, b: DVec3, turned: f64) -> bool {
+        let Self::Over { radians, .. } = self else { return false };
+        let could_be = || (libm::atan2(a.cross(b).length(), a.dot(b)) - radians).abs() <= turned;
+        self.is_near(a, b) || could_be()
     }
 }
 
@@ -121,6 +131,25 @@ mod tests {
                 assert_eq!(limit.exceeded(DVec3::X, b), expected, "{degrees} {step}");
             }
         }
+    }
+
+    #[test]
+    fn what_rounding_may_have_turned_is_near() {
+        let test = CreaseTest::new(Some(Degrees(40.0)));
+        let at = |degrees: f64| {
+            let angle = degrees.to_radians();
+            DVec3::new(libm::cos(angle), libm::sin(angle), 0.0)
+        };
+        for (degrees, turned, is_near) in
+            [(40.05, 0.0, true), (40.5, 0.4, false), (40.5, 0.6, true), (39.5, 0.6, true), (39.5, 0.4, false)]
+        {
+            assert_eq!(
+                test.is_near_if_turned(DVec3::X, at(degrees), f64::to_radians(turned)),
+                is_near,
+                "{degrees} {turned}"
+            );
+        }
+        assert!(!CreaseTest::new(None).is_near_if_turned(DVec3::X, at(40.0), 1.0));
     }
 
     #[test]

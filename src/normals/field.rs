@@ -33,7 +33,8 @@ pub struct Summary {
     pub splits: usize,
     /// Edges, each counted once, by what they are.
     pub edges: EdgeCounts,
-    /// Edges whose dihedral angle is within 0.1° of the crease angle.
+    /// Edges whose dihedral angle is within 0.1° of the crease angle, or within what the digits allow where positions were
+    /// rounded to few decimals: as far as the normals of the two faces can have turned by that.
     pub near_crease: usize,
     /// The crease angle applied, in degrees; `None` where smoothing groups decide alone.
     pub crease_degrees: Option<f64>,

@@ -7,6 +7,7 @@ mod cone;
 mod corner_slices;
 mod corner_terms;
 mod crease;
+mod digits;
 mod emit;
 pub mod encoding;
 #[cfg(test)]

@@ -10,8 +10,9 @@ use rustc_hash::{FxHashMap, FxHashSet};
 /// Counts the edges of a mesh, each once, and those near the crease angle.
 ///
 /// An edge counts as a crease if it is hard at either end: beside a face that has no say, the faces that decide may be
-/// others at each end.
-pub(crate) fn edge_counts(walker: &FanWalker) -> (EdgeCounts, usize) {
+/// others at each end. An edge is near the crease angle within 0.1°, or within what `turns` allows, the angle in radians that
+/// the normal of each face may be off by; edges beside a face without a say within 0.1°.
+pub(crate) fn edge_counts(walker: &FanWalker, turns: Option<&[f64]>) -> (EdgeCounts, usize) {
     const CHUNK: usize = 1 << 14;
     let corner_count = walker.faces.corners().len();
     let Tally { mut counts, near, undecided } = (0..corner_count.div_ceil(CHUNK))
@@ -19,7 +20,7 @@ pub(crate) fn edge_counts(walker: &FanWalker) -> (EdgeCounts, usize) {
         .map(|chunk| {
             let mut tally = Tally::default();
             for half_edge in chunk * CHUNK..((chunk + 1) * CHUNK).min(corner_count) {
-                tally.add(walker, half_edge as u32);
+                tally.add(walker, turns, half_edge as u32);
             }
             tally
         })
@@ -46,7 +47,7 @@ impl Tally {
         Self { counts: self.counts + other.counts, near: self.near + other.near, undecided: self.undecided }
     }
 
-    fn add(&mut self, walker: &FanWalker, half_edge: u32) {
+    fn add(&mut self, walker: &FanWalker, turns: Option<&[f64]>, half_edge: u32) {
         let Self { counts, near, undecided } = self;
         let across = match walker.topology.link(half_edge) {
             Link::Twin(across) => across,
@@ -80,7 +81,12 @@ impl Tally {
                     return;
                 }
                 let (a, b) = (walker.normal(half_edge), walker.normal(across));
-                *near += usize::from(walker.crease.is_near(a, b));
+                let turn = |turns: &[f64], corner| turns[walker.topology.face_of(corner) as usize];
+                let turned = turns.map(|turns| turn(turns, half_edge) + turn(turns, across));
+                *near += usize::from(match turned {
+                    None => walker.crease.is_near(a, b),
+                    Some(turned) => walker.crease.is_near_if_turned(a, b, turned),
+                });
                 limit.exceeded(a, b)
             }
         };

@@ -21,7 +21,7 @@
 //! mesh as it was read: `vertices`, `referenced_vertices`, `faces`, `corners`, `triangles`, `quads`, `polygons` (of
 //! five corners or more); the computed normals: `entries` (one for each vertex and smooth group), `splits`
 //! (entries minus referenced vertices), `crease_degrees` (the angle that was applied, or null), `near_crease` (edges
-//! within 0.1° of it), `edges` (by kind; the kinds up to `crease` add up to all, `welded` is how many of them were
+//! within 0.1° of it, or within what the few digits of positions allow), `edges` (by kind; the kinds up to `crease` add up to all, `welded` is how many of them were
 //! joined by position), `faults` (of `faces`, `corners`, `vertices`: how often which reason), `kept_corners`,
 //! `replaced_corners` (by reason; both zero or empty unless `when` is `missing` or `broken`), `fault_places` and
 //! `broken_places` (the first places of faults, and of corners whose stored normal was broken: `face`, or `face`, `corner`
