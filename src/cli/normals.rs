@@ -16,7 +16,7 @@ use std::time::Instant;
 #[derive(Debug)]
 pub enum Failure {
     Read(ReadError),
-    /// The input was read, but cannot be drawn.
+    /// The input was read, but there is nothing in it to draw or to measure, or it cannot be.
     Draw(String),
     Write(String),
     /// A fault of this program.

@@ -46,7 +46,11 @@ pub fn main(args: &SurfaceArgs, color: Color) -> Exit {
             console.report(&report.text(console.report_style()));
         }
     }
-    result.map_or_else(|failure| exit_of(&failure), |()| Exit::Done)
+    match result {
+        Err(failure) => exit_of(&failure),
+        Ok(()) if !console.has_reported() => Exit::OutputFailed,
+        Ok(()) => Exit::Done,
+    }
 }
 
 /// Makes the mesh and stores it. Settings that do not go together end the program as wrong usage.

@@ -78,6 +78,10 @@ fn work(args: &TradeArgs, console: &Console, report: &mut Report) -> Result<(), 
         Some(path) => {
             let loaded = read(path, args).map_err(Failure::Read)?;
             let meshes: Vec<&Mesh> = loaded.parts.iter().map(|part| &part.mesh).collect();
+            if meshes.iter().all(|mesh| mesh.face_count() == 0) {
+                let advice = "there is nothing to measure: give a mesh with faces";
+                return Err(Failure::Draw(format!("the mesh has no faces; {advice}")));
+            }
             let recipe = NormalRecipe {
                 crease: args.crease.map_or(Crease::Default, Crease::Angle),
                 ..NormalRecipe::default()

@@ -227,6 +227,21 @@ fn what_cannot_be_is_refused_before_anything_is_written() {
     assert_eq!((&report["status"], &report["error"]["kind"]), (&"failed".into(), &"output".into()));
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn a_report_that_cannot_be_written_is_a_failure() {
+    let folder = TempDir::new().unwrap();
+    for json in [&["--json"][..], &[]] {
+        let full = std::fs::File::options().write(true).open("/dev/full").unwrap();
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_crease"));
+        command.args(["surface", "torus", "-o"]).arg(folder.path().join("torus.ply")).args(json);
+        let output = command.stdout(full).stderr(std::process::Stdio::piped()).spawn().unwrap();
+        let output = output.wait_with_output().unwrap();
+        assert_eq!(code(&output), 4, "{json:?}");
+        assert!(text(&output.stderr).contains("the report could not be written"), "{json:?}");
+    }
+}
+
 #[test]
 fn help_has_examples_that_work() {
     let output = surface(&["--help"]);
