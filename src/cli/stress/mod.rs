@@ -65,13 +65,13 @@ mod tests {
         let cases = cases_of(Group::Product);
         let mut results: Vec<StressResult> = cases.iter().map(StressCase::run).collect();
         assert_eq!(verdict(&results), Exit::Done);
-        assert!(table::table(&results, 0.0, true, Style::PLAIN).contains("2 cases: all expectations hold."));
+        assert!(table::table(&results, 0.0, true, Style::PLAIN).contains("3 cases: all expectations hold."));
         let measured = Measured { faithful: Worst { error: 0.5, undefined: 3 }, ..results[1].measured };
         results[1] =
             StressResult { case: results[1].case, measured, faithful_holds: false, fast_holds: true };
         assert_eq!(verdict(&results), Exit::Findings);
         let text = table::table(&results, 0.0, false, Style::PLAIN);
-        assert!(text.contains("BREAKS") && text.contains("2 cases: 1 do not hold."), "{text}");
+        assert!(text.contains("BREAKS") && text.contains("3 cases: 1 do not hold."), "{text}");
         let told = table::breach(&results[1]);
         assert!(
             told.starts_with("product: nearly equal products: faithful is off by 0.5 rel, NaN x3"),

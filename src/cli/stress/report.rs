@@ -19,6 +19,7 @@
 //! | `what`, `expectation` | in words |
 //! | `samples` | how many results were looked at |
 //! | `faithful` | an error, as below, with `bound` |
+//! | `without_fast` | where there is no `fast` beside it: why |
 //! | `fast` | absent where it does not concern `fast`; an error with `bound` and `declined`, the samples left to `faithful` |
 //! | `plain` | absent where there is no plain formula; an error with `formula` and `fails`, whether it can be seen |
 //! | `holds` | whether the expectation holds |
@@ -50,6 +51,8 @@ struct CaseReport<'a> {
     faithful: ErrorReport,
     #[serde(skip_serializing_if = "Option::is_none")]
     fast: Option<ErrorReport>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    without_fast: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     plain: Option<ErrorReport>,
     holds: bool,
@@ -128,6 +131,7 @@ impl<'a> CaseReport<'a> {
             expectation: case.expectation,
             samples: measured.samples,
             faithful: ErrorReport::bounded(measured.faithful, case.bound),
+            without_fast: fast.is_none().then(|| case.group.without_fast()),
             fast,
             plain,
             holds: result.holds(),

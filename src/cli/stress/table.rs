@@ -3,7 +3,7 @@
 use super::super::console::Style;
 use super::super::text::count;
 use super::report::Summary;
-use crease::trade::stress::{Group, StressCase, StressResult, Unit, Worst};
+use crease::trade::stress::{Bound, Group, StressCase, StressResult, Unit, Worst};
 use std::fmt::Write as _;
 
 /// Marks plain code that fails so that it can be seen.
@@ -70,13 +70,13 @@ fn row(result: &StressResult) -> Row {
             format!("{}, {} declined", error(worst, bound.unit), measured.declined)
         }
         (Some(worst), Some(bound)) => error(worst, bound.unit),
-        _ => "–".to_owned(),
+        _ => "none".to_owned(),
     };
     let cross = if result.plain_fails() { format!(" {CROSS}") } else { String::new() };
     let plain = measured.plain.map_or("–".to_owned(), |worst| error(worst, case.plain_unit) + &cross);
     [
         case.name.clone(),
-        amount(case.bound.most, case.bound.unit),
+        allowed(case.bound),
         error(measured.faithful, case.bound.unit),
         fast,
         plain,
@@ -89,11 +89,21 @@ fn detail(out: &mut String, result: &StressResult) {
     let _ = writeln!(out, "      {} ({})", case.what, count(result.measured.samples, "result"));
     let _ = writeln!(out, "      bound: {}", case.bound.source);
     if let Some(bound) = case.fast_bound {
-        let _ = writeln!(out, "      fast: {}; {}", amount(bound.most, bound.unit), bound.source);
+        let _ = writeln!(out, "      fast: {}; {}", allowed(bound), bound.source);
+    } else {
+        let _ = writeln!(out, "      fast: none: {}", case.group.without_fast());
     }
     if result.measured.plain.is_some() {
         let _ = writeln!(out, "      plain: {}", case.plain_formula);
     }
+}
+
+/// What a bound allows. Half a turn is everything that there is.
+fn allowed(bound: Bound) -> String {
+    if bound.unit == Unit::Degrees && bound.most >= 180.0 {
+        return "no promise".to_owned();
+    }
+    amount(bound.most, bound.unit)
 }
 
 /// The worst of many, and how many are none.

@@ -178,10 +178,15 @@ impl StressResult<'_> {
     }
 
     /// Whether plain `f32` code fails so that it can be seen: a result that is no number, or an error of
-    /// [`Unit::visible`] or more.
+    /// [`Unit::visible`] or more. Not where `faithful` fails as well, with half of that error or more: what is lost to
+    /// storage is lost to both.
     pub fn plain_fails(&self) -> bool {
-        let seen = |worst: Worst| worst.undefined > 0 || worst.error >= self.case.plain_unit.visible();
-        self.measured.plain.is_some_and(seen)
+        let seen = |worst: Worst, unit: Unit| worst.undefined > 0 || worst.error >= unit.visible();
+        let faithful = self.measured.faithful;
+        self.measured.plain.is_some_and(|plain| {
+            let both = seen(faithful, self.case.bound.unit) && plain.error <= 2.0 * faithful.error;
+            seen(plain, self.case.plain_unit) && !both
+        })
     }
 }
 

@@ -2,27 +2,26 @@
 
 use super::case::{Bound, Measured, StressCase, Unit, Worst};
 use super::group::Group;
-use crate::normals::encoding::{Encoding, Octahedral, Rounding, Snorm};
+use crate::normals::encoding::{Encoding, Octahedral, Rounding, Snorm, from_half, to_half};
 use crate::num::numbers::Numbers;
 use crate::trade::exact;
 use glam::{DVec3, Vec3};
 
 const DIRECTIONS: usize = 600;
 
-/// Encodings, and the worst angles that their documentation states.
-fn encodings() -> [(Encoding, f64); 9] {
+fn encodings() -> [Encoding; 9] {
     let octahedral =
         |bits, rounding| Encoding::Octahedral(Octahedral::new(bits).expect("8 to 16 bits"), rounding);
     [
-        (octahedral(8, Rounding::Plain), 0.958),
-        (octahedral(8, Rounding::Nearest), 0.637),
-        (octahedral(10, Rounding::Plain), 0.238),
-        (octahedral(12, Rounding::Plain), 0.0594),
-        (octahedral(16, Rounding::Plain), 0.00372),
-        (Encoding::Snorm(Snorm::EIGHT), 0.391),
-        (Encoding::Snorm(Snorm::TEN), 0.0971),
-        (Encoding::Snorm(Snorm::SIXTEEN), 0.0016),
-        (Encoding::Half, 0.024),
+        octahedral(8, Rounding::Plain),
+        octahedral(8, Rounding::Nearest),
+        octahedral(10, Rounding::Plain),
+        octahedral(12, Rounding::Plain),
+        octahedral(16, Rounding::Plain),
+        Encoding::Snorm(Snorm::EIGHT),
+        Encoding::Snorm(Snorm::TEN),
+        Encoding::Snorm(Snorm::SIXTEEN),
+        Encoding::Half,
     ]
 }
 
@@ -37,32 +36,31 @@ pub(super) fn cases() -> Vec<StressCase> {
         ("poles", "the six axes and directions up to 1e-2 off them", poles),
         ("octant edges", "directions in the planes x = 0, y = 0, z = 0 and up to 1e-2 off them", edges),
     ];
-    let case = |(encoding, most): (Encoding, f64)| {
-        places.map(|(name, what, directions)| case(name, what, encoding, most, directions))
-    };
+    let case =
+        |encoding: Encoding| places.map(|(name, what, directions)| case(name, what, encoding, directions));
     encodings().into_iter().flat_map(case).collect()
 }
 
-fn case(
-    place: &str,
-    what: &'static str,
-    encoding: Encoding,
-    most: f64,
-    directions: Directions,
-) -> StressCase {
+fn case(place: &str, what: &'static str, encoding: Encoding, directions: Directions) -> StressCase {
     StressCase {
         group: Group::Encoding,
         name: format!("{}, {place}", encoding.name()),
         what,
         expectation: "no worse than anywhere else",
         bound: Bound::new(
-            most,
+            encoding.worst_angle().0,
             Unit::Degrees,
-            "the worst angle of the encoding's documentation, of all directions",
+            "Encoding::worst_angle, of all directions",
         ),
         fast_bound: None,
         plain_unit: Unit::Degrees,
-        plain_formula: "v.xy / (|x|+|y|+|z|), folded by (1 - |yx|)·sign(xy) with sign(0) = 0",
+        plain_formula: match encoding {
+            Encoding::Octahedral(..) => {
+                "v.xy / (|x|+|y|+|z|), folded by (1 - |yx|)·sign(xy) with sign(0) = 0"
+            }
+            Encoding::Snorm(_) => "round(v·s) / s",
+            Encoding::Half | Encoding::Single => "half(v)",
+        },
         measure: Box::new(move || measure(encoding, &directions())),
     }
 }
@@ -74,12 +72,20 @@ fn measure(encoding: Encoding, directions: &[DVec3]) -> Measured {
         let truth = exact::unit(&direction.to_array().map(exact::big)).expect("a direction");
         let error = |got: DVec3| exact::angle_to(got, &truth).to_degrees();
         faithful.add(error(encoding.decode(encoding.encode(direction))));
-        if let Encoding::Octahedral(codec, _) = encoding {
-            plain.add(error(plain_octahedral(direction.as_vec3(), codec.bits()).as_dvec3()));
-        }
+        let single = direction.as_vec3();
+        let plainly = match encoding {
+            Encoding::Octahedral(codec, _) => plain_octahedral(single, codec.bits()),
+            Encoding::Snorm(codec) => {
+                let steps = ((1 << (codec.bits() - 1)) - 1) as f32;
+                Vec3::from(single.to_array().map(|x| libm::roundf(x * steps) / steps))
+            }
+            Encoding::Half | Encoding::Single => {
+                Vec3::from(single.to_array().map(|x| from_half(to_half(f64::from(x))) as f32))
+            }
+        };
+        plain.add(error(plainly.as_dvec3()));
     }
-    let plain = matches!(encoding, Encoding::Octahedral(..)).then_some(plain);
-    Measured { samples: directions.len(), faithful, plain, ..Measured::default() }
+    Measured { samples: directions.len(), faithful, plain: Some(plain), ..Measured::default() }
 }
 
 /// There and back, as shaders have it: the sign of 0 is 0.

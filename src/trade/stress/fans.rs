@@ -3,8 +3,9 @@
 use super::case::{Bound, Measured, Unit, Worst};
 use super::plain;
 use super::triangles::{FAST, indexed};
+use crate::mesh::Mesh;
 use crate::normals::{
-    Crease, NormalRecipe, Precision, Scope, Scratch, Slivers, Weight, compute, vertex_normals,
+    Crease, NormalField, NormalRecipe, Precision, Scope, Scratch, Slivers, Weight, compute, vertex_normals,
 };
 use crate::trade::exact;
 use glam::{DVec3, Vec3};
@@ -87,7 +88,7 @@ pub(super) fn bound(fan: &Fan, valence: usize) -> Bound {
 pub(super) fn fast_bound(fan: &Fan, valence: usize) -> Bound {
     let summed = libm::ldexp(fan.condition() * (valence + 30) as f64, -24).to_degrees();
     Bound::new(
-        FAST.most + summed,
+        (FAST.most + summed).min(180.0),
         Unit::Degrees,
         "that of its faces, 0.0172 degrees, and k(v + 30)/2^24 of summation over v faces that shrinks by k",
     )
@@ -107,21 +108,26 @@ pub(super) fn measure(fans: &[Fan], weights: &[Weight]) -> Measured {
             let truth = exact::vertex_normal(centre, &triangles, weight).expect("a fan with a normal");
             let error = |normal: DVec3| exact::angle_to(normal, &truth).to_degrees();
             measured.faithful.add(error(faithful(&positions, &indices, weight, Slivers::Keep)[0]));
-            let recipe = NormalRecipe {
-                weight,
-                crease: Crease::OFF,
-                slivers: Slivers::Keep,
-                precision: Precision::Fast,
-                scope: Scope::Vertex,
-                ..NormalRecipe::default()
-            };
-            let field = compute(&mesh, &recipe);
+            let field = self::fast(&mesh, weight, Slivers::Keep);
             measured.declined += usize::from(field.summary.fast_declined);
             fast.add(error(field.normals.values[0]));
             plain.add(error(plain::direction(plain::vertex_normal(fan.centre, &fan.triangles, weight))));
         }
     }
     Measured { fast: Some(fast), plain: Some(plain), ..measured }
+}
+
+/// Vertex normals by [`Precision::Fast`].
+pub(super) fn fast(mesh: &Mesh, weight: Weight, slivers: Slivers) -> NormalField {
+    let recipe = NormalRecipe {
+        weight,
+        crease: Crease::OFF,
+        slivers,
+        precision: Precision::Fast,
+        scope: Scope::Vertex,
+        ..NormalRecipe::default()
+    };
+    compute(mesh, &recipe)
 }
 
 /// Vertex normals by the interface for slices.

@@ -76,6 +76,22 @@ impl Group {
         }
     }
 
+    /// Why there is no `fast` beside the cases of the group that have none.
+    pub const fn without_fast(self) -> &'static str {
+        match self {
+            Group::NonFinite => "reading and checking positions is the same for both",
+            Group::Angle | Group::Product => {
+                "single precision has no way of its own to them: fast uses them as a whole"
+            }
+            Group::Unit => "made unit in f64 only",
+            Group::Crease => "counted for the report from the same face normals",
+            Group::Raster => "pictures are drawn one way",
+            Group::Encoding => "codes are made one way",
+            Group::Fan => "quadrics are fitted in f64, whatever the precision of the mean",
+            _ => "computed one way",
+        }
+    }
+
     /// What it is about, in a line.
     pub const fn about(self) -> &'static str {
         match self {

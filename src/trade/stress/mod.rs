@@ -38,6 +38,7 @@ mod non_finite;
 mod offset;
 mod plain;
 mod product;
+mod quadric;
 mod raster;
 mod scan;
 mod triangles;
@@ -61,7 +62,7 @@ pub fn cases_of(group: Group) -> Vec<StressCase> {
         Group::Degenerate => degenerate::cases(),
         Group::NonFinite => non_finite::cases(),
         Group::Valence => valence::cases(),
-        Group::Fan => fan::cases(),
+        Group::Fan => fan::cases().into_iter().chain(quadric::cases()).collect(),
         Group::Angle => angle::cases(),
         Group::Crease => crease::cases(),
         Group::Unit => unit::cases(),

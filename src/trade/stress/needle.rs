@@ -13,6 +13,8 @@ use glam::{DVec3, Vec3};
 /// Height over length.
 const THINNESS: [f64; 8] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-12];
 const TRIANGLES: usize = 300;
+const ALL_TOLD: Bound =
+    Bound::none_wrong("Slivers: lower than four times the spacing at the largest coordinate");
 /// What rounding leaves of a number near 1.
 const SPACING: f32 = f32::EPSILON;
 
@@ -55,8 +57,8 @@ fn threshold() -> StressCase {
         name: "sliver threshold".into(),
         what: "heights of 1 to 8 spacings of f32, along each pair of axes: which are called slivers",
         expectation: "slivers below 4 spacings, and no others",
-        bound: Bound::none_wrong("Slivers: lower than four times the spacing at the largest coordinate"),
-        fast_bound: None,
+        bound: ALL_TOLD,
+        fast_bound: Some(ALL_TOLD),
         plain_unit: Unit::Wrong,
         plain_formula: "sqrt(n·n) < 1e-6",
         measure: Box::new(measure_threshold),
@@ -65,6 +67,7 @@ fn threshold() -> StressCase {
 
 fn measure_threshold() -> Measured {
     let (mut samples, mut wrong, mut plainly_wrong) = (0, 0, 0);
+    let (mut fast_wrong, mut declined) = (0, 0);
     for spacings in 1..=8_u8 {
         for axis in 0..3 {
             let point = |along: f32, up: f32| {
@@ -81,6 +84,10 @@ fn measure_threshold() -> Measured {
                 let faults = faults.expect("slices that go together").faces;
                 let is_sliver = faults.iter().any(|fault| fault.reason == FaultReason::BelowStorage);
                 let [a, b, c] = corners.map(Vec3::from);
+                let quick = triangles::fast(&[a, b, c]);
+                declined += usize::from(quick.declined);
+                let is_called_sliver = quick.fault == Some(FaultReason::BelowStorage);
+                fast_wrong += usize::from(is_called_sliver != (spacings < 4));
                 samples += 1;
                 wrong += usize::from(is_sliver != (spacings < 4));
                 plainly_wrong += usize::from(((b - a).cross(c - a).length() < 1e-6) != (spacings < 4));
@@ -90,8 +97,9 @@ fn measure_threshold() -> Measured {
     Measured {
         samples,
         faithful: Worst::wrong(wrong),
+        fast: Some(Worst::wrong(fast_wrong)),
+        declined,
         plain: Some(Worst::wrong(plainly_wrong)),
-        ..Measured::default()
     }
 }
 
@@ -103,7 +111,7 @@ fn beside() -> StressCase {
         what: "fans of six triangles and one sliver, uniform weights: the error against the fan without it",
         expectation: "the sliver adds nothing",
         bound: Bound::new(3e-6, Unit::Degrees, "rounding to f32, sqrt(3)/2^25 rad"),
-        fast_bound: None,
+        fast_bound: Some(triangles::FAST),
         plain_unit: Unit::Degrees,
         plain_formula: fans::FORMULA,
         measure: Box::new(measure_beside),
@@ -111,7 +119,8 @@ fn beside() -> StressCase {
 }
 
 fn measure_beside() -> Measured {
-    let (mut faithful, mut plain) = (Worst::default(), Worst::default());
+    let (mut faithful, mut fast, mut plain) = (Worst::default(), Worst::default(), Worst::default());
+    let mut declined = 0;
     let mut numbers = Numbers::new(5);
     let samples = 50;
     for _ in 0..samples {
@@ -127,9 +136,12 @@ fn measure_beside() -> Measured {
             std::iter::once(fan.centre).chain(fan.triangles.iter().flatten().copied()).collect();
         let indices: Vec<[u32; 3]> = (0..7).map(|i| [0, 2 * i + 1, 2 * i + 2]).collect();
         let normal = fans::faithful(&positions, &indices, Weight::Uniform, Slivers::Exclude)[0];
+        let quick = fans::fast(&triangles::indexed(&positions, &indices), Weight::Uniform, Slivers::Exclude);
+        declined += usize::from(quick.summary.fast_declined);
+        fast.add(exact::angle_to(quick.normals.values[0], &truth).to_degrees());
         let plainly = plain::vertex_normal(fan.centre, &fan.triangles, Weight::Uniform);
         faithful.add(exact::angle_to(normal, &truth).to_degrees());
         plain.add(exact::angle_to(plain::direction(plainly), &truth).to_degrees());
     }
-    Measured { samples, faithful, plain: Some(plain), ..Measured::default() }
+    Measured { samples, faithful, fast: Some(fast), declined, plain: Some(plain) }
 }

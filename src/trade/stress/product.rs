@@ -20,21 +20,30 @@ const TWO_UNITS: Bound = Bound::new(
 
 pub(super) fn cases() -> Vec<StressCase> {
     let pharr = "33962.035·(-30438.8) - 41563.4·(-24871.969), which is -75.1656: plain f32 says -128";
+    let doubles = "random f64 factors, whose products f64 has to round, d the f64 next to ab/c";
     let random = "random f32 factors of 1e-6 to 1e6, d the f32 next to ab/c";
     vec![
-        case("Pharr's", pharr, || vec![PHARR]),
+        case("Pharr's", pharr, || vec![PHARR.map(f64::from)]),
         case("nearly equal products", random, || {
             let mut numbers = Numbers::new(13);
             let four = |_| {
                 let [a, b, c] = [0; 3].map(|_| numbers.spread(20) as f32);
                 [a, b, c, (f64::from(a) * f64::from(b) / f64::from(c)) as f32]
             };
+            (0..PRODUCTS).map(four).map(|four: [f32; 4]| four.map(f64::from)).collect()
+        }),
+        case("nearly equal products of doubles", doubles, || {
+            let mut numbers = Numbers::new(14);
+            let four = |_| {
+                let [a, b, c] = [0; 3].map(|_| numbers.spread(20));
+                [a, b, c, a * b / c]
+            };
             (0..PRODUCTS).map(four).collect()
         }),
     ]
 }
 
-fn case(name: &str, what: &'static str, factors: fn() -> Vec<[f32; 4]>) -> StressCase {
+fn case(name: &str, what: &'static str, factors: fn() -> Vec<[f64; 4]>) -> StressCase {
     StressCase {
         group: Group::Product,
         name: name.into(),
@@ -47,10 +56,12 @@ fn case(name: &str, what: &'static str, factors: fn() -> Vec<[f32; 4]>) -> Stres
         measure: Box::new(move || {
             let factors = factors();
             let errors = factors.iter().map(|&[a, b, c, d]| {
-                let truth = difference([a, b, c, d].map(f64::from));
-                let [a64, b64, c64, d64] = [a, b, c, d].map(f64::from);
-                let got = difference_of_products::<Split>(a64, b64, c64, d64);
-                [relative(got, &truth), relative(f64::from(a * b - c * d), &truth)]
+                let truth = difference([a, b, c, d]);
+                let got = difference_of_products::<Split>(a, b, c, d);
+                // Of the factors that it is given, which it rounds itself.
+                let single = [a, b, c, d].map(|x| x as f32);
+                let plainly = f64::from(single[0] * single[1] - single[2] * single[3]);
+                [relative(got, &truth), relative(plainly, &difference(single.map(f64::from)))]
             });
             let errors: Vec<[f64; 2]> = errors.collect();
             Measured {

@@ -5,7 +5,7 @@ use super::plain;
 use crate::mesh::{Faces, Mesh, MeshBuilder, Storage};
 use crate::normals::{FaultReason, NormalRecipe, Precision, Scratch, compute, face_normals};
 use crate::trade::exact;
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 /// Three corners of `f32` coordinates.
 pub(super) type Triangle = [Vec3; 3];
@@ -30,22 +30,41 @@ pub(super) const FORMULA: &str = "n = (b-a)×(c-a); n / sqrt(n·n)";
 /// The normal of each triangle, each on its own.
 pub(super) fn measure(triangles: &[Triangle]) -> Measured {
     let mut measured = Measured { samples: triangles.len(), ..Measured::default() };
-    let (mut fast, mut plain) = (Worst::default(), Worst::default());
-    let recipe = NormalRecipe { precision: Precision::Fast, ..NormalRecipe::default() };
+    let (mut quickly, mut plain) = (Worst::default(), Worst::default());
     for (triangle, (normal, is_degenerate)) in triangles.iter().zip(faithful(triangles)) {
-        let field = compute(&indexed(triangle, &[[0, 1, 2]]), &recipe);
-        measured.declined += usize::from(field.summary.fast_declined);
+        let quick = fast(triangle);
+        measured.declined += usize::from(quick.declined);
         let truth = exact::face_normal(&triangle.map(|corner| corner.as_dvec3()));
         let (Some(truth), false) = (&truth, is_degenerate) else {
             measured.faithful.add(if truth.is_none() && is_degenerate { 0.0 } else { f64::INFINITY });
             continue;
         };
         measured.faithful.add(exact::error_in_ulps(normal, truth));
-        fast.add(exact::angle_to(field.face_normals[0], truth).to_degrees());
+        quickly.add(exact::angle_to(quick.normal, truth).to_degrees());
         let normal = plain::direction(plain::face_normal(*triangle));
         plain.add(exact::angle_to(normal, truth).to_degrees());
     }
-    Measured { fast: Some(fast), plain: Some(plain), ..measured }
+    Measured { fast: Some(quickly), plain: Some(plain), ..measured }
+}
+
+/// What `fast` makes of a triangle.
+pub(super) struct Quick {
+    pub(super) normal: DVec3,
+    /// What is said to be wrong with it.
+    pub(super) fault: Option<FaultReason>,
+    /// Whether it was left to `faithful`.
+    pub(super) declined: bool,
+}
+
+/// One triangle by [`Precision::Fast`].
+pub(super) fn fast(triangle: &Triangle) -> Quick {
+    let recipe = NormalRecipe { precision: Precision::Fast, ..NormalRecipe::default() };
+    let field = compute(&indexed(triangle, &[[0, 1, 2]]), &recipe);
+    Quick {
+        normal: field.face_normals[0],
+        fault: field.faults.faces.first().map(|fault| fault.reason),
+        declined: field.summary.fast_declined,
+    }
 }
 
 /// Face normals by the interface for slices, and whether each triangle was reported as of zero area.
