@@ -3,7 +3,7 @@
 //! The cylinder has radius 1, the light comes at θL from the axis of view, a vertex lies at θ, and x = sin θ on the picture;
 //! Δ = 2π/N.
 
-use super::{Lit, diffuse};
+use super::{HALF_STEP, Lit, diffuse};
 use crease::mesh::{Faces, MeshBuilder};
 use crease::normals::{NormalRecipe, compute};
 use crease::num::{Degrees, LinearRgb};
@@ -113,12 +113,52 @@ fn phong_is_worse_than_gouraud_beyond_70_degrees() {
     assert!((share(80.0) - 0.592).abs() < 0.01 && (share(85.0) - 0.796).abs() < 0.01);
 }
 
+/// The ratio of the two jumps is sin(θL − θ) sin θ / cos θL, whose largest is at θ = θL/2: there Phong's bands become the
+/// stronger ones first, where cos θL = 1/3.
+#[test]
+fn phong_becomes_worse_at_half_the_lights_angle_first() {
+    let ratio = |light: f64, vertex: f64| {
+        let cylinder = Cylinder::new(128, light.to_radians());
+        let vertex = vertex.to_radians();
+        cylinder.phong(vertex).abs() / cylinder.gouraud(vertex).abs()
+    };
+    let turning = libm::acos(1.0 / 3.0).to_degrees();
+    assert!((turning - 70.5288).abs() < 5e-5);
+    // 10⁻³ degrees beside it the ratio is 7.4e-5 off 1; differences leave 1e-6 of it.
+    assert!(ratio(turning - 1e-3, 0.5 * turning) < 1.0 && ratio(turning + 1e-3, 0.5 * turning) > 1.0);
+    for light in [60.0, turning, 80.0] {
+        let places: Vec<f64> = (1..40).map(|k| light * f64::from(k) / 40.0).collect();
+        let worst = places.iter().copied().max_by(|a, b| ratio(light, *a).total_cmp(&ratio(light, *b)));
+        assert!((worst.unwrap() - 0.5 * light).abs() < 1e-9, "{light}: {worst:?}");
+    }
+}
+
+/// Under light at right angles to the view N·L is x itself: Gouraud is exact, and Phong alone has bands, on all of the lit arc.
+#[test]
+fn gouraud_is_exact_where_light_comes_from_the_side() {
+    let cylinder = Cylinder::new(16, std::f64::consts::FRAC_PI_2);
+    for side in 0..3 {
+        let [a, b] = [0.0, 1.0].map(|k| round((f64::from(side) + k) * cylinder.delta));
+        for step in 0..=10 {
+            let t = f64::from(step) / 10.0;
+            let linear = cylinder.lit.of(a) * (1.0 - t) + cylinder.lit.of(b) * t;
+            let x = a.x + (b.x - a.x) * t;
+            assert!((linear - x).abs() < 1e-15 && (cylinder.lit.of(round(libm::asin(x))) - x).abs() < 1e-15);
+        }
+    }
+    for degrees in 25..65 {
+        let vertex = f64::from(degrees).to_radians();
+        assert!(cylinder.gouraud(vertex).abs() < 1e-12 && cylinder.phong(vertex).abs() > 0.01, "{degrees}");
+    }
+}
+
 /// A wall from depth 1 to depth ρ, colours 0 to 1 along it: at the share t of its width on the picture the true one is
 /// t/(t + ρ(1 − t)), and affine colours are off by (√ρ − 1)/(√ρ + 1) at most.
 #[test]
 fn affine_colours_are_off_by_the_depth_ratios_bound() {
     for (ratio, printed) in [(1.5, 0.10102), (2.0, 0.17157), (4.0, 0.33333), (10.0, 0.51949)] {
-        let [affine, right] = [Interpolation::Affine, Interpolation::Perspective].map(|i| wall(ratio, i));
+        let [affine, right] =
+            [Interpolation::Affine, Interpolation::Perspective].map(|i| wall(ratio, 1.0, i));
         let mut largest: f64 = 0.0;
         for (column, (affine, right)) in affine.iter().zip(&right).enumerate() {
             let t = (column as f64 + 0.5) / 256.0;
@@ -135,15 +175,32 @@ fn affine_colours_are_off_by_the_depth_ratios_bound() {
     }
 }
 
-/// The middle row of a picture of the wall, which fills its width exactly.
-fn wall(ratio: f64, interpolation: Interpolation) -> Vec<f32> {
+/// Affine colours that differ by Δc are within half a step of 8 bits if (√ρ − 1)/(√ρ + 1)·Δc < 1/510, and not beyond.
+#[test]
+fn affine_colours_are_within_half_a_step_up_to_the_rules_span() {
+    for ratio in [1.5, 2.0, 4.0] {
+        let bound = (f64::sqrt(ratio) - 1.0) / (f64::sqrt(ratio) + 1.0);
+        // Snapping and f32 are some 1 % of so short a span.
+        for (share, is_within) in [(0.95, true), (1.05, false)] {
+            let span = share * HALF_STEP / bound;
+            let [affine, right] =
+                [Interpolation::Affine, Interpolation::Perspective].map(|i| wall(ratio, span, i));
+            let largest =
+                affine.iter().zip(&right).map(|(a, b)| f64::from((a - b).abs())).fold(0.0, f64::max);
+            assert_eq!(largest < HALF_STEP, is_within, "ratio {ratio}, {share}: {largest}");
+        }
+    }
+}
+
+/// The middle row of a picture of the wall, `span` from 0, which fills its width exactly.
+fn wall(ratio: f64, span: f64, interpolation: Interpolation) -> Vec<f32> {
     let corners = [[-1.0, -1.0], [ratio, -ratio], [ratio, ratio], [-1.0, 1.0]];
     let positions = corners.map(|[x, z_or_y]: [f64; 2]| DVec3::new(x, 2.0 * z_or_y, -x.abs())).to_vec();
     let mut faces = Faces::new();
     faces.push(&[0, 1, 2, 3]);
     let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap();
     let normals = compute(&mesh, &NormalRecipe::default());
-    let colours = [0.0, 1.0, 1.0, 0.0].map(LinearRgb::grey).to_vec();
+    let colours = [0.0, span, span, 0.0].map(LinearRgb::grey).to_vec();
     let object = Object {
         shape: Shape::Mesh { mesh: &mesh, normals: &normals },
         transform: DMat4::IDENTITY,

@@ -104,8 +104,10 @@ fn half_vectors_are_off_by_more_the_wider_light_and_viewer_stand() {
     let mut reached: f64 = 0.0;
     for degrees in [0.0, 60.0, 120.0, 160.0_f64] {
         let psi = degrees.to_radians();
-        for epsilon in [0.01, 0.1_f64] {
-            let bound = libm::asin((2.0 * libm::sin(0.5 * epsilon) / libm::cos(0.5 * psi)).min(1.0));
+        // As far off as each other, and one farther than the other.
+        for [of_light, of_view] in [[0.01, 0.01], [0.1, 0.1], [0.1, 0.01], [0.02, 0.1_f64]] {
+            let chords = libm::sin(0.5 * of_light) + libm::sin(0.5 * of_view);
+            let bound = libm::asin((chords / libm::cos(0.5 * psi)).min(1.0));
             let mut worst: f64 = 0.0;
             for _ in 0..20_000 {
                 let light = direction(&mut random);
@@ -116,12 +118,12 @@ fn half_vectors_are_off_by_more_the_wider_light_and_viewer_stand() {
                 let (out, mixture) = (light.cross(aside), 1.6 * uniform(&mut random));
                 let apart = [-aside, aside * libm::cos(psi) - light * libm::sin(psi)];
                 let is_wild = random.one_in(4);
-                let mut off = |v: DVec3, apart: DVec3| {
+                let mut off = |v: DVec3, apart: DVec3, epsilon: f64| {
                     let wild = v.cross(direction(&mut random)).normalize();
                     let ordered = out * libm::cos(mixture) + apart * libm::sin(mixture);
                     v * libm::cos(epsilon) + if is_wild { wild } else { ordered } * libm::sin(epsilon)
                 };
-                let (light_off, view_off) = (off(light, apart[0]), off(view, apart[1]));
+                let (light_off, view_off) = (off(light, apart[0], of_light), off(view, apart[1], of_view));
                 let half = |light: DVec3, view: DVec3| {
                     let sun = Light::Directional { towards: light, colour: LinearRgb::WHITE };
                     let settings =
@@ -131,9 +133,9 @@ fn half_vectors_are_off_by_more_the_wider_light_and_viewer_stand() {
                 };
                 worst = worst.max(angle(half(light, view), half(light_off, view_off)));
             }
-            assert!(worst <= bound + 1e-14, "{degrees} {epsilon}: {worst} of {bound}");
+            assert!(worst <= bound + 1e-14, "{degrees} {of_light} {of_view}: {worst} of {bound}");
             reached = reached.max(worst / bound);
-            if degrees == 160.0 && epsilon == 0.1 {
+            if degrees == 160.0 && of_light == 0.1 && of_view == 0.1 {
                 // Printed: measured .6125 of .6134.
                 assert!((bound - 0.6134).abs() < 5e-5 && worst > 0.61, "{worst} of {bound}");
             }

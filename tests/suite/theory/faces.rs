@@ -99,6 +99,81 @@ fn gourauds_highlight_error_over_an_edge_is_n_theta_squared_over_8() {
     assert!(reached > 0.9, "{reached}");
 }
 
+/// Over a triangle whose normals lie on a circle of angular radius ρ it is nρ²/2 at most, which the middle of the circle
+/// reaches where H lies there.
+#[test]
+fn gourauds_highlight_error_over_a_triangle_is_n_rho_squared_over_2() {
+    let mut random = Random(134);
+    let mut reached: f64 = 0.0;
+    for n in [10.0, 50.0, 200.0] {
+        let material = shiny(Reflection::Blinn, n);
+        for share in [0.02, 0.05, 0.1] {
+            let rho = f64::sqrt(2.0 * share / n);
+            for round in 0..3000 {
+                let middle = direction(&mut random);
+                let half = if round % 3 == 0 { middle } else { near(middle, 3.0 / n.sqrt(), &mut random) };
+                let lit = Lit::far(&material, half, half);
+                let (aside, up) = middle.any_orthonormal_pair();
+                let start = std::f64::consts::TAU * uniform(&mut random);
+                let corners = [0.0, 1.0, 2.0].map(|third| {
+                    let turn = start + third * std::f64::consts::TAU / 3.0;
+                    let out = aside * libm::cos(turn) + up * libm::sin(turn);
+                    middle * libm::cos(rho) + out * libm::sin(rho)
+                });
+                let weights = if round % 5 == 0 { [1.0 / 3.0; 3] } else { inside(&mut random) };
+                let linear: f64 = corners.iter().zip(weights).map(|(corner, w)| lit.of(*corner) * w).sum();
+                let error = (lit.of(mix(corners, weights).normalize()) - linear).abs();
+                // Chords for arcs: the next order is ρ² of it.
+                let bound = share * (1.0 + rho * rho);
+                assert!(error <= bound, "n = {n}, {share}: {error} of {bound}");
+                reached = reached.max(error / bound);
+            }
+        }
+    }
+    assert!(reached > 0.9, "{reached}");
+}
+
+/// The same test where light and viewer are near by and H turns over the face: by as much as it does from H of the middle,
+/// η, the cone has to be wider.
+#[test]
+fn the_cone_test_holds_for_a_local_half_vector_widened() {
+    let mut random = Random(135);
+    let (mut skipped, mut missed_unwidened) = (0, 0);
+    for round in 0..4000 {
+        let n = [10.0, 50.0, 200.0][round % 3];
+        let reach = libm::acos(libm::pow(HALF_STEP, 1.0 / n));
+        let axis = direction(&mut random);
+        let normals = [(); 3].map(|()| near(axis, 0.3, &mut random));
+        let places = [(); 3].map(|()| direction(&mut random) * 0.5);
+        let [light, eye] = [(); 2].map(|()| direction(&mut random) * (1.5 + 3.0 * uniform(&mut random)));
+        let half_at = |p: DVec3| ((light - p).normalize() + (eye - p).normalize()).normalize_or_zero();
+        let samples: Vec<(DVec3, DVec3)> = (0..40)
+            .map(|_| {
+                let weights = inside(&mut random);
+                let place = places.iter().zip(weights).map(|(p, w)| *p * w).sum();
+                (mix(normals, weights).normalize(), half_at(place))
+            })
+            .collect();
+        if samples.iter().any(|(_, half)| *half == DVec3::ZERO) {
+            continue;
+        }
+        let middle = half_at((places[0] + places[1] + places[2]) / 3.0);
+        let eta = samples.iter().map(|(_, half)| angle(middle, *half)).fold(0.0, f64::max);
+        let gamma = normals.iter().map(|normal| angle(axis, *normal)).fold(0.0, f64::max);
+        let brightest =
+            samples.iter().map(|(normal, half)| libm::pow(normal.dot(*half).max(0.0), n)).fold(0.0, f64::max);
+        let room = angle(axis, middle) - gamma - reach;
+        if room > eta {
+            skipped += 1;
+            assert!(brightest < HALF_STEP, "n = {n}: a highlight of {brightest} was missed");
+        }
+        missed_unwidened += usize::from(room > 0.0 && brightest >= HALF_STEP);
+    }
+    assert!(skipped > 500, "{skipped}");
+    // What the cone misses that is not widened.
+    assert!(missed_unwidened > 0, "{missed_unwidened}");
+}
+
 /// The highlight test: the corner normals of a face lie in a cone of axis a and half-angle γ, and so do all that are
 /// interpolated between them. cosⁿ of the angle to H is below ε for all of them if ∠(a, H) − γ > acos(ε^(1/n)).
 #[test]

@@ -46,6 +46,14 @@ fn maxs_sum_is_the_area_vector_of_the_inverted_ring() {
         if area.length() < 1e-3 * sum {
             continue; // what is left of a cancelling sum is not compared
         }
+        // The sum itself, with its factor: twice ½Σ.
+        let maxs = |i: usize| {
+            let [a, b] = [positions[1 + i], positions[1 + (i + 1) % sides]];
+            a.cross(b) / (a.length_squared() * b.length_squared())
+        };
+        let total: DVec3 = (0..sides).map(maxs).sum();
+        let vector_area = 0.5 * area;
+        assert!((total - 2.0 * vector_area).length() < 1e-13 * sum, "{total} {vector_area}");
         worst = worst.max(angle(normal(&positions, &fan(sides), Weight::Max), area));
         other = other.max(angle(normal(&positions, &fan(sides), Weight::Edge), area));
     }
