@@ -10,13 +10,22 @@ use std::fmt;
 /// assert_eq!([0.49837, 46.686, 4321.4, 7.4e-7].map(three_digits), ["0.498", "46.7", "4321", "7.40e-7"]);
 /// ```
 pub fn three_digits(x: f64) -> String {
+    significant_digits(x, 3)
+}
+
+/// A number with so many significant digits, from 1 to 7, with an exponent where it would otherwise be long.
+///
+/// ```
+/// assert_eq!([1.64449, 46.686, 4321.4, 7.4e-7].map(|x| crease::num::significant_digits(x, 4)), ["1.644", "46.69", "4321", "7.400e-7"]);
+/// ```
+pub fn significant_digits(x: f64, digits: usize) -> String {
     if x == 0.0 || !x.is_finite() {
         return format!("{x}");
     }
+    let after = digits.max(1) as i32 - 1;
     match libm::floor(libm::log10(x.abs())) as i32 {
-        place @ -3..=2 => format!("{x:.*}", (2 - place) as usize),
-        3..=6 => format!("{x:.0}"),
-        _ => format!("{x:.2e}"),
+        place @ -3..=6 => format!("{x:.*}", (after - place).max(0) as usize),
+        _ => format!("{x:.*e}", after as usize),
     }
 }
 

@@ -20,7 +20,7 @@ mod unit;
 
 pub use angle::{Degrees, Radians, angle_between};
 pub use colour::{LinearRgb, Srgb8, Transfer};
-pub use digits::three_digits;
+pub use digits::{significant_digits, three_digits};
 pub use power::{Power, Underflow, exp2, log2};
 pub use real::Real;
 pub use scale::unit_scale;

@@ -42,5 +42,5 @@ pub use png::encode_png;
 pub use probe::{LitReport, PixelReport, SampleReport, SeenReport, probe_pixel};
 pub use trade::{
     approximation_table, box_table, class_table, cost_table, encoding_table, order_table, own_page,
-    own_table, precision_table, shading_table, surface_table, trade_page,
+    own_table, precision_table, shading_table, shading_times, surface_table, trade_page,
 };

@@ -91,11 +91,13 @@ fn on_precision(trade: &Trade) -> Option<String> {
     declined.dedup();
     let time = match three_digits(saved) {
         share if saved < 0.95 => format!("takes {share} of the time"),
-        _ => "saves no time on meshes of this size".into(),
+        share if saved > 1.05 => format!("takes {share} times as long"),
+        _ => "saves no time".into(),
     };
     let mut text = format!(
-        "`--precision fast` differs from faithful by {}° at the most where it runs, far less than any tessellation costs, \
-         and {time}.",
+        "`--precision fast` differs from faithful by {}° at the most on these meshes, and {time}. A face it is off by up to \
+         0.0172° where it is a thousandth as high as long, a vertex by that times what its sum shrinks by; beyond, it leaves \
+         the mesh to faithful.",
         three_digits(worst)
     );
     if !declined.is_empty() {

@@ -7,10 +7,11 @@ use super::vertex::{recipe, weight_name};
 use crate::mesh::Topology;
 use crate::normals::{NormalField, NormalRecipe, Precision, Weight, compute_on};
 use crate::num::Radians;
+use crate::surface::{Cone, Tessellation};
 use glam::DVec3;
 use serde::Serialize;
 
-/// Normals in single precision beside faithful ones, of a torus stored in single precision.
+/// Normals in single precision beside faithful ones, of a torus or a cone stored in single precision.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PrecisionRow {
     /// What is special about the mesh.
@@ -29,6 +30,8 @@ pub struct PrecisionRow {
 /// How a mesh is made hard for single precision.
 type Hardship = (&'static str, Tiling, fn(DVec3) -> DVec3);
 
+const WEIGHTS: [Weight; 4] = [Weight::Uniform, Weight::Area, Weight::Angle, Weight::Max];
+
 const CASES: [Hardship; 7] = [
     ("64 × 32, jittered", Tiling::Jittered, |p| p),
     ("stretched ten times", Tiling::Stretched, |p| p),
@@ -39,17 +42,29 @@ const CASES: [Hardship; 7] = [
     ("scaled by 10⁻⁷", Tiling::Jittered, |p| p * 1e-7),
 ];
 
-/// All rows: seven cases with four weights each.
+/// As high as faces may be long for `fast`, and sums that shrink by as much as the cone is high.
+const CONE: &str = "tip of a cone of height 50";
+
+/// A cone fifty times as high as its base is wide, in two rows of faces.
+fn cone() -> Option<Specimen> {
+    let subject = Subject { name: "cone", surface: Cone::new(1.0, 50.0).ok()?.into() };
+    let tessellation = Tessellation { segments: [64, 2], jitter: 0.2, ..Tessellation::default() };
+    Specimen::new(&subject, &tessellation).ok()
+}
+
+/// All rows: seven cases of a torus and one of a cone, with four weights each.
 pub fn precision_rows() -> Vec<PrecisionRow> {
     let subjects = Subject::all(super::Effort::Quick);
     let Some(torus) = subjects.iter().find(|subject| subject.name == "torus") else { return Vec::new() };
     let rows = |(case, tiling, place): Hardship| {
         let tessellation = tiling.tessellation(&torus.surface, 2);
         let specimen = Specimen::new(torus, &tessellation);
-        let weights = [Weight::Uniform, Weight::Area, Weight::Angle, Weight::Max];
-        weights.into_iter().filter_map(move |weight| row(case, specimen.as_ref().ok()?, place, weight))
+        WEIGHTS.into_iter().filter_map(move |weight| row(case, specimen.as_ref().ok()?, place, weight))
     };
-    CASES.into_iter().flat_map(|case| rows(case).collect::<Vec<_>>()).collect()
+    let cone = cone();
+    let of_cone = |weight| row(CONE, cone.as_ref()?, |p| p, weight);
+    let of_torus = CASES.into_iter().flat_map(|case| rows(case).collect::<Vec<_>>());
+    of_torus.chain(WEIGHTS.into_iter().filter_map(of_cone)).collect()
 }
 
 fn row(
@@ -87,13 +102,18 @@ mod tests {
     #[test]
     fn fast_is_close_or_declines() {
         let rows = precision_rows();
-        assert_eq!(rows.len(), 28);
+        assert_eq!(rows.len(), 32);
         for row in &rows {
             let (fast, case) = (row.fast, row.case);
             match row.declined {
                 true => assert_eq!(fast.max, 0.0, "{case}: what is left to faithful is the same"),
                 // Single precision's 6e-8 in each of some dozens of operations, over thinness of a tenth at the least.
                 false => assert!(fast.max < 0.01, "{case} {}: {}", row.weight.name(), fast.max),
+            }
+            if case == CONE {
+                // A face 3e-7 rad times length over height; the sum of the tip shrinks by 50.
+                assert!(!row.declined && fast.max > 2e-5 && fast.max < 50.0 * 0.0172, "{row:?}");
+                continue;
             }
             // Max's weights are exact on grids of the torus's own parameters: there nothing is lost but to storage.
             let is_exact =

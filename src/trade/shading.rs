@@ -10,7 +10,7 @@ use crate::raster::{
     Camera, Cull, Image, Interpolation, Object, RenderError, RenderSettings, Scene, Shading, Shape, render,
 };
 use crate::shade::{Light, Material, Reflection, phong_exponent};
-use crate::surface::{Primitive, Surface};
+use crate::surface::{Plane, Primitive, Surface};
 use glam::DVec3;
 use serde::Serialize;
 
@@ -62,12 +62,18 @@ pub fn shading_rows(effort: Effort, observe: Observer) -> Result<Vec<ShadingRow>
     };
     let names: &[&str] = match effort {
         Effort::Quick => &["sphere", "torus"],
-        _ => &["sphere", "torus", "ellipsoid", "cylinder"],
+        _ => &["sphere", "torus", "ellipsoid", "cylinder", "cone", "plane"],
     };
-    let subjects: Vec<Subject> =
-        Subject::all(Effort::Full).into_iter().filter(|subject| names.contains(&subject.name)).collect();
+    let plane = Subject { name: "plane", surface: Plane::default().into() };
+    let all = Subject::all(Effort::Full).into_iter().chain([plane]);
+    let subjects: Vec<Subject> = all.filter(|subject| names.contains(&subject.name)).collect();
+    // Several levels of one, and one of the others: what a cut changes shows on one level.
     let regular = levels.iter().map(|&level| (Tiling::Regular, level));
-    let cuts: Vec<(Tiling, u32)> = regular.chain([(Tiling::Jittered, 1), (Tiling::Quads, 1)]).collect();
+    let others = Tiling::ALL.into_iter().filter(|&tiling| match effort {
+        Effort::Quick => matches!(tiling, Tiling::Jittered | Tiling::Quads),
+        _ => tiling != Tiling::Regular,
+    });
+    let cuts: Vec<(Tiling, u32)> = regular.chain(others.map(|tiling| (tiling, 1))).collect();
     let total = subjects.len() * cuts.len();
     let mut rows = Vec::new();
     for (number, subject) in subjects.iter().enumerate() {
@@ -77,6 +83,9 @@ pub fn shading_rows(effort: Effort, observe: Observer) -> Result<Vec<ShadingRow>
         for (place, &(tiling, level)) in cuts.iter().enumerate() {
             let done = number * cuts.len() + place;
             observe(Progress { stage: "shading", done, total });
+            if !tiling.fits(&subject.surface) {
+                continue;
+            }
             let tessellation = tiling.tessellation(&subject.surface, level);
             let Ok(specimen) = Specimen::new(subject, &tessellation) else { continue };
             let field = with_exact_normals(&specimen);
@@ -124,7 +133,8 @@ fn with_exact_normals(specimen: &Specimen) -> NormalField {
     }
 }
 
-/// Grey plastic under one far light and a little of everywhere, framed by the surface's own box.
+/// Grey plastic under one warm far light and a little cool light of everywhere, framed by the surface's own box. The lights
+/// are coloured so that luminance is not what every channel is.
 fn scene<'a>(shape: Shape<'a>, primitive: Primitive, reflection: Reflection) -> Scene<'a> {
     let blinn = Material::default();
     let exponent = match reflection {
@@ -139,8 +149,8 @@ fn scene<'a>(shape: Shape<'a>, primitive: Primitive, reflection: Reflection) -> 
         }],
         lines: Vec::new(),
         lights: vec![
-            Light::Ambient { colour: LinearRgb::WHITE },
-            Light::Directional { towards: DVec3::new(-1.0, 2.0, 3.0), colour: LinearRgb::WHITE },
+            Light::Ambient { colour: LinearRgb::new(0.6, 0.8, 1.0) },
+            Light::Directional { towards: DVec3::new(-1.0, 2.0, 3.0), colour: LinearRgb::new(1.0, 0.8, 0.5) },
         ],
         camera: Camera::framing((-half, half), 1.0),
         background: LinearRgb::BLACK,
@@ -210,6 +220,8 @@ mod tests {
             // All ways share one coverage.
             assert_eq!((flat.compared, flat.disagreeing), (phong.compared, phong.disagreeing));
         }
+        // Lights are coloured: luminance is a measure of its own.
+        assert!(rows.iter().any(|row| row.error.luminance.rms < 0.99 * row.error.linear.rms));
         for (shading, interpolation) in [("flat", None), ("gouraud", perspective), ("phong", perspective)] {
             let [coarse, fine] = [1000, 4000].map(|faces| find(faces, shading, interpolation));
             assert!(fine.linear.rms < coarse.linear.rms && fine.disagreement < coarse.disagreement);

@@ -164,6 +164,16 @@ fn a_mesh_of_ones_own_gets_a_recommendation() {
 }
 
 #[test]
+fn a_mesh_without_faces_is_nothing_to_measure() {
+    for positions in ["", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"] {
+        let output = crease(&["trade", "-", "--format", "obj"]).write_stdin(positions).output().unwrap();
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(3), "{positions:?}: {said}");
+        assert!(output.stdout.is_empty() && said.contains("nothing to measure"), "{said}");
+    }
+}
+
+#[test]
 fn what_cannot_be_read_or_written_is_told() {
     let missing = crease(&["trade", "data/no-such.obj"]).output().unwrap();
     assert_eq!(missing.status.code(), Some(3));

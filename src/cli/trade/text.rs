@@ -4,7 +4,7 @@ use super::super::console::{Style, escaped};
 use super::report::{Measured, Report};
 use crease::report::{
     Table, approximation_table, box_table, class_table, cost_table, encoding_table, order_table, own_table,
-    precision_table, shading_table, surface_table,
+    precision_table, shading_table, shading_times, surface_table,
 };
 use crease::trade::{EncodingRow, OwnMesh, Trade, advice};
 use std::fmt::Write;
@@ -36,11 +36,12 @@ fn tables(trade: &Trade, long: bool) -> Vec<Table> {
         tables.insert(1, surface_table(trade));
     }
     tables.push(precision_table(trade));
-    tables.push(encoding_table(&trade.encodings));
+    tables.push(encoding_table(&trade.encodings, true));
     tables.push(shading_table(&trade.shading, "blinn"));
     if long {
         tables.push(shading_table(&trade.shading, "phong"));
     }
+    tables.push(shading_times(&trade.shading));
     tables.push(approximation_table(trade));
     tables
 }
@@ -50,7 +51,8 @@ fn own_advice(own: &OwnMesh) -> Vec<String> {
     std::iter::once(first).chain(own.reasons.iter().cloned()).collect()
 }
 
-/// The tables that a README quotes: weights by class, their costs, and encodings of every even number of bits.
+/// The tables that a README quotes: weights by class, and encodings of every even number of bits up to 12, and 16. No times,
+/// which differ from machine to machine.
 pub fn markdown(measured: &Measured) -> String {
     let Measured::Surfaces(trade) = measured else { return String::new() };
     let is_quoted = |row: &&EncodingRow| {
@@ -58,7 +60,7 @@ pub fn markdown(measured: &Measured) -> String {
         !odd.iter().any(|odd| row.name.starts_with(odd))
     };
     let encodings: Vec<EncodingRow> = trade.encodings.iter().filter(is_quoted).cloned().collect();
-    let tables = [class_table(trade), cost_table(trade), encoding_table(&encodings)];
+    let tables = [class_table(trade), encoding_table(&encodings, false)];
     tables.map(|table| table.to_markdown()).join("\n")
 }
 

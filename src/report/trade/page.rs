@@ -4,7 +4,7 @@ use super::pictures::{KEY, error_picture};
 use super::plots::{convergence_plot, encoding_plot, frontier_plot, histogram_plot, own_plot, shading_plot};
 use super::tables::{
     approximation_table, box_table, class_table, cost_table, encoding_table, order_table, own_table,
-    precision_table, shading_table, surface_table,
+    precision_table, shading_table, shading_times, surface_table,
 };
 use crate::normals::Weight;
 use crate::num::three_digits;
@@ -47,7 +47,7 @@ pub fn trade_page(trade: &Trade) -> Result<String, ReportError> {
     page.drawing("encodings", "The dotted line: what diffuse light bears unseen.", |id| {
         encoding_plot(&trade.encodings).svg(id)
     });
-    page.table(&encoding_table(&trade.encodings));
+    page.table(&encoding_table(&trade.encodings, true));
     shading(trade, &mut page);
     page.heading("Approximations");
     page.paragraph(
@@ -160,7 +160,7 @@ fn shading(trade: &Trade, page: &mut Page) {
     }
     page.table(&shading_table(&trade.shading, "blinn"));
     page.table(&shading_table(&trade.shading, "phong"));
-    page.table(&super::tables::shading_times(&trade.shading));
+    page.table(&shading_times(&trade.shading));
 }
 
 /// The trade on somebody's own mesh as a page.

@@ -1,7 +1,7 @@
 //! Tables of the measurement.
 
 use crate::normals::Weight;
-use crate::num::three_digits;
+use crate::num::{significant_digits, three_digits};
 use crate::report::Table;
 use crate::trade::{EncodingRow, OwnMesh, ShadingRow, Tiling, Trade, Way};
 
@@ -17,6 +17,11 @@ fn by_weight(caption: &str, first: &[&'static str]) -> Table {
 /// Errors below the rounding of positions are none.
 fn degrees(x: f64) -> String {
     if x < 1e-9 { "exact".into() } else { three_digits(x) }
+}
+
+/// As [`degrees`], with four digits.
+fn finely(x: f64) -> String {
+    if x < 1e-9 { "exact".into() } else { significant_digits(x, 4) }
 }
 
 /// The rms error of each weight on each class of meshes, the median over its surfaces; the best sum of faces is marked with a star.
@@ -57,13 +62,16 @@ pub fn order_table(trade: &Trade) -> Table {
     table
 }
 
-/// Every surface in every tiling: rms and largest error on the quoted mesh.
+/// Every surface in every tiling: errors on the quoted mesh, to the digits that the reference prints.
 pub fn surface_table(trade: &Trade) -> Table {
-    let mut table = by_weight("Error in degrees at 64 × 32: rms / largest", &["surface", "mesh", "left out"]);
+    let mut table = by_weight(
+        "Error in degrees at 64 × 32: rms / median / 99 % / largest",
+        &["surface", "mesh", "left out"],
+    );
     for case in &trade.vertex {
         let error = |weight: Weight| {
             let errors = case.quoted_errors(weight);
-            errors.map_or(NONE.into(), |e| format!("{} / {}", degrees(e.rms), degrees(e.max)))
+            errors.map_or(NONE.into(), |e| [e.rms, e.median, e.p99, e.max].map(finely).join(" / "))
         };
         let excluded = case.meshes.get(case.quoted).map_or(0, |mesh| mesh.excluded);
         let names = [case.surface.to_owned(), case.tiling.name().to_owned(), excluded.to_string()];
@@ -121,8 +129,7 @@ pub fn box_table(trade: &Trade) -> Table {
 
 /// `fast` beside `faithful`.
 pub fn precision_table(trade: &Trade) -> Table {
-    let columns =
-        ["torus stored in f32", "weight", "fast − faithful, rms", "largest", "faithful − truth, rms", ""];
+    let columns = ["stored in f32", "weight", "fast − faithful, rms", "largest", "faithful − truth, rms", ""];
     let mut table = Table::new("Precision: degrees", &columns);
     for row in &trade.precision {
         table.push([
@@ -137,29 +144,39 @@ pub fn precision_table(trade: &Trade) -> Table {
     table
 }
 
-/// Stored normals.
-pub fn encoding_table(rows: &[EncodingRow]) -> Table {
-    let caption = "Stored normals: degrees, and the largest highlight exponents within half an 8-bit step";
-    let columns =
-        ["encoding", "bytes", "mean", "largest", "diffuse", "n, Blinn", "n, Phong", "encode ns", "decode ns"];
-    let mut table = Table::new(caption, &columns);
+/// Stored normals; their times are of the machine, and can be left out.
+pub fn encoding_table(rows: &[EncodingRow], timed: bool) -> Table {
+    let directions = rows.iter().map(|row| row.directions).max().unwrap_or(0);
+    let caption = format!(
+        "Stored normals: degrees over {directions} directions, the bound that none exceeds, and the largest highlight \
+         exponents within half an 8-bit step up to that bound"
+    );
+    let mut columns =
+        vec!["encoding", "bytes", "mean", "largest", "bound", "diffuse", "n, Blinn", "n, Phong"];
+    if timed {
+        columns.extend(["encode ns", "decode ns"]);
+    }
+    let mut table = Table::new(&caption, &columns);
     let exponent = |n: Option<u64>| match n {
         Some(1_000_000_000..) => "any".into(),
         Some(n) => n.to_string(),
         None => NONE.into(),
     };
     for row in rows {
-        table.push([
+        let mut cells = vec![
             row.name.clone(),
             row.bytes.to_string(),
             three_digits(row.mean),
             three_digits(row.max),
+            three_digits(row.bound),
             if row.diffuse { "yes" } else { "no" }.to_owned(),
             exponent(row.blinn),
             exponent(row.phong),
-            three_digits(row.encode_ns),
-            three_digits(row.decode_ns),
-        ]);
+        ];
+        if timed {
+            cells.extend([row.encode_ns, row.decode_ns].map(three_digits));
+        }
+        table.push(cells);
     }
     table
 }
@@ -269,7 +286,7 @@ pub fn own_table(own: &OwnMesh) -> Table {
 }
 
 /// Milliseconds of each way to shade, on the finest regular mesh of each surface.
-pub(super) fn shading_times(rows: &[ShadingRow]) -> Table {
+pub fn shading_times(rows: &[ShadingRow]) -> Table {
     let mut surfaces: Vec<&str> = rows.iter().map(|row| row.surface).collect();
     surfaces.dedup();
     let columns: Vec<&str> =
