@@ -19,7 +19,8 @@ Examples:
 /// Write an analytic surface as a mesh with its exact normals
 ///
 /// Positions lie on the surface to the last digits of a double, and normals are those of the surface there, not of the
-/// mesh. OBJ and PLY keep positions as doubles; STL has the normals of facets instead. What turns, turns about the y
+/// mesh. OBJ and PLY keep positions as doubles, and PLY normals too;
+/// OBJ and glTF have normals in single precision, up to 3e-6 degrees off; STL has the normals of facets instead. What turns, turns about the y
 /// axis; planes, waves and saddles lie in x and y and face +z.
 #[derive(Args)]
 #[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"))]

@@ -11,7 +11,7 @@ const NOT_HELD: [Feature; 5] =
 
 /// A binary little-endian PLY of all parts in one, with polygons as they are and lines as edges.
 ///
-/// Positions are floats, or doubles if floats would change one. Vertices are split where corners differ in normal or
+/// Positions and normals are floats, or doubles if floats would change a position: digits that were asked for once are kept. Vertices are split where corners differ in normal or
 /// uv. With [`Emit::Face`] normals are those of faces, which the corners of each must share. Where a part has no
 /// normals and another has, +Z stands in.
 ///
@@ -104,7 +104,7 @@ impl Shape {
             vertices,
             &[
                 (true, self.position.name(false), &["x", "y", "z"]),
-                (self.normals && !self.by_face, float, normals),
+                (self.normals && !self.by_face, self.position.name(false), normals),
                 (self.uvs, float, &["s", "t"]),
                 (self.colors, "uchar", &["red", "green", "blue"]),
                 (self.opacity, "uchar", &["alpha"]),
@@ -112,8 +112,10 @@ impl Shape {
         );
         let list = format!("list {} {}", self.count.name(false), self.index.name(false));
         if faces > 0 {
-            let properties: [(bool, &str, &[&str]); 2] =
-                [(true, &list, &["vertex_indices"]), (self.normals && self.by_face, float, normals)];
+            let properties: [(bool, &str, &[&str]); 2] = [
+                (true, &list, &["vertex_indices"]),
+                (self.normals && self.by_face, self.position.name(false), normals),
+            ];
             element("face", faces, &properties);
         }
         if edges > 0 {
@@ -179,7 +181,7 @@ impl Writer {
 
     fn normal(&mut self, normal: Option<DVec3>, is_used: bool) {
         self.without_normal += u64::from(normal.is_none() && is_used);
-        self.numbers(Scalar::F32, &normal.unwrap_or(DVec3::Z).to_array());
+        self.numbers(self.shape.position, &normal.unwrap_or(DVec3::Z).to_array());
     }
 
     fn vertices(&mut self, part: &Split<'_>) {
