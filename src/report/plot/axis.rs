@@ -107,7 +107,9 @@ impl Fitted {
         (first..=last)
             .map(|k| {
                 let x = k as f64 * step;
-                (x, if decimals > 4 { short(x) } else { format!("{x:.decimals$}") })
+                let text = format!("{x:.decimals$}");
+                // From the decimal text, as products of a step have digits of their own.
+                (x, if decimals > 4 { short(text.parse().unwrap_or(x)) } else { text })
             })
             .collect()
     }
