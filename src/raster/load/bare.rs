@@ -26,9 +26,10 @@ impl SceneFile {
     /// Materials are told by [`FileReflection`]'s terms as follows.
     /// - MTL: K_a = Ka (Kd where it is missing), K_d = Kd, K_s = Ks, n = Ns with (N·H)ⁿ. Faces without a material that a
     ///   library defines are grey plastic.
-    /// - glTF: K_d = base colour · (1 − metallic), K_a = base colour; with α = roughness², the exponent of (N·H)ⁿ is
-    ///   n = 2/α² − 2, from 0 to 10⁴, and K_s = F₀ (n + 8)/8, no component above 1, with F₀ between 0.04 and the base
-    ///   colour by `metallic`. Intensities in lux or candela are divided by π, as that standard has it.
+    /// - glTF: with α = roughness², the exponent of (N·H)ⁿ is n = 2/α² − 2, from 1 to 10⁴; K_s = F₀ (1 − α) (n + 8)/8, no
+    ///   component above ½, with F₀ between 0.04 and the base colour by `metallic`;
+    ///   K_d = base colour · (1 − metallic (2 − α)/4), since metals have nothing here to mirror, and less where K_d + K_s
+    ///   would be above 1; K_a = base colour. Intensities in lux or candela are divided by π, as that standard has it.
     ///
     /// Images, transparency and vertex colours under light are not drawn, which a note tells.
     ///

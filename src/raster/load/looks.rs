@@ -13,6 +13,9 @@ use std::f64::consts::{FRAC_1_PI, FRAC_PI_2};
 /// Reflectance of what is no metal, seen from straight above: that of glass (glTF 2.0, appendix B).
 const DIELECTRIC: f64 = 0.04;
 
+/// The exponent of the roughest surfaces.
+const SMALLEST_EXPONENT: f64 = 1.0;
+
 /// The exponent of the smoothest surfaces: highlights become no smaller than the steps of a picture can show.
 const LARGEST_EXPONENT: f64 = 1e4;
 
@@ -42,25 +45,35 @@ pub(super) fn material(file: &FileMaterial) -> (Material, bool) {
     }
 }
 
+/// The largest that a highlight becomes at its peak: half of white, so that the shape beneath it still shows.
+const LARGEST_HIGHLIGHT: f64 = 0.5;
+
 /// glTF's metallic-roughness model by Blinn's.
 ///
-/// - K_d = base · (1 − metallic): metals have no diffuse reflection.
 /// - With α = roughness², the highlight of the microfacet model is about as wide as (N·H)ⁿ with n = 2/α² − 2
-///   (B. Walter et al., *Microfacet models for refraction through rough surfaces*, EGSR 2007, §5.2), from 0 for the
-///   roughest to 10⁴ for the smoothest surfaces.
-/// - K_s = F₀ (n + 8)/8, where F₀ is 0.04 mixed with the base colour by `metallic`: the smaller a highlight, the
-///   brighter, so that as much light is reflected (T. Akenine-Möller et al., *Real-Time Rendering*, 3rd ed., 2008,
-///   §7.6, eq. 7.49). No component is above 1; where one would be, all are made less, so that gold stays golden.
-/// - K_a = base colour.
+///   (B. Walter et al., *Microfacet models for refraction through rough surfaces*, EGSR 2007, §5.2), here from 1 for
+///   the roughest to 10⁴ for the smoothest surfaces. It is never 0, which would be a step where N·L is 0.
+/// - K_s = F₀ (1 − α) (n + 8)/8, where F₀ is 0.04 mixed with the base colour by `metallic`: the smaller a highlight,
+///   the brighter, so that as much light is reflected (T. Akenine-Möller et al., *Real-Time Rendering*, 3rd ed., 2008,
+///   §7.6, eq. 7.49). The factor 1 − α stands for the N·L that the lectures' highlight lacks: the rougher a surface,
+///   the more of what it reflects goes everywhere. No component is above ½; where one would be, all are made less, so
+///   that gold stays golden.
+/// - K_d = base (1 − metallic (2 − α)/4). A metal has no diffuse reflection, but there are no surroundings here that it
+///   could mirror: a rough one, which scatters nearly as a matte surface does, has three quarters of its colour, a
+///   mirror half of it, as if the world around were an even grey. Where K_d + K_s would be above 1, K_d is less.
+/// - K_a = base.
 fn metallic_roughness(base: LinearRgb, metallic: f64, roughness: f64) -> Material {
     let alpha = roughness * roughness;
-    let exponent = (2.0 / (alpha * alpha) - 2.0).clamp(0.0, LARGEST_EXPONENT);
+    let exponent = (2.0 / (alpha * alpha) - 2.0).clamp(SMALLEST_EXPONENT, LARGEST_EXPONENT);
     let from_above = LinearRgb::grey(DIELECTRIC * (1.0 - metallic)) + base * metallic;
-    let largest = from_above.to_array().into_iter().fold(0.0, f64::max);
-    let specular = from_above * ((exponent + 8.0) / 8.0).min(1.0 / largest);
+    let strength = (1.0 - alpha) * (exponent + 8.0) / 8.0;
+    // A black metal reflects nothing: the smaller one of something and infinity.
+    let specular = from_above * strength.min(LARGEST_HIGHLIGHT / from_above.largest());
+    let diffuse = base * (1.0 - metallic * (2.0 - alpha) / 4.0);
+    let diffuse = diffuse * ((1.0 - specular.largest()) / diffuse.largest()).min(1.0);
     Material {
         ambient: Reflectance::Merged(base),
-        diffuse: Reflectance::Merged(base * (1.0 - metallic)),
+        diffuse: Reflectance::Merged(diffuse),
         specular: Reflectance::Merged(specular),
         exponent,
         reflection: Reflection::Blinn,
@@ -114,11 +127,11 @@ pub(super) fn view(
     notes: &mut Vec<Note>,
 ) -> (Option<Camera>, Option<Vec<Light>>) {
     let mut cameras = Vec::new();
-    for file in &looks.cameras {
+    for (number, file) in looks.cameras.iter().enumerate() {
         let camera = camera(file, distance(file.world_from_camera.w_axis.truncate()));
         match camera.check() {
             Ok(()) => cameras.push(camera),
-            Err(error) => notes.push(left_out("camera", &file.name, &error)),
+            Err(error) => notes.push(left_out("camera", number, &file.name, &error)),
         }
     }
     if cameras.len() > 1 {
@@ -129,12 +142,17 @@ pub(super) fn view(
         let light = light(file);
         match light.check(number) {
             Ok(()) => lights.push(light),
-            Err(error) => notes.push(left_out("light", &file.name, &error)),
+            Err(error) => notes.push(left_out("light", number, &file.name, &error)),
         }
     }
     (cameras.first().copied(), (!lights.is_empty()).then_some(lights))
 }
 
-fn left_out(what: &str, name: &str, error: &dyn std::error::Error) -> Note {
-    Note::remark(format!("the {what} `{name}` is left out: {error}"))
+fn left_out(what: &str, number: usize, name: &str, error: &dyn std::error::Error) -> Note {
+    let which = if name.is_empty() {
+        format!("{what} {number}, counted from 0,")
+    } else {
+        format!("the {what} `{name}`")
+    };
+    Note::remark(format!("{which} is left out: {error}"))
 }

@@ -2,7 +2,7 @@
 
 use super::scene;
 use crease::io::{Format, ReadError, ReadOptions, read_bytes};
-use crease::num::{LinearRgb, Radians};
+use crease::num::Radians;
 use crease::raster::{LoadOptions, Projection, SceneFile, probe, render};
 use crease::shade::{Attenuation, Light, Material, Reflectance, Reflection};
 use glam::{DMat4, DVec3};
@@ -75,7 +75,9 @@ fn the_example_has_its_camera_lights_and_materials() {
     assert!(towards.y > 0.7 && towards.z > 0.6, "{towards}");
     assert_eq!((position, attenuation), (DVec3::new(-3.0, 2.0, 1.0), Attenuation::InverseSquare));
     assert!(cone.axis.distance(DVec3::NEG_Y) < 1e-9 && cone.cut_off == Radians(0.35));
-    assert_eq!(file.objects[1].material.diffuse, Reflectance::Merged(LinearRgb::new(0.7, 0.12, 0.1)));
+    // Red plastic, whose diffuse reflection is what its highlight leaves: 1 − 0.04 · 0.84 · (2/0.4⁴ + 6)/8.
+    let red = file.objects[1].material.diffuse.merged();
+    assert!((red.r - 0.646_675).abs() < 1e-9 && (red.g / red.r - 0.12 / 0.7).abs() < 1e-9, "{red:?}");
     // Mirrored or not, every box is seen from outside.
     let image = render(&file.scene(), &file.settings).unwrap();
     assert!(image.statistics.covered_pixels > 50_000);
@@ -120,20 +122,55 @@ fn metal_and_roughness_become_a_highlight() {
         );
         square("", &text, "").unwrap().objects[0].material
     };
-    // α = 1/4 gives n = 30, and K_s = 0.04 · 38/8.
+    let merged = |reflectance: Reflectance| reflectance.merged().to_array();
+    let near = |got: Reflectance, expected: [f64; 3]| {
+        let is_near = |(got, expected): (f64, f64)| (got - expected).abs() < 1e-15;
+        assert!(merged(got).into_iter().zip(expected).all(is_near), "{got:?}, not {expected:?}");
+    };
+    // α = 1/4 gives n = 30 and K_s = 0.04 · 3/4 · 38/8 = 0.1425.
     let plastic = material("[0.5, 0.25, 0.125, 1]", 0.0, 0.5);
     assert_eq!((plastic.exponent, plastic.reflection), (30.0, Reflection::Blinn));
-    assert_eq!(plastic.diffuse, Reflectance::Merged(LinearRgb::new(0.5, 0.25, 0.125)));
-    let Reflectance::Merged(specular) = plastic.specular else { panic!("{plastic:?}") };
-    assert!(specular.to_array().into_iter().all(|k| (k - 0.19).abs() < 1e-15), "{specular:?}");
-    // Metal has no diffuse reflection, and a highlight of its own hue, as bright as it may be.
+    near(plastic.specular, [0.1425; 3]);
+    near(plastic.diffuse, [0.5, 0.25, 0.125]);
+    // Metal: a highlight of its own hue, half as bright as white, and for its surroundings what that leaves of 9/16.
     let gold = material("[1, 0.75, 0.25, 1]", 1.0, 0.5);
-    assert_eq!(gold.diffuse, Reflectance::Merged(LinearRgb::BLACK));
-    assert_eq!(gold.specular, Reflectance::Merged(LinearRgb::new(1.0, 0.75, 0.25)));
-    // The roughest has no highlight to speak of, the smoothest one that can still be drawn.
-    assert_eq!(material("[1, 1, 1, 1]", 0.0, 1.0).exponent, 0.0);
+    near(gold.specular, [0.5, 0.375, 0.125]);
+    near(gold.diffuse, [0.5, 0.375, 0.125]);
+    // The roughest scatters nearly as if it were matte, the smoothest has a highlight that can still be drawn.
+    let rough = material("[0.5, 0.5, 0.5, 1]", 1.0, 1.0);
+    near(rough.diffuse, [0.375; 3]);
+    near(rough.specular, [0.0; 3]);
+    assert_eq!(rough.exponent, 1.0);
     assert_eq!(material("[1, 1, 1, 1]", 0.0, 0.0).exponent, 1e4);
-    assert_eq!(material("[0, 0, 0, 1]", 1.0, 0.5).specular, Reflectance::Merged(LinearRgb::BLACK));
+    assert_eq!(merged(material("[0, 0, 0, 1]", 1.0, 0.5).specular), [0.0; 3]);
+    // Never more light than there is.
+    for metallic in [0.0, 0.3, 1.0] {
+        for roughness in [0.0, 0.1, 0.4, 0.7, 1.0] {
+            let white = material("[1, 1, 1, 1]", metallic, roughness);
+            assert!(white.gain().is_none(), "{metallic} {roughness}: {white:?}");
+            assert!(merged(white.diffuse)[0] >= 0.25 && white.exponent >= 1.0);
+        }
+    }
+}
+
+/// What the standard takes where a file says nothing, metal that is as rough as can be, shows its shape.
+#[test]
+fn the_standards_own_material_shows_shape() {
+    for material in ["", r#""pbrMetallicRoughness": {"roughnessFactor": 0.5}"#] {
+        let mut file = square("", if material.is_empty() { r#""extras": 1"# } else { material }, "").unwrap();
+        (file.camera, file.lights) = (None, None);
+        file.settings.size = [64, 48];
+        let mut seen = std::collections::BTreeSet::new();
+        for degrees in 0..18 {
+            let turned = DMat4::from_rotation_y(f64::from(5 * degrees - 45).to_radians());
+            file.objects[0].transform = turned;
+            let picture = render(&file.scene(), &file.settings).unwrap();
+            let pixel = picture.pixel(32, 24).unwrap();
+            assert!(pixel[0] < 255, "{material}: white at {degrees}");
+            seen.insert(pixel[0]);
+        }
+        assert!(seen.len() >= 10, "{material}: {seen:?}");
+    }
 }
 
 #[test]
@@ -167,7 +204,8 @@ fn what_is_not_taken_is_told() {
     let file = file.unwrap();
     assert!(file.lights.is_none() && file.objects.len() == 1);
     let said = file.notes.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
-    for piece in ["the first of 2 cameras", "squeezes its mesh flat", "light `` is left out"] {
+    for piece in ["the first of 2 cameras", "squeezes its mesh flat", "light 0, counted from 0, is left out"]
+    {
         assert!(said.contains(piece), "{said}");
     }
 }

@@ -82,3 +82,42 @@ fn size_and_place_do_not_matter() {
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
+
+/// glTF files say little of looks but that they are metal: what is seen is a shape in many tones, no white silhouette.
+#[test]
+fn gltf_files_show_their_shape() {
+    let mut wrong = Vec::new();
+    for row in good_files() {
+        let name = row.name();
+        if !name.ends_with(".gltf") && !name.ends_with(".glb") {
+            continue;
+        }
+        let file = framed(open(&row));
+        // Unlit materials, and flat plates, have one tone each.
+        let is_solid = file.scene().bounds().is_some_and(|(low, high)| {
+            let size = high - low;
+            size.min_element() > 0.05 * size.max_element()
+        });
+        if file.objects.iter().any(|object| object.given) || !is_solid {
+            continue;
+        }
+        let image = draw(name, &file);
+        let at = |x: u32, y: u32| image.pixel(x, y).unwrap();
+        let all = (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| (x, y)));
+        let seen: Vec<_> = all
+            .filter(|&(x, y)| image.coverage[(y * SIZE[0] + x) as usize] > 0)
+            .map(|(x, y)| at(x, y))
+            .collect();
+        let white = seen.iter().filter(|pixel| pixel.iter().all(|&code| code == 255)).count();
+        let mut tones: Vec<_> = seen.iter().map(|pixel| pixel[1]).collect();
+        tones.sort_unstable();
+        tones.dedup();
+        // A box has as few tones as sides.
+        let is_curved = row.number("faces") >= 200;
+        // White matte surfaces that face the light are white.
+        if 8 * white > seen.len() || is_curved && tones.len() < 20 {
+            wrong.push(format!("{name}: {white} of {} pixels white, {} tones", seen.len(), tones.len()));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
