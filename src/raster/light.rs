@@ -144,7 +144,25 @@ impl PointLight {
         }
     }
 
+    /// Brings points farther away than [`REACH`] nearer to the eye, on the way to it.
+    fn bring_into_reach(&mut self) {
+        let is_far = |row: &Vec<f32>| row.iter().any(|x| x.abs() > REACH);
+        if !self.positions.iter().any(is_far) {
+            return;
+        }
+        let [x, y, z] = &mut self.positions;
+        for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
+            let largest = x.abs().max(y.abs()).max(z.abs());
+            if largest > REACH {
+                for coordinate in [x, y, z] {
+                    *coordinate = *coordinate / largest * REACH;
+                }
+            }
+        }
+    }
+
     fn light(&mut self, lit: &Lit) -> Result<(), RenderError> {
+        self.bring_into_reach();
         let count = self.normals[0].len();
         self.colours.iter_mut().for_each(|row| row.resize(count, 0.0));
         let rows = SurfaceRows {
@@ -169,6 +187,13 @@ struct FromEye<'a> {
 /// Vertices computed side by side.
 const LANES: usize = 32;
 
+/// As far away as single precision is asked for: a point that is farther has the same V, the same L and no more light
+/// to be told from none, but a square that overflows.
+pub(super) const REACH: f32 = (1_u64 << 50) as f32;
+
+/// The largest coordinate in single precision that leaves room for sums over the corners of a face.
+const LARGEST: f64 = 1e30;
+
 impl Kernel for FromEye<'_> {
     type Output = ();
 
@@ -185,6 +210,8 @@ impl Kernel for FromEye<'_> {
             for lane in 0..LANES {
                 let point = DVec3::new(rows[0][lane], rows[1][lane], rows[2][lane]);
                 let from_eye = map.scene_point(point) * per_unit;
+                let largest = from_eye.abs().max_element();
+                let from_eye = from_eye * if largest > LARGEST { LARGEST / largest } else { 1.0 };
                 single[0][lane] = from_eye.x as f32;
                 single[1][lane] = from_eye.y as f32;
                 single[2][lane] = from_eye.z as f32;

@@ -45,7 +45,9 @@ impl<'a> DrawnObject<'a> {
             }
             Shape::Surface(_) => return None,
         };
-        let pivot = if points.len() > 0 { points.get(0) } else { glam::DVec3::ZERO };
+        // Of points near the ends of the range the differences are beyond it.
+        let vertex = (points.len() > 0).then(|| points.get(0));
+        let pivot = vertex.filter(|point| point.abs().max_element() < 0.25 * f64::MAX).unwrap_or_default();
         let map = ObjectMap::new(view, transform, pivot);
         let (vertices, outside) = project(points, &map, view);
         Some(Self { object, first, list, points, vertices, outside, map, mirrored })

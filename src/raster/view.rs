@@ -2,8 +2,13 @@
 
 use super::camera::{Camera, CameraError, Projection};
 use super::fixed::GUARD;
+use super::light::REACH;
 use crate::num::Radians;
 use glam::{DMat3, DMat4, DVec3, Vec3};
+
+/// The smallest depth in perspective: what single precision still divides by. Whatever is farther away than 10³⁷ near
+/// distances is equally far.
+const FARTHEST: f64 = f32::MIN_POSITIVE as f64;
 
 /// A camera with a picture of a certain size.
 ///
@@ -55,7 +60,7 @@ impl View {
     /// perspective-correct interpolation needs; else linear in z.
     #[inline(always)]
     pub(super) fn depth(&self, z: f64) -> f64 {
-        if self.perspective { self.near / z } else { (self.near - z) * self.scale }
+        if self.perspective { (self.near / z).max(FARTHEST) } else { (self.near - z) * self.scale }
     }
 
     /// A point of view space on the picture, in pixels from the upper left corner.
@@ -123,7 +128,13 @@ impl ObjectMap {
         let [right, up, forward] = view.axes;
         let rows = DMat3::from_cols(right * view.scale, -up * view.scale, forward).transpose();
         let to_scene = DMat3::from_mat4(transform);
-        let scene_offset = to_scene * pivot + (transform.w_axis.truncate() - view.eye);
+        // Two of the three may cancel, and which does not matter: what their sum loses is added at the end.
+        let (turned, place) = (to_scene * pivot, transform.w_axis.truncate());
+        let sum = turned + place;
+        let part = sum - turned;
+        let lost = (turned - (sum - part)) + (place - part);
+        let lost = if lost.is_finite() { lost } else { DVec3::ZERO };
+        let scene_offset = (sum - view.eye) + lost;
         Self {
             pivot,
             to_view: rows * to_scene,
@@ -185,7 +196,8 @@ impl Rays {
     /// Distance along the axis of a point of this depth.
     #[inline(always)]
     pub(super) fn distance(&self, depth: f32) -> f32 {
-        if self.perspective { self.near / depth } else { self.near - depth * self.per_depth }
+        // Beyond its reach single precision has no squares of distances.
+        if self.perspective { (self.near / depth).min(REACH) } else { self.near - depth * self.per_depth }
     }
 }
 

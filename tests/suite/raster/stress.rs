@@ -9,36 +9,96 @@ use crease::normals::{NormalRecipe, compute};
 use crease::num::LinearRgb;
 use crease::raster::{
     Camera, CameraError, Interpolation, Object, Paint, RenderError, RenderSettings, Samples, Scene, Shading,
-    Shape, Triangles, render,
+    Shape, Triangles, default_lights, render,
 };
 use crease::shade::{Light, Material};
 use glam::{DMat4, DVec3};
 
-/// Triangles of all sizes and places, slivers, needles, some behind the eye: no panic, and the same at each run.
-#[test]
-fn wild_triangles_are_drawn_or_clipped() {
-    let mut random = Random(31);
+/// Triangles of all sizes and places, slivers, needles, some behind the eye.
+fn wild(random: &mut Random, count: usize) -> Model {
     let mut positions = Vec::new();
-    for _ in 0..3000 {
-        let exponent = 60.0 * unit(&mut random) - 30.0;
+    for _ in 0..count {
+        let exponent = 60.0 * unit(random) - 30.0;
         let size = libm::pow(10.0, exponent);
-        let centre = DVec3::new(unit(&mut random), unit(&mut random), unit(&mut random)) * 8.0 - 4.0;
+        let centre = DVec3::new(unit(random), unit(random), unit(random)) * 8.0 - 4.0;
         for _ in 0..3 {
-            let away = DVec3::new(unit(&mut random), unit(&mut random), unit(&mut random)) * 2.0 - 1.0;
+            let away = DVec3::new(unit(random), unit(random), unit(random)) * 2.0 - 1.0;
             let thin = if random.one_in(3) { 1e-9 } else { 1.0 };
             positions.push(centre + away * DVec3::new(size, size * thin, size));
         }
     }
     let faces = Faces::triangles((0..positions.len() as u32).collect());
-    let model = Model::new(positions, faces);
+    Model::new(positions, faces)
+}
+
+/// Lit as what has no lights of its own, by a viewer near by: V and its distance count.
+fn lit(objects: Vec<Object>) -> Scene {
+    let scene = scene(objects);
+    Scene { lights: default_lights(&scene.camera).to_vec(), ..scene }
+}
+
+/// No panic, and the same at each run.
+#[test]
+fn wild_triangles_are_drawn_or_clipped() {
+    let model = wild(&mut Random(31), 3000);
     for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong, Shading::Wireframe] {
         for interpolation in [Interpolation::Scanline, Interpolation::Affine, Interpolation::Perspective] {
             let settings =
                 RenderSettings { shading, interpolation, samples: Samples::Four, ..linear([130, 70]) };
-            let [first, second] = [(); 2].map(|()| render(&scene(vec![model.object()]), &settings).unwrap());
+            let [first, second] = [(); 2].map(|()| render(&lit(vec![model.object()]), &settings).unwrap());
             assert!(first.linear == second.linear);
             assert!(first.linear.unwrap().as_flattened().iter().all(|c| c.is_finite()));
             assert!(first.statistics.triangles_clipped > 100 && first.statistics.triangles_culled > 100);
+        }
+    }
+}
+
+/// Every pixel that a wild triangle does not take shows what it shows without it.
+#[test]
+fn wild_triangles_leave_other_pixels_alone() {
+    let (mut random, ball) = (Random(7), icosphere(2));
+    let (mut taken, mut left) = (0, 0);
+    for round in 0..40 {
+        let wild = wild(&mut random, 1);
+        for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong] {
+            let settings = RenderSettings { shading, ..linear([96, 64]) };
+            let alone = render(&lit(vec![ball.object()]), &settings).unwrap().linear.unwrap();
+            let magenta = vec![LinearRgb::new(1.0, 0.0, 1.0); wild.mesh.vertex_count()];
+            let given = Object { paint: Paint::Given(magenta.into()), ..wild.object() };
+            let marked = render(&lit(vec![ball.object(), given]), &settings).unwrap().linear.unwrap();
+            let both = render(&lit(vec![ball.object(), wild.object()]), &settings).unwrap().linear.unwrap();
+            for (at, (marked, both)) in marked.iter().zip(&both).enumerate() {
+                // Lit plastic is grey, and nothing is black.
+                let is_taken = marked[0] > 0.5 && marked[1] == 0.0;
+                assert!(
+                    is_taken || *marked == alone[at],
+                    "round {round}, {shading:?}: pixel {at} is {marked:?}"
+                );
+                assert!(is_taken || *both == alone[at], "round {round}, {shading:?}: pixel {at} is {both:?}");
+                *if is_taken { &mut taken } else { &mut left } += 1;
+            }
+        }
+    }
+    assert!(taken > 10_000 && left > 100_000, "{taken} {left}");
+}
+
+/// A triangle that reaches far out is lit where it is near as one that ends sooner: by its corners' light, which is
+/// that of their directions.
+#[test]
+fn distance_beyond_single_precision_changes_no_light() {
+    let draw = |size: f64, shading: Shading| {
+        let corners = [[-1.0, -1.0], [1.0, -1.0], [0.0, 1.0]].map(|[x, y]| DVec3::new(x, y, -1.5) * size);
+        let plate = Model::polygon(&corners);
+        let settings = RenderSettings { shading, ..linear([16, 16]) };
+        render(&lit(vec![plate.object()]), &settings).unwrap().linear.unwrap()
+    };
+    for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong] {
+        let expected = draw(1e9, shading);
+        for size in [1e18, 1e25, 1e30, 1e40, 1e100] {
+            for (got, expected) in draw(size, shading).as_flattened().iter().zip(expected.as_flattened()) {
+                // The eye is 4 units away: V differs by 4e-9, less than roundings of single precision.
+                assert!((got - expected).abs() < 1e-5, "{size:e} {shading:?}: {got}, not {expected}");
+            }
         }
     }
 }
