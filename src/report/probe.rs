@@ -153,7 +153,7 @@ impl fmt::Display for PixelReport {
                 None => writeln!(f, "seen         nothing but the background")?,
             }
             if self.samples.len() > 1 {
-                writeln!(f, "colour       {}", NineEach(sample.colour))?;
+                writeln!(f, "sample's sum {}", NineEach(sample.colour))?;
             }
         }
         writeln!(f, "pixel's sum  {}", NineEach(self.linear))?;
@@ -171,7 +171,7 @@ impl fmt::Display for SeenReport {
             None => writeln!(f, "seen         object {}, an analytic surface, its {side}", self.object + 1)?,
         }
         for (vertex, weight) in self.vertices.iter().zip(&self.weights) {
-            writeln!(f, "  vertex {:<5}weight {}", vertex + 1, Nine(*weight))?;
+            writeln!(f, "  vertex {:<4} weight {}", vertex + 1, Nine(*weight))?;
         }
         writeln!(f, "at           {}, {} along the axis", NineEach(self.position), Nine(self.distance))?;
         writeln!(f, "face normal  {}", NineEach(self.face_normal))?;

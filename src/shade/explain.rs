@@ -26,7 +26,7 @@ pub struct Explanation {
     pub view_distance: Option<f64>,
     /// Σ I_a K_a.
     pub ambient: [f64; 3],
-    /// Each light that adds something to this material.
+    /// Each light but ambient ones, also where the material returns nothing of it.
     pub lights: Vec<LightExplanation>,
     /// 1/(d+k) with the distance to the viewer, if there is depth cueing.
     pub depth_cue: Option<f64>,
@@ -125,8 +125,8 @@ impl Probe {
     pub fn new(lights: &[Light], material: &Material, settings: &ShadeSettings) -> Result<Self, ShadeError> {
         let without = ShadeSettings { guards: Guards::literal(), ..*settings };
         Ok(Self {
-            guarded: Shader::new(lights, material, settings)?,
-            literal: Shader::new(lights, material, &without)?,
+            guarded: Shader::with(lights, material, settings, |_| true)?,
+            literal: Shader::with(lights, material, &without, |_| true)?,
         })
     }
 

@@ -110,6 +110,16 @@ impl<R: Real> Shader<R> {
     /// exponents and attenuations, cut-off angles that are no cone's, depth cueing without a viewer at a finite
     /// distance, and lights or viewers too far from the scene for squares of distances.
     pub fn new(lights: &[Light], material: &Material, settings: &ShadeSettings) -> Result<Self, ShadeError> {
+        Self::with(lights, material, settings, |term| !term.is_dark())
+    }
+
+    /// The same with the lights that are wanted: those that add nothing change no colour.
+    pub(super) fn with(
+        lights: &[Light],
+        material: &Material,
+        settings: &ShadeSettings,
+        wanted: fn(&LightTerm<R>) -> bool,
+    ) -> Result<Self, ShadeError> {
         material.check()?;
         settings.check()?;
         let viewer = match settings.viewer {
@@ -122,9 +132,10 @@ impl<R: Real> Shader<R> {
             light.check(number)?;
             match Source::new(light, number, &settings.frame, settings.guards)? {
                 None => ambient += light.colour() * material.ambient.merged(),
-                Some(source) => terms.extend(LightTerm::new(number, source, light, material, settings)),
+                Some(source) => terms.push(LightTerm::new(number, source, light, material, settings)),
             }
         }
+        terms.retain(wanted);
         let for_highlights =
             |term: &LightTerm<R>| matches!(term.specular, Some((_, Highlight::Phong | Highlight::Blinn)));
         let lit = !terms.is_empty();

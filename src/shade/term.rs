@@ -45,14 +45,13 @@ pub(super) struct Incoming<R> {
 }
 
 impl<R: Real> LightTerm<R> {
-    /// None if the material returns nothing of this light.
     pub(super) fn new(
         number: usize,
         source: Source<R>,
         light: &Light,
         material: &Material,
         settings: &ShadeSettings,
-    ) -> Option<Self> {
+    ) -> Self {
         let coloured = |reflectance: LinearRgb| {
             let product = light.colour() * reflectance;
             (product != LinearRgb::BLACK).then(|| product.to_array().map(|c| R::of(c)))
@@ -66,13 +65,12 @@ impl<R: Real> LightTerm<R> {
         };
         let diffuse = coloured(material.diffuse.merged());
         let specular = coloured(material.specular.merged()).zip(highlight);
-        (diffuse.is_some() || specular.is_some()).then_some(Self {
-            number,
-            kind: light.kind(),
-            source,
-            diffuse,
-            specular,
-        })
+        Self { number, kind: light.kind(), source, diffuse, specular }
+    }
+
+    /// Whether the material returns nothing of this light.
+    pub(super) fn is_dark(&self) -> bool {
+        self.diffuse.is_none() && self.specular.is_none()
     }
 
     /// L and what arrives.

@@ -200,8 +200,14 @@ fn exercise_1_6_25() {
 fn exercise_1_6_29() {
     let report = probe(&scene("lectures/exercise-1-6-29.toml"), MIDDLE);
     assert_eq!((report.linear, report.picture), ([0.0; 3], [0; 3]));
-    // A light of which the material reflects nothing is not even looked at.
-    assert!(explanation(&report).lights.is_empty());
+    // The light falls on the ball, which returns nothing of its colour.
+    let light = &explanation(&report).lights[0];
+    assert!(light.n_dot_l > 0.0 && light.half.is_some() && light.v_dot_r.is_finite(), "{light:?}");
+    assert_eq!((light.diffuse.guarded, light.specular.guarded), ([0.0; 3], [0.0; 3]));
+    let text = report.to_string();
+    for word in ["light 1, ", "N·L ", "R  ", "H  ", "diffuse    (0.000000000, 0.000000000, 0.000000000)"] {
+        assert!(text.contains(word), "no {word:?} in\n{text}");
+    }
 }
 
 #[test]
