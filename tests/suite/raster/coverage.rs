@@ -4,7 +4,8 @@ use super::shapes::{Model, bumpy, icosphere, linear, pixel_camera, scene, unit};
 use crate::random::Random;
 use crease::mesh::Faces;
 use crease::num::Degrees;
-use crease::raster::{Camera, Cull, Projection, RenderSettings, Samples, Shading, Show, render};
+use crease::raster::{Camera, Cull, Object, Projection, RenderSettings, Samples, Shading, Show, render};
+use crease::surface::{Surface, Tessellation, Torus};
 use glam::{DMat4, DVec3};
 
 fn covered(settings: &RenderSettings, scene: &crease::raster::Scene) -> Vec<u8> {
@@ -27,34 +28,75 @@ fn the_top_left_rule_gives_15_and_10() {
     assert!(upper.iter().zip(&lower).all(|(a, b)| a + b <= 1));
 }
 
+/// Closed meshes of several kinds, about as large as the unit sphere.
+fn closed(kind: &str, random: &mut Random) -> Model {
+    match kind {
+        "bumpy" => bumpy(1, random),
+        "flat" => {
+            // Slivers: as thin as a thousandth, and turned anyhow.
+            let Model { mesh, .. } = bumpy(1, random);
+            let turn = DMat4::from_rotation_x(unit(random)) * DMat4::from_rotation_y(3.0 * unit(random));
+            let squeeze = |p: &DVec3| turn.transform_point3(*p * DVec3::new(1.0, 1.0, 1e-3));
+            Model::new(mesh.positions().iter().map(squeeze).collect(), mesh.faces().clone())
+        }
+        _ => {
+            let torus = Surface::Primitive(Torus::new(0.8, 0.35).unwrap().into());
+            let cut = Tessellation { segments: [10, 5], ..Tessellation::default() };
+            let mesh = torus.tessellate(&cut).unwrap();
+            let turn = DMat4::from_rotation_x(3.0 * unit(random)) * DMat4::from_rotation_z(unit(random));
+            let positions = mesh.positions().iter().map(|p| turn.transform_point3(*p)).collect();
+            Model::new(positions, mesh.faces().clone())
+        }
+    }
+}
+
 /// Seen with nothing culled in turn, a closed mesh wholly in front of the near plane shows as many fronts as backs at
-/// each sample. Every face is drawn alone, so that all layers count, not the nearest.
+/// each sample: in the middle of the picture, across its rim, and so wide that it is clipped by the guard band. Every face
+/// is drawn alone, so that all layers count, not the nearest.
 #[test]
 fn closed_meshes_are_covered_as_often_by_fronts_as_by_backs() {
     let mut random = Random(5);
-    for round in 0..6 {
-        let model = bumpy(2, &mut random);
-        let eye = DVec3::new(unit(&mut random), unit(&mut random), unit(&mut random)) * 4.0 - 2.0;
-        let eye = eye.normalize() * 3.5;
-        let camera = Camera { eye, ..scene(Vec::new()).camera };
+    for (round, kind) in ["bumpy", "flat", "torus"].into_iter().cycle().take(18).enumerate() {
+        let model = closed(kind, &mut random);
+        let place = ["whole", "rim", "guard"][round / 3 % 3];
+        let straight = scene(Vec::new()).camera;
+        let mut eye = DVec3::new(unit(&mut random), unit(&mut random), unit(&mut random)) * 4.0 - 2.0;
+        eye = eye.normalize() * 3.5;
+        let mut target = DVec3::ZERO;
+        let mut stretch = DMat4::IDENTITY;
+        match place {
+            "rim" => target = DVec3::new(unit(&mut random), unit(&mut random), unit(&mut random)) * 2.0 - 1.0,
+            // Along x, and seen from z: all of it stays in front of the eye.
+            "guard" => {
+                eye = DVec3::Z * 4.0;
+                stretch = DMat4::from_scale(DVec3::new(5e3, 1.0, 1.0));
+            }
+            _ => {}
+        }
+        let projection = if round < 9 { straight.projection } else { Projection::Orthographic(2.6) };
+        let camera = Camera { eye, target, projection, near: 0.01, ..straight };
         let samples = if round % 2 == 0 { Samples::One } else { Samples::Four };
-        let settings = RenderSettings { size: [90, 70], samples, ..RenderSettings::default() };
-        let mut balance = vec![0_i32; 90 * 70];
-        let mut layers = 0;
+        let settings = RenderSettings { size: [60, 44], samples, ..RenderSettings::default() };
+        let mut balance = vec![0_i32; 60 * 44];
+        let (mut layers, mut clipped) = (0, 0);
         for face in 0..model.mesh.face_count() {
             let mut one = Faces::new();
             one.push(model.mesh.faces().face(face));
             let part = Model::new(model.mesh.positions().to_vec(), one);
-            let scene = crease::raster::Scene { camera, ..scene(vec![part.object()]) };
-            let front = covered(&RenderSettings { cull: Cull::Back, ..settings }, &scene);
+            let object = Object { transform: stretch, ..part.object() };
+            let scene = crease::raster::Scene { camera, ..scene(vec![object]) };
+            let front = render(&scene, &RenderSettings { cull: Cull::Back, ..settings }).unwrap();
+            clipped += front.statistics.triangles_clipped;
             let back = covered(&RenderSettings { cull: Cull::Front, ..settings }, &scene);
-            for ((balance, front), back) in balance.iter_mut().zip(front).zip(back) {
+            for ((balance, front), back) in balance.iter_mut().zip(front.coverage).zip(back) {
                 *balance += i32::from(front) - i32::from(back);
                 layers += i32::from(front);
             }
         }
-        assert!(balance.iter().all(|&n| n == 0), "round {round}");
-        assert!(layers > 1000, "round {round}: only {layers}");
+        let what = format!("round {round}, {kind}, {place}, {projection:?}");
+        assert!(balance.iter().all(|&n| n == 0), "{what}");
+        assert!(layers > 10, "{what}: only {layers}");
+        assert_eq!(clipped > 0, place == "guard", "{what}: {clipped} clipped");
     }
 }
 
