@@ -17,7 +17,7 @@ impl SceneMesh {
         });
         let mesh = mesh.with_faces(&FaceEdit { dropped: non_finite_faces, reversed: Vec::new() });
         let colours = mesh.columns().colors.as_ref().map(|colours| linear(colours, format));
-        let normals = compute(&mesh, &options.recipe).selected(&mesh, options.when);
+        let normals = compute(&mesh, &options.recipe).selected(&mesh, options.when.unwrap_or_default());
         Self { mesh, normals, colours, source_faces }
     }
 }

@@ -4,6 +4,7 @@ mod bare;
 mod lights;
 mod looks;
 mod meshes;
+mod recentre;
 mod rotation;
 mod scene_file;
 mod split;
@@ -23,8 +24,9 @@ pub struct LoadOptions {
     /// What determines the normals of meshes.
     pub recipe: NormalRecipe,
     /// Which stored normals are replaced. What is drawn is what [`pipeline::revise`](crate::pipeline::revise) with the
-    /// same recipe would write.
-    pub when: When,
+    /// same recipe would write. `None` leaves it to what scenes say; where they say nothing, those of mesh files are always
+    /// replaced, and those that a scene gives its own polygons and surfaces are kept.
+    pub when: Option<When>,
     /// What readers may do and how much they may take.
     pub read: ReadOptions,
 }
@@ -86,7 +88,7 @@ pub struct LoadOptions {
 /// | | `polygons` | `{ vertices, faces, normals, colours }`, the last two one a vertex, if at all |
 /// | | `surface` | `plane` and `cone`, `cylinder`, `sphere`, `ellipsoid`, `torus`: `{ sphere = { radius = 1 } }`; with a tessellation also `catenoid`, `wave`, `monkey-saddle`, `superquadric`, `teapot` |
 /// | | `tessellation` | `{ pattern, segments, jitter, noise, seed }`, see [`Tessellation`](crate::surface::Tessellation) |
-/// | | `normals` | `"given"` keeps what a mesh has, `"computed"` replaces it |
+/// | | `normals` | `"given"` keeps what a mesh has, `"computed"` replaces it; see [`LoadOptions::when`] for what is done else |
 /// | | `transform` | steps, the first one first: `scale`, `rotate` (about x, then y, then z), `translate`, `matrix` (three rows of four) |
 /// | | `material` | `{ colour, ambient, diffuse, specular, exponent, reflection }`; `reflection` is `"phong"`, `"blinn"`, or `"given"` for colours of vertices, unlit |
 ///

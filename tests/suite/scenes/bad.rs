@@ -51,6 +51,9 @@ fn every_fault_is_told_with_its_line_and_key() {
         ("[settings]\nguards = { lowlight = true }\n", &["line 4: `settings.guards.lowlight`", "highlight"]),
         ("[settings]\ndepth-cue = -1\n", &["line 4: `settings.depth-cue`"]),
         ("[settings]\nbackground = nan\n", &["line 4: `settings.background`"]),
+        ("[settings]\nbackground = [0.5, -0.1, 0.5]\n", &["line 4: `settings.background`", "negative"]),
+        ("[settings]\nbackground = -1\n", &["line 4: `settings.background`", "negative"]),
+        ("[settings]\nwire = { colour = [-1, 0, 0] }\n", &["line 4: `settings.wire.colour`", "negative"]),
         ("[settings]\nwire = { width = 0 }\n", &["line 4: `settings.wire.width`"]),
         ("[settings]\nreflection = \"given\"\n", &["colours", "line 1"]),
         ("[camera]\neye = [1, 2, 3]\ntarget = [1, 2, 3]\n", &["line 5: `camera.target`", "eye and target"]),
@@ -69,6 +72,7 @@ fn every_fault_is_told_with_its_line_and_key() {
         ("[[light.directional]]\ntowards = [0, 0, nan]\n", &["line 4: `light.directional.towards`"]),
         ("[[light.directional]]\ncolour = 1\n", &["`light.directional`", "towards"]),
         ("[[light.ambient]]\ncolour = -1\n", &["line 4: `light.ambient.colour`"]),
+        ("[[light.point]]\nposition = [0, 0, 5, -1]\n", &["line 4: `light.point.position`", "w is -1"]),
         ("[[light.point]]\nposition = [0, 0]\n", &["line 4: `light.point.position`", "3, or 4"]),
         ("[[light.point]]\nposition = [0, 0, 0, 0]\n", &["line 4: `light.point.position`"]),
         (
@@ -175,6 +179,10 @@ fn every_fault_is_told_with_its_line_and_key() {
         (
             "[[object]]\n[object.polygons]\nvertices = [[0, 0, 0], [1, 0, 0], [0, 1, inf]]\nfaces = [[0, 1, 2]]\n",
             &["line 5: `object.polygons.vertices`"],
+        ),
+        (
+            "[[object]]\n[object.polygons]\nvertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\nfaces = [[0, 1, 2]]\ncolours = [[1, 1, 1], [1, 1, -1], [1, 1, 1]]\n",
+            &["line 7: `object.polygons.colours", "negative"],
         ),
         (
             "[[object]]\n[object.polygons]\nvertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\nfaces = [[0, 1, 2]]\ncolours = [[1, 1, 1]]\n",

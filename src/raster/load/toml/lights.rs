@@ -68,7 +68,11 @@ pub(super) fn wrong(source: Source, span: &Range<usize>, error: &ShadeError) -> 
 fn point(source: Source, keys: &PointKeys, span: &Range<usize>) -> Result<Light, ReadError> {
     let position = match keys.position[..] {
         [Number(x), Number(y), Number(z)] => DVec4::new(x, y, z, 1.0),
-        [Number(x), Number(y), Number(z), Number(w)] => DVec4::new(x, y, z, w),
+        [Number(x), Number(y), Number(z), Number(w)] if w >= 0.0 => DVec4::new(x, y, z, w),
+        [.., Number(w)] if keys.position.len() == 4 => {
+            let advice = "w is 1 for a point, 0 for a light infinitely far away";
+            return Err(source.error(&source.member(span, &["position"]), &format!("w is {w}"), advice));
+        }
         _ => {
             let found = format!("{} numbers", keys.position.len());
             let advice = "a position has 3, or 4 with w: 1 for a point, 0 for a light infinitely far away";

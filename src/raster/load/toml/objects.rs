@@ -146,7 +146,8 @@ impl<'a> Builder<'a> {
         policy: Option<When>,
         surface: Option<Primitive>,
     ) -> SceneObject {
-        let normals = compute(&mesh, &self.options.recipe).selected(&mesh, policy.unwrap_or(When::Missing));
+        let normals = compute(&mesh, &self.options.recipe)
+            .selected(&mesh, self.options.when.or(policy).unwrap_or(When::Missing));
         self.scene.meshes.push(SceneMesh { mesh, normals, colours, source_faces: None });
         let shape = SceneShape::Mesh(self.scene.meshes.len() - 1);
         SceneObject { surface, ..plain(shape) }
@@ -157,15 +158,21 @@ impl<'a> Builder<'a> {
         let fault = |error: ReadError| {
             let place = if error.place == Place::File { String::new() } else { format!("{}: ", error.place) };
             let found = format!("{}: {place}{}", name.get_ref(), error.found);
-            ReadError { problem: error.problem, ..self.source.error(&name.span(), &found, &error.advice) }
+            // A scene has no place to name a format.
+            let is_unknown = error.problem == Problem::Syntax && error.advice.contains("--format");
+            let advice = match is_unknown {
+                true => "give it the ending of its format: .obj, .ply, .stl, .gltf or .glb",
+                false => &error.advice,
+            };
+            ReadError { problem: error.problem, ..self.source.error(&name.span(), &found, advice) }
         };
-        let when = policy.unwrap_or(self.options.when);
+        let when = self.options.when.or(policy).unwrap_or_default();
         let path = io::companion(self.base, name.get_ref(), &self.options.read).map_err(fault)?;
         let key = (path, when == When::Always);
         if let Some(objects) = self.files.get(&key) {
             return Ok(objects.clone());
         }
-        let options = LoadOptions { when, ..self.options.clone() };
+        let options = LoadOptions { when: Some(when), ..self.options.clone() };
         let loaded = io::read(&key.0, None, &options.read).map_err(fault)?;
         let file = SceneFile::from_loaded(loaded, &options).map_err(fault)?;
         let note =

@@ -170,7 +170,11 @@ impl TryFrom<Loose> for Colour {
 
     fn try_from(loose: Loose) -> Result<Self, Self::Error> {
         let colour = loose.three().map(LinearRgb::from).or_else(|| loose.hex_colour());
-        colour.map(Colour).ok_or("a colour is 3 linear components, 1 number for a grey, or \"#rrggbb\"")
+        let colour = colour.ok_or("a colour is 3 linear components, 1 number for a grey, or \"#rrggbb\"")?;
+        match colour.to_array().iter().all(|&component| component >= 0.0) {
+            true => Ok(Colour(colour)),
+            false => Err("no component of a colour is negative"),
+        }
     }
 }
 
