@@ -49,6 +49,7 @@ pub fn run(request: &Request, console: &Console) -> Exit {
 pub fn exit_of(failure: &Failure) -> Exit {
     match failure {
         Failure::Read(_) | Failure::Draw(_) | Failure::Internal(_) => Exit::BadInput,
+        Failure::Usage(_) => Exit::Usage,
         Failure::Write(_) => Exit::OutputFailed,
     }
 }

@@ -34,6 +34,7 @@ use std::process::ExitCode;
 pub enum Exit {
     Done = 0,
     Findings = 1,
+    Usage = 2,
     BadInput = 3,
     OutputFailed = 4,
     PartOfBatch = 5,

@@ -16,6 +16,8 @@ use std::time::Instant;
 #[derive(Debug)]
 pub enum Failure {
     Read(ReadError),
+    /// What was typed makes no sense with this input.
+    Usage(String),
     /// The input was read, but there is nothing in it to draw or to measure, or it cannot be.
     Draw(String),
     Write(String),

@@ -1,12 +1,54 @@
 //! A camera that shows all of a scene as large as it goes.
 
 use super::camera::{Camera, MARGIN, NEAR_SHARE, Projection};
-use super::scene::Scene;
-use glam::DVec2;
+use super::scene::{Object, Scene, Shape, corners};
+use crate::surface::{Primitive, Surface, Tessellation};
+use glam::{DVec2, DVec3};
 
 /// The eye stays at least this share of the distance of [`Camera::framing`] away from the nearest point: a rod that
 /// points at the viewer would otherwise be looked at from its tip.
 const NEAREST: f64 = 0.25;
+
+/// Parts along each side of the net of points that stands for an analytic surface: it is at most 0.3 % smaller.
+const NET: [u32; 2] = [40, 40];
+
+/// The four planes through a point that bound what a camera there sees.
+struct Planes {
+    right: DVec3,
+    up: DVec3,
+    forward: DVec3,
+    /// How far they lean aside and upwards per unit of length.
+    slope: DVec2,
+}
+
+/// How far out of the planes something lies.
+#[derive(Clone, Copy)]
+struct Reach {
+    /// Of the right and the upper one.
+    above: DVec2,
+    /// Of the left and the lower one.
+    below: DVec2,
+    /// The smallest depth.
+    nearest: f64,
+}
+
+impl Planes {
+    fn of_point(&self, point: DVec3) -> Reach {
+        let across = DVec2::new(point.dot(self.right), point.dot(self.up));
+        let depth = point.dot(self.forward);
+        Reach { above: across - self.slope * depth, below: -across - self.slope * depth, nearest: depth }
+    }
+
+    /// Of the circle that a point describes about the upright axis through the planes' own point.
+    fn of_circle(&self, point: DVec3) -> Reach {
+        let flat = |v: DVec3| libm::hypot(v.x, v.z);
+        let farthest = |way: DVec3| point.y * way.y + flat(point) * flat(way);
+        let Self { right, up, forward, slope } = *self;
+        let out =
+            |x: DVec3, y: DVec3| DVec2::new(farthest(x - forward * slope.x), farthest(y - forward * slope.y));
+        Reach { above: out(right, up), below: out(-right, -up), nearest: -farthest(-forward) }
+    }
+}
 
 impl Scene<'_> {
     /// A camera that looks the way of [`Camera::framing`] and has its angle, but stands so that the picture, of this
@@ -17,24 +59,35 @@ impl Scene<'_> {
     /// then put where opposite planes touch theirs at once, or, in the direction that has room to spare, in the middle
     /// between them. Vertices that no face uses do not count.
     pub fn framing(&self, aspect: f64) -> Option<Camera> {
+        Some(self.tight(self.bounds()?, aspect, Planes::of_point))
+    }
+
+    /// The same for a turntable: all of the scene stays in the picture however it is turned about the upright axis
+    /// through the middle of its box.
+    pub fn framing_turned(&self, aspect: f64) -> Option<Camera> {
         let (low, high) = self.bounds()?;
-        let loose = Camera::framing((low, high), aspect);
+        let (centre, half) = (low * 0.5 + high * 0.5, high * 0.5 - low * 0.5);
+        let radius = libm::hypot(half.x, half.z);
+        let half = DVec3::new(radius, half.y, radius);
+        Some(self.tight((centre - half, centre + half), aspect, Planes::of_circle))
+    }
+
+    fn tight(&self, bounds: (DVec3, DVec3), aspect: f64, reach: fn(&Planes, DVec3) -> Reach) -> Camera {
+        let loose = Camera::framing(bounds, aspect);
         let (Ok([right, up, forward]), Projection::Perspective(angle)) = (loose.axes(), loose.projection)
         else {
-            return Some(loose);
+            return loose;
         };
         let vertical = libm::tan(0.5 * angle.0) / MARGIN;
         let slope = DVec2::new(vertical * aspect, vertical);
-        // How far out points lie of planes through the middle: `above` of those at the right and the top, `below` of
-        // those at the left and the bottom.
+        let planes = Planes { right, up, forward, slope };
         let [mut above, mut below] = [DVec2::NEG_INFINITY; 2];
         let mut nearest = f64::INFINITY;
-        self.each_point(|point| {
-            let point = point - loose.target;
-            let (across, depth) = (DVec2::new(point.dot(right), point.dot(up)), point.dot(forward));
-            above = above.max(across - slope * depth);
-            below = below.max(-across - slope * depth);
-            nearest = nearest.min(depth);
+        self.each_rim_point(|point| {
+            let out = reach(&planes, point - loose.target);
+            above = above.max(out.above);
+            below = below.max(out.below);
+            nearest = nearest.min(out.nearest);
         });
         let [aside, depth] = [(above - below) * 0.5, (above + below) * 0.5 / slope];
         let least = NEAREST * loose.eye.distance(loose.target) - nearest;
@@ -43,7 +96,34 @@ impl Scene<'_> {
         let tight =
             Camera { eye, target: eye + forward * back, near: (back + nearest) * NEAR_SHARE, ..loose };
         // Numbers at the end of their range may fail where the box alone does not.
-        Some(if tight.check().is_ok() { tight } else { loose })
+        if tight.check().is_ok() { tight } else { loose }
+    }
+
+    /// Visits the points of [`each_point`](Self::each_point), but of analytic surfaces points on them.
+    fn each_rim_point(&self, mut visit: impl FnMut(DVec3)) {
+        let is_surface = |object: &Object| matches!(object.shape, Shape::Surface(_));
+        let mut nets: Vec<(Primitive, Vec<DVec3>)> = Vec::new();
+        self.each_point_of(|object| !is_surface(object), &mut visit);
+        for object in &self.objects {
+            let Shape::Surface(primitive) = object.shape else { continue };
+            let known = nets.iter().position(|(known, _)| *known == primitive);
+            let net = known.unwrap_or_else(|| {
+                // Few scenes have many different ones.
+                nets.truncate(64);
+                nets.push((primitive, net(primitive)));
+                nets.len() - 1
+            });
+            nets[net].1.iter().for_each(|&point| visit(object.transform.transform_point3(point)));
+        }
+    }
+}
+
+/// Points all over a surface.
+fn net(primitive: Primitive) -> Vec<DVec3> {
+    let cut = Tessellation { segments: NET, ..Tessellation::default() };
+    match Surface::Primitive(primitive).tessellate(&cut) {
+        Ok(mesh) => mesh.positions().to_vec(),
+        Err(_) => corners(primitive.half_extents()).to_vec(),
     }
 }
 
@@ -51,9 +131,8 @@ impl Scene<'_> {
 mod tests {
     use super::*;
     use crate::num::LinearRgb;
-    use crate::raster::{Object, Shape, Triangles};
+    use crate::raster::Triangles;
     use crate::shade::Material;
-    use glam::DVec3;
 
     fn scene<'a>(positions: &'a [[f32; 3]], triangles: &'a [[u32; 3]]) -> Scene<'a> {
         let triangles = Triangles { positions, triangles, normals: &[], face_normals: &[] };
@@ -107,6 +186,47 @@ mod tests {
         assert!(scene(&rod, &[]).framing(1.0).is_none());
         for size in [1e-30, 1e30] {
             camera(&rod.map(|point| point.map(|x| x * size))).check().unwrap();
+        }
+    }
+
+    /// At every turn within the margin, and touching it at some.
+    #[test]
+    fn a_turntable_is_framed_tightly() {
+        let positions = [[-3.0, 0.0, -1.0], [4.0, 0.5, 0.0], [0.0, 0.25, 2.5]];
+        for aspect in [1.0, 1.5] {
+            let scene = scene(&positions, &[[0, 1, 2]]);
+            let camera = scene.framing_turned(aspect).unwrap();
+            let (low, high) = scene.bounds().unwrap();
+            let middle = (low + high) * 0.5;
+            let mut farthest: f64 = 0.0;
+            for degrees in 0..360 {
+                let turn = glam::DMat3::from_rotation_y(f64::from(degrees).to_radians());
+                for point in positions {
+                    let point = middle + turn * (DVec3::from(point.map(f64::from)) - middle);
+                    farthest = farthest.max(seen(&camera, aspect, point).abs().max_element());
+                }
+            }
+            // A turn between two degrees may reach a little farther.
+            assert!(farthest < 1.0 / MARGIN + 1e-12 && farthest > 0.999 / MARGIN, "{aspect}: {farthest}");
+        }
+    }
+
+    /// A surface that rays are cast at is framed as its net is.
+    #[test]
+    fn solids_are_framed_as_large_as_their_nets() {
+        use crate::surface::{Sphere, Torus};
+        let solids = [Sphere::new(1.0).unwrap().into(), Torus::new(2.0, 0.5).unwrap().into()];
+        for primitive in solids {
+            let fine = Tessellation { segments: [256, 256], ..Tessellation::default() };
+            let mesh = Surface::Primitive(primitive).tessellate(&fine).unwrap();
+            let solid = Scene {
+                objects: vec![Object::new(Shape::Surface(primitive), Material::default())],
+                ..scene(&[], &[])
+            };
+            let camera = solid.framing(1.0).unwrap();
+            let seen = mesh.positions().iter().map(|&point| seen(&camera, 1.0, point).abs().max_element());
+            let farthest = seen.fold(0.0, f64::max);
+            assert!((farthest * MARGIN - 1.0).abs() < 0.005, "{primitive:?}: {farthest}");
         }
     }
 }

@@ -34,6 +34,7 @@ mod setup;
 mod show;
 mod tile;
 mod triangles;
+mod unseen;
 mod view;
 
 pub use camera::{Camera, CameraError, Projection};
@@ -45,3 +46,4 @@ pub use render::render;
 pub use samples::Samples;
 pub use scene::{Lines, Object, Paint, Scene, Shape, Triangles};
 pub use settings::{Bits, Cull, FlatSample, Interpolation, LineStyle, RenderSettings, Shading, Show};
+pub use unseen::Unseen;

@@ -112,7 +112,12 @@ impl Scene<'_> {
     /// Visits all points between which something is drawn, in the scene's space; of analytic surfaces the corners of
     /// the box around them.
     pub(super) fn each_point(&self, mut visit: impl FnMut(DVec3)) {
-        for Object { shape, transform, .. } in &self.objects {
+        self.each_point_of(|_| true, &mut visit);
+    }
+
+    /// The same of some of the objects.
+    pub(super) fn each_point_of(&self, wanted: impl Fn(&Object) -> bool, visit: &mut dyn FnMut(DVec3)) {
+        for Object { shape, transform, .. } in self.objects.iter().filter(|object| wanted(object)) {
             let mut visit = |point: DVec3| visit(transform.transform_point3(point));
             match shape {
                 Shape::Mesh { mesh, .. } => {
@@ -126,16 +131,20 @@ impl Scene<'_> {
                     points.zip(used).filter(|(_, used)| *used).for_each(|(point, _)| visit(point));
                 }
                 Shape::Surface(primitive) => {
-                    let extents = primitive.half_extents();
-                    for signs in 0..8 {
-                        let sign = |bit: u32| if signs >> bit & 1 == 0 { -1.0 } else { 1.0 };
-                        visit(extents * DVec3::new(sign(0), sign(1), sign(2)));
-                    }
+                    corners(primitive.half_extents()).into_iter().for_each(&mut visit);
                 }
             }
         }
         self.lines.iter().flat_map(|lines| &lines.points).for_each(|&point| visit(point));
     }
+}
+
+/// The corners of a box about the origin.
+pub(super) fn corners(half: DVec3) -> [DVec3; 8] {
+    [0, 1, 2, 3, 4, 5, 6, 7].map(|signs: u32| {
+        let sign = |bit: u32| if signs >> bit & 1 == 0 { -1.0 } else { 1.0 };
+        half * DVec3::new(sign(0), sign(1), sign(2))
+    })
 }
 
 /// Which vertices the corners of faces use.

@@ -35,7 +35,7 @@ pub use html::{Page, Table, escape_html};
 pub use label::{draw_text, text_width};
 pub use overlay::{Overlay, overlay};
 pub use palette::Palette;
-pub use panel::{Panel, panels};
+pub use panel::{Panel, panels, panels_size};
 pub use picture::Picture;
 pub use plot::{Axis, Mark, Plot, Scale, Series};
 pub use png::encode_png;

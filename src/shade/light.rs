@@ -190,8 +190,12 @@ impl Light {
         }
     }
 
-    /// Whether every number makes sense.
-    pub(crate) fn check(&self, number: usize) -> Result<(), ShadeError> {
+    /// Whether every number makes sense; `number` is the light's among its scene's, from 0, for the error to name.
+    ///
+    /// # Errors
+    /// The first number that does not: what is not finite, negative colours and attenuations, directions of length 0,
+    /// angles that are no cone's, sides that are no rectangle's.
+    pub fn check(&self, number: usize) -> Result<(), ShadeError> {
         let check = Check::light(number);
         check.colour("colour", self.colour())?;
         match *self {

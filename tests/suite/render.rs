@@ -4,6 +4,7 @@ mod files;
 mod gallery;
 mod golden;
 mod hostile;
+mod notes;
 mod options;
 mod probe;
 mod scenes;

@@ -82,6 +82,10 @@ pub struct PictureArgs {
     #[arg(long, value_name = "DIR")]
     pub root: Option<PathBuf>,
 
+    /// Leave out faces whose positions are infinite or not a number, instead of refusing the file
+    #[arg(long)]
+    pub force: bool,
+
     /// Width and height in pixels, each up to 16384; with --compare those of each panel [default: 640x480]
     #[arg(long, value_name = "WxH", value_parser = values::size)]
     pub size: Option<[u32; 2]>,
@@ -184,17 +188,25 @@ pub struct SceneArgs {
 #[derive(Args)]
 #[command(next_help_heading = "Normals (as `crease normals` has them)")]
 pub struct NormalArgs {
-    /// How much each face counts at a corner
-    #[arg(long, value_name = "WEIGHT", default_value = "angle", value_parser = Choices(WEIGHTS))]
-    pub weight: Weight,
+    /// How much each face counts at a corner [default: angle]
+    #[arg(long, value_name = "WEIGHT", value_parser = Choices(WEIGHTS))]
+    pub weight: Option<Weight>,
 
     /// Edges that bend by more than this many degrees stay sharp; `off` for none [default: 40 without smoothing groups]
     #[arg(long, value_name = "DEG|off", value_parser = crease_angle, allow_negative_numbers = true)]
     pub crease: Option<Degrees>,
 
-    /// Which normals of the file to replace
-    #[arg(long, value_name = "WHICH", default_value = "always", value_parser = Choices(WHENS))]
-    pub when: When,
+    /// Which normals that are stored to replace [default: all; those that a scene gives or calls given only if one of
+    /// these options is there]
+    #[arg(long, value_name = "WHICH", value_parser = Choices(WHENS))]
+    pub when: Option<When>,
+}
+
+impl NormalArgs {
+    /// Whether any of them was typed.
+    pub fn are_typed(&self) -> bool {
+        self.weight.is_some() || self.crease.is_some() || self.when.is_some()
+    }
 }
 
 #[derive(Args)]

@@ -144,7 +144,7 @@ impl Variant {
     }
 
     /// Its name as books write it.
-    fn caption(self) -> &'static str {
+    pub fn caption(self) -> &'static str {
         match self {
             Variant::Shading(Shading::Gouraud) => "Gouraud",
             Variant::Shading(Shading::Phong) => "Phong",

@@ -3,7 +3,7 @@
 use super::values::{colour, not_negative, number, vector};
 use crease::num::{Degrees, LinearRgb, Radians};
 use crease::raster::{Camera, Projection};
-use crease::shade::{AreaShape, Attenuation, Cone, Light, Material, Reflectance};
+use crease::shade::{AreaShape, Attenuation, Cone, Light, Material, Reflectance, ShadeError};
 use glam::DVec3;
 
 /// Words `key=value` that are used up one by one.
@@ -55,6 +55,21 @@ fn degrees(text: &str) -> Result<Radians, String> {
     number(text).map(|angle| Degrees(angle).into())
 }
 
+/// A number over 0.
+fn positive(text: &str) -> Result<f64, String> {
+    let number = number(text)?;
+    if number > 0.0 { Ok(number) } else { Err(format!("{text:?} is not over 0")) }
+}
+
+/// The angle of a perspective.
+fn opening(text: &str) -> Result<Radians, String> {
+    let angle = number(text)?;
+    match angle > 0.0 && angle < 180.0 {
+        true => Ok(Degrees(angle).into()),
+        false => Err(format!("{text:?} is not between 0 and 180 degrees")),
+    }
+}
+
 /// What `--camera` changes of a camera.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CameraChange {
@@ -65,14 +80,28 @@ pub struct CameraChange {
     near: Option<f64>,
 }
 
-/// The share of the distance to the target before which nothing is drawn, if the eye is moved: depths are stored in
-/// floating point, so a near plane that is close costs nothing.
+/// The share of a distance before which nothing is drawn: depths are stored in floating point, so a near plane that is
+/// close costs nothing.
 const NEAR_SHARE: f64 = 1.0 / 4096.0;
 
 impl CameraChange {
-    pub fn apply(&self, camera: &Camera) -> Camera {
+    /// Whether it names places or lengths, which are those of the scene as it is.
+    pub fn has_places(&self) -> bool {
+        let is_length = matches!(self.projection, Some(Projection::Orthographic(_)));
+        self.eye.is_some() || self.target.is_some() || self.near.is_some() || is_length
+    }
+
+    /// A camera with what was given in place of what it had.
+    ///
+    /// The near distance of a camera that stood where it did to frame these `bounds` goes with the place: if that
+    /// changes it is a share of the way to the target, or to the far side of what there is to see if that is nearer.
+    /// Without `bounds` the camera is one that somebody has set up, and its near distance stays.
+    pub fn apply(&self, camera: &Camera, bounds: Option<(DVec3, DVec3)>) -> Camera {
         let (eye, target) = (self.eye.unwrap_or(camera.eye), self.target.unwrap_or(camera.target));
-        let moved = self.eye.or(self.target).map(|_| eye.distance(target) * NEAR_SHARE);
+        let moved = bounds.filter(|_| self.eye.is_some() || self.target.is_some()).map(|(low, high)| {
+            let reach = (eye - low).abs().max((eye - high).abs()).length();
+            eye.distance(target).min(reach) * NEAR_SHARE
+        });
         Camera {
             eye,
             target,
@@ -89,15 +118,21 @@ pub fn camera(text: &str) -> Result<CameraChange, String> {
         eye: fields.take("eye", vector)?,
         target: fields.take("target", vector)?,
         up: fields.take("up", vector)?,
-        projection: match (fields.take("angle", degrees)?, fields.take("height", number)?) {
+        projection: match (fields.take("angle", opening)?, fields.take("height", positive)?) {
             (Some(_), Some(_)) => return Err("angle and height exclude each other".into()),
             (Some(angle), None) => Some(Projection::Perspective(angle)),
             (None, Some(height)) => Some(Projection::Orthographic(height)),
             (None, None) => None,
         },
-        near: fields.take("near", number)?,
+        near: fields.take("near", not_negative)?,
     };
     fields.finish()?;
+    if change.eye.is_some() && change.eye == change.target {
+        return Err("eye and target are the same point".into());
+    }
+    if change.up == Some(DVec3::ZERO) {
+        return Err("up: a vector of length 0 points nowhere".into());
+    }
     Ok(change)
 }
 
@@ -148,6 +183,9 @@ pub fn light(text: &str) -> Result<Light, String> {
         }
     };
     fields.finish()?;
+    light.check(0).map_err(|ShadeError { field, found, expected, .. }| {
+        format!("{field} is {found}; it must be {expected}")
+    })?;
     Ok(light)
 }
 
@@ -230,6 +268,11 @@ mod tests {
             ("point position=1,2,3 position=1,2,3", "twice"),
             ("point position=1,2,3 radius=1", "there is no radius; there are position, colour, attenuation"),
             ("point position=1,2,3 attenuation=some", "inverse-square:RANGE"),
+            ("disc centre=0,0,0 normal=0,1,0 radius=0", "radius is 0; it must be"),
+            ("directional towards=0,0,0", "direction is"),
+            ("spot position=0,0,0 axis=0,0,-1 cut-off=200", "cut-off is 200°"),
+            ("spot position=0,0,0 axis=0,0,-1 exponent=-1", "exponent is -1"),
+            ("point position=1,2,3 attenuation=0,0,0", "kc + kl + kq"),
             ("disc centre=0,0,0 normal=0,1,0 radius=wide", "radius: \"wide\" is not a finite number"),
         ];
         for (text, expected) in wrong {
@@ -241,12 +284,30 @@ mod tests {
     #[test]
     fn cameras_change_what_is_given() {
         let base = Camera::framing((DVec3::ZERO, DVec3::ONE), 1.0);
-        assert_eq!(camera("").unwrap().apply(&base), base);
-        let moved = camera("eye=0,0,4096 target=0,0,0 height=3").unwrap().apply(&base);
-        assert_eq!((moved.near, moved.projection), (1.0, Projection::Orthographic(3.0)));
-        assert_eq!(moved.up, base.up);
-        assert_eq!(camera("near=0.5").unwrap().apply(&base), Camera { near: 0.5, ..base });
+        let bounds = Some((DVec3::NEG_ONE, DVec3::ONE));
+        assert_eq!(camera("").unwrap().apply(&base, bounds), base);
+        let moved = camera("eye=0,0,4096 target=0,0,0 height=3").unwrap();
+        let framed = moved.apply(&base, bounds);
+        assert_eq!((framed.near, framed.projection), (1.0, Projection::Orthographic(3.0)));
+        assert_eq!(framed.up, base.up);
+        // A near distance that somebody has chosen stays.
+        assert_eq!(moved.apply(&base, None).near, base.near);
+        assert_eq!(camera("near=0.5").unwrap().apply(&base, bounds), Camera { near: 0.5, ..base });
+        // A target far beyond what is seen cuts nothing of it off.
+        let far = camera("eye=0,0,5 target=0,0,-30000").unwrap().apply(&base, bounds);
+        assert!(far.near < 0.002, "{far:?}");
         assert!(camera("angle=30 height=2").unwrap_err().contains("exclude"));
+        let wrong = [
+            ("angle=180", "angle: \"180\" is not between 0 and 180 degrees"),
+            ("height=0", "height: \"0\" is not over 0"),
+            ("near=-1", "near: \"-1\""),
+            ("eye=1,2,3 target=1,2,3", "same point"),
+            ("up=0,0,0", "points nowhere"),
+        ];
+        for (text, expected) in wrong {
+            let message = camera(text).unwrap_err();
+            assert!(message.contains(expected), "{text}: {message}");
+        }
         assert!(camera("zoom=2").unwrap_err().contains("eye, target, up, angle, height, near"));
     }
 

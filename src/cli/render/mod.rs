@@ -20,10 +20,10 @@ use super::output::Store;
 use super::progress::CountProgress;
 use super::report::{ErrorReport, NoteReport, json_line};
 use super::{Exit, notes, usage_error, use_threads};
-use crease::io::{self, ReadError, Written};
-use crease::raster::{Image, SceneFile, load};
+use crease::io::{self, Note, ReadError, Written};
+use crease::raster::{Image, Object, SceneFile, Shading, Shape, Unseen, load};
 use crease::report::{PixelReport, probe_pixel};
-use draw::DrawError;
+use draw::{DrawError, Drawn};
 use report::{DrawingReport, OutputReport, Report, SceneReport, SettingsReport};
 use request::{Request, Subject};
 use std::time::Instant;
@@ -51,8 +51,16 @@ pub fn main(args: &RenderArgs, color: Color) -> Exit {
 fn work(request: &Request, console: &Console, report: &mut Report) -> Result<(), Failure> {
     let start = Instant::now();
     let mut file = read(request).map_err(Failure::Read)?;
+    if !request.has_places() {
+        let moved = file.recentre();
+        file.notes.extend(moved);
+    }
     report.notes.extend(file.notes.iter().map(NoteReport::new));
-    request.change(&mut file).map_err(Failure::Draw)?;
+    request.change(&mut file)?;
+    if request.args.normals.are_typed() && file.meshes.is_empty() {
+        let text = "there are no meshes, whose normals --weight, --crease and --when would change";
+        report.notes.push(NoteReport::new(&Note::remark(text)));
+    }
     report.notes.extend(gains(&file));
     report.scene = Some(SceneReport::new(&file, &file.scene()));
     report.settings = Some(SettingsReport::new(&file.settings));
@@ -62,7 +70,11 @@ fn work(request: &Request, console: &Console, report: &mut Report) -> Result<(),
     let frames = if let Subject::Turntable(frames) = request.subject { frames } else { 1 };
     let progress = CountProgress::new(console, "drawing", "frames", frames.into());
     let drawn = draw::draw(&mut file, request, &progress).map_err(|error| match error {
-        DrawError::Render(error) => Failure::Draw(error.to_string()),
+        DrawError::Render(error) => {
+            let lights = file.lights.as_ref().map_or(0, Vec::len);
+            let typed = request.blame(&error, lights).map(Failure::Usage);
+            typed.unwrap_or_else(|| Failure::Draw(error.to_string()))
+        }
         DrawError::Report(error) => Failure::Write(error.to_string()),
     })?;
     drop(progress);
@@ -70,6 +82,7 @@ fn work(request: &Request, console: &Console, report: &mut Report) -> Result<(),
     if let (Some(pixel), Some(image)) = (request.args.output.probe, &drawn.image) {
         report.probe = Some(probe(&file, image, pixel).map_err(Failure::Draw)?);
     }
+    report.notes.extend(unseen(&file, &drawn, request));
     report.seconds.draw = start.elapsed().as_secs_f64();
 
     let Some(target) = &request.target else { return Ok(()) };
@@ -101,6 +114,22 @@ fn gains(file: &SceneFile) -> impl Iterator<Item = NoteReport> {
     })
 }
 
+/// What is not seen, and why: an empty picture may be what was asked for, so it is no error.
+fn unseen(file: &SceneFile, drawn: &Drawn, request: &Request) -> Option<NoteReport> {
+    let scene = file.scene();
+    let is_solid = |object: &Object| matches!(object.shape, Shape::Surface(_));
+    let is_empty = drawn.drawings.iter().all(|drawing| drawing.statistics.covered_pixels == 0);
+    let wants_edges = file.settings.shading == Shading::Wireframe || !request.args.shading.overlay.is_empty();
+    let text = match scene.unseen(&file.settings) {
+        Some(cause) if is_empty || cause == Unseen::NoEdges => format!("nothing is seen: {cause}"),
+        _ if wants_edges && scene.objects.iter().any(is_solid) => {
+            format!("lines of some objects are missing: {}", Unseen::NoEdges)
+        }
+        _ => return None,
+    };
+    Some(NoteReport::warning(text))
+}
+
 fn probe(file: &SceneFile, image: &Image, pixel: [u32; 2]) -> Result<PixelReport, String> {
     let [width, height] = image.size;
     let [x, y] = pixel;
@@ -120,7 +149,11 @@ fn probe(file: &SceneFile, image: &Image, pixel: [u32; 2]) -> Result<PixelReport
 
 fn tell(report: &Report, console: &Console) {
     if let Some(error) = &report.error {
-        console.error(&format!("{}: {}", escaped(&report.input.path), error.message));
+        match error.kind {
+            // It is not the file's fault.
+            "usage" => console.error(&error.message),
+            _ => console.error(&format!("{}: {}", escaped(&report.input.path), error.message)),
+        }
     }
     if console.json {
         console.report(&json_line(report));

@@ -3,12 +3,17 @@
 use super::args::{ReflectionChoice, RenderArgs, Variant};
 use super::turn;
 use crate::cli::inputs::Source;
+use crate::cli::normals::Failure;
 use crate::cli::request::Target;
-use crease::io::{Format, ReadOptions};
-use crease::normals::{Crease, NormalRecipe};
+use crease::io::{Format, NonFinite, ReadOptions};
+use crease::normals::{Crease, NormalRecipe, When};
 use crease::num::{LinearRgb, Transfer};
-use crease::raster::{Bits, LoadOptions, Samples, SceneFile, Shading, Show, default_lights, rotation};
-use crease::shade::{Guards, Light, Reflection};
+use crease::raster::{
+    Bits, LoadOptions, RenderError, RenderSettings, Samples, SceneFile, Shading, Show, default_lights,
+    rotation,
+};
+use crease::report::panels_size;
+use crease::shade::{Guards, Light, Place, Reflection, ShadeError};
 use std::path::Path;
 
 /// Everything to do, checked as far as that goes without the input.
@@ -74,12 +79,17 @@ impl<'a> Request<'a> {
             format: args.output.format,
             load: LoadOptions {
                 recipe: NormalRecipe {
-                    weight: args.normals.weight,
+                    weight: args.normals.weight.unwrap_or(NormalRecipe::default().weight),
                     crease: args.normals.crease.map_or(Crease::Default, Crease::Angle),
                     ..NormalRecipe::default()
                 },
-                when: args.normals.when,
-                read: ReadOptions { root: args.output.root.clone(), ..ReadOptions::default() },
+                // Options override what a scene says.
+                when: args.normals.when.or(args.normals.are_typed().then(When::default)),
+                read: ReadOptions {
+                    root: args.output.root.clone(),
+                    non_finite: if args.output.force { NonFinite::DropFaces } else { NonFinite::Refuse },
+                    ..ReadOptions::default()
+                },
             },
             target,
             file,
@@ -103,32 +113,44 @@ impl<'a> Request<'a> {
         matches!(&self.source, Source::File(path) if is_toml(path)) && self.format.is_none()
     }
 
+    /// Whether what was typed tells places in the scene's own space.
+    pub fn has_places(&self) -> bool {
+        let scene = &self.args.scene;
+        scene.camera.is_some_and(|camera| camera.has_places())
+            || scene.light.iter().any(|light| !matches!(light, Light::Directional { .. }))
+    }
+
     /// Changes a scene as asked.
     ///
     /// # Errors
-    /// What the scene lacks.
-    pub fn change(&self, file: &mut SceneFile) -> Result<(), String> {
+    /// What the scene lacks, and what makes no sense with it.
+    pub fn change(&self, file: &mut SceneFile) -> Result<(), Failure> {
+        let transfer = file.settings.transfer;
         self.change_settings(file);
-        self.check_amount(file.settings.size)?;
-        if self.args.output.probe.is_some() && file.settings.shading == Shading::Wireframe {
-            return Err(
-                "--probe tells how colours come about, and a wireframe has none: give another --shading"
-                    .into(),
-            );
-        }
-        self.change_materials(file)?;
+        self.check_amount(file.settings.size).map_err(Failure::Usage)?;
+        self.check_probe(&file.settings).map_err(Failure::Usage)?;
+        self.change_materials(file).map_err(Failure::Draw)?;
         let scene = &self.args.scene;
         file.background = scene.background.unwrap_or(file.background);
+        let is_typed = self.args.colour.transfer.is_some();
+        if !is_typed && (transfer, file.settings.transfer) == (Transfer::Srgb, Transfer::Direct) {
+            // The same codes as behind the lit picture.
+            file.background = file.background.to_array().map(|light| Transfer::Srgb.encode(light)).into();
+        }
         if let Some(degrees) = scene.rotate {
             let pivot = turn::pivot(file);
             turn::turn(file, rotation(degrees), pivot);
         }
         // From here on the camera stays where it is, whatever turns.
+        let framed = if file.camera.is_none() { file.scene().bounds() } else { None };
         let camera = match self.subject {
             Subject::Turntable(_) => turn::camera(file),
             _ => file.scene().camera,
         };
-        let camera = scene.camera.map_or(camera, |change| change.apply(&camera));
+        let camera = scene.camera.map_or(camera, |change| change.apply(&camera, framed));
+        if scene.camera.is_some() {
+            camera.check().map_err(|error| Failure::Usage(format!("--camera: {error}")))?;
+        }
         file.camera = Some(camera);
         if !scene.light.is_empty() || scene.ambient.is_some() {
             let before = file.lights.take().unwrap_or_else(|| default_lights(&camera).to_vec());
@@ -137,11 +159,62 @@ impl<'a> Request<'a> {
         Ok(())
     }
 
+    fn check_probe(&self, settings: &RenderSettings) -> Result<(), String> {
+        let Some([x, y]) = self.args.output.probe else { return Ok(()) };
+        let [width, height] = settings.size;
+        if x >= width || y >= height {
+            let last = [width, height].map(|side| side - 1);
+            return usage(format!(
+                "--probe {x},{y} is outside the picture of {width}x{height} pixels, whose last one is {},{}",
+                last[0], last[1]
+            ));
+        }
+        if settings.shading == Shading::Wireframe {
+            return usage(
+                "--probe tells how colours come about, and a wireframe has none: give another --shading",
+            );
+        }
+        Ok(())
+    }
+
+    /// What was typed that is to blame for an error of drawing, and what is wrong with it.
+    pub fn blame(&self, error: &RenderError, lights: usize) -> Option<String> {
+        let (scene, shading) = (&self.args.scene, &self.args.shading);
+        let typed = |is_typed: bool, option: &str, what: &dyn std::fmt::Display| {
+            is_typed.then(|| format!("{option}: {what}"))
+        };
+        match error {
+            RenderError::Camera(error) => typed(scene.camera.is_some(), "--camera", error),
+            RenderError::Number { what: "the background", found, expected } => {
+                let wrong = format!("the colour is {found}; it must be {expected}");
+                typed(scene.background.is_some(), "--background", &wrong)
+            }
+            RenderError::Shade { error: ShadeError { place, field, found, expected }, .. } => {
+                let wrong = format!("{field} is {found}; it must be {expected}");
+                match place {
+                    // Lights that are typed stand last, ambient light first.
+                    Place::Light(0) if scene.ambient.is_some() => typed(true, "--ambient", &wrong),
+                    Place::Light(number) => typed(number + scene.light.len() >= lights, "--light", &wrong),
+                    Place::Material if *field == "exponent" && shading.exponent.is_some() => {
+                        typed(true, "--exponent", &wrong)
+                    }
+                    Place::Material => typed(scene.material.is_some(), "--material", &wrong),
+                    Place::Settings => typed(scene.camera.is_some(), "--camera", &wrong),
+                }
+            }
+            _ => None,
+        }
+    }
+
     /// All frames are kept until their palette is known, and all panels until they are put together.
     fn check_amount(&self, size: [u32; 2]) -> Result<(), String> {
         let (count, what) = match self.subject {
             Subject::Picture => return Ok(()),
-            Subject::Panels(variants) => (variants.len(), "panels"),
+            Subject::Panels(variants) => {
+                let captions: Vec<_> = variants.iter().map(|variant| variant.caption()).collect();
+                panels_size(&captions, size).map_err(|error| format!("--compare: {error}"))?;
+                (variants.len(), "panels")
+            }
             Subject::Turntable(frames) => (frames.into(), "frames"),
         };
         let [width, height] = size.map(u64::from);

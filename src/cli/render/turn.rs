@@ -2,7 +2,7 @@
 
 use crease::num::{Degrees, UnitVec3};
 use crease::raster::{Camera, SceneFile, rotation};
-use glam::{DMat3, DMat4, DVec2, DVec3};
+use glam::{DMat3, DMat4, DVec3};
 
 /// The rotation by an angle about a vector, counter-clockwise as seen from its tip.
 pub fn about(axis: DVec3, Degrees(degrees): Degrees) -> DMat4 {
@@ -28,12 +28,9 @@ pub fn pivot(file: &SceneFile) -> DVec3 {
 /// The file's camera, or one that holds the objects however they are turned about their upright axis.
 pub fn camera(file: &SceneFile) -> Camera {
     let scene = file.scene();
-    let (None, Some((low, high))) = (file.camera, scene.bounds()) else { return scene.camera };
-    let (centre, half) = (low * 0.5 + high * 0.5, high * 0.5 - low * 0.5);
     let [width, height] = file.settings.size.map(f64::from);
-    let radius = DVec2::new(half.x, half.z).length();
-    let half = DVec3::new(radius, half.y, radius);
-    Camera::framing((centre - half, centre + half), width / height)
+    let turned = if file.camera.is_none() { scene.framing_turned(width / height) } else { None };
+    turned.unwrap_or(scene.camera)
 }
 
 /// Turns all objects about a point.

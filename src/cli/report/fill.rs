@@ -72,6 +72,7 @@ impl ErrorReport {
             Failure::Read(error) => {
                 Self { kind: "input", message: error.to_string(), input: Some(InputError::new(error)) }
             }
+            Failure::Usage(message) => Self { kind: "usage", message: message.clone(), input: None },
             Failure::Draw(message) => Self { kind: "input", message: message.clone(), input: None },
             Failure::Write(message) => Self { kind: "output", message: message.clone(), input: None },
             Failure::Internal(message) => Self {

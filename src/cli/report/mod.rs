@@ -8,7 +8,7 @@
 //! |---|---|
 //! | `schema`, `crease` | `"crease-normals/1"`; the program's version |
 //! | `status` | `"ok"` or `"failed"` |
-//! | `error` | absent if `ok`; else `kind` (`"input"`, `"output"`, `"internal"`), `message`, and for `input` also `problem` (such as `"Syntax"`), `place`, `found`, `advice` |
+//! | `error` | absent if `ok`; else `kind` (`"usage"`, `"input"`, `"output"`, `"internal"`), `message`, and for `input` also `problem` (such as `"Syntax"`), `place`, `found`, `advice` |
 //! | `input` | `path` (`"-"`: standard input), `format`, `bytes`; the last two absent if unknown |
 //! | `output` | absent if none was made; else `path` (absent: nowhere), `format`, `bytes`, `vertices`, `added_vertices`, `unchanged` (the bytes are the input's), `companions` (names) |
 //! | `dry_run` | whether writing was left out |

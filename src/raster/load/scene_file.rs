@@ -75,18 +75,23 @@ impl SceneFile {
     /// What [`render`](crate::raster::render) and [`probe`](crate::raster::probe) take. The camera that frames the
     /// objects goes by the picture's size in [`settings`](Self::settings).
     pub fn scene(&self) -> Scene<'_> {
-        let mut scene = Scene {
-            objects: self.objects.iter().map(|object| self.object(object)).collect(),
-            lines: Vec::new(),
-            lights: Vec::new(),
-            camera: Camera::framing((DVec3::ZERO, DVec3::ZERO), 1.0),
-            background: self.background,
-        };
+        let mut scene = self.unframed();
         let [width, height] = self.settings.size.map(|side| f64::from(side.max(1)));
         let camera = self.camera.or_else(|| scene.framing(width / height));
         scene.camera = camera.unwrap_or(scene.camera);
         scene.lights = self.lights.clone().unwrap_or_else(|| default_lights(&scene.camera).to_vec());
         scene
+    }
+
+    /// What there is to see, without lights and with a camera anywhere.
+    pub(super) fn unframed(&self) -> Scene<'_> {
+        Scene {
+            objects: self.objects.iter().map(|object| self.object(object)).collect(),
+            lines: Vec::new(),
+            lights: Vec::new(),
+            camera: Camera::framing((DVec3::ZERO, DVec3::ZERO), 1.0),
+            background: self.background,
+        }
     }
 
     /// The mesh of an object, by its number; `None` for analytic surfaces and beyond the last object.

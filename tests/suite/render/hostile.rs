@@ -7,6 +7,8 @@ use crate::cli::{code, folder, path, text};
 fn picture_or_error(args: &[String]) -> Result<image::RgbImage, String> {
     let output = render(with(args, &["-o", "-", "-q"]));
     match code(&output) {
+        // What was typed, and the option, stand in the message.
+        2 => Err(text(&output.stderr).to_owned()),
         0 => Ok(image::load_from_memory(&output.stdout).unwrap().into_rgb8()),
         3 => {
             let message = text(&output.stderr).to_owned();
@@ -21,24 +23,34 @@ fn picture_or_error(args: &[String]) -> Result<image::RgbImage, String> {
     }
 }
 
+/// The same tetrahedron at any size and place that positions in double precision resolve.
 #[test]
 fn meshes_of_any_size_and_place_are_framed() {
-    for (scale, offset) in
-        [(1.0, 0.0), (1e-30, 1e-28), (1e30, -1e31), (1e-3, 1e7), (1e-200, 0.0), (1e100, 0.0), (1e307, 0.0)]
-    {
-        let at = |x: f64| x * scale + offset;
+    let draw = |scale: f64, offset: f64| {
+        let half = 0.5 * scale;
+        // In halves: the largest one is wider than any number.
+        let at = |x: f64| (offset + x * half) + x * half;
         let corner = |x: f64, y: f64, z: f64| format!("v {:e} {:e} {:e}\n", at(x), at(y), at(z));
         let mesh = [corner(0., 0., 0.), corner(1., 0., 0.), corner(0., 1., 0.), corner(0., 0., 1.)].concat()
             + "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
         let folder = folder(&[("a.obj", &mesh)]);
         let file = path(folder.path().join("a.obj"));
         let args = with(&[file.as_str()], &["--size", "64x48", "--background", "#0000ff"]);
-        let Ok(picture) = picture_or_error(&args) else {
-            assert!(!(1e-30..=1e30).contains(&scale), "{scale:e} {offset:e} is promised");
-            continue;
-        };
-        let seen = pixels_unlike(&picture, [0, 0, 255]);
-        assert!((600..2000).contains(&seen), "{scale:e} {offset:e}: {seen} of 3072 pixels");
+        let picture = picture_or_error(&args).unwrap_or_else(|error| panic!("{scale:e} {offset:e}: {error}"));
+        pixels_unlike(&picture, [0, 0, 255])
+    };
+    let expected = draw(1.0, 0.0);
+    assert!((600..2000).contains(&expected), "{expected} of 3072 pixels");
+    let sizes =
+        [1e-300, 1e-250, 1e-165, 1e-154, 1e-30, 1e-9, 1e9, 1e30, 1e100, 1e154, 1e165, 1e250, 1e300, 1e307];
+    let places = [1e7, 1e9, 1e12, 3e12, 1e13, 1e14, 3e14, 1e15];
+    let both =
+        [(1e-30, 1e-28), (1e30, -1e31), (1e-3, 1e7), (1e-200, 1e-190), (1e290, 1e300), (f64::MAX, 0.0)];
+    let cases = sizes.map(|size| (size, 0.0)).into_iter().chain(places.map(|place| (1.0, place))).chain(both);
+    for (scale, offset) in cases {
+        let seen = draw(scale, offset);
+        // Roundings of rims.
+        assert!(seen.abs_diff(expected) <= 4, "{scale:e} {offset:e}: {seen} pixels, not {expected}");
     }
 }
 

@@ -85,6 +85,6 @@ fn outside_and_beside_the_mesh() {
     let beside = render(with(&gear, &["--probe", "0,0"]));
     assert!(text(&beside.stdout).contains("nothing but the background"), "{}", text(&beside.stdout));
     let outside = render(with(&gear, &["--probe", "96,0"]));
-    assert_eq!(code(&outside), 3);
+    assert_eq!(code(&outside), 2);
     assert!(text(&outside.stderr).contains("outside the picture of 96x72"), "{}", text(&outside.stderr));
 }

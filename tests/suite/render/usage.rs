@@ -8,6 +8,7 @@ const OPTIONS: &[(&str, &[&str])] = &[
     ("-o, --output", &["FILE"]),
     ("--format", &["obj", "ply", "stl", "gltf", "glb"]),
     ("--root", &[]),
+    ("--force", &[]),
     ("--size", &["WxH", "640x480"]),
     ("--samples", &["1", "4", "8", "16"]),
     ("--bits", &["8", "16"]),
@@ -172,23 +173,6 @@ fn each_kind_of_failure_has_its_code_and_names_its_cause() {
         (&[&at("nothing.toml"), "-o", &out], 3, "no objects"),
         (&[&good, "-o", &out, "--shading", "exact"], 3, "analytic surface"),
         (&[&at("plain.obj"), "-o", &out, "--reflection", "given"], 3, "no colours"),
-        (&[&good, "-o", &out, "--camera", "eye=0,0,0 target=0,0,0"], 3, "same point"),
-        (&[&good, "-o", &out, "--camera", "up=0,0,0"], 3, "up vector"),
-        (&[&good, "-o", &out, "--camera", "angle=180"], 3, "between 0 and 180"),
-        (&[&good, "-o", &out, "--camera", "height=0"], 3, "above 0"),
-        (&[&good, "-o", &out, "--camera", "near=-1"], 3, "near distance"),
-        (&[&good, "-o", &out, "--light", "directional towards=0,0,0"], 3, "direction"),
-        (&[&good, "-o", &out, "--light", "spot position=0,0,1 axis=0,0,-1 cut-off=120"], 3, "cut-off"),
-        (&[&good, "-o", &out, "--light", "disc centre=0,0,1 normal=0,0,-1 radius=0"], 3, "radius"),
-        (&[&good, "-o", &out, "--light", "point position=0,0,1 attenuation=0,0,0"], 3, "kc + kl + kq"),
-        (
-            &[&good, "-o", &at("spin.gif"), "--turntable", "720", "--size", "16384x16384"],
-            3,
-            "fewer or smaller",
-        ),
-        (&[&good, "-o", &out, "--compare", "flat,phong", "--size", "16384x16384"], 3, "2 panels of"),
-        (&[&good, "--probe", "3,4", "--shading", "wireframe"], 3, "a wireframe has none"),
-        (&[&at("wire.toml"), "--probe", "3,4"], 3, "a wireframe has none"),
         (&[&good, "-o", &at("good.obj/out.png")], 4, "good.obj"),
     ];
     for (args, expected, cause) in table {
@@ -197,6 +181,56 @@ fn each_kind_of_failure_has_its_code_and_names_its_cause() {
         assert_eq!(code(&output), *expected, "{args:?}: {message}");
         assert!(message.starts_with("error: ") && message.contains(cause), "{args:?}: {message}");
     }
+    assert_eq!(names(work.path()), before, "nothing is written");
+}
+
+/// Values that only make no sense together with the scene are the command line's fault all the same: the message names
+/// the option, and not the file.
+#[test]
+fn values_that_a_scene_rejects_are_errors_of_usage() {
+    let wire = "[settings]\nshading = \"wireframe\"\n[[object]]\nmesh = \"good.obj\"\n";
+    let work = folder(&[("good.obj", SQUARE), ("wire.toml", wire)]);
+    let before = names(work.path());
+    let at = |name: &str| path(work.path().join(name));
+    let [good, out] = [at("good.obj"), at("out.png")];
+    let table: &[(&[&str], &[&str])] = &[
+        (&["--camera", "eye=0,0,0 target=0,0,0"], &["--camera", "eye=0,0,0 target=0,0,0", "same point"]),
+        (&["--camera", "up=0,0,0"], &["--camera", "up"]),
+        (&["--camera", "eye=0,0,3 target=0,0,0 up=0,0,1"], &["--camera", "parallel to its axis"]),
+        (&["--camera", "near=0"], &["--camera", "near distance is 0"]),
+        (&["--camera", "angle=180"], &["--camera", "180", "between 0 and 180"]),
+        (&["--camera", "height=0"], &["--camera", "height", "over 0"]),
+        (&["--camera", "near=-1"], &["--camera", "near", "-1"]),
+        (&["--light", "directional towards=0,0,0"], &["--light", "direction", "not zero"]),
+        (&["--light", "spot position=0,0,1 axis=0,0,-1 cut-off=200"], &["--light", "cut-off is 200"]),
+        (&["--light", "spot position=0,0,1 axis=0,0,-1 exponent=-1"], &["--light", "exponent is -1"]),
+        (&["--light", "disc centre=0,0,1 normal=0,0,-1 radius=0"], &["--light", "radius is 0"]),
+        (&["--light", "point position=0,0,1 attenuation=0,0,0"], &["--light", "kc + kl + kq"]),
+        (&["--light", "point position=0,0,1e300"], &["--light: position"]),
+        (&["--background", "1e300"], &["--background: "]),
+        (&["--probe", "641,0"], &["--probe 641,0", "640x480", "639,479"]),
+        (&["--probe", "3,4", "--shading", "wireframe"], &["--probe", "a wireframe has none"]),
+        (&["--compare", "flat,phong", "--size", "16384x16384"], &["--compare", "1 to 16384"]),
+        (&["--compare", "flat,gouraud,phong,wireframe", "--size", "16384x16"], &["--compare", "1 to 16384"]),
+    ];
+    for (more, expected) in table {
+        let output = render(with(&[good.as_str(), "-o", &out], more));
+        let message = text(&output.stderr);
+        assert_eq!(code(&output), 2, "{more:?}: {message}");
+        assert!(
+            message.starts_with("error: ") && !message.lines().next().unwrap().contains("good.obj:"),
+            "{more:?}: {message}"
+        );
+        assert!(!message.contains("object 1"), "{more:?}: {message}");
+        for piece in *expected {
+            assert!(message.contains(piece), "{more:?}: no {piece:?} in {message}");
+        }
+    }
+    let output = render([at("wire.toml").as_str(), "--probe", "3,4"]);
+    assert!(code(&output) == 2 && text(&output.stderr).contains("a wireframe has none"));
+    let spin = at("spin.gif");
+    let output = render([good.as_str(), "-o", &spin, "--turntable", "720", "--size", "16384x16384"]);
+    assert!(code(&output) == 2 && text(&output.stderr).contains("fewer or smaller"));
     assert_eq!(names(work.path()), before, "nothing is written");
 }
 

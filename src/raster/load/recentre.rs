@@ -1,0 +1,57 @@
+//! Scenes where single lengths or places leave the range that a picture's arithmetic has.
+
+use super::SceneFile;
+use crate::io::Note;
+use crate::num::unit_scale;
+use crate::shade::Light;
+use glam::DVec3;
+
+/// A camera that is this many times farther from the origin than it is from what it sees is rounded too coarsely to
+/// stand where it should: 2⁻²⁹ of the scene's size is far less than a pixel, and much more than this leaves nothing.
+const FARTHEST: f64 = (1 << 24) as f64;
+
+/// Sizes from 2⁻¹⁰⁰ to 2¹⁰⁰ are left as they are: squares, and products of squares, stay in range.
+const LARGEST: f64 = (1_u128 << 100) as f64;
+
+/// The exponent of the largest power of two by which a scene is scaled: it and its inverse keep all of their digits.
+const MOST: i32 = 1000;
+
+impl SceneFile {
+    /// Moves a scene that frames itself into the middle of its space, and makes it larger or smaller by a power of two,
+    /// if it is so large, so small or so far away that a camera in its own space could not show it. Positions then
+    /// resolve what they can: nothing is rounded that single faces are computed from.
+    ///
+    /// Returns a note with what was done. Does nothing, as nearly always, if the scene has a size from 2⁻¹⁰⁰ to 2¹⁰⁰ and
+    /// is no farther from the origin than 2²⁴ times that; nor if it has a camera or lights that stand somewhere, which
+    /// tell places in the space that is.
+    pub fn recentre(&mut self) -> Option<Note> {
+        let stands = |light: &Light| !matches!(light, Light::Ambient { .. } | Light::Directional { .. });
+        if self.camera.is_some() || self.lights.iter().flatten().any(stands) {
+            return None;
+        }
+        let (low, high) = self.unframed().bounds()?;
+        // Halved before they are added: the bounds may reach the largest numbers there are.
+        let (centre, half) = (low * 0.5 + high * 0.5, high * 0.5 - low * 0.5);
+        let (size, place) = (half.max_element(), centre.abs().max_element());
+        let is_small_or_large = !(1.0 / LARGEST..=LARGEST).contains(&size);
+        if size == 0.0 || !(is_small_or_large || place / size > FARTHEST) {
+            return None;
+        }
+        let scale = if is_small_or_large { unit_scale(size) } else { 1.0 };
+        let scale = scale.clamp(libm::ldexp(1.0, -MOST), libm::ldexp(1.0, MOST));
+        for object in &mut self.objects {
+            let map = &mut object.transform;
+            for axis in [&mut map.x_axis, &mut map.y_axis, &mut map.z_axis] {
+                *axis *= scale;
+            }
+            let place = (map.w_axis.truncate() - centre) * scale;
+            map.w_axis = place.extend(1.0);
+        }
+        let DVec3 { x, y, z } = centre;
+        let larger =
+            if scale == 1.0 { String::new() } else { format!(" and 2^{} times as large", libm::log2(scale)) };
+        Some(Note::remark(format!(
+            "so that it can be seen it is drawn with ({x:e}, {y:e}, {z:e}) as its origin{larger}: places and lengths that are told are those of the drawing"
+        )))
+    }
+}

@@ -1,0 +1,147 @@
+//! What is told beside the picture, and what options mean together with what a scene says.
+
+use super::{BEFORE, SQUARE, gear, picture, pixels_unlike, report, square, with};
+use crate::cli::{code, folder, path, text};
+
+/// The texts of all notes.
+fn notes(args: &[impl AsRef<str>]) -> String {
+    let report = report(args);
+    report["notes"].as_array().unwrap().iter().map(|note| format!("{}\n", note["text"])).collect()
+}
+
+/// An empty picture is no error, but its likely cause is told.
+#[test]
+fn an_empty_picture_has_a_reason() {
+    let ball = "[[object]]\nsurface.sphere.radius = 1\n";
+    let work = folder(&[
+        ("flat.obj", "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n"),
+        ("one.obj", "v 3 3 3\nv 3 3 3\nv 3 3 3\nf 1 2 3\n"),
+        ("ball.toml", ball),
+        (
+            "away.toml",
+            &format!(
+                "{ball}transform = [{{ translate = [0, 0, 1e9] }}]\n[camera]\neye = [0, 0, 5]\ntarget = [0, 0, 0]\n"
+            ),
+        ),
+    ]);
+    let at = |name: &str| path(work.path().join(name));
+    let (_folder, square) = square();
+    let table: &[(&[&str], &str)] = &[
+        (&[&at("flat.obj")], "no face has an area"),
+        (&[&at("one.obj")], "nothing is seen: "),
+        (&[&square, "--camera", "eye=0,0,5 target=0,0,9"], "behind the camera"),
+        (&[&square, "--camera", "eye=0,0,5 target=9,0,5"], "looks past everything"),
+        (&[&square, "--camera", "eye=0,0,-5 target=0,0,0", "--cull", "back"], "the side that is left out"),
+        (&[&square, "--camera", "eye=0,0,50000 target=0,0,0 angle=2"], "smaller than the distance"),
+        (&[&at("away.toml")], "behind the camera"),
+        (&[&at("ball.toml"), "--shading", "wireframe"], "no edges to draw"),
+        (&[&at("ball.toml"), "--overlay", "wire"], "no edges to draw"),
+    ];
+    for (args, expected) in table {
+        let found = notes(&with(args, &["--size", "40x30"]));
+        assert!(found.contains(expected), "{args:?}: no {expected:?} in {found:?}");
+    }
+    for args in
+        [with(&[square.as_str()], &BEFORE), gear().to_vec(), with(&[at("ball.toml")], &["--size", "40x30"])]
+    {
+        assert!(!notes(&args).contains("seen") && !notes(&args).contains("missing"), "{args:?}");
+    }
+}
+
+/// `--force` leaves out what makes a file unreadable, as it does in `normals`, and the message that names it is right.
+#[test]
+fn faces_without_a_place_are_left_out_by_force() {
+    let work = folder(&[("nan.obj", &format!("{SQUARE}v nan 0 0\nf 1 2 5\n"))]);
+    let args = with(&[path(work.path().join("nan.obj"))], &BEFORE);
+    let refused = super::render(with(&args, &["-o", "-"]));
+    assert!(code(&refused) == 3 && text(&refused.stderr).contains("--force"), "{}", text(&refused.stderr));
+    assert_eq!(report(&with(&args, &["--force"]))["drawings"][0]["covered_pixels"], 1600);
+}
+
+/// A scene has no `--format` for its meshes, so that is not what is advised.
+#[test]
+fn advice_within_a_scene_can_be_followed() {
+    let work = folder(&[("a.toml", "[[object]]\nmesh = \"a.dat\"\n"), ("a.dat", "what is this\n")]);
+    let output = super::render([path(work.path().join("a.toml")).as_str(), "-o", "-"]);
+    let message = text(&output.stderr);
+    assert!(code(&output) == 3 && message.contains(".obj") && !message.contains("--format"), "{message}");
+}
+
+/// Options override what a scene says of normals, and where there are none to change that is told.
+#[test]
+fn options_override_normals_that_a_scene_calls_given() {
+    let tilted = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0.6 0 0.8\nf 1//1 2//1 3//1\n";
+    let given = "[[object]]\nmesh = \"a.obj\"\nnormals = \"given\"\n";
+    let ball = "[[object]]\nsurface.sphere.radius = 1\n";
+    let work = folder(&[("a.obj", tilted), ("given.toml", given), ("ball.toml", ball)]);
+    let at = |name: &str| path(work.path().join(name));
+    let args = with(&[at("given.toml")], &["--size", "40x30", "--show", "normals"]);
+    // (n + 1)/2 of (0.6, 0, 0.8), whose z is 229.5 but for a rounding of single precision, and of (0, 0, 1).
+    let middle = |more: &[&str]| {
+        let picture = picture(&with(&args, more));
+        picture.pixels().map(|pixel| pixel.0).find(|pixel| pixel[2] > 200).unwrap()
+    };
+    assert_eq!(middle(&[]), [204, 128, 229]);
+    for more in [&["--when", "always"][..], &["--weight", "area"], &["--crease", "off"]] {
+        assert_eq!(middle(more), [128, 128, 255], "{more:?}");
+    }
+    assert_eq!(middle(&["--when", "missing", "--weight", "area"]), [204, 128, 229]);
+    let ball = with(&[at("ball.toml")], &["--size", "20x20"]);
+    assert!(notes(&with(&ball, &["--weight", "area"])).contains("no meshes"));
+    assert!(!notes(&ball).contains("no meshes"));
+}
+
+/// What is left out of `--camera` stays: also the near distance that a scene has chosen, however the eye is moved.
+#[test]
+fn a_scenes_camera_keeps_what_is_left_out() {
+    let scene = "[camera]\neye = [0, 0, 5]\ntarget = [0, 0, 0]\nnear = 0.25\n[[object]]\nmesh = \"a.obj\"\n";
+    let work = folder(&[("a.obj", SQUARE), ("a.toml", scene)]);
+    let at = |name: &str| path(work.path().join(name));
+    let camera = |args: &[String]| report(&with(args, &["--size", "40x30"]))["scene"]["camera"].clone();
+    let moved = camera(&with(&[at("a.toml")], &["--camera", "eye=0,1,9"]));
+    assert_eq!(moved["near"], 0.25, "{moved}");
+    // Degrees to radians and back.
+    assert!((moved["angle"].as_f64().unwrap() - 30.0).abs() < 1e-12, "{moved}");
+    // A far target cuts nothing off.
+    let far = with(&[at("a.obj")], &["--camera", "eye=0,0,5 target=0,0,-30000", "--size", "40x30"]);
+    assert!(pixels_unlike(&picture(&far), [0, 0, 0]) > 200);
+}
+
+/// What is typed as a code is that code, whatever is shown in front of it.
+#[test]
+fn backgrounds_do_not_change_with_what_is_shown() {
+    let (_folder, square) = square();
+    let args = with(&[square.as_str()], &["--size", "40x30", "--background", "#80ff10"]);
+    for show in ["normals", "depth", "facing", "face-id"] {
+        let picture = picture(&with(&args, &["--show", show]));
+        assert_eq!(picture.get_pixel(0, 0).0, [0x80, 0xff, 0x10], "{show}");
+    }
+    assert_eq!(picture(&args).get_pixel(0, 0).0, [0x80, 0xff, 0x10]);
+}
+
+/// All frames of a turntable are as large as they go.
+#[test]
+fn a_turntable_fills_its_frames() {
+    let gear = gear();
+    let still = report(&gear)["drawings"][0]["covered_pixels"].as_f64().unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let out = path(folder.path().join("spin.gif"));
+    let turned = report(&with(&gear, &["--turntable", "6", "-o", &out]));
+    let frames = turned["drawings"].as_array().unwrap();
+    let covered = frames.iter().map(|frame| frame["covered_pixels"].as_f64().unwrap());
+    let largest = covered.fold(0.0, f64::max);
+    assert!(largest > 0.75 * still, "{largest} pixels, {still} in a still picture");
+}
+
+/// An analytic surface is framed as large as a mesh of it.
+#[test]
+fn a_solid_is_framed_as_its_tessellation_is() {
+    let ball = "[[object]]\nsurface.sphere.radius = 1\n";
+    let work = folder(&[("ball.toml", ball), ("net.toml", &format!("{ball}tessellation = {{ }}\n"))]);
+    let covered = |name: &str| {
+        let args = with(&[path(work.path().join(name))], &["--size", "80x60"]);
+        report(&args)["drawings"][0]["covered_pixels"].as_f64().unwrap()
+    };
+    let (ball, net) = (covered("ball.toml"), covered("net.toml"));
+    assert!((ball / net - 1.0).abs() < 0.02, "{ball} pixels, {net} of the tessellation");
+}
