@@ -64,6 +64,7 @@
 //! - S. A. Wallis, M. A. Georgeson, *Mach bands and multiscale models of spatial vision*, Journal of Vision 12(13):18, 2012:
 //!   what [`metric`] does not claim.
 
+pub mod artefact;
 pub mod io;
 pub mod mesh;
 pub mod metric;

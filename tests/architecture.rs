@@ -57,8 +57,8 @@ const OUTSIDE: &[(&str, &[&str])] = &[
     (
         "libm",
         &[
-            "num", "mesh", "surface", "io", "normals", "shade", "quality", "raster", "metric", "trade",
-            "report",
+            "num", "mesh", "surface", "io", "normals", "shade", "quality", "raster", "metric", "artefact",
+            "trade", "report",
         ],
     ),
     ("memchr", &["io"]),
@@ -66,7 +66,10 @@ const OUTSIDE: &[(&str, &[&str])] = &[
     ("pulp", &["num"]),
     (
         "rayon",
-        &["mesh", "surface", "io", "normals", "quality", "raster", "pipeline", "metric", "trade", "cli"],
+        &[
+            "mesh", "surface", "io", "normals", "quality", "raster", "pipeline", "metric", "artefact",
+            "trade", "cli",
+        ],
     ),
     ("rustc_hash", &["mesh", "surface", "io", "normals", "quality", "pipeline"]),
     ("serde", &["io", "shade", "raster", "quality", "metric", "artefact", "trade", "plan", "report", "cli"]),
@@ -75,7 +78,10 @@ const OUTSIDE: &[(&str, &[&str])] = &[
     ("tempfile", &["cli"]),
     (
         "thiserror",
-        &["num", "mesh", "surface", "io", "normals", "shade", "raster", "pipeline", "metric", "report"],
+        &[
+            "num", "mesh", "surface", "io", "normals", "shade", "raster", "pipeline", "metric", "artefact",
+            "report",
+        ],
     ),
     ("tobj", &["io"]),
     ("toml", &["raster"]),

@@ -1,5 +1,6 @@
 //! What may be typed. Nothing here looks at a file; [`request`](super::request) decides what it all means.
 
+use super::artefact::ArtefactArgs;
 use super::choice::{Choice, Choices};
 use super::inspect::InspectArgs;
 use super::render::RenderArgs;
@@ -17,7 +18,8 @@ use std::path::PathBuf;
 pub const EXIT_CODES: &str = "\
 Exit codes:
   0  done
-  1  `crease inspect --fail-on` found something, or an expectation of `crease stress` does not hold
+  1  `crease inspect --fail-on` found something, or an expectation of `crease stress` or a number of
+     `crease artefact` is not what it should be
   2  wrong usage
   3  an input could not be read
   4  an output could not be made or stored
@@ -46,6 +48,7 @@ pub struct Cli {
 
 #[derive(Subcommand)]
 pub enum Verb {
+    Artefact(Box<ArtefactArgs>),
     Normals(Box<NormalsArgs>),
     Inspect(Box<InspectArgs>),
     Render(Box<RenderArgs>),

@@ -1,8 +1,9 @@
 //! The command-line program: what was typed ([`args`]) becomes a checked [`request`], which is carried out input
-//! by input ([`batch`], [`normals`]) and told about ([`report`], [`text`]). Other verbs have a module each ([`inspect`],
-//! [`render`], [`stress`], [`surface`], [`trade`]).
+//! by input ([`batch`], [`normals`]) and told about ([`report`], [`text`]). Other verbs have a module each ([`artefact`],
+//! [`inspect`], [`render`], [`stress`], [`surface`], [`trade`]).
 
 mod args;
+mod artefact;
 mod batch;
 mod choice;
 mod console;
@@ -47,6 +48,7 @@ pub fn main() -> ExitCode {
         Err(error) => return told(&error),
     };
     let exit = match cli.verb {
+        Verb::Artefact(ref args) => artefact::main(args, cli.color),
         Verb::Normals(ref args) => normals_verb(args, &cli),
         Verb::Inspect(ref args) => inspect::main(args, cli.color),
         Verb::Render(ref args) => render::main(args, cli.color),

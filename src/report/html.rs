@@ -51,6 +51,8 @@ pub fn escape_html(text: &str) -> Cow<'_, str> {
 pub struct Page {
     title: String,
     lead: String,
+    /// The language's tag, and what the list of contents is called in it.
+    language: [String; 2],
     body: String,
     /// The text and the id of each heading.
     contents: Vec<(String, String)>,
@@ -63,10 +65,18 @@ impl Page {
         Self {
             title: title.to_owned(),
             lead: lead.to_owned(),
+            language: ["en", "Contents"].map(str::to_owned),
             body: String::new(),
             contents: Vec::new(),
             ids: BTreeSet::new(),
         }
+    }
+
+    /// The page in another language than English: its tag (BCP 47), and what the list of contents is called.
+    #[must_use]
+    pub fn in_language(mut self, tag: &str, contents: &str) -> Self {
+        self.language = [tag, contents].map(str::to_owned);
+        self
     }
 
     /// A part's heading, listed in the contents.
@@ -171,12 +181,13 @@ impl Page {
         let entries =
             entries.map(|(text, id)| format!("<li><a href=\"#{id}\">{}</a></li>\n", escape_html(text)));
         let contents: String = entries.collect();
+        let [tag, named] = self.language.each_ref().map(|text| escape_html(text));
         let contents = match contents.as_str() {
             "" => String::new(),
-            entries => format!("<nav aria-label=\"Contents\"><ol>\n{entries}</ol></nav>\n"),
+            entries => format!("<nav aria-label=\"{named}\"><ol>\n{entries}</ol></nav>\n"),
         };
         format!(
-            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+            "<!DOCTYPE html>\n<html lang=\"{tag}\">\n<head>\n<meta charset=\"utf-8\">\n\
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{title}</title>\n\
              <style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>{title}</h1>\n<p class=\"lead\">{lead}</p>\n\
              {contents}{body}</main>\n</body>\n</html>\n",
@@ -188,7 +199,7 @@ impl Page {
 const STYLE: &str = include_str!("page.css");
 
 /// A picture as an element that holds its own bytes.
-fn image(picture: &Picture, alternative: &str) -> Result<String, ReportError> {
+pub(super) fn image(picture: &Picture, alternative: &str) -> Result<String, ReportError> {
     let file = STANDARD.encode(encode_png(picture, Transfer::Srgb)?);
     let ([width, height], alternative) = (picture.size, escape_html(alternative));
     Ok(format!(

@@ -13,6 +13,7 @@
 //! ```
 
 mod animation;
+mod artefact;
 mod diagnosis;
 mod error;
 mod html;
@@ -29,6 +30,10 @@ mod trade;
 mod viridis;
 
 pub use animation::Animation;
+pub use artefact::{
+    chart_plot, experiment_page, experiment_sheet, index_page, list_table, mathml, measure_table, page_name,
+    picture_name, verdict_text,
+};
 pub use diagnosis::{Sight, deviation_picture, diagnosis_page};
 pub use error::ReportError;
 pub use html::{Page, Table, escape_html};

@@ -9,7 +9,7 @@ mod text;
 mod turn;
 mod values;
 
-pub use args::RenderArgs;
+pub use args::{INTERPOLATIONS, RenderArgs};
 
 use super::args::Color;
 use super::batch::{exit_of, guarded};

@@ -78,6 +78,8 @@ pub enum Mark {
     Points,
     /// Signs, and straight lines between one and the next.
     Line,
+    /// A line through many points, without signs.
+    Curve,
     /// A grey dashed line of steps without signs: the border of what others are better than.
     Frontier,
     /// A dotted grey line without signs: a slope to compare with.

@@ -1,0 +1,113 @@
+//! What an experiment is.
+
+use super::{ArtefactError, Knob, Outcome, Parameters, Setup, Text};
+use crate::raster::Image;
+
+/// A claim of a textbook, and how it is put to the test.
+#[derive(Debug)]
+pub struct Experiment {
+    /// Its name: lower-case letters, digits and hyphens. It does not change between versions.
+    pub id: &'static str,
+    /// Its title.
+    pub title: Text,
+    /// What is claimed.
+    pub claim: Text,
+    /// Who claims it, and who says otherwise: section or exercise of the lectures, papers.
+    pub sources: &'static [Text],
+    /// The closed forms that it is held against.
+    pub formulas: &'static [Formula],
+    /// What may be changed about it.
+    pub takes: &'static [Knob],
+    /// Its own settings.
+    pub defaults: Parameters,
+    /// Runs it.
+    pub(super) run: fn(&Setup) -> Result<Outcome, ArtefactError>,
+    /// Draws a frame of its animation, if it has one.
+    pub(super) frame: Option<FrameFn>,
+}
+
+/// Draws one frame of so many.
+pub(super) type FrameFn = fn(&Setup, u32, u32) -> Result<Image, ArtefactError>;
+
+/// A formula and what it says.
+///
+/// The notation is plain text with a few marks: `{…}` groups, `_` and `^` put the next sign or group below and above,
+/// `\frac{a}{b}` and `\sqrt{a}` are fractions and roots; letters stand for quantities, words of several letters for
+/// functions.
+#[derive(Debug)]
+pub struct Formula {
+    /// The formula.
+    pub notation: &'static str,
+    /// What it gives.
+    pub says: Text,
+}
+
+impl Experiment {
+    /// Runs the experiment.
+    ///
+    /// The same setup gives the same bits at any number of threads.
+    ///
+    /// # Errors
+    /// Parameters out of range, a mesh that does not suit, or what cannot be drawn.
+    pub fn run(&self, setup: &Setup) -> Result<Outcome, ArtefactError> {
+        self.check(setup)?;
+        (self.run)(setup)
+    }
+
+    /// Whether it has an animation.
+    pub fn is_animated(&self) -> bool {
+        self.frame.is_some()
+    }
+
+    /// Draws one frame, counted from 0, of an animation of so many.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run), and if it has no animation.
+    pub fn frame(&self, setup: &Setup, number: u32, count: u32) -> Result<Image, ArtefactError> {
+        self.check(setup)?;
+        let Some(frame) = self.frame else {
+            let animated = super::EXPERIMENTS.iter().filter(|other| other.is_animated());
+            let names: Vec<&str> = animated.map(|other| other.id).collect();
+            return Err(ArtefactError::Still(self.id, names.join(", ")));
+        };
+        frame(setup, number, count)
+    }
+
+    /// The command that does the same run and writes its pictures.
+    pub fn command(&self, setup: &Setup) -> String {
+        let mut command = format!("crease artefact {}", self.id);
+        if let Some(own) = setup.mesh {
+            command.push_str(" --mesh ");
+            command.push_str(own.name);
+        }
+        for &knob in self.takes {
+            let [own, usual] = [&setup.parameters, &self.defaults].map(|parameters| parameters.value(knob));
+            if let Some(own) = own.filter(|own| Some(own) != usual.as_ref()) {
+                command.push_str(&format!(" --{} {own}", knob.name()));
+            }
+        }
+        command + " -o out"
+    }
+
+    fn check(&self, setup: &Setup) -> Result<(), ArtefactError> {
+        setup.parameters.check()?;
+        match setup.mesh {
+            Some(_) => self.refuse([Knob::Mesh]),
+            None => Ok(()),
+        }
+    }
+
+    /// Refuses the first of some parameters that the experiment does not take.
+    ///
+    /// # Errors
+    /// [`ArtefactError::NotTaken`].
+    pub fn refuse(&self, given: impl IntoIterator<Item = Knob>) -> Result<(), ArtefactError> {
+        match given.into_iter().find(|knob| !self.takes.contains(knob)) {
+            None => Ok(()),
+            Some(knob) => {
+                let takes: Vec<String> = self.takes.iter().map(|knob| format!("--{}", knob.name())).collect();
+                Err(ArtefactError::NotTaken { experiment: self.id, knob, takes: takes.join(", ") })
+            }
+        }
+    }
+}

@@ -1,0 +1,167 @@
+//! A cylinder in facets, and luminance across it.
+
+use crate::artefact::ArtefactError;
+use crate::artefact::stage::{chalk, draw, front, light_at, luminance, object, settings, smooth};
+use crate::mesh::{Faces, Mesh, MeshBuilder};
+use crate::normals::{NormalField, Weight};
+use crate::num::{Degrees, Radians};
+use crate::raster::{Image, Interpolation, Object, Shading, Shape};
+use crate::surface::{Cylinder, Primitive};
+use glam::DVec3;
+use std::f64::consts::{PI, TAU};
+
+/// The window's side; the cylinder has the radius 1.
+const WINDOW: f64 = 2.2;
+/// Pixels of a scanline that is measured.
+const LINE: u32 = 4096;
+/// Edges farther round are seen so much from the side that their facets have few pixels.
+const FARTHEST: Degrees = Degrees(60.0);
+
+/// A prism with N sides of radius 1 about the y axis, with the cylinder's own normals.
+pub(super) struct Tube {
+    mesh: Mesh,
+    normals: NormalField,
+    pub(super) segments: u32,
+    /// The angle of one of its edges, from the viewer to the right.
+    start: f64,
+}
+
+impl Tube {
+    pub(super) fn new(segments: u32, start: f64) -> Result<Self, ArtefactError> {
+        let angle = |k: u32| start + TAU * f64::from(k) / f64::from(segments);
+        let ring =
+            |y: f64| (0..segments).map(move |k| DVec3::new(libm::sin(angle(k)), y, libm::cos(angle(k))));
+        let quad = |k: u32| {
+            let next = (k + 1) % segments;
+            [k, next, next + segments, k + segments]
+        };
+        let corners: Vec<u32> = (0..segments).flat_map(quad).collect();
+        let builder = MeshBuilder {
+            positions: ring(-0.8).chain(ring(0.8)).collect(),
+            faces: Faces::polygons(corners, (0..=segments).map(|k| 4 * k).collect()),
+            ..MeshBuilder::default()
+        };
+        let mesh = builder.build()?;
+        // Between two facets alike, the mean of their normals is the cylinder's.
+        let normals = smooth(&mesh, Weight::Uniform);
+        Ok(Self { mesh, normals, segments, start })
+    }
+
+    pub(super) fn delta(&self) -> f64 {
+        TAU / f64::from(self.segments)
+    }
+
+    fn object(&self) -> Object<'_> {
+        let cylinder = Cylinder::new(1.0, 1.6).ok().map(Primitive::from);
+        Object { surface: cylinder, ..object(&self.mesh, &self.normals, chalk()) }
+    }
+
+    pub(super) fn draw(
+        &self,
+        size: [u32; 2],
+        light: Degrees,
+        shading: Shading,
+    ) -> Result<Image, ArtefactError> {
+        let mut object = self.object();
+        if let (Shading::Exact, Some(cylinder)) = (shading, object.surface) {
+            object.shape = Shape::Surface(cylinder);
+        }
+        let camera = front(WINDOW * f64::from(size[1]) / f64::from(size[0]));
+        draw(vec![object], &[light_at(light)], camera, &settings(size, shading, Interpolation::Perspective))
+    }
+
+    /// One scanline across.
+    pub(super) fn profile(&self, light: Degrees, shading: Shading) -> Result<Profile, ArtefactError> {
+        let image = self.draw([LINE, 1], light, shading)?;
+        Ok(Profile { values: luminance(&image) })
+    }
+
+    /// The edges that are seen well and whose facets are lit all over.
+    pub(super) fn edges(&self, light: Degrees) -> impl Iterator<Item = f64> {
+        let (Radians(light), Radians(farthest)) = (light.into(), FARTHEST.into());
+        let (start, delta) = (self.start, self.delta());
+        let turned = move |k: u32| {
+            let angle = start + f64::from(k) * delta;
+            angle - TAU * libm::round(angle / TAU)
+        };
+        let is_lit = move |theta: &f64| {
+            // A rounding's room, for edges that stand at the end of the range.
+            let seen = theta.abs() <= farthest + 1e-9;
+            seen && (theta - light).abs() + delta < PI / 2.0
+        };
+        (0..self.segments).map(turned).filter(is_lit)
+    }
+
+    /// The edge with the largest jump, as measured.
+    pub(super) fn largest(&self, light: Degrees, jump: impl Fn(f64) -> (f64, f64)) -> Found {
+        let found = self.edges(light).map(|theta| {
+            let (measured, law) = jump(theta);
+            Found { measured, law }
+        });
+        found.max_by(|a, b| a.measured.abs().total_cmp(&b.measured.abs())).unwrap_or_default()
+    }
+}
+
+/// A jump as measured and by its closed form.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Found {
+    pub(super) measured: f64,
+    pub(super) law: f64,
+}
+
+/// Luminance along a scanline of the window.
+pub(super) struct Profile {
+    values: Vec<f64>,
+}
+
+impl Profile {
+    /// Where a pixel's centre is.
+    pub(super) fn x(pixel: usize) -> f64 {
+        ((pixel as f64 + 0.5) / f64::from(LINE) - 0.5) * WINDOW
+    }
+
+    fn pixel(x: f64) -> f64 {
+        (x / WINDOW + 0.5) * f64::from(LINE) - 0.5
+    }
+
+    /// The jump of the value itself at an edge of a tube: of the middles of both facets.
+    pub(super) fn step(&self, tube: &Tube, theta: f64) -> f64 {
+        let value = |side: f64| {
+            let middle = 0.5 * (libm::sin(theta) + libm::sin(theta + side * tube.delta()));
+            self.values[Self::pixel(middle) as usize]
+        };
+        (value(1.0) - value(-1.0)).abs()
+    }
+
+    /// The slope to the right of an edge of a tube less that to the left, from five samples each, a tenth of the facet
+    /// apart.
+    pub(super) fn slope_jump(&self, tube: &Tube, theta: f64) -> f64 {
+        let slope = |side: f64| {
+            let (edge, next) = (libm::sin(theta), libm::sin(theta + side * tube.delta()));
+            let pixels = [0.1, 0.2, 0.3, 0.4, 0.5]
+                .map(|share| Self::pixel(edge + share * (next - edge)).round() as usize);
+            let nodes = pixels.map(|pixel| [Self::x(pixel), self.values[pixel]]);
+            slope_at(edge, &nodes)
+        };
+        slope(1.0) - slope(-1.0)
+    }
+
+    /// Every so many pixels, as points of a chart.
+    pub(super) fn points(&self, every: usize, value: impl Fn(&[f64], usize) -> f64) -> Vec<[f64; 2]> {
+        let inside = |&pixel: &usize| Self::x(pixel).abs() < 0.98;
+        let pixels = (0..self.values.len()).step_by(every).filter(inside);
+        pixels.map(|pixel| [Self::x(pixel), value(&self.values, pixel)]).collect()
+    }
+}
+
+/// The slope at a place of the polynomial through some points.
+pub(super) fn slope_at(x: f64, nodes: &[[f64; 2]]) -> f64 {
+    let term = |i: usize| {
+        let others = || (0..nodes.len()).filter(move |&j| j != i);
+        let below: f64 = others().map(|j| nodes[i][0] - nodes[j][0]).product();
+        let above =
+            |left_out: usize| others().filter(|&j| j != left_out).map(|j| x - nodes[j][0]).product::<f64>();
+        nodes[i][1] * others().map(above).sum::<f64>() / below
+    };
+    (0..nodes.len()).map(term).sum()
+}

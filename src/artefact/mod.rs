@@ -1,0 +1,109 @@
+//! The artefact laboratory (layer 5): what textbooks say of shading's artefacts, as pictures with numbers.
+//!
+//! An [`Experiment`] states a claim, runs it and gives an [`Outcome`]: whether the claim holds here and under what
+//! conditions it fails, measured numbers beside their closed forms, pictures with the artefact and without, the number that
+//! the cure moved, curves. Outcomes are data and linear samples; `report` makes pages of them.
+//!
+//! ```
+//! use crease::artefact::{EXPERIMENTS, Language, Parameters, Setup, experiment};
+//!
+//! let experiment = experiment("orientation")?;
+//! let setup = Setup { parameters: Parameters { size: 65, ..experiment.defaults }, mesh: None };
+//! let outcome = experiment.run(&setup)?;
+//! assert!(outcome.moved.bad > outcome.moved.cured);
+//! println!("{}", outcome.verdict.condition().get(Language::Portuguese));
+//! # Ok::<(), crease::artefact::ArtefactError>(())
+//! ```
+//!
+//! # How to add an experiment
+//! 1. A file `src/artefact/<id with underscores>.rs` with one `pub(super) const EXPERIMENT: Experiment`; a line in the list of
+//!    modules and one in [`EXPERIMENTS`], in the order in which they are read. Pages, thumbnails, the command line and the
+//!    structural tests of the gallery take it from there.
+//! 2. `takes` lists the parameters that it heeds, `defaults` their values; all others are refused at the command line. If it
+//!    takes [`Knob::Mesh`], `setup.mesh` may hold a user's mesh; say in [`ArtefactError::Mesh`] what to do about one that does
+//!    not suit. `frame` draws frame k of n of its animation, if it has one.
+//! 3. `run` gives at least one [`Shot`] with [`Role::Bad`] and one with [`Role::Cured`], drawn by `stage::draw` at
+//!    `parameters.size`, and [`Moved`] with the number before and after. Measure on linear samples (`stage::luminance`), with
+//!    the metrics of [`metric`](crate::metric) where there is one. A [`Measure`] has its closed form or independent check by
+//!    [`Measure::expect`], with the reason of the tolerance in its text.
+//! 4. Every word is a [`Text`] in both languages; numbers in it by [`Text::made`]. Claims name their lecture section.
+//! 5. Tests at small sizes: all measures agree, the artefact is present in the bad case, the cure reduces it by a stated
+//!    factor.
+
+mod error;
+mod experiment;
+mod mach_bands;
+mod orientation;
+mod outcome;
+mod parameters;
+mod stage;
+mod text;
+
+pub use error::ArtefactError;
+pub use experiment::{Experiment, Formula};
+pub use outcome::{Chart, Curve, Drawn, Expected, Measure, Moved, Outcome, Role, Scale, Shot, Verdict};
+pub use parameters::{Changes, Knob, Parameters, Setup, Taken, UserMesh};
+pub use text::{Language, Text};
+
+/// All experiments, in the order in which they are read.
+pub const EXPERIMENTS: &[Experiment] = &[mach_bands::EXPERIMENT, orientation::EXPERIMENT];
+
+/// The experiment of an id.
+///
+/// # Errors
+/// [`ArtefactError::Unknown`], with the id that is most like it.
+pub fn experiment(id: &str) -> Result<&'static Experiment, ArtefactError> {
+    EXPERIMENTS.iter().find(|experiment| experiment.id == id).ok_or_else(|| {
+        let shared =
+            |other: &str| id.split('-').filter(|word| word.len() > 2 && other.contains(word)).count();
+        let nearest = EXPERIMENTS.iter().map(|experiment| experiment.id).max_by_key(|other| shared(other));
+        ArtefactError::Unknown { found: id.to_owned(), nearest: nearest.filter(|other| shared(other) > 0) }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn experiments_are_well_formed() {
+        let mut ids = BTreeSet::new();
+        for experiment in EXPERIMENTS {
+            let is_plain =
+                experiment.id.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-');
+            assert!(is_plain && ids.insert(experiment.id), "{}", experiment.id);
+            assert!(!experiment.sources.is_empty() && !experiment.takes.is_empty(), "{}", experiment.id);
+            assert_eq!(experiment.defaults.check(), Ok(()), "{}", experiment.id);
+            assert!(self::experiment(experiment.id).is_ok());
+        }
+    }
+
+    #[test]
+    fn unknown_ids_are_told_what_there_is() {
+        let told = experiment("mach-band").unwrap_err().to_string();
+        assert!(told.contains("did you mean `mach-bands`") && told.contains("artefact list"), "{told}");
+        assert!(!experiment("x").unwrap_err().to_string().contains("did you mean"));
+    }
+
+    #[test]
+    fn parameters_are_checked() {
+        let mach_bands = experiment("mach-bands").unwrap();
+        let told = mach_bands.refuse([Knob::Size, Knob::Crease]).unwrap_err().to_string();
+        assert!(told.contains("no crease") && told.contains("--segments"), "{told}");
+        let parameters = Parameters { segments: 2, ..mach_bands.defaults };
+        let error = mach_bands.run(&Setup { parameters, mesh: None }).unwrap_err();
+        assert!(matches!(error, ArtefactError::Range { knob: Knob::Segments, .. }));
+        let still =
+            mach_bands.frame(&Setup { parameters: mach_bands.defaults, mesh: None }, 0, 2).unwrap_err();
+        assert!(still.to_string().contains("orientation"), "{still}");
+    }
+
+    #[test]
+    fn commands_name_what_was_changed() {
+        let experiment = experiment("mach-bands").unwrap();
+        let parameters = Parameters { segments: 24, ..experiment.defaults };
+        let command = experiment.command(&Setup { parameters, mesh: None });
+        assert_eq!(command, "crease artefact mach-bands --segments 24 -o out");
+    }
+}

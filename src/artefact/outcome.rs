@@ -1,0 +1,208 @@
+//! What an experiment finds: data and linear pictures, no markup.
+
+use super::Text;
+use crate::raster::Image;
+use serde::{Serialize, Serializer};
+
+/// Everything that came of a run.
+#[derive(Clone, Debug, Serialize)]
+pub struct Outcome {
+    /// Whether the claim holds here.
+    pub verdict: Verdict,
+    /// The number that the cure moves.
+    pub moved: Moved,
+    /// All numbers.
+    pub measures: Vec<Measure>,
+    /// Pictures: the artefact, its cure, the difference.
+    pub shots: Vec<Shot>,
+    /// Curves.
+    pub charts: Vec<Chart>,
+    /// Paragraphs that explain what is seen.
+    pub notes: Vec<Text>,
+}
+
+/// Whether a claim holds.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "verdict", content = "condition", rename_all = "kebab-case")]
+pub enum Verdict {
+    /// Wherever it was looked at: these conditions.
+    Holds(Text),
+    /// Under this condition; it fails without.
+    HoldsOnlyIf(Text),
+    /// Not here, for this reason.
+    Fails(Text),
+}
+
+impl Verdict {
+    /// The condition or reason.
+    pub fn condition(&self) -> &Text {
+        match self {
+            Verdict::Holds(text) | Verdict::HoldsOnlyIf(text) | Verdict::Fails(text) => text,
+        }
+    }
+}
+
+/// A number with the artefact and without.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Moved {
+    /// What it measures.
+    pub name: Text,
+    /// Its unit; empty for none.
+    pub unit: &'static str,
+    /// With the artefact.
+    pub bad: f64,
+    /// What was done about it.
+    pub cure: Text,
+    /// After that.
+    pub cured: f64,
+}
+
+impl Moved {
+    /// How many times smaller it became; infinite if it vanished.
+    pub fn factor(&self) -> f64 {
+        self.bad.abs() / self.cured.abs()
+    }
+}
+
+/// A measured number.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Measure {
+    /// What it measures.
+    pub name: Text,
+    /// Its unit; empty for none.
+    pub unit: &'static str,
+    /// What was found.
+    pub value: f64,
+    /// What it is held against.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub expected: Option<Expected>,
+}
+
+/// What a number should be, and who says so.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Expected {
+    /// The closed form's value, or that of an independent computation.
+    pub value: f64,
+    /// How far the measured one may be from it.
+    pub tolerance: f64,
+    /// The closed form or the other way to compute it, and why the tolerance is what it is.
+    pub by: Text,
+}
+
+impl Measure {
+    /// A number that nothing is known about beforehand.
+    pub fn new(name: Text, unit: &'static str, value: f64) -> Self {
+        Self { name, unit, value, expected: None }
+    }
+
+    /// With what it should be.
+    #[must_use]
+    pub fn expect(mut self, value: f64, tolerance: f64, by: Text) -> Self {
+        self.expected = Some(Expected { value, tolerance, by });
+        self
+    }
+
+    /// Whether it is what it should be; `None` where nothing is known.
+    pub fn agrees(&self) -> Option<bool> {
+        let expected = self.expected.as_ref()?;
+        Some((self.value - expected.value).abs() <= expected.tolerance)
+    }
+}
+
+/// What a picture is there for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Role {
+    /// It shows the artefact.
+    Bad,
+    /// The same without.
+    Cured,
+    /// What lies between two pictures, or a map of an error.
+    Difference,
+    /// The surface itself.
+    Truth,
+}
+
+/// A picture.
+#[derive(Clone, Debug, Serialize)]
+pub struct Shot {
+    /// Its name within the experiment: lower-case letters, digits and hyphens.
+    pub name: &'static str,
+    /// What it is there for.
+    pub role: Role,
+    /// What stands below it, in a few words.
+    pub label: Text,
+    /// What there is to see in it, in a sentence: also for those who cannot see it.
+    pub caption: Text,
+    /// The picture, with its linear samples.
+    #[serde(rename = "size", serialize_with = "size")]
+    pub image: Image,
+}
+
+/// A picture as its size.
+fn size<S: Serializer>(image: &Image, serializer: S) -> Result<S::Ok, S::Error> {
+    image.size.serialize(serializer)
+}
+
+/// Curves over common axes.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Chart {
+    /// Its name within the experiment: lower-case letters, digits and hyphens.
+    pub name: &'static str,
+    /// Its title.
+    pub title: Text,
+    /// What it shows, in words.
+    pub caption: Text,
+    /// Across.
+    pub x: Scale,
+    /// Upwards.
+    pub y: Scale,
+    /// What is drawn.
+    pub curves: Vec<Curve>,
+}
+
+/// An axis of a chart.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Scale {
+    /// What it measures, with its unit.
+    pub label: Text,
+    /// Whether powers of ten are equally far apart.
+    pub logarithmic: bool,
+}
+
+impl Scale {
+    /// An even one.
+    pub fn linear(label: Text) -> Self {
+        Self { label, logarithmic: false }
+    }
+
+    /// One of powers of ten.
+    pub fn log(label: Text) -> Self {
+        Self { label, logarithmic: true }
+    }
+}
+
+/// Points that belong together.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Curve {
+    /// Its name.
+    pub name: Text,
+    /// How it is drawn.
+    pub drawn: Drawn,
+    /// x and y.
+    pub points: Vec<[f64; 2]>,
+}
+
+/// How a curve is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Drawn {
+    /// A line through many points, without signs.
+    Curve,
+    /// Signs at the points: what was measured.
+    Points,
+    /// Signs, and lines between them.
+    Line,
+    /// A dotted line: what theory says, or a border.
+    Guide,
+}

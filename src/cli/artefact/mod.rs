@@ -1,0 +1,192 @@
+//! The verb `artefact`: experiments of the laboratory, their numbers, pages and pictures.
+
+mod args;
+mod report;
+mod store;
+
+pub use args::ArtefactArgs;
+
+use super::args::Color;
+use super::batch::{exit_of, guarded};
+use super::console::{Console, Style, Verbosity};
+use super::normals::{Failure, read_stdin};
+use super::progress::CountProgress;
+use super::report::{ErrorReport, json_line};
+use super::{Exit, usage_error, use_threads};
+use args::{ALL, LIST};
+use crease::artefact::{EXPERIMENTS, Experiment, Knob, Language, Outcome, Setup, UserMesh, experiment};
+use crease::io::{self, Limits, Loaded, ReadError, ReadOptions};
+use crease::mesh::{Faces, Mesh, MeshBuilder};
+use crease::report::{list_table, measure_table, verdict_text};
+use rayon::prelude::*;
+use report::Report;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// Carries the verb out.
+pub fn main(args: &ArtefactArgs, color: Color) -> Exit {
+    let console = Console::new(&args.run, color, None);
+    let experiments = chosen(args).unwrap_or_else(|message| usage_error("artefact", message));
+    use_threads(args.run.threads);
+    if args.experiment == LIST {
+        list(args, &console);
+        return if console.has_reported() { Exit::Done } else { Exit::OutputFailed };
+    }
+    let result = guarded(|| work(args, &experiments, &console));
+    match result {
+        Err(failure) => {
+            let error = ErrorReport::new(&failure);
+            console.error(&error.message);
+            if console.json {
+                let setup = Setup { parameters: experiments[0].defaults, mesh: None };
+                let report =
+                    Report { status: "failed", error: Some(error), ..Report::new(experiments[0], &setup) };
+                console.report(&json_line(&report));
+            }
+            exit_of(&failure)
+        }
+        Ok(_) if !console.has_reported() => Exit::OutputFailed,
+        Ok(true) => Exit::Done,
+        Ok(false) => Exit::Findings,
+    }
+}
+
+/// The experiments that are meant, if they take what was given.
+fn chosen(args: &ArtefactArgs) -> Result<Vec<&'static Experiment>, String> {
+    let changes = args.parameters.changes();
+    let given = || changes.knobs().chain(args.own.mesh.is_some().then_some(Knob::Mesh));
+    if [ALL, LIST].contains(&args.experiment.as_str()) {
+        if args.animate.is_some() {
+            return Err("one animation shows one experiment: name it instead of `all`".into());
+        }
+        // Each takes what it knows; what none knows would be lost.
+        let lost = given().find(|knob| !EXPERIMENTS.iter().any(|experiment| experiment.takes.contains(knob)));
+        return match lost {
+            Some(knob) => Err(format!("no experiment takes --{}", knob.name())),
+            None => Ok(EXPERIMENTS.iter().collect()),
+        };
+    }
+    let chosen = experiment(&args.experiment).map_err(|error| error.to_string())?;
+    chosen.refuse(given()).map_err(|error| error.to_string())?;
+    Ok(vec![chosen])
+}
+
+fn list(args: &ArtefactArgs, console: &Console) {
+    if console.json {
+        for experiment in EXPERIMENTS {
+            let setup = Setup { parameters: experiment.defaults, mesh: None };
+            console.report(&json_line(&Report::new(experiment, &setup)));
+        }
+    } else {
+        console.report(&list_table(args.lang).to_text());
+    }
+}
+
+/// One experiment, run.
+struct Run<'a> {
+    experiment: &'static Experiment,
+    setup: Setup<'a>,
+    outcome: Outcome,
+    seconds: f64,
+}
+
+/// Whether every number is what it should be.
+fn work(
+    args: &ArtefactArgs,
+    experiments: &[&'static Experiment],
+    console: &Console,
+) -> Result<bool, Failure> {
+    // Before the work, not after.
+    if let Some(folder) = &args.output {
+        let made = fs::create_dir_all(folder);
+        made.map_err(|error| Failure::Write(format!("{}: {error}", folder.display())))?;
+    }
+    let read = |path: Option<&PathBuf>| path.map(|path| read(path, args)).transpose().map_err(Failure::Read);
+    let (mesh, finer) = (read(args.own.mesh.as_ref())?, read(args.own.finer.as_ref())?);
+    let name = args.own.mesh.as_ref().map(|path| path.to_string_lossy()).unwrap_or_default();
+    let own = mesh.as_ref().map(|mesh| UserMesh { name: &name, mesh, finer: finer.as_ref() });
+    let changes = args.parameters.changes();
+    let progress = CountProgress::new(console, "measuring", "experiments", experiments.len() as u64);
+    let run = |&experiment: &&'static Experiment| {
+        let start = Instant::now();
+        let setup = Setup {
+            parameters: changes.only(experiment.takes).apply(experiment.defaults),
+            mesh: own.filter(|_| experiment.takes.contains(&Knob::Mesh)),
+        };
+        let outcome =
+            experiment.run(&setup).map_err(|error| Failure::Draw(format!("{}: {error}", experiment.id)))?;
+        progress.done();
+        Ok(Run { experiment, setup, outcome, seconds: start.elapsed().as_secs_f64() })
+    };
+    let runs: Vec<Run> = experiments.par_iter().with_max_len(1).map(run).collect::<Result<_, _>>()?;
+    drop(progress);
+    let mut files = match &args.output {
+        Some(folder) => store::store(&runs, folder, args.lang)?,
+        None => vec![Vec::new(); runs.len()],
+    };
+    if let (Some(path), Some(run)) = (&args.animate, runs.first()) {
+        store::animate(run, path, args.frames, console)?;
+        files[0].push(path.to_string_lossy().into_owned());
+    }
+    let mut agree = true;
+    for (run, files) in runs.iter().zip(files) {
+        let agrees = run.outcome.measures.iter().all(|measure| measure.agrees() != Some(false));
+        agree &= agrees;
+        tell(run, files, agrees, args.lang, console);
+    }
+    Ok(agree)
+}
+
+fn tell(run: &Run, files: Vec<String>, agrees: bool, language: Language, console: &Console) {
+    let Run { experiment, setup, outcome, seconds } = run;
+    if console.json {
+        let report = Report {
+            status: if agrees { "ok" } else { "findings" },
+            outcome: Some(outcome),
+            command: Some(experiment.command(setup)),
+            files,
+            seconds: Some(*seconds),
+            ..Report::new(experiment, setup)
+        };
+        console.report(&json_line(&report));
+    } else if console.verbosity > Verbosity::Quiet {
+        let title = console.report_style().paint(Style::BOLD, experiment.title.get(language));
+        let claim = experiment.claim.get(language);
+        let [verdict, condition] = verdict_text(&outcome.verdict, language);
+        let numbers = measure_table(outcome, language).to_text();
+        let files = match files.len() {
+            0 => String::new(),
+            _ => format!("  → {}\n", files.join(", ")),
+        };
+        console.report(&format!("{title}\n  {claim}\n  {verdict}: {condition}\n{numbers}{files}"));
+    }
+}
+
+/// All meshes of a file as one, as they stand in it.
+fn read(path: &Path, args: &ArtefactArgs) -> Result<Mesh, ReadError> {
+    let options = ReadOptions::default();
+    let loaded = match path.as_os_str() == "-" {
+        true => io::read_bytes(read_stdin(&Limits::default(), |_| ())?, args.own.format, None, &options)?,
+        false => io::read(path, args.own.format, &options)?,
+    };
+    Ok(as_one(loaded))
+}
+
+fn as_one(loaded: Loaded) -> Mesh {
+    if let [part] = &loaded.parts[..] {
+        return part.mesh.clone();
+    }
+    let (mut positions, mut faces) = (Vec::new(), Faces::default());
+    for part in &loaded.parts {
+        let first = positions.len() as u32;
+        positions.extend_from_slice(part.mesh.positions());
+        for face in 0..part.mesh.face_count() {
+            let corners: Vec<u32> =
+                part.mesh.faces().face(face).iter().map(|vertex| first + vertex).collect();
+            faces.push(&corners);
+        }
+    }
+    let builder = MeshBuilder { positions, faces, ..MeshBuilder::default() };
+    builder.build().expect("parts are sound, and together they are no larger than their file")
+}

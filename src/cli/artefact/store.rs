@@ -1,0 +1,94 @@
+//! Files of experiments: pages, pictures, plots, animations.
+
+use super::Run;
+use crate::cli::console::Console;
+use crate::cli::normals::Failure;
+use crate::cli::output::Store;
+use crate::cli::progress::CountProgress;
+use crate::cli::request::Target;
+use crease::artefact::Language;
+use crease::io::Written;
+use crease::num::Transfer;
+use crease::report::{
+    Animation, Picture, ReportError, chart_plot, encode_png, experiment_page, experiment_sheet, index_page,
+    page_name, picture_name,
+};
+use rayon::prelude::*;
+use std::path::Path;
+
+/// A file's name in the folder, and its bytes.
+type File = (String, Vec<u8>);
+
+/// Writes what there is of some runs into a folder, with an index if there are several; returns the paths, run by run.
+pub fn store(runs: &[Run], folder: &Path, language: Language) -> Result<Vec<Vec<String>>, Failure> {
+    let in_gallery = runs.len() > 1;
+    let files = |run: &Run| files(run, language, in_gallery);
+    let made: Result<Vec<Vec<File>>, ReportError> = runs.par_iter().with_max_len(1).map(files).collect();
+    let failed = |error: ReportError| Failure::Write(error.to_string());
+    let made = made.map_err(failed)?;
+    let mut stored = Vec::new();
+    for files in made {
+        let mut paths = Vec::new();
+        for (name, bytes) in files {
+            paths.push(write(&folder.join(name), bytes)?);
+        }
+        stored.push(paths);
+    }
+    if in_gallery {
+        let found: Vec<_> = runs.iter().map(|run| (run.experiment, &run.outcome)).collect();
+        let index = index_page(&found, language).map_err(failed)?;
+        write(&folder.join("index.html"), index.into_bytes())?;
+    }
+    Ok(stored)
+}
+
+/// The page, the sheet, every picture and every plot of a run.
+fn files(run: &Run, language: Language, in_gallery: bool) -> Result<Vec<File>, ReportError> {
+    let Run { experiment, setup, outcome, .. } = run;
+    let page = experiment_page(experiment, setup, outcome, language, in_gallery)?;
+    let sheet = encode_png(&experiment_sheet(outcome, language)?, Transfer::Srgb)?;
+    let mut files =
+        vec![(page_name(experiment), page.into_bytes()), (format!("{}.png", experiment.id), sheet)];
+    for shot in &outcome.shots {
+        let picture = Picture::from(shot.image.clone());
+        let name = format!("{}.png", picture_name(experiment, shot.name));
+        files.push((name, encode_png(&picture, Transfer::Srgb)?));
+    }
+    for chart in &outcome.charts {
+        let svg = chart_plot(chart, language).svg(chart.name);
+        // Alone in a file, a drawing has to say what it is; this name of a vocabulary is no place that is gone to.
+        let svg = svg.replacen("<svg ", "<svg xmlns=\"http://www.w3.org/2000/svg\" ", 1);
+        files.push((format!("{}.svg", picture_name(experiment, chart.name)), svg.into_bytes()));
+    }
+    Ok(files)
+}
+
+/// Hundredths of a second that an animation takes, and the shortest time of a frame that viewers heed.
+const WHOLE: u16 = 400;
+const SHORTEST: u16 = 2;
+
+/// Draws the animation of a run.
+pub fn animate(run: &Run, path: &Path, frames: u16, console: &Console) -> Result<(), Failure> {
+    let progress = CountProgress::new(console, "drawing", "frames", frames.into());
+    let draw = |number: u32| {
+        let image = run.experiment.frame(&run.setup, number, frames.into());
+        progress.done();
+        image.map_err(|error| Failure::Draw(error.to_string()))
+    };
+    let images: Vec<_> = (0..u32::from(frames)).into_par_iter().map(draw).collect::<Result<_, _>>()?;
+    drop(progress);
+    let failed = |error: ReportError| Failure::Write(error.to_string());
+    let mut animation = Animation::default();
+    for image in images {
+        animation.push(image.into()).map_err(failed)?;
+    }
+    let bytes = animation.encode_gif((WHOLE / frames).max(SHORTEST)).map_err(failed)?;
+    write(path, bytes).map(|_| ())
+}
+
+fn write(path: &Path, bytes: Vec<u8>) -> Result<String, Failure> {
+    let written = Written { bytes, ..Written::default() };
+    let stored = Store::new(false, false).store(written, &Target::File(path.to_owned()));
+    stored.map_err(|error| Failure::Write(format!("{error:#}")))?;
+    Ok(path.to_string_lossy().into_owned())
+}

@@ -1,0 +1,133 @@
+//! Formulas without a network: a plain notation as MathML, which browsers typeset by themselves.
+
+use crate::report::escape_html;
+use std::iter::Peekable;
+use std::str::Chars;
+
+/// The notation of [`Formula`](crate::artefact::Formula) as an element of a page.
+///
+/// ```
+/// let root = crate_mathml("\\sqrt{x_1}");
+/// # fn crate_mathml(text: &str) -> String { crease::report::mathml(text) }
+/// assert!(root.contains("<msqrt><mrow><msub><mi>x</mi><mn>1</mn></msub></mrow></msqrt>"));
+/// ```
+pub fn mathml(notation: &str) -> String {
+    let mut signs = notation.chars().peekable();
+    let mut row = String::new();
+    // A brace that closes nothing is left out.
+    while signs.peek().is_some() {
+        row.push_str(&terms(&mut signs));
+        signs.next();
+    }
+    let alternative = escape_html(notation);
+    format!("<math display=\"block\" alttext=\"{alternative}\"><mrow>{row}</mrow></math>")
+}
+
+type Signs<'a> = Peekable<Chars<'a>>;
+
+/// Everything up to the brace that closes the group, or the end.
+fn terms(signs: &mut Signs) -> String {
+    let mut row = String::new();
+    while signs.peek().is_some_and(|&c| c != '}') {
+        if let Some(base) = atom(signs) {
+            row.push_str(&scripts(base, signs));
+        }
+    }
+    row
+}
+
+/// What stands below and above a term.
+fn scripts(base: String, signs: &mut Signs) -> String {
+    let (mut below, mut above) = (None, None);
+    while let Some(&mark) = signs.peek().filter(|&&c| c == '_' || c == '^') {
+        signs.next();
+        let script = atom(signs);
+        if mark == '_' { below = script } else { above = script }
+    }
+    match (below, above) {
+        (None, None) => base,
+        (Some(below), None) => format!("<msub>{base}{below}</msub>"),
+        (None, Some(above)) => format!("<msup>{base}{above}</msup>"),
+        (Some(below), Some(above)) => format!("<msubsup>{base}{below}{above}</msubsup>"),
+    }
+}
+
+/// A number, a name, a sign, or a group; `None` for a space.
+fn atom(signs: &mut Signs) -> Option<String> {
+    let first = signs.next()?;
+    Some(match first {
+        ' ' => return None,
+        '{' => group(signs),
+        '\\' => match taken(signs, |c| c.is_ascii_alphabetic()).as_str() {
+            "frac" => format!("<mfrac>{}{}</mfrac>", argument(signs), argument(signs)),
+            "sqrt" => format!("<msqrt>{}</msqrt>", argument(signs)),
+            name => format!("<mi>{name}</mi>"),
+        },
+        c if c.is_ascii_digit() => {
+            format!("<mn>{c}{}</mn>", taken(signs, |c| c.is_ascii_digit() || c == '.'))
+        }
+        c if c.is_ascii_alphabetic() => {
+            format!("<mi>{c}{}{}</mi>", taken(signs, |c| c.is_ascii_alphabetic()), taken(signs, |c| c == '′'))
+        }
+        c if c.is_alphabetic() => format!("<mi>{c}</mi>"),
+        // Bars do not stretch: which of a pair closes is not told.
+        '|' => "<mo stretchy=\"false\">|</mo>".to_owned(),
+        c => format!("<mo>{}</mo>", escape_html(&c.to_string())),
+    })
+}
+
+/// The group that follows a command; nothing if none does.
+fn argument(signs: &mut Signs) -> String {
+    match signs.next_if_eq(&'{') {
+        Some(_) => group(signs),
+        None => "<mrow></mrow>".to_owned(),
+    }
+}
+
+/// What is left of a group whose brace was taken.
+fn group(signs: &mut Signs) -> String {
+    let row = terms(signs);
+    signs.next();
+    format!("<mrow>{row}</mrow>")
+}
+
+fn taken(signs: &mut Signs, is_taken: impl Fn(char) -> bool) -> String {
+    std::iter::from_fn(|| signs.next_if(|&c| is_taken(c))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(notation: &str) -> String {
+        let all = mathml(notation);
+        let row = all.split_once("<mrow>").unwrap().1;
+        row.strip_suffix("</mrow></math>").unwrap().to_owned()
+    }
+
+    #[test]
+    fn terms_are_set_as_they_are_meant() {
+        assert_eq!(row("2x"), "<mn>2</mn><mi>x</mi>");
+        assert_eq!(row("cos(θ_L)"), "<mi>cos</mi><mo>(</mo><msub><mi>θ</mi><mi>L</mi></msub><mo>)</mo>");
+        assert_eq!(row("ΔI′_{ab}"), "<mi>Δ</mi><msub><mi>I′</mi><mrow><mi>ab</mi></mrow></msub>");
+        assert_eq!(row("x_1^2"), "<msubsup><mi>x</mi><mn>1</mn><mn>2</mn></msubsup>");
+        let half = "<mfrac><mrow><mn>1</mn></mrow><mrow><mn>2</mn></mrow></mfrac>";
+        assert_eq!(row("\\frac{1}{2} < 1"), format!("{half}<mo>&lt;</mo><mn>1</mn>"));
+    }
+
+    /// Whatever comes, tags are closed in the order in which they were opened.
+    #[test]
+    fn broken_notation_gives_sound_markup() {
+        for notation in ["{", "}", "a}b", "\\frac{1}", "\\frac", "x_", "^", "\\sqrt{\\frac{a}{b_", "_{^{"] {
+            let all = mathml(notation);
+            let mut open = Vec::new();
+            for tag in all.split('<').skip(1).map(|tag| tag.split_once('>').unwrap().0) {
+                match tag.strip_prefix('/') {
+                    Some(name) => assert_eq!(open.pop(), Some(name), "{all}"),
+                    None => open.push(tag.split(' ').next().unwrap()),
+                }
+            }
+            assert!(open.is_empty(), "{all}");
+        }
+    }
+}

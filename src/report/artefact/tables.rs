@@ -1,0 +1,58 @@
+//! Tables and sentences.
+
+use super::words::{self, number, quantity};
+use crate::artefact::{EXPERIMENTS, Language, Measure, Outcome, Verdict};
+use crate::report::Table;
+
+/// All numbers of an experiment beside what they should be.
+pub fn measure_table(outcome: &Outcome, language: Language) -> Table {
+    let columns = [words::QUANTITY, words::FOUND, words::EXPECTED, words::WITHIN, words::AGREES, words::BY];
+    let columns: Vec<&str> = columns.iter().map(|column| column.get(language)).collect();
+    let mut table = Table::new(words::MEASURED.get(language), &columns);
+    for measure in &outcome.measures {
+        let Measure { name, unit, value, expected } = measure;
+        let mut row = vec![name.get(language).to_owned(), quantity(*value, unit, language)];
+        if let Some(expected) = expected {
+            let agrees = if measure.agrees() == Some(true) { words::YES } else { words::NO };
+            row.extend([
+                quantity(expected.value, unit, language),
+                number(expected.tolerance, language),
+                agrees.get(language).to_owned(),
+                expected.by.get(language).to_owned(),
+            ]);
+        }
+        table.push(row);
+    }
+    table
+}
+
+/// All experiments: id, title, options.
+pub fn list_table(language: Language) -> Table {
+    let columns = [words::EXPERIMENT, words::TITLE, words::OPTIONS];
+    let columns: Vec<&str> = columns.iter().map(|column| column.get(language)).collect();
+    let mut table = Table::new(words::EXPERIMENTS.get(language), &columns);
+    for experiment in EXPERIMENTS {
+        let options: Vec<String> = experiment.takes.iter().map(|knob| format!("--{}", knob.name())).collect();
+        let animated = if experiment.is_animated() { " --animate" } else { "" };
+        let options = options.join(" ") + animated;
+        table.push([experiment.id.to_owned(), experiment.title.get(language).to_owned(), options]);
+    }
+    table
+}
+
+/// The verdict as its name and its condition.
+pub fn verdict_text(verdict: &Verdict, language: Language) -> [String; 2] {
+    let name = match verdict {
+        Verdict::Holds(_) => words::HOLDS,
+        Verdict::HoldsOnlyIf(_) => words::HOLDS_ONLY_IF,
+        Verdict::Fails(_) => words::FAILS,
+    };
+    [name, verdict.condition().clone()].map(|text| text.get(language).to_owned())
+}
+
+/// What the cure did, as a sentence.
+pub(super) fn moved_text(outcome: &Outcome, language: Language) -> String {
+    let moved = &outcome.moved;
+    let [bad, cured] = [moved.bad, moved.cured].map(|x| quantity(x, moved.unit, language));
+    words::moved(&moved.name, &moved.cure, &bad, &cured, &number(moved.factor(), language), language)
+}

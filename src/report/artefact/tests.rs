@@ -1,0 +1,133 @@
+//! The gallery's structure, in both languages.
+
+use super::*;
+use crate::artefact::{EXPERIMENTS, Language, Outcome, Parameters, Setup};
+use crate::report::escape_html;
+use serde_json::Value;
+use std::collections::BTreeSet;
+use std::sync::LazyLock;
+
+/// All experiments at a small size.
+static OUTCOMES: LazyLock<Vec<Outcome>> = LazyLock::new(|| {
+    let run = |experiment: &crate::artefact::Experiment| {
+        let parameters = Parameters { size: 48, ..experiment.defaults };
+        experiment.run(&Setup { parameters, mesh: None }).unwrap()
+    };
+    EXPERIMENTS.iter().map(run).collect()
+});
+
+fn pages(language: Language) -> Vec<(String, String)> {
+    let page = |(experiment, outcome): (&crate::artefact::Experiment, &Outcome)| {
+        let setup = Setup { parameters: experiment.defaults, mesh: None };
+        (page_name(experiment), experiment_page(experiment, &setup, outcome, language, true).unwrap())
+    };
+    let mut pages: Vec<(String, String)> = EXPERIMENTS.iter().zip(&*OUTCOMES).map(page).collect();
+    let found: Vec<_> = EXPERIMENTS.iter().zip(&*OUTCOMES).collect();
+    pages.push(("index.html".into(), index_page(&found, language).unwrap()));
+    pages
+}
+
+/// The values of an attribute.
+fn values<'a>(page: &'a str, attribute: &str) -> Vec<&'a str> {
+    let start = format!(" {attribute}=\"");
+    page.split(&start).skip(1).map(|rest| rest.split('"').next().unwrap_or_default()).collect()
+}
+
+#[test]
+fn pages_stand_by_themselves() {
+    for language in Language::ALL {
+        let pages = pages(language);
+        let names: BTreeSet<&str> = pages.iter().map(|(name, _)| name.as_str()).collect();
+        for (name, page) in &pages {
+            assert!(page.contains(&format!("<html lang=\"{}\">", language.tag())), "{name}");
+            for outside in ["http://", "https://", "//cdn", "<script", "<link", "@import", "<iframe"] {
+                assert!(!page.contains(outside), "{name} has {outside}");
+            }
+            let ids = values(page, "id");
+            let known: BTreeSet<&str> = ids.iter().copied().collect();
+            assert_eq!(known.len(), ids.len(), "{name}: an id twice");
+            for link in values(page, "href") {
+                let found = match link.strip_prefix('#') {
+                    Some(id) => known.contains(id),
+                    None => names.contains(link),
+                };
+                assert!(found, "{name}: {link} leads nowhere");
+            }
+            let labels = values(page, "aria-labelledby").into_iter().flat_map(str::split_whitespace);
+            labels.for_each(|id| assert!(known.contains(id), "{name}: no {id}"));
+            let clips = page.split("url(#").skip(1).map(|rest| rest.split(')').next().unwrap());
+            clips.for_each(|id| assert!(known.contains(id), "{name}: no {id}"));
+            assert_eq!(page.matches("<img ").count(), values(page, "alt").len(), "{name}");
+            assert!(values(page, "alt").iter().all(|alt| alt.len() > 10), "{name}: a picture without words");
+            assert!(
+                values(page, "src").iter().all(|src| src.starts_with("data:image/png;base64,")),
+                "{name}"
+            );
+        }
+    }
+}
+
+/// Every object of exactly an English and a Portuguese text.
+fn texts(value: &Value, found: &mut Vec<[String; 2]>) {
+    match value {
+        Value::Object(members) => {
+            if let (2, Some(Value::String(en)), Some(Value::String(pt))) =
+                (members.len(), members.get("en"), members.get("pt"))
+            {
+                found.push([en.clone(), pt.clone()]);
+            }
+            members.values().for_each(|member| texts(member, found));
+        }
+        Value::Array(items) => items.iter().for_each(|item| texts(item, found)),
+        _ => {}
+    }
+}
+
+/// What is told alike in both languages.
+const ALIKE: [&str; 3] = ["", "Gouraud", "Phong"];
+
+#[test]
+fn portuguese_pages_have_no_english_left() {
+    let pages = pages(Language::Portuguese);
+    for (number, (experiment, outcome)) in EXPERIMENTS.iter().zip(&*OUTCOMES).enumerate() {
+        let mut all = Vec::new();
+        let said = [&experiment.title, &experiment.claim];
+        let said = said
+            .into_iter()
+            .chain(experiment.sources)
+            .chain(experiment.formulas.iter().map(|formula| &formula.says));
+        said.for_each(|text| texts(&serde_json::to_value(text).unwrap(), &mut all));
+        texts(&serde_json::to_value(outcome).unwrap(), &mut all);
+        assert!(all.len() > 20, "{}: only {} texts", experiment.id, all.len());
+        let (_, page) = &pages[number];
+        for [en, pt] in all {
+            assert!(en != pt || ALIKE.contains(&en.as_str()), "{}: not translated: {en}", experiment.id);
+            // A short word may be a part of a Portuguese one.
+            let is_told = en != pt && en.len() > 12 && !pt.contains(&en);
+            assert!(!is_told || !page.contains(&*escape_html(&en)), "{}: English left: {en}", experiment.id);
+        }
+    }
+}
+
+#[test]
+fn sheets_and_names_are_made_of_every_picture() {
+    for (experiment, outcome) in EXPERIMENTS.iter().zip(&*OUTCOMES) {
+        assert!(experiment_sheet(outcome, Language::English).unwrap().size[0] > 96, "{}", experiment.id);
+        let names =
+            outcome.shots.iter().map(|shot| shot.name).chain(outcome.charts.iter().map(|chart| chart.name));
+        let names: Vec<&str> = names.collect();
+        let different: BTreeSet<&&str> = names.iter().collect();
+        assert_eq!(different.len(), names.len(), "{}", experiment.id);
+    }
+}
+
+/// What every experiment owes: the artefact in one picture, its cure in another, and a number that became smaller.
+#[test]
+fn every_experiment_shows_its_artefact_and_its_cure() {
+    use crate::artefact::Role;
+    for (experiment, outcome) in EXPERIMENTS.iter().zip(&*OUTCOMES) {
+        let has = |role| outcome.shots.iter().any(|shot| shot.role == role);
+        assert!(has(Role::Bad) && has(Role::Cured), "{}", experiment.id);
+        assert!(outcome.moved.factor() > 1.0, "{}: {:?}", experiment.id, outcome.moved);
+    }
+}
