@@ -30,14 +30,22 @@
 //! 5. Tests at small sizes: all measures agree, the artefact is present in the bad case, the cure reduces it by a stated
 //!    factor.
 
+mod attenuation_and_overflow;
+mod body;
 mod error;
 mod experiment;
+mod flat_validity;
+mod lost_highlight;
 mod mach_bands;
 mod orientation;
 mod outcome;
 mod parameters;
+mod precision;
+mod reflection_models;
+mod shading_terminator;
 mod stage;
 mod text;
+mod triangulation;
 
 pub use error::ArtefactError;
 pub use experiment::{Experiment, Formula};
@@ -46,7 +54,17 @@ pub use parameters::{Changes, Knob, Parameters, Setup, Taken, UserMesh};
 pub use text::{Language, Text};
 
 /// All experiments, in the order in which they are read.
-pub const EXPERIMENTS: &[Experiment] = &[mach_bands::EXPERIMENT, orientation::EXPERIMENT];
+pub const EXPERIMENTS: &[Experiment] = &[
+    mach_bands::EXPERIMENT,
+    orientation::EXPERIMENT,
+    lost_highlight::EXPERIMENT,
+    flat_validity::EXPERIMENT,
+    attenuation_and_overflow::EXPERIMENT,
+    reflection_models::EXPERIMENT,
+    shading_terminator::EXPERIMENT,
+    triangulation::EXPERIMENT,
+    precision::EXPERIMENT,
+];
 
 /// The experiment of an id.
 ///

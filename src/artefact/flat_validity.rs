@@ -1,0 +1,389 @@
+//! When one colour a face is right.
+
+use super::stage::{chalk, draw, front, object, settings};
+use super::{
+    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters, Role,
+    Scale, Setup, Shot, Text, Verdict,
+};
+use crate::mesh::{Faces, Mesh, MeshBuilder};
+use crate::metric::image_error;
+use crate::normals::{NormalRecipe, compute};
+use crate::num::{Degrees, LinearRgb, Radians, steepest_slope};
+use crate::raster::{Camera, Image, Interpolation, Projection, Shading};
+use crate::shade::{Attenuation, Light, Material, Reflectance, Reflection};
+use glam::DVec3;
+use std::f64::consts::SQRT_2;
+
+pub(super) const EXPERIMENT: Experiment = Experiment {
+    id: "flat-validity",
+    title: Text::new("When flat shading is right", "Quando o sombreamento plano está certo"),
+    claim: Text::new(
+        "Flat shading takes light and viewer to be infinitely far away. It is not realistic even for faceted objects: towards a \
+         near lamp, and for highlights towards a near viewer, the direction changes from point to point of a facet.",
+        "O sombreamento plano supõe luz e observador no infinito. Não é realístico nem para objetos facetados: para uma lâmpada \
+         próxima, e nos brilhos para um observador próximo, a direção varia de ponto a ponto da faceta.",
+    ),
+    sources: &[Text::new("Lectures: 1.5.1, 1.6.12, 1.6.45", "Aulas: 1.5.1, 1.6.12, 1.6.45")],
+    formulas: &[
+        Formula {
+            notation: "|ΔI_d| ≤ 2 k_d sin(ε/2), sin(ε) = \\frac{r}{D}",
+            says: Text::new(
+                "the error of diffuse light on a face of circumradius r, with the light at the distance D from its middle",
+                "o erro da luz difusa numa face de circunraio r, com a luz à distância D do seu centro",
+            ),
+        },
+        Formula {
+            notation: "|ΔI_s| ≤ k_s M(n) ε, M(n) = \\sqrt{n} (1 − \\frac{1}{n})^{(n − 1)/2}",
+            says: Text::new(
+                "the error of Phong's highlight with the viewer at the distance D; M is the steepest slope of cosⁿ",
+                "o erro do brilho de Phong com o observador à distância D; M é a maior inclinação de cosⁿ",
+            ),
+        },
+    ],
+    takes: &[Knob::Size, Knob::Segments, Knob::Light, Knob::Exponent],
+    defaults: Parameters { segments: 12, light: Degrees(45.0), exponent: 32.0, ..Parameters::USUAL },
+    run,
+    frame: None,
+};
+
+/// Distances in circumradii of the face.
+const RATIOS: [f64; 6] = [2.0, 5.0, 10.0, 50.0, 100.0, 510.0];
+/// The circumradius of the plate of side 2.
+const RADIUS: f64 = SQRT_2;
+
+fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+    let Parameters { size, segments, light, exponent, .. } = setup.parameters;
+    let mut measures = Vec::new();
+    let (mut diffuse, mut specular) = (Vec::new(), Vec::new());
+    for ratio in RATIOS {
+        let distance = ratio * RADIUS;
+        let lamp = Lamp { angle: light, distance };
+        let found = lamp.error(1, size)?;
+        diffuse.push([ratio, found]);
+        measures.push(
+            Measure::new(
+                Text::made(
+                    format!("lamp at {ratio} circumradii: largest error of diffuse light"),
+                    format!("lâmpada a {ratio} circunraios: maior erro da luz difusa"),
+                ),
+                "",
+                found,
+            )
+            .expect(lamp.law(1, size), 2e-6, single()),
+        );
+        let viewer = Viewer { angle: light, distance, exponent };
+        let found = viewer.error(size)?;
+        specular.push([ratio, found]);
+        measures.push(
+            Measure::new(
+                Text::made(
+                    format!("viewer at {ratio} circumradii: largest error of the highlight"),
+                    format!("observador a {ratio} circunraios: maior erro do brilho"),
+                ),
+                "",
+                found,
+            )
+            // Rounding of cosines, 2·10⁻⁷, times n.
+            .expect(viewer.law(size), 2e-6 + 4e-7 * exponent, single()),
+        );
+    }
+    let bound = |ratio: f64| 2.0 * libm::sin(0.5 * libm::asin(1.0 / ratio));
+    let share = diffuse.iter().map(|&[ratio, error]| error / bound(ratio)).fold(0.0, f64::max);
+    let of_viewer =
+        specular.iter().map(|&[ratio, error]| error / (steepest_slope(exponent) * libm::asin(1.0 / ratio)));
+    let share = share.max(of_viewer.fold(0.0, f64::max));
+    measures.push(
+        Measure::new(Text::new("largest error over its bound", "maior erro sobre o seu limite"), "", share)
+            .expect(0.5, 0.5, Text::new("the bounds hold: at most 1", "os limites valem: no máximo 1")),
+    );
+    let near = Lamp { angle: light, distance: RATIOS[0] * RADIUS };
+    let cured = near.error(segments, size)?;
+    measures.push(
+        Measure::new(
+            Text::made(
+                format!("lamp at 2 circumradii, {segments} × {segments} faces: largest error"),
+                format!("lâmpada a 2 circunraios, {segments} × {segments} faces: maior erro"),
+            ),
+            "",
+            cured,
+        )
+        .expect(near.law(segments, size), 1e-5, single()),
+    );
+    Ok(Outcome {
+        verdict: Verdict::HoldsOnlyIf(Text::new(
+            "light or viewer are near. From 510 circumradii of a face on, flat shading of plane faces under diffuse light is right \
+             to half a step of 8 bits: only then is one colour a face all there is to see.",
+            "a luz ou o observador estão próximos. A partir de 510 circunraios da face, o sombreamento plano de faces planas sob \
+             luz difusa está certo até meio passo de 8 bits: só então uma cor por face é tudo o que há para ver.",
+        )),
+        moved: Moved {
+            name: Text::new(
+                "largest error of flat shading under the near lamp",
+                "maior erro do sombreamento plano sob a lâmpada próxima",
+            ),
+            unit: "",
+            bad: diffuse[0][1],
+            cure: Text::made(
+                format!("{segments} × {segments} smaller faces"),
+                format!("{segments} × {segments} faces menores"),
+            ),
+            cured,
+        },
+        measures,
+        shots: shots(size, segments)?,
+        charts: vec![chart(diffuse, specular, exponent)],
+        notes: vec![Text::new(
+            "What counts is the light's distance over the size of the face, not of the object: cutting faces smaller cures as moving \
+             the lamp away does, the error falling as one over their number along a side. Shading every pixel costs nothing in \
+             accuracy here: on a plane face the normal is known everywhere.",
+            "O que conta é a distância da luz sobre o tamanho da face, não do objeto: dividir as faces cura tanto quanto afastar a \
+             lâmpada, e o erro cai como um sobre o número delas ao longo de um lado. Iluminar cada pixel é exato aqui: numa face \
+             plana a normal é conhecida em toda parte.",
+        )],
+    })
+}
+
+fn single() -> Text {
+    Text::new(
+        "the formula of light at every pixel's centre in double precision; single precision",
+        "a fórmula da luz no centro de cada pixel em precisão dupla; precisão simples",
+    )
+}
+
+/// The plate of side 2 facing +z, cut into squares.
+fn plate(cells: u32) -> Result<Mesh, ArtefactError> {
+    squares(cells, &[(DVec3::new(-1.0, -1.0, 0.0), DVec3::X * 2.0, DVec3::Y * 2.0)])
+}
+
+/// Parallelograms, given by a corner and two sides, cut into so many smaller ones each way.
+fn squares(cells: u32, sides: &[(DVec3, DVec3, DVec3)]) -> Result<Mesh, ArtefactError> {
+    let (mut positions, mut corners) = (Vec::new(), Vec::new());
+    for &(corner, along, up) in sides {
+        let first = positions.len() as u32;
+        let row = cells + 1;
+        let share = |k: u32| f64::from(k) / f64::from(cells);
+        positions.extend((0..row * row).map(|k| corner + along * share(k % row) + up * share(k / row)));
+        corners.extend((0..cells * cells).flat_map(|k| {
+            let a = first + k / cells * row + k % cells;
+            [a, a + 1, a + 1 + row, a + row]
+        }));
+    }
+    let count = corners.len() as u32 / 4;
+    let faces = Faces::polygons(corners, (0..=count).map(|k| 4 * k).collect());
+    Ok(MeshBuilder { positions, faces, ..MeshBuilder::default() }.build()?)
+}
+
+/// The centres of the pixels of a picture of the plate.
+fn centres(size: u32) -> impl Iterator<Item = DVec3> {
+    let place = move |k: u32| (f64::from(k) + 0.5) * 2.0 / f64::from(size) - 1.0;
+    (0..size * size).map(move |k| DVec3::new(place(k % size), -place(k / size), 0.0))
+}
+
+fn towards(angle: Degrees) -> DVec3 {
+    let (sine, cosine) = libm::sincos(Radians::from(angle).0);
+    DVec3::new(sine, 0.0, cosine)
+}
+
+/// A lamp over the plate's middle, and chalk.
+struct Lamp {
+    angle: Degrees,
+    distance: f64,
+}
+
+impl Lamp {
+    /// Flat shading against shading every pixel.
+    fn error(&self, cells: u32, size: u32) -> Result<f64, ArtefactError> {
+        let position = towards(self.angle) * self.distance;
+        let light = Light::Point { position, colour: LinearRgb::WHITE, attenuation: Attenuation::None };
+        difference(cells, chalk(), light, front(2.0), size)
+    }
+
+    /// The same by the formula: N·L at the pixel and at the middle of its square.
+    fn law(&self, cells: u32, size: u32) -> f64 {
+        let lamp = towards(self.angle) * self.distance;
+        let light = |point: DVec3| ((lamp - point).z / (lamp - point).length()).max(0.0);
+        let middle = |x: f64| {
+            let side = 2.0 / f64::from(cells);
+            (((x + 1.0) / side).floor() + 0.5) * side - 1.0
+        };
+        let error = |p: DVec3| (light(p) - light(DVec3::new(middle(p.x), middle(p.y), 0.0))).abs();
+        centres(size).map(error).fold(0.0, f64::max)
+    }
+}
+
+/// A viewer over the plate's middle, and nothing but Phong's highlight of a far light.
+struct Viewer {
+    angle: Degrees,
+    distance: f64,
+    exponent: f64,
+}
+
+impl Viewer {
+    fn error(&self, size: u32) -> Result<f64, ArtefactError> {
+        let material = Material {
+            ambient: Reflectance::NONE,
+            diffuse: Reflectance::NONE,
+            specular: Reflectance::Merged(LinearRgb::WHITE),
+            exponent: self.exponent,
+            reflection: Reflection::Phong,
+        };
+        let light = Light::Directional { towards: towards(self.angle), colour: LinearRgb::WHITE };
+        let camera = Camera {
+            eye: DVec3::Z * self.distance,
+            projection: Projection::Perspective(Radians(2.0 * libm::atan(1.0 / self.distance))),
+            near: 0.5 * self.distance,
+            ..front(2.0)
+        };
+        difference(1, material, light, camera, size)
+    }
+
+    /// The same by the formula: (V·R)ⁿ at the pixel and in the middle.
+    fn law(&self, size: u32) -> f64 {
+        let eye = DVec3::Z * self.distance;
+        let mirrored = towards(Degrees(-self.angle.0));
+        let highlight = |point: DVec3| {
+            let cosine = (eye - point).normalize().dot(mirrored).max(0.0);
+            libm::pow(cosine, self.exponent)
+        };
+        let middle = highlight(DVec3::ZERO);
+        centres(size).map(|p| (highlight(p) - middle).abs()).fold(0.0, f64::max)
+    }
+}
+
+/// The largest difference of flat shading and shading every pixel.
+fn difference(
+    cells: u32,
+    material: Material,
+    light: Light,
+    camera: Camera,
+    size: u32,
+) -> Result<f64, ArtefactError> {
+    let mesh = plate(cells)?;
+    let normals = compute(&mesh, &NormalRecipe::default());
+    let paint = |shading| {
+        let settings = settings([size; 2], shading, Interpolation::Perspective);
+        draw(vec![object(&mesh, &normals, material)], &[light], camera, &settings)
+    };
+    Ok(image_error(&paint(Shading::Flat)?, &paint(Shading::Phong)?, 0.5)?.linear.max / 255.0)
+}
+
+/// A box under a lamp that is near its upper corner, and far away in the same direction.
+fn shots(size: u32, segments: u32) -> Result<Vec<Shot>, ArtefactError> {
+    let sides = [
+        (DVec3::new(-1.0, -1.0, 1.0), DVec3::X * 2.0, DVec3::Y * 2.0),
+        (DVec3::new(1.0, -1.0, 1.0), DVec3::Z * -2.0, DVec3::Y * 2.0),
+        (DVec3::new(-1.0, 1.0, 1.0), DVec3::X * 2.0, DVec3::Z * -2.0),
+    ];
+    let camera = Camera { eye: DVec3::new(60.0, 45.0, 80.0), ..front(3.8) };
+    let lamp = DVec3::new(1.5, 1.8, 2.1);
+    let paint = |cells: u32, away: f64, shading| -> Result<Image, ArtefactError> {
+        let mesh = squares(cells, &sides)?;
+        let normals = compute(&mesh, &NormalRecipe::default());
+        let light =
+            Light::Point { position: lamp * away, colour: LinearRgb::WHITE, attenuation: Attenuation::None };
+        let settings = settings([size; 2], shading, Interpolation::Perspective);
+        draw(vec![object(&mesh, &normals, chalk())], &[light], camera, &settings)
+    };
+    Ok(vec![
+        Shot {
+            name: "flat",
+            role: Role::Bad,
+            label: Text::new("flat, lamp near", "plano, lâmpada próxima"),
+            caption: Text::new(
+                "A lamp stands near the corner of the box, but each side has one colour: nothing tells that the lamp is near.",
+                "Há uma lâmpada perto do canto da caixa, mas cada lado tem uma só cor: nada mostra que a lâmpada está próxima.",
+            ),
+            image: paint(1, 1.0, Shading::Flat)?,
+        },
+        Shot {
+            name: "every-pixel",
+            role: Role::Truth,
+            label: Text::new("every pixel, lamp near", "cada pixel, lâmpada próxima"),
+            caption: Text::new(
+                "Lit at every pixel, the sides are bright near the lamp and fade away from it.",
+                "Iluminados pixel a pixel, os lados são claros perto da lâmpada e escurecem longe dela.",
+            ),
+            image: paint(1, 1.0, Shading::Phong)?,
+        },
+        Shot {
+            name: "flat-small-faces",
+            role: Role::Cured,
+            label: Text::new("flat, small faces", "plano, faces pequenas"),
+            caption: Text::new(
+                "The same flat shading with each side cut into small squares: close to the truth, though squares can be seen.",
+                "O mesmo sombreamento plano com cada lado dividido em quadrados pequenos: perto da verdade, embora se vejam os \
+                 quadrados.",
+            ),
+            image: paint(segments, 1.0, Shading::Flat)?,
+        },
+        Shot {
+            name: "flat-lamp-far",
+            role: Role::Cured,
+            label: Text::new("flat, lamp far", "plano, lâmpada distante"),
+            caption: Text::new(
+                "The lamp moved a hundred times as far away: now one colour a side is right.",
+                "A lâmpada cem vezes mais longe: agora uma cor por lado está certa.",
+            ),
+            image: paint(1, 100.0, Shading::Flat)?,
+        },
+    ])
+}
+
+fn chart(diffuse: Vec<[f64; 2]>, specular: Vec<[f64; 2]>, exponent: f64) -> Chart {
+    let angle = |ratio: f64| libm::asin(1.0 / ratio);
+    let bound = |of: &dyn Fn(f64) -> f64| RATIOS.iter().map(|&ratio| [ratio, of(ratio)]).collect::<Vec<_>>();
+    let curve = |name, drawn, points| Curve { name, drawn, points };
+    Chart {
+        name: "error-by-distance",
+        title: Text::new("Error of flat shading by distance", "Erro do sombreamento plano pela distância"),
+        caption: Text::new(
+            "Both errors fall as one over the distance and stay below their bounds. The dotted level is half a step of 8 bits.",
+            "Ambos os erros caem como um sobre a distância e ficam abaixo dos seus limites. O nível pontilhado é meio passo de 8 \
+             bits.",
+        ),
+        x: Scale::log(Text::new("distance in circumradii of the face", "distância em circunraios da face")),
+        y: Scale::log(Text::new("largest error", "maior erro")),
+        curves: vec![
+            curve(Text::new("lamp, diffuse", "lâmpada, difusa"), Drawn::Points, diffuse),
+            curve(Text::new("viewer, highlight", "observador, brilho"), Drawn::Points, specular),
+            curve(
+                Text::new("bound, diffuse", "limite, difusa"),
+                Drawn::Guide,
+                bound(&|ratio| 2.0 * libm::sin(0.5 * angle(ratio))),
+            ),
+            curve(
+                Text::new("bound, highlight", "limite, brilho"),
+                Drawn::Guide,
+                bound(&|ratio| steepest_slope(exponent) * angle(ratio)),
+            ),
+            curve(
+                Text::new("half a step of 8 bits", "meio passo de 8 bits"),
+                Drawn::Guide,
+                bound(&|_| 0.5 / 255.0),
+            ),
+        ],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn errors_are_those_of_the_formula_and_fall_with_distance() {
+        for (light, segments) in [(0.0, 8), (45.0, 12)] {
+            let parameters = Parameters { size: 96, segments, light: Degrees(light), ..EXPERIMENT.defaults };
+            let outcome = EXPERIMENT.run(&Setup { parameters, mesh: None }).unwrap();
+            for measure in &outcome.measures {
+                assert_ne!(measure.agrees(), Some(false), "{measure:?}");
+            }
+            // Present: ten steps of 8 bits at least. Cured: each face is a segments-th as wide.
+            assert!(outcome.moved.bad > 10.0 / 255.0, "{:?}", outcome.moved);
+            assert!(outcome.moved.factor() > 0.5 * f64::from(segments), "{:?}", outcome.moved);
+            let diffuse = &outcome.charts[0].curves[0].points;
+            assert!(diffuse.windows(2).all(|pair| pair[1][1] < pair[0][1]));
+            // Half a step at 510 circumradii.
+            assert!(diffuse[5][1] <= 0.5 / 255.0, "{diffuse:?}");
+        }
+    }
+}

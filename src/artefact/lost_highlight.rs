@@ -1,0 +1,316 @@
+//! A highlight that falls between vertices.
+
+use super::body::{Body, Diagonal};
+use super::stage::{draw, front, settings};
+use super::{
+    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters, Role,
+    Scale, Setup, Shot, Text, Verdict,
+};
+use crate::metric::Highlight;
+use crate::num::{Degrees, LinearRgb, Radians};
+use crate::raster::{Image, Interpolation, Object, Shading, Shape};
+use crate::shade::{Light, Material, Reflectance};
+use crate::surface::{Primitive, Sphere};
+use glam::DVec3;
+use std::f64::consts::TAU;
+
+pub(super) const EXPERIMENT: Experiment = Experiment {
+    id: "lost-highlight",
+    title: Text::new("The lost highlight", "O brilho perdido"),
+    claim: Text::new(
+        "If all vertices of a polygon are badly lit, Gouraud's shading shows all of it badly lit: a highlight inside is lost. \
+         Phong's shading finds it.",
+        "Se todos os vértices de um polígono estão mal iluminados, o sombreamento de Gouraud o mostra todo mal iluminado: um \
+         brilho no interior se perde. O sombreamento de Phong o encontra.",
+    ),
+    sources: &[
+        Text::new("Lectures: 1.6.7, 1.6.13, 1.6.15", "Aulas: 1.6.7, 1.6.13, 1.6.15"),
+        Text::new(
+            "Ting 2008: “perda de pontos de brilho” (loss of highlights)",
+            "Ting 2008: “perda de pontos de brilho”",
+        ),
+    ],
+    formulas: &[
+        Formula {
+            notation: "I_{max} = k_d cos(α) + k_s cos(α)^n",
+            says: Text::new(
+                "all that Gouraud's shading can reach, α the angle from the true highlight to the nearest vertex's normal",
+                "tudo o que o sombreamento de Gouraud alcança, α o ângulo do brilho verdadeiro à normal do vértice mais próximo",
+            ),
+        },
+        Formula {
+            notation: "F = 1 − k_d cos(Δ/2) − k_s cos(Δ/2)^n",
+            says: Text::new(
+                "how much the highlight of a turning sphere flickers: α goes from 0 to Δ/2 and back, Δ = 2π/N",
+                "quanto cintila o brilho de uma esfera que gira: α vai de 0 a Δ/2 e volta, Δ = 2π/N",
+            ),
+        },
+    ],
+    takes: &[Knob::Size, Knob::Segments, Knob::Exponent],
+    defaults: Parameters { segments: 16, exponent: 32.0, ..Parameters::USUAL },
+    run,
+    frame: Some(frame),
+};
+
+/// Of diffuse light; the rest of 1 is highlight.
+const DIFFUSE: f64 = 0.4;
+/// How far the normals at the corners of the plate lean outwards.
+const TILT: Degrees = Degrees(35.0);
+/// The window's side; plate and sphere are 2 wide.
+const WINDOW: f64 = 2.2;
+/// Pictures of one turn by a segment.
+const FRAMES: u32 = 8;
+
+fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+    let Parameters { size, segments, exponent, .. } = setup.parameters;
+    let delta = TAU / f64::from(segments);
+    let peak = |image: &Image| Highlight::of(image).map(|found| found.peak);
+    let plate = |shading| paint(plate().object(material(exponent)), size, shading);
+    let (plate_gouraud, plate_phong) = (plate(Shading::Gouraud)?, plate(Shading::Phong)?);
+    let globe =
+        |turn: f64, shading| paint(Body::globe(segments, turn).object(material(exponent)), size, shading);
+    let truth = paint(
+        Object::new(Shape::Surface(Primitive::from(Sphere::default())), material(exponent)),
+        size,
+        Shading::Exact,
+    )?;
+    let (worst, cured) = (globe(delta / 2.0, Shading::Gouraud)?, globe(delta / 2.0, Shading::Phong)?);
+    let quarter = globe(delta / 4.0, Shading::Gouraud)?;
+    let (mut gouraud, mut phong) = (Vec::new(), Vec::new());
+    for k in 0..=FRAMES {
+        let turn = delta * f64::from(k) / f64::from(FRAMES);
+        let degrees = Degrees::from(Radians(turn)).0;
+        gouraud.push([degrees, peak(&globe(turn, Shading::Gouraud)?)?]);
+        phong.push([degrees, peak(&globe(turn, Shading::Phong)?)?]);
+    }
+    let (flicker_gouraud, flicker_phong) = (flicker(&gouraud), flicker(&phong));
+    let radius = f64::from(size) / WINDOW;
+    let of_nearest = law(delta / 2.0, exponent);
+    // A pixel's centre is up to 0.71 pixels from a vertex, from which light falls along edges to the next one.
+    let edge = 2.0 * libm::sin(delta / 2.0) * radius;
+    let tolerance = (0.75 / edge).min(1.0);
+    let off_pixel = Text::new(
+        "a pixel's centre is up to 0.71 pixels from the vertex",
+        "o centro de um pixel fica a até 0,71 pixel do vértice",
+    );
+    let change = Highlight::change(&quarter, &truth)?;
+    let measures = vec![
+        Measure::new(
+            Text::new("plate: Gouraud's peak over Phong's", "placa: pico de Gouraud sobre o de Phong"),
+            "",
+            peak(&plate_gouraud)? / peak(&plate_phong)?,
+        )
+        .expect(
+            law(Radians::from(TILT).0, exponent),
+            2e-3,
+            Text::new(
+                "k_d cos α + k_s cos(α)^n at the corners, α = 35°; single precision, and the parabola through Phong's peak",
+                "k_d cos α + k_s cos(α)^n nos cantos, α = 35°; precisão simples, e a parábola pelo pico de Phong",
+            ),
+        ),
+        Measure::new(
+            Text::new(
+                "sphere: Gouraud's peak over the true one, the highlight between two vertices",
+                "esfera: pico de Gouraud sobre o verdadeiro, o brilho entre dois vértices",
+            ),
+            "",
+            Highlight::change(&worst, &truth)?.peak_ratio,
+        )
+        .expect(of_nearest, tolerance, off_pixel.clone()),
+        Measure::new(
+            Text::new(
+                "sphere turned by a quarter of a segment: displacement of the peak",
+                "esfera girada de um quarto de segmento: deslocamento do pico",
+            ),
+            "px",
+            change.displacement,
+        )
+        .expect(
+            radius * libm::sin(delta / 4.0),
+            1.0,
+            Text::new("R sin(Δ/4), to the nearest vertex; one pixel", "R sin(Δ/4), até o vértice mais próximo; um pixel"),
+        ),
+        Measure::new(
+            Text::new("Gouraud: flicker of the peak over a turn", "Gouraud: cintilação do pico numa volta"),
+            "",
+            flicker_gouraud,
+        )
+        .expect(1.0 - of_nearest, tolerance, off_pixel),
+        Measure::new(
+            Text::new("Phong: flicker of the peak over a turn", "Phong: cintilação do pico numa volta"),
+            "",
+            flicker_phong,
+        ),
+    ];
+    Ok(Outcome {
+        verdict: Verdict::Holds(Text::new(
+            "wherever the nearest vertex's normal is farther from the highlight than the highlight is wide: exponents from about \
+             (N/π)² on. A sphere that turns flickers.",
+            "sempre que a normal do vértice mais próximo está mais longe do brilho do que o brilho é largo: expoentes a partir de \
+             cerca de (N/π)². Uma esfera que gira cintila.",
+        )),
+        moved: Moved {
+            name: Text::new("flicker of the highlight's peak", "cintilação do pico do brilho"),
+            unit: "",
+            bad: flicker_gouraud,
+            cure: Text::new("Phong's shading", "sombreamento de Phong"),
+            cured: flicker_phong,
+        },
+        measures,
+        shots: vec![
+            Shot {
+                name: "plate-gouraud",
+                role: Role::Bad,
+                label: Text::new("plate, Gouraud", "placa, Gouraud"),
+                caption: Text::new(
+                    "All four corners lean away from the light, so the whole plate is dark: the highlight in its middle is lost.",
+                    "Os quatro cantos estão inclinados para longe da luz, e a placa toda fica escura: o brilho no meio se perdeu.",
+                ),
+                image: plate_gouraud,
+            },
+            Shot {
+                name: "plate-phong",
+                role: Role::Cured,
+                label: Text::new("plate, Phong", "placa, Phong"),
+                caption: Text::new(
+                    "The same two triangles: interpolated normals face the light in the middle, and the highlight is there.",
+                    "Os mesmos dois triângulos: no meio as normais interpoladas olham para a luz, e o brilho está lá.",
+                ),
+                image: plate_phong,
+            },
+            Shot {
+                name: "sphere-gouraud",
+                role: Role::Bad,
+                label: Text::new("sphere, Gouraud", "esfera, Gouraud"),
+                caption: Text::new(
+                    "The highlight falls between two vertices: a dull bar between them is all that is left of it.",
+                    "O brilho cai entre dois vértices: uma barra fosca entre eles é tudo o que resta dele.",
+                ),
+                image: worst,
+            },
+            Shot {
+                name: "sphere-phong",
+                role: Role::Cured,
+                label: Text::new("sphere, Phong", "esfera, Phong"),
+                caption: Text::new(
+                    "The same sphere with Phong's shading: the highlight is round, bright and in its place.",
+                    "A mesma esfera com o sombreamento de Phong: o brilho é redondo, claro e está no lugar.",
+                ),
+                image: cured,
+            },
+            Shot {
+                name: "sphere-exact",
+                role: Role::Truth,
+                label: Text::new("the sphere itself", "a própria esfera"),
+                caption: Text::new(
+                    "Every pixel with the normal of the true sphere.",
+                    "Cada pixel com a normal da esfera verdadeira.",
+                ),
+                image: truth,
+            },
+        ],
+        charts: vec![chart(gouraud, phong, exponent, delta)],
+        notes: vec![Text::new(
+            "Gouraud's shading mixes colours of vertices, and no mixture is brighter than the brightest vertex. When the sphere \
+             turns, vertices pass under the highlight one by one and it pulses, once for each. Phong's shading mixes normals and \
+             lights every pixel anew.",
+            "O sombreamento de Gouraud mistura cores de vértices, e nenhuma mistura é mais clara que o vértice mais claro. Quando a \
+             esfera gira, os vértices passam um a um sob o brilho e ele pulsa, uma vez para cada. O de Phong mistura normais e \
+             ilumina cada pixel de novo.",
+        )],
+    })
+}
+
+/// A frame of the sphere turning by two segments.
+fn frame(setup: &Setup, number: u32, count: u32) -> Result<Image, ArtefactError> {
+    let Parameters { size, segments, exponent, .. } = setup.parameters;
+    let turn = 2.0 * TAU / f64::from(segments) * f64::from(number) / f64::from(count.max(1));
+    paint(Body::globe(segments, turn).object(material(exponent)), size, Shading::Gouraud)
+}
+
+fn chart(gouraud: Vec<[f64; 2]>, phong: Vec<[f64; 2]>, exponent: f64, delta: f64) -> Chart {
+    let theory = (0..=64).map(|k| {
+        let turn = delta * f64::from(k) / 64.0;
+        [Degrees::from(Radians(turn)).0, law(turn.min(delta - turn), exponent)]
+    });
+    let curve = |name, drawn, points| Curve { name, drawn, points };
+    Chart {
+        name: "flicker",
+        title: Text::new("The highlight of a turning sphere", "O brilho de uma esfera que gira"),
+        caption: Text::new(
+            "The brightest pixel against the turn: with Gouraud's shading it falls and rises again with every segment, as the \
+             closed form says; with Phong's it stays.",
+            "O pixel mais claro em função do giro: com Gouraud ele cai e sobe de novo a cada segmento, como diz a fórmula; com Phong \
+             fica como está.",
+        ),
+        x: Scale::linear(Text::new("turn in degrees", "giro em graus")),
+        y: Scale::linear(Text::new("peak luminance", "luminância do pico")),
+        curves: vec![
+            curve(Text::same("Gouraud"), Drawn::Points, gouraud),
+            curve(Text::same("Phong"), Drawn::Points, phong),
+            curve(Text::new("closed form, Gouraud", "fórmula, Gouraud"), Drawn::Guide, theory.collect()),
+        ],
+    }
+}
+
+/// The light on a vertex whose normal is this far from the viewer and the light.
+fn law(angle: f64, exponent: f64) -> f64 {
+    let cosine = libm::cos(angle);
+    DIFFUSE * cosine + (1.0 - DIFFUSE) * libm::pow(cosine, exponent)
+}
+
+/// How far a peak falls, as a share of its largest.
+fn flicker(peaks: &[[f64; 2]]) -> f64 {
+    let values = || peaks.iter().map(|peak| peak[1]);
+    let largest = values().fold(0.0, f64::max);
+    (largest - values().fold(f64::INFINITY, f64::min)) / largest
+}
+
+fn material(exponent: f64) -> Material {
+    Material {
+        ambient: Reflectance::NONE,
+        diffuse: Reflectance::Merged(LinearRgb::grey(DIFFUSE)),
+        specular: Reflectance::Merged(LinearRgb::grey(1.0 - DIFFUSE)),
+        exponent,
+        ..Material::default()
+    }
+}
+
+/// Two triangles whose normals at the corners lean outwards.
+fn plate() -> Body {
+    let (sine, cosine) = libm::sincos(Radians::from(TILT).0);
+    Body::grid([1, 1], Diagonal::Rising, |u, v| {
+        let place = DVec3::new(2.0 * u - 1.0, 2.0 * v - 1.0, 0.0);
+        (place, place * (sine / std::f64::consts::SQRT_2) + DVec3::Z * cosine)
+    })
+}
+
+/// Light and viewer in front, far away.
+fn paint(object: Object, size: u32, shading: Shading) -> Result<Image, ArtefactError> {
+    let light = Light::Directional { towards: DVec3::Z, colour: LinearRgb::WHITE };
+    draw(vec![object], &[light], front(WINDOW), &settings([size; 2], shading, Interpolation::Perspective))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn highlights_are_lost_and_found() {
+        for (segments, exponent) in [(12, 16.0), (16, 32.0), (24, 100.0)] {
+            let parameters = Parameters { size: 160, segments, exponent, ..EXPERIMENT.defaults };
+            let outcome = EXPERIMENT.run(&Setup { parameters, mesh: None }).unwrap();
+            for measure in &outcome.measures {
+                assert_ne!(measure.agrees(), Some(false), "{measure:?}");
+            }
+            // Present: a tenth of the peak at least. Cured: what the raster of pixels leaves, less than a tenth of that.
+            assert!(outcome.moved.bad > 0.1 && outcome.moved.factor() > 10.0, "{:?}", outcome.moved);
+            let peak = |name: &str| {
+                let shot = outcome.shots.iter().find(|shot| shot.name == name).unwrap();
+                Highlight::of(&shot.image).unwrap().peak
+            };
+            assert!(peak("plate-gouraud") < 0.5 * peak("plate-phong"));
+            assert!(peak("sphere-gouraud") < peak("sphere-phong"));
+        }
+    }
+}

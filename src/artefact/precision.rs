@@ -1,0 +1,464 @@
+//! What rounding of positions and normals does to a highlight.
+
+use super::body::{Body, Diagonal};
+use super::stage::{draw, front, settings};
+use super::{
+    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters, Role,
+    Scale, Setup, Shot, Text, Verdict,
+};
+use crate::metric::{NormalDeviation, image_error, normal_deviation};
+use crate::normals::encoding::{Encoding, Snorm};
+use crate::normals::{Scratch, face_normals};
+use crate::num::{Degrees, LinearRgb, Radians, steepest_slope};
+use crate::raster::{Image, Interpolation, Object, RenderSettings, Shading, Shape, Show};
+use crate::shade::{Light, Material, Reflectance};
+use crate::surface::{Primitive, Sphere};
+use glam::{DVec3, Vec3};
+use std::f64::consts::FRAC_1_SQRT_2;
+
+pub(super) const EXPERIMENT: Experiment = Experiment {
+    id: "precision",
+    title: Text::new("Normals of too few digits", "Normais com poucos dígitos"),
+    claim: Text::new(
+        "Rounding shows in highlights first: a normal that is off by δ changes diffuse light by δ at most, but a highlight by up to \
+         √(n/e) δ.",
+        "O arredondamento aparece primeiro nos brilhos: uma normal com erro δ muda a luz difusa no máximo por δ, mas um brilho por \
+         até √(n/e) δ.",
+    ),
+    sources: &[
+        Text::new(
+            "Lectures: 1.3.1.2, 1.6.21 (normals and exponents; they do not speak of digits)",
+            "Aulas: 1.3.1.2, 1.6.21 (normais e expoentes; não falam de dígitos)",
+        ),
+        Text::new(
+            "Paper: Z. H. Cigolle et al., A survey of efficient representations for independent unit vectors, JCGT 3(2), 2014",
+            "Artigo: Z. H. Cigolle et al., A survey of efficient representations for independent unit vectors, JCGT 3(2), 2014",
+        ),
+    ],
+    formulas: &[
+        Formula {
+            notation: "|ΔI_s| ≤ k_s M(n) δ, M(n) ≈ \\sqrt{n/e}",
+            says: Text::new(
+                "the change of Blinn's highlight when the normal is off by δ",
+                "a mudança do brilho de Blinn quando a normal erra por δ",
+            ),
+        },
+        Formula {
+            notation: "δ_{rms} = \\frac{u}{\\sqrt{12}} \\frac{\\sqrt{a^2 + b^2 + c^2}}{2A}",
+            says: Text::new(
+                "the error of the normal of a triangle with the sides a, b, c and the area A when its positions are rounded to \
+                 multiples of u, which for single precision is the distance from the origin over 2²³ to 2²⁴",
+                "o erro da normal de um triângulo de lados a, b, c e área A quando as posições são arredondadas a múltiplos de u, que \
+                 em precisão simples é a distância à origem sobre 2²³ a 2²⁴",
+            ),
+        },
+    ],
+    takes: &[Knob::Size, Knob::Segments, Knob::Exponent],
+    defaults: Parameters { segments: 24, exponent: 2000.0, ..Parameters::USUAL },
+    run,
+    frame: None,
+};
+
+/// The window's side: a close look at the highlight on a sphere of radius 1.
+const WINDOW: f64 = 0.25;
+/// The part of the sphere that is modelled: so many radians to all sides of +z, more than the window shows.
+const REACH: f64 = 0.16;
+/// How far from the origin the sphere is modelled, in radii.
+const AWAY: f64 = 3e3;
+/// The mean distance of the points of a square of side 1 from its middle: (√2 + ln(1 + √2))/6.
+const MEAN_OF_SQUARE: f64 = 0.382_597_858_232_106_5;
+/// Heights of needles over their lengths.
+const NEEDLES: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
+
+fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+    let Parameters { size, segments, exponent, .. } = setup.parameters;
+    let globe = Body::cap(segments);
+    let stored = |encoding: Encoding| globe.with_normals(|n| encoding.decode(encoding.encode(n)));
+    let (eight, sixteen) = (stored(Encoding::Snorm(Snorm::EIGHT)), stored(Encoding::OCTAHEDRAL_16));
+    let far = globe.far_away(AWAY);
+    let scene = Scene { size };
+    let truth = scene.normals(&exact(exponent), Shading::Exact)?;
+    let deviation = |body: &Body| -> Result<NormalDeviation, ArtefactError> {
+        Ok(normal_deviation(&scene.normals(&body.object(shiny(exponent)), Shading::Phong)?, &truth)?)
+    };
+    let (of_eight, of_sixteen, of_single, of_far) =
+        (deviation(&eight)?, deviation(&sixteen)?, deviation(&globe)?, deviation(&far)?);
+    let reference = scene.light(&globe.object(shiny(exponent)), Shading::Phong)?;
+    let picture = |body: &Body| scene.light(&body.object(shiny(exponent)), Shading::Phong);
+    let (lit_eight, lit_sixteen, lit_far) = (picture(&eight)?, picture(&sixteen)?, picture(&far)?);
+    let error = |image: &Image| image_error(image, &reference, 0.5).map(|error| error.linear.max / 255.0);
+    let (worst_eight, worst_sixteen) = (error(&lit_eight)?, error(&lit_sixteen)?);
+    let [mean, largest] = globe.angles(&eight);
+    // Δ_d ≤ δ and Δ_s ≤ M(n) δ.
+    let bound =
+        |degrees: f64| (DIFFUSE + SPECULAR * steepest_slope(exponent)) * Radians::from(Degrees(degrees)).0;
+    let [naive, careful] = [0, 1].map(|way| NEEDLES.map(|ratio| [ratio, needle(ratio)[way]]).to_vec());
+    let expected_far = globe.rounded_faces(AWAY);
+    let measures = vec![
+        Measure::new(
+            Text::new("three times 8 bits: mean error at vertices", "três vezes 8 bits: erro médio nos vértices"),
+            "°",
+            mean,
+        )
+        .expect(
+            Degrees::from(Radians(MEAN_OF_SQUARE / 127.0)).0,
+            0.1 * Degrees::from(Radians(MEAN_OF_SQUARE / 127.0)).0,
+            Text::new(
+                "(√2 + ln(1 + √2))/6 of a step of 1/127: the mean distance from the middle of a square; a regular grid is no \
+                 random sample",
+                "(√2 + ln(1 + √2))/6 de um passo de 1/127: a distância média ao centro de um quadrado; uma grade regular não é \
+                 amostra aleatória",
+            ),
+        ),
+        Measure::new(
+            Text::new("three times 8 bits: largest error at vertices", "três vezes 8 bits: maior erro nos vértices"),
+            "°",
+            largest,
+        )
+        .expect(
+            Degrees::from(Radians(FRAC_1_SQRT_2 / 127.0)).0,
+            0.15 * Degrees::from(Radians(FRAC_1_SQRT_2 / 127.0)).0,
+            Text::new(
+                "half a step in both components across, 1/(127√2); the grid may miss the corners of a step's square",
+                "meio passo nas duas componentes transversais, 1/(127√2); a grade pode não atingir os cantos do quadrado",
+            ),
+        ),
+        Measure::new(
+            Text::new("8 bits: change of the highlight over its bound", "8 bits: mudança do brilho sobre o seu limite"),
+            "",
+            worst_eight / bound(largest),
+        )
+        .expect(
+            0.5,
+            0.5,
+            Text::new("(k_d + k_s M(n)) δ: at most 1", "(k_d + k_s M(n)) δ: no máximo 1"),
+        ),
+        Measure::new(
+            Text::new("twice 16 bits: largest change of the light", "duas vezes 16 bits: maior mudança da luz"),
+            "",
+            worst_sixteen,
+        )
+        .expect(
+            0.0,
+            bound(0.0037) + 1e-5,
+            Text::new("bound for 0.0037°, the largest error of this code", "limite para 0,0037°, o maior erro deste código"),
+        ),
+        Measure::new(
+            Text::made(
+                format!("{AWAY} radii from the origin: error of face normals (rms)"),
+                format!("a {AWAY} raios da origem: erro das normais das faces (rms)"),
+            ),
+            "°",
+            globe.face_angles(&far),
+        )
+        .expect(
+            expected_far,
+            // The sample of faces, and terms of second order in the angle.
+            expected_far * (0.06 + 2.0 * Radians::from(Degrees(expected_far)).0),
+            Text::new(
+                "u √(a² + b² + c²)/(2A√12) of every face, u the distance of neighbouring numbers there; 6 % for the sample of \
+                 rounding errors",
+                "u √(a² + b² + c²)/(2A√12) de cada face, u a distância entre números vizinhos ali; 6 % pela amostra dos erros de \
+                 arredondamento",
+            ),
+        ),
+        Measure::new(
+            Text::new("needle of 1 : 10⁶, plain arithmetic: error", "agulha de 1 : 10⁶, aritmética simples: erro"),
+            "°",
+            naive[4][1],
+        ),
+        Measure::new(
+            Text::new("needles, exact differences of products: largest error", "agulhas, diferenças exatas de produtos: maior erro"),
+            "°",
+            careful.iter().map(|point| point[1]).fold(0.0, f64::max),
+        )
+        .expect(0.0, 6e-6, Text::new("6·10⁻⁶°: one rounding of the result", "6·10⁻⁶°: um arredondamento do resultado")),
+        Measure::new(Text::new("pixels, 8 bits: mean error", "pixels, 8 bits: erro médio"), "°", of_eight.mean),
+        Measure::new(Text::new("pixels, twice 16 bits: mean error", "pixels, duas vezes 16 bits: erro médio"), "°", of_sixteen.mean),
+        Measure::new(Text::new("pixels, single precision: mean error", "pixels, precisão simples: erro médio"), "°", of_single.mean),
+        Measure::new(Text::new("pixels, far from the origin: mean error", "pixels, longe da origem: erro médio"), "°", of_far.mean),
+    ];
+    Ok(Outcome {
+        verdict: Verdict::Holds(Text::new(
+            "for small errors. For half a step of 8 bits a highlight with n = 1000 needs normals right to 0.006°: 8 bits a component \
+             miss that by a factor of 65, twice 16 bits keep it.",
+            "para erros pequenos. Para meio passo de 8 bits um brilho com n = 1000 precisa de normais certas até 0,006°: 8 bits por \
+             componente erram isso por um fator de 65, duas vezes 16 bits o cumprem.",
+        )),
+        moved: Moved {
+            name: Text::new("largest change of the highlight", "maior mudança do brilho"),
+            unit: "",
+            bad: worst_eight,
+            cure: Text::new("normals as twice 16 bits", "normais como duas vezes 16 bits"),
+            cured: worst_sixteen,
+        },
+        measures,
+        shots: vec![
+            shot(
+                "eight-bits",
+                Role::Bad,
+                Text::new("3 × 8 bits a normal", "3 × 8 bits por normal"),
+                Text::new(
+                    "A close look at a sharp highlight, normals rounded to 8 bits a component: it is dented and blotchy.",
+                    "Um brilho nítido visto de perto, normais arredondadas a 8 bits por componente: ele fica amassado e manchado.",
+                ),
+                lit_eight,
+            ),
+            shot(
+                "sixteen-bits",
+                Role::Cured,
+                Text::new("2 × 16 bits a normal", "2 × 16 bits por normal"),
+                Text::new(
+                    "The same normals on an octahedron with twice 16 bits, in a byte more: round and smooth.",
+                    "As mesmas normais num octaedro com duas vezes 16 bits, com um byte a mais: redondo e liso.",
+                ),
+                lit_sixteen,
+            ),
+            shot(
+                "far-away",
+                Role::Bad,
+                Text::new("positions far away", "posições distantes"),
+                Text::made(
+                    format!(
+                        "Positions stored in single precision {AWAY} radii from the origin: normals computed from them make the highlight rough."
+                    ),
+                    format!(
+                        "Posições guardadas em precisão simples a {AWAY} raios da origem: as normais calculadas delas tornam o brilho áspero."
+                    ),
+                ),
+                lit_far,
+            ),
+            shot(
+                "centred",
+                Role::Cured,
+                Text::new("positions centred", "posições centradas"),
+                Text::new(
+                    "The same sphere with positions centred before they were rounded.",
+                    "A mesma esfera com as posições centradas antes de arredondar.",
+                ),
+                reference,
+            ),
+        ],
+        charts: vec![chart(naive, careful)],
+        notes: vec![Text::new(
+            "Far from the origin no better arithmetic helps: differences of rounded positions are exact, what was lost was lost \
+             when they were stored. For needles it does: with plain products the cross product of two nearly parallel edges \
+             cancels, with exact differences of products it is right to the last digit.",
+            "Longe da origem nenhuma aritmética melhor ajuda: as diferenças das posições arredondadas são exatas, o que se perdeu foi \
+             ao guardá-las. Para agulhas ajuda: com produtos simples o produto vetorial de duas arestas quase paralelas se \
+             cancela, com diferenças exatas de produtos ele está certo até o último dígito.",
+        )],
+    })
+}
+
+fn shot(name: &'static str, role: Role, label: Text, caption: Text, image: Image) -> Shot {
+    Shot { name, role, label, caption, image }
+}
+
+/// How much of the light the body scatters, and how much it mirrors.
+const DIFFUSE: f64 = 0.3;
+const SPECULAR: f64 = 0.7;
+
+fn shiny(exponent: f64) -> Material {
+    Material {
+        ambient: Reflectance::NONE,
+        diffuse: Reflectance::Merged(LinearRgb::grey(DIFFUSE)),
+        specular: Reflectance::Merged(LinearRgb::grey(SPECULAR)),
+        exponent,
+        ..Material::default()
+    }
+}
+
+fn exact(exponent: f64) -> Object<'static> {
+    Object::new(Shape::Surface(Primitive::from(Sphere::default())), shiny(exponent))
+}
+
+/// A close look at the middle of the sphere, light and viewer in front.
+struct Scene {
+    size: u32,
+}
+
+impl Scene {
+    fn light(&self, object: &Object, shading: Shading) -> Result<Image, ArtefactError> {
+        self.paint(object, shading, Show::Shaded)
+    }
+
+    fn normals(&self, object: &Object, shading: Shading) -> Result<Image, ArtefactError> {
+        self.paint(object, shading, Show::Normals)
+    }
+
+    fn paint(&self, object: &Object, shading: Shading, show: Show) -> Result<Image, ArtefactError> {
+        // A little off the axis, so that the highlight does not sit on a vertex.
+        let light = Light::Directional { towards: DVec3::new(0.05, 0.03, 1.0), colour: LinearRgb::WHITE };
+        let settings =
+            RenderSettings { show, ..settings([self.size; 2], shading, Interpolation::Perspective) };
+        draw(vec![object.clone()], &[light], front(WINDOW), &settings)
+    }
+}
+
+impl Body {
+    /// A part of the unit sphere about +z, cut into so many squares each way, with its own normals.
+    fn cap(cells: u32) -> Self {
+        Self::grid([cells; 2], Diagonal::Rising, |u, v| {
+            let (longitude, latitude) = ((2.0 * u - 1.0) * REACH, (2.0 * v - 1.0) * REACH);
+            let (up, ring) = libm::sincos(latitude);
+            let (right, ahead) = libm::sincos(longitude);
+            let place = DVec3::new(ring * right, up, ring * ahead);
+            (place, place)
+        })
+    }
+
+    /// The same with other normals.
+    fn with_normals(&self, change: impl Fn(DVec3) -> DVec3) -> Self {
+        let changed = |normal: &[f32; 3]| change(Vec3::from(*normal).as_dvec3()).as_vec3().to_array();
+        Self { normals: self.normals.iter().map(changed).collect(), ..self.clone() }
+    }
+
+    /// The body after its positions have been stored in single precision far from the origin, with normals computed from
+    /// what was left of them.
+    fn far_away(&self, away: f64) -> Self {
+        let offset = DVec3::new(away, 0.9 * away, 0.8 * away);
+        let stored = |p: &[f32; 3]| (Vec3::from(*p).as_dvec3() + offset).as_vec3().as_dvec3() - offset;
+        let positions: Vec<DVec3> = self.positions.iter().map(stored).collect();
+        let mut sums = vec![DVec3::ZERO; positions.len()];
+        for triangle in &self.triangles {
+            let [a, b, c] = triangle.map(|vertex| positions[vertex as usize]);
+            let area = (b - a).cross(c - a);
+            triangle.iter().for_each(|&vertex| sums[vertex as usize] += area);
+        }
+        let own = self.normals.iter().map(|n| Vec3::from(*n).as_dvec3());
+        let normals: Vec<DVec3> =
+            sums.iter().zip(own).map(|(sum, own)| sum.try_normalize().unwrap_or(own)).collect();
+        Self::new(&positions, self.triangles.clone(), &normals)
+    }
+
+    /// Mean and largest angle to the normals of another body, at vertices, in degrees.
+    fn angles(&self, other: &Self) -> [f64; 2] {
+        let pairs = self.normals.iter().zip(&other.normals);
+        let angles: Vec<f64> = pairs.map(|(a, b)| angle(*a, *b)).collect();
+        [angles.iter().sum::<f64>() / angles.len() as f64, angles.iter().copied().fold(0.0, f64::max)]
+    }
+
+    /// The root of the mean square of the angles to the normals of the faces of another body, in degrees.
+    fn face_angles(&self, other: &Self) -> f64 {
+        let pairs = self.face_normals.iter().zip(&other.face_normals);
+        let squares: f64 = pairs.map(|(a, b)| angle(*a, *b)).map(|angle| angle * angle).sum();
+        (squares / self.face_normals.len() as f64).sqrt()
+    }
+
+    /// What that is by theory for positions rounded at this distance. A normal leans by the gradient of the errors' heights over
+    /// the face, Σ e_k ∇λ_k with |∇λ_k| = side_k/(2A); errors have the variance u²/12 and know nothing of one another.
+    fn rounded_faces(&self, away: f64) -> f64 {
+        let step = f64::from((away as f32).next_up()) - f64::from(away as f32);
+        let square = |triangle: &[u32; 3]| {
+            let [a, b, c] = triangle.map(|vertex| Vec3::from(self.positions[vertex as usize]).as_dvec3());
+            let sides = (b - a).length_squared() + (c - b).length_squared() + (a - c).length_squared();
+            step * step / 12.0 * sides / (b - a).cross(c - a).length_squared()
+        };
+        let sum: f64 = self.triangles.iter().map(square).sum();
+        Degrees::from(Radians((sum / self.triangles.len() as f64).sqrt())).0
+    }
+}
+
+fn angle(a: [f32; 3], b: [f32; 3]) -> f64 {
+    let [a, b] = [a, b].map(|v| Vec3::from(v).as_dvec3());
+    Degrees::from(Radians(libm::atan2(a.cross(b).length(), a.dot(b)))).0
+}
+
+/// The error of the normal of a triangle that is so much lower than long, over some positions: by plain single precision, and
+/// as this library computes it; NaN if it refused.
+fn needle(ratio: f64) -> [f64; 2] {
+    let mut worst = [0.0_f64; 2];
+    for k in 0..400 {
+        // Directions that share no digits with the axes.
+        let t = f64::from(k) * 0.618_033_988_749_895;
+        let along = DVec3::new(libm::cos(t), libm::sin(t) * 0.8, libm::sin(t) * 0.6);
+        let aside = along.cross(DVec3::new(0.3, -0.5, 0.81)).normalize();
+        let base = DVec3::new(0.4, -0.7, 0.3) * libm::cos(3.0 * t);
+        let corners = [DVec3::ZERO, along, along * 0.37 + aside * ratio];
+        let positions = corners.map(|p| (base + p).as_vec3().to_array());
+        let [p, q, r] = positions.map(Vec3::from);
+        let truth = {
+            let [p, q, r] = [p, q, r].map(|v| v.as_dvec3());
+            // Differences of single numbers and their products are exact in double precision.
+            (q - p).cross(r - p)
+        };
+        let plain = (q - p).cross(r - p);
+        let mut own = [[0.0_f32; 3]];
+        if face_normals(&positions, &[[0, 1, 2]], &mut Scratch::new(), &mut own).is_err() {
+            return [f64::NAN; 2];
+        }
+        for (worst, found) in worst.iter_mut().zip([plain.as_dvec3(), Vec3::from(own[0]).as_dvec3()]) {
+            let off = libm::atan2(found.cross(truth).length(), found.dot(truth));
+            *worst = worst.max(Degrees::from(Radians(off)).0);
+        }
+    }
+    worst
+}
+
+/// One rounding of a product over the height of the triangle, in degrees: the size of the error of plain arithmetic.
+fn rounding(ratio: f64) -> f64 {
+    Degrees::from(Radians(0.5 * f64::from(f32::EPSILON) / ratio)).0
+}
+
+fn chart(naive: Vec<[f64; 2]>, careful: Vec<[f64; 2]>) -> Chart {
+    let guide = NEEDLES.iter().map(|&ratio| [ratio, rounding(ratio)]).collect();
+    Chart {
+        name: "needles",
+        title: Text::new("Normals of needles", "Normais de agulhas"),
+        caption: Text::new(
+            "Largest error of a triangle's normal against its height over its length, positions in single precision: plain products \
+             lose a digit with each digit of slimness, exact differences of products none.",
+            "Maior erro da normal de um triângulo em função da altura sobre o comprimento, posições em precisão simples: produtos \
+             simples perdem um dígito a cada dígito de finura, diferenças exatas de produtos nenhum.",
+        ),
+        x: Scale::log(Text::new("height over length", "altura sobre comprimento")),
+        y: Scale::log(Text::new("largest error in degrees", "maior erro em graus")),
+        curves: vec![
+            Curve {
+                name: Text::new("plain products", "produtos simples"),
+                drawn: Drawn::Points,
+                points: naive,
+            },
+            Curve {
+                name: Text::new("exact differences of products", "diferenças exatas de produtos"),
+                drawn: Drawn::Points,
+                points: careful,
+            },
+            Curve {
+                name: Text::new("one rounding over r: 2⁻²⁴/r", "um arredondamento sobre r: 2⁻²⁴/r"),
+                drawn: Drawn::Guide,
+                points: guide,
+            },
+        ],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digits_show_in_highlights() {
+        for exponent in [500.0, 2000.0] {
+            let parameters = Parameters { size: 128, exponent, ..EXPERIMENT.defaults };
+            let outcome = EXPERIMENT.run(&Setup { parameters, mesh: None }).unwrap();
+            for measure in &outcome.measures {
+                assert_ne!(measure.agrees(), Some(false), "{measure:?}");
+            }
+            // Present: several steps of 8 bits. Cured: codes are a hundred times as fine; twenty at least.
+            assert!(outcome.moved.bad > 5.0 / 255.0 && outcome.moved.factor() > 20.0, "{:?}", outcome.moved);
+        }
+    }
+
+    /// Six products are rounded; the largest error over some hundred directions is of the size of one rounding.
+    #[test]
+    fn needles_cancel_in_plain_arithmetic() {
+        for ratio in [1e-3, 1e-4, 1e-5] {
+            let [naive, careful] = needle(ratio);
+            let size = naive / rounding(ratio);
+            assert!((0.2..6.0).contains(&size), "{ratio}: {naive}");
+            assert!(careful < 6e-6, "{ratio}: {careful}");
+        }
+    }
+}

@@ -1,0 +1,437 @@
+//! The border of light on a coarse mesh.
+
+use super::body::{Body, Diagonal};
+use super::stage::{chalk, draw, front, linear, map, settings};
+use super::{
+    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters, Role,
+    Scale, Setup, Shot, Text, Verdict,
+};
+use crate::num::{Degrees, LinearRgb, Radians};
+use crate::raster::{Image, Interpolation, RenderSettings, Shading, Show};
+use crate::shade::{Light, Terminator};
+use glam::DVec3;
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+pub(super) const EXPERIMENT: Experiment = Experiment {
+    id: "shading-terminator",
+    title: Text::new("The shading terminator", "O terminador de sombreamento"),
+    claim: Text::new(
+        "Where interpolated normals still face the light and the facet itself does not, shading and geometry disagree. If facets \
+         shade themselves, the border of light runs along their edges, and whole facets pop when the light moves.",
+        "Onde as normais interpoladas ainda olham para a luz e a própria faceta já não, sombreamento e geometria discordam. Se as \
+         facetas se sombreiam, a fronteira da luz corre pelas arestas, e facetas inteiras saltam quando a luz se move.",
+    ),
+    sources: &[
+        Text::new(
+            "Paper: M. J.-Y. Chiang, Y. K. Li, B. Burley, Taming the shadow terminator, SIGGRAPH 2019 Talks",
+            "Artigo: M. J.-Y. Chiang, Y. K. Li, B. Burley, Taming the shadow terminator, SIGGRAPH 2019 Talks",
+        ),
+        Text::new(
+            "Lectures: 1.5.2.2, 1.6.13 (errors of vertex normals that Phong's shading keeps)",
+            "Aulas: 1.5.2.2, 1.6.13 (erros das normais nos vértices que o sombreamento de Phong mantém)",
+        ),
+    ],
+    formulas: &[
+        Formula {
+            notation: "N·L > 0 ≥ N_g·L",
+            says: Text::new(
+                "the pixels concerned: N interpolated, N_g that of the facet",
+                "os pixels em questão: N interpolada, N_g a da faceta",
+            ),
+        },
+        Formula {
+            notation: "G = −g^3 + g^2 + g, g = \\frac{N_g·L}{(N·L) (N_g·N)}",
+            says: Text::new(
+                "Chiang, Li and Burley's factor for g < 1: light goes out gradually as the facet turns away",
+                "o fator de Chiang, Li e Burley para g < 1: a luz se apaga aos poucos quando a faceta se vira",
+            ),
+        },
+        Formula {
+            notation: "ΔI = sin(Δ/2)",
+            says: Text::new(
+                "how much a facet of the angle Δ lights up at once without it, at its bright edge",
+                "quanto uma faceta de ângulo Δ acende de uma vez sem ele, na aresta clara",
+            ),
+        },
+    ],
+    takes: &[Knob::Size, Knob::Segments, Knob::Light],
+    defaults: Parameters { segments: 16, light: Degrees(80.0), ..Parameters::USUAL },
+    run,
+    frame: Some(frame),
+};
+
+/// The window's side; prism and sphere have the radius 1.
+const WINDOW: f64 = 2.2;
+/// How high the light stands over the sphere, so that its border crosses facets askew.
+const HEIGHT: Degrees = Degrees(25.0);
+/// No height at all: light at right angles to the prism.
+const LEVEL: Degrees = Degrees(0.0);
+/// How far the light turns between two pictures.
+const TURN: Degrees = Degrees(0.5);
+/// How many times more segments the finest sphere has.
+const FINER: u32 = 4;
+
+fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+    let Parameters { size, segments, light, .. } = setup.parameters;
+    let tube = Tube { segments, size };
+    let globe = |segments, terminator| globe(segments, light, terminator, size);
+    let hard = globe(segments, Terminator::Hard)?;
+    let soft = globe(segments, Terminator::Soft)?;
+    let smooth = globe(segments, Terminator::Smooth)?;
+    let finer = globe(FINER * segments, Terminator::Soft)?;
+    let concerned_globe = |segments| concerned(&Body::globe(segments, 0.0), towards(light, HEIGHT), size);
+    let (coarse_map, fine_map) = (concerned_globe(segments)?, concerned_globe(FINER * segments)?);
+    let on_tube = share(&concerned(&tube.body(), towards(light, LEVEL), size)?);
+    let [pop_hard, pop_soft] = [Terminator::Hard, Terminator::Soft].map(|terminator| tube.pop(terminator));
+    let (pop_hard, pop_soft) = (pop_hard?, pop_soft?);
+    // Where edges fall between pixel centres: one pixel for each facet that is seen.
+    let pixels = f64::from(segments) / 2.0 * WINDOW / (2.0 * f64::from(size));
+    let by_formula = Text::new(
+        "the formula at every pixel's centre in double precision; edges snap to 1/256 pixel",
+        "a fórmula no centro de cada pixel em precisão dupla; arestas ajustadas a 1/256 pixel",
+    );
+    let measures = vec![
+        Measure::new(
+            Text::new("prism: share of pixels concerned", "prisma: parcela dos pixels em questão"),
+            "",
+            on_tube,
+        )
+        .expect(
+            tube.share_law(light),
+            pixels,
+            Text::new(
+                "where the interpolated cosine changes its sign on facets turned away; a pixel for each facet",
+                "onde o cosseno interpolado muda de sinal nas facetas viradas; um pixel por faceta",
+            ),
+        ),
+        Measure::new(
+            Text::new("sphere: share of pixels concerned", "esfera: parcela dos pixels em questão"),
+            "",
+            share(&coarse_map),
+        ),
+        Measure::new(
+            Text::made(
+                format!("sphere with {} segments: share of pixels concerned", FINER * segments),
+                format!("esfera com {} segmentos: parcela dos pixels em questão", FINER * segments),
+            ),
+            "",
+            share(&fine_map),
+        ),
+        Measure::new(
+            Text::new(
+                "prism, light turned by 0.5°: largest change on a facet, hard",
+                "prisma, luz girada de 0,5°: maior mudança numa faceta, dura",
+            ),
+            "",
+            pop_hard,
+        )
+        .expect(tube.pop_law(Terminator::Hard), 2e-3, by_formula.clone()),
+        Measure::new(
+            Text::new(
+                "prism, light turned by 0.5°: largest change on a facet, softened",
+                "prisma, luz girada de 0,5°: maior mudança numa faceta, suavizada",
+            ),
+            "",
+            pop_soft,
+        )
+        .expect(tube.pop_law(Terminator::Soft), 2e-4, by_formula),
+    ];
+    let difference = map([size; 2], &coarse_map, 1.0);
+    Ok(Outcome {
+        verdict: Verdict::HoldsOnlyIf(Text::new(
+            "facets shade themselves, as they do where shadows are cast. Without shadows, as in the lectures, light on facets that \
+             face away is no fault that is seen. The softening term takes away the popping, not the corners of the border, \
+             and darkens facets that are lit askew: both go with finer meshes, as their facets' size.",
+            "as facetas se sombreiam, como fazem onde há sombras projetadas. Sem sombras, como nas aulas, a luz em facetas viradas \
+             não é defeito visível. O termo de suavização tira os saltos, não os cantos da fronteira, e escurece facetas \
+             iluminadas de lado: ambos somem com malhas mais finas, com o tamanho das facetas.",
+        )),
+        moved: Moved {
+            name: Text::new(
+                "largest change on a facet when the light turns by 0.5°",
+                "maior mudança numa faceta quando a luz gira 0,5°",
+            ),
+            unit: "",
+            bad: pop_hard,
+            cure: Text::new(
+                "Chiang, Li and Burley's softening term",
+                "o termo de suavização de Chiang, Li e Burley",
+            ),
+            cured: pop_soft,
+        },
+        measures,
+        shots: vec![
+            shot(
+                "hard",
+                Role::Bad,
+                Text::new("facets shade themselves", "facetas se sombreiam"),
+                Text::new(
+                    "Light ends where facets turn away: the border is a saw of triangles, though the normals are smooth.",
+                    "A luz termina onde as facetas se viram: a fronteira é um serrote de triângulos, embora as normais sejam lisas.",
+                ),
+                hard,
+            ),
+            shot(
+                "concerned",
+                Role::Difference,
+                Text::new("pixels concerned", "pixels em questão"),
+                Text::new(
+                    "Yellow where the interpolated normal faces the light and the facet does not.",
+                    "Amarelo onde a normal interpolada olha para a luz e a faceta não.",
+                ),
+                difference,
+            ),
+            shot(
+                "soft",
+                Role::Cured,
+                Text::new("softened", "suavizado"),
+                Text::new(
+                    "With the softening term facets that are about to turn away are dim already, and none pops. On a mesh as coarse as this \
+                     it shows the facets in the light as well.",
+                    "Com o termo de suavização, as facetas que estão para se virar já são escuras, e nenhuma salta. Numa malha grossa como \
+                     esta ele mostra também as facetas na luz.",
+                ),
+                soft,
+            ),
+            shot(
+                "soft-fine",
+                Role::Cured,
+                Text::new("softened, finer", "suavizado, mais fino"),
+                Text::new(
+                    "Four times the segments and the softening term: the teeth are a quarter as large, and graded.",
+                    "Quatro vezes mais segmentos e o termo de suavização: os dentes têm um quarto do tamanho, e são graduados.",
+                ),
+                finer,
+            ),
+            shot(
+                "smooth",
+                Role::Cured,
+                Text::new("no shadow of their own", "sem sombra própria"),
+                Text::new(
+                    "Interpolated normals alone decide, as in the lectures: smooth, with light on facets that face away.",
+                    "Só as normais interpoladas decidem, como nas aulas: liso, com luz em facetas viradas para longe.",
+                ),
+                smooth,
+            ),
+        ],
+        charts: vec![tube.chart()?],
+        notes: vec![Text::new(
+            "The factor is continuous: it is 0 where the facet's own cosine is, and 1 where that is at least what the interpolated \
+             normal promises. It needs nothing but the two normals, and costs nothing where it is not asked for.",
+            "O fator é contínuo: vale 0 onde o cosseno da própria faceta é 0, e 1 onde este é ao menos o que a normal interpolada \
+             promete. Precisa só das duas normais, e nada custa onde não é pedido.",
+        )],
+    })
+}
+
+fn shot(name: &'static str, role: Role, label: Text, caption: Text, image: Image) -> Shot {
+    Shot { name, role, label, caption, image }
+}
+
+/// The sphere while the light goes round it, facets shading themselves.
+fn frame(setup: &Setup, number: u32, count: u32) -> Result<Image, ArtefactError> {
+    let Parameters { size, segments, .. } = setup.parameters;
+    let light = Degrees(360.0 * f64::from(number) / f64::from(count.max(1)));
+    globe(segments, light, Terminator::Hard, size)
+}
+
+fn globe(segments: u32, light: Degrees, terminator: Terminator, size: u32) -> Result<Image, ArtefactError> {
+    paint(&Body::globe(segments, 0.0), towards(light, HEIGHT), terminator, [size; 2])
+}
+
+/// The direction of a light at an angle from the viewer to the right, raised by another.
+fn towards(light: Degrees, height: Degrees) -> DVec3 {
+    let (sine, cosine) = libm::sincos(Radians::from(light).0);
+    let (up, along) = libm::sincos(Radians::from(height).0);
+    DVec3::new(sine * along, up, cosine * along)
+}
+
+fn paint(
+    body: &Body,
+    towards: DVec3,
+    terminator: Terminator,
+    size: [u32; 2],
+) -> Result<Image, ArtefactError> {
+    let settings =
+        RenderSettings { terminator, ..settings(size, Shading::Phong, Interpolation::Perspective) };
+    let height = WINDOW * f64::from(size[1]) / f64::from(size[0]);
+    let light = Light::Directional { towards, colour: LinearRgb::WHITE };
+    draw(vec![body.object(chalk())], &[light], front(height), &settings)
+}
+
+/// 1 for pixels whose normal faces the light and whose facet does not, 0 for others.
+fn concerned(body: &Body, towards: DVec3, size: u32) -> Result<Vec<Option<f64>>, ArtefactError> {
+    let normals = |shading| {
+        let settings = RenderSettings {
+            show: Show::Normals,
+            ..settings([size; 2], shading, Interpolation::Perspective)
+        };
+        draw(vec![body.object(chalk())], &[], front(WINDOW), &settings)
+    };
+    let light_on = |colour: &[f32; 3]| (DVec3::from(colour.map(f64::from)) * 2.0 - 1.0).dot(towards);
+    let (smooth, faces) = (normals(Shading::Phong)?, normals(Shading::Flat)?);
+    let pairs = linear(&smooth).iter().zip(linear(&faces)).zip(&smooth.coverage);
+    let is_concerned = |((own, face), &covered): ((&[f32; 3], &[f32; 3]), &u8)| {
+        (covered > 0).then(|| f64::from(u8::from(light_on(own) > 0.0 && light_on(face) <= 0.0)))
+    };
+    Ok(pairs.map(is_concerned).collect())
+}
+
+/// The share of ones.
+fn share(map: &[Option<f64>]) -> f64 {
+    let covered: Vec<f64> = map.iter().flatten().copied().collect();
+    covered.iter().sum::<f64>() / covered.len().max(1) as f64
+}
+
+/// A prism of radius 1 about the y axis with the cylinder's normals, an edge towards the viewer.
+struct Tube {
+    segments: u32,
+    size: u32,
+}
+
+impl Tube {
+    fn body(&self) -> Body {
+        Body::grid([self.segments, 1], Diagonal::Rising, |u, v| {
+            let (sine, cosine) = libm::sincos(TAU * u);
+            (DVec3::new(sine, 1.6 * v - 0.8, cosine), DVec3::new(sine, 0.0, cosine))
+        })
+    }
+
+    fn delta(&self) -> f64 {
+        TAU / f64::from(self.segments)
+    }
+
+    /// The share of the prism's width where the cosine, which is linear between edges, is positive on facets turned away.
+    fn share_law(&self, light: Degrees) -> f64 {
+        let light = Radians::from(light).0;
+        let (mut concerned, mut seen) = (0.0, 0.0);
+        for facet in 0..self.segments {
+            let edge = |k: u32| f64::from(facet + k) * self.delta();
+            let middle = 0.5 * (edge(0) + edge(1));
+            if libm::cos(middle) <= 0.0 {
+                continue;
+            }
+            let width = libm::sin(edge(1)) - libm::sin(edge(0));
+            seen += width;
+            let [a, b] = [0, 1].map(|k| libm::cos(edge(k) - light));
+            if libm::cos(middle - light) <= 0.0 {
+                let largest = a.max(b);
+                // A facet turned away has one edge at most in the light.
+                concerned += if largest > 0.0 { width * largest / (a - b).abs() } else { 0.0 };
+            }
+        }
+        concerned / seen
+    }
+
+    /// The light that makes the facet left of the middle turn away, and somewhat more.
+    fn light(&self, more: f64) -> Degrees {
+        Degrees(Degrees::from(Radians(FRAC_PI_2 - 0.5 * self.delta())).0 + more)
+    }
+
+    /// One row across the prism.
+    fn row(&self, light: Degrees, terminator: Terminator) -> Result<Vec<f64>, ArtefactError> {
+        let image = paint(&self.body(), towards(light, LEVEL), terminator, [self.size, 1])?;
+        Ok(linear(&image).iter().map(|colour| f64::from(colour[0])).collect())
+    }
+
+    /// The pixels of that facet, all but those at its edges, with their places.
+    fn facet(&self) -> impl Iterator<Item = (usize, f64)> {
+        let place = |pixel: u32| ((f64::from(pixel) + 0.5) / f64::from(self.size) - 0.5) * WINDOW;
+        let low = libm::sin(-self.delta());
+        let pixel = WINDOW / f64::from(self.size);
+        let inside = move |x: f64| x > low + 0.1 * pixel && x < -0.1 * pixel;
+        (0..self.size).map(move |k| (k as usize, place(k))).filter(move |&(_, x)| inside(x))
+    }
+
+    /// The largest change on that facet when the light turns.
+    fn pop(&self, terminator: Terminator) -> Result<f64, ArtefactError> {
+        let half = 0.5 * TURN.0;
+        let [before, after] = [-half, half].map(|more| self.row(self.light(more), terminator));
+        let (before, after) = (before?, after?);
+        Ok(self.facet().map(|(k, _)| (before[k] - after[k]).abs()).fold(0.0, f64::max))
+    }
+
+    /// The same by the formulas.
+    fn pop_law(&self, terminator: Terminator) -> f64 {
+        let half = 0.5 * TURN.0;
+        let change = |(_, x): (usize, f64)| {
+            let [before, after] = [-half, half].map(|more| self.law(x, self.light(more), terminator));
+            (before - after).abs()
+        };
+        self.facet().map(change).fold(0.0, f64::max)
+    }
+
+    /// The light at a place of that facet.
+    fn law(&self, x: f64, light: Degrees, terminator: Terminator) -> f64 {
+        let delta = self.delta();
+        // 0 at the edge in the middle, 1 at the other.
+        let t = x / libm::sin(-delta);
+        let normal = DVec3::new(-t * libm::sin(delta), 0.0, (1.0 - t) + t * libm::cos(delta)).normalize();
+        let face = DVec3::new(-libm::sin(0.5 * delta), 0.0, libm::cos(0.5 * delta));
+        let towards = towards(light, LEVEL);
+        let (own, of_face) = (normal.dot(towards).max(0.0), face.dot(towards));
+        let g = of_face / (own * face.dot(normal));
+        own * match terminator {
+            Terminator::Smooth => 1.0,
+            _ if of_face <= 0.0 => 0.0,
+            Terminator::Soft if g < 1.0 => ((1.0 - g) * g + 1.0) * g,
+            _ => 1.0,
+        }
+    }
+
+    fn chart(&self) -> Result<Chart, ArtefactError> {
+        let pixel = self.facet().last().map_or(0, |(pixel, _)| pixel);
+        let mut curves = Vec::new();
+        for (name, terminator, drawn) in [
+            (
+                Text::new("interpolated normal alone", "só a normal interpolada"),
+                Terminator::Smooth,
+                Drawn::Guide,
+            ),
+            (Text::new("facets shade themselves", "facetas se sombreiam"), Terminator::Hard, Drawn::Line),
+            (Text::new("softened", "suavizado"), Terminator::Soft, Drawn::Line),
+        ] {
+            let mut points = Vec::new();
+            for k in -20..=10 {
+                let light = self.light(0.5 * f64::from(k) - 0.25);
+                points.push([light.0, self.row(light, terminator)?[pixel]]);
+            }
+            curves.push(Curve { name, drawn, points });
+        }
+        Ok(Chart {
+            name: "popping",
+            title: Text::new("One facet as the light turns", "Uma faceta quando a luz gira"),
+            caption: Text::new(
+                "Luminance at the bright edge of one facet against the angle of the light: where the facet turns away it goes out at \
+                 once; softened, it fades.",
+                "Luminância na aresta clara de uma faceta em função do ângulo da luz: onde a faceta se vira, ela se apaga de uma vez; \
+                 suavizada, esmaece.",
+            ),
+            x: Scale::linear(Text::new("angle of the light in degrees", "ângulo da luz em graus")),
+            y: Scale::linear(Text::new("luminance", "luminância")),
+            curves,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn facets_pop_and_fade() {
+        for (segments, light) in [(16, 80.0), (12, 80.0)] {
+            let parameters = Parameters { size: 200, segments, light: Degrees(light), ..EXPERIMENT.defaults };
+            let outcome = EXPERIMENT.run(&Setup { parameters, mesh: None }).unwrap();
+            for measure in &outcome.measures {
+                assert_ne!(measure.agrees(), Some(false), "{measure:?}");
+            }
+            // Present: close to sin(Δ/2). Cured: of the size of the turn, ten times less.
+            let sine = libm::sin(0.5 * TAU / f64::from(segments));
+            assert!(outcome.moved.bad > 0.9 * sine && outcome.moved.factor() > 10.0, "{:?}", outcome.moved);
+            // Finer meshes have fewer pixels concerned, in proportion.
+            let [coarse, fine] = [1, 2].map(|k| outcome.measures[k].value);
+            assert!(coarse > 0.005 && fine < 0.5 * coarse, "{coarse} {fine}");
+        }
+    }
+}

@@ -1,0 +1,368 @@
+//! One polygon, cut in two ways.
+
+use super::body::{Body, Diagonal};
+use super::stage::{chalk, differences, draw, front, linear, map, settings};
+use super::{
+    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters, Role,
+    Scale, Setup, Shot, Text, Verdict,
+};
+use crate::metric::image_error;
+use crate::num::{Degrees, LinearRgb, Radians};
+use crate::raster::{Image, Interpolation, Object, Paint, Shading};
+use crate::shade::Light;
+use glam::DVec3;
+use std::borrow::Cow;
+use std::f64::consts::TAU;
+
+pub(super) const EXPERIMENT: Experiment = Experiment {
+    id: "triangulation",
+    title: Text::new("Different diagonals", "Diagonais diferentes"),
+    claim: Text::new(
+        "Linear interpolation gives different results for different triangulations of the same polygon.",
+        "A interpolação linear dá resultados distintos para diferentes triangulações do mesmo polígono.",
+    ),
+    sources: &[
+        Text::new(
+            "Ting 2008: “resultados distintos para diferentes triangulações” (different results for different triangulations)",
+            "Ting 2008: “resultados distintos para diferentes triangulações”",
+        ),
+        Text::new(
+            "Lectures: exercise 1.6.25, whose diamond is used",
+            "Aulas: exercício 1.6.25, cujo losango é usado",
+        ),
+    ],
+    formulas: &[
+        Formula {
+            notation: "c_{13} = \\frac{c_1 + c_3}{2}, c_{24} = \\frac{c_2 + c_4}{2}",
+            says: Text::new(
+                "the colour in the middle of the diamond, cut from corner 1 to 3 or from 2 to 4",
+                "a cor no meio do losango, cortado do canto 1 ao 3 ou do 2 ao 4",
+            ),
+        },
+        Formula {
+            notation: "c = \\frac{c_1 + c_2 + c_3 + c_4}{4}",
+            says: Text::new(
+                "with a vertex of the mean colour in the middle, whichever way it is cut",
+                "com um vértice da cor média no meio, seja como for cortado",
+            ),
+        },
+        Formula {
+            notation: "|ΔI| = O(h^2)",
+            says: Text::new(
+                "on a smooth surface the two diagonals of a square of side h differ in the middle by h²/4 times the mixed second \
+                 derivative, and less elsewhere",
+                "numa superfície lisa as duas diagonais de um quadrado de lado h diferem no meio por h²/4 vezes a derivada segunda \
+                 mista, e menos no resto",
+            ),
+        },
+    ],
+    takes: &[Knob::Size, Knob::Segments, Knob::Light],
+    defaults: Parameters { segments: 12, light: Degrees(50.0), ..Parameters::USUAL },
+    run,
+    frame: None,
+};
+
+/// The corners' colours, from the left one counter-clockwise as the exercise counts them.
+const CORNERS: [LinearRgb; 4] = [
+    LinearRgb::new(0.0, 0.4, 0.4),
+    LinearRgb::new(0.0, 0.2, 0.2),
+    LinearRgb::new(0.2, 0.6, 0.6),
+    LinearRgb::new(0.4, 0.4, 0.0),
+];
+/// How many times more squares the cured surface has along a side.
+const FINER: u32 = 4;
+/// The window's side; bodies are 2 wide.
+const WINDOW: f64 = 2.2;
+/// Height of the waves.
+const HEIGHT: f64 = 0.12;
+
+fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+    let Parameters { size, segments, light, .. } = setup.parameters;
+    let [across, upright, fan] = [Cut::Across, Cut::Upright, Cut::Fan].map(|cut| diamond(cut, size));
+    let (across, upright, fan) = (across?, upright?, fan?);
+    let waves = |cells, diagonal, shading| waves(cells, diagonal, shading, light, size);
+    let pair = |cells, shading| -> Result<[Image; 2], ArtefactError> {
+        Ok([waves(cells, Diagonal::Rising, shading)?, waves(cells, Diagonal::Falling, shading)?])
+    };
+    let [rising, falling] = pair(segments, Shading::Gouraud)?;
+    let [fine, fine_falling] = pair(FINER * segments, Shading::Gouraud)?;
+    let [phong, phong_falling] = pair(segments, Shading::Phong)?;
+    let apart = |a: &Image, b: &Image| image_error(a, b, 0.5).map(|error| error.linear.rms / 255.0);
+    let (coarse_rms, fine_rms) = (apart(&rising, &falling)?, apart(&fine, &fine_falling)?);
+    let mut orders = Vec::new();
+    for cells in [segments, 2 * segments, FINER * segments] {
+        let [a, b] = pair(cells, Shading::Gouraud)?;
+        orders.push([f64::from(cells), apart(&a, &b)?]);
+    }
+    let mean = |corners: &[usize]| {
+        let sum = corners.iter().fold(LinearRgb::BLACK, |sum, &corner| sum + CORNERS[corner]);
+        (sum * (1.0 / corners.len() as f64)).to_array()
+    };
+    // A pixel's centre is up to 0.71 pixels off the middle; from there to a corner colours change by 0.5 at most.
+    let tolerance = 0.5 * 0.71 * WINDOW / f64::from(size) + 1e-6;
+    let mut measures = Vec::new();
+    for (image, name, corners) in [
+        (&across, ["cut 1–3", "corte 1–3"], &[0, 2][..]),
+        (&upright, ["cut 2–4", "corte 2–4"], &[1, 3]),
+        (&fan, ["vertex in the middle", "vértice no meio"], &[0, 1, 2, 3]),
+    ] {
+        for (axis, colour) in
+            [["red", "vermelho"], ["green", "verde"], ["blue", "azul"]].into_iter().enumerate()
+        {
+            let text = |k: usize| match k {
+                0 => format!("diamond, {}: {} in the middle", name[0], colour[0]),
+                _ => format!("losango, {}: {} no meio", name[1], colour[1]),
+            };
+            measures.push(Measure::new(Text::made(text(0), text(1)), "", centre(image)[axis]).expect(
+                mean(corners)[axis],
+                tolerance,
+                Text::new(
+                    "the mean of these corners; half a pixel's diagonal",
+                    "a média desses cantos; meia diagonal de pixel",
+                ),
+            ));
+        }
+    }
+    let middle = |image: &Image| centre(image);
+    let blue = (middle(&across)[2] - middle(&upright)[2]).abs();
+    measures.push(
+        Measure::new(
+            Text::new("waves: order of the difference in h", "ondas: ordem da diferença em h"),
+            "",
+            libm::log2(orders[0][1] / orders[2][1]) / libm::log2(f64::from(FINER)),
+        )
+        .expect(
+            2.0,
+            0.25,
+            Text::new(
+                "O(h²); facets of a twelfth of a wave are not small yet",
+                "O(h²); facetas de um doze avos de onda ainda não são pequenas",
+            ),
+        ),
+    );
+    measures.push(Measure::new(
+        Text::new("diamond: largest difference of the middle", "losango: maior diferença do meio"),
+        "",
+        blue,
+    ));
+    measures.push(Measure::new(
+        Text::new(
+            "waves, Gouraud: difference of the diagonals (rms)",
+            "ondas, Gouraud: diferença das diagonais (rms)",
+        ),
+        "",
+        coarse_rms,
+    ));
+    measures.push(Measure::new(
+        Text::new(
+            "waves, Phong: difference of the diagonals (rms)",
+            "ondas, Phong: diferença das diagonais (rms)",
+        ),
+        "",
+        apart(&phong, &phong_falling)?,
+    ));
+    let full = 0.1;
+    let difference = map([size; 2], &differences(&rising, &falling), full);
+    Ok(Outcome {
+        verdict: Verdict::Holds(Text::new(
+            "wherever the corners' values do not lie in one plane. Triangles do not turn with the picture, but how a polygon is cut \
+             shows; on smooth surfaces the difference falls as the square of the facets' size.",
+            "sempre que os valores dos cantos não estão num plano. Triângulos não giram com a imagem, mas o corte do polígono \
+             aparece; em superfícies lisas a diferença cai com o quadrado do tamanho das facetas.",
+        )),
+        moved: Moved {
+            name: Text::new(
+                "difference between both diagonals on the waves (rms)",
+                "diferença entre as duas diagonais nas ondas (rms)",
+            ),
+            unit: "",
+            bad: coarse_rms,
+            cure: Text::made(
+                format!("{FINER} times as many squares along a side"),
+                format!("{FINER} vezes mais quadrados por lado"),
+            ),
+            cured: fine_rms,
+        },
+        measures,
+        shots: vec![
+            shot(
+                "diamond-1-3",
+                Role::Bad,
+                Text::new("diamond, cut 1–3", "losango, corte 1–3"),
+                Text::new(
+                    "Cut from the left to the right corner: a light band runs across.",
+                    "Cortado do canto esquerdo ao direito: uma faixa clara corre na horizontal.",
+                ),
+                across,
+            ),
+            shot(
+                "diamond-2-4",
+                Role::Bad,
+                Text::new("diamond, cut 2–4", "losango, corte 2–4"),
+                Text::new(
+                    "Cut from the lower to the upper corner: a dark olive band runs upright, and the middle has another colour.",
+                    "Cortado do canto de baixo ao de cima: uma faixa oliva escura corre na vertical, e o meio tem outra cor.",
+                ),
+                upright,
+            ),
+            shot(
+                "diamond-fan",
+                Role::Cured,
+                Text::new("diamond, vertex in the middle", "losango, vértice no meio"),
+                Text::new(
+                    "Four triangles about a vertex with the mean of the corners: no diagonal is preferred.",
+                    "Quatro triângulos em torno de um vértice com a média dos cantos: nenhuma diagonal é preferida.",
+                ),
+                fan,
+            ),
+            shot(
+                "waves-rising",
+                Role::Bad,
+                Text::new("waves, rising", "ondas, subindo"),
+                Text::new(
+                    "Waves with Gouraud's shading, squares cut from the lower left: ridges look frayed that way.",
+                    "Ondas com Gouraud, quadrados cortados a partir de baixo à esquerda: as cristas parecem desfiadas nesse sentido.",
+                ),
+                rising,
+            ),
+            shot(
+                "waves-falling",
+                Role::Bad,
+                Text::new("waves, falling", "ondas, descendo"),
+                Text::new(
+                    "The same waves, squares cut the other way: they are frayed the other way.",
+                    "As mesmas ondas, quadrados cortados no outro sentido: desfiam-se no outro sentido.",
+                ),
+                falling,
+            ),
+            shot(
+                "waves-difference",
+                Role::Difference,
+                Text::new("difference", "diferença"),
+                Text::made(
+                    format!("How much both differ, from violet for 0 to yellow for {full} and more."),
+                    "Quanto as duas diferem, de violeta para 0 a amarelo para 0,1 ou mais.".to_owned(),
+                ),
+                difference,
+            ),
+            shot(
+                "waves-fine",
+                Role::Cured,
+                Text::new("waves, finer", "ondas, mais finas"),
+                Text::new(
+                    "Four times the squares along a side: the cut is no longer seen.",
+                    "Quatro vezes mais quadrados por lado: já não se vê o corte.",
+                ),
+                fine,
+            ),
+        ],
+        charts: vec![chart(orders)],
+        notes: vec![Text::new(
+            "Two triangles know nothing of the fourth corner: along the diagonal only its two ends count. The scanline algorithm on \
+             the whole polygon prefers no diagonal, but depends on how the polygon is turned (see the experiment on \
+             orientation).",
+            "Dois triângulos não sabem do quarto canto: ao longo da diagonal só contam as suas pontas. O algoritmo de varredura no \
+             polígono inteiro não prefere diagonal, mas depende de como o polígono está girado (veja o experimento sobre \
+             orientação).",
+        )],
+    })
+}
+
+fn shot(name: &'static str, role: Role, label: Text, caption: Text, image: Image) -> Shot {
+    Shot { name, role, label, caption, image }
+}
+
+/// How the diamond is cut.
+#[derive(Clone, Copy, Debug)]
+enum Cut {
+    /// From corner 1 to 3.
+    Across,
+    /// From corner 2 to 4.
+    Upright,
+    /// By a vertex in the middle.
+    Fan,
+}
+
+/// The diamond of exercise 1.6.25 with its corners' colours, unlit.
+fn diamond(cut: Cut, size: u32) -> Result<Image, ArtefactError> {
+    let places = [DVec3::NEG_X, DVec3::NEG_Y, DVec3::X, DVec3::Y, DVec3::ZERO];
+    let triangles = match cut {
+        Cut::Across => vec![[0, 1, 2], [0, 2, 3]],
+        Cut::Upright => vec![[0, 1, 3], [1, 2, 3]],
+        Cut::Fan => vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]],
+    };
+    let body = Body::new(&places, triangles, &[DVec3::Z; 5]);
+    let mean = CORNERS.iter().fold(LinearRgb::BLACK, |sum, &colour| sum + colour) * 0.25;
+    let colours: Vec<LinearRgb> = CORNERS.into_iter().chain([mean]).collect();
+    let object = Object { paint: Paint::Given(Cow::Owned(colours)), ..body.object(chalk()) };
+    let settings = settings([size; 2], Shading::Gouraud, Interpolation::Affine);
+    draw(vec![object], &[], front(WINDOW), &settings)
+}
+
+/// The pixel in the middle.
+fn centre(image: &Image) -> [f64; 3] {
+    let index = image.index(image.size[0] / 2, image.size[1] / 2);
+    index.map_or([f64::NAN; 3], |index| linear(image)[index].map(f64::from))
+}
+
+/// A surface of waves that run both ways, with its own normals.
+fn waves(
+    cells: u32,
+    diagonal: Diagonal,
+    shading: Shading,
+    light: Degrees,
+    size: u32,
+) -> Result<Image, ArtefactError> {
+    let body = Body::grid([cells; 2], diagonal, |u, v| {
+        let (s, t) = (TAU * (u + v), TAU * (u - v));
+        let place = DVec3::new(2.0 * u - 1.0, 2.0 * v - 1.0, HEIGHT * (libm::sin(s) + libm::sin(t)));
+        // Slopes in x = 2u − 1 and y = 2v − 1.
+        let slope = |sign: f64| HEIGHT * 0.5 * TAU * (libm::cos(s) + sign * libm::cos(t));
+        (place, DVec3::new(-slope(1.0), -slope(-1.0), 1.0).normalize())
+    });
+    let (sine, cosine) = libm::sincos(Radians::from(light).0);
+    // Between both directions of the waves.
+    let towards = DVec3::new(sine, 0.0, cosine);
+    let light = Light::Directional { towards, colour: LinearRgb::WHITE };
+    let settings = settings([size; 2], shading, Interpolation::Perspective);
+    draw(vec![body.object(chalk())], &[light], front(WINDOW), &settings)
+}
+
+fn chart(orders: Vec<[f64; 2]>) -> Chart {
+    let square = orders
+        .iter()
+        .map(|&[cells, _]| [cells, orders[0][1] * (orders[0][0] / cells) * (orders[0][0] / cells)]);
+    let square = square.collect();
+    Chart {
+        name: "difference-by-cells",
+        title: Text::new("Difference of both diagonals", "Diferença das duas diagonais"),
+        caption: Text::new(
+            "The difference on the waves against the number of squares along a side: it falls as the square.",
+            "A diferença nas ondas em função do número de quadrados por lado: cai com o quadrado.",
+        ),
+        x: Scale::log(Text::new("squares along a side", "quadrados por lado")),
+        y: Scale::log(Text::new("rms difference", "diferença rms")),
+        curves: vec![
+            Curve { name: Text::new("measured", "medido"), drawn: Drawn::Points, points: orders },
+            Curve { name: Text::new("as h²", "como h²"), drawn: Drawn::Guide, points: square },
+        ],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn diagonals_show_and_stop_showing() {
+        for segments in [10, 12] {
+            let parameters = Parameters { size: 160, segments, ..EXPERIMENT.defaults };
+            let outcome = EXPERIMENT.run(&Setup { parameters, mesh: None }).unwrap();
+            for measure in &outcome.measures {
+                assert_ne!(measure.agrees(), Some(false), "{measure:?}");
+            }
+            // Present: several steps of 8 bits on average. Cured: a sixteenth in the limit, an eighth at least.
+            assert!(outcome.moved.bad > 3.0 / 255.0 && outcome.moved.factor() > 8.0, "{:?}", outcome.moved);
+        }
+    }
+}
