@@ -14,7 +14,7 @@ const KEY_LIGHT: f64 = 45.0;
 /// ```
 /// use crease::quality::key_light_steps;
 ///
-/// assert!((key_light_steps(1.0) - 1.68).abs() < 0.01);
+/// assert!((key_light_steps(1.0) - 1.717).abs() < 1e-3);
 /// assert_eq!(key_light_steps(45.0), key_light_steps(180.0));
 /// ```
 pub fn key_light_steps(degrees: f64) -> f64 {

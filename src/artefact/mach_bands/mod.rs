@@ -160,9 +160,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     Ok(Outcome {
         verdict: Verdict::HoldsOnlyIf(Text::new(
             "the light is less than 70.5288° off the direction of view. Beyond that there are edges where Phong's slope \
-             jump is the larger one; at 90° Gouraud's shading of the cylinder is exact, and only Phong's has bands.",
+             jump is the larger one; at 90° Gouraud's shading of facets lit as a whole is exact, and only Phong's has bands.",
             "a luz está a menos de 70,5288° da direção de visão. Além disso há arestas em que o salto de inclinação de \
-             Phong é o maior; a 90° o sombreamento de Gouraud do cilindro é exato, e só o de Phong tem bandas.",
+             Phong é o maior; a 90° o sombreamento de Gouraud das facetas iluminadas por inteiro é exato, e só o de Phong \
+             tem bandas.",
         )),
         moved: Moved {
             name: Text::new("Gouraud's largest slope jump", "o maior salto de inclinação de Gouraud"),
@@ -306,10 +307,12 @@ fn shots(size: u32, light: Degrees, tube: &Tube, fine: &Tube) -> Result<Vec<Shot
             Role::Cured,
             Text::new("Gouraud, light at 80°", "Gouraud, luz a 80°"),
             Text::new(
-                "The light 80° off the direction of view: Gouraud's shading is almost exact, for luminance is nearly linear \
-                 across the picture.",
-                "A luz a 80° da direção de visão: o sombreamento de Gouraud é quase exato, pois a luminância é quase linear \
-                 ao longo da imagem.",
+                "The light 80° off the direction of view: on facets that are lit as a whole Gouraud's shading is almost \
+                 exact, for luminance is nearly linear across the picture. The kink is where the shadow begins: one corner \
+                 of that facet is black.",
+                "A luz a 80° da direção de visão: nas facetas iluminadas por inteiro o sombreamento de Gouraud é quase exato, \
+                 pois a luminância é quase linear ao longo da imagem. A quebra está onde começa a sombra: um vértice dessa \
+                 faceta é preto.",
             ),
             grazing.draw(square, GRAZING, Shading::Gouraud),
         )?,
@@ -318,8 +321,10 @@ fn shots(size: u32, light: Degrees, tube: &Tube, fine: &Tube) -> Result<Vec<Shot
             Role::Bad,
             Text::new("Phong, light at 80°", "Phong, luz a 80°"),
             Text::new(
-                "The same light with Phong's shading, which is the worse one here: it bends within each facet.",
-                "A mesma luz com o sombreamento de Phong, que aqui é o pior: ele se curva dentro de cada faceta.",
+                "The same light with Phong's shading, whose slope jumps more at the edges half-way between the viewer and \
+                 the light: it bends within each facet.",
+                "A mesma luz com o sombreamento de Phong, cuja inclinação salta mais nas arestas a meio caminho entre o \
+                 observador e a luz: ele se curva dentro de cada faceta.",
             ),
             grazing.draw(square, GRAZING, Shading::Phong),
         )?,
