@@ -40,9 +40,11 @@ mod mach_bands;
 mod orientation;
 mod outcome;
 mod parameters;
+mod perspective_distortion;
 mod precision;
 mod reflection_models;
 mod shading_terminator;
+mod shared_vertices;
 mod stage;
 mod text;
 mod triangulation;
@@ -57,6 +59,8 @@ pub use text::{Language, Text};
 pub const EXPERIMENTS: &[Experiment] = &[
     mach_bands::EXPERIMENT,
     orientation::EXPERIMENT,
+    shared_vertices::EXPERIMENT,
+    perspective_distortion::EXPERIMENT,
     lost_highlight::EXPERIMENT,
     flat_validity::EXPERIMENT,
     attenuation_and_overflow::EXPERIMENT,
