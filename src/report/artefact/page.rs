@@ -2,7 +2,7 @@
 
 use super::formula::mathml;
 use super::pictures::{chart_plot, picture_name, thumbnail};
-use super::tables::{measure_table, moved_text, verdict_text};
+use super::tables::{measure_table, moved_text, verdict_in_short, verdict_text};
 use super::words;
 use crate::artefact::{Experiment, Language, Outcome, Role, Setup, Shot};
 use crate::report::{Page, Picture, ReportError, escape_html};
@@ -71,7 +71,6 @@ pub fn index_page(found: &[(&Experiment, &Outcome)], language: Language) -> Resu
             Some(super::super::html::image(&thumbnail(&shot.image), shot.caption.get(language)))
         });
         let thumbnails: Vec<String> = thumbnails.collect::<Result<_, _>>()?;
-        let [name, _] = verdict_text(&outcome.verdict, language);
         page.raw(&format!(
             "<a class=\"card\" href=\"{}\">\n<span class=\"row\">{}</span>\n<strong>{}</strong>\n<span>{}</span>\n<em>{}</em>\n\
              </a>\n",
@@ -79,7 +78,7 @@ pub fn index_page(found: &[(&Experiment, &Outcome)], language: Language) -> Resu
             thumbnails.join(""),
             escape_html(experiment.title.get(language)),
             escape_html(experiment.claim.get(language)),
-            escape_html(&name),
+            escape_html(&verdict_in_short(&outcome.verdict, language)),
         ));
     }
     page.raw("</div>\n");

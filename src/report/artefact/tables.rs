@@ -50,6 +50,14 @@ pub fn verdict_text(verdict: &Verdict, language: Language) -> [String; 2] {
     [name, verdict.condition().clone()].map(|text| text.get(language).to_owned())
 }
 
+/// The verdict as a sentence, with the first of its conditions.
+pub(super) fn verdict_in_short(verdict: &Verdict, language: Language) -> String {
+    let [name, condition] = verdict_text(verdict, language);
+    let first = condition.split_inclusive(". ").next().unwrap_or_default().trim_end();
+    let colon = if matches!(verdict, Verdict::HoldsOnlyIf(_)) { "" } else { ":" };
+    format!("{name}{colon} {first}")
+}
+
 /// What the cure did, as a sentence.
 pub(super) fn moved_text(outcome: &Outcome, language: Language) -> String {
     let moved = &outcome.moved;
