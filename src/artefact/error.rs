@@ -29,7 +29,7 @@ pub enum ArtefactError {
         takes: String,
     },
     /// A parameter out of its range.
-    #[error("the {} is {found}; {expected}", .knob.name())]
+    #[error("--{} is {found}; {expected}", .knob.name())]
     Range {
         /// Which.
         knob: Knob,

@@ -97,7 +97,10 @@ impl Parameters {
     }
 
     /// Whether everything is within its range.
-    pub(super) fn check(&self) -> Result<(), ArtefactError> {
+    ///
+    /// # Errors
+    /// [`ArtefactError::Range`] for the first that is not.
+    pub fn check(&self) -> Result<(), ArtefactError> {
         let check = |knob, found: f64, low: f64, high: f64, expected| match (low..=high).contains(&found) {
             true => Ok(()),
             false => Err(ArtefactError::Range { knob, found, expected }),

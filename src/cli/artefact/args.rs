@@ -23,7 +23,7 @@ Examples:
   crease artefact mach-bands --segments 24 --light 60 -o out
   crease artefact all -o gallery
   crease artefact all -o galeria --lang pt
-  crease artefact silhouette --mesh bunny.obj --json
+  crease artefact orientation --mesh polygon.obj --json
   crease artefact orientation --animate out.gif";
 
 /// Show the classic artefacts of shading, with numbers

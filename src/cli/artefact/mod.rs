@@ -56,6 +56,8 @@ pub fn main(args: &ArtefactArgs, color: Color) -> Exit {
 fn chosen(args: &ArtefactArgs) -> Result<Vec<&'static Experiment>, String> {
     let changes = args.parameters.changes();
     let given = || changes.knobs().chain(args.own.mesh.is_some().then_some(Knob::Mesh));
+    // Ranges are the same for all.
+    changes.apply(EXPERIMENTS[0].defaults).check().map_err(|error| error.to_string())?;
     if [ALL, LIST].contains(&args.experiment.as_str()) {
         if args.animate.is_some() {
             return Err("one animation shows one experiment: name it instead of `all`".into());
