@@ -2,6 +2,7 @@
 
 #![allow(clippy::print_stdout, reason = "a test says what it skips")]
 
+mod artefact;
 mod cli;
 mod convert;
 mod data;
