@@ -32,9 +32,10 @@
 //!
 //! # Layers
 //! `num` (numbers) ← `mesh` (polygons and topology) ← `io` (files), `normals` (this crate's subject), `surface`
-//! (where normals are exact), `shade` (light on a point) ← `pipeline` (file to file), `raster` (scenes to pictures) ←
-//! `trade` (what accuracy costs, and the numerical extremes) ← the command-line program. A module uses only lower ones;
-//! a test holds that.
+//! (where normals are exact), `shade` (light on a point) ← `pipeline` (file to file), `quality` (what is wrong with
+//! normals), `raster` (scenes to pictures) ← `metric` (numbers from pictures) ← `artefact` (what shading does wrong),
+//! `trade` (what accuracy costs, and the numerical extremes) ← `report` (pages and pictures as files) ← the command-line
+//! program. A module uses only lower ones; a test holds that.
 //!
 //! # Sources
 //! - H. Gouraud, *Continuous shading of curved surfaces*, IEEE Trans. Computers C-20(6), 1971: the uniform mean.
