@@ -6,7 +6,6 @@ use super::finding::{Element, Finding, Severity, Site};
 use super::tally::{Spot, Tallies, Tally};
 use super::turned::{explained_by, largest_turn};
 use super::{Estimate, Thresholds, geometry, key_light_steps, shading, smoothing, stored};
-use crate::io::obj::ObjDocument;
 use crate::io::{Document, FileNode, Format, Loaded};
 use crate::mesh::{Mesh, NONE, normal_matrix};
 use glam::DMat3;
@@ -94,20 +93,15 @@ pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) 
     }
     diagnosis.findings =
         entries().zip(merged).filter_map(|(entry, merged)| merged.finding(entry.kind)).collect();
-    if let Document::Obj(document) = &loaded.document {
-        find_lines(&mut diagnosis.findings, document);
-    }
+    find_lines(diagnosis.findings.iter_mut().flat_map(|finding| &mut finding.places), loaded);
     diagnosis.findings.sort_by_key(|finding| (std::cmp::Reverse(finding.severity), finding.kind));
     diagnosis
 }
 
-/// Adds the line of the file to every place that has a face, in one pass over the text.
-fn find_lines(findings: &mut [Finding], document: &ObjDocument) {
-    let mut sites: Vec<&mut Site> = findings
-        .iter_mut()
-        .flat_map(|finding| &mut finding.places)
-        .filter(|site| site.face.is_some())
-        .collect();
+/// Adds the line of the file to every place that has a face, in one pass over the text (OBJ).
+pub(super) fn find_lines<'a>(sites: impl Iterator<Item = &'a mut Site>, loaded: &Loaded) {
+    let Document::Obj(document) = &loaded.document else { return };
+    let mut sites: Vec<&mut Site> = sites.filter(|site| site.face.is_some()).collect();
     sites.sort_by_key(|site| site.face);
     let faces: Vec<u32> = sites.iter().filter_map(|site| site.face).collect();
     for (site, line) in sites.into_iter().zip(document.lines_of_faces(&faces)) {
@@ -225,7 +219,8 @@ impl Merged {
     }
 }
 
-fn site(mesh: &Mesh, spot: Spot, part: usize, node: Option<&&FileNode>) -> Site {
+/// Where an occurrence is, as it is told.
+pub(super) fn site(mesh: &Mesh, spot: Spot, part: usize, node: Option<&&FileNode>) -> Site {
     let is = |number: u32| (number != NONE).then_some(number);
     let faces = mesh.faces();
     let corner = is(spot.corner).map(|corner| corner - faces.range(spot.face as usize).start as u32);

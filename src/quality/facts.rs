@@ -3,7 +3,7 @@
 use super::estimate::{Estimate, estimate};
 use crate::mesh::{Column, Link, Mesh, Orient, Orientation, Topology, Weld, orient};
 use crate::normals::{Crease, FaultReason, Groups, NormalField, NormalRecipe, compute_on};
-use crate::num::unit_scale;
+use crate::num::{UnitVec3, unit_scale};
 use glam::DVec3;
 
 /// What a face is good for.
@@ -118,8 +118,7 @@ impl<'a> Facts<'a> {
 
     /// The normal that a corner has in the file, as a unit vector; `None` if it has none with a direction.
     pub(super) fn stored_unit(&self, corner: usize) -> Option<DVec3> {
-        let stored = *self.stored?.get(corner, self.mesh.faces().corners()[corner])?;
-        crate::num::UnitVec3::new(stored).map(crate::num::UnitVec3::get)
+        stored_unit(self.stored?, self.mesh, corner)
     }
 
     /// The normal that a corner is shaded with: its own, or the computed one.
@@ -150,6 +149,12 @@ fn worth(mesh: &Mesh, field: &NormalField, minority: &[u32], inward: &[u32]) -> 
         worth[fault.index as usize] = Worth::Silent;
     }
     worth
+}
+
+/// The direction of the value that a corner has in a column of normals.
+pub(super) fn stored_unit(stored: &Column<DVec3>, mesh: &Mesh, corner: usize) -> Option<DVec3> {
+    let normal = *stored.get(corner, mesh.faces().corners()[corner])?;
+    UnitVec3::new(normal).map(UnitVec3::get)
 }
 
 /// The vector area of a face: half the sum of the cross products of its edges, from its first corner.

@@ -12,6 +12,7 @@
 //! Findings about shading are notes: they are what even right normals will show.
 
 pub mod catalogue;
+mod comparison;
 mod diagnosis;
 mod duplicates;
 mod estimate;
@@ -29,6 +30,7 @@ mod tally;
 mod thresholds;
 mod turned;
 
+pub use comparison::{Comparison, Incomparable, compare};
 pub use diagnosis::{Diagnosis, PartDiagnosis, diagnose};
 pub use estimate::{Estimate, SAMPLE};
 pub use finding::{Element, Finding, Severity, Site};

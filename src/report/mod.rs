@@ -34,7 +34,7 @@ pub use artefact::{
     chart_plot, experiment_page, experiment_sheet, index_page, list_table, mathml, measure_table, page_name,
     picture_name, verdict_text,
 };
-pub use diagnosis::{Sight, deviation_picture, diagnosis_page};
+pub use diagnosis::{After, Sight, deviation_picture, diagnosis_page};
 pub use error::ReportError;
 pub use html::{Page, Table, escape_html};
 pub use label::{draw_text, text_width};

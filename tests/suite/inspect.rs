@@ -1,6 +1,7 @@
 //! The diagnosis itself, tested: faults planted at known places, clean meshes, real meshes with known faults, and whether
 //! what is suggested mends what was found.
 
+mod against;
 mod clean;
 mod mended;
 mod page;

@@ -17,6 +17,7 @@ Examples:
   crease inspect part.glb --html report.html
   crease inspect part.obj --heatmap deviation.png --view auto
   crease inspect models --recursive --json --fail-on error
+  crease inspect part.glb --against mended.glb --html change.html
   crease inspect part.obj --severity warning --ignore needle-faces
   crease inspect part.obj --only stray-normals --deviation 5 -v
   crease inspect --explain averaged-crease";
@@ -44,6 +45,12 @@ pub struct InspectArgs {
     /// Companion files (MTL, glTF buffers) may be read from this folder and below [default: the input's folder]
     #[arg(long, value_name = "DIR")]
     pub root: Option<PathBuf>,
+
+    /// Tell also what is different in this file, which has the same shape: by how many degrees the normals changed, what
+    /// that shows, and which findings came and went. Faces are matched by the places of their corners, so that order,
+    /// splits and cuts into triangles do not matter (one input only)
+    #[arg(long, value_name = "FILE")]
+    pub against: Option<PathBuf>,
 
     #[command(flatten)]
     pub pictures: PictureArgs,

@@ -1,5 +1,6 @@
 //! The verb `inspect`: what is wrong with the normals of meshes.
 
+mod against;
 mod args;
 mod report;
 mod text;
@@ -16,11 +17,12 @@ use super::progress::{FileProgress, Progress, Stage};
 use super::report::{ErrorReport, json_line};
 use super::request::{Job, RequestError, Target};
 use super::{Exit, usage_error, use_threads};
+use against::AgainstReport;
 use args::{Explained, FindingArgs, PictureArgs};
-use crease::io::{Loaded, ReadOptions, Written};
+use crease::io::{Loaded, ReadError, ReadOptions, Written};
 use crease::num::Transfer;
-use crease::quality::{Diagnosis, Thresholds, diagnose};
-use crease::report::{ReportError, deviation_picture, diagnosis_page, encode_png};
+use crease::quality::{Comparison, Diagnosis, Thresholds, compare, diagnose};
+use crease::report::{After, ReportError, deviation_picture, diagnosis_page, encode_png};
 use report::InspectReport;
 use std::path::Path;
 use std::time::Instant;
@@ -55,8 +57,13 @@ fn jobs(args: &InspectArgs) -> Result<Vec<Job>, RequestError> {
         return Err(RequestError::Usage(format!("--root {} is no folder", root.display())));
     }
     let found = inputs::expand(&args.inputs, args.recursive, None)?;
-    if found.len() > 1 && (args.pictures.html.is_some() || args.pictures.heatmap.is_some()) {
-        return Err(RequestError::Usage(format!("--html and --heatmap take one input, not {}", found.len())));
+    let options = [
+        ("--html", args.pictures.html.is_some()),
+        ("--heatmap", args.pictures.heatmap.is_some()),
+        ("--against", args.against.is_some()),
+    ];
+    if let Some((option, _)) = options.iter().find(|(_, is_given)| *is_given && found.len() > 1) {
+        return Err(RequestError::Usage(format!("{option} takes one input, not {}", found.len())));
     }
     Ok(found
         .into_iter()
@@ -125,15 +132,54 @@ fn inspect(
         done.set(done.get() + faces);
         progress.within(Stage::Compute, done.get(), all);
     });
+    let after = match &args.against {
+        Some(path) => Some(Later::read(path, read, thresholds, &loaded, &diagnosis, progress)?),
+        None => None,
+    };
     report.seconds.inspect = start.elapsed().as_secs_f64();
+    report.against = after.as_ref().map(|after| AgainstReport::new(&after.path, &after.comparison));
     keep_wanted(&mut diagnosis, &args.findings);
     report.fill(&diagnosis, &mended(job, loaded.format.extension()));
-    draw(&loaded, &diagnosis, &report.input.path, args)?;
+    draw(&loaded, &diagnosis, after.as_ref(), &report.input.path, args)?;
     Ok(args.findings.fail_on.is_some_and(|least| diagnosis.worst() >= Some(least)))
 }
 
+/// The file that `--against` names, and what is different in it.
+struct Later {
+    path: String,
+    loaded: Loaded,
+    comparison: Comparison,
+}
+
+impl Later {
+    fn read(
+        path: &Path,
+        read: &ReadOptions,
+        thresholds: &Thresholds,
+        before: &Loaded,
+        diagnosis: &Diagnosis,
+        progress: &FileProgress<'_>,
+    ) -> Result<Self, Failure> {
+        let job = Job { source: Source::File(path.to_path_buf()), format: None, target: None, to: None };
+        let path = name(&job);
+        let loaded = normals::load(&job, read, progress, &mut None).map_err(|error| {
+            Failure::Read(ReadError { found: format!("in {path}: {}", error.found), ..error })
+        })?;
+        let own = diagnose(&loaded, thresholds, &|_| {});
+        let comparison = compare([before, &loaded], [diagnosis, &own], thresholds.places)
+            .map_err(|error| Failure::Draw(format!("--against {path}: {error}")))?;
+        Ok(Self { path, loaded, comparison })
+    }
+}
+
 /// Makes and stores the pictures that were asked for.
-fn draw(loaded: &Loaded, diagnosis: &Diagnosis, name: &str, args: &InspectArgs) -> Result<(), Failure> {
+fn draw(
+    loaded: &Loaded,
+    diagnosis: &Diagnosis,
+    after: Option<&Later>,
+    name: &str,
+    args: &InspectArgs,
+) -> Result<(), Failure> {
     /// Pixels along the sides of a heat map of its own.
     const SIDE: u32 = 800;
     let PictureArgs { html, heatmap, view } = &args.pictures;
@@ -146,7 +192,9 @@ fn draw(loaded: &Loaded, diagnosis: &Diagnosis, name: &str, args: &InspectArgs) 
     };
     if let Some(path) = html {
         let output = format!("mended.{}", loaded.format.extension());
-        put(diagnosis_page(loaded, diagnosis, name, &output, *view).map_err(drawn)?.into_bytes(), path)?;
+        let after = after.map(|it| After { name: &it.path, loaded: &it.loaded, comparison: &it.comparison });
+        let page = diagnosis_page(loaded, diagnosis, after, [name, &output], *view);
+        put(page.map_err(drawn)?.into_bytes(), path)?;
     }
     if let Some(path) = heatmap {
         let picture = deviation_picture(loaded, diagnosis, *view, SIDE).map_err(drawn)?;

@@ -14,6 +14,7 @@
 //! | `counts` | how many findings are `error`, `warning`, `note` |
 //! | `parts` | `name`, `vertices`, `faces`, `corners`, and `estimate`, null if stored normals do not tell: `weight`, `crease` (degrees), `groups` (whether smoothing groups count too), `sample` (corners), `reproduced`, `separated` (shares), `median` (degrees) |
 //! | `findings` | the gravest first, below |
+//! | `against` | with `--against` only, below |
 //! | `seconds` | `read`, `inspect`, `total` |
 //!
 //! A finding has `id`, `severity`, `family`, `cause` (in words), `element` (what is counted), `count`, `of`, `share`,
@@ -21,8 +22,15 @@
 //! null), `command` (what mends it, or null) and `places`: the worst ten. A place has `part`, and where known `face`,
 //! `corner` (of the face), `vertex`, all from 0, `position`, `degrees`, `node` (the name of the first node
 //! that has the part, glTF) and `line` (OBJ, from 1).
+//!
+//! `against` has `path`, the file that came after; `faces`, `unmatched` (faces without counterpart) as pairs, before and
+//! after; `turned` (faces that go round the other way); `corners` (matched), `gained` and `lost` (normals), `changed` (by
+//! more than 0.0001°), `visible` (by half an 8-bit step and more under a key light); `mean` and `largest`, each
+//! `degrees` and `steps`; `places`, those that changed most, in the input; and `findings`: `id`, `before` and `after`
+//! (counts) of what either file has.
 
 use super::super::report::{ErrorReport, InputReport};
+use super::against::AgainstReport;
 use crease::quality::{Diagnosis, Estimate, Finding, PartDiagnosis, Severity, Site};
 use serde::Serialize;
 
@@ -39,6 +47,8 @@ pub struct InspectReport {
     pub counts: Counts,
     pub parts: Vec<PartReport>,
     pub findings: Vec<FindingReport>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub against: Option<AgainstReport>,
     pub seconds: Seconds,
 }
 
@@ -124,6 +134,7 @@ impl InspectReport {
             counts: Counts::default(),
             parts: Vec::new(),
             findings: Vec::new(),
+            against: None,
             seconds: Seconds::default(),
         }
     }
@@ -186,7 +197,7 @@ impl FindingReport {
 }
 
 impl SiteReport {
-    fn new(site: &Site) -> Self {
+    pub fn new(site: &Site) -> Self {
         Self {
             part: site.part,
             face: site.face,

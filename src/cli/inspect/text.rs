@@ -48,6 +48,9 @@ pub fn block(report: &InspectReport, style: Style, verbose: bool, places: usize)
         let _ = writeln!(out, "  {name}{} faces, {} vertices{made}", part.faces, part.vertices);
     }
     report.findings.iter().for_each(|finding| out.push_str(&paragraph(finding, report, style, places)));
+    if let Some(against) = &report.against {
+        out.push_str(&against.text(style, places, |site| place(site, report)));
+    }
     out
 }
 

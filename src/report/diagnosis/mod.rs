@@ -1,8 +1,18 @@
 //! The diagnosis of a file as a page: what was found, shown.
 
+mod change;
 mod page;
 mod pictures;
 mod plots;
 
+pub use change::After;
 pub use page::diagnosis_page;
 pub use pictures::{Sight, deviation_picture};
+
+use crate::io::Loaded;
+use crate::quality::{Survey, survey};
+
+/// What was measured of each part of a file.
+fn surveys(loaded: &Loaded) -> Vec<Survey> {
+    loaded.parts.iter().map(|part| survey(&part.mesh, loaded.format)).collect()
+}

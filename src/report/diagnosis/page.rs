@@ -1,10 +1,12 @@
 //! The page.
 
+use super::change::{self, After};
 use super::pictures::{Model, Sight};
 use super::plots::histograms;
 use crate::io::Loaded;
 use crate::num::three_digits;
-use crate::quality::{Diagnosis, Finding, Severity, Site, Survey, survey};
+use crate::quality::{Diagnosis, Finding, Severity, Site};
+use crate::raster::Camera;
 use crate::report::{Page, Picture, ReportError, Table, escape_html};
 use std::fmt::Write;
 
@@ -16,21 +18,26 @@ const CLOSE_UPS: usize = 12;
 
 /// The diagnosis of a file as a page of HTML that opens from disk with nothing else: pictures from where the worst places
 /// face, each finding with its explanation, its worst place close up and the command that mends it, and histograms.
-/// `name` is what the file is called, `output` what mended it would be.
+/// `name` is what the file is called, `output` what mended it would be. With a file that came `after`, both are shown side
+/// by side, and what changed.
 ///
 /// # Errors
 /// Pictures that cannot be drawn or made into files.
 pub fn diagnosis_page(
     loaded: &Loaded,
     diagnosis: &Diagnosis,
-    name: &str,
-    output: &str,
+    after: Option<After<'_>>,
+    [name, output]: [&str; 2],
     sight: Sight,
 ) -> Result<String, ReportError> {
-    let surveys: Vec<Survey> = loaded.parts.iter().map(|part| survey(&part.mesh, loaded.format)).collect();
+    let surveys = super::surveys(loaded);
     let model = Model::new(loaded, &surveys)?;
     let mut page = Page::new(&format!("Normals of {name}"), &verdict(diagnosis));
-    overview(&mut page, &model, diagnosis, sight)?;
+    let camera = model.camera(diagnosis, sight);
+    overview(&mut page, &model, diagnosis, camera)?;
+    if let (Some(after), Some(camera)) = (after, camera) {
+        change::section(&mut page, &model, after, camera, SIDES[0])?;
+    }
     rules(&mut page, diagnosis);
     let mut drawn = 0;
     for finding in &diagnosis.findings {
@@ -54,9 +61,14 @@ fn verdict(diagnosis: &Diagnosis) -> String {
     format!("{errors}, {warnings}, {notes} in {faces} faces.")
 }
 
-fn overview(page: &mut Page, model: &Model, diagnosis: &Diagnosis, sight: Sight) -> Result<(), ReportError> {
+fn overview(
+    page: &mut Page,
+    model: &Model,
+    diagnosis: &Diagnosis,
+    camera: Option<Camera>,
+) -> Result<(), ReportError> {
     page.heading("Overview");
-    let Some(camera) = model.camera(diagnosis, sight) else {
+    let Some(camera) = camera else {
         page.paragraph("There are no faces to show.");
         return Ok(());
     };

@@ -4,7 +4,7 @@ use crate::io::Loaded;
 use crate::mesh::{Column, Faces, Mesh, MeshBuilder};
 use crate::normals::{NormalField, Summary};
 use crate::num::{Degrees, LinearRgb};
-use crate::quality::{Diagnosis, Site, Survey, survey};
+use crate::quality::{Diagnosis, Site, Survey};
 use crate::raster::{
     Camera, Object, Paint, Projection, RenderSettings, Samples, Scene, Shape, Show, default_lights, render,
 };
@@ -143,6 +143,11 @@ impl Model {
         Ok(picture)
     }
 
+    /// Lit with the normals that it has.
+    pub(super) fn lit(&self, camera: Camera, side: u32) -> Result<Picture, ReportError> {
+        draw(&self.scene(camera, false), side, Show::Shaded)
+    }
+
     /// Front faces green, back faces red.
     pub(super) fn facing(&self, camera: Camera, side: u32) -> Result<Picture, ReportError> {
         draw(&self.scene(camera, false), side, Show::Facing)
@@ -222,8 +227,7 @@ pub fn deviation_picture(
     sight: Sight,
     side: u32,
 ) -> Result<Picture, ReportError> {
-    let surveys: Vec<Survey> = loaded.parts.iter().map(|part| survey(&part.mesh, loaded.format)).collect();
-    let model = Model::new(loaded, &surveys)?;
+    let model = Model::new(loaded, &super::surveys(loaded))?;
     let camera = model.camera(diagnosis, sight).ok_or(ReportError::Empty)?;
     model.deviation(camera, side, &[])
 }

@@ -17,6 +17,7 @@ struct Report {
     counts: Counts,
     parts: Vec<Part>,
     findings: Vec<Finding>,
+    against: Option<Against>,
     seconds: Seconds,
 }
 
@@ -94,6 +95,41 @@ struct Seconds {
     total: f64,
 }
 
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[allow(dead_code, reason = "the members are checked by being read")]
+struct Against {
+    path: String,
+    faces: [usize; 2],
+    unmatched: [usize; 2],
+    turned: usize,
+    corners: usize,
+    gained: usize,
+    lost: usize,
+    changed: usize,
+    visible: usize,
+    mean: Change,
+    largest: Change,
+    places: Vec<Place>,
+    findings: Vec<FindingChange>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[allow(dead_code, reason = "the members are checked by being read")]
+struct Change {
+    degrees: f64,
+    steps: f64,
+}
+
+#[derive(Debug, Deserialize, PartialEq)]
+#[serde(deny_unknown_fields)]
+struct FindingChange {
+    id: String,
+    before: u64,
+    after: u64,
+}
+
 /// Two triangles of a square, the second with a normal that points down.
 const FLIPPED: &str =
     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nvn 0 0 -1\nf 1//1 2//1 3//1\nf 1//1 3//2 4//1\n";
@@ -164,4 +200,50 @@ fn text_begins_with_a_verdict() {
     assert!(said.lines().next().unwrap().contains("gear.obj: ") && said.contains("no-normals"), "{said}");
     let quiet = inspect(&["-q", &path(data("gear.obj"))]);
     assert!(quiet.stdout.is_empty());
+}
+
+#[test]
+fn before_and_after_are_told_apart() {
+    let files = folder(&[("flipped.obj", FLIPPED)]);
+    let (flipped, mended) = (path(files.path().join("flipped.obj")), path(files.path().join("mended.glb")));
+    let page = path(files.path().join("page.html"));
+    let mend = crease().args(["normals", &flipped, "-o", &mended, "--when", "broken"]).output().unwrap();
+    assert!(mend.status.success(), "{}", text(&mend.stderr));
+
+    let output = inspect(&["--json", "--html", &page, &flipped, "--against", &mended]);
+    let report: Report = serde_json::from_str(text(&output.stdout)).unwrap();
+    let against = report.against.expect("it was asked for");
+    assert_eq!((against.faces, against.unmatched, against.turned), ([2, 2], [0, 0], 0));
+    assert_eq!((against.corners, against.changed, against.visible), (6, 1, 1));
+    assert_eq!((against.largest.degrees, against.mean.degrees), (180.0, 30.0));
+    let place = &against.places[0];
+    assert_eq!(
+        (place.face, place.corner, place.line, place.degrees),
+        (Some(1), Some(1), Some(8), Some(180.0))
+    );
+    let gone = FindingChange { id: "flipped-normals".into(), before: 1, after: 0 };
+    assert!(against.findings.contains(&gone), "{:?}", against.findings);
+    let page = std::fs::read_to_string(page).unwrap();
+    assert!(page.contains("id=\"before-and-after\"") && page.contains("has after"), "the panels");
+
+    let said = inspect(&[&flipped, "--against", &mended]);
+    let said = text(&said.stdout);
+    assert!(
+        said.contains("1 of 6 corners changed") && said.contains("gone: flipped-normals 1 → 0"),
+        "{said}"
+    );
+    let same = inspect(&[&mended, "--against", &mended]);
+    assert!(text(&same.stdout).contains("no direction of 6 corners changed"), "{}", text(&same.stdout));
+}
+
+#[test]
+fn different_shapes_are_not_compared() {
+    let elsewhere = FLIPPED.replace("v 0", "v 7");
+    let files = folder(&[("a.obj", FLIPPED), ("b.obj", &elsewhere)]);
+    let [a, b] = ["a.obj", "b.obj"].map(|name| path(files.path().join(name)));
+    let output = inspect(&[&a, "--against", &b]);
+    assert_eq!(code(&output), 3, "{}", text(&output.stderr));
+    assert!(text(&output.stderr).contains("these are different shapes"), "{}", text(&output.stderr));
+    assert_eq!(code(&inspect(&[&a, "--against", "nowhere.obj"])), 3);
+    assert_eq!(code(&inspect(&[&a, &b, "--against", &a])), 2);
 }

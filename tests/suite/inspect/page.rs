@@ -24,7 +24,7 @@ fn the_page_of_a_fault_is_whole() {
     normals.values[7] = -normals.values[7];
     let file = loaded(mesh.with_normals(Some(normals)));
     let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
-    let page = diagnosis_page(&file, &diagnosis, "a <torus>.obj", "mended.obj", Sight::Auto).unwrap();
+    let page = diagnosis_page(&file, &diagnosis, None, ["a <torus>.obj", "mended.obj"], Sight::Auto).unwrap();
 
     assert!(
         !page.contains("http://") && !page.contains("https://") && !page.contains("<script"),

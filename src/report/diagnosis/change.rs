@@ -1,0 +1,81 @@
+//! Before and after, side by side.
+
+use super::pictures::Model;
+use crate::io::Loaded;
+use crate::num::three_digits;
+use crate::quality::{Comparison, Survey};
+use crate::raster::Camera;
+use crate::report::{Page, Picture, ReportError, Table};
+
+/// The file that came after, and what is different in it.
+#[derive(Clone, Copy, Debug)]
+pub struct After<'a> {
+    /// What it is called.
+    pub name: &'a str,
+    /// The file.
+    pub loaded: &'a Loaded,
+    /// What changed.
+    pub comparison: &'a Comparison,
+}
+
+/// Pictures of both files from one side, what changed as colours, and the numbers.
+pub(super) fn section(
+    page: &mut Page,
+    before: &Model,
+    after: After<'_>,
+    camera: Camera,
+    side: u32,
+) -> Result<(), ReportError> {
+    let comparison = after.comparison;
+    page.heading("Before and after");
+    page.paragraph(&words(after.name, comparison));
+    let surveys = super::surveys(after.loaded);
+    let changes = surveys.iter().zip(&comparison.change);
+    let changes: Vec<Survey> =
+        changes.map(|(survey, change)| Survey { deviations: change.clone(), ..survey.clone() }).collect();
+    let (then, change) = (Model::new(after.loaded, &surveys)?, Model::new(after.loaded, &changes)?);
+    let worst: Vec<_> = comparison.places.first().into_iter().collect();
+    let lit = [before.lit(camera, side)?, then.lit(camera, side)?];
+    let marked = change.deviation(camera, side, &worst)?;
+    let pictures: [(&Picture, &str); 3] = [
+        (&lit[0], "the mesh lit with the normals that it had before"),
+        (&lit[1], "the mesh lit with the normals that it has after"),
+        (
+            &marked,
+            "the mesh coloured by how far its normals changed, from violet, 0°, to yellow, 15° and more",
+        ),
+    ];
+    let caption = "Left: before. Middle: after. Right: by how much the normals of each corner changed; the ring marks \
+                   the place that changed most, also where it lies behind.";
+    page.pictures(&pictures, caption)?;
+    let off = [before.deviation(camera, side, &[])?, then.deviation(camera, side, &[])?];
+    let pictures: [(&Picture, &str); 2] = [
+        (&off[0], "before: the mesh coloured by the deviation of its normals from the rule that they follow"),
+        (&off[1], "after: the mesh coloured by the deviation of its normals from the rule that they follow"),
+    ];
+    page.pictures(
+        &pictures,
+        "How far normals are from those that the rule of their own mesh gives, before and after.",
+    )?;
+    let mut table = Table::new("Findings, before and after", &["finding", "before", "after"]);
+    for (kind, counts) in &comparison.findings {
+        table.push([kind.id().to_owned(), counts[0].to_string(), counts[1].to_string()]);
+    }
+    if !table.is_empty() {
+        page.table(&table);
+    }
+    Ok(())
+}
+
+fn words(name: &str, comparison: &Comparison) -> String {
+    let [mean, largest] = [comparison.mean, comparison.largest].map(|angle| three_digits(angle.0));
+    let [mean_steps, largest_steps] = comparison.steps().map(three_digits);
+    let Comparison { corners, changed, visible, gained, lost, turned, unmatched: [here, there], .. } =
+        comparison;
+    format!(
+        "In {name}, {changed} of {corners} corners have another direction, {visible} of them visibly: by {largest}° at most \
+         ({largest_steps} of 255 grey steps under a key light) and {mean}° in the mean ({mean_steps} steps). {gained} corners \
+         gained a normal and {lost} lost one; {turned} faces go round the other way; {here} faces stand before only, {there} \
+         after only."
+    )
+}
