@@ -4,7 +4,7 @@
 //! that arrive from `b`. So each vertex can be matched by itself, in parallel and in any order, without a table
 //! of edges.
 
-use super::FacesRef;
+use super::faces::{FacesRef, next_in_triangle, previous_in_triangle};
 use super::rings::{Rings, Scatter};
 use super::topology::{Link, PackedLink};
 use rayon::prelude::*;
@@ -26,7 +26,7 @@ struct Spoke {
 }
 
 /// Finds the [`Link`] of each half-edge by vertex index.
-pub(super) struct EdgeMatcher<'a> {
+pub(crate) struct EdgeMatcher<'a> {
     faces: FacesRef<'a>,
     owners: &'a [u32],
     /// Faces of fewer than three distinct vertices; empty for triangles, where the corners themselves tell.
@@ -34,7 +34,7 @@ pub(super) struct EdgeMatcher<'a> {
 }
 
 impl<'a> EdgeMatcher<'a> {
-    pub(super) fn new(faces: FacesRef<'a>, owners: &'a [u32]) -> Self {
+    pub(crate) fn new(faces: FacesRef<'a>, owners: &'a [u32]) -> Self {
         let collapsed = if faces.is_triangles() {
             Vec::new()
         } else {
@@ -50,26 +50,30 @@ impl<'a> EdgeMatcher<'a> {
         let chunks = rings.len().div_ceil(CHUNK);
         (0..chunks).into_par_iter().for_each(|chunk| {
             for vertex in chunk * CHUNK..((chunk + 1) * CHUNK).min(rings.len()) {
-                let ring = rings.at(vertex);
-                let set = |half_edge: u32, link| links.set(half_edge, PackedLink::new(link).bits());
-                let spokes = ring.iter().map(|&corner| self.spoke(vertex as u32, corner));
-                match ring.len() {
-                    0..=8 => match_small::<8>(spokes, set),
-                    9..=SMALL => match_small::<SMALL>(spokes, set),
-                    _ => match_large(spokes, set),
-                }
+                self.match_ring(vertex as u32, rings.at(vertex), |half_edge, link| {
+                    links.set(half_edge, PackedLink::new(link).bits());
+                });
             }
         });
         links
+    }
+
+    /// Finds the links of the half-edges that leave a vertex, given the corners at it.
+    #[inline]
+    pub(crate) fn match_ring(&self, vertex: u32, ring: &[u32], set: impl FnMut(u32, Link)) {
+        let spokes = ring.iter().map(|&corner| self.spoke(vertex, corner));
+        match ring.len() {
+            0..=8 => match_small::<8>(spokes, set),
+            9..=SMALL => match_small::<SMALL>(spokes, set),
+            _ => match_large(spokes, set),
+        }
     }
 
     #[inline(always)]
     fn spoke(&self, vertex: u32, corner: u32) -> Spoke {
         let corners = self.faces.corners();
         let (next, previous, collapsed) = if self.owners.is_empty() {
-            let place = corner % 3;
-            let next = if place == 2 { corner - 2 } else { corner + 1 };
-            let previous = if place == 0 { corner + 2 } else { corner - 1 };
+            let (next, previous) = (next_in_triangle(corner), previous_in_triangle(corner));
             (next, previous, corners[next as usize] == corners[previous as usize])
         } else {
             let face = self.owners[corner as usize] as usize;
@@ -111,7 +115,7 @@ fn decide(same: u32, against: u32, twin: impl FnOnce() -> u32, double: impl FnOn
     }
 }
 
-fn match_small<const N: usize>(ring: impl Iterator<Item = Spoke>, set: impl Fn(u32, Link)) {
+fn match_small<const N: usize>(ring: impl Iterator<Item = Spoke>, mut set: impl FnMut(u32, Link)) {
     let (mut to, mut from) = ([NOWHERE; N], [NOWHERE; N]);
     let mut spokes = [Spoke { leaving: 0, to: NOWHERE, arriving: 0, from: NOWHERE }; N];
     let mut count = 0;
@@ -152,7 +156,7 @@ fn tally<const N: usize>(to: &[u32; N], from: &[u32; N], vertex: u32) -> u32 {
     lanes.iter().sum()
 }
 
-fn match_large(ring: impl Iterator<Item = Spoke>, set: impl Fn(u32, Link)) {
+fn match_large(ring: impl Iterator<Item = Spoke>, mut set: impl FnMut(u32, Link)) {
     let mut ends: Vec<(u32, bool, u32)> = Vec::new();
     for spoke in ring {
         if spoke.to == NOWHERE {

@@ -206,3 +206,15 @@ impl<'a> FacesRef<'a> {
         (owners, offsets.to_vec())
     }
 }
+
+/// The next corner of the same triangle, where there are only triangles.
+#[inline(always)]
+pub(crate) fn next_in_triangle(corner: u32) -> u32 {
+    if corner % 3 == 2 { corner - 2 } else { corner + 1 }
+}
+
+/// The previous corner of the same triangle, where there are only triangles.
+#[inline(always)]
+pub(crate) fn previous_in_triangle(corner: u32) -> u32 {
+    if corner.is_multiple_of(3) { corner + 2 } else { corner - 1 }
+}

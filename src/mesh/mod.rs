@@ -17,13 +17,15 @@ mod weld;
 
 pub use build::{MeshBuilder, MeshError};
 pub use column::{Column, ColumnIndex, Columns, FaceLabels, NONE, SmoothingGroups};
+pub(crate) use edges::EdgeMatcher;
 pub use faces::Faces;
-pub(crate) use faces::FacesRef;
+pub(crate) use faces::{FacesRef, next_in_triangle, previous_in_triangle};
 pub use orient::{Orient, Orientation, orient};
 pub(crate) use rings::{Rings, Scatter};
 pub use select::FaceEdit;
 pub(crate) use sets::DisjointSets;
 pub use split::{VertexSplit, split_vertices};
+pub(crate) use topology::MAX_CORNERS;
 pub use topology::{Link, Topology};
 pub use transform::{NormalMatrix, TransformFault, normal_matrix};
 pub use triangulate::{Triangulation, triangulate};

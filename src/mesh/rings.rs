@@ -13,29 +13,45 @@ pub(crate) struct Rings {
 impl Rings {
     /// Counting sort of corners by vertex.
     pub(crate) fn build(corner_vertices: &[u32], vertex_count: usize) -> Self {
+        let mut rings = Self::default();
+        rings.fill(corner_vertices, vertex_count);
+        rings
+    }
+
+    /// As [`build`](Self::build), in memory that has served before.
+    pub(crate) fn fill(&mut self, corner_vertices: &[u32], vertex_count: usize) {
         let threads = rayon::current_num_threads();
-        if threads > 1 && corner_vertices.len() > 1 << 16 {
-            return Self::build_parallel(corner_vertices, vertex_count, threads);
+        let parts = if corner_vertices.len() > 1 << 16 { threads } else { 1 };
+        // What was there is overwritten; only new room must be made, and it costs a touch of each page.
+        self.corners.resize(corner_vertices.len(), 0);
+        self.offsets.clear();
+        self.offsets.resize(vertex_count + 1, 0);
+        if parts > 1 {
+            self.sort_by_parts(corner_vertices, vertex_count, parts);
+        } else {
+            self.sort(corner_vertices);
         }
-        let mut offsets = vec![0u32; vertex_count + 1];
+    }
+
+    /// `offsets[v + 1]` serves as the place of the next corner of v, and ends up as where those of v + 1 start.
+    fn sort(&mut self, corner_vertices: &[u32]) {
+        let Self { offsets, corners } = self;
         for &vertex in corner_vertices {
             offsets[vertex as usize + 1] += 1;
         }
-        accumulate(&mut offsets);
-        let mut corners = vec![0u32; corner_vertices.len()];
-        let mut cursor = offsets[..vertex_count].to_vec();
+        start_from_counts(&mut offsets[1..], 0);
         for (corner, &vertex) in corner_vertices.iter().enumerate() {
-            let slot = &mut cursor[vertex as usize];
+            let slot = &mut offsets[vertex as usize + 1];
             corners[*slot as usize] = corner as u32;
             *slot += 1;
         }
-        Self { offsets, corners }
     }
 
     /// Each thread sorts the corners of its own range of vertices, so nothing is shared and corners stay
     /// ascending. Most meshes number neighbours alike: blocks of corners that miss a range are skipped whole.
-    fn build_parallel(corner_vertices: &[u32], vertex_count: usize, threads: usize) -> Self {
+    fn sort_by_parts(&mut self, corner_vertices: &[u32], vertex_count: usize, parts: usize) {
         const BLOCK: usize = 3 * 1024;
+        let Self { offsets, corners } = self;
         let spans: Vec<(u32, u32)> = corner_vertices
             .par_chunks(BLOCK)
             .map(|block| block.iter().fold((u32::MAX, 0), |(low, high), &v| (low.min(v), high.max(v))))
@@ -47,46 +63,44 @@ impl Rings {
                 (low < range.end && high >= range.start).then_some((i * BLOCK, block))
             })
         };
-        let step = vertex_count.div_ceil(threads).max(1);
-        let mut offsets = vec![0u32; vertex_count + 1];
-        offsets[1..].par_chunks_mut(step).enumerate().for_each(|(part, counts)| {
-            let start = (part * step) as u32;
-            for (_, block) in blocks_of(start..start + counts.len() as u32) {
-                for &vertex in block {
-                    if let Some(count) = counts.get_mut(vertex.wrapping_sub(start) as usize) {
-                        *count += 1;
+        let step = vertex_count.div_ceil(parts).max(1);
+        let totals: Vec<u32> = offsets[1..]
+            .par_chunks_mut(step)
+            .enumerate()
+            .map(|(part, counts)| {
+                let start = (part * step) as u32;
+                for (_, block) in blocks_of(start..start + counts.len() as u32) {
+                    for &vertex in block {
+                        if let Some(count) = counts.get_mut(vertex.wrapping_sub(start) as usize) {
+                            *count += 1;
+                        }
                     }
                 }
-            }
-        });
-        accumulate(&mut offsets);
-        let mut corners = vec![0u32; corner_vertices.len()];
-        let mut parts = Vec::with_capacity(threads);
+                counts.iter().sum()
+            })
+            .collect();
         let mut rest = corners.as_mut_slice();
-        for start in (0..vertex_count).step_by(step) {
-            let end = (start + step).min(vertex_count);
-            let (own, tail) = rest.split_at_mut((offsets[end] - offsets[start]) as usize);
-            rest = tail;
-            parts.push((start, end, own));
-        }
-        parts.into_par_iter().for_each(|(start, end, own)| {
-            let base = offsets[start];
-            let mut cursor: Vec<u32> = offsets[start..end].iter().map(|&offset| offset - base).collect();
-            for (first, block) in blocks_of(start as u32..end as u32) {
+        let own: Vec<&mut [u32]> =
+            totals.iter().map(|&total| rest.split_off_mut(..total as usize).expect("one a corner")).collect();
+        let firsts = totals.iter().scan(0, |first, &total| Some(std::mem::replace(first, *first + total)));
+        let firsts: Vec<u32> = firsts.collect();
+        offsets[1..].par_chunks_mut(step).zip(own).enumerate().for_each(|(part, (slots, own))| {
+            let (start, base) = ((part * step) as u32, firsts[part]);
+            start_from_counts(slots, base);
+            for (first, block) in blocks_of(start..start + slots.len() as u32) {
                 for (i, &vertex) in block.iter().enumerate() {
-                    if let Some(slot) = cursor.get_mut(vertex.wrapping_sub(start as u32) as usize) {
-                        own[*slot as usize] = (first + i) as u32;
+                    if let Some(slot) = slots.get_mut(vertex.wrapping_sub(start) as usize) {
+                        own[(*slot - base) as usize] = (first + i) as u32;
                         *slot += 1;
                     }
                 }
             }
         });
-        Self { offsets, corners }
     }
 
     /// The corners at a vertex, ascending.
     #[inline]
-    pub(super) fn at(&self, vertex: usize) -> &[u32] {
+    pub(crate) fn at(&self, vertex: usize) -> &[u32] {
         &self.corners[self.offsets[vertex] as usize..self.offsets[vertex + 1] as usize]
     }
 
@@ -101,24 +115,29 @@ impl Rings {
     }
 }
 
-/// Running totals in place.
-fn accumulate(counts: &mut [u32]) {
-    let mut total = 0;
+/// Turns counts into where each run starts, the first at `total`.
+fn start_from_counts(counts: &mut [u32], mut total: u32) {
     for count in counts {
-        total += *count;
-        *count = total;
+        total += std::mem::replace(count, total);
     }
 }
 
 /// Numbers that several threads write at once, each to places of its own, though not in one piece.
 ///
 /// A relaxed atomic access is a plain load or store; it only tells the compiler that threads share the memory.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct Scatter(Vec<AtomicU32>);
 
 impl Scatter {
     pub(crate) fn new(len: usize, value: u32) -> Self {
         Self((0..len).into_par_iter().map(|_| AtomicU32::new(value)).collect())
+    }
+
+    /// Makes room for so many. What is in it is left to chance.
+    pub(crate) fn reserve(&mut self, len: usize) {
+        if self.0.len() < len {
+            *self = Self::new(len, 0);
+        }
     }
 
     #[inline]
@@ -152,13 +171,20 @@ mod tests {
             })
             .collect();
         let one = Rings::build(&vertices[..60_000], 30_011);
-        let same = Rings::build_parallel(&vertices[..60_000], 30_011, 3);
-        assert_eq!((one.offsets, one.corners), (same.offsets, same.corners));
-        let whole = Rings::build_parallel(&vertices, 30_011, 2);
+        let with_parts = |vertices: &[u32], parts| {
+            let mut rings = Rings { offsets: vec![0; 30_012], corners: vec![0; vertices.len()] };
+            rings.sort_by_parts(vertices, 30_011, parts);
+            rings
+        };
+        let same = with_parts(&vertices[..60_000], 3);
+        assert_eq!((&one.offsets, &one.corners), (&same.offsets, &same.corners));
+        let mut whole = with_parts(&vertices, 2);
         for vertex in 0..whole.len() {
             assert!(whole.at(vertex).is_sorted());
             assert!(whole.at(vertex).iter().all(|&c| vertices[c as usize] as usize == vertex));
         }
         assert_eq!((0..whole.len()).map(|v| whole.at(v).len()).sum::<usize>(), vertices.len());
+        whole.fill(&vertices[..60_000], 30_011);
+        assert_eq!(whole.corners, same.corners, "what was there before leaves no trace");
     }
 }

@@ -5,6 +5,7 @@
 //! the other. Every half-edge has a [`Link`] that says what it meets.
 
 use super::edges::EdgeMatcher;
+use super::faces::{next_in_triangle, previous_in_triangle};
 use super::rings::{Rings, Scatter};
 use super::weld::{self, Weld};
 use super::{Faces, FacesRef, Mesh};
@@ -39,7 +40,7 @@ const PARTNER_BITS: u32 = 30;
 const PARTNER_MASK: u32 = (1 << PARTNER_BITS) - 1;
 
 /// Most corners a mesh may have: what [`PackedLink`] can count.
-pub(super) const MAX_CORNERS: usize = 1 << PARTNER_BITS;
+pub(crate) const MAX_CORNERS: usize = 1 << PARTNER_BITS;
 
 impl PackedLink {
     pub(super) const BOUNDARY: Self = Self(3 << PARTNER_BITS);
@@ -193,7 +194,7 @@ impl Topology {
     #[inline]
     pub fn next(&self, corner: u32) -> u32 {
         if self.owners.is_empty() {
-            return if corner % 3 == 2 { corner - 2 } else { corner + 1 };
+            return next_in_triangle(corner);
         }
         let face = self.owners[corner as usize] as usize;
         if corner + 1 == self.starts[face + 1] { self.starts[face] } else { corner + 1 }
@@ -203,7 +204,7 @@ impl Topology {
     #[inline]
     pub fn previous(&self, corner: u32) -> u32 {
         if self.owners.is_empty() {
-            return if corner.is_multiple_of(3) { corner + 2 } else { corner - 1 };
+            return previous_in_triangle(corner);
         }
         let face = self.owners[corner as usize] as usize;
         if corner == self.starts[face] { self.starts[face + 1] - 1 } else { corner - 1 }

@@ -3,7 +3,7 @@
 use super::crease::CreaseTest;
 use super::digits::turns_by_rounding;
 use super::face::face_normals;
-use super::fans::FanWalker;
+use super::fans::{FanWalker, MeshFans};
 use super::gather::TermTable;
 use super::groups::{Members, SmoothGroups};
 use super::hard::{Marks, applied_angle};
@@ -65,9 +65,7 @@ fn try_compute(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe, fast: bo
     let angle = applied_angle(mesh, recipe);
     let marks = Marks::new(mesh, topology, recipe);
     let walker = FanWalker {
-        faces: mesh.faces().view(),
-        topology,
-        marks: &marks,
+        fans: MeshFans { faces: mesh.faces().view(), topology, marks: &marks },
         normals: &shape.faces,
         crease: CreaseTest::new(angle),
         slivers: recipe.slivers,

@@ -1,7 +1,7 @@
 //! The cone rule: each corner averages the faces of its fan that face nearly its own way.
 
 use super::crease::CreaseTest;
-use super::fans::FanWalker;
+use super::fans::MeshWalker;
 use super::groups::{FanScratch, Members, SmoothGroups};
 use crate::mesh::NONE;
 use rustc_hash::FxHashMap;
@@ -17,8 +17,8 @@ const LATER: u32 = NONE - 1;
 
 impl SmoothGroups {
     /// Groups under the cone rule. Also returns how many fans were too large and cut by the fan rule.
-    pub(crate) fn by_cone(walker: &FanWalker, vertex_count: usize) -> (Self, usize) {
-        let corner_count = walker.faces.corners().len();
+    pub(crate) fn by_cone(walker: &MeshWalker, vertex_count: usize) -> (Self, usize) {
+        let corner_count = walker.fans.faces.corners().len();
         let mut cutter = Cutter {
             walker,
             group: vec![NONE; corner_count],
@@ -56,7 +56,7 @@ impl SmoothGroups {
             }
         }
         let Cutter { group, members, .. } = cutter;
-        let mut groups = Self::from_groups(walker.faces, vertex_count, &group);
+        let mut groups = Self::from_groups(walker.fans.faces, vertex_count, &group);
         groups.members = Some(groups.members_by_slot(&group, &members));
         (groups, declined)
     }
@@ -81,7 +81,7 @@ impl SmoothGroups {
 
 /// Cuts fans into groups, the one in `scratch.stretch` at each call.
 struct Cutter<'a> {
-    walker: &'a FanWalker<'a>,
+    walker: &'a MeshWalker<'a>,
     /// The group of each corner.
     group: Vec<u32>,
     members: Members,

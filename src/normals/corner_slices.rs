@@ -2,15 +2,12 @@
 
 use super::crease::CreaseTest;
 use super::emit::Emit;
-use super::face::face_normals;
-use super::fans::FanWalker;
-use super::groups::SmoothGroups;
-use super::hard::Marks;
 use super::made_up::{MadeUp, face_faults};
+use super::ring_groups::TriangleCreases;
 use super::slices::{Coordinate, Scratch, SliceError, check};
 use super::sums::{SlotState, SumRequest, weighted_sums_into};
 use super::{Fault, Faults, Slivers, Weight};
-use crate::mesh::{FacesRef, Topology};
+use crate::mesh::{FacesRef, MAX_CORNERS, Topology};
 use crate::num::Degrees;
 
 /// Computes indexed corner normals: one normal per vertex and smooth group, and one index a corner.
@@ -22,8 +19,8 @@ use crate::num::Degrees;
 ///
 /// `normals` is cleared and filled, ordered by vertex; `index[c]` is the normal of corner `c`, three corners a
 /// triangle. Weights, slivers, precision, faults and threads are as in [`vertex_normals`](super::vertex_normals);
-/// `Faults::corners` lists the corners whose normal is made up. Topology is built in the call: time is linear in
-/// triangles, memory 60 bytes a triangle.
+/// `Faults::corners` lists the corners whose normal is made up. Edges are matched in the call, vertex by
+/// vertex: time is linear in triangles, memory some 70 bytes a triangle, which `scratch` keeps for the next call.
 ///
 /// ```
 /// use crease::normals::{Scratch, Slivers, Weight, corner_normals};
@@ -64,39 +61,33 @@ pub fn corner_normals<T: Coordinate>(
     if weight == Weight::Quadric {
         return Err(SliceError::QuadricNeedsMesh);
     }
-    check(positions.len(), triangles, 3 * triangles.len(), index.len())?;
+    let corners = 3 * triangles.len();
+    if corners > MAX_CORNERS {
+        return Err(SliceError::TooLarge { what: "corners", count: corners });
+    }
+    check(positions.len(), triangles, corners, index.len())?;
     let (faces, points) = (FacesRef::triangles(triangles), T::positions(positions));
-    let topology = Topology::of_view(faces, positions.len());
-    let face_normals = face_normals(faces, points);
-    let groups = {
-        let marks = Marks::none(&topology);
-        let crease = CreaseTest::new(Some(crease));
-        let walker =
-            FanWalker { faces, topology: &topology, marks: &marks, normals: &face_normals, crease, slivers };
-        SmoothGroups::by_fan(&walker, positions.len())
-    };
-    index.copy_from_slice(&groups.corner_entry);
-    let slots = groups.entry_vertex.len();
+    let Scratch { sums, slots: states, faces: face_normals, groups } = scratch;
+    face_normals.fill(faces, points);
+    let crease = CreaseTest::new(Some(crease));
+    let creases = TriangleCreases { faces, normals: face_normals, crease, slivers };
+    let slots = creases.entries(positions.len(), groups, index);
     let request = SumRequest { faces, positions: points, target: index, slots, weight, slivers };
-    scratch.slots.resize(slots, SlotState::Empty);
-    normals.clear();
+    states.resize(slots, SlotState::Empty);
     normals.resize(slots, T::NOTHING);
     let normals = T::normals(normals);
-    let outcome = weighted_sums_into(&request, &mut scratch.sums, normals, &mut scratch.slots);
+    let outcome = weighted_sums_into(&request, sums, normals, states);
 
     let set = |slot: usize, normal| normals[slot] = Emit::emit(normal);
     let made_up = if outcome.all_good {
         Vec::new()
     } else {
-        MadeUp::new(faces, &topology, &face_normals).for_slots(index, &scratch.slots, set)
+        let topology = Topology::of_view(faces, positions.len());
+        MadeUp::new(faces, &topology, face_normals).for_slots(index, states, set)
     };
     let reason = |slot: &u32| made_up.binary_search_by_key(slot, |&(s, _)| s).ok().map(|i| made_up[i].1);
     let corners = index.iter().enumerate().filter(|_| !made_up.is_empty());
     let corners =
         corners.filter_map(|(c, slot)| reason(slot).map(|reason| Fault { index: c as u32, reason }));
-    Ok(Faults {
-        faces: face_faults(&face_normals, slivers),
-        corners: corners.collect(),
-        vertices: Vec::new(),
-    })
+    Ok(Faults { faces: face_faults(face_normals, slivers), corners: corners.collect(), vertices: Vec::new() })
 }

@@ -24,8 +24,17 @@ pub(crate) struct FaceNormals {
 pub(crate) fn face_normals(faces: FacesRef, positions: Positions) -> FaceNormals {
     let mut normals =
         FaceNormals { unit: bytemuck::zeroed_vec(faces.len()), state: vec![FaceState::Counted; faces.len()] };
-    face_normals_into(faces, positions, &mut normals.unit, &mut normals.state);
+    normals.fill(faces, positions);
     normals
+}
+
+impl FaceNormals {
+    /// As [`face_normals`], in memory that has served before.
+    pub(crate) fn fill(&mut self, faces: FacesRef, positions: Positions) {
+        self.unit.resize(faces.len(), DVec3::ZERO);
+        self.state.resize(faces.len(), FaceState::Counted);
+        face_normals_into(faces, positions, &mut self.unit, &mut self.state);
+    }
 }
 
 /// The same into the caller's slices, one entry a face; zero vectors where there is no direction.

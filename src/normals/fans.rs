@@ -16,18 +16,29 @@ pub(crate) struct Stretch {
     pub(crate) closed: bool,
 }
 
-/// What a walk needs to know.
-pub(crate) struct FanWalker<'a> {
+/// How the corners round a vertex follow each other, across edges that are not hard for other reasons than their angle.
+pub(crate) trait Fans {
+    /// The corner on the far side of the edge that leaves a corner's vertex.
+    fn forward(&self, corner: u32) -> Option<u32>;
+
+    /// The corner on the far side of the edge that arrives at a corner's vertex.
+    fn backward(&self, corner: u32) -> Option<u32>;
+
+    /// Whether a corner is in no fan at all: its face has fewer than three distinct vertices.
+    fn is_stray(&self, corner: u32) -> bool;
+
+    /// The face of a corner.
+    fn face_of(&self, corner: u32) -> u32;
+}
+
+/// The fans of a mesh whose topology is known.
+pub(crate) struct MeshFans<'a> {
     pub(crate) faces: FacesRef<'a>,
     pub(crate) topology: &'a Topology,
     pub(crate) marks: &'a Marks<'a>,
-    pub(crate) normals: &'a FaceNormals,
-    pub(crate) crease: CreaseTest,
-    pub(crate) slivers: Slivers,
 }
 
-impl FanWalker<'_> {
-    /// The corner on the far side of the edge that leaves a corner's vertex.
+impl Fans for MeshFans<'_> {
     #[inline]
     fn forward(&self, corner: u32) -> Option<u32> {
         if let Some(across) = self.topology.across(corner) {
@@ -40,7 +51,6 @@ impl FanWalker<'_> {
             .filter(|&next| self.faces.corners()[next as usize] == self.faces.corners()[corner as usize])
     }
 
-    /// The corner on the far side of the edge that arrives at a corner's vertex.
     #[inline]
     fn backward(&self, corner: u32) -> Option<u32> {
         let arriving = self.topology.previous(corner);
@@ -52,18 +62,35 @@ impl FanWalker<'_> {
             .then_some(arriving)
     }
 
-    /// Whether a corner is in no fan at all: its face has fewer than three distinct vertices.
-    pub(crate) fn is_stray(&self, corner: u32) -> bool {
+    fn is_stray(&self, corner: u32) -> bool {
         self.topology.link(corner) == Link::Collapsed
             && self.topology.link(self.topology.previous(corner)) == Link::Collapsed
     }
 
+    #[inline]
+    fn face_of(&self, corner: u32) -> u32 {
+        self.topology.face_of(corner)
+    }
+}
+
+/// Walks round vertices and finds where creases cut.
+pub(crate) struct FanWalker<'a, F> {
+    pub(crate) fans: F,
+    pub(crate) normals: &'a FaceNormals,
+    pub(crate) crease: CreaseTest,
+    pub(crate) slivers: Slivers,
+}
+
+/// Walks round the vertices of a mesh whose topology is known.
+pub(crate) type MeshWalker<'a> = FanWalker<'a, MeshFans<'a>>;
+
+impl<F: Fans> FanWalker<'_, F> {
     /// The whole stretch of fan that a corner lies in.
     pub(crate) fn stretch(&self, start: u32, stretch: &mut Stretch) {
         stretch.corners.clear();
         stretch.corners.push(start);
         let mut corner = start;
-        while let Some(next) = self.forward(corner) {
+        while let Some(next) = self.fans.forward(corner) {
             if next == start {
                 stretch.closed = true;
                 return;
@@ -74,7 +101,7 @@ impl FanWalker<'_> {
         stretch.closed = false;
         let ahead = stretch.corners.len();
         corner = start;
-        while let Some(next) = self.backward(corner) {
+        while let Some(next) = self.fans.backward(corner) {
             stretch.corners.push(next);
             corner = next;
         }
@@ -83,39 +110,10 @@ impl FanWalker<'_> {
         stretch.corners.rotate_left(ahead);
     }
 
-    /// Whether the corners at a vertex, `ring`, are one closed fan without any hard edge: the case that most
-    /// vertices of most meshes are in, told without collecting anything.
-    #[inline]
-    pub(crate) fn is_smooth_ring(&self, ring: &[u32]) -> bool {
-        let limit = match self.crease {
-            CreaseTest::Over { limit, .. } => Some(limit),
-            CreaseTest::None => None,
-            CreaseTest::Every => return false,
-        };
-        let Some(&start) = ring.first().filter(|_| self.marks.is_empty()) else { return false };
-        let (mut corner, mut normal) = (start, self.normal(start));
-        for step in 1..=ring.len() {
-            let Some(across) = self.topology.across(corner) else { return false };
-            corner = self.topology.next(across);
-            if let Some(limit) = limit {
-                let face = self.topology.face_of(corner) as usize;
-                let (before, state) = (normal, self.normals.state[face]);
-                normal = self.normals.unit[face];
-                if state != FaceState::Counted || !limit.surely_within(before, normal) {
-                    return false;
-                }
-            }
-            if corner == start {
-                return step == ring.len();
-            }
-        }
-        false
-    }
-
     /// Whether a face has a say in creases, which is whether it adds to sums: the faces above the sliver threshold, or
     /// where slivers count or a stretch has none above it, all with a direction.
     fn deciding(&self, stretch: &Stretch) -> impl Fn(u32) -> bool + '_ {
-        let state = |corner: u32| self.normals.state[self.topology.face_of(corner) as usize];
+        let state = |corner: u32| self.normals.state[self.fans.face_of(corner) as usize];
         let slivers_decide =
             self.slivers == Slivers::Keep || !stretch.corners.iter().any(|&c| state(c) == FaceState::Counted);
         move |corner| match state(corner) {
@@ -135,13 +133,13 @@ impl FanWalker<'_> {
     /// Whether a corner's face is above the sliver threshold.
     #[inline]
     pub(crate) fn is_counted(&self, corner: u32) -> bool {
-        self.normals.state[self.topology.face_of(corner) as usize] == FaceState::Counted
+        self.normals.state[self.fans.face_of(corner) as usize] == FaceState::Counted
     }
 
     /// The unit normal of a corner's face.
     #[inline]
     pub(crate) fn normal(&self, corner: u32) -> DVec3 {
-        self.normals.unit[self.topology.face_of(corner) as usize]
+        self.normals.unit[self.fans.face_of(corner) as usize]
     }
 
     /// Where creases cut a stretch: `cuts[i]` is the edge between its corners `i` and `i + 1`, cyclic if closed.
@@ -196,5 +194,37 @@ impl FanWalker<'_> {
             let (a, b) = (stretch.corners[from], stretch.corners[to % count]);
             visit(from..to, self.normal(a), self.normal(b));
         }
+    }
+}
+
+impl MeshWalker<'_> {
+    /// Whether the corners at a vertex, `ring`, are one closed fan without any hard edge: the case that most
+    /// vertices of most meshes are in, told without collecting anything.
+    #[inline]
+    pub(crate) fn is_smooth_ring(&self, ring: &[u32]) -> bool {
+        let MeshFans { topology, marks, .. } = self.fans;
+        let limit = match self.crease {
+            CreaseTest::Over { limit, .. } => Some(limit),
+            CreaseTest::None => None,
+            CreaseTest::Every => return false,
+        };
+        let Some(&start) = ring.first().filter(|_| marks.is_empty()) else { return false };
+        let (mut corner, mut normal) = (start, self.normal(start));
+        for step in 1..=ring.len() {
+            let Some(across) = topology.across(corner) else { return false };
+            corner = topology.next(across);
+            if let Some(limit) = limit {
+                let face = topology.face_of(corner) as usize;
+                let (before, state) = (normal, self.normals.state[face]);
+                normal = self.normals.unit[face];
+                if state != FaceState::Counted || !limit.surely_within(before, normal) {
+                    return false;
+                }
+            }
+            if corner == start {
+                return step == ring.len();
+            }
+        }
+        false
     }
 }

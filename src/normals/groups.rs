@@ -1,6 +1,6 @@
 //! Smooth groups: which corners share a normal.
 
-use super::fans::{FanWalker, Stretch};
+use super::fans::{FanWalker, Fans, MeshFans, MeshWalker, Stretch};
 use crate::mesh::{DisjointSets, FacesRef, Link, NONE, Rings, Scatter, Topology};
 use rayon::prelude::*;
 
@@ -81,9 +81,9 @@ impl SmoothGroups {
     }
 
     /// The fan rule: hard edges cut the fan round a vertex into groups. A closed fan cut by one edge stays one.
-    pub(crate) fn by_fan(walker: &FanWalker, vertex_count: usize) -> Self {
+    pub(crate) fn by_fan(walker: &MeshWalker, vertex_count: usize) -> Self {
         const CHUNK: usize = 1024;
-        let (faces, topology) = (walker.faces, walker.topology);
+        let MeshFans { faces, topology, .. } = walker.fans;
         let labels = Scatter::new(faces.corners().len(), NONE);
         let mut counts = vec![0u32; vertex_count];
         counts.par_chunks_mut(CHUNK).enumerate().for_each_init(
@@ -92,7 +92,13 @@ impl SmoothGroups {
                 for (j, count) in counts.iter_mut().enumerate() {
                     let vertex = (i * CHUNK + j) as u32;
                     if !topology.is_welded(vertex) {
-                        *count = label_ring(walker, topology.corners_at(vertex), &labels, scratch);
+                        let ring = topology.corners_at(vertex);
+                        *count = if walker.is_smooth_ring(ring) {
+                            ring.iter().for_each(|&corner| labels.set(corner, 0));
+                            1
+                        } else {
+                            label_ring(walker, ring, &labels, scratch)
+                        };
                     }
                 }
             },
@@ -103,7 +109,7 @@ impl SmoothGroups {
             let corners = || 0..faces.corners().len() as u32;
             let here = |corner: u32| topology.is_welded(faces.corners()[corner as usize]);
             let mut scratch = FanScratch::default();
-            for start in corners().filter(|&c| here(c) && !walker.is_stray(c)) {
+            for start in corners().filter(|&c| here(c) && !walker.fans.is_stray(c)) {
                 if labels.get(start) == NONE {
                     walker.stretch(start, &mut scratch.stretch);
                     walker.cuts(&scratch.stretch, &mut scratch.places, &mut scratch.cuts);
@@ -114,7 +120,7 @@ impl SmoothGroups {
                     });
                 }
             }
-            for stray in corners().filter(|&c| here(c) && walker.is_stray(c)) {
+            for stray in corners().filter(|&c| here(c) && walker.fans.is_stray(c)) {
                 let ring = topology.corners_at(faces.corners()[stray as usize]);
                 let host = ring.iter().map(|&c| labels.get(c)).find(|&group| group != NONE);
                 let group = host.unwrap_or(welded.count);
@@ -163,15 +169,16 @@ impl GroupsAcross {
 }
 
 /// Labels the corners at one vertex with the number of their group there, from 0, in the order of each group's
-/// lowest corner. Returns how many groups there are.
-fn label_ring(walker: &FanWalker, ring: &[u32], labels: &Scatter, scratch: &mut FanScratch) -> u32 {
-    if walker.is_smooth_ring(ring) {
-        ring.iter().for_each(|&corner| labels.set(corner, 0));
-        return 1;
-    }
+/// lowest corner; none of them may have a label before. Returns how many groups there are.
+pub(super) fn label_ring<F: Fans>(
+    walker: &FanWalker<F>,
+    ring: &[u32],
+    labels: &Scatter,
+    scratch: &mut FanScratch,
+) -> u32 {
     let mut pieces = 0;
     for &start in ring.iter() {
-        if labels.get(start) != NONE || walker.is_stray(start) {
+        if labels.get(start) != NONE || walker.fans.is_stray(start) {
             continue;
         }
         walker.stretch(start, &mut scratch.stretch);
@@ -275,7 +282,7 @@ mod tests {
     use crate::mesh::{Faces, Mesh, MeshBuilder, Weld};
     use crate::normals::crease::CreaseTest;
     use crate::normals::hard::Marks;
-    use crate::normals::{FaceNormals, FaceState, Slivers};
+    use crate::normals::{FaceNormals, FaceState, NormalRecipe, Slivers};
     use crate::num::Degrees;
     use glam::DVec3;
 
@@ -305,12 +312,10 @@ mod tests {
 
     fn at_centre(mesh: &Mesh, normals: &FaceNormals, angle: f64, cone: bool) -> (Vec<u32>, SmoothGroups) {
         let topology = Topology::build(mesh, Weld::Off);
-        let marks = Marks::none(&topology);
+        let marks = Marks::new(mesh, &topology, &NormalRecipe::default());
         let crease = CreaseTest::new(Some(Degrees(angle)));
         let walker = FanWalker {
-            faces: mesh.faces().view(),
-            topology: &topology,
-            marks: &marks,
+            fans: MeshFans { faces: mesh.faces().view(), topology: &topology, marks: &marks },
             normals,
             crease,
             slivers: Slivers::Exclude,
@@ -375,13 +380,11 @@ mod tests {
         let corners = [[0., 0.], [1., 0.], [1., 1.], [0., 0.], [1., 1.], [0., 1.]];
         let soup = mesh(corners.map(|[x, y]| DVec3::new(x, y, 0.0)).to_vec(), &[&[0, 1, 2], &[3, 4, 5]]);
         let topology = Topology::build(&soup, Weld::Exact);
-        let marks = Marks::none(&topology);
+        let marks = Marks::new(&soup, &topology, &NormalRecipe::default());
         let normals = FaceNormals { unit: vec![DVec3::Z; 2], state: vec![C; 2] };
         let crease = CreaseTest::None;
         let walker = FanWalker {
-            faces: soup.faces().view(),
-            topology: &topology,
-            marks: &marks,
+            fans: MeshFans { faces: soup.faces().view(), topology: &topology, marks: &marks },
             normals: &normals,
             crease,
             slivers: Slivers::Exclude,

@@ -13,7 +13,7 @@ const AUTHORED_DEGREES: f64 = 0.1;
 
 /// Tells which edges are hard for other reasons than their angle.
 pub(crate) struct Marks<'a> {
-    mesh: Option<&'a Mesh>,
+    mesh: &'a Mesh,
     topology: &'a Topology,
     groups: Option<&'a [u32]>,
     materials: Option<&'a [u32]>,
@@ -28,7 +28,7 @@ impl<'a> Marks<'a> {
         let columns = mesh.columns();
         let hard = recipe.hard_edges;
         Self {
-            mesh: Some(mesh),
+            mesh,
             topology,
             groups: honoured_groups(mesh, recipe),
             materials: columns.materials.as_ref().filter(|_| hard.material).map(|m| m.of_face.as_slice()),
@@ -39,19 +39,6 @@ impl<'a> Marks<'a> {
                 .filter(|_| hard.authored)
                 .map(|normals| (normals, AngleLimit::degrees(AUTHORED_DEGREES))),
             listed: columns.hard_edges.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect(),
-        }
-    }
-
-    /// No marks at all: plain indexed triangles.
-    pub(crate) fn none(topology: &'a Topology) -> Self {
-        Self {
-            mesh: None,
-            topology,
-            groups: None,
-            materials: None,
-            uvs: None,
-            authored: None,
-            listed: FxHashSet::default(),
         }
     }
 
@@ -66,7 +53,10 @@ impl<'a> Marks<'a> {
 
     /// Whether the edge between a half-edge and the one across it is marked. Both sides give the same answer.
     pub(crate) fn is_marked(&self, half_edge: u32, across: u32) -> bool {
-        let Some(mesh) = self.mesh.filter(|_| !self.is_empty()) else { return false };
+        if self.is_empty() {
+            return false;
+        }
+        let mesh = self.mesh;
         let (face, other) = (self.topology.face_of(half_edge), self.topology.face_of(across));
         let labels_differ = |labels: &[u32]| labels[face as usize] != labels[other as usize];
         if let Some(groups) = self.groups

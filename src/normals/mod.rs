@@ -30,6 +30,7 @@ mod positions;
 mod quadric;
 mod recipe;
 mod replace;
+mod ring_groups;
 mod select;
 mod single;
 mod slices;

@@ -5,9 +5,10 @@ use super::face::face_normals_into;
 use super::face_shape::FaceState;
 use super::fallback::{neighbour_normals, orphans};
 use super::positions::Positions;
+use super::ring_groups::GroupMemory;
 use super::sums::{SlotState, SumRequest, SumScratch, weighted_sums_into};
-use super::{Fault, FaultReason, Faults, Slivers, Weight};
-use crate::mesh::{FacesRef, Storage};
+use super::{FaceNormals, Fault, FaultReason, Faults, Slivers, Weight};
+use crate::mesh::{FacesRef, NONE, Storage};
 use crate::num::{self, Kernel, Lanes};
 use glam::DVec3;
 
@@ -85,8 +86,8 @@ pub enum SliceError {
         /// Entries needed.
         expected: usize,
     },
-    /// More vertices or corners than 32-bit indices can count.
-    #[error("{count} {what} are more than 32-bit indices can count")]
+    /// More vertices than 32-bit indices can count, or more corners: 2^32 without edges, 2^30 with them.
+    #[error("{count} {what} are more than can be numbered; divide the mesh")]
     TooLarge {
         /// What there is too much of.
         what: &'static str,
@@ -103,7 +104,8 @@ pub enum SliceError {
 pub struct Scratch {
     pub(super) sums: SumScratch,
     pub(super) slots: Vec<SlotState>,
-    faces: Vec<FaceState>,
+    pub(super) faces: FaceNormals,
+    pub(super) groups: GroupMemory,
 }
 
 impl Scratch {
@@ -145,8 +147,7 @@ pub fn face_normals<T: Coordinate>(
 ) -> Result<Faults, SliceError> {
     check(positions.len(), triangles, triangles.len(), normals.len())?;
     let faces = FacesRef::triangles(triangles);
-    let states = &mut scratch.faces;
-    states.clear();
+    let states = &mut scratch.faces.state;
     states.resize(triangles.len(), FaceState::Counted);
     face_normals_into(faces, T::positions(positions), T::normals(normals), states);
 
@@ -291,7 +292,7 @@ fn check_lengths(
     found: usize,
 ) -> Result<(), SliceError> {
     for (what, count) in [("vertices", vertices), ("corners", 3 * triangles.len())] {
-        if count >= crate::mesh::NONE as usize {
+        if count >= NONE as usize {
             return Err(SliceError::TooLarge { what, count });
         }
     }

@@ -2,7 +2,7 @@
 
 use super::EdgeCounts;
 use super::crease::CreaseTest;
-use super::fans::{FanWalker, Stretch};
+use super::fans::{Fans, MeshWalker, Stretch};
 use crate::mesh::Link;
 use rayon::prelude::*;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -12,9 +12,9 @@ use rustc_hash::{FxHashMap, FxHashSet};
 /// An edge counts as a crease if it is hard at either end: beside a face that has no say, the faces that decide may be
 /// others at each end. An edge is near the crease angle within 0.1°, or within what `turns` allows, the angle in radians that
 /// the normal of each face may be off by; edges beside a face without a say within 0.1°.
-pub(crate) fn edge_counts(walker: &FanWalker, turns: Option<&[f64]>) -> (EdgeCounts, usize) {
+pub(crate) fn edge_counts(walker: &MeshWalker, turns: Option<&[f64]>) -> (EdgeCounts, usize) {
     const CHUNK: usize = 1 << 14;
-    let corner_count = walker.faces.corners().len();
+    let corner_count = walker.fans.faces.corners().len();
     let Tally { mut counts, near, undecided } = (0..corner_count.div_ceil(CHUNK))
         .into_par_iter()
         .map(|chunk| {
@@ -28,8 +28,8 @@ pub(crate) fn edge_counts(walker: &FanWalker, turns: Option<&[f64]>) -> (EdgeCou
     let (creases, nears) = decided_by_others(walker, &undecided);
     counts.crease += creases;
     counts.smooth += undecided.len() - creases;
-    counts.non_manifold = walker.topology.non_manifold_edges();
-    counts.ambiguous = walker.topology.ambiguous_edges();
+    counts.non_manifold = walker.fans.topology.non_manifold_edges();
+    counts.ambiguous = walker.fans.topology.ambiguous_edges();
     (counts, near + nears)
 }
 
@@ -47,9 +47,9 @@ impl Tally {
         Self { counts: self.counts + other.counts, near: self.near + other.near, undecided: self.undecided }
     }
 
-    fn add(&mut self, walker: &FanWalker, turns: Option<&[f64]>, half_edge: u32) {
+    fn add(&mut self, walker: &MeshWalker, turns: Option<&[f64]>, half_edge: u32) {
         let Self { counts, near, undecided } = self;
-        let across = match walker.topology.link(half_edge) {
+        let across = match walker.fans.topology.link(half_edge) {
             Link::Twin(across) => across,
             Link::Welded(across) => {
                 counts.welded += usize::from(half_edge < across);
@@ -68,7 +68,7 @@ impl Tally {
         if half_edge > across {
             return;
         }
-        if walker.marks.is_marked(half_edge, across) {
+        if walker.fans.marks.is_marked(half_edge, across) {
             counts.marked += 1;
             return;
         }
@@ -81,7 +81,7 @@ impl Tally {
                     return;
                 }
                 let (a, b) = (walker.normal(half_edge), walker.normal(across));
-                let turn = |turns: &[f64], corner| turns[walker.topology.face_of(corner) as usize];
+                let turn = |turns: &[f64], corner| turns[walker.fans.face_of(corner) as usize];
                 let turned = turns.map(|turns| turn(turns, half_edge) + turn(turns, across));
                 *near += usize::from(match turned {
                     None => walker.crease.is_near(a, b),
@@ -96,12 +96,12 @@ impl Tally {
 
 /// How many edges are creases, and near ones, by the faces that decide in the stretches of fan at their two ends. Each
 /// stretch is walked once.
-fn decided_by_others(walker: &FanWalker, edges: &[u32]) -> (usize, usize) {
+fn decided_by_others(walker: &MeshWalker, edges: &[u32]) -> (usize, usize) {
     let mut verdicts: FxHashMap<u32, Verdict> = FxHashMap::default();
     let mut walked: FxHashSet<u32> = FxHashSet::default();
     let (mut stretch, mut places) = (Stretch::default(), Vec::new());
     for &edge in edges {
-        let across = walker.topology.across(edge).expect("such an edge has two faces");
+        let across = walker.fans.topology.across(edge).expect("such an edge has two faces");
         for corner in [edge, across] {
             if walked.contains(&corner) {
                 continue;
@@ -109,7 +109,7 @@ fn decided_by_others(walker: &FanWalker, edges: &[u32]) -> (usize, usize) {
             walker.stretch(corner, &mut stretch);
             walked.extend(&stretch.corners);
             walker.for_each_decision(&stretch, &mut places, |corner, a, b| {
-                let across = walker.topology.across(corner).unwrap_or(corner);
+                let across = walker.fans.topology.across(corner).unwrap_or(corner);
                 let verdict = verdicts.entry(corner.min(across)).or_default();
                 verdict.is_crease |= walker.crease.is_over(a, b);
                 verdict.is_near |= walker.crease.is_near(a, b);

@@ -168,6 +168,13 @@ impl Lanes for Avx2 {
     }
 
     #[inline(always)]
+    fn equal_bits(self, numbers: &[u32; LANES], number: u32) -> u8 {
+        let (avx, avx2) = (self.token.avx, self.token.avx2);
+        let equal = avx2._mm256_cmpeq_epi32(pulp::cast(*numbers), avx._mm256_set1_epi32(number as i32));
+        avx._mm256_movemask_ps(avx._mm256_castsi256_ps(equal)) as u8
+    }
+
+    #[inline(always)]
     fn columns_of_singles(self, rows: [&[f32; 4]; LANES]) -> [[__m256d; 2]; 3] {
         let [x, y, z] = self.transposed_singles([
             self.pair_of_singles(&rows, 0),

@@ -146,6 +146,11 @@ impl Lanes for Avx512 {
     }
 
     #[inline(always)]
+    fn equal_bits(self, numbers: &[u32; LANES], number: u32) -> u8 {
+        self.narrower.equal_bits(numbers, number)
+    }
+
+    #[inline(always)]
     fn columns_of_singles(self, rows: [&[f32; 4]; LANES]) -> [__m512d; 3] {
         let (avx, f) = (self.token.avx, self.token.avx512f);
         let a = avx._mm256_castps_pd(self.pair_of_singles(rows[0], rows[1]));

@@ -68,6 +68,8 @@ pub(crate) trait Lanes: Arithmetic + Product {
     fn to_array(self, a: Self::Number) -> [f64; LANES];
     /// The mask, one bit a lane.
     fn bits(self, mask: Self::Mask) -> u8;
+    /// Which of some whole numbers equal another, one bit each in their order.
+    fn equal_bits(self, numbers: &[u32; LANES], number: u32) -> u8;
     /// The first three columns of eight rows.
     fn columns_of_singles(self, rows: [&[f32; 4]; LANES]) -> [Self::Number; 3];
     /// The columns of eight rows.
@@ -154,6 +156,33 @@ mod tests {
             #[cfg(target_arch = "x86_64")]
             if let Some(avx2) = Avx2::new() {
                 assert_eq!(Everything(&rows).run(avx2), truth, "{rows:?}");
+            }
+        }
+    }
+
+    struct Equal<'a>(&'a [u32; LANES], u32);
+
+    impl Kernel for Equal<'_> {
+        type Output = u8;
+
+        fn run<A: Lanes>(self, arch: A) -> u8 {
+            arch.equal_bits(self.0, self.1)
+        }
+    }
+
+    #[test]
+    fn equal_numbers_give_their_places() {
+        for (numbers, number, places) in [
+            ([0, 1, 2, 3, 4, 5, 6, 7], 5, 1 << 5),
+            ([9, 7, 9, u32::MAX, 9, 1 << 31, 0, 9], 9, 0b1001_0101),
+            ([u32::MAX; LANES], u32::MAX, 0xff),
+            ([0x100, 0x1_0000, 1 << 24, 2, 3, 4, 5, 6], 1, 0),
+        ] {
+            assert_eq!(dispatch(Equal(&numbers, number)), places);
+            assert_eq!(Equal(&numbers, number).run(Plain::<Split>::new()), places);
+            #[cfg(target_arch = "x86_64")]
+            if let Some(avx2) = Avx2::new() {
+                assert_eq!(Equal(&numbers, number).run(avx2), places);
             }
         }
     }

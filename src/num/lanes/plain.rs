@@ -178,6 +178,12 @@ impl<P: Product> Lanes for Plain<P> {
     }
 
     #[inline(always)]
+    fn equal_bits(self, numbers: &[u32; LANES], number: u32) -> u8 {
+        let bit = |(place, &x): (usize, &u32)| u8::from(x == number) << place;
+        numbers.iter().enumerate().map(bit).sum()
+    }
+
+    #[inline(always)]
     fn columns_of_singles(self, rows: [&[f32; 4]; LANES]) -> [Self::Number; 3] {
         std::array::from_fn(|column| P::each(|i| f64::from(rows[i][column])))
     }
