@@ -49,6 +49,7 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
         },
     ],
     takes: &[Knob::Size],
+    own_mesh: None,
     defaults: Parameters::USUAL,
     run,
     frame: None,
@@ -212,7 +213,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         },
         measures,
         shots: vec![
-            shot(
+            Shot::new(
                 "inverse-square",
                 Role::Bad,
                 NAMES[0].clone(),
@@ -222,7 +223,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
                 square,
             ),
-            shot(
+            Shot::new(
                 "quadratic",
                 Role::Cured,
                 NAMES[1].clone(),
@@ -232,7 +233,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
                 quadratic,
             ),
-            shot(
+            Shot::new(
                 "offset",
                 Role::Cured,
                 NAMES[2].clone(),
@@ -242,7 +243,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
                 offset,
             ),
-            shot(
+            Shot::new(
                 "clamped",
                 Role::Bad,
                 Text::new("warm lamp, clamped", "lâmpada quente, truncada"),
@@ -252,7 +253,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
                 clamped,
             ),
-            shot(
+            Shot::new(
                 "divided",
                 Role::Cured,
                 Text::new("warm lamp, divided", "lâmpada quente, dividida"),
@@ -262,7 +263,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
                 divided,
             ),
-            shot(
+            Shot::new(
                 "no-depth-cue",
                 Role::Bad,
                 Text::new("without depth cueing", "sem depth cueing"),
@@ -272,7 +273,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
                 plain,
             ),
-            shot(
+            Shot::new(
                 "depth-cue",
                 Role::Cured,
                 Text::new("depth cueing", "com depth cueing"),
@@ -291,10 +292,6 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
              duas opções.",
         )],
     })
-}
-
-fn shot(name: &'static str, role: Role, label: Text, caption: Text, image: Image) -> Shot {
-    Shot { name, role, label, caption, image }
 }
 
 fn formula_at_pixels() -> Text {

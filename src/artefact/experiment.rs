@@ -18,6 +18,8 @@ pub struct Experiment {
     pub formulas: &'static [Formula],
     /// What may be changed about it.
     pub takes: &'static [Knob],
+    /// What a mesh of one's own is looked at for; there if it takes [`Knob::Mesh`].
+    pub own_mesh: Option<Text>,
     /// Its own settings.
     pub defaults: Parameters,
     /// Runs it.
@@ -79,6 +81,9 @@ impl Experiment {
         if let Some(own) = setup.mesh {
             command.push_str(" --mesh ");
             command.push_str(own.name);
+            if let Some((finer, _)) = own.finer {
+                command.push_str(&format!(" --finer {finer}"));
+            }
         }
         for &knob in self.takes {
             let [own, usual] = [&setup.parameters, &self.defaults].map(|parameters| parameters.value(knob));

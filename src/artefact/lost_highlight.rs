@@ -47,6 +47,7 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
         },
     ],
     takes: &[Knob::Size, Knob::Segments, Knob::Exponent],
+    own_mesh: None,
     defaults: Parameters { segments: 16, exponent: 32.0, ..Parameters::USUAL },
     run,
     frame: Some(frame),

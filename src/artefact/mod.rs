@@ -20,8 +20,8 @@
 //!    modules and one in [`EXPERIMENTS`], in the order in which they are read. Pages, thumbnails, the command line and the
 //!    structural tests of the gallery take it from there.
 //! 2. `takes` lists the parameters that it heeds, `defaults` their values; all others are refused at the command line. If it
-//!    takes [`Knob::Mesh`], `setup.mesh` may hold a user's mesh; say in [`ArtefactError::Mesh`] what to do about one that does
-//!    not suit. `frame` draws frame k of n of its animation, if it has one.
+//!    takes [`Knob::Mesh`], `setup.mesh` may hold a user's mesh: say in `own_mesh` what it is looked at for, and in
+//!    [`ArtefactError::Mesh`] what to do about one that does not suit. `frame` draws frame k of n of its animation, if it has one.
 //! 3. `run` gives at least one [`Shot`] with [`Role::Bad`] and one with [`Role::Cured`], drawn by `stage::draw` at
 //!    `parameters.size`, and [`Moved`] with the number before and after. Measure on linear samples (`stage::luminance`), with
 //!    the metrics of [`metric`](crate::metric) where there is one. A [`Measure`] has its closed form or independent check by
@@ -39,12 +39,14 @@ mod lost_highlight;
 mod mach_bands;
 mod orientation;
 mod outcome;
+mod own_mesh;
 mod parameters;
 mod perspective_distortion;
 mod precision;
 mod reflection_models;
 mod shading_terminator;
 mod shared_vertices;
+mod silhouette;
 mod stage;
 mod text;
 mod triangulation;
@@ -57,6 +59,7 @@ pub use text::{Language, Text};
 
 /// All experiments, in the order in which they are read.
 pub const EXPERIMENTS: &[Experiment] = &[
+    silhouette::EXPERIMENT,
     mach_bands::EXPERIMENT,
     orientation::EXPERIMENT,
     shared_vertices::EXPERIMENT,
@@ -98,6 +101,8 @@ mod tests {
             assert!(!experiment.sources.is_empty() && !experiment.takes.is_empty(), "{}", experiment.id);
             assert_eq!(experiment.defaults.check(), Ok(()), "{}", experiment.id);
             assert!(self::experiment(experiment.id).is_ok());
+            let takes_mesh = experiment.takes.contains(&Knob::Mesh);
+            assert_eq!(experiment.own_mesh.is_some(), takes_mesh, "{}", experiment.id);
         }
     }
 

@@ -139,6 +139,12 @@ pub struct Shot {
     pub image: Image,
 }
 
+impl Shot {
+    pub(super) fn new(name: &'static str, role: Role, label: Text, caption: Text, image: Image) -> Self {
+        Self { name, role, label, caption, image }
+    }
+}
+
 /// A picture as its size.
 fn size<S: Serializer>(image: &Image, serializer: S) -> Result<S::Ok, S::Error> {
     image.size.serialize(serializer)

@@ -192,8 +192,8 @@ pub struct UserMesh<'a> {
     pub name: &'a str,
     /// The mesh.
     pub mesh: &'a Mesh,
-    /// A finer mesh of the same thing to take for the truth.
-    pub finer: Option<&'a Mesh>,
+    /// A finer mesh of the same thing to take for the truth, after its own name.
+    pub finer: Option<(&'a str, &'a Mesh)>,
 }
 
 /// Parameters that an experiment takes, as an object of JSON.

@@ -44,6 +44,7 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
         },
     ],
     takes: &[Knob::Size, Knob::Segments],
+    own_mesh: None,
     defaults: Parameters { segments: 8, ..Parameters::USUAL },
     run,
     frame: None,

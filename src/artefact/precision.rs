@@ -54,6 +54,7 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
         },
     ],
     takes: &[Knob::Size, Knob::Segments, Knob::Exponent],
+    own_mesh: None,
     defaults: Parameters { segments: 24, exponent: 2000.0, ..Parameters::USUAL },
     run,
     frame: None,
@@ -194,7 +195,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         },
         measures,
         shots: vec![
-            shot(
+            Shot::new(
                 "eight-bits",
                 Role::Bad,
                 Text::new("3 × 8 bits a normal", "3 × 8 bits por normal"),
@@ -204,7 +205,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
                 lit_eight,
             ),
-            shot(
+            Shot::new(
                 "sixteen-bits",
                 Role::Cured,
                 Text::new("2 × 16 bits a normal", "2 × 16 bits por normal"),
@@ -214,7 +215,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
                 lit_sixteen,
             ),
-            shot(
+            Shot::new(
                 "far-away",
                 Role::Bad,
                 Text::new("positions far away", "posições distantes"),
@@ -228,7 +229,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
                 lit_far,
             ),
-            shot(
+            Shot::new(
                 "centred",
                 Role::Cured,
                 Text::new("positions centred", "posições centradas"),
@@ -249,10 +250,6 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
              cancela, com diferenças exatas de produtos ele está certo até o último dígito.",
         )],
     })
-}
-
-fn shot(name: &'static str, role: Role, label: Text, caption: Text, image: Image) -> Shot {
-    Shot { name, role, label, caption, image }
 }
 
 /// How much of the light the body scatters, and how much it mirrors.

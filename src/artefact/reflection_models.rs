@@ -54,6 +54,7 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
         },
     ],
     takes: &[Knob::Size, Knob::Exponent],
+    own_mesh: None,
     defaults: Parameters { exponent: 10.0, ..Parameters::USUAL },
     run,
     frame: None,
@@ -177,7 +178,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         },
         measures,
         shots: vec![
-            shot(
+            Shot::new(
                 "phong",
                 Role::Truth,
                 Text::new("Phong, exponent n", "Phong, expoente n"),
@@ -187,7 +188,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
                 phong,
             ),
-            shot(
+            Shot::new(
                 "blinn-same-n",
                 Role::Bad,
                 Text::new("Blinn, exponent n", "Blinn, expoente n"),
@@ -197,7 +198,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
                 blinn,
             ),
-            shot(
+            Shot::new(
                 "blinn-4n",
                 Role::Cured,
                 Text::new("Blinn, exponent 4n", "Blinn, expoente 4n"),
@@ -207,7 +208,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
                 matched,
             ),
-            shot(
+            Shot::new(
                 "phong-grazing",
                 Role::Bad,
                 Text::new("Phong, light at 120°", "Phong, luz a 120°"),
@@ -217,7 +218,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
                 grazing_phong,
             ),
-            shot(
+            Shot::new(
                 "blinn-grazing",
                 Role::Cured,
                 Text::new("Blinn 4n, light at 120°", "Blinn 4n, luz a 120°"),
@@ -227,7 +228,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
                 grazing_blinn,
             ),
-            shot(
+            Shot::new(
                 "behind",
                 Role::Bad,
                 Text::new("light behind, no guard", "luz atrás, sem guarda"),
@@ -237,7 +238,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
                 unguarded,
             ),
-            shot(
+            Shot::new(
                 "behind-guarded",
                 Role::Cured,
                 Text::new("light behind, guard", "luz atrás, com guarda"),
@@ -256,10 +257,6 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
              guarda retém a luz por trás mas deixa uma borda, pois nenhum dos modelos vai a 0 junto com N·L.",
         )],
     })
-}
-
-fn shot(name: &'static str, role: Role, label: Text, caption: Text, image: Image) -> Shot {
-    Shot { name, role, label, caption, image }
 }
 
 /// The true sphere with nothing but a highlight.

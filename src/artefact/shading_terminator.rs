@@ -55,6 +55,7 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
         },
     ],
     takes: &[Knob::Size, Knob::Segments, Knob::Light],
+    own_mesh: None,
     defaults: Parameters { segments: 16, light: Degrees(80.0), ..Parameters::USUAL },
     run,
     frame: Some(frame),
@@ -161,7 +162,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         },
         measures,
         shots: vec![
-            shot(
+            Shot::new(
                 "hard",
                 Role::Bad,
                 Text::new("facets shade themselves", "facetas se sombreiam"),
@@ -171,7 +172,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
                 hard,
             ),
-            shot(
+            Shot::new(
                 "concerned",
                 Role::Difference,
                 Text::new("pixels concerned", "pixels em questão"),
@@ -181,7 +182,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
                 difference,
             ),
-            shot(
+            Shot::new(
                 "soft",
                 Role::Cured,
                 Text::new("softened", "suavizado"),
@@ -193,7 +194,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
                 soft,
             ),
-            shot(
+            Shot::new(
                 "soft-fine",
                 Role::Cured,
                 Text::new("softened, finer", "suavizado, mais fino"),
@@ -203,7 +204,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
                 finer,
             ),
-            shot(
+            Shot::new(
                 "smooth",
                 Role::Cured,
                 Text::new("no shadow of their own", "sem sombra própria"),
@@ -222,10 +223,6 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
              promete. Precisa só das duas normais, e nada custa onde não é pedido.",
         )],
     })
-}
-
-fn shot(name: &'static str, role: Role, label: Text, caption: Text, image: Image) -> Shot {
-    Shot { name, role, label, caption, image }
 }
 
 /// The sphere while the light goes round it, facets shading themselves.

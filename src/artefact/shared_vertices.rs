@@ -48,6 +48,7 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
         },
     ],
     takes: &[Knob::Size, Knob::Segments, Knob::Light],
+    own_mesh: None,
     defaults: Parameters { segments: 16, light: Degrees(50.0), ..Parameters::USUAL },
     run,
     frame: None,

@@ -63,6 +63,11 @@ impl Text {
         Self { en: en.into(), pt: pt.into() }
     }
 
+    /// Both languages, each by itself.
+    pub fn each(text: impl Fn(Language) -> String) -> Self {
+        Self::made(text(Language::English), text(Language::Portuguese))
+    }
+
     /// The text in a language.
     pub fn get(&self, language: Language) -> &str {
         match language {

@@ -57,6 +57,7 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
         },
     ],
     takes: &[Knob::Size, Knob::Segments, Knob::Light],
+    own_mesh: None,
     defaults: Parameters { segments: 12, light: Degrees(50.0), ..Parameters::USUAL },
     run,
     frame: None,
@@ -185,7 +186,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         },
         measures,
         shots: vec![
-            shot(
+            Shot::new(
                 "diamond-1-3",
                 Role::Bad,
                 Text::new("diamond, cut 1–3", "losango, corte 1–3"),
@@ -195,7 +196,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
                 across,
             ),
-            shot(
+            Shot::new(
                 "diamond-2-4",
                 Role::Bad,
                 Text::new("diamond, cut 2–4", "losango, corte 2–4"),
@@ -205,7 +206,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
                 upright,
             ),
-            shot(
+            Shot::new(
                 "diamond-fan",
                 Role::Cured,
                 Text::new("diamond, vertex in the middle", "losango, vértice no meio"),
@@ -215,7 +216,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
                 fan,
             ),
-            shot(
+            Shot::new(
                 "waves-rising",
                 Role::Bad,
                 Text::new("waves, rising", "ondas, subindo"),
@@ -225,7 +226,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
                 rising,
             ),
-            shot(
+            Shot::new(
                 "waves-falling",
                 Role::Bad,
                 Text::new("waves, falling", "ondas, descendo"),
@@ -235,7 +236,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
                 falling,
             ),
-            shot(
+            Shot::new(
                 "waves-difference",
                 Role::Difference,
                 Text::new("difference", "diferença"),
@@ -245,7 +246,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
                 difference,
             ),
-            shot(
+            Shot::new(
                 "waves-fine",
                 Role::Cured,
                 Text::new("waves, finer", "ondas, mais finas"),
@@ -266,10 +267,6 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
              orientação).",
         )],
     })
-}
-
-fn shot(name: &'static str, role: Role, label: Text, caption: Text, image: Image) -> Shot {
-    Shot { name, role, label, caption, image }
 }
 
 /// How the diamond is cut.

@@ -15,6 +15,7 @@ use std::time::Duration;
 const SHORT: Duration = Duration::from_secs(1);
 
 const STEPS_TEMPLATE: &str = "{spinner} {msg} [{wide_bar}] {pos}/{len}";
+const ONE_TEMPLATE: &str = "{spinner} {prefix} {msg}, {elapsed}";
 const COUNT_TEMPLATE: &str = "{prefix} [{wide_bar}] {pos}/{len} {msg}, {eta} left";
 const TEMPLATE: &str = "{spinner} {msg} [{wide_bar}] {bytes}/{total_bytes}{rate_and_left}";
 
@@ -95,8 +96,27 @@ impl CountProgress {
         if count < 2 || !console.may_show_progress() {
             return Self { late: LateBar::hidden() };
         }
-        let style = ProgressStyle::with_template(COUNT_TEMPLATE).expect("a right template");
-        let late = LateBar::after(SHORT, count, style, ProgressDrawTarget::stderr());
+        Self::after(SHORT, COUNT_TEMPLATE, count, [doing, things], ProgressDrawTarget::stderr())
+    }
+
+    /// For one thing, of which nobody knows how much is done: that it goes on, and for how long it has.
+    pub fn of_one(console: &Console, doing: &'static str, thing: &'static str) -> Self {
+        if !console.may_show_progress() {
+            return Self { late: LateBar::hidden() };
+        }
+        Self::after(SHORT, ONE_TEMPLATE, 1, [doing, thing], ProgressDrawTarget::stderr())
+    }
+
+    /// A bar that is shown after a delay.
+    fn after(
+        delay: Duration,
+        template: &str,
+        count: u64,
+        [doing, things]: [&'static str; 2],
+        target: ProgressDrawTarget,
+    ) -> Self {
+        let style = ProgressStyle::with_template(template).expect("a right template");
+        let late = LateBar::after(delay, count, style, target);
         late.bar.set_prefix(doing);
         late.bar.set_message(things);
         Self { late }
@@ -271,6 +291,20 @@ mod tests {
         // Ends without waiting for the delay.
         drop(progress);
         assert_eq!(*paper.0.lock().unwrap(), "");
+    }
+
+    #[test]
+    fn a_single_thing_has_its_name_and_its_time() {
+        let paper = Paper::default();
+        let target = ProgressDrawTarget::term_like(Box::new(paper.clone()));
+        let delay = Duration::from_millis(20);
+        let progress = CountProgress::after(delay, ONE_TEMPLATE, 1, ["measuring", "silhouette"], target);
+        let start = Instant::now();
+        while !paper.0.lock().unwrap().contains("measuring silhouette, 0s") {
+            assert!(start.elapsed() < Duration::from_secs(30), "{}", paper.0.lock().unwrap());
+            thread::sleep(Duration::from_millis(5));
+        }
+        drop(progress);
     }
 
     #[test]

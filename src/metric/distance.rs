@@ -18,6 +18,22 @@ pub struct ContourDistance {
     pub area_ratio: f64,
 }
 
+impl ContourDistance {
+    /// The same in another unit of length, of which one pixel is so many: outlines that were drawn larger than the picture
+    /// that they are of.
+    #[must_use]
+    pub fn scaled(&self, unit: f64) -> Self {
+        let scaled = |Distances { mean, max }| Distances { mean: unit * mean, max: unit * max };
+        Self {
+            mean: unit * self.mean,
+            hausdorff: unit * self.hausdorff,
+            to_truth: scaled(self.to_truth),
+            from_truth: scaled(self.from_truth),
+            area_ratio: self.area_ratio,
+        }
+    }
+}
+
 /// Distances from the points of one outline to the nearest point of another, in pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Distances {

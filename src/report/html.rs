@@ -244,16 +244,23 @@ impl Table {
         self.rows.is_empty()
     }
 
-    /// As text for a terminal: columns of equal width, numbers to the right.
+    /// As text for a terminal: columns of equal width, numbers to the right, words to the left.
     pub fn to_text(&self) -> String {
         let lines = || std::iter::once(&self.columns).chain(&self.rows);
+        let has_numbers = |column: usize| {
+            self.rows.iter().any(|row| {
+                row[column].trim_start_matches(['-', '−', '+']).starts_with(|c: char| c.is_ascii_digit())
+            })
+        };
+        let to_the_left: Vec<bool> =
+            (0..self.columns.len()).map(|column| column == 0 || !has_numbers(column)).collect();
         let width = |column: usize| lines().map(|line| line[column].chars().count()).max().unwrap_or(0);
         let widths: Vec<usize> = (0..self.columns.len()).map(width).collect();
         let mut text = format!("{}\n", self.caption);
         for line in lines() {
             let cells = line.iter().zip(&widths).enumerate().map(|(column, (cell, width))| {
                 let fill = " ".repeat(width - cell.chars().count());
-                if column == 0 { format!("{cell}{fill}") } else { format!("{fill}{cell}") }
+                if to_the_left[column] { format!("{cell}{fill}") } else { format!("{fill}{cell}") }
             });
             let _ = writeln!(text, "  {}", cells.collect::<Vec<_>>().join("  ").trim_end());
         }

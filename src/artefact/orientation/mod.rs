@@ -36,6 +36,10 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
         ),
     }],
     takes: &[Knob::Size, Knob::Mesh],
+    own_mesh: Some(Text::new(
+        "its first face of four corners or more",
+        "sua primeira face de quatro cantos ou mais",
+    )),
     defaults: Parameters { size: 321, ..Parameters::USUAL },
     run,
     frame: Some(frame),
@@ -249,9 +253,8 @@ fn turned_back(image: &Image, angle: Degrees) -> Image {
 fn shots([upright, half, turned, back]: [Image; 4], one: Image, other: Image) -> Vec<Shot> {
     let difference = map(upright.size, &differences(&upright, &back), 0.4);
     let between = map(upright.size, &differences(&one, &other), 0.4);
-    let shot = |name, role, label, caption, image| Shot { name, role, label, caption, image };
     vec![
-        shot(
+        Shot::new(
             "position-1",
             Role::Bad,
             Text::new("scanline, 0°", "linha de varredura, 0°"),
@@ -261,7 +264,7 @@ fn shots([upright, half, turned, back]: [Image; 4], one: Image, other: Image) ->
             ),
             upright,
         ),
-        shot(
+        Shot::new(
             "turned-45",
             Role::Bad,
             Text::new("scanline, 45°", "linha de varredura, 45°"),
@@ -271,7 +274,7 @@ fn shots([upright, half, turned, back]: [Image; 4], one: Image, other: Image) ->
             ),
             half,
         ),
-        shot(
+        Shot::new(
             "position-2",
             Role::Bad,
             Text::new("scanline, 90°", "linha de varredura, 90°"),
@@ -281,7 +284,7 @@ fn shots([upright, half, turned, back]: [Image; 4], one: Image, other: Image) ->
             ),
             turned,
         ),
-        shot(
+        Shot::new(
             "difference",
             Role::Difference,
             Text::new("difference, 90° turned back", "diferença, 90° girado de volta"),
@@ -291,7 +294,7 @@ fn shots([upright, half, turned, back]: [Image; 4], one: Image, other: Image) ->
             ),
             difference,
         ),
-        shot(
+        Shot::new(
             "diagonal-13",
             Role::Cured,
             Text::new("triangles, diagonal 1–3", "triângulos, diagonal 1–3 "),
@@ -301,7 +304,7 @@ fn shots([upright, half, turned, back]: [Image; 4], one: Image, other: Image) ->
             ),
             one,
         ),
-        shot(
+        Shot::new(
             "diagonal-24",
             Role::Cured,
             Text::new("triangles, diagonal 2–4", "triângulos, diagonal 2–4 "),
@@ -311,7 +314,7 @@ fn shots([upright, half, turned, back]: [Image; 4], one: Image, other: Image) ->
             ),
             other,
         ),
-        shot(
+        Shot::new(
             "diagonals",
             Role::Difference,
             Text::new("difference of the diagonals", "diferença das diagonais"),

@@ -106,10 +106,15 @@ fn work(
     }
     let read = |path: Option<&PathBuf>| path.map(|path| read(path, args)).transpose().map_err(Failure::Read);
     let (mesh, finer) = (read(args.own.mesh.as_ref())?, read(args.own.finer.as_ref())?);
-    let name = args.own.mesh.as_ref().map(|path| path.to_string_lossy()).unwrap_or_default();
-    let own = mesh.as_ref().map(|mesh| UserMesh { name: &name, mesh, finer: finer.as_ref() });
+    let [name, finer_name] = [&args.own.mesh, &args.own.finer]
+        .map(|path| path.as_ref().map(|path| path.to_string_lossy()).unwrap_or_default());
+    let finer = finer.as_ref().map(|mesh| (&*finer_name, mesh));
+    let own = mesh.as_ref().map(|mesh| UserMesh { name: &name, mesh, finer });
     let changes = args.parameters.changes();
-    let progress = CountProgress::new(console, "measuring", "experiments", experiments.len() as u64);
+    let progress = match experiments {
+        [one] => CountProgress::of_one(console, "measuring", one.id),
+        all => CountProgress::new(console, "measuring", "experiments", all.len() as u64),
+    };
     let run = |&experiment: &&'static Experiment| {
         let start = Instant::now();
         let setup = Setup {

@@ -10,14 +10,15 @@
 //! | `experiment`, `title` | its id and title |
 //! | `claim`, `sources`, `formulas` | what is claimed, by whom, and the closed forms |
 //! | `takes` | the parameters that it takes |
-//! | `mesh` | the mesh that was given, if any |
+//! | `own_mesh` | what a mesh of one's own is looked at for, if it takes one |
+//! | `mesh`, `finer` | the meshes that were given, if any |
 //! | `parameters` | their values |
 //! | `outcome` | [`Outcome`](crease::artefact::Outcome): `verdict`, `moved`, `measures`, `shots`, `charts`, `notes` |
 //! | `command` | the command that does it again |
 //! | `files` | what was written |
 //! | `seconds` | how long it took |
 //!
-//! Texts are objects with `en` and `pt`. Nothing but `seconds` differs from run to run. `list` has the members up to `takes`,
+//! Texts are objects with `en` and `pt`. Nothing but `seconds` differs from run to run. `list` has the members up to `own_mesh`,
 //! and `parameters` as they are by default.
 
 use super::super::report::ErrorReport;
@@ -38,7 +39,11 @@ pub struct Report<'a> {
     pub formulas: Vec<FormulaReport>,
     pub takes: &'static [Knob],
     #[serde(skip_serializing_if = "Option::is_none")]
+    pub own_mesh: Option<&'static Text>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub mesh: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub finer: Option<&'a str>,
     pub parameters: Taken<'a>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub outcome: Option<&'a Outcome>,
@@ -72,7 +77,9 @@ impl<'a> Report<'a> {
             sources: experiment.sources,
             formulas: formulas.collect(),
             takes: experiment.takes,
+            own_mesh: experiment.own_mesh.as_ref(),
             mesh: setup.mesh.map(|own| own.name),
+            finer: setup.mesh.and_then(|own| own.finer).map(|(name, _)| name),
             parameters: Taken { knobs: experiment.takes, parameters: &setup.parameters },
             outcome: None,
             command: None,

@@ -26,16 +26,18 @@ pub fn measure_table(outcome: &Outcome, language: Language) -> Table {
     table
 }
 
-/// All experiments: id, title, options.
+/// All experiments: id, title, options, and what a mesh of one's own is looked at for.
 pub fn list_table(language: Language) -> Table {
-    let columns = [words::EXPERIMENT, words::TITLE, words::OPTIONS];
+    let columns = [words::EXPERIMENT, words::TITLE, words::OPTIONS, words::OWN_MESH];
     let columns: Vec<&str> = columns.iter().map(|column| column.get(language)).collect();
     let mut table = Table::new(words::EXPERIMENTS.get(language), &columns);
     for experiment in EXPERIMENTS {
         let options: Vec<String> = experiment.takes.iter().map(|knob| format!("--{}", knob.name())).collect();
         let animated = if experiment.is_animated() { " --animate" } else { "" };
         let options = options.join(" ") + animated;
-        table.push([experiment.id.to_owned(), experiment.title.get(language).to_owned(), options]);
+        let own_mesh = experiment.own_mesh.as_ref().map_or("", |text| text.get(language));
+        let title = experiment.title.get(language);
+        table.push([experiment.id, title, &options, own_mesh]);
     }
     table
 }

@@ -37,6 +37,7 @@ pub(super) const NO: Text = Text::new("NO", "NÃO");
 pub(super) const EXPERIMENT: Text = Text::new("experiment", "experimento");
 pub(super) const TITLE: Text = Text::new("title", "título");
 pub(super) const OPTIONS: Text = Text::new("options", "opções");
+pub(super) const OWN_MESH: Text = Text::new("of a mesh of your own (--mesh)", "de uma malha sua (--mesh)");
 pub(super) const EXPERIMENTS: Text = Text::new("Experiments", "Experimentos");
 
 /// What a picture is there for.

@@ -1,0 +1,143 @@
+//! Outlines stay polygons, however smoothly the faces are shaded.
+
+mod ball;
+mod curved;
+mod own;
+
+use super::stage::{chalk, draw, map, settings};
+use super::{ArtefactError, Experiment, Formula, Knob, Outcome, Parameters, Setup, Text};
+use crate::metric::{Contour, ContourDistance, contour_distance};
+use crate::num::Degrees;
+use crate::raster::{Camera, Image, Interpolation, Object, RenderSettings, Samples, Shading};
+use crate::shade::{Light, Material};
+
+pub(super) const EXPERIMENT: Experiment = Experiment {
+    id: "silhouette",
+    title: Text::new("Polygonal silhouettes", "Silhuetas poligonais"),
+    claim: Text::new(
+        "Interpolated shading makes faces look round, but silhouettes stay markedly polygonal: normals do not move vertices.",
+        "O sombreamento interpolado faz as faces parecerem redondas, mas as silhuetas continuam marcadamente poligonais: \
+         normais não movem vértices.",
+    ),
+    sources: &[
+        Text::new(
+            "Lectures: 1.5.2.3, 1.6.15, 1.6.47 (figure 56)",
+            "Aulas: 1.5.2.3, 1.6.15, 1.6.47 (figura 56)",
+        ),
+        Text::new(
+            "For the cure of meshes without a formula: A. Vlachos et al., Curved PN triangles, I3D 2001",
+            "Para a cura de malhas sem fórmula: A. Vlachos et al., Curved PN triangles, I3D 2001",
+        ),
+    ],
+    formulas: &[
+        Formula {
+            notation: "e = R (1 − cos(π/n))",
+            says: Text::new(
+                "how far the middles of the sides of an n-gon lie within its circle of R pixels",
+                "quanto os meios dos lados de um n-ágono ficam para dentro do seu círculo de R pixels",
+            ),
+        },
+        Formula {
+            notation: "\\frac{A}{A_0} = \\frac{n}{2π} sin(2π/n)",
+            says: Text::new("its area over the circle's", "a sua área sobre a do círculo"),
+        },
+        Formula {
+            notation: "n_{1/2} = \\frac{π}{2 arcsin(1/(2 \\sqrt{R}))} ≈ π \\sqrt{R}",
+            says: Text::new(
+                "the n from which e is below half a pixel",
+                "o n a partir do qual e é menor que meio pixel",
+            ),
+        },
+    ],
+    takes: &[Knob::Size, Knob::Segments, Knob::Light, Knob::Crease, Knob::Mesh],
+    own_mesh: Some(Text::new(
+        "its outline against that of --finer FILE, or of itself in curved triangles",
+        "o seu contorno contra o de --finer FILE, ou o dela mesma em triângulos curvos",
+    )),
+    defaults: Parameters { segments: 12, light: Degrees(40.0), ..Parameters::USUAL },
+    run,
+    frame: None,
+};
+
+fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+    match &setup.mesh {
+        None => ball::run(&setup.parameters),
+        Some(own) => own::run(own, &setup.parameters),
+    }
+}
+
+/// Where things are seen from, and in what light.
+struct View {
+    size: u32,
+    camera: Camera,
+    light: Light,
+}
+
+/// An outline, drawn larger than the pictures.
+struct Outline {
+    contour: Contour,
+    /// Its pixels in one of the pictures.
+    scale: f64,
+}
+
+impl View {
+    /// Pictures have smooth edges, so that only corners of polygons are seen.
+    const SAMPLES: Samples = Samples::Sixteen;
+    /// Samples of outlines, and their width in pixels if they are not larger than four times the pictures.
+    const OF_OUTLINES: Samples = Samples::Four;
+    const WIDEST: u32 = 2048;
+
+    fn draw(&self, object: Object, shading: Shading) -> Result<Image, ArtefactError> {
+        let settings = RenderSettings {
+            samples: Self::SAMPLES,
+            ..settings([self.size; 2], shading, Interpolation::Perspective)
+        };
+        draw(vec![object], std::slice::from_ref(&self.light), self.camera, &settings)
+    }
+
+    /// How many of an outline's pixels are one of a picture, along a side.
+    fn scale(&self) -> u32 {
+        (Self::WIDEST / self.size).clamp(1, 4)
+    }
+
+    /// What two outlines leave open together, in pixels: each is found to 3/2 − √2 and a quarter of its own, in part the same
+    /// way.
+    fn open(&self) -> f64 {
+        0.4 / f64::from(self.scale())
+    }
+
+    fn outline(&self, object: Object, shading: Shading) -> Result<Outline, ArtefactError> {
+        let scale = self.scale();
+        let settings = RenderSettings {
+            samples: Self::OF_OUTLINES,
+            keep_linear: false,
+            ..settings([scale * self.size; 2], shading, Interpolation::Perspective)
+        };
+        let image = draw(vec![object], &[], self.camera, &settings)?;
+        Ok(Outline { contour: Contour::of(&image, Self::OF_OUTLINES), scale: scale.into() })
+    }
+}
+
+impl Outline {
+    /// How far it is from the true one, in pixels of the pictures.
+    fn distance(&self, truth: &Outline) -> Result<ContourDistance, ArtefactError> {
+        Ok(contour_distance(&self.contour, &truth.contour)?.scaled(1.0 / self.scale))
+    }
+}
+
+/// The share of each pixel that only one of two pictures covers.
+fn between(image: &Image, truth: &Image) -> Image {
+    let share = |(&a, &b): (&u8, &u8)| {
+        (a.max(b) > 0).then(|| f64::from(a.abs_diff(b)) / View::SAMPLES.count() as f64)
+    };
+    let shares: Vec<Option<f64>> = image.coverage.iter().zip(&truth.coverage).map(share).collect();
+    map(image.size, &shares, 1.0)
+}
+
+/// What everything is made of here.
+fn material() -> Material {
+    chalk()
+}
+
+#[cfg(test)]
+mod tests;

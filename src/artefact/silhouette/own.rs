@@ -1,0 +1,185 @@
+//! The outline of somebody's own mesh, against that of a finer one.
+
+use super::super::own_mesh::{Room, camera, light_from};
+use super::super::{
+    ArtefactError, Language, Measure, Moved, Outcome, Parameters, Role, Shot, Text, UserMesh, Verdict,
+};
+use super::curved::curved;
+use super::{View, between, material};
+use crate::mesh::Mesh;
+use crate::normals::{Crease, NormalRecipe, compute};
+use crate::raster::{Object, Shading, Shape};
+
+/// Into how many parts the edges of the cure are cut, which is what a program that draws would do.
+const CURE: u32 = 3;
+/// Into how many those of a mesh that has to be its own truth, at most, and how many triangles that may make.
+const TRUTH: u32 = 8;
+const MOST_TRIANGLES: usize = 1 << 21;
+
+pub(super) fn run(own: &UserMesh, parameters: &Parameters) -> Result<Outcome, ArtefactError> {
+    let &Parameters { size, light, crease, .. } = parameters;
+    let room = Room::of(own)?;
+    let recipe = NormalRecipe { crease: Crease::Angle(crease), ..NormalRecipe::default() };
+    let mesh = room.moved(own.mesh)?;
+    let finer = own.finer.map(|(_, finer)| room.moved(finer)).transpose()?;
+    let field = compute(&mesh, &recipe);
+    let of_finer = finer.as_ref().map(|finer| compute(finer, &recipe));
+    let object = |mesh, normals| Object::new(Shape::Mesh { mesh, normals }, material());
+    let parts = parts(&mesh);
+    let patches = curved(&mesh, &field, parts);
+    let truth = match (&finer, &of_finer) {
+        (Some(finer), Some(normals)) => object(finer, normals),
+        _ => patches.object(material()),
+    };
+    let camera = camera(&truth);
+    let view = View { size, camera, light: light_from(&camera, light)? };
+    let patches_of_cure = curved(&mesh, &field, CURE);
+    let cure = || patches_of_cure.object(material());
+    let outline = |object| view.outline(object, Shading::Flat);
+    let true_outline = outline(truth.clone())?;
+    let of_coarse = outline(object(&mesh, &field))?.distance(&true_outline)?;
+    let of_cured = outline(cure())?.distance(&true_outline)?;
+    let picture = |object| view.draw(object, Shading::Phong);
+    let (truth, coarse, cured) = (picture(truth)?, picture(object(&mesh, &field))?, picture(cure())?);
+    let lacking = between(&coarse, &truth);
+    let told = told(own, parts);
+    let measure = |en, pt, unit, value| Measure::new(Text::new(en, pt), unit, value);
+    let is_seen = of_coarse.hausdorff > 0.5;
+    let condition = |en: &str, pt: &str| {
+        Text::each(|language| match language {
+            Language::English => format!("{en} {}", told.get(language)),
+            Language::Portuguese => format!("{pt} {}", told.get(language)),
+        })
+    };
+    Ok(Outcome {
+        verdict: if is_seen {
+            Verdict::Holds(condition(
+                "the outline of this mesh is off by more than half a pixel here.",
+                "o contorno desta malha erra mais de meio pixel aqui.",
+            ))
+        } else {
+            Verdict::Fails(condition(
+                "the outline of this mesh is right to half a pixel at this size.",
+                "o contorno desta malha está certo até meio pixel neste tamanho.",
+            ))
+        },
+        moved: Moved {
+            name: Text::new("largest distance of the outline", "maior distância do contorno"),
+            unit: "px",
+            bad: of_coarse.hausdorff,
+            cure: Text::made(
+                format!("curved triangles, every edge cut into {CURE}"),
+                format!("triângulos curvos, cada aresta cortada em {CURE}"),
+            ),
+            cured: of_cured.hausdorff,
+        },
+        measures: vec![
+            measure(
+                "largest distance of the outline",
+                "maior distância do contorno",
+                "px",
+                of_coarse.hausdorff,
+            ),
+            measure("mean distance of the outline", "distância média do contorno", "px", of_coarse.mean),
+            measure(
+                "area over that of the finer mesh",
+                "área sobre a da malha mais fina",
+                "",
+                of_coarse.area_ratio,
+            ),
+            measure(
+                "curved triangles: largest distance of the outline",
+                "triângulos curvos: maior distância do contorno",
+                "px",
+                of_cured.hausdorff,
+            ),
+            measure(
+                "curved triangles: mean distance of the outline",
+                "triângulos curvos: distância média do contorno",
+                "px",
+                of_cured.mean,
+            ),
+            measure(
+                "edges would have to be so many times shorter for half a pixel",
+                "as arestas teriam de ser tantas vezes mais curtas para meio pixel",
+                "",
+                (2.0 * of_coarse.hausdorff).sqrt(),
+            ),
+        ],
+        shots: vec![
+            Shot::new(
+                "own",
+                Role::Bad,
+                Text::new("the mesh", "a malha"),
+                Text::new(
+                    "The mesh as it is, with Phong's shading.",
+                    "A malha como ela é, com o sombreamento de Phong.",
+                ),
+                coarse,
+            ),
+            Shot::new(
+                "lacking",
+                Role::Difference,
+                Text::new("between the outlines", "entre os contornos"),
+                Text::new(
+                    "Yellow where only one of the two covers the picture, the mesh or the finer one.",
+                    "Amarelo onde só uma das duas cobre a imagem, a malha ou a mais fina.",
+                ),
+                lacking,
+            ),
+            Shot::new(
+                "own-curved",
+                Role::Cured,
+                Text::new("curved triangles", "triângulos curvos"),
+                Text::new(
+                    "The same mesh in curved triangles that its normals determine.",
+                    "A mesma malha em triângulos curvos que as suas normais determinam.",
+                ),
+                cured,
+            ),
+            Shot::new(
+                "finer",
+                Role::Truth,
+                Text::new("the finer mesh", "a malha mais fina"),
+                Text::new(
+                    "What the outlines are held against.",
+                    "Aquilo com que os contornos são comparados.",
+                ),
+                truth,
+            ),
+        ],
+        charts: Vec::new(),
+        notes: vec![told],
+    })
+}
+
+/// What was taken for the truth.
+fn told(own: &UserMesh, parts: u32) -> Text {
+    match own.finer {
+        Some((finer, _)) => Text::made(
+            format!("It is held against the finer mesh `{finer}`."),
+            format!("Ela é comparada com a malha mais fina `{finer}`."),
+        ),
+        None => Text::made(
+            format!(
+                "No finer mesh was given, so it is held against itself in curved triangles, every edge cut into {parts}: Bézier \
+                 triangles of third order that leave its vertices at right angles to its normals (curved PN triangles), and \
+                 along creases at right angles to the normals of both sides. What it stands for may be another shape; \
+                 --finer FILE gives that."
+            ),
+            format!(
+                "Não foi dada malha mais fina, e ela é comparada consigo mesma em triângulos curvos, cada aresta cortada em \
+                 {parts}: triângulos de Bézier de terceira ordem que saem dos vértices em ângulo reto com as normais (curved PN \
+                 triangles), e nos vincos em ângulo reto com as normais dos dois lados. Aquilo que ela representa pode ter outra \
+                 forma; --finer ARQUIVO a indica."
+            ),
+        ),
+    }
+}
+
+/// Into how many parts edges are cut: all of them, unless that makes too many triangles.
+fn parts(mesh: &Mesh) -> u32 {
+    let triangles = mesh.faces().corner_count() - 2 * mesh.face_count();
+    let fits = |&parts: &u32| triangles.saturating_mul((parts * parts) as usize) <= MOST_TRIANGLES;
+    (CURE + 1..=TRUTH).rev().find(fits).unwrap_or(CURE + 1)
+}
