@@ -11,7 +11,7 @@ use super::renumber::Renumbering;
 use crate::io::decimal::push_integer;
 use crate::io::text::counted;
 use crate::io::{Emit, Loaded, Note, PartEdit, WriteError, WriteOptions, Written};
-use crate::mesh::{ColumnIndex, Mesh};
+use crate::mesh::{ColumnIndex, Mesh, Storage};
 use std::ops::Range;
 
 /// The document with the edit applied.
@@ -75,7 +75,7 @@ fn edited(document: &ObjDocument, mesh: &Mesh, edit: &PartEdit) -> Result<Vec<u8
                 "free-form surfaces of this OBJ refer to normals by number; write another format".to_owned();
             return Err(WriteError::Unsupported(text));
         }
-        Some(normals) => Some(Renumbering::new(mesh, edit, normals, document.normals_before)),
+        Some(normals) => Some(Renumbering::new(mesh, edit, normals, document.normals_before, Storage::F32)),
         None => None,
     };
     let mut editor = Editor {

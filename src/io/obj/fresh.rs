@@ -8,7 +8,7 @@ use crate::mesh::{FaceLabels, Mesh, NONE, Storage};
 
 /// An OBJ of all parts, each an object of its own, with `vn` shared where a mesh shares them.
 ///
-/// Positions are written with the digits that bring back the `f32` that they were, or else the `f64`.
+/// Numbers are written with the digits that bring back the `f32` that positions were, or else the `f64`.
 ///
 /// # Errors
 /// [`WriteError::Unsupported`] for one normal a face, which OBJ does not have.
@@ -77,7 +77,8 @@ impl Writer {
         }
         // Only those that are referred to, and equal ones once.
         let normals = mesh.columns().normals.as_ref();
-        let normals = normals.map(|normals| Renumbering::new(mesh, &PartEdit::default(), normals, 0));
+        let normals =
+            normals.map(|normals| Renumbering::new(mesh, &PartEdit::default(), normals, 0, mesh.storage()));
         if let Some(normals) = &normals {
             normals.push_lines(b"\n", &mut self.out);
         }

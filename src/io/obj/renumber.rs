@@ -1,10 +1,11 @@
 //! The numbers of normals in an OBJ that is edited or new.
 
 use crate::io::PartEdit;
-use crate::io::decimal::push_f32;
-use crate::mesh::{Column, Mesh};
+use crate::io::decimal::{push_f32, push_f64};
+use crate::mesh::{Column, Mesh, Storage};
 use glam::DVec3;
 use rustc_hash::FxHashMap;
+use std::hash::Hash;
 use std::ops::Range;
 
 /// Which `vn` lines stay, which are new, and the number that each value gets.
@@ -17,21 +18,34 @@ pub(super) struct Renumbering<'a> {
     /// The number of each value of the column, 0 where it needs no line.
     numbers: Vec<u32>,
     kept: usize,
-    /// The new normals, as they are written.
-    new: Vec<[f32; 3]>,
+    /// With how many digits new normals are written.
+    storage: Storage,
+    /// The values that are written as new normals.
+    new: Vec<u32>,
 }
 
 impl<'a> Renumbering<'a> {
-    /// `before` of the file's own normals stand in front of the place for new ones.
-    pub fn new(mesh: &'a Mesh, edit: &PartEdit, normals: &'a Column<DVec3>, before: usize) -> Self {
+    /// `before` of the file's own normals stand in front of the place for new ones, which are written in this precision.
+    pub fn new(
+        mesh: &'a Mesh,
+        edit: &PartEdit,
+        normals: &'a Column<DVec3>,
+        before: usize,
+        storage: Storage,
+    ) -> Self {
         let count = normals.values.len();
         let kept = edit.kept.min(count);
         let numbers = vec![0; count];
-        let mut renumbering = Self { mesh, normals, numbers, kept, new: Vec::new() };
+        let mut renumbering = Self { mesh, normals, numbers, kept, storage, new: Vec::new() };
         let is_used = renumbering.used(edit);
         let before = before.min(kept);
         let next = renumbering.number_kept(0..before, &is_used, 1);
-        let next = renumbering.number_new(&is_used, next);
+        let next = match storage {
+            Storage::F32 => {
+                renumbering.number_new(&is_used, next, |n| n.as_vec3().to_array().map(f32::to_bits))
+            }
+            Storage::F64 => renumbering.number_new(&is_used, next, |n| n.to_array().map(f64::to_bits)),
+        };
         renumbering.number_kept(before..kept, &is_used, next);
         renumbering
     }
@@ -61,12 +75,17 @@ impl<'a> Renumbering<'a> {
         next
     }
 
-    fn number_new(&mut self, is_used: &[bool], first: u32) -> u32 {
-        let mut known: FxHashMap<[u32; 3], u32> = FxHashMap::default();
+    /// Values of which `written` is the same share a line.
+    fn number_new<K: Hash + Eq>(
+        &mut self,
+        is_used: &[bool],
+        first: u32,
+        written: impl Fn(DVec3) -> K,
+    ) -> u32 {
+        let mut known: FxHashMap<K, u32> = FxHashMap::default();
         for slot in (self.kept..is_used.len()).filter(|&slot| is_used[slot]) {
-            let value = self.normals.values[slot].as_vec3().to_array();
-            self.numbers[slot] = *known.entry(value.map(f32::to_bits)).or_insert_with(|| {
-                self.new.push(value);
+            self.numbers[slot] = *known.entry(written(self.normals.values[slot])).or_insert_with(|| {
+                self.new.push(slot as u32);
                 first + self.new.len() as u32 - 1
             });
         }
@@ -90,11 +109,14 @@ impl<'a> Renumbering<'a> {
 
     /// Appends the lines of the new normals.
     pub fn push_lines(&self, line_end: &[u8], out: &mut Vec<u8>) {
-        for value in &self.new {
+        for &slot in &self.new {
             out.extend_from_slice(b"vn");
-            for &component in value {
+            for component in self.normals.values[slot as usize].to_array() {
                 out.push(b' ');
-                push_f32(out, component);
+                match self.storage {
+                    Storage::F32 => push_f32(out, component as f32),
+                    Storage::F64 => push_f64(out, component),
+                }
             }
             out.extend_from_slice(line_end);
         }
