@@ -411,6 +411,33 @@ mod tests {
         assert_eq!(compute(&floor_and_wall(0.0), &near).summary.near_crease, 3);
     }
 
+    /// In text of two decimals the right angle of floor and wall is off by up to a degree: the edges between them are near
+    /// it all the same, also across the face without a say.
+    #[test]
+    fn edges_beside_a_face_without_a_say_are_near_within_what_digits_allow() {
+        let exact = floor_and_wall(0.0);
+        let (mut numbers, mut farthest) = (crate::num::test_numbers::Numbers::new(41), 0.0_f64);
+        for _ in 0..30 {
+            let [x, y, z, w] = [0; 4].map(|_| 2.0 * numbers.unit() - 1.0);
+            let turn = glam::DQuat::from_xyzw(x, y, z, w).normalize();
+            // An even last decimal, so that the middle of an edge is still in its middle.
+            let round = |x: f64| format!("{:.2}", 0.02 * (50.0 * x).round()).parse::<f64>().unwrap();
+            let mut positions: Vec<DVec3> = exact.positions().iter().map(|&p| turn * (p * 3.0)).collect();
+            positions.iter_mut().for_each(|p| *p = DVec3::from(p.to_array().map(round)));
+            positions[4] = (positions[1] + positions[2]) * 0.5;
+            // Digits enough to tell that there are two decimals.
+            positions.extend((1..9).map(|n| DVec3::splat(0.11 * f64::from(n))));
+            let (faces, storage) = (exact.faces().clone(), Storage::F64);
+            let rounded = MeshBuilder { positions, storage, faces, ..MeshBuilder::default() };
+            let right = NormalRecipe { crease: Crease::Angle(Degrees(90.0)), ..NormalRecipe::default() };
+            let field = compute(&rounded.build().unwrap(), &right);
+            assert_eq!(field.summary.near_crease, 3);
+            let [floor, _, wall] = field.face_normals[..] else { panic!("three faces") };
+            farthest = farthest.max((Degrees::from(crate::num::angle_between(floor, wall)).0 - 90.0).abs());
+        }
+        assert!(farthest > 0.2, "not near but for the digits: {farthest}");
+    }
+
     #[test]
     fn slivers_that_count_decide_creases_too() {
         let recipe = NormalRecipe { slivers: crate::normals::Slivers::Keep, ..NormalRecipe::default() };

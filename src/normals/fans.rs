@@ -156,7 +156,7 @@ impl<F: Fans> FanWalker<'_, F> {
             CreaseTest::Every => cuts[..edges].fill(true),
             CreaseTest::Over { limit, .. } => {
                 self.for_each_span(stretch, places, |span, a, b| {
-                    if limit.exceeded(a, b) {
+                    if limit.exceeded(self.normal(a), self.normal(b)) {
                         span.for_each(|edge| cuts[edge % count] = true);
                     }
                 });
@@ -164,13 +164,13 @@ impl<F: Fans> FanWalker<'_, F> {
         }
     }
 
-    /// Visits the edges of a stretch, as the corners that they leave, with the normals of the faces that decide about
-    /// them: the nearest on each side that have a say.
+    /// Visits the edges of a stretch, as the corners that they leave, with corners of the faces that decide about them: the
+    /// nearest on each side that have a say.
     pub(crate) fn for_each_decision(
         &self,
         stretch: &Stretch,
         places: &mut Vec<usize>,
-        mut visit: impl FnMut(u32, DVec3, DVec3),
+        mut visit: impl FnMut(u32, u32, u32),
     ) {
         let count = stretch.corners.len();
         self.for_each_span(stretch, places, |span, a, b| {
@@ -178,12 +178,12 @@ impl<F: Fans> FanWalker<'_, F> {
         });
     }
 
-    /// Visits the edges, as places in a stretch, between each face that has a say and the next, with the normals of the two.
+    /// Visits the edges, as places in a stretch, between each face that has a say and the next, with the corners of the two.
     fn for_each_span(
         &self,
         stretch: &Stretch,
         places: &mut Vec<usize>,
-        mut visit: impl FnMut(Range<usize>, DVec3, DVec3),
+        mut visit: impl FnMut(Range<usize>, u32, u32),
     ) {
         let count = stretch.corners.len();
         self.deciding_places(stretch, places);
@@ -191,8 +191,7 @@ impl<F: Fans> FanWalker<'_, F> {
         let around =
             (stretch.closed && places.len() > 1).then(|| (places[places.len() - 1], places[0] + count));
         for (from, to) in pairs.chain(around) {
-            let (a, b) = (stretch.corners[from], stretch.corners[to % count]);
-            visit(from..to, self.normal(a), self.normal(b));
+            visit(from..to, stretch.corners[from], stretch.corners[to % count]);
         }
     }
 }

@@ -11,7 +11,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 ///
 /// An edge counts as a crease if it is hard at either end: beside a face that has no say, the faces that decide may be
 /// others at each end. An edge is near the crease angle within 0.1°, or within what `turns` allows, the angle in radians that
-/// the normal of each face may be off by; edges beside a face without a say within 0.1°.
+/// the normal of each face may be off by: of the two faces that decide.
 pub(crate) fn edge_counts(walker: &MeshWalker, turns: Option<&[f64]>) -> (EdgeCounts, usize) {
     const CHUNK: usize = 1 << 14;
     let corner_count = walker.fans.faces.corners().len();
@@ -25,7 +25,7 @@ pub(crate) fn edge_counts(walker: &MeshWalker, turns: Option<&[f64]>) -> (EdgeCo
             tally
         })
         .reduce(Tally::default, Tally::join);
-    let (creases, nears) = decided_by_others(walker, &undecided);
+    let (creases, nears) = decided_by_others(walker, turns, &undecided);
     counts.crease += creases;
     counts.smooth += undecided.len() - creases;
     counts.non_manifold = walker.fans.topology.non_manifold_edges();
@@ -80,23 +80,27 @@ impl Tally {
                     undecided.push(half_edge);
                     return;
                 }
-                let (a, b) = (walker.normal(half_edge), walker.normal(across));
-                let turn = |turns: &[f64], corner| turns[walker.fans.face_of(corner) as usize];
-                let turned = turns.map(|turns| turn(turns, half_edge) + turn(turns, across));
-                *near += usize::from(match turned {
-                    None => walker.crease.is_near(a, b),
-                    Some(turned) => walker.crease.is_near_if_turned(a, b, turned),
-                });
-                limit.exceeded(a, b)
+                *near += usize::from(is_near(walker, turns, half_edge, across));
+                limit.exceeded(walker.normal(half_edge), walker.normal(across))
             }
         };
         if is_crease { counts.crease += 1 } else { counts.smooth += 1 }
     }
 }
 
+/// Whether the angle between the faces of two corners is near the crease angle.
+fn is_near(walker: &MeshWalker, turns: Option<&[f64]>, a: u32, b: u32) -> bool {
+    let (normal, other) = (walker.normal(a), walker.normal(b));
+    let turn = |turns: &[f64], corner| turns[walker.fans.face_of(corner) as usize];
+    match turns {
+        None => walker.crease.is_near(normal, other),
+        Some(turns) => walker.crease.is_near_if_turned(normal, other, turn(turns, a) + turn(turns, b)),
+    }
+}
+
 /// How many edges are creases, and near ones, by the faces that decide in the stretches of fan at their two ends. Each
 /// stretch is walked once.
-fn decided_by_others(walker: &MeshWalker, edges: &[u32]) -> (usize, usize) {
+fn decided_by_others(walker: &MeshWalker, turns: Option<&[f64]>, edges: &[u32]) -> (usize, usize) {
     let mut verdicts: FxHashMap<u32, Verdict> = FxHashMap::default();
     let mut walked: FxHashSet<u32> = FxHashSet::default();
     let (mut stretch, mut places) = (Stretch::default(), Vec::new());
@@ -111,8 +115,8 @@ fn decided_by_others(walker: &MeshWalker, edges: &[u32]) -> (usize, usize) {
             walker.for_each_decision(&stretch, &mut places, |corner, a, b| {
                 let across = walker.fans.topology.across(corner).unwrap_or(corner);
                 let verdict = verdicts.entry(corner.min(across)).or_default();
-                verdict.is_crease |= walker.crease.is_over(a, b);
-                verdict.is_near |= walker.crease.is_near(a, b);
+                verdict.is_crease |= walker.crease.is_over(walker.normal(a), walker.normal(b));
+                verdict.is_near |= is_near(walker, turns, a, b);
             });
         }
     }
