@@ -4,15 +4,17 @@
 //! 256 bits are more than the 200 that any row of the stress table needs: an error of the reference is below 2⁻²⁴⁰ of
 //! what it is the reference for, unless a formula itself cancels by more than that.
 
+mod dihedral;
 mod face;
 mod mean;
 mod ray;
 mod vector;
 
+pub(crate) use dihedral::{dihedral, radians, turn};
 pub(crate) use face::{degenerate, face_normal};
 pub(crate) use mean::vertex_normal;
 pub(crate) use ray::Target;
-pub(crate) use vector::{Vector, angle_to, cross, distance, dot, error_in_ulps, length, unit};
+pub(crate) use vector::{Vector, angle, angle_to, distance, dot, error_in_ulps, length, unit};
 
 use dashu::float::{FBig, round::mode::HalfEven};
 

@@ -37,6 +37,11 @@ pub(crate) fn unit(v: &Vector) -> Option<Vector> {
     (length != Big::ZERO).then(|| std::array::from_fn(|axis| &v[axis] / &length))
 }
 
+/// The angle between two vectors, in radians.
+pub(crate) fn angle(a: &Vector, b: &Vector) -> Big {
+    length(&cross(a, b)).atan2(&dot(a, b))
+}
+
 /// The angle between a computed vector of any length and a true one, in radians; NaN for what has no direction.
 pub(crate) fn angle_to(got: DVec3, truth: &Vector) -> f64 {
     if !got.is_finite() || got == DVec3::ZERO {

@@ -65,7 +65,7 @@ fn computed(e1: DVec3, e2: DVec3) -> f64 {
 
 fn true_angle(e1: DVec3, e2: DVec3) -> f64 {
     let [e1, e2] = [e1, e2].map(|e| e.to_array().map(big));
-    small(&exact::length(&exact::cross(&e1, &e2)).atan2(&exact::dot(&e1, &e2)))
+    small(&exact::angle(&e1, &e2))
 }
 
 /// Exactly 0 and exactly π.
