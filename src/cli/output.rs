@@ -10,7 +10,7 @@ use crease::io::{Note, OutputContent, OutputFile, Written};
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::hash::{DefaultHasher, Hasher};
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Component, Path, PathBuf};
 use tempfile::NamedTempFile;
 
@@ -87,6 +87,47 @@ impl Store {
         }
     }
 
+    /// Stores an output that is made while it is written, and tells how long it is: whole, or nothing remains of it.
+    ///
+    /// # Errors
+    /// Those of making it, and if it cannot be written.
+    pub fn stream<E: From<anyhow::Error>>(
+        &self,
+        target: &Target,
+        make: impl FnOnce(&mut dyn Write) -> Result<(), E>,
+    ) -> Result<u64, E> {
+        let place = match target {
+            Target::Stdout => None,
+            Target::File(path) => Some(follow_links(path)?),
+        };
+        let is_file = |path: &PathBuf| fs::metadata(path).map_or(true, |existing| existing.is_file());
+        let Some(path) = place.as_ref().filter(|path| is_file(path)) else {
+            // What cannot be replaced gets all of it at once, or nothing.
+            let mut bytes = Vec::new();
+            make(&mut bytes)?;
+            let length = bytes.len() as u64;
+            match place {
+                None => to_stdout(&bytes)?,
+                Some(path) => {
+                    check_place(&path)?;
+                    Staged::Direct(path, bytes).put(self.sync)?;
+                }
+            }
+            return Ok(length);
+        };
+        check_place(path)?;
+        let could_not = || format!("could not write {}", path.display());
+        let mut file = temporary_beside(path)?;
+        let mut out = BufWriter::new(file.as_file_mut());
+        make(&mut out)?;
+        out.flush().with_context(could_not)?;
+        drop(out);
+        let length = file.as_file().metadata().with_context(could_not)?.len();
+        self.finish(&file, path).with_context(could_not)?;
+        Staged::Temporary(file, path.clone()).put(self.sync)?;
+        Ok(length)
+    }
+
     fn store_file(&mut self, written: Written, path: &Path) -> Result<Vec<PathBuf>> {
         let path = follow_links(path)?;
         let mut claimed = Vec::new();
@@ -144,32 +185,34 @@ impl Store {
     }
 
     fn stage(&self, path: &Path, bytes: Vec<u8>) -> Result<Staged> {
-        let existing = fs::metadata(path).ok();
-        if existing.as_ref().is_some_and(|existing| !existing.is_file()) {
+        if fs::metadata(path).is_ok_and(|existing| !existing.is_file()) {
             return Ok(Staged::Direct(path.to_path_buf(), bytes));
         }
-        let folder = folder_of(path);
-        fs::create_dir_all(&folder)
-            .with_context(|| format!("could not make the folder {}", folder.display()))?;
-        let write = || -> io::Result<NamedTempFile> {
-            let mut builder = tempfile::Builder::new();
-            builder.prefix(".crease-").suffix(".tmp");
-            // The crate's own default is 0600; a new file shall be as open as the umask allows.
-            #[cfg(unix)]
-            builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-            let mut file = builder.tempfile_in(folder)?;
-            file.write_all(&bytes)?;
-            if let Some(existing) = existing {
-                file.as_file().set_permissions(existing.permissions())?;
-            }
-            if self.sync {
-                file.as_file().sync_all()?;
-            }
-            Ok(file)
-        };
-        let file = write().with_context(|| format!("could not write {}", path.display()))?;
+        let mut file = temporary_beside(path)?;
+        let written = file.write_all(&bytes).and_then(|()| self.finish(&file, path));
+        written.with_context(|| format!("could not write {}", path.display()))?;
         Ok(Staged::Temporary(file, path.to_path_buf()))
     }
+
+    /// Makes a complete file ready to take its place.
+    fn finish(&self, file: &NamedTempFile, path: &Path) -> io::Result<()> {
+        if let Ok(existing) = fs::metadata(path) {
+            file.as_file().set_permissions(existing.permissions())?;
+        }
+        if self.sync { file.as_file().sync_all() } else { Ok(()) }
+    }
+}
+
+/// An empty file in the folder of another, which is made if it is not there.
+fn temporary_beside(path: &Path) -> Result<NamedTempFile> {
+    let folder = folder_of(path);
+    fs::create_dir_all(&folder).with_context(|| format!("could not make the folder {}", folder.display()))?;
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".crease-").suffix(".tmp");
+    // The crate's own default is 0600; a new file shall be as open as the umask allows.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    builder.tempfile_in(folder).with_context(|| format!("could not write {}", path.display()))
 }
 
 /// A companion and its place.
@@ -342,6 +385,28 @@ mod tests {
         let stream = [("a.bin", OutputContent::Bytes(vec![]))];
         assert!(store.store(written(b"", &stream), &Target::Stdout).is_err());
         assert!(store.store(written(b"", &[]), &Target::File(folder.path().to_path_buf())).is_err());
+    }
+
+    #[test]
+    fn streams_are_stored_whole_or_not_at_all() {
+        let folder = tempfile::tempdir().unwrap();
+        let (store, path) = (Store::new(true, false), folder.path().join("deep/a.gif"));
+        let stream = |fails: bool| {
+            store.stream(&Target::File(path.clone()), |out| -> Result<()> {
+                out.write_all(b"frame")?;
+                ensure!(!fails, "no second frame");
+                Ok(())
+            })
+        };
+        assert!(stream(true).is_err());
+        assert_eq!(names(&folder.path().join("deep")), [""; 0]);
+        assert_eq!(stream(false).unwrap(), 5);
+        assert!(stream(true).is_err());
+        assert_eq!(
+            (names(&folder.path().join("deep")), fs::read(&path).unwrap()),
+            (vec!["a.gif".to_owned()], b"frame".to_vec())
+        );
+        assert!(store.stream(&Target::File(folder.path().into()), |_| -> Result<()> { Ok(()) }).is_err());
     }
 
     #[cfg(unix)]

@@ -61,6 +61,14 @@ pub enum RenderError {
         /// How many there are.
         count: usize,
     },
+    /// Lines along an object that is not there, or is an analytic surface.
+    #[error("lines {} run along object {}, which has no vertices", .lines + 1, .object + 1)]
+    NoVertices {
+        /// Which of the scene's sets of lines.
+        lines: usize,
+        /// The object.
+        object: usize,
+    },
     /// A position so far out that its place on the picture overflows, or that is not finite itself.
     #[error("object {}: vertex {vertex} at {position} has no finite place in front of the camera", .object + 1)]
     OutOfRange {

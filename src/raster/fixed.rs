@@ -23,10 +23,18 @@ pub(super) fn whole(number: f64) -> i32 {
     (number + TO_INTEGER).to_bits() as i32
 }
 
-/// The nearest fixed-point number to a place in pixels, ties to even; any number if it is out of the guard band.
+/// Where places end that are out of the guard band: 2²³, so that differences of any two are 32-bit numbers. A picture's
+/// middle is at most half the band from its corner, so that what is within the band lies within this.
+const FARTHEST: f64 = (2 * GUARD * ONE) as f64;
+
+/// The nearest fixed-point number to a place in pixels, ties to even; out of the guard band an end of the range, also for
+/// NaN.
 #[inline(always)]
 pub(super) fn snap(pixels: f64) -> i32 {
-    whole(pixels * f64::from(ONE))
+    let place = pixels * f64::from(ONE);
+    // Written so that each is one instruction, which takes the second of the two where the first is NaN.
+    let place = if place > -FARTHEST { place } else { -FARTHEST };
+    whole(if place < FARTHEST { place } else { FARTHEST })
 }
 
 /// The first pixel with a sample, `offset` into it, at or after a place.
@@ -49,6 +57,12 @@ mod tests {
     fn snapping_rounds_to_the_nearest() {
         assert_eq!([0.0, 1.0, -1.0, 0.5, 16384.0].map(snap), [0, 256, -256, 128, 16384 * 256]);
         assert_eq!([0.4, 0.6, 1.5, 2.5, -0.5, -1.5].map(|x| snap(x / 256.0)), [0, 1, 2, 2, 0, -2]);
+        let end = 1 << 23;
+        assert_eq!(
+            [1e5, -1e5, 1e300, f64::INFINITY, f64::NEG_INFINITY].map(snap),
+            [end, -end, end, end, -end]
+        );
+        assert_eq!(snap(f64::NAN), -end);
     }
 
     #[test]

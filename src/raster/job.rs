@@ -204,23 +204,17 @@ impl<'a> Prepared<'a> {
     /// [`corner_normal`](Self::corner_normal) in doubles.
     pub(super) fn exact_corner_normal(&self, corner: u32, vertex: u32, turned: bool) -> DVec3 {
         let normal = match self.shape {
-            Shape::Mesh { normals, .. } => normals.normals.get(corner as usize, vertex).copied(),
-            Shape::Triangles(triangles) => {
-                Some(DVec3::from(triangles.normals[vertex as usize].map(f64::from)))
+            Shape::Mesh { normals, .. } => {
+                normals.normals.get(corner as usize, vertex).copied().unwrap_or(DVec3::ZERO)
             }
-            Shape::Surface(_) => None,
+            shape => shape.normal(vertex),
         };
-        side(self.in_scene(normal.unwrap_or(DVec3::ZERO)), turned)
+        side(self.in_scene(normal), turned)
     }
 
     /// [`face_normal`](Self::face_normal) in doubles.
     pub(super) fn exact_face_normal(&self, face: u32, turned: bool) -> DVec3 {
-        let normal = match self.shape {
-            Shape::Mesh { normals, .. } => normals.face_normals[face as usize],
-            Shape::Triangles(triangles) => DVec3::from(triangles.face_normals[face as usize].map(f64::from)),
-            Shape::Surface(_) => DVec3::ZERO,
-        };
-        side(self.in_scene(normal), turned)
+        side(self.in_scene(self.shape.face_normal(face)), turned)
     }
 
     /// Whether faces have normals of their own; triangles of slices need not.

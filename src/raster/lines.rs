@@ -4,11 +4,12 @@ use super::bins::{TileBox, sort, tiles};
 use super::clip::clip_line;
 use super::error::RenderError;
 use super::job::Job;
-use super::scene::Lines;
+use super::line_ends::Ends;
+use super::scene::Scene;
 use super::settings::{LineStyle, Shading};
 use super::setup::TILE;
 use super::view::ObjectMap;
-use glam::{DMat4, DVec3, Vec3};
+use glam::Vec3;
 use rayon::prelude::*;
 
 /// All lines of a picture.
@@ -20,18 +21,14 @@ pub(super) struct LineJob<'a> {
 
 /// Lines that look alike.
 pub(super) struct LineSet<'a> {
-    source: Source<'a>,
+    ends: Ends<'a>,
+    /// From the space of the ends to view space.
+    map: ObjectMap,
     pub(super) colour: Vec3,
     pub(super) radius: f64,
     pub(super) hide: bool,
-}
-
-/// Where lines come from.
-enum Source<'a> {
-    /// Points of the scene, with the way to view space.
-    Scene(&'a Lines, ObjectMap),
-    /// Edges of the object of this number among those drawn.
-    Edges(usize, Vec<[u32; 2]>),
+    /// Whether these are the edges of an object under [`Shading::Wireframe`], and not lines laid over it.
+    pub(super) is_wireframe: bool,
 }
 
 /// A line on the picture.
@@ -44,24 +41,19 @@ pub(super) struct Segment {
 }
 
 impl<'a> LineJob<'a> {
-    pub(super) fn new(job: &Job<'a>, lines: &'a [Lines]) -> Result<Self, RenderError> {
+    pub(super) fn new(job: &Job<'a>, scene: &'a Scene<'a>) -> Result<Self, RenderError> {
         let mut sets = Vec::new();
         if job.settings.shading == Shading::Wireframe {
-            let style = check_style(&job.settings.wire)?;
-            for (number, object) in job.drawn.iter().enumerate() {
-                let edges = edges(job, object);
-                sets.push(LineSet { source: Source::Edges(number, edges), ..style });
-            }
+            check_style(&job.settings.wire)?;
+            let edges = scene.objects.iter().filter_map(Ends::edges);
+            sets.extend(edges.map(|ends| LineSet::new(job, ends, &job.settings.wire, true)));
         }
-        for lines in lines {
-            let style = check_style(&lines.style)?;
-            check_lines(lines)?;
-            let pivot = lines.points.first().copied().unwrap_or(DVec3::ZERO);
-            let map = ObjectMap::new(&job.view, DMat4::IDENTITY, pivot);
-            sets.push(LineSet { source: Source::Scene(lines, map), ..style });
+        for (number, lines) in scene.lines.iter().enumerate() {
+            check_style(&lines.style)?;
+            sets.push(LineSet::new(job, Ends::new(scene, number, &lines.path)?, &lines.style, false));
         }
         let parts = sets.par_iter().enumerate().map(|(number, set)| {
-            let found: Vec<_> = (0..set.len())
+            let found: Vec<_> = (0..set.ends.len())
                 .filter_map(|line| Some((line, set.touched(job, set.segment(job, line)?)?)))
                 .collect();
             let (starts, lines) = sort(&found, tiles(job.view.size));
@@ -85,7 +77,7 @@ impl<'a> LineJob<'a> {
     }
 }
 
-fn check_style(style: &LineStyle) -> Result<LineSet<'static>, RenderError> {
+fn check_style(style: &LineStyle) -> Result<(), RenderError> {
     let number = |what, found: String, expected| Err(RenderError::Number { what, found, expected });
     if !(style.width.is_finite() && style.width > 0.0) {
         return number("the width of lines", style.width.to_string(), "above 0 and finite");
@@ -93,66 +85,20 @@ fn check_style(style: &LineStyle) -> Result<LineSet<'static>, RenderError> {
     if !style.colour.is_finite() {
         return number("the colour of lines", format!("{:?}", style.colour.to_array()), "finite");
     }
-    let colour = super::records::single(style.colour);
-    Ok(LineSet { source: Source::Edges(0, Vec::new()), colour, radius: 0.5 * style.width, hide: style.hide })
+    Ok(())
 }
 
-fn check_lines(lines: &Lines) -> Result<(), RenderError> {
-    let count = lines.points.len();
-    if let Some(point) = lines.points.iter().find(|point| !point.is_finite()) {
-        return Err(RenderError::Number {
-            what: "the end of a line",
-            found: point.to_string(),
-            expected: "finite",
-        });
-    }
-    let wrong = |index: &u32| *index as usize >= count;
-    match lines.segments.as_flattened().iter().position(wrong) {
-        None => Ok(()),
-        Some(end) => {
-            let index = lines.segments.as_flattened()[end];
-            Err(RenderError::Index { what: "line", number: end / 2, index, count })
-        }
-    }
-}
-
-/// The edges of an object's faces, each once.
-fn edges(job: &Job, drawn: &super::triangles::DrawnObject) -> Vec<[u32; 2]> {
-    let mut edges: Vec<[u32; 2]> = Vec::new();
-    let mut add = |face: &[u32]| {
-        let next = face.iter().cycle().skip(1);
-        edges.extend(face.iter().zip(next).map(|(&a, &b)| [a.min(b), a.max(b)]));
-    };
-    match job.objects[drawn.object].shape {
-        super::scene::Shape::Mesh { mesh, .. } => mesh.faces().iter().for_each(add),
-        super::scene::Shape::Triangles(triangles) => triangles.triangles.iter().for_each(|face| add(face)),
-        super::scene::Shape::Surface(_) => {}
-    }
-    edges.par_sort_unstable();
-    edges.dedup();
-    edges
-}
-
-impl LineSet<'_> {
-    fn len(&self) -> u32 {
-        match &self.source {
-            Source::Scene(lines, _) => lines.segments.len() as u32,
-            Source::Edges(_, edges) => edges.len() as u32,
-        }
+impl<'a> LineSet<'a> {
+    fn new(job: &Job, ends: Ends<'a>, style: &LineStyle, is_wireframe: bool) -> Self {
+        let (transform, first) = ends.space();
+        let map = ObjectMap::about(&job.view, transform, first);
+        let colour = super::records::single(style.colour);
+        Self { ends, map, colour, radius: 0.5 * style.width, hide: style.hide, is_wireframe }
     }
 
     /// A line on the picture, clipped to the near plane and the guard band; `None` if nothing is left.
     fn segment(&self, job: &Job, line: u32) -> Option<Segment> {
-        let ends = match &self.source {
-            Source::Scene(lines, map) => {
-                lines.segments[line as usize].map(|point| map.view(lines.points[point as usize]))
-            }
-            Source::Edges(object, edges) => {
-                let object = &job.drawn[*object];
-                edges[line as usize].map(|vertex| object.map.view(object.points.get(vertex)))
-            }
-        };
-        let ends = clip_line(&job.view, ends)?;
+        let ends = clip_line(&job.view, self.ends.get(line)?.map(|end| self.map.view(end)))?;
         Some(Segment {
             ends: ends.map(|end| job.view.on_picture(end)),
             depth: ends.map(|end| job.view.depth(end.z)),
@@ -209,6 +155,7 @@ mod tests {
     use super::*;
     use crate::num::test_numbers::Numbers;
     use crate::raster::view::View;
+    use glam::{DMat4, DVec3};
 
     /// The columns that are looked at hold every pixel that the line touches.
     #[test]

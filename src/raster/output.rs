@@ -114,7 +114,10 @@ impl Kernel for WriteTile<'_, '_> {
             let samples = row_of_tile(tile.covered, y);
             let count = coverage.len().min(TILE);
             coverage[..count].copy_from_slice(&samples[..count]);
-            covered += samples[..count].iter().map(|&samples| u64::from(samples > 0)).sum::<u64>();
+            covered += match tile.edged {
+                None => samples[..count].iter().map(|&samples| u64::from(samples > 0)).sum::<u64>(),
+                Some(edged) => row_of_tile(edged, y)[..count].iter().map(|&edged| u64::from(edged)).sum(),
+            };
         }
         for y in 0..target.coverage.len() {
             let mut row = tile.colours.each_ref().map(|colours| row_of_tile(colours, y));

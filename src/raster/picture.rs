@@ -18,7 +18,8 @@ pub struct Image {
     pub size: [u32; 2],
     /// Its quantised colours.
     pub pixels: Pixels,
-    /// How many samples of each pixel an object covers.
+    /// How many samples of each pixel an object covers, whatever the shading: also those where a wireframe shows nothing but
+    /// hides what is behind.
     pub coverage: Vec<u8>,
     /// Linear colours before tone and transfer, the mean of a pixel's samples; only if they were asked for
     /// ([`RenderSettings::keep_linear`](super::RenderSettings::keep_linear)).
@@ -46,7 +47,8 @@ impl Image {
 /// Counts and times of a drawing. Only the times differ from run to run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Statistics {
-    /// Pixels with at least one covered sample.
+    /// Pixels with at least one covered sample; under [`Shading::Wireframe`](super::Shading::Wireframe) those that show an
+    /// edge.
     pub covered_pixels: u64,
     /// Triangles handed to the tiles.
     pub triangles_drawn: u64,

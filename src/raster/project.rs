@@ -36,6 +36,10 @@ impl Points<'_> {
         }
     }
 
+    pub(super) fn first(self) -> Option<DVec3> {
+        (self.len() > 0).then(|| self.get(0))
+    }
+
     #[inline(always)]
     pub(super) fn get(self, vertex: u32) -> DVec3 {
         match self {

@@ -56,7 +56,7 @@ use std::time::Instant;
 pub fn render(scene: &Scene, settings: &RenderSettings) -> Result<Image, RenderError> {
     let start = Instant::now();
     let job = Job::new(scene, settings)?;
-    let lines = LineJob::new(&job, &scene.lines)?;
+    let lines = LineJob::new(&job, scene)?;
     let geometry = start.elapsed();
     let start = Instant::now();
     let bins = bins(&job);

@@ -87,19 +87,52 @@ pub enum Paint<'a> {
 }
 
 /// Straight lines in the scene: overlays of edges, creases, normals.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Lines {
-    /// Where they begin and end, in the scene's space.
-    pub points: Vec<DVec3>,
-    /// Two points each.
-    pub segments: Vec<[u32; 2]>,
+    /// Where they begin and end.
+    pub path: LinePath,
     /// What they look like. A line in a surface counts as in front of it.
     pub style: LineStyle,
 }
 
+/// Where lines begin and end. Those along an object take their places from it: a dense mesh has millions.
+#[derive(Clone, Debug)]
+pub enum LinePath {
+    /// Between points.
+    Points {
+        /// In the scene's space.
+        points: Vec<DVec3>,
+        /// Two points each.
+        segments: Vec<[u32; 2]>,
+    },
+    /// Between vertices of an object, two each.
+    Edges {
+        /// Its number.
+        object: usize,
+        /// The vertices.
+        edges: Vec<[u32; 2]>,
+    },
+    /// From vertices of an object along normals.
+    VertexNormals {
+        /// Its number.
+        object: usize,
+        /// A vertex and the number of a normal each.
+        normals: Vec<[u32; 2]>,
+        /// How long they are in the scene.
+        length: f64,
+    },
+    /// From the middle of each face of an object along its normal.
+    FaceNormals {
+        /// Its number.
+        object: usize,
+        /// How long they are in the scene.
+        length: f64,
+    },
+}
+
 impl Scene<'_> {
     /// Smallest and largest corner of the box around all that is drawn, in the scene's space; `None` if nothing is.
-    /// Vertices that no face uses do not count.
+    /// Vertices that no face uses do not count, nor do lines along objects.
     pub fn bounds(&self) -> Option<(DVec3, DVec3)> {
         let mut bounds: Option<(DVec3, DVec3)> = None;
         self.each_point(|point| {
@@ -135,7 +168,11 @@ impl Scene<'_> {
                 }
             }
         }
-        self.lines.iter().flat_map(|lines| &lines.points).for_each(|&point| visit(point));
+        for lines in &self.lines {
+            if let LinePath::Points { points, .. } = &lines.path {
+                points.iter().for_each(|&point| visit(point));
+            }
+        }
     }
 }
 

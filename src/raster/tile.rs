@@ -38,6 +38,13 @@ pub(super) struct Worker {
     /// Sums over the samples done.
     sum: Colours,
     covered: Box<[u8; PIXELS]>,
+    /// The pixels that edges of a wireframe are drawn in.
+    edged: Box<[bool; PIXELS]>,
+}
+
+/// Whether faces hide edges, but are not shown themselves.
+fn shows_edges_alone(job: &Job) -> bool {
+    job.settings.shading == Shading::Wireframe && job.settings.show == Show::Shaded
 }
 
 /// A row of each component.
@@ -53,6 +60,8 @@ pub(super) struct Finished<'a> {
     pub(super) colours: &'a Colours,
     /// How many samples of each pixel are covered.
     pub(super) covered: &'a [u8; PIXELS],
+    /// The pixels that show a wireframe's edge; `None` where faces are shown.
+    pub(super) edged: Option<&'a [bool; PIXELS]>,
 }
 
 impl Worker {
@@ -71,6 +80,7 @@ impl Worker {
             colour: colours(),
             sum: colours(),
             covered: Box::new([0; PIXELS]),
+            edged: Box::new([false; PIXELS]),
         }
     }
 
@@ -89,6 +99,7 @@ impl Worker {
         let count = job.settings.samples.count();
         self.list.fill(job, bins, tile);
         self.covered.fill(0);
+        self.edged.fill(false);
         for (number, sample) in job.settings.samples.offsets().enumerate() {
             let origin = tile_origin(tile, sample);
             self.see(job, origin);
@@ -96,7 +107,7 @@ impl Worker {
             self.paint(job, origin)?;
             self.draw_lines(job, lines, tile, sample);
             if count == 1 {
-                return Ok(Some(Finished { colours: &self.colour, covered: &self.covered }));
+                return Ok(Some(self.finished(job, &self.colour)));
             }
             for (sum, colour) in self.sum.iter_mut().zip(&self.colour) {
                 if number == 0 {
@@ -107,7 +118,12 @@ impl Worker {
         }
         let share = 1.0 / count as f32;
         self.sum.iter_mut().flat_map(|sum| sum.iter_mut()).for_each(|sum| *sum *= share);
-        Ok(Some(Finished { colours: &self.sum, covered: &self.covered }))
+        Ok(Some(self.finished(job, &self.sum)))
+    }
+
+    fn finished<'a>(&'a self, job: &Job, colours: &'a Colours) -> Finished<'a> {
+        let edged = shows_edges_alone(job).then_some(&*self.edged);
+        Finished { colours, covered: &self.covered, edged }
     }
 
     /// What a sample of a pixel shows.
@@ -193,7 +209,7 @@ impl Worker {
         for (row, background) in self.colour.iter_mut().zip(job.background) {
             row.fill(background);
         }
-        if job.settings.shading == Shading::Wireframe && job.settings.show == Show::Shaded {
+        if shows_edges_alone(job) {
             return Ok(());
         }
         for run in &self.runs {
@@ -251,6 +267,7 @@ impl Worker {
         for (row, component) in self.colour.iter_mut().zip(set.colour.to_array()) {
             row[pixel] = component;
         }
+        self.edged[pixel] |= set.is_wireframe;
     }
 
     /// Whether what is seen at a sample is in front of a line. A line in a surface is not behind it: the surface is

@@ -32,23 +32,19 @@ impl<'a> DrawnObject<'a> {
         mirrored: bool,
         view: &View,
     ) -> Option<Self> {
-        let (points, list) = match *shape {
+        let points = shape.points()?;
+        let list = match *shape {
             Shape::Mesh { mesh, .. } if mesh.faces().is_triangles() => {
-                (Points::F64(mesh.positions()), TriangleList::Whole(mesh.faces().corners().as_chunks().0))
+                TriangleList::Whole(mesh.faces().corners().as_chunks().0)
             }
             Shape::Mesh { mesh, .. } => {
-                let corner_vertices = mesh.faces().corners();
-                (Points::F64(mesh.positions()), TriangleList::Cut { corner_vertices, cut: triangulate(mesh) })
+                TriangleList::Cut { corner_vertices: mesh.faces().corners(), cut: triangulate(mesh) }
             }
-            Shape::Triangles(triangles) => {
-                (Points::F32(triangles.positions), TriangleList::Whole(triangles.triangles))
-            }
+            Shape::Triangles(triangles) => TriangleList::Whole(triangles.triangles),
             Shape::Surface(_) => return None,
         };
-        // Of points near the ends of the range the differences are beyond it.
-        let vertex = (points.len() > 0).then(|| points.get(0));
-        let pivot = vertex.filter(|point| point.abs().max_element() < 0.25 * f64::MAX).unwrap_or_default();
-        let map = ObjectMap::new(view, transform, pivot);
+        let near = points.first().unwrap_or_default();
+        let map = ObjectMap::about(view, transform, near);
         let (vertices, outside) = project(points, &map, view);
         Some(Self { object, first, list, points, vertices, outside, map, mirrored })
     }

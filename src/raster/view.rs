@@ -145,6 +145,12 @@ impl ObjectMap {
         }
     }
 
+    /// The way of points near this one, which is the pivot unless differences from it are beyond the range of numbers.
+    pub(super) fn about(view: &View, transform: DMat4, point: DVec3) -> Self {
+        let is_near = point.abs().max_element() < 0.25 * f64::MAX;
+        Self::new(view, transform, if is_near { point } else { DVec3::ZERO })
+    }
+
     /// A point of the object in view space.
     #[inline(always)]
     pub(super) fn view(&self, point: DVec3) -> ViewPoint {

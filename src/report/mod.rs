@@ -39,7 +39,7 @@ pub use error::ReportError;
 pub use html::{Page, Table, escape_html};
 pub use label::{draw_text, text_width};
 pub use overlay::{Overlay, overlay};
-pub use palette::Palette;
+pub use palette::{ColourCount, Palette};
 pub use panel::{Panel, panels, panels_size};
 pub use picture::Picture;
 pub use plot::{Axis, Mark, Plot, Scale, Series};

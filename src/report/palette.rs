@@ -23,7 +23,7 @@ pub struct Palette {
 }
 
 /// Pixels of one cell.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy, Debug, Default)]
 struct Cell {
     count: u64,
     sum: [u64; 3],
@@ -38,19 +38,38 @@ struct Group {
     extent: u32,
 }
 
-impl Palette {
-    /// The palette of some pictures.
-    pub fn of<'a>(pictures: impl IntoIterator<Item = &'a [[u8; 3]]>) -> Self {
-        let mut distinct = BTreeSet::new();
-        let mut cells = vec![Cell::default(); 1 << (3 * BITS)];
-        for &colour in pictures.into_iter().flatten() {
-            if distinct.len() <= LARGEST {
-                distinct.insert(colour);
+/// The colours of pictures, counted one picture after the other: 8 MiB, however many there are.
+#[derive(Clone, Debug)]
+pub struct ColourCount {
+    /// As long as they fit in a palette.
+    distinct: BTreeSet<[u8; 3]>,
+    cells: Vec<Cell>,
+}
+
+impl Default for ColourCount {
+    fn default() -> Self {
+        Self { distinct: BTreeSet::new(), cells: vec![Cell::default(); 1 << (3 * BITS)] }
+    }
+}
+
+impl ColourCount {
+    /// Counts the colours of a picture.
+    pub fn add(&mut self, picture: &[[u8; 3]]) {
+        for &colour in picture {
+            if self.distinct.len() <= LARGEST {
+                self.distinct.insert(colour);
             }
-            let cell = &mut cells[cell_of(colour)];
+            let cell = &mut self.cells[cell_of(colour)];
             cell.count += 1;
             cell.sum.iter_mut().zip(colour).for_each(|(sum, c)| *sum += u64::from(c));
         }
+    }
+}
+
+impl Palette {
+    /// The palette of the pictures that were counted.
+    pub fn new(count: ColourCount) -> Self {
+        let ColourCount { distinct, cells } = count;
         if distinct.len() <= LARGEST {
             return Self { colours: distinct.into_iter().collect(), entry_of_cell: Vec::new() };
         }
@@ -155,10 +174,16 @@ fn nearest(colours: &[[u8; 3]], colour: [u8; 3]) -> u8 {
 mod tests {
     use super::*;
 
+    fn palette(pictures: &[&[[u8; 3]]]) -> Palette {
+        let mut count = ColourCount::default();
+        pictures.iter().for_each(|picture| count.add(picture));
+        Palette::new(count)
+    }
+
     #[test]
     fn few_colours_stay() {
         let picture: Vec<[u8; 3]> = (0..=255).map(|i| [i, 7, 255 - i]).collect();
-        let palette = Palette::of([&picture[..], &picture[..40]]);
+        let palette = palette(&[&picture, &picture[..40]]);
         assert_eq!(palette.colours().len(), 256);
         assert!(picture.iter().all(|&colour| palette.entry(colour) == colour));
     }
@@ -168,7 +193,7 @@ mod tests {
         let picture: Vec<[u8; 3]> = (0..4096_u32)
             .map(|i| [(i % 64) as u8 * 4, (i / 64) as u8 * 4, (i % 64 + i / 64) as u8 * 2])
             .collect();
-        let palette = Palette::of([&picture[..]]);
+        let palette = palette(&[&picture]);
         assert_eq!(palette.colours().len(), 256);
         let error = |colour: [u8; 3]| {
             let entry = palette.entry(colour);
@@ -185,11 +210,11 @@ mod tests {
         let mut picture: Vec<[u8; 3]> =
             (0..100_000_u32).map(|i| [(i % 256) as u8, (i % 253) as u8, 0]).collect();
         picture.extend([[0, 0, 255]; 40]);
-        assert_eq!(Palette::of([&picture[..]]).entry([0, 0, 255]), [0, 0, 255]);
+        assert_eq!(palette(&[&picture]).entry([0, 0, 255]), [0, 0, 255]);
     }
 
     #[test]
     fn nothing_has_no_colours() {
-        assert!(Palette::of([]).colours().is_empty());
+        assert!(palette(&[]).colours().is_empty());
     }
 }

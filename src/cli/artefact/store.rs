@@ -77,12 +77,10 @@ pub fn animate(run: &Run, path: &Path, frames: u16, console: &Console) -> Result
     };
     let images: Vec<_> = (0..u32::from(frames)).into_par_iter().map(draw).collect::<Result<_, _>>()?;
     drop(progress);
-    let failed = |error: ReportError| Failure::Write(error.to_string());
-    let mut animation = Animation::default();
-    for image in images {
-        animation.push(image.into()).map_err(failed)?;
-    }
-    let bytes = animation.encode_gif((WHOLE / frames).max(SHORTEST)).map_err(failed)?;
+    let animation = Animation { frames: images.len(), hundredths: (WHOLE / frames).max(SHORTEST) };
+    let mut bytes = Vec::new();
+    let written = animation.write_gif(&mut bytes, |number| Ok(Picture::from(images[number].clone())));
+    written.map_err(|error: ReportError| Failure::Write(error.to_string()))?;
     write(path, bytes).map(|_| ())
 }
 

@@ -4,14 +4,33 @@ use super::args::{INTERPOLATIONS, SHADINGS, Variant};
 use super::request::{FileKind, Request, Subject};
 use super::turn;
 use crate::cli::choice::name_of;
+use crate::cli::output::Store;
 use crate::cli::progress::CountProgress;
 use crease::num::Degrees;
 use crease::raster::{Image, RenderError, RenderSettings, Scene, SceneFile, Shading, Statistics, render};
 use crease::report::{Animation, Panel, Picture, ReportError, encode_png, overlay, panels};
 
+/// What became of a picture.
+pub enum Made {
+    /// A file that is to be stored; empty if none is wanted.
+    Bytes(Vec<u8>),
+    /// It is stored already, so many bytes long.
+    Stored(u64),
+}
+
+impl Made {
+    /// How many bytes it has.
+    pub fn len(&self) -> u64 {
+        match self {
+            Made::Bytes(bytes) => bytes.len() as u64,
+            Made::Stored(length) => *length,
+        }
+    }
+}
+
 /// A picture as a file, and what was drawn for it.
 pub struct Drawn {
-    pub bytes: Vec<u8>,
+    pub made: Made,
     pub size: [u32; 2],
     pub drawings: Vec<Drawing>,
     /// The image, if there is just one.
@@ -30,6 +49,13 @@ pub struct Drawing {
 pub enum DrawError {
     Render(RenderError),
     Report(ReportError),
+    Store(anyhow::Error),
+}
+
+impl From<anyhow::Error> for DrawError {
+    fn from(error: anyhow::Error) -> Self {
+        Self::Store(error)
+    }
 }
 
 impl From<RenderError> for DrawError {
@@ -56,7 +82,7 @@ pub fn draw(file: &mut SceneFile, request: &Request, progress: &CountProgress) -
                 None => Vec::new(),
             };
             let image = Image { pixels: picture.pixels, ..image };
-            Ok(Drawn { bytes, size: image.size, drawings, image: Some(image) })
+            Ok(Drawn { made: Made::Bytes(bytes), size: image.size, drawings, image: Some(image) })
         }
         Subject::Panels(variants) => {
             let (mut drawings, mut list) = (Vec::new(), Vec::new());
@@ -69,7 +95,7 @@ pub fn draw(file: &mut SceneFile, request: &Request, progress: &CountProgress) -
             let sheet = panels(&list)?;
             drop(list);
             let bytes = as_file(&sheet, &file.settings, request.file)?;
-            Ok(Drawn { bytes, size: sheet.size, drawings, image: None })
+            Ok(Drawn { made: Made::Bytes(bytes), size: sheet.size, drawings, image: None })
         }
         Subject::Turntable(frames) => turntable(file, frames, request, progress),
     }
@@ -84,7 +110,7 @@ fn image(file: &SceneFile, settings: &RenderSettings, request: &Request) -> Resu
 
 fn add_overlays(scene: &mut Scene, settings: &RenderSettings, request: &Request) {
     let kinds = &request.args.shading.overlay;
-    let lines: Vec<_> = kinds.iter().map(|&kind| overlay(scene, settings.size, kind)).collect();
+    let lines: Vec<_> = kinds.iter().flat_map(|&kind| overlay(scene, settings.size, kind)).collect();
     scene.lines.extend(lines);
 }
 
@@ -92,9 +118,9 @@ fn as_file(picture: &Picture, settings: &RenderSettings, kind: FileKind) -> Resu
     match kind {
         FileKind::Png => encode_png(picture, settings.transfer),
         FileKind::Gif => {
-            let mut animation = Animation::default();
-            animation.push(picture.clone())?;
-            animation.encode_gif(0)
+            let mut bytes = Vec::new();
+            Animation::STILL.write_gif(&mut bytes, |_| Ok::<_, ReportError>(picture.clone()))?;
+            Ok(bytes)
         }
     }
 }
@@ -103,6 +129,12 @@ fn as_file(picture: &Picture, settings: &RenderSettings, kind: FileKind) -> Resu
 const TURN: u16 = 400;
 const SHORTEST: u16 = 2;
 
+/// How a turn of so many frames is shown.
+pub fn turn_of(frames: u16) -> Animation {
+    Animation { frames: frames.into(), hundredths: (TURN / frames).max(SHORTEST) }
+}
+
+/// Draws frame by frame into the output: neither all frames nor the file are ever in memory.
 fn turntable(
     file: &mut SceneFile,
     frames: u16,
@@ -112,20 +144,32 @@ fn turntable(
     let pivot = turn::pivot(file);
     let placed: Vec<_> = file.objects.iter().map(|object| object.transform).collect();
     let up = file.scene().camera.up;
-    let mut animation = Animation::default();
+    let size = file.settings.size;
     let mut drawings = Vec::new();
-    for frame in 0..frames {
-        let angle = Degrees(360.0 * f64::from(frame) / f64::from(frames));
+    let mut draw = |frame: usize| -> Result<Picture, DrawError> {
+        let angle = Degrees(360.0 * frame as f64 / f64::from(frames));
         // Each frame turns from the start: roundings do not add up.
         file.objects.iter_mut().zip(&placed).for_each(|(object, &transform)| object.transform = transform);
         turn::turn(file, turn::about(up, angle), pivot);
         let image = image(file, &file.settings, request)?;
-        drawings.push(Drawing { name: Some(format!("{}°", angle.0)), statistics: image.statistics });
-        animation.push(image.into())?;
+        // Some frames are asked for twice.
+        if frame == drawings.len() {
+            drawings.push(Drawing { name: Some(format!("{}°", angle.0)), statistics: image.statistics });
+        }
         progress.done();
-    }
-    let bytes = animation.encode_gif((TURN / frames).max(SHORTEST))?;
-    Ok(Drawn { bytes, size: file.settings.size, drawings, image: None })
+        Ok(image.into())
+    };
+    let made = match &request.target {
+        Some(target) => {
+            let store = Store::new(false, false);
+            Made::Stored(store.stream(target, |out| turn_of(frames).write_gif(out, draw))?)
+        }
+        None => {
+            (0..usize::from(frames)).try_for_each(|frame| draw(frame).map(drop))?;
+            Made::Bytes(Vec::new())
+        }
+    };
+    Ok(Drawn { made, size, drawings, image: None })
 }
 
 impl Variant {

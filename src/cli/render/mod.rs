@@ -23,7 +23,7 @@ use super::{Exit, notes, usage_error, use_threads};
 use crease::io::{self, Note, ReadError, Written};
 use crease::raster::{Image, Object, SceneFile, Shading, Shape, Unseen, load};
 use crease::report::{PixelReport, probe_pixel};
-use draw::{DrawError, Drawn};
+use draw::{DrawError, Drawn, Made};
 use report::{DrawingReport, OutputReport, Report, SceneReport, SettingsReport};
 use request::{Request, Subject};
 use std::time::Instant;
@@ -67,8 +67,13 @@ fn work(request: &Request, console: &Console, report: &mut Report) -> Result<(),
     report.seconds.load = start.elapsed().as_secs_f64();
 
     let start = Instant::now();
-    let frames = if let Subject::Turntable(frames) = request.subject { frames } else { 1 };
-    let progress = CountProgress::new(console, "drawing", "frames", frames.into());
+    let frames = match request.subject {
+        // Without a file each is drawn once.
+        Subject::Turntable(frames) if request.target.is_none() => frames.into(),
+        Subject::Turntable(frames) => draw::turn_of(frames).drawings(file.settings.size),
+        _ => 1,
+    };
+    let progress = CountProgress::new(console, "drawing", "frames", frames as u64);
     let drawn = draw::draw(&mut file, request, &progress).map_err(|error| match error {
         DrawError::Render(error) => {
             let lights = file.lights.as_ref().map_or(0, Vec::len);
@@ -76,6 +81,7 @@ fn work(request: &Request, console: &Console, report: &mut Report) -> Result<(),
             typed.unwrap_or_else(|| Failure::Draw(error.to_string()))
         }
         DrawError::Report(error) => Failure::Write(error.to_string()),
+        DrawError::Store(error) => Failure::Write(format!("{error:#}")),
     })?;
     drop(progress);
     report.drawings = drawn.drawings.iter().map(DrawingReport::new).collect();
@@ -88,7 +94,8 @@ fn work(request: &Request, console: &Console, report: &mut Report) -> Result<(),
     let Some(target) = &request.target else { return Ok(()) };
     let start = Instant::now();
     report.output = Some(OutputReport::new(target, request.file, &drawn));
-    let written = Written { bytes: drawn.bytes, ..Written::default() };
+    let Made::Bytes(bytes) = drawn.made else { return Ok(()) };
+    let written = Written { bytes, ..Written::default() };
     Store::new(false, false).store(written, target).map_err(|error| Failure::Write(format!("{error:#}")))?;
     report.seconds.write = start.elapsed().as_secs_f64();
     Ok(())

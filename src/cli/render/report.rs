@@ -14,7 +14,7 @@
 //! | `settings` | `width`, `height`, `shading`, `interpolation`, `samples`, `bits`, `tone`, `transfer`, `guards` (by name) |
 //! | `drawings` | one for each panel or frame: `name` (absent for a single picture), `covered_pixels`, `triangles_drawn`, `triangles_clipped`, `triangles_culled`, and `seconds`: `geometry`, `binning`, `tiles` |
 //! | `probe` | absent unless asked for; what the library's `PixelReport` has |
-//! | `seconds` | `load` (reading, normals), `draw` (with encoding), `write`, `total` |
+//! | `seconds` | `load` (reading, normals), `draw` (with encoding, and storing an animation), `write`, `total` |
 
 use super::args::{BITS, INTERPOLATIONS, SHADINGS, TRANSFERS};
 use super::draw::{Drawing, Drawn};
@@ -65,7 +65,7 @@ pub struct InputReport {
 pub struct OutputReport {
     pub path: String,
     pub format: &'static str,
-    pub bytes: usize,
+    pub bytes: u64,
     pub width: u32,
     pub height: u32,
 }
@@ -181,7 +181,7 @@ impl OutputReport {
                 FileKind::Png => "png",
                 FileKind::Gif => "gif",
             },
-            bytes: drawn.bytes.len(),
+            bytes: drawn.made.len(),
             width,
             height,
         }

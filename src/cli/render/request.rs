@@ -44,7 +44,7 @@ pub enum Subject<'a> {
     Turntable(u16),
 }
 
-/// Most pixels of all frames or panels together, as many as the largest single picture has.
+/// Most pixels of all frames or panels together, as many as the largest single picture has: what is more was hardly meant.
 const MOST_PIXELS: u64 = 1 << 28;
 
 impl<'a> Request<'a> {
@@ -206,7 +206,7 @@ impl<'a> Request<'a> {
         }
     }
 
-    /// All frames are kept until their palette is known, and all panels until they are put together.
+    /// Panels are kept until they are put together, and frames cost time.
     fn check_amount(&self, size: [u32; 2]) -> Result<(), String> {
         let (count, what) = match self.subject {
             Subject::Picture => return Ok(()),

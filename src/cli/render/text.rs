@@ -35,7 +35,7 @@ pub fn block(report: &Report, style: Style) -> String {
         drawings => row("drawn", count(drawings.len(), "frame")),
     }
     if let (Some(output), Some(settings)) = (&report.output, &report.settings) {
-        let bytes = size(output.bytes as u64);
+        let bytes = size(output.bytes);
         let (width, height) = (output.width, output.height);
         row(
             "output",

@@ -156,7 +156,7 @@ impl Model {
     /// Lit, with the edges whose two sides have different normals as lines.
     pub(super) fn creases(&self, camera: Camera, side: u32) -> Result<Picture, ReportError> {
         let mut scene = self.scene(camera, false);
-        scene.lines = vec![overlay(&scene, [side; 2], Overlay::Creases)];
+        scene.lines = overlay(&scene, [side; 2], Overlay::Creases);
         draw(&scene, side, Show::Shaded)
     }
 
@@ -186,7 +186,7 @@ impl Model {
             near: 0.0,
         };
         let mut scene = self.scene(camera, false);
-        scene.lines = vec![overlay(&scene, [side; 2], Overlay::Wire)];
+        scene.lines = overlay(&scene, [side; 2], Overlay::Wire);
         let mut picture = draw(&scene, side, Show::Shaded)?;
         ring(&mut picture, [f64::from(side) / 2.0; 2], f64::from(side) / 16.0);
         Ok(Some(picture))

@@ -5,7 +5,8 @@ use crate::random::Random;
 use crease::normals::{Scratch, face_normals};
 use crease::num::LinearRgb;
 use crease::raster::{
-    Camera, Interpolation, Object, RenderSettings, Samples, Scene, Shading, Shape, Show, Triangles, render,
+    Camera, Interpolation, LinePath, LineStyle, Lines, Object, RenderSettings, Samples, Scene, Shading,
+    Shape, Show, Triangles, render,
 };
 use crease::shade::{Light, Material};
 use crease::surface::Sphere;
@@ -21,11 +22,7 @@ fn threads_change_no_byte() {
     let (first, second) = (bumpy(4, &mut random), bumpy(3, &mut random));
     let mut scene = scene(vec![first.object(), second.object()]);
     scene.objects[1].transform = DMat4::from_translation(DVec3::new(0.4, 0.1, 0.3));
-    scene.lines.push(crease::raster::Lines {
-        points: vec![DVec3::new(-1.0, -1.0, 0.5), DVec3::new(1.0, 0.8, -0.5)],
-        segments: vec![[0, 1]],
-        ..Default::default()
-    });
+    scene.lines.push(line(DVec3::new(-1.0, -1.0, 0.5), DVec3::new(1.0, 0.8, -0.5)));
     for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong, Shading::Wireframe] {
         let settings = RenderSettings { shading, samples: Samples::Four, ..linear([300, 200]) };
         let draw = |threads| with_threads(threads, || render(&scene, &settings).unwrap());
@@ -204,6 +201,12 @@ fn two_sided_lights_the_side_that_is_seen() {
     }
 }
 
+/// One line between two points.
+fn line(a: DVec3, b: DVec3) -> Lines {
+    let path = LinePath::Points { points: vec![a, b], segments: vec![[0, 1]] };
+    Lines { path, style: LineStyle::default() }
+}
+
 /// Hidden lines are hidden, and lines in a surface are not.
 #[test]
 fn hidden_lines_are_removed() {
@@ -212,7 +215,10 @@ fn hidden_lines_are_removed() {
         let mut settings = RenderSettings { shading: Shading::Wireframe, ..linear([200, 200]) };
         settings.wire.hide = hide;
         let image = render(&scene(vec![ball.object()]), &settings).unwrap();
-        image.linear.unwrap().iter().filter(|colour| colour[0] > 0.0).count() as f64
+        let shown = image.linear.unwrap().iter().filter(|colour| colour[0] > 0.0).count();
+        // Pixels of edges, not of the faces that hide some.
+        assert_eq!(image.statistics.covered_pixels, shown as u64);
+        shown as f64
     };
     let (hidden, all) = (draw(true), draw(false));
     // Front and back have as many edges; where they cross the same pixels they count once.
@@ -223,11 +229,9 @@ fn hidden_lines_are_removed() {
     );
     let mut scene = scene(vec![plate.object()]);
     let on_plate = |x: f64, y: f64| DVec3::new(x, y, x - 0.3 * y);
-    scene.lines.push(crease::raster::Lines {
-        points: vec![on_plate(-0.9, -0.3), on_plate(0.9, 0.4)],
-        segments: vec![[0, 1]],
-        style: crease::raster::LineStyle { colour: LinearRgb::new(0.0, 9.0, 0.0), ..Default::default() },
-    });
+    let (a, b) = (on_plate(-0.9, -0.3), on_plate(0.9, 0.4));
+    scene.lines.push(line(a, b));
+    scene.lines[0].style.colour = LinearRgb::new(0.0, 9.0, 0.0);
     let count = |scene: &Scene| {
         let image = render(scene, &linear([200, 200])).unwrap();
         image.linear.unwrap().iter().filter(|colour| **colour == [0.0, 9.0, 0.0]).count()
@@ -235,7 +239,8 @@ fn hidden_lines_are_removed() {
     let shown = count(&scene);
     scene.lines[0].style.hide = false;
     assert_eq!((shown, shown > 80), (count(&scene), true));
-    scene.lines[0].points.iter_mut().for_each(|point| point.z -= 0.2);
+    let behind = |point: DVec3| point - DVec3::Z * 0.2;
+    scene.lines[0].path = line(behind(a), behind(b)).path;
     scene.lines[0].style.hide = true;
     assert_eq!(count(&scene), 0);
 }

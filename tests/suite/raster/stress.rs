@@ -8,8 +8,8 @@ use crease::mesh::Faces;
 use crease::normals::{NormalRecipe, compute};
 use crease::num::LinearRgb;
 use crease::raster::{
-    Camera, CameraError, Interpolation, Object, Paint, RenderError, RenderSettings, Samples, Scene, Shading,
-    Shape, Triangles, default_lights, render,
+    Camera, CameraError, Interpolation, LinePath, LineStyle, Lines, Object, Paint, Projection, RenderError,
+    RenderSettings, Samples, Scene, Shading, Shape, Triangles, default_lights, render,
 };
 use crease::shade::{Light, Material};
 use glam::{DMat4, DVec3};
@@ -103,6 +103,31 @@ fn distance_beyond_single_precision_changes_no_light() {
     }
 }
 
+/// A parallel view of a spot on a face that is larger by any factor: the face covers all of it, and its corners, which are out
+/// of the range of fixed-point numbers, nothing else.
+#[test]
+fn a_view_far_smaller_than_the_face_is_covered() {
+    let plate = Model::polygon(
+        &[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[x, y]| DVec3::new(x, y, 0.0)),
+    );
+    // Beside the picture: out of sight, however far its corners are.
+    let aside = Object { transform: DMat4::from_translation(DVec3::new(5.0, 0.0, 0.0)), ..plate.object() };
+    for exponent in -30..=0 {
+        let height = libm::pow(10.0, f64::from(exponent));
+        let eye = DVec3::new(0.3, 0.2, 1.0);
+        let camera = Camera {
+            eye,
+            target: DVec3 { z: 0.0, ..eye },
+            projection: Projection::Orthographic(height),
+            near: 0.0,
+            ..scene(Vec::new()).camera
+        };
+        let scene = Scene { camera, ..scene(vec![aside.clone(), plate.object()]) };
+        let counts = render(&scene, &linear([40, 30])).unwrap().statistics;
+        assert_eq!(counts.covered_pixels, 1200, "{height:e}");
+    }
+}
+
 /// A floor far wider than the picture: clipped on all sides, and right to the pixel where the horizon is.
 #[test]
 fn a_floor_of_any_width_is_the_same_floor() {
@@ -160,8 +185,8 @@ fn bad_scenes_are_told_apart() {
     thin.shading = Shading::Wireframe;
     thin.wire.width = 0.0;
     fails(&good(), &thin, "width of lines");
-    let lines =
-        crease::raster::Lines { points: vec![DVec3::X], segments: vec![[0, 1]], ..Default::default() };
+    let path = LinePath::Points { points: vec![DVec3::X], segments: vec![[0, 1]] };
+    let lines = Lines { path, style: LineStyle::default() };
     fails(&with(&|s| s.lines.push(lines.clone())), &settings, "line 0 refers to point 1");
     let triangles = Triangles {
         positions: &[[0.0; 3]],

@@ -251,6 +251,9 @@ fn the_report_counts_pixels_and_triangles() {
     assert_eq!((&report["schema"], &report["status"]), (&"crease-render/1".into(), &"ok".into()));
     let drawing = &report["drawings"][0];
     assert_eq!(drawing["covered_pixels"], shown);
+    let edges = with(&args, &["--shading", "wireframe"]);
+    let shown = pixels_unlike(&picture(&edges), [255, 0, 255]);
+    assert_eq!(self::report(&edges)["drawings"][0]["covered_pixels"], shown);
     let count = |name: &str| drawing[name].as_u64().unwrap();
     // 1260 quads are 2520 triangles.
     assert_eq!(count("triangles_drawn") + count("triangles_culled"), 2520);
