@@ -249,6 +249,71 @@ fn exercise_1_6_23() {
     digits(explain(&[light], &blinn, &settings).sum[0], "0.933013");
 }
 
+/// What a corner of a given colour sends to the viewer: the exercises give colours, and a surface that answers white ambient
+/// light with one has it (F7).
+fn given(colour: [f64; 3]) -> LinearRgb {
+    let own = Material {
+        ambient: Reflectance::Merged(colour.into()),
+        diffuse: Reflectance::NONE,
+        specular: Reflectance::NONE,
+        ..Material::default()
+    };
+    explain(&[Light::Ambient { colour: WHITE }], &own, &viewer(0.0, 1.0)).sum.into()
+}
+
+/// I_a − (I_a − I_b) t (F19): along an edge, and along the scanline between two edges.
+fn along(a: LinearRgb, b: LinearRgb, t: f64) -> LinearRgb {
+    a * (1.0 - t) + b * t
+}
+
+#[test]
+fn exercise_1_6_24() {
+    let [p1, p2, p3] = [[1.0, 0.0, 0.8], [0.6, 0.4, 0.8], [0.2, 0.8, 0.0]].map(given);
+    // The figure is lost; a triangle that fits is (2, 1), (6, 5), (10, 1). Its scanline y = 3 cuts two edges in their middles,
+    // x = 4 and x = 8, and (6, 3) is the middle of the span.
+    let t = |from: f64, to: f64, at: f64| (at - from) / (to - from);
+    let (q, r) = (along(p1, p2, t(1.0, 5.0, 3.0)), along(p3, p2, t(1.0, 5.0, 3.0)));
+    all_digits(along(q, r, t(4.0, 8.0, 6.0)).to_array(), ["0.600000000", "0.400000000", "0.600000000"]);
+}
+
+/// The corners v1 to v4 of the diamond of exercise 1.6.25.
+const DIAMOND: [[f64; 3]; 4] = [[0.0, 0.4, 0.4], [0.0, 0.2, 0.2], [0.2, 0.6, 0.6], [0.4, 0.4, 0.0]];
+
+#[test]
+fn exercise_1_6_25_a_and_b() {
+    let [v1, v2, v3, v4] = DIAMOND.map(given);
+    // a, answer E: "flat" is the mean of the corners, in both positions.
+    all_digits(((v1 + v2 + v3 + v4) * 0.25).to_array(), ["0.150000000", "0.400000000", "0.300000000"]);
+    // b, answer C: the scanline through the centre meets v1 and v3, then v4 and v2.
+    all_digits(along(v1, v3, 0.5).to_array(), ["0.100000000", "0.500000000", "0.500000000"]);
+    all_digits(along(v4, v2, 0.5).to_array(), ["0.200000000", "0.300000000", "0.100000000"]);
+}
+
+/// Can the centre be (0.6, 0.8, 0.8)? Not from colours of corners, none of which is so bright; under Phong's shading it can
+/// (answer C), here by a highlight that all corners miss: they lean by 45°, where V·R = cos 90°.
+#[test]
+fn exercise_1_6_25_c() {
+    let lights = [Light::Ambient { colour: WHITE }, Light::Directional { towards: DVec3::Z, colour: WHITE }];
+    let settings = ShadeSettings { viewer: Viewer::Towards(DVec3::Z), ..ShadeSettings::default() };
+    let shade = |own: LinearRgb, normal: DVec3| {
+        let material = Material {
+            ambient: Reflectance::Merged(own),
+            diffuse: Reflectance::NONE,
+            specular: Reflectance::Merged(LinearRgb::new(0.5, 0.3, 0.3)),
+            exponent: 8.0,
+            reflection: Reflection::Phong,
+        };
+        lit(&lights, &material, &settings, DVec3::ZERO, normal.normalize())
+    };
+    let leaning = [DVec3::NEG_X, DVec3::NEG_Y, DVec3::X, DVec3::Y].map(|side| DVec3::Z + side);
+    for (colour, normal) in DIAMOND.into_iter().zip(leaning) {
+        all_digits(shade(colour.into(), normal), colour.map(|c| format!("{c:.9}")).each_ref().map(|c| &**c));
+    }
+    let middle = along(DIAMOND[0].into(), DIAMOND[2].into(), 0.5);
+    let normal = (leaning[0] + leaning[2]) * 0.5;
+    all_digits(shade(middle, normal), ["0.600000000", "0.800000000", "0.800000000"]);
+}
+
 #[test]
 fn exercise_1_6_29() {
     // A blue object in red light is black, exactly.
