@@ -1,6 +1,6 @@
 //! What is refused, where it stands and what to do about it.
 
-use crate::num::{Degrees, LinearRgb, Radians};
+use crate::num::{Degrees, LinearRgb, Radians, Real};
 use glam::DVec3;
 use std::fmt;
 
@@ -119,6 +119,16 @@ impl Check {
         let LinearRgb { r, g, b } = colour;
         let holds = colour.is_finite() && r >= 0.0 && g >= 0.0 && b >= 0.0;
         self.hold(holds, field, format!("({r}, {g}, {b})"), "of finite components, none of them negative")
+    }
+
+    /// Whether a colour, which has been found finite, is so in the precision of `R` too.
+    pub(super) fn in_range<R: Real>(self, field: &'static str, colour: LinearRgb) -> Result<(), ShadeError> {
+        // As they were typed: without exponent they have hundreds of digits.
+        let found = || format!("{:?}", colour.to_array());
+        match colour.largest() <= R::MAX.to_f64() {
+            true => Ok(()),
+            false => Err(self.text(field, found(), "in the range of numbers: 3.4e38 in single precision")),
+        }
     }
 
     pub(super) fn position(self, field: &'static str, position: DVec3) -> Result<(), ShadeError> {

@@ -1,7 +1,7 @@
 //! Materials: what a surface does with light.
 
 use super::error::{Check, ShadeError};
-use crate::num::LinearRgb;
+use crate::num::{LinearRgb, Real};
 
 /// How much of the light a surface returns, of one kind of reflection (F15).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -111,10 +111,22 @@ impl Material {
 
     /// Whether every number makes sense.
     pub(crate) fn check(&self) -> Result<(), ShadeError> {
-        self.ambient.check("ambient reflection")?;
-        self.diffuse.check("diffuse reflection")?;
-        self.specular.check("specular reflection")?;
+        self.reflectances().into_iter().try_for_each(|(field, reflectance)| reflectance.check(field))?;
         Check::material().not_negative("exponent", self.exponent)
+    }
+
+    /// Whether the precision of `R` has them.
+    pub(super) fn check_range<R: Real>(&self) -> Result<(), ShadeError> {
+        let merged = self.reflectances().map(|(field, reflectance)| (field, reflectance.merged()));
+        merged.into_iter().try_for_each(|(field, colour)| Check::material().in_range::<R>(field, colour))
+    }
+
+    fn reflectances(&self) -> [(&'static str, Reflectance); 3] {
+        [
+            ("ambient reflection", self.ambient),
+            ("diffuse reflection", self.diffuse),
+            ("specular reflection", self.specular),
+        ]
     }
 }
 
@@ -127,7 +139,8 @@ pub struct EnergyGain {
 
 impl std::fmt::Display for EnergyGain {
     fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-        write!(f, "the material reflects more light than it gets: k_d + k_s = {}", self.sum)
+        // With an exponent where there would be hundreds of digits.
+        write!(f, "the material reflects more light than it gets: k_d + k_s = {:?}", self.sum)
     }
 }
 

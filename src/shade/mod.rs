@@ -49,9 +49,9 @@
 //! | F23 | Gouraud depends on the triangulation (S3) | module `raster`: `raster::interpolation::triangles_depend_on_the_diagonal_instead` |
 //! | F24 | cost: wireframe, flat, Gouraud, Phong (S0 1.6.10) | `cargo bench --bench raster`, whose table is in the README |
 //! | F25 | out of range: clamp or divide by the largest (S0 1.6.17b) | [`ToneRule`] |
-//! | F26 | artefacts of interpolated shading (S0 1.5.2.3 and exercises) | module `artefact` |
-//! | F27 | Mach bands worse in Gouraud than in Phong (S0 table 1; false in general) | module `artefact` |
-//! | F28 | the eye is sensitive to the second derivative (S0 1.6.13) | module `artefact` |
+//! | F26 | artefacts of interpolated shading (S0 1.5.2.3 and exercises) | module `artefact`, an experiment each: `artefact::all_experiments_agree_with_their_checks_and_any_number_of_threads_writes_the_same` |
+//! | F27 | Mach bands worse in Gouraud than in Phong (S0 table 1; false in general) | `theory::bands::phong_is_worse_than_gouraud_beyond_70_degrees`; `crease artefact mach-bands` |
+//! | F28 | the eye is sensitive to the second derivative (S0 1.6.13) | jumps of the slope, which are what it sees: `theory::bands::steps_and_jumps_are_those_of_the_formulas`; `crease artefact mach-bands` |
 //! | F29 | Snell, Fresnel (S3) | [`refraction_angle`], [`refract`], [`fresnel`], [`brewster_angle`], [`critical_angle`] |
 
 mod area;

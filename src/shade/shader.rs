@@ -108,7 +108,7 @@ impl<R: Real> Shader<R> {
     /// # Errors
     /// Numbers that make no sense: what is infinite or NaN, directions of length 0, negative coefficients, colours,
     /// exponents and attenuations, cut-off angles that are no cone's, depth cueing without a viewer at a finite
-    /// distance, and lights or viewers too far from the scene for squares of distances.
+    /// distance, lights or viewers too far from the scene for squares of distances, and colours beyond the range of `R`.
     pub fn new(lights: &[Light], material: &Material, settings: &ShadeSettings) -> Result<Self, ShadeError> {
         Self::with(lights, material, settings, |term| !term.is_dark())
     }
@@ -121,6 +121,7 @@ impl<R: Real> Shader<R> {
         wanted: fn(&LightTerm<R>) -> bool,
     ) -> Result<Self, ShadeError> {
         material.check()?;
+        material.check_range::<R>()?;
         settings.check()?;
         let viewer = match settings.viewer {
             Viewer::At(eye) => View::From(in_frame(eye, &settings.frame, Check::settings(), "viewer")?),
@@ -130,6 +131,7 @@ impl<R: Real> Shader<R> {
         let mut terms = Vec::new();
         for (number, light) in lights.iter().enumerate() {
             light.check(number)?;
+            Check::light(number).in_range::<R>("colour", light.colour())?;
             match Source::new(light, number, &settings.frame, settings.guards)? {
                 None => ambient += light.colour() * material.ambient.merged(),
                 Some(source) => terms.push(LightTerm::new(number, source, light, material, settings)),

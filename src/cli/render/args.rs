@@ -10,7 +10,7 @@ use crease::normals::{Weight, When};
 use crease::num::{Degrees, LinearRgb, Transfer};
 use crease::raster::{Bits, Cull, FlatSample, Interpolation, Samples, Shading, Show};
 use crease::report::Overlay;
-use crease::shade::{Light, Material, ToneRule};
+use crease::shade::{Light, Material, Terminator, ToneRule};
 use glam::DVec3;
 use std::path::PathBuf;
 
@@ -36,7 +36,8 @@ Cameras, lights and materials are words KEY=VALUE between spaces, in quotes for 
               each with [colour=C], point and spot with
               [attenuation=none|inverse-square|inverse-square:RANGE|offset:K|KC,KL,KQ]
   --material  [colour=C] [ka=N] [kd=N] [ks=N] [highlight=C] [exponent=N]
-Colours are #rrggbb (sRGB), or linear light: R,G,B, or one number for a grey.";
+Colours are #rrggbb (sRGB), or linear light: R,G,B, or one number for a grey. Under --transfer direct, which writes light as
+it is, #808080 comes out as 55, for its light is 0.216; 0.502 comes out as 128.";
 
 /// Draw a mesh or a scene
 ///
@@ -221,6 +222,11 @@ pub struct ColourArgs {
     #[arg(long)]
     pub literal: bool,
 
+    /// What becomes of light on a face that turns away from it where its interpolated normals do not, under Phong's shading
+    /// [default: smooth]
+    #[arg(long, value_name = "HOW", value_parser = Choices(TERMINATORS))]
+    pub terminator: Option<Terminator>,
+
     /// What becomes of colours over 1 [default: clamp]
     #[arg(long, value_name = "RULE", value_parser = Choices(TONES))]
     pub tone: Option<ToneRule>,
@@ -311,6 +317,12 @@ pub const SAMPLES: &[Choice<Samples>] = &[
 
 pub const BITS: &[Choice<Bits>] =
     &[("8", Bits::Eight, "256 steps"), ("16", Bits::Sixteen, "65536 steps; PNG only")];
+
+pub const TERMINATORS: &[Choice<Terminator>] = &[
+    ("smooth", Terminator::Smooth, "it stays: only the interpolated normal counts"),
+    ("hard", Terminator::Hard, "it goes, as in the face's own shadow: along the edges of faces"),
+    ("soft", Terminator::Soft, "it goes gradually (Chiang, Li and Burley 2019)"),
+];
 
 pub const TONES: &[Choice<ToneRule>] = &[
     ("clamp", ToneRule::Clamp, "each component is clamped to 1"),

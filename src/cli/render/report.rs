@@ -11,12 +11,12 @@
 //! | `input` | `path` (`"-"`: standard input), `bytes` |
 //! | `output` | absent if none was made; else `path`, `format` (`"png"`, `"gif"`), `bytes`, `width`, `height` |
 //! | `scene` | `objects`, `meshes`, `vertices`, `faces` (counts, each mesh once), `lights` (their kinds), `camera` (`eye`, `target`, `up`, `near`, and `angle` in degrees or `height`) |
-//! | `settings` | `width`, `height`, `shading`, `interpolation`, `samples`, `bits`, `tone`, `transfer`, `guards` (by name) |
+//! | `settings` | `width`, `height`, `shading`, `interpolation`, `samples`, `bits`, `tone`, `transfer`, `guards` (by name), `terminator` |
 //! | `drawings` | one for each panel or frame: `name` (absent for a single picture), `covered_pixels`, `triangles_drawn`, `triangles_clipped`, `triangles_culled`, and `seconds`: `geometry`, `binning`, `tiles` |
 //! | `probe` | absent unless asked for; what the library's `PixelReport` has |
 //! | `seconds` | `load` (reading, normals), `draw` (with encoding, and storing an animation), `write`, `total` |
 
-use super::args::{BITS, INTERPOLATIONS, SHADINGS, TRANSFERS};
+use super::args::{BITS, INTERPOLATIONS, SHADINGS, TERMINATORS, TRANSFERS};
 use super::draw::{Drawing, Drawn};
 use super::request::{FileKind, Request};
 use crate::cli::choice::name_of;
@@ -108,6 +108,7 @@ pub struct SettingsReport {
     pub tone: &'static str,
     pub transfer: &'static str,
     pub guards: BTreeMap<&'static str, bool>,
+    pub terminator: &'static str,
 }
 
 #[derive(Debug, Serialize)]
@@ -225,6 +226,7 @@ impl SettingsReport {
             tone: settings.tone.name(),
             transfer: name_of(TRANSFERS, &settings.transfer),
             guards: Guards::NAMES.into_iter().zip(guards).collect(),
+            terminator: name_of(TERMINATORS, &settings.terminator),
         }
     }
 }

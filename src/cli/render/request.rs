@@ -202,6 +202,12 @@ impl<'a> Request<'a> {
                     Place::Settings => typed(scene.camera.is_some(), "--camera", &wrong),
                 }
             }
+            // Each for itself is in range, but not what comes of them together.
+            RenderError::NotFinite { error, .. } => typed(scene.material.is_some(), "--material", error)
+                .or_else(|| {
+                    typed(error.light.is_some_and(|n| n + scene.light.len() >= lights), "--light", error)
+                })
+                .or_else(|| typed(error.light.is_none() && scene.ambient.is_some(), "--ambient", error)),
             _ => None,
         }
     }
@@ -251,6 +257,7 @@ impl<'a> Request<'a> {
                 set.transfer = Transfer::Direct;
             }
         }
+        set.terminator = colour.terminator.unwrap_or(set.terminator);
         set.tone = colour.tone.unwrap_or(set.tone);
         set.transfer = colour.transfer.unwrap_or(set.transfer);
         if colour.literal {

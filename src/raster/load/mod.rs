@@ -50,8 +50,9 @@ pub struct LoadOptions {
 /// needed: `[[object]]` and one of `mesh`, `polygons`, `surface`. Where there is no camera all is framed by itself, where
 /// there is no light it is lit by [`default_lights`]. Angles are in degrees; faces and vertices are counted from 0.
 ///
-/// A colour is linear, `[r, g, b]` or one number for a grey, or `"#rrggbb"` as screens have it; `color` may be written for
-/// `colour`. A reflectance is a coefficient k that goes with the material's colour, K = k·O as a colour, or
+/// A colour is linear, `[r, g, b]` or one number for a grey, or `"#rrggbb"` as screens have it, which is made linear: with
+/// `transfer = "direct"`, which writes linear numbers as they are, `"#808080"` comes out as 55, and 0.502 as 128. `color` may be
+/// written for `colour`. A reflectance is a coefficient k that goes with the material's colour, K = k·O as a colour, or
 /// `{ k = …, colour = … }`. An attenuation is `"none"`, `"inverse-square"`, `{ inverse-square-within = range }`,
 /// `{ offset = k }` for 1/(d + k), or `{ quadratic = [kc, kl, kq] }`.
 ///
@@ -68,6 +69,7 @@ pub struct LoadOptions {
 /// | | `reflection` | as of materials, for objects that have none of their own |
 /// | | `literal` | `true` switches all guards off |
 /// | | `guards` | single ones on or off: `{ highlight = false }`; see [`Guards`](crate::shade::Guards) |
+/// | | `terminator` | `"smooth"`, `"hard"`, `"soft"`; see [`Terminator`](crate::shade::Terminator) |
 /// | | `depth-cue` | k of 1/(d + k), d the distance to the viewer |
 /// | | `tone` | `"clamp"`, `"max"` |
 /// | | `transfer` | `"srgb"`, `"direct"` |

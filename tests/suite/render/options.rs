@@ -35,6 +35,7 @@ const VALUES: &[(&str, &[&str])] = &[
     ("--weight", &["uniform", "area", "angle"]),
     ("--crease", &["off", "0"]),
     ("--guard", &["renormalise=off"]),
+    ("--terminator", &["smooth", "hard", "soft"]),
     ("--transfer", &["srgb", "direct"]),
     ("--compare", &["flat,gouraud,phong", "scanline,affine,perspective", "flat,wireframe"]),
 ];
@@ -73,6 +74,7 @@ fn defaults_are_what_help_says() {
         ("--rotate", "0,0,0"),
         ("--weight", "angle"),
         ("--when", "always"),
+        ("--terminator", "smooth"),
         ("--tone", "clamp"),
         ("--transfer", "srgb"),
         ("--guard", "highlight=on"),
@@ -263,5 +265,6 @@ fn the_report_counts_pixels_and_triangles() {
     assert_eq!(report["scene"]["lights"], serde_json::json!(["ambient", "directional"]));
     assert_eq!(report["scene"]["camera"]["angle"].as_f64().unwrap().round(), 30.0);
     assert_eq!(report["settings"]["guards"]["spot"], true);
+    assert_eq!(report["settings"]["terminator"], "smooth");
     assert!(report.get("output").is_none(), "nothing was written");
 }

@@ -58,6 +58,8 @@ fn recomputed_pixels_are_those_of_the_picture() {
         &["--shading", "phong", "--light", "point position=1,3,2 attenuation=offset:1"],
         &["--shading", "phong", "--samples", "16"],
         &["--literal", "--samples", "1"],
+        &["--terminator", "soft", "--light", "directional towards=1,0.2,0.1"],
+        &["--terminator", "hard", "--light", "directional towards=1,0.2,0.1"],
     ] {
         let args = with(&gear, more);
         let shown = picture(&args);

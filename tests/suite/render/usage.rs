@@ -35,6 +35,7 @@ const OPTIONS: &[(&str, &[&str])] = &[
     ("--when", &["always", "missing", "broken"]),
     ("--guard", &["highlight", "diffuse", "spot", "renormalise", "underflow"]),
     ("--literal", &[]),
+    ("--terminator", &["smooth", "hard", "soft"]),
     ("--tone", &["clamp", "max"]),
     ("--transfer", &["srgb", "direct"]),
     ("--threads", &[]),
@@ -208,6 +209,19 @@ fn values_that_a_scene_rejects_are_errors_of_usage() {
         (&["--light", "point position=0,0,1 attenuation=0,0,0"], &["--light", "kc + kl + kq"]),
         (&["--light", "point position=0,0,1e300"], &["--light: position"]),
         (&["--background", "1e300"], &["--background: "]),
+        (&["--material", "kd=1e300"], &["--material: diffuse reflection is [8e299, ", "single precision"]),
+        (&["--material", "highlight=1e39 ks=1"], &["--material: specular reflection is [1e39, "]),
+        (&["--light", "directional towards=0,0,1 colour=1e300"], &["--light: colour is [1e300, "]),
+        (&["--ambient", "1e300"], &["--ambient: colour is [1e300, "]),
+        (
+            &["--material", "kd=1e30", "--light", "directional towards=0,0,1 colour=1e30"],
+            &["--material: no finite"],
+        ),
+        (
+            &["--light", "point position=0,0,0.01 colour=1e38 attenuation=inverse-square"],
+            &["--light: no finite"],
+        ),
+        (&["--material", "colour=1 ka=1e20 kd=0 ks=0", "--ambient", "1e20"], &["--material: no finite"]),
         (&["--probe", "641,0"], &["--probe 641,0", "640x480", "639,479"]),
         (&["--probe", "3,4", "--shading", "wireframe"], &["--probe", "a wireframe has none"]),
         (&["--compare", "flat,phong", "--size", "16384x16384"], &["--compare", "1 to 16384"]),
@@ -221,7 +235,7 @@ fn values_that_a_scene_rejects_are_errors_of_usage() {
             message.starts_with("error: ") && !message.lines().next().unwrap().contains("good.obj:"),
             "{more:?}: {message}"
         );
-        assert!(!message.contains("object 1"), "{more:?}: {message}");
+        assert!(!message.lines().next().unwrap().contains("object 1"), "{more:?}: {message}");
         for piece in *expected {
             assert!(message.contains(piece), "{more:?}: no {piece:?} in {message}");
         }

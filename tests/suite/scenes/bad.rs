@@ -46,6 +46,10 @@ fn every_fault_is_told_with_its_line_and_key() {
         ("[settings]\nbits = 12\n", &["line 4: `settings.bits`", "8 or 16"]),
         ("[settings]\nshading = \"toon\"\n", &["line 4: `settings.shading`", "toon", "flat, gouraud, phong"]),
         ("[settings]\ninterpolation = \"cubic\"\n", &["line 4: `settings.interpolation`"]),
+        (
+            "[settings]\nterminator = \"kind\"\n",
+            &["line 4: `settings.terminator`", "kind", "smooth, hard, soft"],
+        ),
         ("[settings]\ntone = \"filmic\"\n", &["line 4: `settings.tone`", "clamp, max"]),
         ("[settings]\ntransfer = \"gamma\"\n", &["line 4: `settings.transfer`"]),
         ("[settings]\nguards = { lowlight = true }\n", &["line 4: `settings.guards.lowlight`", "highlight"]),

@@ -37,6 +37,7 @@ pub(super) struct SettingsKeys {
     pub(super) literal: Option<bool>,
     #[serde(default)]
     pub(super) guards: BTreeMap<Spanned<String>, bool>,
+    pub(super) terminator: Option<Spanned<String>>,
     pub(super) depth_cue: Option<Spanned<Number>>,
     pub(super) tone: Option<Spanned<String>>,
     pub(super) transfer: Option<Spanned<String>>,

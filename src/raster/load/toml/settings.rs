@@ -12,7 +12,7 @@ use crate::raster::{
     Bits, Camera, CameraError, Cull, FlatSample, Interpolation, LineStyle, Projection, RenderSettings,
     Samples, Shading,
 };
-use crate::shade::{DepthCue, Guards, ToneRule};
+use crate::shade::{DepthCue, Guards, Terminator, ToneRule};
 use glam::DVec3;
 use toml::Spanned;
 
@@ -67,6 +67,11 @@ pub(super) fn apply(
     settings.two_sided = keys.two_sided.unwrap_or(settings.two_sided);
     settings.infinite_viewer = keys.infinite_viewer.unwrap_or(settings.infinite_viewer);
     settings.guards = guards(source, keys)?;
+    if let Some(name) = &keys.terminator {
+        let choices =
+            [("smooth", Terminator::Smooth), ("hard", Terminator::Hard), ("soft", Terminator::Soft)];
+        settings.terminator = choose(source, name, &choices)?;
+    }
     if let Some(k) = &keys.depth_cue {
         let Number(k) = *not_negative(source, k, "the depth cue's k")?;
         settings.depth_cue = Some(DepthCue { k });
