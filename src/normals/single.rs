@@ -9,10 +9,13 @@ use super::groups::Members;
 use super::sums::{SlotState, Sums};
 use super::{FaceNormals, FaceState, Weight};
 use crate::mesh::{FacesRef, Topology};
+use crate::num::corner_angle;
 use glam::{DVec3, Vec3};
+use rayon::prelude::*;
+use std::f32::consts::TAU;
 
-/// Shortest and longest edge, in units of the caller.
-const EDGES: std::ops::RangeInclusive<f32> = 1e-6..=1e6;
+/// Squares of the shortest and the longest edge: 1e-6 and 1e6, in units of the caller.
+const SQUARED_EDGES: std::ops::RangeInclusive<f32> = 1e-12..=1e12;
 /// Least height of a face, as a share of its longest edge.
 const LEAST_HEIGHT: f32 = 1e-3;
 /// Most faces in one sum.
@@ -26,71 +29,75 @@ const LEAST_RELATIVE_HEIGHT: f32 = 4.0 * f32::EPSILON;
 pub(crate) struct Single<'a> {
     faces: FacesRef<'a>,
     positions: Vec<Vec3>,
-    normals: Vec<Vec3>,
-    /// Twice the area of each face.
-    areas: Vec<f32>,
+    shapes: Vec<Shape>,
+}
+
+/// A face: its unit normal, and twice its area.
+#[derive(Clone, Copy, Default)]
+struct Shape {
+    normal: Vec3,
+    area: f32,
+}
+
+/// What has been added up for a slot.
+#[derive(Clone, Copy, Default)]
+struct Total {
+    sum: Vec3,
+    weights: f32,
+    count: u32,
 }
 
 impl<'a> Single<'a> {
     /// Rounds positions and computes face normals; `None` if anything is out of range.
     pub(crate) fn new(faces: FacesRef<'a>, positions: &[DVec3]) -> Option<Self> {
-        let positions: Vec<Vec3> = positions.iter().map(|p| p.as_vec3()).collect();
-        let (mut normals, mut areas) = (Vec::with_capacity(faces.len()), Vec::with_capacity(faces.len()));
-        for face in 0..faces.len() {
-            let corners = faces.face(face);
-            let points = || corners.iter().map(|&v| positions[v as usize]);
-            let origin = positions[corners[0] as usize];
-            // Twice the area vector, relative to the first corner.
-            let fan = corners[1..].windows(2).map(|pair| {
-                let [a, b] = [0, 1].map(|i| positions[pair[i] as usize] - origin);
-                a.cross(b)
-            });
-            let vector: Vec3 = fan.sum();
-            let area = vector.length();
-            let edges = points().zip(points().cycle().skip(1)).map(|(a, b)| a.distance(b));
-            let (shortest, longest) =
-                edges.fold((f32::INFINITY, 0.0f32), |(low, high), edge| (low.min(edge), high.max(edge)));
-            let largest = points().map(|p| p.abs().max_element()).fold(0.0, f32::max);
-            let height = area / longest;
-            let in_range = EDGES.contains(&shortest)
-                && EDGES.contains(&longest)
-                && height >= LEAST_HEIGHT * longest
-                && height >= LEAST_RELATIVE_HEIGHT * largest;
-            if !in_range {
-                return None;
-            }
-            normals.push(vector / area);
-            areas.push(area);
-        }
-        Some(Self { faces, positions, normals, areas })
+        let positions: Vec<Vec3> = positions.par_iter().map(|p| p.as_vec3()).collect();
+        let mut shapes = vec![Shape::default(); faces.len()];
+        let shape = |(face, out): (usize, &mut Shape)| -> Option<()> {
+            *out = Shape::new(faces.face(face), &positions)?;
+            Some(())
+        };
+        shapes.par_iter_mut().enumerate().with_min_len(TASK).try_for_each(shape)?;
+        Some(Self { faces, positions, shapes })
     }
 
     /// The face normals, as the rest of the way wants them.
     pub(crate) fn face_normals(&self) -> FaceNormals {
         FaceNormals {
-            unit: self.normals.iter().map(|normal| normal.as_dvec3().normalize()).collect(),
-            state: vec![FaceState::Counted; self.normals.len()],
+            unit: self.shapes.par_iter().map(|shape| widened(shape.normal)).collect(),
+            state: vec![FaceState::Counted; self.shapes.len()],
         }
     }
 
-    /// The weight of one corner of a face.
+    /// The weight of one corner.
     fn weight(&self, weight: Weight, face: usize, corner: usize) -> f32 {
-        let corners = self.faces.face(face);
-        let count = corners.len();
-        let at = |i: usize| self.positions[corners[i % count] as usize];
-        let (e1, e2) = (at(corner + 1) - at(corner), at(corner + count - 1) - at(corner));
-        let cross = e1.cross(e2);
+        let Shape { normal, area } = self.shapes[face];
+        let edges = || {
+            let corners = self.faces.face(face);
+            let (count, place) = (corners.len(), corner - self.faces.start(face));
+            let at = |place: usize| self.positions[corners[place] as usize];
+            let next = if place + 1 < count { place + 1 } else { 0 };
+            let before = if place > 0 { place - 1 } else { count - 1 };
+            let (e1, e2) = (at(next) - at(place), at(before) - at(place));
+            [e1, e2, e1.cross(e2)]
+        };
         let angle = || {
-            let angle = libm::atan2f(cross.length(), e1.dot(e2));
-            if cross.dot(self.normals[face]) < 0.0 { std::f32::consts::TAU - angle } else { angle }
+            let [e1, e2, cross] = edges();
+            let angle = corner_angle(cross.length().into(), e1.dot(e2).into()) as f32;
+            if cross.dot(normal) < 0.0 { TAU - angle } else { angle }
         };
         match weight {
             Weight::Uniform => 1.0,
-            Weight::Area => self.areas[face],
+            Weight::Area => area,
             Weight::Angle | Weight::Quadric => angle(),
-            Weight::AngleArea => angle() * self.areas[face],
-            Weight::Max => cross.length() / e1.length_squared() / e2.length_squared(),
-            Weight::Edge => 1.0 / (e1.length() * e2.length()),
+            Weight::AngleArea => angle() * area,
+            Weight::Max => {
+                let [e1, e2, cross] = edges();
+                cross.length() / e1.length_squared() / e2.length_squared()
+            }
+            Weight::Edge => {
+                let [e1, e2, _] = edges();
+                1.0 / (e1.length() * e2.length())
+            }
         }
     }
 
@@ -103,49 +110,83 @@ impl<'a> Single<'a> {
         members: Option<&Members>,
         topology: &Topology,
     ) -> Option<Sums> {
-        let mut totals = vec![(Vec3::ZERO, 0.0f32, 0u32); slots];
-        let mut add = |slot: u32, face: usize, weight: f32| {
-            let (sum, weights, count) = &mut totals[slot as usize];
-            *sum += self.normals[face] * weight;
-            *weights += weight;
-            *count += 1;
+        let face_of = |corner: usize| topology.face_of(corner as u32) as usize;
+        let of_corner = |corner: usize| self.weight(weight, face_of(corner), corner);
+        let weights: Vec<f32> = (0..target.len()).into_par_iter().map(of_corner).collect();
+        let mut totals = vec![Total::default(); slots];
+        let mut add = |slot: u32, corner: usize| {
+            totals[slot as usize].add(self.shapes[face_of(corner)].normal, weights[corner]);
         };
         match members {
-            None => {
-                for face in 0..self.faces.len() {
-                    for (i, corner) in self.faces.range(face).enumerate() {
-                        add(target[corner], face, self.weight(weight, face, i));
-                    }
-                }
-            }
-            Some(members) => {
-                for slot in 0..slots as u32 {
-                    for &corner in members.row(slot) {
-                        let face = topology.face_of(corner) as usize;
-                        let weight = self.weight(weight, face, corner as usize - self.faces.start(face));
-                        add(slot, face, weight);
-                    }
-                }
-            }
+            None => target.iter().enumerate().for_each(|(corner, &slot)| add(slot, corner)),
+            Some(members) => (0..slots as u32).for_each(|slot| {
+                members.row(slot).iter().for_each(|&corner| add(slot, corner as usize));
+            }),
         }
-        let mut sums = Sums { unit: Vec::with_capacity(slots), state: Vec::with_capacity(slots) };
-        for (sum, weights, count) in totals {
-            if count == 0 {
-                // A slot that stands for no group of its own.
-                sums.unit.push(DVec3::Z);
-                sums.state.push(SlotState::Good);
-                continue;
-            }
-            let length = sum.length();
-            let in_range = count <= MOST_FACES && weights.is_normal() && length >= LEAST_SUM * weights;
-            if !in_range {
-                return None;
-            }
-            sums.unit.push((sum / length).as_dvec3().normalize());
-            sums.state.push(SlotState::Good);
-        }
-        Some(sums)
+        let unit = totals
+            .par_iter()
+            .all(Total::is_in_range)
+            .then(|| totals.par_iter().map(Total::unit).collect())?;
+        Some(Sums { unit, state: vec![SlotState::Good; slots] })
     }
+}
+
+/// Faces that one task looks at.
+const TASK: usize = 1024;
+
+impl Shape {
+    /// `None` if the face is out of range. Without roots but one: what is compared is squared.
+    #[inline(always)]
+    fn new(corners: &[u32], positions: &[Vec3]) -> Option<Self> {
+        let at = |vertex: &u32| positions[*vertex as usize];
+        let (first, mut before) = (at(corners.first()?), at(corners.last()?));
+        let (mut vector, mut largest) = (Vec3::ZERO, 0.0_f32);
+        let (mut shortest, mut longest) = (f32::INFINITY, 0.0_f32);
+        for here in corners.iter().map(at) {
+            // Twice the area vector, relative to the first corner.
+            vector += (before - first).cross(here - first);
+            let squared = before.distance_squared(here);
+            (shortest, longest) = (shortest.min(squared), longest.max(squared));
+            largest = largest.max(here.abs().max_element());
+            before = here;
+        }
+        let squared = vector.length_squared();
+        let (least, relative) = (LEAST_HEIGHT * longest, LEAST_RELATIVE_HEIGHT * largest);
+        let in_range = SQUARED_EDGES.contains(&shortest)
+            && SQUARED_EDGES.contains(&longest)
+            && squared >= least * least
+            && squared >= relative * relative * longest;
+        let area = squared.sqrt();
+        in_range.then(|| Self { normal: vector / area, area })
+    }
+}
+
+impl Total {
+    #[inline(always)]
+    fn add(&mut self, normal: Vec3, weight: f32) {
+        self.sum += normal * weight;
+        self.weights += weight;
+        self.count += 1;
+    }
+
+    /// A slot without faces stands for no group of its own.
+    fn is_in_range(&self) -> bool {
+        let Self { sum, weights, count } = *self;
+        count == 0 || count <= MOST_FACES && weights.is_normal() && sum.length() >= LEAST_SUM * weights
+    }
+
+    fn unit(&self) -> DVec3 {
+        if self.count == 0 { DVec3::Z } else { widened(self.sum / self.sum.length()) }
+    }
+}
+
+/// A vector of length 1 but for the rounding of single precision, made unit in doubles. The square is off by e < 10⁻⁶, so three
+/// terms of the series of 1/√(1 + e) leave 10⁻¹⁸.
+#[inline(always)]
+fn widened(normal: Vec3) -> DVec3 {
+    let normal = normal.as_dvec3();
+    let e = normal.length_squared() - 1.0;
+    normal * (1.0 - e * (0.5 - 0.375 * e))
 }
 
 #[cfg(test)]
@@ -175,6 +216,16 @@ mod tests {
             let off = faithful.normals.values.iter().zip(&fast.normals.values);
             let worst = off.map(|(a, b)| libm::atan2(a.cross(*b).length(), a.dot(*b))).fold(0.0, f64::max);
             assert!(worst > 0.0 && worst < 3e-5, "{weight:?}: {worst:e}");
+        }
+    }
+
+    #[test]
+    fn normals_are_unit_in_doubles() {
+        let recipe = NormalRecipe { precision: Precision::Fast, ..NormalRecipe::default() };
+        let field = compute(&mesh(1.0, 1.0), &recipe);
+        for normal in field.face_normals.iter().chain(&field.normals.values) {
+            // Three roundings of the squared length, one of the factor and one of each component.
+            assert!((normal.length() - 1.0).abs() <= 4.0 * f64::EPSILON, "{normal}");
         }
     }
 
