@@ -1,7 +1,9 @@
 //! What this crate's own approximations cost and save.
 
 use super::timing::{Candidate, fewest_seconds};
-use crate::num::{Power, Real, Underflow, corner_angle};
+use crate::num::{LinearRgb, Power, Real, Underflow, corner_angle};
+use crate::shade::{Attenuation, Light, Material, ShadeError, ShadeSettings, Shader, SurfacePoint, Viewer};
+use glam::DVec3;
 use serde::Serialize;
 use std::f64::consts::PI;
 use std::hint::black_box;
@@ -34,18 +36,20 @@ struct Trial<'a> {
 }
 
 /// Angles of corners without an arc tangent; powers for highlights without a logarithm of the platform, in double and in
-/// single precision.
+/// single precision; and light on points in single precision, as pictures have it, beside double.
 pub fn approximation_rows() -> Vec<ApproximationRow> {
     let shares: Vec<f64> = (1..=COUNT).map(|k| k as f64 / COUNT as f64).collect();
     let corners: Vec<[f64; 2]> =
         shares.iter().map(|share| libm::sincos(PI * share)).map(<[f64; 2]>::from).collect();
     let cosines: Vec<f32> = shares.iter().map(|&share| share as f32).collect();
     let doubles: Vec<f64> = cosines.iter().map(|&share| f64::from(share)).collect();
+    let points = points();
     let mut trials = vec![angle(&corners)];
     for exponent in [10.0, 50.0, 200.0, 1000.0] {
         trials.push(power::<f64>("f64", exponent, &doubles, &doubles));
         trials.push(power::<f32>("f32", exponent, &cosines, &doubles));
     }
+    trials.extend(light(&points).ok());
     let (mut rows, mut candidates) = (Vec::new(), Vec::new());
     for Trial { what, error, unit, approximate, exact } in trials {
         rows.push(ApproximationRow { what, error, unit, ns: 0.0, exact_ns: 0.0 });
@@ -98,6 +102,47 @@ fn power<'a, R: Real + Send + Sync>(
     }
 }
 
+/// Points of a unit ball on a spiral, as single precision has them, with their normals.
+fn points() -> Vec<SurfacePoint<f32>> {
+    // The golden angle: turns that never meet.
+    let turn = PI * (3.0 - 5.0_f64.sqrt());
+    let point = |k: usize| {
+        let height = 1.0 - (2 * k + 1) as f64 / COUNT as f64;
+        let (sine, cosine) = libm::sincos(turn * k as f64);
+        let radius = (1.0 - height * height).sqrt();
+        let place = DVec3::new(radius * cosine, radius * sine, height).as_vec3().to_array();
+        SurfacePoint { position: place, normal: place }
+    };
+    (0..COUNT).map(point).collect()
+}
+
+/// A lamp and a viewer near by, Blinn's highlight with n = 32.
+fn light(points: &[SurfacePoint<f32>]) -> Result<Trial<'_>, ShadeError> {
+    let lamp = Light::Point {
+        position: DVec3::new(2.0, 3.0, 4.0),
+        colour: LinearRgb::WHITE,
+        attenuation: Attenuation::None,
+    };
+    let settings =
+        ShadeSettings { viewer: Viewer::At(DVec3::new(0.0, 0.0, 5.0)), ..ShadeSettings::default() };
+    let single = Shader::<f32>::new(&[lamp], &Material::default(), &settings)?;
+    let double = Shader::<f64>::new(&[lamp], &Material::default(), &settings)?;
+    let grey = |colour: Result<[f64; 3], _>| colour.map_or(f64::NAN, |colour: [f64; 3]| colour[0]);
+    let lit = move |point: SurfacePoint<f32>| grey(single.shade(&point).map(|c| c.map(f64::from)));
+    let truly = move |SurfacePoint { position, normal }: SurfacePoint<f32>| {
+        let [position, normal] = [position, normal].map(|v| v.map(f64::from));
+        grey(double.shade(&SurfacePoint { position, normal }))
+    };
+    let error = points.iter().map(|&point| 255.0 * (lit(point) - truly(point)).abs());
+    Ok(Trial {
+        what: "light on a point in f32".into(),
+        error: error.fold(0.0, f64::max),
+        unit: "1/255",
+        approximate: Box::new(move || sum(points, &lit)),
+        exact: Box::new(move || sum(points, &truly)),
+    })
+}
+
 /// Uses every result, so that none is left out.
 fn sum<T: Copy>(arguments: &[T], of: impl Fn(T) -> f64) {
     black_box(arguments.iter().map(|&argument| of(argument)).sum::<f64>());
@@ -113,6 +158,8 @@ mod tests {
             let bound = match (row.unit, row.what.as_str()) {
                 // 2 ulp of the polynomial and 1 of libm.
                 ("ulp", _) => 3.0,
+                // Some six roundings of N·H, 32 times over in its power, of which two tenths count, and a few more of N·L.
+                (_, what) if what.starts_with("light") => 255.0 * 60.0 * 6e-8,
                 // At most n·u relative up to n = 128, where xⁿ ≤ 1; beyond, 4 u. u = 6e-8 in single precision; libm's own
                 // error is far below.
                 (_, what) if what.ends_with("f32") && !what.contains("00") => 255.0 * 50.0 * 6e-8,

@@ -183,7 +183,8 @@ pub fn encoding_table(rows: &[EncodingRow], timed: bool) -> Table {
 
 /// Ways to shade with one kind of highlight: rms error in steps of 1/255 and the share of pixels over half a step.
 pub fn shading_table(rows: &[ShadingRow], reflection: &str) -> Table {
-    const WAYS: [(&str, Option<&str>); 7] = [
+    const WAYS: [(&str, Option<&str>); 8] = [
+        ("wireframe", None),
         ("flat", None),
         ("gouraud", Some("scanline")),
         ("gouraud", Some("affine")),
@@ -200,6 +201,7 @@ pub fn shading_table(rows: &[ShadingRow], reflection: &str) -> Table {
         "surface",
         "mesh",
         "faces",
+        "wireframe",
         "flat",
         "gouraud scanline",
         "affine",
@@ -224,7 +226,7 @@ pub fn shading_table(rows: &[ShadingRow], reflection: &str) -> Table {
                 format!("{} ({:.0} %)", three_digits(row.error.linear.rms), 100.0 * row.error.linear.over)
             })
         };
-        let phong = find(WAYS[6]).map(|row| row.error);
+        let phong = find(WAYS[7]).map(|row| row.error);
         let last = phong.map_or([NONE; 3].map(str::to_owned), |error| {
             let covered = format!("{:.2} %", 100.0 * error.disagreement);
             [covered, three_digits(error.luminance.rms), three_digits(error.linear.max)]
@@ -238,8 +240,9 @@ pub fn shading_table(rows: &[ShadingRow], reflection: &str) -> Table {
 
 /// The crate's own approximations.
 pub fn approximation_table(trade: &Trade) -> Table {
-    let columns = ["approximation", "largest error", "unit", "ns", "ns of libm"];
-    let mut table = Table::new("Approximations of this crate beside libm", &columns);
+    let columns = ["approximation", "largest error", "unit", "ns", "ns exactly"];
+    let mut table =
+        Table::new("Approximations of this crate beside libm, and single precision beside double", &columns);
     for row in &trade.approximations {
         table.push([
             row.what.clone(),

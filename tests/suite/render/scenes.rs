@@ -83,6 +83,17 @@ fn panels_compare_shading_with_the_exact_surface() {
     assert!(covered[3] > covered[0], "the sphere is larger than the mesh within: {covered:?}");
 }
 
+/// What lies beside a scene's folder is read if `--root` says so.
+#[test]
+fn meshes_elsewhere_need_a_root() {
+    let text = "[settings]\nsize = [40, 40]\n[[object]]\nmesh = \"../square.obj\"\n";
+    let folder = folder(&[("scenes/a.toml", text), ("square.obj", super::SQUARE)]);
+    let scene = path(folder.path().join("scenes/a.toml"));
+    let refused = report(&[scene.as_str()]);
+    assert!(refused["error"]["message"].as_str().unwrap().contains("--root"), "{refused}");
+    assert_eq!(report(&[scene.as_str(), "--root", &path(folder.path())])["scene"]["faces"], 1);
+}
+
 /// A scene's meshes come from its folder.
 #[test]
 fn meshes_of_a_scene_lie_beside_it() {
