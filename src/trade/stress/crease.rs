@@ -95,7 +95,7 @@ fn counted_case(decimals: usize) -> StressCase {
         measure: Box::new(move || {
             let (mut measured, mut wrong, mut plain) = (Measured::default(), 0, 0);
             for_each_prism(Stored::Text { decimals }, |prism| {
-                let truly = prism.edges().filter(|&edge| prism.is_truly_near(edge, decimals)).count();
+                let truly = prism.truly_near(decimals);
                 let counted = prism.field(Precision::Faithful).summary.near_crease;
                 measured.samples += prism.sides;
                 wrong += counted.abs_diff(truly) + truly.abs_diff(prism.sides);
@@ -163,7 +163,7 @@ impl Prism {
 
     /// Whether an edge is between two sides.
     fn is_side(&self, edge: [u32; 2]) -> bool {
-        edge.iter().all(|&half_edge| (self.topology.face_of(half_edge) as usize) < self.sides)
+        self.faces_at(edge).into_iter().all(|face| face < self.sides)
     }
 
     /// Whether the normals on the two sides of an edge are others.
@@ -176,27 +176,34 @@ impl Prism {
         slot(half_edge) != slot(next(across)) || slot(next(half_edge)) != slot(across)
     }
 
-    /// The corners of the two faces at an edge.
-    fn faces_at(&self, edge: [u32; 2]) -> [Vec<DVec3>; 2] {
-        edge.map(|half_edge| {
-            let face = self.mesh.faces().face(self.topology.face_of(half_edge) as usize);
-            face.iter().map(|&vertex| self.mesh.positions()[vertex as usize]).collect()
-        })
+    /// The two faces at an edge.
+    fn faces_at(&self, edge: [u32; 2]) -> [usize; 2] {
+        edge.map(|half_edge| self.topology.face_of(half_edge) as usize)
+    }
+
+    /// Where the corners of a face are.
+    fn corners(&self, face: usize) -> Vec<DVec3> {
+        self.mesh.faces().face(face).iter().map(|&vertex| self.mesh.positions()[vertex as usize]).collect()
     }
 
     /// The angle between the stored faces at an edge.
     fn true_angle(&self, edge: [u32; 2]) -> Big {
-        let [a, b] = self.faces_at(edge);
+        let [a, b] = self.faces_at(edge).map(|face| self.corners(face));
         exact::dihedral(&a, &b).expect("faces with an area")
     }
 
-    /// Whether the stored faces at an edge may have been at the crease angle before they were rounded, or are near it.
-    fn is_truly_near(&self, edge: [u32; 2], decimals: usize) -> bool {
+    /// At how many edges the stored faces may have been at the crease angle before they were rounded, or are near it.
+    fn truly_near(&self, decimals: usize) -> usize {
         let unit = big(1.0) / big(libm::exp10(decimals as f64));
         let moved = big(3.0).sqrt() * big(0.5) * unit;
-        let [a, b] = self.faces_at(edge).map(|face| exact::turn(&face, &moved));
-        let off = (self.true_angle(edge) - exact::radians(self.angle())).abs();
-        off <= (a + b).max(exact::radians(NEAR))
+        let faces = 0..self.mesh.face_count();
+        let turns: Vec<Big> = faces.map(|face| exact::turn(&self.corners(face), &moved)).collect();
+        let (angle, near) = (exact::radians(self.angle()), exact::radians(NEAR));
+        let is_near = |&edge: &[u32; 2]| {
+            let [a, b] = self.faces_at(edge).map(|face| &turns[face]);
+            (self.true_angle(edge) - &angle).abs() <= (a + b).max(near.clone())
+        };
+        self.edges().filter(is_near).count()
     }
 
     fn plain_normals(&self) -> Vec<Vec3> {
