@@ -141,12 +141,13 @@ fn faces_around_and_behind_the_eye_are_clipped() {
     assert!(inside["drawings"][0]["triangles_clipped"].as_u64().unwrap() > 0, "{inside}");
 }
 
-/// The most memory that drawing a square takes at this size, in bytes.
-fn peak(file: &str, size: &str) -> u64 {
-    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_crease"));
-    let folder = tempfile::tempdir().unwrap();
-    let out = path(folder.path().join("out.png"));
-    let mut child = command.args(["render", file, "--size", size, "-q", "-o", &out]).spawn().unwrap();
+/// The most memory that a run of the program takes, in bytes; `None` where that cannot be read.
+fn peak(args: &[&str]) -> Option<u64> {
+    if !std::path::Path::new("/proc/self/status").exists() {
+        println!("skipped: peak memory is read from /proc");
+        return None;
+    }
+    let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_crease")).args(args).spawn().unwrap();
     let status = format!("/proc/{}/status", child.id());
     let mut peak = 0;
     // The kernel's mark only rises: what counts is to look often while the program runs.
@@ -156,22 +157,53 @@ fn peak(file: &str, size: &str) -> u64 {
         peak = mark.and_then(|mark| mark.parse::<u64>().ok()).unwrap_or(peak).max(peak);
         std::thread::sleep(std::time::Duration::from_millis(1));
     }
-    assert!(child.wait().unwrap().success());
-    peak << 10
+    assert!(child.wait().unwrap().success(), "{args:?}");
+    Some(peak << 10)
 }
+
+const MIB: u64 = 1 << 20;
 
 /// 8 bytes a pixel and 64 MiB beside what a small picture takes.
 #[test]
 fn memory_grows_by_few_bytes_a_pixel() {
-    if !std::path::Path::new("/proc/self/status").exists() {
-        println!("skipped: peak memory is read from /proc");
-        return;
-    }
-    let (_folder, square) = square();
-    let (small, large) = (peak(&square, "64x64"), peak(&square, "6000x6000"));
+    let (folder, square) = square();
+    let out = path(folder.path().join("out.png"));
+    let drawing = |size: &str| peak(&["render", &square, "--size", size, "-q", "-o", &out]);
+    let (Some(small), Some(large)) = (drawing("64x64"), drawing("6000x6000")) else { return };
     let grown = large.saturating_sub(small);
     let pixels = 36_000_000;
-    assert!(grown < 8 * pixels + (64 << 20), "{} MiB more", grown >> 20);
+    assert!(grown < 8 * pixels + 64 * MIB, "{} MiB more", grown / MIB);
     // That the mark was read at all: the colours alone are 3 bytes a pixel.
-    assert!(grown > 3 * pixels, "{} MiB more", grown >> 20);
+    assert!(grown > 3 * pixels, "{} MiB more", grown / MIB);
+}
+
+/// What drawing may take over what normals take, without the 64 MiB that it may take for itself.
+#[test]
+fn overlays_keep_to_the_memory_of_a_drawing() {
+    let folder = folder(&[]);
+    let [torus, out] = ["torus.ply", "out.png"].map(|name| path(folder.path().join(name)));
+    if peak(&["surface", "torus", "--segments", "300x200", "-q", "-o", &torus]).is_none() {
+        return;
+    }
+    let normals = peak(&["normals", &torus, "-q", "--dry-run"]).unwrap();
+    let all = "wire,creases,vertex-normals,face-normals";
+    let drawing = peak(&["render", &torus, "--size", "320x240", "--overlay", all, "-q", "-o", &out]).unwrap();
+    let (pixels, vertices, triangles) = (320 * 240, 60_000, 120_000);
+    let allowed = normals + 8 * pixels + 64 * vertices + 16 * triangles;
+    assert!(drawing <= allowed, "{} MiB, not {}", drawing / MIB, allowed / MIB);
+}
+
+/// Of 72 MB of frames less than half are kept until their palette is known, and the others are drawn again.
+#[test]
+fn an_animation_takes_no_more_memory_the_longer_it_is() {
+    let (folder, square) = square();
+    let out = path(folder.path().join("out.gif"));
+    let turn = |frames: &str| {
+        let options = ["--size", "1000x1000", "--samples", "1", "--turntable", frames];
+        peak(&[&["render", &square, "-q", "-o", &out][..], &options].concat())
+    };
+    let (Some(short), Some(long)) = (turn("2"), turn("24")) else { return };
+    let grown = long.saturating_sub(short);
+    // 32 MiB are kept, of which the short one has six; all frames would be 66 MB more.
+    assert!(grown <= 34 * MIB, "{} MiB more", grown / MIB);
 }
