@@ -56,7 +56,7 @@ pub fn exit_of(failure: &Failure) -> Exit {
 
 fn tell(report: &Report, job: &Job, request: &Request, console: &Console) {
     let name = escaped(&report.input.path);
-    if let Some(error) = &report.error {
+    if let Some(error) = &report.head.error {
         // Names of outputs stand in the message itself.
         console.error(&format!("{name}: {}", error.message));
     }
@@ -69,7 +69,7 @@ fn tell(report: &Report, job: &Job, request: &Request, console: &Console) {
     }
     let brief = request.jobs.len() > 1 && console.verbosity < Verbosity::Verbose;
     notes::print(&report.input.path, &report.notes, brief, console);
-    if report.error.is_none() {
+    if report.head.error.is_none() {
         console.report(&if brief {
             text::line(report, console.report_style())
         } else {

@@ -155,7 +155,7 @@ fn probe(file: &SceneFile, image: &Image, pixel: [u32; 2]) -> Result<PixelReport
 }
 
 fn tell(report: &Report, console: &Console) {
-    if let Some(error) = &report.error {
+    if let Some(error) = &report.head.error {
         match error.kind {
             // It is not the file's fault.
             "usage" => console.error(&error.message),
@@ -168,7 +168,7 @@ fn tell(report: &Report, console: &Console) {
     }
     if console.verbosity > Verbosity::Quiet {
         notes::print(&report.input.path, &report.notes, false, console);
-        if report.error.is_none() && report.probe.is_none() {
+        if report.head.error.is_none() && report.probe.is_none() {
             console.report(&text::block(report, console.report_style()));
         }
     }

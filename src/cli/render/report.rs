@@ -21,7 +21,7 @@ use super::draw::{Drawing, Drawn};
 use super::request::{FileKind, Request};
 use crate::cli::choice::name_of;
 use crate::cli::inputs::Source;
-use crate::cli::report::{ErrorReport, NoteReport};
+use crate::cli::report::{ErrorReport, Head, NoteReport};
 use crate::cli::request::Target;
 use crease::num::Degrees;
 use crease::raster::{Camera, Projection, RenderSettings, Scene, SceneFile};
@@ -35,11 +35,8 @@ pub const SCHEMA: &str = "crease-render/1";
 
 #[derive(Debug, Serialize)]
 pub struct Report {
-    pub schema: &'static str,
-    pub crease: &'static str,
-    pub status: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub error: Option<ErrorReport>,
+    #[serde(flatten)]
+    pub head: Head,
     pub input: InputReport,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub output: Option<OutputReport>,
@@ -147,10 +144,7 @@ impl Report {
             }
         };
         Self {
-            schema: SCHEMA,
-            crease: env!("CARGO_PKG_VERSION"),
-            status: "ok",
-            error: None,
+            head: Head::new(SCHEMA),
             input: InputReport { path, bytes },
             output: None,
             scene: None,
@@ -164,9 +158,8 @@ impl Report {
 
     /// Notes down why there is no picture.
     pub fn fail(&mut self, error: ErrorReport) {
-        self.status = "failed";
+        self.head.fail(error);
         self.output = None;
-        self.error = Some(error);
     }
 }
 

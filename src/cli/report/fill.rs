@@ -1,7 +1,7 @@
 //! Reports filled from what the library found.
 
 use super::{
-    Edges, ErrorReport, Faults, InputError, InputReport, NoteReport, OrientationReport, OutputReport,
+    Edges, ErrorReport, Faults, Head, InputError, InputReport, NoteReport, OrientationReport, OutputReport,
     PartReport, PlaceReport, Recipe, Report, SCHEMA, Seconds, SpotReport, WeldReport,
 };
 use crate::cli::args::{EMITS, GROUPS, HARD_EDGES, HardEdge, PRECISIONS, RULES, SLIVERS, WHENS};
@@ -19,10 +19,7 @@ impl Report {
     /// A report on an input that nothing has been done with yet.
     pub fn new(job: &Job, request: &Request) -> Self {
         Self {
-            schema: SCHEMA,
-            crease: env!("CARGO_PKG_VERSION"),
-            status: "ok",
-            error: None,
+            head: Head::new(SCHEMA),
             input: InputReport {
                 path: match &job.source {
                     Source::Stdin => "-".into(),
@@ -47,9 +44,8 @@ impl Report {
 
     /// Notes down why the input was not done.
     pub fn fail(&mut self, failure: &Failure) {
-        self.status = "failed";
+        self.head.fail(ErrorReport::new(failure));
         self.output = None;
-        self.error = Some(ErrorReport::new(failure));
     }
 
     pub fn add_notes(&mut self, notes: &[io::Note]) {

@@ -32,6 +32,9 @@
 //! `--emit face --json` without an output `face_normals`: `[x, y, z]` for each face, null for a dropped one.
 
 mod fill;
+mod head;
+
+pub use head::Head;
 
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -48,11 +51,8 @@ pub fn json_line(report: &impl Serialize) -> String {
 
 #[derive(Debug, Serialize)]
 pub struct Report {
-    pub schema: &'static str,
-    pub crease: &'static str,
-    pub status: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub error: Option<ErrorReport>,
+    #[serde(flatten)]
+    pub head: Head,
     pub input: InputReport,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub output: Option<OutputReport>,

@@ -33,7 +33,7 @@ pub fn main(args: &SurfaceArgs, color: Color) -> Exit {
     if let Err(failure) = &result {
         report.fail(ErrorReport::new(failure));
     }
-    if let Some(error) = &report.error {
+    if let Some(error) = &report.head.error {
         console.error(&error.message);
     }
     if console.json {
@@ -42,7 +42,7 @@ pub fn main(args: &SurfaceArgs, color: Color) -> Exit {
         for note in &report.notes {
             if note.severity == "warning" { console.warning(&note.text) } else { console.note(&note.text) }
         }
-        if report.error.is_none() {
+        if report.head.error.is_none() {
             console.report(&report.text(console.report_style()));
         }
     }

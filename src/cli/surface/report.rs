@@ -17,7 +17,7 @@
 
 use super::super::choice::name_of;
 use super::super::console::{Style, escaped};
-use super::super::report::{ErrorReport, NoteReport, OutputReport};
+use super::super::report::{ErrorReport, Head, NoteReport, OutputReport};
 use super::super::text::{count, count_of, size};
 use super::args::{KINDS, SurfaceArgs};
 use super::request::Request;
@@ -27,11 +27,8 @@ use serde::Serialize;
 
 #[derive(Debug, Serialize)]
 pub struct SurfaceReport {
-    pub schema: &'static str,
-    pub crease: &'static str,
-    pub status: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub error: Option<ErrorReport>,
+    #[serde(flatten)]
+    pub head: Head,
     pub surface: &'static str,
     pub tessellation: TessellationReport,
     pub scale: [f64; 3],
@@ -81,10 +78,7 @@ impl SurfaceReport {
     /// A report on a surface of which nothing is made yet.
     pub fn new(args: &SurfaceArgs, request: &Request) -> Self {
         Self {
-            schema: "crease-surface/1",
-            crease: env!("CARGO_PKG_VERSION"),
-            status: "ok",
-            error: None,
+            head: Head::new("crease-surface/1"),
             surface: name_of(KINDS, &args.kind),
             tessellation: TessellationReport::new(&request.tessellation),
             scale: args.shape.scale.to_array(),
@@ -98,9 +92,8 @@ impl SurfaceReport {
 
     /// Notes down why nothing was stored.
     pub fn fail(&mut self, error: ErrorReport) {
-        self.status = "failed";
+        self.head.fail(error);
         self.output = None;
-        self.error = Some(error);
     }
 
     /// The report for people.

@@ -44,7 +44,7 @@ pub fn main(args: &TradeArgs, color: Color) -> Exit {
             }
             None => console.error(&error.message),
         }
-        report.fail(error);
+        report.head.fail(error);
     }
     if console.json {
         console.report(&json_line(&report));

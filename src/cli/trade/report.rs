@@ -17,18 +17,15 @@
 //! Angles are in degrees. Nanoseconds (`…_ns`, `ns…`), `milliseconds`, `ratio` and `seconds` differ from run to run, and so may
 //! the sentences that name them; nothing else does.
 
-use super::super::report::ErrorReport;
+use super::super::report::Head;
 use super::args::TradeArgs;
 use crease::trade::{OwnMesh, Trade, advice};
 use serde::{Serialize, Serializer};
 
 #[derive(Debug, Serialize)]
 pub struct Report {
-    schema: &'static str,
-    crease: &'static str,
-    status: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub error: Option<ErrorReport>,
+    #[serde(flatten)]
+    pub head: Head,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub input: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -49,20 +46,12 @@ pub enum Measured {
 impl Report {
     pub fn new(args: &TradeArgs) -> Self {
         Self {
-            schema: "crease-trade/1",
-            crease: env!("CARGO_PKG_VERSION"),
-            status: "ok",
-            error: None,
+            head: Head::new("crease-trade/1"),
             input: args.input.as_ref().map(|path| path.to_string_lossy().into_owned()),
             output: None,
             measured: None,
             seconds: 0.0,
         }
-    }
-
-    pub fn fail(&mut self, error: ErrorReport) {
-        self.status = "failed";
-        self.error = Some(error);
     }
 }
 
