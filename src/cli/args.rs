@@ -9,7 +9,7 @@ use super::surface::SurfaceArgs;
 use super::trade::TradeArgs;
 use clap::{ArgGroup, Args, Parser, Subcommand};
 use crease::io::{Emit, Format, NormalFormat, TangentPolicy};
-use crease::mesh::{Orient, Weld};
+use crease::mesh::{Confidence, Orient, Weld};
 use crease::normals::{Crease, CreaseRule, Groups, Precision, Slivers, Weight, When};
 use crease::num::Degrees;
 use crease::pipeline::Degenerate;
@@ -202,6 +202,11 @@ pub struct MeshArgs {
     #[arg(long, value_name = "HOW", default_value = "keep", value_parser = Choices(ORIENTS))]
     pub orient: Orient,
 
+    /// How sure --orient outward has to be of the outer side of an open component, which a vote of points about what they
+    /// see decides, to turn it: from 0.5 to 1; 1 turns none
+    #[arg(long, value_name = "SHARE", default_value = "0.9", value_parser = confidence)]
+    pub confidence: Confidence,
+
     /// Drop faces whose positions are infinite or not a number, instead of refusing the file
     #[arg(long)]
     pub force: bool,
@@ -327,7 +332,11 @@ const DEGENERATES: &[Choice<Degenerate>] =
 const ORIENTS: &[Choice<Orient>] = &[
     ("keep", Orient::Keep, "as they are"),
     ("consistent", Orient::Consistent, "neighbours agree; the lesser part of a component is turned"),
-    ("outward", Orient::Outward, "closed components face outward, cavities inward; open ones are left"),
+    (
+        "outward",
+        Orient::Outward,
+        "closed components face outward, cavities inward; open ones the way that sees more, if that is sure",
+    ),
 ];
 
 const TANGENTS: &[Choice<TangentPolicy>] = &[
@@ -342,6 +351,13 @@ const NORMAL_FORMATS: &[Choice<NormalFormat>] = &[
     ("i16", NormalFormat::I16, "16-bit integers (KHR_mesh_quantization)"),
     ("i8", NormalFormat::I8, "8-bit integers (KHR_mesh_quantization)"),
 ];
+
+pub fn confidence(text: &str) -> Result<Confidence, String> {
+    match text.parse() {
+        Ok(share) if (0.5..=1.0).contains(&share) => Ok(Confidence(share)),
+        _ => Err("a number from 0.5 to 1 was expected".into()),
+    }
+}
 
 pub fn crease_angle(text: &str) -> Result<Degrees, String> {
     if text == "off" {

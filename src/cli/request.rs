@@ -116,6 +116,7 @@ fn task(args: &NormalsArgs) -> Task {
         emit: args.normals.emit,
         when: args.normals.when,
         orient: args.mesh.orient,
+        confidence: args.mesh.confidence,
         flip: args.mesh.flip,
         degenerate: args.mesh.degenerate,
     }

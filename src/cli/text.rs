@@ -106,11 +106,21 @@ struct Total {
     before_groups: usize,
     fast_declined: usize,
     orientation: Option<[usize; ORIENTATION.len()]>,
+    /// The least confidence with which an open component was oriented.
+    confidence: Option<f64>,
 }
 
 /// What is told of orientation, in the order of [`Total::orientation`].
-const ORIENTATION: [&str; 6] =
-    ["closed", "open, left", "not orientable, left", "flat, left", "undecided, left", "cavities"];
+const ORIENTATION: [&str; 8] = [
+    "closed",
+    "open, outer side told",
+    "open, left",
+    "not orientable, left",
+    "flat, left",
+    "undecided, left",
+    "cavities",
+    "open, turned",
+];
 
 impl Total {
     fn of(parts: &[PartReport]) -> Self {
@@ -152,12 +162,16 @@ impl Total {
         if let Some(found) = &part.orientation {
             let counts = [
                 found.closed,
+                found.open_told,
                 found.open_left,
                 found.non_orientable,
                 found.flat,
                 found.undecided,
                 found.cavities,
+                found.open_inside_out,
             ];
+            let sure = found.confidence.into_iter().chain(self.confidence);
+            self.confidence = sure.min_by(f64::total_cmp);
             for (sum, count) in self.orientation.get_or_insert_default().iter_mut().zip(counts) {
                 *sum += count;
             }
@@ -317,7 +331,9 @@ fn remarks(report: &Report, total: &Total) -> Vec<(&'static str, String)> {
     if let Some(counts) = &total.orientation {
         let kinds = counts.iter().zip(ORIENTATION).filter(|(number, _)| **number > 0);
         let kinds: Vec<String> = kinds.map(|(number, what)| format!("{number} {what}")).collect();
-        rows.push(("orient", if kinds.is_empty() { "no component".into() } else { kinds.join(", ") }));
+        let sure = total.confidence.map_or(String::new(), |it| format!(" (confidence {it:.2} or more)"));
+        let said = if kinds.is_empty() { "no component".into() } else { kinds.join(", ") };
+        rows.push(("orient", said + &sure));
     }
     if total.quadric_fallbacks > 0 {
         rows.push((

@@ -76,6 +76,8 @@ pub struct Part {
 /// A place at which a part stands in the world.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FileNode {
+    /// Its number in the file.
+    pub number: usize,
     /// Name of the node, possibly empty.
     pub name: String,
     /// Which part.

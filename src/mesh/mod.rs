@@ -1,10 +1,12 @@
 //! A polygon mesh and its topology (layer 1).
 
+mod box_tree;
 mod build;
 mod column;
 mod edges;
 mod faces;
 mod near;
+mod obstacles;
 mod orient;
 mod rings;
 mod select;
@@ -20,7 +22,9 @@ pub use column::{Column, ColumnIndex, Columns, FaceLabels, NONE, SmoothingGroups
 pub(crate) use edges::EdgeMatcher;
 pub use faces::Faces;
 pub(crate) use faces::{FacesRef, next_in_triangle, previous_in_triangle};
-pub use orient::{Orient, Orientation, orient};
+pub(crate) use obstacles::Obstacles;
+pub(crate) use orient::Orientations;
+pub use orient::{Confidence, Orient, Orientation, orient};
 pub(crate) use rings::{Rings, Scatter};
 pub use select::FaceEdit;
 pub(crate) use sets::DisjointSets;

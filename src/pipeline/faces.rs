@@ -26,9 +26,10 @@ impl<'a> Turned<'a> {
         if task.orient != Orient::Keep {
             let present = applied(&part.mesh, &faces);
             let topology = Topology::build(&present, task.recipe.weld);
-            let mut found = orient(&present, &topology, task.orient);
+            let mut found = orient(&present, &topology, task.orient, task.confidence);
             let numbers = as_read(&faces, count);
             let reversed = std::mem::take(&mut found.reversed);
+            found.reversed_open.clear();
             faces.reversed = reversed.into_iter().map(|face| numbers[face as usize]).collect();
             orientation = Some(found);
         }

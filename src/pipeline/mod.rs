@@ -23,7 +23,7 @@ pub use outcome::{FaultCounts, PartOutcome, ReasonCounts, ReplacedCounts};
 pub use places::{MOST_PLACES, Spot};
 
 use crate::io::{Emit, Format, Loaded, Part, PartEdit};
-use crate::mesh::Orient;
+use crate::mesh::{Confidence, Orient};
 use crate::normals::{self, FaultReason, NormalRecipe, When, select};
 use faces::Turned;
 use glam::DVec3;
@@ -40,6 +40,8 @@ pub struct Task {
     pub when: When,
     /// How faces are turned. Stored normals that [`when`](Self::when) keeps stay as they are.
     pub orient: Orient,
+    /// How sure [`Orient::Outward`] has to be of components with a rim.
+    pub confidence: Confidence,
     /// Turn every face round after that, and stored normals that are kept with it.
     pub flip: bool,
     /// What happens to faces without area.

@@ -3,9 +3,10 @@
 use super::catalogue::{Kind, entries};
 use super::facts::Facts;
 use super::finding::{Element, Finding, Severity, Site};
-use super::tally::{Spot, Tallies, Tally};
+use super::gloss::{self, Gloss};
+use super::tally::{Spot, Tallies, Tally, least};
 use super::turned::{explained_by, largest_turn};
-use super::{Estimate, Thresholds, geometry, key_light_steps, shading, smoothing, stored};
+use super::{Estimate, Thresholds, attributes, geometry, key_light_steps, shading, smoothing, stored};
 use crate::io::{Document, FileNode, Format, Loaded};
 use crate::mesh::{Mesh, NONE, normal_matrix};
 use glam::DMat3;
@@ -70,21 +71,25 @@ impl Diagnosis {
 pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) -> Diagnosis {
     let mut diagnosis = Diagnosis::default();
     let mut merged: Vec<Merged> = entries().map(|_| Merged::default()).collect();
+    let nodes_of_parts = nodes_of_parts(loaded);
+    let materials = gloss::materials(loaded, thresholds.exponent);
     for (number, part) in loaded.parts.iter().enumerate() {
         let mut own = PartDiagnosis { name: part.name.clone(), ..PartDiagnosis::default() };
         if part.mesh.face_count() > 0 {
-            let nodes: Vec<&FileNode> = loaded.nodes.iter().filter(|node| node.part == number).collect();
-            let facts = Facts::new(&part.mesh, loaded.format != Format::Stl);
+            let nodes = &nodes_of_parts[number];
+            let gloss = Gloss::new(&part.mesh, &materials, thresholds.exponent);
+            let facts = Facts::new(&part.mesh, loaded.format != Format::Stl, thresholds.confidence, gloss);
             let mut found = Tallies::new(thresholds.places);
-            look(&facts, &nodes, thresholds, &mut found);
+            look(&facts, nodes, thresholds, &mut found);
+            attributes::find(&facts, loaded, number, thresholds, &mut found);
             own.estimate = facts.estimate;
             own.vertices = facts.field.summary.referenced_vertices;
             own.faces = part.mesh.face_count();
             own.corners = part.mesh.faces().corner_count();
             for (entry, merged) in entries().zip(&mut merged) {
                 merged.of += elements(&facts, entry.element, nodes.len());
-                merged.all_area += facts.total_area() / (facts.scale * facts.scale);
-                merged.add(found.take(entry.kind), &facts, number, nodes.first());
+                merged.all_area += facts.total_area / (facts.scale * facts.scale);
+                merged.add(found.take(entry.kind), &facts, number);
                 merged.sites.truncate(thresholds.places);
             }
         }
@@ -93,20 +98,37 @@ pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) 
     }
     diagnosis.findings =
         entries().zip(merged).filter_map(|(entry, merged)| merged.finding(entry.kind)).collect();
-    find_lines(diagnosis.findings.iter_mut().flat_map(|finding| &mut finding.places), loaded);
+    locate(diagnosis.findings.iter_mut().flat_map(|finding| &mut finding.places), loaded);
     diagnosis.findings.sort_by_key(|finding| (std::cmp::Reverse(finding.severity), finding.kind));
     diagnosis
 }
 
-/// Adds the line of the file to every place that has a face, in one pass over the text (OBJ).
-pub(super) fn find_lines<'a>(sites: impl Iterator<Item = &'a mut Site>, loaded: &Loaded) {
-    let Document::Obj(document) = &loaded.document else { return };
-    let mut sites: Vec<&mut Site> = sites.filter(|site| site.face.is_some()).collect();
-    sites.sort_by_key(|site| site.face);
-    let faces: Vec<u32> = sites.iter().filter_map(|site| site.face).collect();
-    for (site, line) in sites.into_iter().zip(document.lines_of_faces(&faces)) {
-        site.line = Some(line);
+/// Adds to every place where it is in the file: the way to the first node that has its part (glTF), or the line of its face
+/// (OBJ), in one pass.
+pub(super) fn locate<'a>(sites: impl Iterator<Item = &'a mut Site>, loaded: &Loaded) {
+    let mut sites: Vec<&mut Site> = sites.collect();
+    if !loaded.nodes.is_empty() {
+        let nodes = nodes_of_parts(loaded);
+        let first = |site: &Site| nodes[site.part].first().map(|node| node.number);
+        let numbers: Vec<usize> = sites.iter().filter_map(|site| first(site)).collect();
+        let told = sites.iter_mut().filter(|site| first(site).is_some());
+        told.zip(loaded.node_paths(&numbers)).for_each(|(site, path)| site.node = Some(path));
     }
+    if let Document::Obj(document) = &loaded.document {
+        sites.retain(|site| site.face.is_some());
+        sites.sort_by_key(|site| site.face);
+        let faces: Vec<u32> = sites.iter().filter_map(|site| site.face).collect();
+        for (site, line) in sites.into_iter().zip(document.lines_of_faces(&faces)) {
+            site.line = Some(line);
+        }
+    }
+}
+
+/// The nodes of each part, in their order.
+fn nodes_of_parts(loaded: &Loaded) -> Vec<Vec<&FileNode>> {
+    let mut nodes = vec![Vec::new(); loaded.parts.len()];
+    loaded.nodes.iter().for_each(|node| nodes[node.part].push(node));
+    nodes
 }
 
 fn look(facts: &Facts<'_>, nodes: &[&FileNode], thresholds: &Thresholds, found: &mut Tallies) {
@@ -134,10 +156,10 @@ fn place(facts: &Facts<'_>, node: &FileNode, thresholds: &Thresholds, found: &mu
     if facts.stored.is_some()
         && found.get(Kind::Untransformed).count == 0
         && largest_turn(linear) > thresholds.rotation.0
-        && explained_by(facts, linear)
+        && explained_by(facts, linear, thresholds)
     {
         turned.into_iter().for_each(|kind| drop(found.take(kind)));
-        found.add(Kind::Untransformed, Spot::mesh().by(largest_turn(linear)), facts.total_area());
+        found.add(Kind::Untransformed, Spot::mesh().by(largest_turn(linear)), facts.total_area);
     }
 }
 
@@ -176,10 +198,11 @@ struct Merged {
     most: u64,
     remark: Option<String>,
     remedy: Option<String>,
+    confidence: Option<f64>,
 }
 
 impl Merged {
-    fn add(&mut self, tally: Tally, facts: &Facts<'_>, part: usize, node: Option<&&FileNode>) {
+    fn add(&mut self, tally: Tally, facts: &Facts<'_>, part: usize) {
         if tally.count == 0 {
             return;
         }
@@ -190,7 +213,8 @@ impl Merged {
             self.most = tally.count;
             (self.remark, self.remedy) = (tally.remark, tally.remedy);
         }
-        let site = |spot: Spot| (spot.weight, site(facts.mesh, spot, part, node));
+        self.confidence = least(self.confidence, tally.confidence);
+        let site = |spot: Spot| (spot.weight, site(facts.mesh, spot, part));
         self.sites.extend(tally.worst.into_iter().map(site));
         // Stable: among equals earlier parts come first.
         self.sites.sort_by(|a, b| b.0.total_cmp(&a.0));
@@ -213,6 +237,7 @@ impl Merged {
             area_share: if self.all_area > 0.0 { (self.area / self.all_area).min(1.0) } else { 0.0 },
             degrees,
             steps: degrees.map(key_light_steps),
+            confidence: self.confidence,
             places: self.sites.into_iter().map(|(_, site)| site).collect(),
             remedy: self.remedy.or_else(|| entry.remedy.map(str::to_owned)),
         })
@@ -220,7 +245,7 @@ impl Merged {
 }
 
 /// Where an occurrence is, as it is told.
-pub(super) fn site(mesh: &Mesh, spot: Spot, part: usize, node: Option<&&FileNode>) -> Site {
+pub(super) fn site(mesh: &Mesh, spot: Spot, part: usize) -> Site {
     let is = |number: u32| (number != NONE).then_some(number);
     let faces = mesh.faces();
     let corner = is(spot.corner).map(|corner| corner - faces.range(spot.face as usize).start as u32);
@@ -242,7 +267,7 @@ pub(super) fn site(mesh: &Mesh, spot: Spot, part: usize, node: Option<&&FileNode
         vertex,
         position,
         degrees: spot.is_angle.then_some(spot.weight),
-        node: node.map(|node| node.name.clone()),
+        node: None,
         line: None,
     }
 }

@@ -50,6 +50,7 @@ fn crowded_faces(facts: &Facts<'_>) -> Vec<usize> {
         range.fold(0u64, |sum, corner| sum.wrapping_add(hash(place(facts, corner))))
     };
     let mut keys: Vec<(u64, u32)> = (0..facts.mesh.face_count())
+        .into_par_iter()
         .filter(|&face| facts.area[face] > 0.0)
         .map(|face| (key(face), face as u32))
         .collect();

@@ -64,6 +64,11 @@ impl Estimate {
         options
     }
 
+    /// Whether the recipe is what is computed without being asked for, on a mesh without smoothing groups.
+    pub(super) fn is_default(&self) -> bool {
+        self.weight == Weight::Angle && self.crease == Crease::DEFAULT_ANGLE
+    }
+
     /// The bend in degrees from which on edges may be sharp: with smoothing groups any.
     pub(super) fn sharp_from(&self) -> f64 {
         if self.groups { 0.0 } else { self.crease.0 }

@@ -1,10 +1,12 @@
 //! What all findings about a part are made from, worked out once.
 
 use super::estimate::{Estimate, estimate};
-use crate::mesh::{Column, Link, Mesh, Orient, Orientation, Topology, Weld, orient};
+use super::gloss::Gloss;
+use crate::mesh::{Column, Confidence, Link, Mesh, Orientation, Orientations, Topology, Weld};
 use crate::normals::{Crease, FaultReason, Groups, NormalField, NormalRecipe, compute_on};
 use crate::num::{UnitVec3, unit_scale};
 use glam::DVec3;
+use rayon::prelude::*;
 
 /// What a face is good for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,6 +32,8 @@ pub(super) struct Facts<'a> {
     pub(super) worth: Vec<Worth>,
     /// Area of each face, in units that keep it in range.
     pub(super) area: Vec<f64>,
+    /// The area of all faces.
+    pub(super) total_area: f64,
     /// The length in that unit that the largest extent of the mesh has.
     pub(super) size: f64,
     /// From lengths of the part to that unit.
@@ -40,21 +44,27 @@ pub(super) struct Facts<'a> {
     pub(super) minority: Vec<u32>,
     /// Of each vertex whether a turned face is at it, so that the mean there says nothing; empty if there are none.
     beside_turned: Vec<bool>,
+    /// How sharp the highlights of faces are.
+    pub(super) gloss: Gloss,
     /// Whether the file can share vertices at all; STL cannot.
     pub(super) shares_vertices: bool,
 }
 
 impl<'a> Facts<'a> {
-    pub(super) fn new(mesh: &'a Mesh, shares_vertices: bool) -> Self {
+    pub(super) fn new(mesh: &'a Mesh, shares_vertices: bool, confidence: Confidence, gloss: Gloss) -> Self {
         let topology = Topology::build(mesh, Weld::Exact);
         let stored = mesh.columns().normals.as_ref().filter(|stored| !stored.values.is_empty());
         let field = compute_on(mesh, &topology, &NormalRecipe::default());
-        let minority = orient(mesh, &topology, Orient::Consistent).reversed;
-        let outward = orient(mesh, &topology, Orient::Outward);
-        let worth = worth(mesh, &field, &minority, &outward.reversed);
+        let orientations = Orientations::new(mesh, &topology);
+        let minority = orientations.consistent().reversed;
+        let outward = orientations.outward(mesh, confidence);
+        let worth = worth(mesh, stored, &field, &minority, &outward);
         let extent = mesh.bounds().map_or(0.0, |(low, high)| (high - low).max_element());
         let scale = unit_scale(extent);
-        let area = (0..mesh.face_count()).map(|face| vector_area(mesh, face, scale).length()).collect();
+        let area: Vec<f64> = (0..mesh.face_count())
+            .into_par_iter()
+            .map(|face| vector_area(mesh, face, scale).length())
+            .collect();
         let mut facts = Self {
             mesh,
             topology,
@@ -62,19 +72,22 @@ impl<'a> Facts<'a> {
             estimate: None,
             field,
             worth,
+            total_area: area.iter().sum(),
             area,
             size: extent * scale,
             scale,
             outward,
             minority,
             beside_turned: Vec::new(),
+            gloss,
             shares_vertices,
         };
         facts.mark_turned();
         facts.estimate = stored.and_then(|stored| estimate(&facts, stored));
-        if let Some(estimate) = facts.estimate {
+        let has_groups = mesh.columns().smoothing.is_some();
+        if let Some(estimate) = facts.estimate.filter(|estimate| has_groups || !estimate.is_default()) {
             facts.field = compute_on(mesh, &facts.topology, &estimate.recipe());
-        } else if stored.is_some() {
+        } else if facts.estimate.is_none() && stored.is_some() {
             let recipe =
                 NormalRecipe { groups: Groups::Ignore, crease: Crease::Default, ..NormalRecipe::default() };
             facts.field = compute_on(mesh, &facts.topology, &recipe);
@@ -116,6 +129,12 @@ impl<'a> Facts<'a> {
         *self.field.normals.get(corner, vertex).expect("a field has a normal for every corner")
     }
 
+    /// The normal that a corner should have, or that of its face where faces round the vertex disagree. How edges split
+    /// stored normals does not change when all of them are turned, so this holds for turned ones as well.
+    pub(super) fn right_way(&self, face: usize, corner: usize) -> DVec3 {
+        if self.is_judged(corner) { self.expected(corner) } else { self.face_normal(face) }
+    }
+
     /// The normal that a corner has in the file, as a unit vector; `None` if it has none with a direction.
     pub(super) fn stored_unit(&self, corner: usize) -> Option<DVec3> {
         stored_unit(self.stored?, self.mesh, corner)
@@ -130,17 +149,42 @@ impl<'a> Facts<'a> {
     pub(super) fn place(&self, corner: usize) -> DVec3 {
         self.mesh.positions()[self.mesh.faces().corners()[corner] as usize] * self.scale
     }
-
-    /// The area of all faces.
-    pub(super) fn total_area(&self) -> f64 {
-        self.area.iter().sum()
-    }
 }
 
-fn worth(mesh: &Mesh, field: &NormalField, minority: &[u32], inward: &[u32]) -> Vec<Worth> {
+/// The share of the corners of some faces whose stored normals point against their face; 0 if none is stored.
+pub(super) fn opposed(
+    mesh: &Mesh,
+    stored: Option<&Column<DVec3>>,
+    field: &NormalField,
+    faces: &[u32],
+) -> f64 {
+    let Some(stored) = stored else { return 0.0 };
+    let (mut opposed, mut all) = (0usize, 0usize);
+    for &face in faces {
+        let normal = field.face_normals[face as usize];
+        for unit in mesh.faces().range(face as usize).filter_map(|corner| stored_unit(stored, mesh, corner)) {
+            all += 1;
+            opposed += usize::from(unit.dot(normal) < 0.0);
+        }
+    }
+    opposed as f64 / all.max(1) as f64
+}
+
+fn worth(
+    mesh: &Mesh,
+    stored: Option<&Column<DVec3>>,
+    field: &NormalField,
+    minority: &[u32],
+    outward: &Orientation,
+) -> Vec<Worth> {
     let mut worth = vec![Worth::Sound; mesh.face_count()];
+    // With a rim a component has no inside for certain: it is held to be turned round where its normals say so too.
+    let open = &outward.reversed_open;
+    let are_open_turned = opposed(mesh, stored, field, open) > 0.5;
+    let inside_out =
+        outward.reversed.iter().filter(|face| are_open_turned || open.binary_search(face).is_err());
     // What both lists have is only against its neighbours; what one has is that, or part of what is inside out.
-    for &face in minority.iter().chain(inward) {
+    for &face in minority.iter().chain(inside_out) {
         worth[face as usize] = Worth::Turned;
     }
     let silent =

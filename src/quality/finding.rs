@@ -77,7 +77,7 @@ pub struct Site {
     pub position: Option<DVec3>,
     /// How far off it is, if that is an angle.
     pub degrees: Option<f64>,
-    /// The name of the node that has the part, the first one if there are several (glTF).
+    /// The way to the node that has the part, as `body/arm/hand`; to the first one if there are several (glTF).
     pub node: Option<String>,
     /// The line of the file that has the face (OBJ).
     pub line: Option<u64>,
@@ -102,6 +102,9 @@ pub struct Finding {
     pub degrees: Option<f64>,
     /// What that angle does to the grey value under a key light at most ([`key_light_steps`](super::key_light_steps)).
     pub steps: Option<f64>,
+    /// How sure it is, from ½ to 1, at the least sure place, where that is a question: which side of a surface is its
+    /// outer one ([`Confidence`](crate::mesh::Confidence)).
+    pub confidence: Option<f64>,
     /// The worst places, worst first: as many as [`Thresholds::places`](super::Thresholds::places).
     pub places: Vec<Site>,
     /// Options of `crease normals` that mend it; `None` if none does.

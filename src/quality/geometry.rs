@@ -2,13 +2,14 @@
 
 use super::Thresholds;
 use super::catalogue::Kind;
-use super::facts::Facts;
+use super::facts::{Facts, opposed};
 use super::finding::Severity;
+use super::limit::Limit;
 use super::tally::{Spot, Tallies, scan};
 use super::{duplicates, polygons};
 use crate::mesh::Link;
 use crate::normals::FaultReason;
-use crate::num::{Degrees, Radians, angle_between};
+use crate::num::{Degrees, Radians};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -16,12 +17,13 @@ use rayon::prelude::*;
 pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Tallies) {
     let doubled = duplicates::find(facts, found);
     winding(facts, &doubled, found);
+    let folded = Limit::new(thresholds.fold.0);
     let faces = scan(facts.mesh.face_count(), thresholds.places, |faces, found| {
         for face in faces {
             needle(facts, face, thresholds, found);
             polygons::look_at(facts, face, thresholds, found);
             for half_edge in facts.mesh.faces().range(face) {
-                fold(facts, face, half_edge as u32, thresholds, found);
+                fold(facts, face, half_edge as u32, folded, found);
             }
         }
     });
@@ -54,27 +56,7 @@ fn winding(facts: &Facts<'_>, doubled: &[u32], found: &mut Tallies) {
     if !certain {
         found.tally(Kind::InconsistentWinding).severity = Some(Severity::Warning);
     }
-    if facts.outward.inside_out > 0 {
-        // Where both would turn a face it is against its neighbours only.
-        let whole = facts.outward.reversed.iter().filter(|face| facts.minority.binary_search(face).is_err());
-        let (mut meant, mut corners) = (0, 0);
-        for &face in whole {
-            found.add(Kind::InsideOut, Spot::face(face as usize, 0.0), facts.area[face as usize]);
-            for corner in facts.mesh.faces().range(face as usize) {
-                let inward = |normal: DVec3| normal.dot(facts.face_normal(face as usize)) > 0.0;
-                corners += 1;
-                meant += usize::from(facts.stored_unit(corner).is_none_or(inward));
-            }
-        }
-        let tally = found.tally(Kind::InsideOut);
-        let components = facts.outward.inside_out;
-        tally.remark =
-            Some(format!("in {components} closed component{}", if components == 1 { "" } else { "s" }));
-        // Rooms and skies are seen from within; their normals say so as well.
-        if 2 * meant > corners {
-            tally.severity = Some(Severity::Warning);
-        }
-    }
+    inside_out(facts, found);
     if facts.outward.non_orientable > 0 {
         let half_edges = 0..facts.mesh.faces().corner_count() as u32;
         let turned =
@@ -84,6 +66,36 @@ fn winding(facts: &Facts<'_>, doubled: &[u32], found: &mut Tallies) {
             if facts.minority.binary_search(&(face as u32)).is_err() {
                 found.add(Kind::NonOrientable, Spot::face(face, 0.0), facts.area[face]);
             }
+        }
+    }
+}
+
+/// Components that face the wrong way as a whole: closed ones by their volume, those with a rim by what is seen of them.
+fn inside_out(facts: &Facts<'_>, found: &mut Tallies) {
+    let outward = &facts.outward;
+    for (kind, components, is_open) in
+        [(Kind::InsideOut, outward.inside_out, false), (Kind::OpenInsideOut, outward.open_inside_out, true)]
+    {
+        if components == 0 {
+            continue;
+        }
+        // Where both would turn a face it is against its neighbours only.
+        let is_whole = |face: &u32| facts.minority.binary_search(face).is_err();
+        let is_wanted = |face: &u32| outward.reversed_open.binary_search(face).is_ok() == is_open;
+        let faces: Vec<u32> =
+            outward.reversed.iter().copied().filter(|face| is_whole(face) && is_wanted(face)).collect();
+        for &face in &faces {
+            found.add(kind, Spot::face(face as usize, 0.0), facts.area[face as usize]);
+        }
+        let opposed = opposed(facts.mesh, facts.stored, &facts.field, &faces);
+        let tally = found.tally(kind);
+        let (what, confidence) = if is_open { ("open", outward.confidence) } else { ("closed", 1.0) };
+        tally.remark =
+            Some(format!("in {components} {what} component{}", if components == 1 { "" } else { "s" }));
+        tally.confidence = Some(confidence);
+        // Rooms, skies and bowls are seen from within; their normals say so as well.
+        if opposed < 0.5 {
+            tally.severity = Some(if is_open { Severity::Note } else { Severity::Warning });
         }
     }
 }
@@ -111,15 +123,14 @@ fn height_over_length(facts: &Facts<'_>, face: usize) -> f64 {
 }
 
 /// Edges where the surface turns back.
-fn fold(facts: &Facts<'_>, face: usize, half_edge: u32, thresholds: &Thresholds, found: &mut Tallies) {
+fn fold(facts: &Facts<'_>, face: usize, half_edge: u32, folded: Limit, found: &mut Tallies) {
     match facts.topology.link(half_edge) {
         Link::Twin(across) | Link::Welded(across) if half_edge < across => {
             let other = facts.topology.face_of(across) as usize;
             if facts.area[face] == 0.0 || facts.area[other] == 0.0 {
                 return;
             }
-            let bend = Degrees::from(angle_between(facts.face_normal(face), facts.face_normal(other))).0;
-            if bend >= thresholds.fold.0 {
+            if let Some(bend) = folded.exceeded(facts.face_normal(face), facts.face_normal(other)) {
                 found.add(Kind::Folded, Spot::corner(face, half_edge as usize, bend), 0.0);
             }
         }
@@ -251,7 +262,7 @@ fn far_from_origin(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
     let rounding = farthest * f64::from(f32::EPSILON) / 2.0;
     let error = Degrees::from(Radians(libm::atan2(2.0 * rounding, height))).0;
     if error > thresholds.rounding.0 {
-        found.add(Kind::FarFromOrigin, Spot::mesh().by(error), facts.total_area());
+        found.add(Kind::FarFromOrigin, Spot::mesh().by(error), facts.total_area);
         let bits = libm::floor(libm::log2(height / rounding)).max(0.0);
         found.tally(Kind::FarFromOrigin).remark = Some(format!(
             "{bits} bits are left for the height of a face, whose normal may be off by {error:.2}°"

@@ -18,16 +18,44 @@ const KEY_LIGHT: f64 = 45.0;
 /// assert_eq!(key_light_steps(45.0), key_light_steps(180.0));
 /// ```
 pub fn key_light_steps(degrees: f64) -> f64 {
-    let grey = |degrees: f64| {
-        let cosine = if degrees >= 90.0 { 0.0 } else { libm::cos(degrees.to_radians()) };
-        Transfer::Srgb.encode(cosine)
+    grey(KEY_LIGHT) - grey(KEY_LIGHT + degrees)
+}
+
+/// What a white matte surface shows whose normal is so many degrees from the light, in steps of 8 bits.
+fn grey(degrees: f64) -> f64 {
+    let cosine = if degrees.abs() >= 90.0 { 0.0 } else { libm::cos(degrees.to_radians()) };
+    Transfer::Srgb.encode(cosine) * 255.0
+}
+
+/// By how much the slope of brightness changes at an edge, in steps of 8 bits a pixel, under a key light 45° from its normal
+/// and across it, on the side where that is more.
+///
+/// Brightness is interpolated from the edge to what is beyond it on either side: `degrees` of the normals there from that
+/// of the edge, positive on the first side's own side, and `pixels` from the edge.
+pub(super) fn slope_jump(degrees: [f64; 2], pixels: [f64; 2]) -> f64 {
+    let jump = |light: f64| {
+        let slopes = [0, 1].map(|side| (grey(degrees[side] - light) - grey(light)) / pixels[side].max(1.0));
+        (slopes[0] + slopes[1]).abs()
     };
-    (grey(KEY_LIGHT) - grey(KEY_LIGHT + degrees)) * 255.0
+    jump(KEY_LIGHT).max(jump(-KEY_LIGHT))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// On a cylinder brightness is cos θ all round, and the jump is the second difference of its code over the width of a
+    /// face; where a plane goes over into it, it is the slope there itself.
+    #[test]
+    fn slopes_jump_where_interpolation_bends() {
+        let jump = slope_jump([10.0, -10.0], [40.0, 40.0]);
+        let second = |light: f64| (grey(light - 10.0) - 2.0 * grey(light) + grey(light + 10.0)).abs() / 40.0;
+        assert!((jump - second(45.0)).abs() < 1e-12, "{jump}");
+        let plane = slope_jump([0.0, -10.0], [40.0, 40.0]);
+        assert!((plane - (grey(45.0) - grey(55.0)) / 40.0).abs() < 1e-12, "{plane}");
+        assert!(slope_jump([5.0, -5.0], [20.0, 20.0]) < jump, "finer is smoother");
+        assert_eq!(slope_jump([0.0, 0.0], [3.0, 4.0]), 0.0);
+    }
 
     #[test]
     fn steps_grow_with_the_angle() {

@@ -10,7 +10,18 @@
 //! are inside out or without direction have no say about normals: their cause is told of them, not of the normals.
 //!
 //! Findings about shading are notes: they are what even right normals will show.
+//!
+//! # How good that is
+//! Faults planted into clean meshes at known places, of twice the threshold or more: the lowest recall and precision over
+//! an icosphere, an uneven torus, an open wave, an open bowl and a gear, and what else is told of them.
+//!
+#![doc = include_str!("measured/planted.md")]
+//!
+//! Recall by the size of the fault, over the icosphere and the bowl; below its threshold a fault passes:
+//!
+#![doc = include_str!("measured/recall.md")]
 
+mod attributes;
 pub mod catalogue;
 mod comparison;
 mod diagnosis;
@@ -19,7 +30,9 @@ mod estimate;
 mod facts;
 mod finding;
 mod geometry;
+mod gloss;
 mod light;
+mod limit;
 mod polygons;
 mod quantisation;
 mod shading;

@@ -5,7 +5,7 @@ use super::catalogue::Kind;
 use super::facts::Facts;
 use super::tally::{Spot, Tallies};
 use crate::mesh::Column;
-use crate::num::{Degrees, Radians, largest_exponent};
+use crate::num::{Degrees, Radians, largest_exponent, three_digits};
 use glam::DVec3;
 
 /// Steps that formats leave: what a unit component is divided into, and how to say so.
@@ -36,16 +36,17 @@ pub(super) fn find(facts: &Facts<'_>, stored: &Column<DVec3>, thresholds: &Thres
     if error <= thresholds.quantisation.0 {
         return;
     }
-    found.add(Kind::Quantised, Spot::mesh().by(error), facts.total_area());
+    found.add(Kind::Quantised, Spot::mesh().by(error), facts.total_area);
     let serves = match largest_exponent(Degrees(error).into(), 0.5 / 255.0) {
         Some(exponent) => format!("good for exponents up to {exponent}"),
         None => "which a matte surface may show in half a step of 8 bits".into(),
     };
-    let bits = needed_bits(thresholds.exponent);
+    let exponent = facts.gloss.largest_exponent(facts.mesh);
+    let bits = needed_bits(exponent);
     let tally = found.tally(Kind::Quantised);
     tally.remark = Some(format!(
-        "{name}, off by up to {error:.2}°, {serves}; an exponent of {} needs {bits} bits a component",
-        thresholds.exponent
+        "{name}, off by up to {error:.2}°, {serves}; the material's exponent of {} needs {bits} bits a component",
+        three_digits(exponent)
     ));
 }
 

@@ -3,43 +3,62 @@
 use super::Thresholds;
 use super::catalogue::Kind;
 use super::facts::{Facts, Worth};
+use super::light::slope_jump;
+use super::limit::Limit;
 use super::tally::{Spot, Tallies, scan};
-use crate::num::{Degrees, angle_between};
+use crate::num::{Degrees, Radians, angle_between, three_digits};
+
+/// Turns of normals, as tangents, up to which the two bounds below hold.
+const SMALL_TURN: f64 = 0.3;
+
+/// More than the steps of 8 bits that the grey under a key light changes by for a radian: 255 · 1.055/2.4 · 2^0.29 · √½ = 97.
+const SLOPE: f64 = 100.0;
+
+/// More than half the second derivative of that within [`SMALL_TURN`], and than what a tangent is more than its angle.
+const CURVATURE: f64 = 200.0;
 
 /// Risks of shading with the normals that a viewer has: the stored ones, or the computed ones where there are none.
 pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Tallies) {
-    let highlight = half_width(thresholds.exponent);
+    let terminator = Limit::new(thresholds.terminator.0);
     let risks = scan(facts.mesh.face_count(), thresholds.places, |faces, found| {
         for face in faces.filter(|&face| facts.worth[face] == Worth::Sound) {
-            corners(facts, face, highlight, thresholds, found);
+            corners(facts, face, terminator, found);
             for half_edge in facts.mesh.faces().range(face) {
                 edge(facts, face, half_edge as u32, thresholds, found);
             }
         }
     });
     found.merge(risks);
+    remark(found, Kind::MachBands, |steps| {
+        format!("the slope of brightness jumps by up to {steps} steps a pixel")
+    });
+    remark(found, Kind::CoarseOutline, |pixels| {
+        format!("by up to {pixels} pixels where the mesh is {} wide", three_digits(thresholds.size))
+    });
 }
 
-/// The angle in degrees from the middle of a highlight cosⁿ to where it has half its height.
-fn half_width(exponent: f64) -> f64 {
-    libm::acos(libm::exp2(-1.0 / exponent)).to_degrees()
+/// Says how bad the worst place is, where that is no angle.
+fn remark(found: &mut Tallies, kind: Kind, say: impl Fn(String) -> String) {
+    let tally = found.tally(kind);
+    tally.remark = tally.worst.first().map(|worst| say(three_digits(worst.weight)));
 }
 
 /// Corners whose normal is far from the face, and faces whose corners are further apart than a highlight is wide.
-fn corners(facts: &Facts<'_>, face: usize, highlight: f64, thresholds: &Thresholds, found: &mut Tallies) {
+fn corners(facts: &Facts<'_>, face: usize, terminator: Limit, found: &mut Tallies) {
     let range = facts.mesh.faces().range(face);
     let area = facts.area[face] / range.len() as f64;
+    // A highlight between two corners is half as far from the nearer one.
+    let width = facts.gloss.width(facts.mesh, face);
     let mut widest: f64 = 0.0;
-    for corner in range.clone() {
-        let leaning = facts.leaning(corner);
-        if leaning > thresholds.terminator.0 && leaning < 90.0 {
+    for corner in range {
+        let normal = facts.shaded(corner);
+        if let Some(leaning) = terminator.exceeded(normal, facts.face_normal(face)).filter(|&it| it < 90.0) {
             found.add(Kind::Terminator, Spot::corner(face, corner, leaning), area);
         }
-        let next = facts.topology.next(corner as u32) as usize;
-        widest = widest.max(Degrees::from(angle_between(facts.shaded(corner), facts.shaded(next))).0);
+        let next = facts.shaded(facts.topology.next(corner as u32) as usize);
+        widest = widest.max(width.exceeded(normal, next).unwrap_or(0.0));
     }
-    // A highlight between two corners is half as far from the nearer one.
-    if widest > 2.0 * highlight {
+    if widest > 0.0 {
         found.add(Kind::LostHighlight, Spot::face(face, 0.0).by(widest), facts.area[face]);
     }
 }
@@ -56,18 +75,58 @@ fn edge(facts: &Facts<'_>, face: usize, half_edge: u32, thresholds: &Thresholds,
     if !pairs.iter().all(is_smooth) {
         return;
     }
-    let bend = Degrees::from(angle_between(facts.face_normal(face), facts.face_normal(other))).0;
-    let spot = Spot::corner(face, half_edge as usize, bend);
-    if bend > thresholds.band.0 {
-        found.add(Kind::MachBands, spot, 0.0);
-    }
-    // An arc that turns by the bend over the height of the faces lies this far outside of its chord.
+    let spot = Spot { is_angle: false, ..Spot::corner(face, half_edge as usize, 0.0) };
     let length =
         (facts.place(facts.topology.next(half_edge) as usize) - facts.place(half_edge as usize)).length();
-    let height = facts.area[face].min(facts.area[other]) * 2.0 / length;
-    let sagitta = 0.5 * height * libm::tan(bend.to_radians() / 4.0);
-    if sagitta * thresholds.size > thresholds.outline * facts.size {
-        let pixels = sagitta / facts.size * thresholds.size;
-        found.add(Kind::CoarseOutline, Spot { weight: pixels, is_angle: false, ..spot }, 0.0);
+    let pixels = thresholds.size / facts.size;
+    let heights = [face, other].map(|face| {
+        // From the edge to the far corner of a triangle, to the far edge of a polygon.
+        let share = if facts.mesh.faces().range(face).len() == 3 { 2.0 } else { 1.0 };
+        share * facts.area[face] / length * pixels
+    });
+    let jump = band(facts, [half_edge, across], heights, thresholds.band);
+    if jump > thresholds.band {
+        found.add(Kind::MachBands, Spot { weight: jump, ..spot }, 0.0);
     }
+    let height = heights[0].min(heights[1]);
+    let normals = [face, other].map(|face| facts.face_normal(face));
+    // A cheap bound first: tan(b/4) is at most half of the chord 2 sin(b/2), at b = 180°.
+    let chord = (normals[0] - normals[1]).length();
+    if 0.5 * height * 0.5 * chord <= thresholds.outline {
+        return;
+    }
+    // An arc that turns by the bend over the height of the faces lies this far outside of its chord.
+    let sagitta = 0.5 * height * libm::tan(angle_between(normals[0], normals[1]).0 / 4.0);
+    if sagitta > thresholds.outline {
+        found.add(Kind::CoarseOutline, Spot { weight: sagitta, ..spot }, 0.0);
+    }
+}
+
+/// How much the slope of brightness changes at an edge, in steps a pixel; 0 where that is `least` at most for certain.
+fn band(facts: &Facts<'_>, half_edges: [u32; 2], heights: [f64; 2], least: f64) -> f64 {
+    let ends =
+        [half_edges[0], facts.topology.next(half_edges[0])].map(|corner| facts.shaded(corner as usize));
+    let edge = ends[0] + ends[1];
+    let far = half_edges.map(|half_edge| {
+        let before = facts.topology.previous(half_edge);
+        let after = facts.topology.next(facts.topology.next(half_edge));
+        facts.shaded(before as usize) + facts.shaded(after as usize)
+    });
+    let along =
+        facts.place(facts.topology.next(half_edges[0]) as usize) - facts.place(half_edges[0] as usize);
+    // Towards the first face.
+    let aside = edge.cross(along).normalize_or_zero();
+    let up = edge.normalize_or_zero();
+    // Tangents of the angles between the normals beyond the edge and that of the edge.
+    let turns = far.map(|normal| normal.dot(aside) / normal.dot(up).max(0.0));
+    if turns.iter().all(|turn| turn.abs() < SMALL_TURN) {
+        let pixels = heights.map(|height| height.max(1.0));
+        let first = SLOPE * (turns[0] / pixels[0] + turns[1] / pixels[1]).abs();
+        let second = CURVATURE * (turns[0] * turns[0] / pixels[0] + turns[1] * turns[1] / pixels[1]);
+        if first + second <= least {
+            return 0.0;
+        }
+    }
+    let degrees = far.map(|normal| Degrees::from(Radians(libm::atan2(normal.dot(aside), normal.dot(up)))).0);
+    slope_jump(degrees, heights)
 }

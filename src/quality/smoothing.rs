@@ -5,7 +5,7 @@ use super::catalogue::Kind;
 use super::facts::{Facts, Worth};
 use super::finding::Severity;
 use super::tally::{Spot, Tallies, scan};
-use crate::mesh::{Column, Link, SmoothingGroups};
+use crate::mesh::{Column, DisjointSets, Link, SmoothingGroups};
 use crate::num::{Degrees, angle_between};
 use glam::DVec3;
 
@@ -41,7 +41,23 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
             tally.severity = Some(Severity::Note);
         }
     }
+    if edges.get(Kind::NeedlessSeam).count > 0 {
+        let vertices = mergeable(facts, stored);
+        let are = if vertices == 1 { "vertex" } else { "vertices" };
+        edges.tally(Kind::NeedlessSeam).remark = Some(format!("{vertices} {are} could be merged away"));
+    }
     found.merge(edges);
+}
+
+/// How many vertices fewer there would be without needless seams.
+fn mergeable(facts: &Facts<'_>, stored: &Column<DVec3>) -> usize {
+    let corners = facts.mesh.faces().corners();
+    let mut sets = DisjointSets::new(facts.mesh.vertex_count());
+    let edges = (0..corners.len() as u32).filter_map(|half_edge| Edge::at(facts, stored, half_edge));
+    let needless = edges.filter(|edge| edge.gaps == [0.0; 2] && edge.is_needless(facts));
+    let pairs = needless.flat_map(|edge| edge.ends).map(|[a, b]| [corners[a], corners[b]]);
+    pairs.for_each(|[a, b]| sets.union(a, b));
+    (0..facts.mesh.vertex_count() as u32).filter(|&vertex| sets.find(vertex) != vertex).count()
 }
 
 /// Whether one of the two edges of its face at a corner has one normal on both sides where the rule of the mesh has two.
@@ -60,8 +76,6 @@ struct Edge {
     half_edge: u32,
     across: u32,
     faces: [usize; 2],
-    /// How far it bends, in degrees.
-    bend: f64,
     /// How far the stored normals of the two sides are apart at each end, in degrees.
     gaps: [f64; 2],
     /// Corners of the two faces at each end.
@@ -94,8 +108,13 @@ impl Edge {
             Some(Degrees::from(angle_between(facts.stored_unit(a)?, facts.stored_unit(b)?)).0)
         };
         let gaps = [gap(ends[0])?, gap(ends[1])?];
-        let bend = Degrees::from(angle_between(facts.face_normal(faces[0]), facts.face_normal(faces[1]))).0;
-        Some(Edge { half_edge, across, faces, bend, gaps, ends })
+        Some(Edge { half_edge, across, faces, gaps, ends })
+    }
+
+    /// How far it bends, in degrees.
+    fn bend(&self, facts: &Facts<'_>) -> f64 {
+        let [a, b] = self.faces.map(|face| facts.face_normal(face));
+        Degrees::from(angle_between(a, b)).0
     }
 
     fn judge(
@@ -106,7 +125,7 @@ impl Edge {
         thresholds: &Thresholds,
         found: &mut Tallies,
     ) {
-        let spot = Spot::corner(self.faces[0], self.half_edge as usize, self.bend);
+        let spot = Spot::corner(self.faces[0], self.half_edge as usize, 0.0);
         let [low, high] = [self.gaps[0].min(self.gaps[1]), self.gaps[0].max(self.gaps[1])];
         if self.is_averaged(facts, crease + thresholds.crease.0) {
             let leaning = self.ends.as_flattened().iter().map(|&corner| facts.leaning(corner));
@@ -121,9 +140,9 @@ impl Edge {
             let meant_smooth = a == b && a != 0;
             // A flat edge looks the same either way.
             if (meant_smooth && low > thresholds.seam.0)
-                || (!meant_smooth && high <= SAME && self.bend > SAME)
+                || (!meant_smooth && high <= SAME && self.bend(facts) > SAME)
             {
-                found.add(Kind::GroupMismatch, spot, 0.0);
+                found.add(Kind::GroupMismatch, spot.by(self.bend(facts)), 0.0);
             }
         }
     }
@@ -131,7 +150,7 @@ impl Edge {
     /// Whether both sides have one normal where the rule of the mesh has two.
     fn is_averaged(&self, facts: &Facts<'_>, from: f64) -> bool {
         let is_shared = self.gaps[0].max(self.gaps[1]) <= SAME;
-        is_shared && self.bend > from && !self.goes_on(facts)
+        is_shared && !self.goes_on(facts) && self.bend(facts) > from
     }
 
     /// Whether the recipe that fits best has one normal on both sides, at both ends.

@@ -4,6 +4,7 @@ use super::Thresholds;
 use super::catalogue::Kind;
 use super::facts::{Facts, Worth};
 use super::finding::Severity;
+use super::limit::Limit;
 use super::tally::{Spot, Tallies, scan};
 use super::{quantisation, smoothing, turned};
 use crate::mesh::Column;
@@ -19,11 +20,12 @@ const ALL: f64 = 0.9;
 /// Everything about the normals that a part has in its file.
 pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Tallies) {
     let Some(stored) = facts.stored else {
-        found.add(Kind::NoNormals, Spot::mesh(), facts.total_area());
+        found.add(Kind::NoNormals, Spot::mesh(), facts.total_area);
         return;
     };
+    let deviation = Limit::new(thresholds.deviation.0);
     let corners = scan(facts.mesh.face_count(), thresholds.places, |faces, found| {
-        faces.for_each(|face| look_at(facts, stored, face, thresholds, found));
+        faces.for_each(|face| look_at(facts, stored, face, deviation, thresholds, found));
     });
     let judged = Judged::new(facts, &corners);
     found.merge(corners);
@@ -64,6 +66,7 @@ fn look_at(
     facts: &Facts<'_>,
     stored: &Column<DVec3>,
     face: usize,
+    deviation: Limit,
     thresholds: &Thresholds,
     found: &mut Tallies,
 ) {
@@ -93,41 +96,40 @@ fn look_at(
         if facts.worth[face] == Worth::Sound
             && facts.is_judged(corner)
             && let Some(unit) = facts.stored_unit(corner)
-            && let Some((kind, degrees)) = direction(facts, face, corner, unit, thresholds)
+            && let Some(off) = deviation.exceeded(unit, facts.expected(corner))
+            && let Some(kind) = direction(facts, face, corner, (unit, off), thresholds)
         {
-            found.add(kind, spot.by(degrees), area);
+            found.add(kind, spot.by(off), area);
         }
     }
 }
 
-/// What is wrong with the direction of a normal, and by how many degrees.
+/// What is wrong with the direction of a normal that is off by so many degrees; `None` if an edge explains it.
 fn direction(
     facts: &Facts<'_>,
     face: usize,
     corner: usize,
-    normal: DVec3,
+    (normal, off): (DVec3, f64),
     thresholds: &Thresholds,
-) -> Option<(Kind, f64)> {
-    let degrees = |other: DVec3| Degrees::from(angle_between(normal, other)).0;
-    let off = degrees(facts.expected(corner));
-    if off <= thresholds.deviation.0 {
-        return None;
-    }
-    let kind = match degrees(facts.face_normal(face)) > 90.0 + thresholds.against.0 {
-        true if off > OPPOSITE => Kind::Flipped,
-        true => Kind::AgainstFace,
+) -> Option<Kind> {
+    let from_face = Degrees::from(angle_between(normal, facts.face_normal(face))).0;
+    match from_face > 90.0 + thresholds.against.0 {
+        true if off > OPPOSITE => Some(Kind::Flipped),
+        true => Some(Kind::AgainstFace),
         // An edge that should be sharp explains its corners.
-        false if smoothing::is_averaged(facts, corner) => return None,
-        false => Kind::Stray,
-    };
-    Some((kind, off))
+        false if smoothing::is_averaged(facts, corner) => None,
+        false => Some(Kind::Stray),
+    }
 }
 
-/// Strays are faults where all others follow a rule; where none does, the normals are of another making.
+/// Strays are faults where all others follow a rule; where none does, or many follow it loosely, the normals are of another
+/// making.
 fn grade_strays(facts: &Facts<'_>, found: &mut Tallies, sound: f64) {
     let strays = found.get(Kind::Stray).count as f64;
+    let far = [Kind::Stray, Kind::Flipped, Kind::AgainstFace].map(|kind| found.get(kind).count as f64);
+    let is_tight = |reproduced: f64| far.iter().sum::<f64>() >= 0.5 * (1.0 - reproduced) * sound;
     match facts.estimate {
-        Some(estimate) if estimate.is_rule() && strays <= 0.05 * sound => {
+        Some(estimate) if estimate.is_rule() && is_tight(estimate.reproduced) && strays <= 0.05 * sound => {
             found.tally(Kind::Stray).remedy = Some(estimate.options());
         }
         _ => found.rename(Kind::Stray, Kind::Custom),
@@ -156,6 +158,6 @@ fn find_facets(facts: &Facts<'_>, found: &mut Tallies) {
         gentle += usize::from(bend > 1.0 && bend < 30.0);
     }
     if bent >= 100 && gentle as f64 >= 0.9 * bent as f64 {
-        found.add(Kind::Faceted, Spot::mesh(), facts.total_area());
+        found.add(Kind::Faceted, Spot::mesh(), facts.total_area);
     }
 }

@@ -1,8 +1,9 @@
 //! What pictures and histograms of a report are made of.
 
 use super::facts::Facts;
+use super::gloss::Gloss;
 use crate::io::Format;
-use crate::mesh::Mesh;
+use crate::mesh::{Confidence, Mesh};
 use crate::num::{Degrees, angle_between};
 use glam::DVec3;
 
@@ -31,7 +32,7 @@ pub fn survey(mesh: &Mesh, format: Format) -> Survey {
     if mesh.face_count() == 0 {
         return Survey::default();
     }
-    let facts = Facts::new(mesh, format != Format::Stl);
+    let facts = Facts::new(mesh, format != Format::Stl, Confidence::default(), Gloss::new(mesh, &[], None));
     let corners = mesh.faces().corner_count();
     let between = |a: DVec3, b: DVec3| Degrees::from(angle_between(a, b)).0;
     let edge = |corner: usize| facts.place(facts.topology.next(corner as u32) as usize) - facts.place(corner);

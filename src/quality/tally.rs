@@ -65,6 +65,13 @@ pub(super) struct Tally {
     pub(super) severity: Option<Severity>,
     /// Where it is not the catalogue's.
     pub(super) remedy: Option<String>,
+    /// How sure it is, at least, where that is a question.
+    pub(super) confidence: Option<f64>,
+}
+
+/// The smaller of two numbers that may not be there.
+pub(super) fn least(a: Option<f64>, b: Option<f64>) -> Option<f64> {
+    a.into_iter().chain(b).reduce(f64::min)
 }
 
 impl Tally {
@@ -84,6 +91,7 @@ impl Tally {
         self.remark = self.remark.take().or(other.remark);
         self.severity = self.severity.max(other.severity);
         self.remedy = self.remedy.take().or(other.remedy);
+        self.confidence = least(self.confidence, other.confidence);
     }
 }
 

@@ -1,5 +1,6 @@
 //! From where on something is a finding.
 
+use crate::mesh::Confidence;
 use crate::num::Degrees;
 
 /// The limits that findings begin at. Angles are in degrees; everything else has no unit, so that the size of a mesh
@@ -18,6 +19,8 @@ pub struct Thresholds {
     pub rotation: Degrees,
     /// The error of stored precision that is worth a note.
     pub quantisation: Degrees,
+    /// How far a tangent may lean towards its normal or away from it.
+    pub tangent: Degrees,
     /// How far past the crease angle an edge with one normal on both sides may bend.
     pub crease: Degrees,
     /// How far the stored normals on the two sides of a smooth edge may be apart.
@@ -28,19 +31,22 @@ pub struct Thresholds {
     pub planarity: Degrees,
     /// The bend from which on an edge is folded.
     pub fold: Degrees,
+    /// How sure it has to be which side of a component with a rim is its outer one.
+    pub confidence: Confidence,
     /// The most faces round a vertex.
     pub valence: u32,
     /// The error of face normals that rounding coordinates to 32 bits may make.
     pub rounding: Degrees,
     /// How far the normal of a corner may be from its face before shadows break up.
     pub terminator: Degrees,
-    /// The Blinn exponent whose highlight each face has to hold.
-    pub exponent: f64,
-    /// The bend from which on a smooth edge shows as a band between flat-looking facets.
-    pub band: Degrees,
+    /// The Blinn exponent whose highlight each face has to hold; `None` for that of its material, or 32 where the file
+    /// does not say.
+    pub exponent: Option<f64>,
+    /// The change of slope at a smooth edge, in 8-bit steps a pixel, from which on it shows as a Mach band.
+    pub band: f64,
     /// Pixels by which an outline may cut its curve, where the mesh is [`size`](Self::size) pixels wide.
     pub outline: f64,
-    /// The size in pixels that outlines are measured at.
+    /// The size in pixels that outlines and bands are measured at.
     pub size: f64,
     /// How many places of each finding are told, the worst first. Counts are always complete.
     pub places: usize,
@@ -55,16 +61,18 @@ impl Default for Thresholds {
             against: Degrees(5.0),
             rotation: Degrees(5.0),
             quantisation: Degrees(0.1),
+            tangent: Degrees(5.0),
             crease: Degrees(10.0),
             seam: Degrees(2.0),
             needle: 0.001,
             planarity: Degrees(10.0),
             fold: Degrees(170.0),
+            confidence: Confidence::default(),
             valence: 48,
             rounding: Degrees(0.5),
             terminator: Degrees(20.0),
-            exponent: 32.0,
-            band: Degrees(15.0),
+            exponent: None,
+            band: 0.1,
             outline: 1.0,
             size: 512.0,
             places: 10,

@@ -8,9 +8,14 @@ use super::tally::{Spot, Tallies};
 use crate::mesh::normal_matrix;
 use crate::num::{Degrees, Radians, angle_between};
 use glam::{DMat3, DVec3};
+use rayon::prelude::*;
+use std::ops::Range;
 
 /// The mean cosine from which on a rotation is taken to explain the normals.
 const AGREES: f64 = 0.9;
+
+/// The least determinant of the mean of stored · expectedᵀ for normals to be spread over all directions.
+const SPREAD: f64 = 1e-6;
 
 /// How much of the disagreement an explanation has to take away.
 const EXPLAINED: f64 = 0.75;
@@ -18,7 +23,7 @@ const EXPLAINED: f64 = 0.75;
 /// Looks for one cause that explains all stored normals; tells whether there is one.
 pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Tallies) -> bool {
     let pairs = Pairs::new(facts);
-    let area = facts.total_area();
+    let area = facts.total_area;
     if pairs.weight == 0.0 {
         return false;
     }
@@ -30,9 +35,12 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
         }
         return bent;
     }
+    // Normals in one plane fit many a change of axes.
+    if pairs.correlation.determinant().abs() < SPREAD * pairs.weight * pairs.weight * pairs.weight {
+        return false;
+    }
     let as_stored = pairs.agreement(DMat3::IDENTITY);
-    let explains =
-        |agreement: f64| agreement >= AGREES && 1.0 - agreement <= (1.0 - EXPLAINED) * (1.0 - as_stored);
+    let explains = |agreement: f64| explains(agreement, as_stored, thresholds);
     if let Some((axes, _)) = axis_changes()
         .map(|axes| (axes, pairs.agreement(axes)))
         .filter(|(_, it)| explains(*it))
@@ -57,6 +65,14 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
     false
 }
 
+/// Whether there is something to explain, by mean cosines, and a turn explains it.
+fn explains(turned: f64, as_stored: f64, thresholds: &Thresholds) -> bool {
+    // Normals about the axis of a rotation turn by less than it does.
+    let least = 0.25 * (1.0 - libm::cos(Radians::from(thresholds.rotation).0));
+    let wrong = 1.0 - as_stored;
+    wrong > least && turned >= AGREES && 1.0 - turned <= (1.0 - EXPLAINED) * wrong
+}
+
 /// Expected and stored normals, summed up: M = Σ stored · expectedᵀ.
 struct Pairs {
     correlation: DMat3,
@@ -67,28 +83,43 @@ struct Pairs {
 
 impl Pairs {
     fn new(facts: &Facts<'_>) -> Self {
+        /// Fixed, so that sums do not depend on the number of threads.
+        const BLOCK: usize = 1 << 14;
+        let first = (0..facts.mesh.faces().corner_count()).find_map(|corner| facts.stored_unit(corner));
+        let count = facts.mesh.face_count();
+        let blocks: Vec<Self> = (0..count.div_ceil(BLOCK))
+            .into_par_iter()
+            .map(|block| Self::of(facts, block * BLOCK..((block + 1) * BLOCK).min(count), first))
+            .collect();
+        let mut all = Self::of(facts, 0..0, first);
+        for block in blocks {
+            all.correlation += block.correlation;
+            all.weight += block.weight;
+            all.mean_expected += block.mean_expected;
+            all.is_constant &= block.is_constant;
+        }
+        if all.weight > 0.0 {
+            all.mean_expected /= all.weight;
+        }
+        all
+    }
+
+    /// The sums over some faces; `first` is the normal that all would be equal to.
+    fn of(facts: &Facts<'_>, faces: Range<usize>, first: Option<DVec3>) -> Self {
         let mut pairs =
             Pairs { correlation: DMat3::ZERO, weight: 0.0, mean_expected: DVec3::ZERO, is_constant: true };
-        let mut first = None;
-        for (face, range) in facts.mesh.faces().ranges().enumerate() {
-            if facts.worth[face] == Worth::Silent {
-                continue;
-            }
+        for face in faces.filter(|&face| facts.worth[face] != Worth::Silent) {
+            let range = facts.mesh.faces().range(face);
             let weight = facts.area[face] / range.len() as f64;
             for corner in range {
                 let Some(stored) = facts.stored_unit(corner) else { continue };
-                // The face's own normal does not depend on how stored normals are split.
-                let expected = facts.face_normal(face);
-                let first = *first.get_or_insert(stored);
-                pairs.is_constant &= first.dot(stored) > 0.9999;
+                let expected = facts.right_way(face, corner);
+                pairs.is_constant &= first.is_some_and(|first| first.dot(stored) > 0.9999);
                 let (a, b) = (stored * weight, expected);
                 pairs.correlation += DMat3::from_cols(a * b.x, a * b.y, a * b.z);
                 pairs.mean_expected += expected * weight;
                 pairs.weight += weight;
             }
-        }
-        if pairs.weight > 0.0 {
-            pairs.mean_expected /= pairs.weight;
         }
         pairs
     }
@@ -154,21 +185,20 @@ fn describe(axes: DMat3) -> String {
 }
 
 /// Whether a linear map, or its inverse, stands between the stored normals and the faces.
-pub(super) fn explained_by(facts: &Facts<'_>, map: DMat3) -> bool {
+pub(super) fn explained_by(facts: &Facts<'_>, map: DMat3, thresholds: &Thresholds) -> bool {
     [map, map.inverse()].into_iter().filter_map(normal_matrix).any(|matrix| {
         let (mut with, mut without, mut weight) = (0.0, 0.0, 0.0);
         for (face, range) in facts.mesh.faces().ranges().enumerate() {
-            let expected = facts.face_normal(face);
-            let turned = matrix.apply(expected).unwrap_or(expected);
             for corner in range.filter(|_| facts.worth[face] != Worth::Silent) {
                 let Some(stored) = facts.stored_unit(corner) else { continue };
+                let expected = facts.right_way(face, corner);
+                let turned = matrix.apply(expected).unwrap_or(expected);
                 with += facts.area[face] * stored.dot(turned);
                 without += facts.area[face] * stored.dot(expected);
                 weight += facts.area[face];
             }
         }
-        let (with, without) = (with / weight, without / weight);
-        with >= AGREES && 1.0 - with <= (1.0 - EXPLAINED) * (1.0 - without)
+        explains(with / weight, without / weight, thresholds)
     })
 }
 

@@ -157,3 +157,20 @@ pub fn blinn_exponent(phong: f64) -> f64 {
 pub fn phong_exponent(blinn: f64) -> f64 {
     blinn / 4.0
 }
+
+/// The exponent of Blinn's highlight that is about as wide as that of a surface of this roughness, from 0 for a mirror to 1,
+/// as glTF counts it: n = 2/α² − 2 with α = roughness² (B. Walter et al., *Microfacet models for refraction through rough
+/// surfaces*, EGSR 2007, §5.2).
+///
+/// It is from 1 for the roughest surfaces, never 0, which would be a step where N·L is 0, to 10⁴ for the smoothest, whose
+/// highlights become no smaller than the steps of a picture can show.
+///
+/// ```
+/// use crease::shade::roughness_exponent;
+///
+/// assert_eq!([0.0, 0.5, 1.0].map(roughness_exponent), [1e4, 30.0, 1.0]);
+/// ```
+pub fn roughness_exponent(roughness: f64) -> f64 {
+    let alpha = roughness * roughness;
+    (2.0 / (alpha * alpha) - 2.0).clamp(1.0, 1e4)
+}

@@ -71,7 +71,9 @@ mod tone;
 pub use error::{NotFinite, Place, ShadeError};
 pub use explain::{Explanation, HighlightExplanation, LightExplanation, Probe, Term};
 pub use light::{AreaShape, Attenuation, Cone, Light};
-pub use material::{EnergyGain, Material, Reflectance, Reflection, blinn_exponent, phong_exponent};
+pub use material::{
+    EnergyGain, Material, Reflectance, Reflection, blinn_exponent, phong_exponent, roughness_exponent,
+};
 pub use optics::{Fresnel, brewster_angle, critical_angle, fresnel, reflect, refract, refraction_angle};
 pub use rows::SurfaceRows;
 pub use settings::{DepthCue, Frame, Guards, ShadeSettings, Terminator, Viewer};

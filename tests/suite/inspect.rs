@@ -2,11 +2,13 @@
 //! what is suggested mends what was found.
 
 mod against;
+mod attributes;
 mod clean;
 mod mended;
 mod page;
 mod planted;
 mod real;
+mod recall;
 
 use crease::io::{Document, FileNode, Format, Loaded, Part};
 use crease::mesh::{Columns, Faces, Mesh, MeshBuilder};

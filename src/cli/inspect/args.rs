@@ -1,9 +1,10 @@
 //! What may be typed for `crease inspect`.
 
-use super::super::args::{EXIT_CODES, FORMATS, RunArgs};
+use super::super::args::{EXIT_CODES, FORMATS, RunArgs, confidence};
 use super::super::choice::{Choice, Choices};
 use clap::Args;
 use crease::io::Format;
+use crease::mesh::Confidence;
 use crease::num::Degrees;
 use crease::quality::catalogue::Kind;
 use crease::quality::{Severity, Thresholds};
@@ -120,6 +121,18 @@ pub struct ThresholdArgs {
     #[arg(long, value_name = "DEG")]
     pub deviation: Option<f64>,
 
+    /// How far past 90° from its face a stored normal may point [default: 5]
+    #[arg(long, value_name = "DEG")]
+    pub past_face: Option<f64>,
+
+    /// How far all stored normals may be turned together [default: 5]
+    #[arg(long, value_name = "DEG")]
+    pub rotation: Option<f64>,
+
+    /// How far the precision of storage may turn normals [default: 0.1]
+    #[arg(long, value_name = "DEG")]
+    pub quantisation: Option<f64>,
+
     /// How far past the crease angle an edge with one normal on both sides may bend [default: 10]
     #[arg(long, value_name = "DEG")]
     pub past_crease: Option<f64>,
@@ -128,9 +141,17 @@ pub struct ThresholdArgs {
     #[arg(long, value_name = "DEG")]
     pub seam: Option<f64>,
 
+    /// How far a tangent may lean towards its normal or away from it [default: 5]
+    #[arg(long, value_name = "DEG")]
+    pub tangent: Option<f64>,
+
     /// Most by which the length of a normal may differ from 1 [default: 0.00674]
     #[arg(long, value_name = "LENGTH")]
     pub length: Option<f64>,
+
+    /// The same without a note [default: 0.001]
+    #[arg(long, value_name = "LENGTH")]
+    pub strict_length: Option<f64>,
 
     /// How far the corners of a polygon may leave its plane [default: 10]
     #[arg(long, value_name = "DEG")]
@@ -140,19 +161,39 @@ pub struct ThresholdArgs {
     #[arg(long, value_name = "RATIO")]
     pub needle: Option<f64>,
 
+    /// From which bend on an edge is folded [default: 170]
+    #[arg(long, value_name = "DEG")]
+    pub fold: Option<f64>,
+
+    /// How far rounding positions to 32 bits may turn the normals of faces [default: 0.5]
+    #[arg(long, value_name = "DEG")]
+    pub rounding: Option<f64>,
+
+    /// How sure it has to be which side of an open component is its outer one, from 0.5 to 1 [default: 0.9]
+    #[arg(long, value_name = "SHARE", value_parser = confidence)]
+    pub confidence: Option<Confidence>,
+
     /// Most faces round a vertex [default: 48]
     #[arg(long, value_name = "N")]
     pub valence: Option<u32>,
 
-    /// The highlight that each face has to hold, as its Blinn exponent [default: 32]
+    /// The highlight that each face has to hold, as its Blinn exponent [default: its material's, or 32]
     #[arg(long, value_name = "N")]
     pub exponent: Option<f64>,
+
+    /// The change of slope at an edge, in 8-bit steps a pixel, that shows as a Mach band [default: 0.1]
+    #[arg(long, value_name = "STEPS")]
+    pub band: Option<f64>,
 
     /// How far a normal may lean from its face before shadows break up [default: 20]
     #[arg(long, value_name = "DEG")]
     pub terminator: Option<f64>,
 
-    /// The width of the mesh on the screen, in pixels, for outlines [default: 512]
+    /// Pixels by which an outline may cut its curve [default: 1]
+    #[arg(long, value_name = "PIXELS")]
+    pub outline: Option<f64>,
+
+    /// The width of the mesh on the screen, in pixels, for outlines and bands [default: 512]
     #[arg(long, value_name = "PIXELS")]
     pub size: Option<f64>,
 }
@@ -174,6 +215,12 @@ impl ThresholdArgs {
         angle(self.deviation, "deviation", &mut thresholds.deviation)?;
         angle(self.past_crease, "past-crease", &mut thresholds.crease)?;
         angle(self.seam, "seam", &mut thresholds.seam)?;
+        angle(self.past_face, "past-face", &mut thresholds.against)?;
+        angle(self.rotation, "rotation", &mut thresholds.rotation)?;
+        angle(self.quantisation, "quantisation", &mut thresholds.quantisation)?;
+        angle(self.fold, "fold", &mut thresholds.fold)?;
+        angle(self.rounding, "rounding", &mut thresholds.rounding)?;
+        angle(self.tangent, "tangent", &mut thresholds.tangent)?;
         angle(self.planarity, "planarity", &mut thresholds.planarity)?;
         angle(self.terminator, "terminator", &mut thresholds.terminator)?;
         let number = |value: Option<f64>, name: &str, least: f64, into: &mut f64| match value {
@@ -187,10 +234,16 @@ impl ThresholdArgs {
             None => Ok(()),
         };
         number(self.length, "length", 0.0, &mut thresholds.length)?;
+        number(self.strict_length, "strict-length", 0.0, &mut thresholds.strict_length)?;
         number(self.needle, "needle", 0.0, &mut thresholds.needle)?;
-        number(self.exponent, "exponent", 1.0, &mut thresholds.exponent)?;
+        let mut exponent = f64::NAN;
+        number(self.exponent, "exponent", 1.0, &mut exponent)?;
+        thresholds.exponent = self.exponent.map(|_| exponent);
+        number(self.band, "band", 0.0, &mut thresholds.band)?;
+        number(self.outline, "outline", 0.0, &mut thresholds.outline)?;
         number(self.size, "size", 1.0, &mut thresholds.size)?;
         thresholds.strict_length = thresholds.strict_length.min(thresholds.length);
+        thresholds.confidence = self.confidence.unwrap_or(thresholds.confidence);
         thresholds.valence = self.valence.unwrap_or(thresholds.valence);
         Ok(thresholds)
     }

@@ -19,9 +19,9 @@
 //!
 //! A finding has `id`, `severity`, `family`, `cause` (in words), `element` (what is counted), `count`, `of`, `share`,
 //! `area_share`, `degrees` (the largest angle, or null), `steps` (what that does under a key light, in 8-bit steps, or
-//! null), `command` (what mends it, or null) and `places`: the worst ten. A place has `part`, and where known `face`,
-//! `corner` (of the face), `vertex`, all from 0, `position`, `degrees`, `node` (the name of the first node
-//! that has the part, glTF) and `line` (OBJ, from 1).
+//! null), `confidence` (how sure it is which side is the outer one, or null), `command` (what mends it, or null) and `places`: the worst ten. A place has `part`, and where known `face`,
+//! `corner` (of the face), `vertex`, all from 0, `position`, `degrees`, `node` (the way to the first node
+//! that has the part, as `body/arm/hand`, glTF) and `line` (OBJ, from 1).
 //!
 //! `against` has `path`, the file that came after; `faces`, `unmatched` (faces without counterpart) as pairs, before and
 //! after; `turned` (faces that go round the other way); `corners` (matched), `gained` and `lost` (normals), `changed` (by
@@ -92,6 +92,7 @@ pub struct FindingReport {
     pub area_share: f64,
     pub degrees: Option<f64>,
     pub steps: Option<f64>,
+    pub confidence: Option<f64>,
     pub command: Option<String>,
     pub places: Vec<SiteReport>,
 }
@@ -190,6 +191,7 @@ impl FindingReport {
             area_share: finding.area_share,
             degrees: finding.degrees,
             steps: finding.steps,
+            confidence: finding.confidence,
             command: finding.command(input, output),
             places: finding.places.iter().map(SiteReport::new).collect(),
         }

@@ -89,6 +89,9 @@ fn paragraph(finding: &FindingReport, report: &InspectReport, style: Style, plac
             three_digits(degrees)
         );
     }
+    if let Some(confidence) = finding.confidence {
+        let _ = writeln!(out, "    confidence {confidence:.2}");
+    }
     for site in finding.places.iter().take(places).filter(|site| site.position.is_some()) {
         let _ = writeln!(out, "    at {}", place(site, report));
     }

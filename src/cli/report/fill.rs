@@ -242,17 +242,18 @@ fn by_name(counts: &ReasonCounts) -> BTreeMap<&'static str, usize> {
 
 impl OrientationReport {
     fn new(found: &Orientation) -> Self {
-        let Orientation {
-            components,
-            closed,
-            open_left,
-            non_orientable,
-            flat,
-            undecided,
-            inside_out,
-            cavities,
-            reversed: _,
-        } = *found;
-        Self { components, closed, open_left, non_orientable, flat, undecided, inside_out, cavities }
+        Self {
+            components: found.components,
+            closed: found.closed,
+            open_told: found.open_told,
+            confidence: (found.open_told > 0).then_some(found.confidence),
+            open_left: found.open_left,
+            non_orientable: found.non_orientable,
+            flat: found.flat,
+            undecided: found.undecided,
+            inside_out: found.inside_out,
+            open_inside_out: found.open_inside_out,
+            cavities: found.cavities,
+        }
     }
 }

@@ -27,8 +27,8 @@
 //! `broken_places` (the first places of faults, and of corners whose stored normal was broken: `face`, or `face`, `corner`
 //! and `vertex`, or `vertex`, all from 0 as in the file, and `reason`; at most 100 of each kind, absent if there are none), `reversed_faces`,
 //! `dropped_faces` (without area), `non_finite_faces` (dropped under `--force`), `orientation` (absent unless
-//! asked for: counts of `components`, `closed`, `open_left`, `non_orientable`, `flat`, `undecided`, `inside_out`,
-//! `cavities`), `quadric_fallbacks`, `cone_declined` (fans too large for the cone rule), `wide_clusters`, `faces_before_groups`, `fast_declined`; and under
+//! asked for: counts of `components`, `closed`, `open_told`, `open_left`, `non_orientable`, `flat`, `undecided`,
+//! `inside_out`, `open_inside_out`, `cavities`, and `confidence`, the least of those of `open_told`, or null), `quadric_fallbacks`, `cone_declined` (fans too large for the cone rule), `wide_clusters`, `faces_before_groups`, `fast_declined`; and under
 //! `--emit face --json` without an output `face_normals`: `[x, y, z]` for each face, null for a dropped one.
 
 mod fill;
@@ -195,11 +195,14 @@ pub struct Edges {
 pub struct OrientationReport {
     pub components: usize,
     pub closed: usize,
+    pub open_told: usize,
+    pub confidence: Option<f64>,
     pub open_left: usize,
     pub non_orientable: usize,
     pub flat: usize,
     pub undecided: usize,
     pub inside_out: usize,
+    pub open_inside_out: usize,
     pub cavities: usize,
 }
 

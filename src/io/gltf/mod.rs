@@ -9,6 +9,7 @@
 
 mod accessor;
 mod appearance;
+mod attributes;
 mod beside;
 mod buffers;
 mod columns;

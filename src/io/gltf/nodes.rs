@@ -25,11 +25,35 @@ pub(super) fn read(json: &Json, meshes: usize, notes: &mut Vec<Note>) -> Result<
         }
         let world_from_part = if skinned { DMat4::IDENTITY } else { node.world };
         let name = node.fields.string("name")?.unwrap_or_default().into_owned();
-        placed.push((node.number, FileNode { name, part, world_from_part }));
+        placed.push(FileNode { number: node.number, name, part, world_from_part });
         Ok(())
     })?;
     warn(&placed, skinned_elsewhere, notes);
-    Ok(placed.into_iter().map(|(_, node)| node).collect())
+    Ok(placed)
+}
+
+/// The names of some nodes with those of all above them, from the root on, as `body/arm/hand`; a node without a name is told
+/// by its number, as `#7`. Of very deep ones the names nearest to the node are told.
+pub(super) fn paths(json: &Json, numbers: &[usize]) -> Result<Vec<String>, ReadError> {
+    const DEEPEST: usize = 32;
+    let root = Fields { json, object: json.root(), at: At::default() };
+    let nodes = list(&root, "nodes")?;
+    let fields = |node: usize| Fields { json, object: nodes[node], at: At::new("nodes", node) };
+    let tree = Tree::new((0..nodes.len()).map(fields), nodes.len())?;
+    let name = |node: usize| -> Result<String, ReadError> {
+        let name = fields(node).string("name")?.unwrap_or_default();
+        Ok(if name.is_empty() { format!("#{node}") } else { name.into_owned() })
+    };
+    let above =
+        |&node: &usize| Some(tree.parent[node]).filter(|&parent| parent != NOBODY).map(|it| it as usize);
+    let path = |&number: &usize| {
+        let mut way: Vec<usize> = std::iter::successors(Some(number), above).take(DEEPEST + 1).collect();
+        let is_cut = way.len() > DEEPEST;
+        way.truncate(DEEPEST);
+        let names: Vec<String> = way.into_iter().rev().map(name).collect::<Result<_, _>>()?;
+        Ok(format!("{}{}", if is_cut { "…/" } else { "" }, names.join("/")))
+    };
+    numbers.iter().map(path).collect()
 }
 
 /// A node at its place.
@@ -173,9 +197,9 @@ fn local_matrix(node: &Fields<'_>) -> Result<DMat4, ReadError> {
     Ok(DMat4::from_scale_rotation_translation(scale, rotation, translation))
 }
 
-fn warn(placed: &[(usize, FileNode)], skinned_elsewhere: Option<usize>, notes: &mut Vec<Note>) {
-    let singular = placed.iter().filter(|(_, node)| node.world_from_part.determinant() == 0.0);
-    let places = singular.clone().map(|(node, _)| At::new("nodes", *node).place());
+fn warn(placed: &[FileNode], skinned_elsewhere: Option<usize>, notes: &mut Vec<Note>) {
+    let singular = placed.iter().filter(|node| node.world_from_part.determinant() == 0.0);
+    let places = singular.clone().map(|node| At::new("nodes", node.number).place());
     let text = "a node squeezes its mesh flat: normals have no direction there";
     notes.extend(Note::for_all(Severity::Warning, singular.count() as u64, places, text));
     if let Some(node) = skinned_elsewhere {
@@ -191,6 +215,18 @@ mod tests {
     fn nodes(text: &str) -> Result<Vec<FileNode>, ReadError> {
         let json = Json::parse(text.as_bytes().to_vec(), 0, 32).unwrap();
         read(&json, 1, &mut Vec::new())
+    }
+
+    #[test]
+    fn ways_to_nodes_are_told_by_names() {
+        let text = r#"{"nodes":[{"name":"a","children":[1]},{"children":[2]},{"name":"c"}]}"#;
+        let json = Json::parse(text.as_bytes().to_vec(), 0, 32).unwrap();
+        assert_eq!(paths(&json, &[2, 0]).unwrap(), ["a/#1/c", "a"]);
+        let chain: Vec<String> = (0..100).map(|i| format!("{{\"children\":[{}]}}", i + 1)).collect();
+        let text = format!("{{\"nodes\":[{},{{}}]}}", chain.join(","));
+        let json = Json::parse(text.into_bytes(), 0, 32).unwrap();
+        let path = paths(&json, &[100]).unwrap().remove(0);
+        assert!(path.starts_with("…/#69/#70/") && path.ends_with("/#99/#100"), "{path}");
     }
 
     #[test]

@@ -8,9 +8,9 @@
 //! Work is n log n in faces, apart from the triangles that rays meet. Surfaces made so that every ray meets most
 //! triangles would be quadratic: each ray has a budget, and a shell with a ray that used it up is undecided.
 
-use super::box_tree::{Bounds, BoxTree};
 use super::probe::{Probe, probes};
 use crate::mesh::Mesh;
+use crate::mesh::box_tree::{Bounds, BoxTree};
 use crate::num::unit_scale;
 use rayon::prelude::*;
 use std::ops::ControlFlow;

@@ -1,7 +1,7 @@
 //! Which way a closed surface faces: the sign of its volume.
 
-use super::box_tree::Bounds;
 use crate::mesh::Mesh;
+use crate::mesh::box_tree::Bounds;
 use crate::num::{CompensatedSum, unit_scale};
 use glam::DVec3;
 use rayon::prelude::*;

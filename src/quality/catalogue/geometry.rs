@@ -27,8 +27,17 @@ pub(super) const ENTRIES: &[Entry] = &[
         "inside-out",
         Severity::Error,
         "closed surfaces that face inwards",
-        "The signed volume of the component is negative where it should be positive, by the number of others that it lies in. With back faces culled one sees its far side from within; lit, it is dark on the side of the lamp. Rooms and skies are made so on purpose; then the stored normals face inwards too, and this is a warning only.",
+        "The signed volume of the component is negative where it should be positive, by the number of others that it lies in; that is told exactly, or not at all. With back faces culled one sees its far side from within; lit, it is dark on the side of the lamp. Rooms and skies are made so on purpose; then the stored normals face inwards too, and this is a warning only.",
         "Turn its faces outward, unless it is meant to be seen from within.",
+        Some("--orient outward"),
+    ),
+    entry(
+        Kind::OpenInsideOut,
+        "open-inside-out",
+        Severity::Warning,
+        "surfaces with a rim that face the side from which less is seen",
+        "Such a surface has no inside, but as a rule an outer side: rays leave points on both its sides, and more get away from the outer one. A vote of points tells it, with a confidence; planes and gentle hills have no votes. With back faces culled one sees through it from without. A warning where the stored normals point the other way as well; else it may be meant, as a bowl or a valley seen from above, and is a note.",
+        "Turn its faces, unless it is meant to be seen from this side.",
         Some("--orient outward"),
     ),
     entry(

@@ -30,6 +30,8 @@ pub enum Kind {
     Custom,
     Faceted,
     Quantised,
+    Tangents,
+    MorphNormals,
     AveragedCrease,
     SplitSeam,
     NeedlessSeam,
@@ -37,6 +39,7 @@ pub enum Kind {
     InconsistentWinding,
     NonOrientable,
     InsideOut,
+    OpenInsideOut,
     ZeroArea,
     BelowStorage,
     Needles,
@@ -172,6 +175,8 @@ impl Kind {
             | Kind::AgainstFace
             | Kind::Stray
             | Kind::Custom
+            | Kind::Tangents
+            | Kind::MorphNormals
             | Kind::Cancelling
             | Kind::Terminator => Element::Corner,
             _ => Element::Face,

@@ -24,8 +24,8 @@ pub(super) const ENTRIES: &[Entry] = &[
     risk(
         Kind::MachBands,
         "mach-bands",
-        "smooth edges that bend a lot",
-        "Brightness interpolated over the two faces has a kink at the edge, which eyes see as a bright or dark line along it.",
+        "smooth edges where the slope of brightness jumps",
+        "Brightness interpolated over the two faces has a kink at the edge, which eyes see as a bright or dark line along it. Measured as the change of slope of a white matte surface under a key light 45° from the edge's normal, in 8-bit steps a pixel, with the mesh 512 pixels wide.",
         "Use more faces where it bends, or shade each pixel (Phong) instead of each vertex (Gouraud).",
     ),
     risk(
@@ -39,7 +39,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         Kind::LostHighlight,
         "lost-highlight",
         "faces too large for the highlight",
-        "The normals at the corners of the face are further apart than the highlight is wide. Computed at the corners only (Gouraud), it vanishes inside the face and jumps from corner to corner in motion.",
+        "The normals at the corners of the face are further apart than the highlight of its material is wide. Computed at the corners only (Gouraud), it vanishes inside the face and jumps from corner to corner in motion.",
         "Shade each pixel (Phong), or use more faces.",
     ),
 ];

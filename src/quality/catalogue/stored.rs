@@ -157,4 +157,22 @@ pub(super) const ENTRIES: &[Entry] = &[
         "Compute them and store them as floats or 16-bit integers where the material is glossy.",
         Some("--normal-format i16"),
     ),
+    entry(
+        Kind::Tangents,
+        "tangents-off-normals",
+        Severity::Warning,
+        "tangents that do not fit the normals",
+        "A tangent lies across its normal, has length 1, and its handedness is 1 or −1; these do not. Normal maps are read in a skewed frame: bumps are lit from a wrong side, and where neighbours differ a seam shows. Usually normals were computed again and tangents were not.",
+        "Make both again.",
+        Some("--tangents regenerate"),
+    ),
+    entry(
+        Kind::MorphNormals,
+        "wrong-morph-normals",
+        Severity::Warning,
+        "normals of morphed shapes that do not fit the shape",
+        "With a morph target in full, the normal that comes out is far from what its faces give, further than without it. The face moves and its light does not move along, or moves the wrong way.",
+        "Compute them: those of the morph targets are computed along with the mesh's own.",
+        Some(""),
+    ),
 ];

@@ -3,7 +3,7 @@
 mod matching;
 
 use super::catalogue::Kind;
-use super::diagnosis::{Diagnosis, find_lines, site};
+use super::diagnosis::{Diagnosis, locate, site};
 use super::facts::stored_unit;
 use super::tally::Spot;
 use super::{Site, key_light_steps};
@@ -164,10 +164,10 @@ pub fn compare(
         let (part, corner) = sides[0].locate(corner);
         let mesh = meshes[0][part];
         let face = mesh.faces().ranges().position(|range| range.contains(&corner)).unwrap_or(0);
-        site(mesh, Spot::corner(face, corner, degrees), part, None)
+        site(mesh, Spot::corner(face, corner, degrees), part)
     };
     comparison.places = worst.iter().take(most).map(place).collect();
-    find_lines(comparison.places.iter_mut(), files[0]);
+    locate(comparison.places.iter_mut(), files[0]);
     Ok(comparison)
 }
 

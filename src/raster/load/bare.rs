@@ -42,7 +42,8 @@ impl SceneFile {
         let Loaded { format, parts, mut nodes, mut notes, document, .. } = loaded;
         drop(document);
         if !format.is_gltf() {
-            let as_it_stands = |(part, name)| FileNode { name, part, world_from_part: DMat4::IDENTITY };
+            let as_it_stands =
+                |(part, name)| FileNode { number: part, name, part, world_from_part: DMat4::IDENTITY };
             nodes = parts.iter().map(|part| part.name.clone()).enumerate().map(as_it_stands).collect();
         }
         nodes.retain(|node| parts[node.part].mesh.face_count() > parts[node.part].non_finite_faces.len());

@@ -6,18 +6,12 @@ use crate::io::{
 };
 use crate::num::{LinearRgb, Radians};
 use crate::raster::{Camera, Projection};
-use crate::shade::{Attenuation, Cone, Light, Material, Reflectance, Reflection};
+use crate::shade::{Attenuation, Cone, Light, Material, Reflectance, Reflection, roughness_exponent};
 use glam::DVec3;
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_2};
 
 /// Reflectance of what is no metal, seen from straight above: that of glass (glTF 2.0, appendix B).
 const DIELECTRIC: f64 = 0.04;
-
-/// The exponent of the roughest surfaces.
-const SMALLEST_EXPONENT: f64 = 1.0;
-
-/// The exponent of the smoothest surfaces: highlights become no smaller than the steps of a picture can show.
-const LARGEST_EXPONENT: f64 = 1e4;
 
 /// The light that surfaces show is what falls on them over π, and a physical light of 1 lux is taken as such; a light
 /// of this crate that has intensity 1 is one that a white surface shows as 1.
@@ -50,9 +44,7 @@ const LARGEST_HIGHLIGHT: f64 = 0.5;
 
 /// glTF's metallic-roughness model by Blinn's.
 ///
-/// - With α = roughness², the highlight of the microfacet model is about as wide as (N·H)ⁿ with n = 2/α² − 2
-///   (B. Walter et al., *Microfacet models for refraction through rough surfaces*, EGSR 2007, §5.2), here from 1 for
-///   the roughest to 10⁴ for the smoothest surfaces. It is never 0, which would be a step where N·L is 0.
+/// - The exponent n is that of a highlight as wide ([`roughness_exponent`]); α = roughness².
 /// - K_s = F₀ (1 − α) (n + 8)/8, where F₀ is 0.04 mixed with the base colour by `metallic`: the smaller a highlight,
 ///   the brighter, so that as much light is reflected (T. Akenine-Möller et al., *Real-Time Rendering*, 3rd ed., 2008,
 ///   §7.6, eq. 7.49). The factor 1 − α stands for the N·L that the lectures' highlight lacks: the rougher a surface,
@@ -64,7 +56,7 @@ const LARGEST_HIGHLIGHT: f64 = 0.5;
 /// - K_a = base.
 fn metallic_roughness(base: LinearRgb, metallic: f64, roughness: f64) -> Material {
     let alpha = roughness * roughness;
-    let exponent = (2.0 / (alpha * alpha) - 2.0).clamp(SMALLEST_EXPONENT, LARGEST_EXPONENT);
+    let exponent = roughness_exponent(roughness);
     let from_above = LinearRgb::grey(DIELECTRIC * (1.0 - metallic)) + base * metallic;
     let strength = (1.0 - alpha) * (exponent + 8.0) / 8.0;
     // A black metal reflects nothing: the smaller one of something and infinity.

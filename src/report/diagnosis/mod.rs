@@ -4,10 +4,12 @@ mod change;
 mod page;
 mod pictures;
 mod plots;
+mod sight;
 
 pub use change::After;
 pub use page::diagnosis_page;
-pub use pictures::{Sight, deviation_picture};
+pub use pictures::deviation_picture;
+pub use sight::Sight;
 
 use crate::io::Loaded;
 use crate::quality::{Survey, survey};

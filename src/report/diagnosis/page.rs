@@ -1,8 +1,9 @@
 //! The page.
 
 use super::change::{self, After};
-use super::pictures::{Model, Sight};
+use super::pictures::Model;
 use super::plots::histograms;
+use super::sight::{self, Sight};
 use crate::io::Loaded;
 use crate::num::three_digits;
 use crate::quality::{Diagnosis, Finding, Severity, Site};
@@ -11,7 +12,7 @@ use crate::report::{Page, Picture, ReportError, Table, escape_html};
 use std::fmt::Write;
 
 /// Pixels along the sides of overviews, and of close-ups.
-const SIDES: [u32; 2] = [420, 240];
+const SIDES: [u32; 2] = [320, 240];
 
 /// Findings that get close-ups of their own.
 const CLOSE_UPS: usize = 12;
@@ -33,7 +34,7 @@ pub fn diagnosis_page(
     let surveys = super::surveys(loaded);
     let model = Model::new(loaded, &surveys)?;
     let mut page = Page::new(&format!("Normals of {name}"), &verdict(diagnosis));
-    let camera = model.camera(diagnosis, sight);
+    let camera = sight::camera(&model, diagnosis, after.map(|after| after.comparison), sight);
     overview(&mut page, &model, diagnosis, camera)?;
     if let (Some(after), Some(camera)) = (after, camera) {
         change::section(&mut page, &model, after, camera, SIDES[0])?;
@@ -146,6 +147,9 @@ fn section(
             three_digits(degrees),
             three_digits(steps)
         );
+    }
+    if let Some(confidence) = finding.confidence {
+        let _ = write!(said, "; confidence {confidence:.2}");
     }
     said.push('.');
     page.paragraph(&said);

@@ -1,7 +1,8 @@
 //! Pictures of what was found: deviation as colours, facing, creases, and the worst places close up.
 
+use super::sight::{self, Sight};
 use crate::io::Loaded;
-use crate::mesh::{Column, Faces, Mesh, MeshBuilder};
+use crate::mesh::{Column, Faces, Mesh, MeshBuilder, normal_matrix};
 use crate::normals::{NormalField, Summary};
 use crate::num::{Degrees, LinearRgb};
 use crate::quality::{Diagnosis, Site, Survey};
@@ -12,7 +13,7 @@ use crate::report::label::{draw_text, text_width};
 use crate::report::viridis::viridis;
 use crate::report::{Overlay, Picture, ReportError, overlay};
 use crate::shade::Material;
-use glam::{DMat4, DVec3};
+use glam::{DMat3, DMat4, DVec3};
 use std::borrow::Cow;
 
 /// The deviation at the light end of the colours.
@@ -20,16 +21,6 @@ const FULL: Degrees = Degrees(15.0);
 
 /// The least that a close-up shows, as a share of the whole.
 const CLOSEST: f64 = 1e-3;
-
-/// Where a file is seen from.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Sight {
-    /// From where most of the worst places face.
-    #[default]
-    Auto,
-    /// From this side.
-    From(DVec3),
-}
 
 /// A file taken apart, so that each corner has a colour and a normal of its own.
 pub(super) struct Model {
@@ -60,13 +51,33 @@ impl Model {
         Ok(Self { parts, places })
     }
 
-    /// Where a place is in the world, and which way its face looks there.
-    fn stand(&self, site: &Site) -> Option<(DVec3, DVec3)> {
+    /// Which object a place is on, where that is in the world, and which way its face looks there.
+    pub(super) fn stand(&self, site: &Site) -> Option<(usize, DVec3, DVec3)> {
         let position = site.position?;
-        let place = self.places.iter().find(|(part, _)| *part == site.part)?.1;
+        let object = self.places.iter().position(|(part, _)| *part == site.part)?;
+        let place = self.places[object].1;
         let normals = &self.parts[site.part].field.face_normals;
         let normal = site.face.map_or(DVec3::ZERO, |face| normals[face as usize]);
-        Some((place.transform_point3(position), place.transform_vector3(normal).normalize_or_zero()))
+        let normal = normal_matrix(DMat3::from_mat4(place)).and_then(|matrix| matrix.apply(normal));
+        Some((object, place.transform_point3(position), normal.unwrap_or(DVec3::ZERO)))
+    }
+
+    /// The mesh of each part, every corner a vertex of its own.
+    pub(super) fn meshes(&self) -> impl Iterator<Item = &Mesh> {
+        self.parts.iter().map(|part| &part.mesh)
+    }
+
+    /// Which part stands where.
+    pub(super) fn objects(&self) -> impl Iterator<Item = (usize, DMat4)> {
+        self.places.iter().copied()
+    }
+
+    /// All points, in the world.
+    pub(super) fn points(&self) -> impl Iterator<Item = DVec3> {
+        let of = |&(part, place): &(usize, DMat4)| {
+            self.parts[part].mesh.positions().iter().map(move |&position| place.transform_point3(position))
+        };
+        self.places.iter().flat_map(of)
     }
 
     /// The scene from a camera, as it is lit, or coloured by deviation.
@@ -87,41 +98,9 @@ impl Model {
     }
 
     /// The box round all of it, in the world; `None` if there is nothing.
-    fn bounds(&self) -> Option<(DVec3, DVec3)> {
+    pub(super) fn bounds(&self) -> Option<(DVec3, DVec3)> {
         let any = Camera::framing((DVec3::ZERO, DVec3::ONE), 1.0);
         self.scene(any, false).bounds()
-    }
-
-    /// A camera that sees all of it; `None` if there is nothing to see.
-    pub(super) fn camera(&self, diagnosis: &Diagnosis, sight: Sight) -> Option<Camera> {
-        let framing = Camera::framing(self.bounds()?, 1.0);
-        let distance = framing.eye.distance(framing.target);
-        let direction = match sight {
-            Sight::From(direction) => direction.normalize_or(DVec3::Z),
-            Sight::Auto => self.best_direction(diagnosis, (framing.eye - framing.target) / distance),
-        };
-        let up = if direction.y.abs() > 0.95 { DVec3::NEG_Z } else { DVec3::Y };
-        Some(Camera { eye: framing.target + direction * distance, up, ..framing })
-    }
-
-    /// Of the directions from a cube's faces, edges and corners, the one that most of the worst places face; the usual one
-    /// if they face none more than others.
-    fn best_direction(&self, diagnosis: &Diagnosis, usual: DVec3) -> DVec3 {
-        let sites = diagnosis.findings.iter().flat_map(|finding| {
-            // Errors decide before warnings, warnings before notes.
-            let weight = [1.0, 100.0, 10_000.0][finding.severity as usize];
-            finding.places.iter().map(move |site| (weight, site))
-        });
-        let normals: Vec<(f64, DVec3)> =
-            sites.filter_map(|(weight, site)| Some((weight, self.stand(site)?.1))).collect();
-        let score = |direction: DVec3| -> f64 {
-            normals.iter().map(|&(weight, normal)| weight * normal.dot(direction).max(0.0)).sum()
-        };
-        let steps = [-1.0, 0.0, 1.0];
-        let around =
-            steps.iter().flat_map(|&x| steps.iter().flat_map(move |&y| steps.map(|z| DVec3::new(x, y, z))));
-        let candidates = around.filter(|direction| *direction != DVec3::ZERO).map(DVec3::normalize);
-        candidates.fold(usual, |best, next| if score(next) > score(best) * 1.01 { next } else { best })
     }
 
     /// Coloured by deviation, with a legend, and with rings round some places.
@@ -133,7 +112,7 @@ impl Model {
     ) -> Result<Picture, ReportError> {
         let mut picture = draw(&self.scene(camera, true), side, Show::Shaded)?;
         for site in sites {
-            if let Some((position, _)) = self.stand(site)
+            if let Some((_, position, _)) = self.stand(site)
                 && let Ok(Some(at)) = camera.on_picture([side; 2], position)
             {
                 ring(&mut picture, at, f64::from(side) / 40.0);
@@ -162,11 +141,10 @@ impl Model {
 
     /// A place close up, lit, with its edges; what stands in front of it is cut away. `None` for what is nowhere.
     pub(super) fn close_up(&self, site: &Site, side: u32) -> Result<Option<Picture>, ReportError> {
-        let Some((position, normal)) = self.stand(site) else { return Ok(None) };
+        let Some((object, position, normal)) = self.stand(site) else { return Ok(None) };
         let mesh = &self.parts[site.part].mesh;
         let face = site.face.map(|face| mesh.faces().face(face as usize));
-        let place =
-            self.places.iter().find(|(part, _)| *part == site.part).map_or(DMat4::IDENTITY, |it| it.1);
+        let place = self.places[object].1;
         let reach =
             |&vertex: &u32| place.transform_point3(mesh.positions()[vertex as usize]).distance(position);
         let size = face.map_or(0.0, |face| face.iter().map(reach).fold(0.0, f64::max));
@@ -228,7 +206,7 @@ pub fn deviation_picture(
     side: u32,
 ) -> Result<Picture, ReportError> {
     let model = Model::new(loaded, &super::surveys(loaded))?;
-    let camera = model.camera(diagnosis, sight).ok_or(ReportError::Empty)?;
+    let camera = sight::camera(&model, diagnosis, None, sight).ok_or(ReportError::Empty)?;
     model.deviation(camera, side, &[])
 }
 

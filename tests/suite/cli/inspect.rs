@@ -68,6 +68,7 @@ struct Finding {
     area_share: f64,
     degrees: Option<f64>,
     steps: Option<f64>,
+    confidence: Option<f64>,
     command: Option<String>,
     places: Vec<Place>,
 }

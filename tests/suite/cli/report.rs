@@ -85,7 +85,7 @@ struct Part {
     reversed_faces: usize,
     dropped_faces: usize,
     non_finite_faces: usize,
-    orientation: Option<BTreeMap<String, usize>>,
+    orientation: Option<BTreeMap<String, Option<f64>>>,
     quadric_fallbacks: usize,
     cone_declined: usize,
     wide_clusters: usize,

@@ -1,10 +1,10 @@
 //! Meshes that nothing is wrong with.
 
-use super::{grave, inspect, recipe, surface, with_normals};
+use super::{grave, inspect, rebuilt, recipe, surface, with_normals};
 use crate::cli::data;
 use crate::meshes;
 use crease::io::{ReadOptions, read};
-use crease::mesh::Mesh;
+use crease::mesh::{Faces, Mesh};
 use crease::normals::{NormalRecipe, Weight};
 use crease::surface::{Cylinder, Pattern, Sphere, Superquadric, Surface, Tessellation, Torus, Wave};
 
@@ -15,6 +15,8 @@ pub(super) struct Clean {
     /// What its normals were made with.
     pub(super) recipe: NormalRecipe,
     pub(super) is_closed: bool,
+    /// One of its sides is the outer one, if only by what is seen from it.
+    pub(super) has_outside: bool,
     /// Its normals point so many ways that their storage shows.
     pub(super) is_round: bool,
     /// Its faces are so uneven that weightings differ.
@@ -24,12 +26,21 @@ pub(super) struct Clean {
 fn clean(name: &'static str, mesh: Mesh, crease: f64) -> Clean {
     let recipe = recipe(Weight::Angle, crease);
     let mesh = with_normals(mesh.with_normals(None), &recipe);
-    Clean { name, mesh, recipe, is_closed: true, is_round: true, is_uneven: false }
+    Clean { name, mesh, recipe, is_closed: true, has_outside: true, is_round: true, is_uneven: false }
 }
 
 fn jittered(shape: &Surface, segments: [u32; 2]) -> Mesh {
     let tessellation = Tessellation { segments, jitter: 0.5, ..Tessellation::default() };
     shape.tessellate(&tessellation).unwrap()
+}
+
+/// Half a ball of uneven triangles, open below.
+fn bowl() -> Mesh {
+    let whole = jittered(&Surface::from(Sphere::default()), [40, 24]);
+    let is_above = |face: &&[u32]| face.iter().all(|&v| whole.positions()[v as usize].y > -0.2);
+    let mut faces = Faces::new();
+    whole.faces().iter().filter(is_above).for_each(|face| faces.push(face));
+    rebuilt(whole.positions().to_vec(), faces)
 }
 
 fn file(name: &str) -> Mesh {
@@ -46,9 +57,11 @@ pub(super) fn meshes() -> Vec<Clean> {
         Clean { is_uneven: true, ..clean("torus", jittered(&torus, [48, 24]), 40.0) },
         Clean {
             is_closed: false,
+            has_outside: false,
             is_uneven: true,
             ..clean("wave", jittered(&Surface::Wave(Wave::default()), [40, 40]), 40.0)
         },
+        Clean { is_closed: false, is_uneven: true, ..clean("bowl", bowl(), 40.0) },
         Clean { is_round: false, ..clean("gear", file("gear.obj"), 40.0) },
     ];
     if let Some(path) = meshes::path("ref/fandisk_vtk_split30.ply") {

@@ -1,0 +1,117 @@
+//! What a ray through a mesh meets: whether one point of it can see far away.
+
+use super::Mesh;
+use super::box_tree::{Bounds, BoxTree};
+use crate::num::unit_scale;
+use glam::DVec3;
+use std::ops::ControlFlow;
+
+/// Hits closer than this, in units of the mesh's half size, are with the surface that the ray starts on.
+const NEAR: f64 = 1e-9;
+
+/// The faces of a mesh, in a tree of boxes, in units of the mesh's half size about its middle.
+pub(crate) struct Obstacles<'a> {
+    mesh: &'a Mesh,
+    tree: BoxTree,
+    middle: DVec3,
+    scale: f64,
+}
+
+impl<'a> Obstacles<'a> {
+    /// n log n in faces.
+    pub(crate) fn new(mesh: &'a Mesh) -> Self {
+        let (low, high) = mesh.bounds().unwrap_or_default();
+        let middle = Bounds { low, high }.middle();
+        let scale = unit_scale((high - middle).max(middle - low).max_element());
+        let place = |vertex: u32| (mesh.positions()[vertex as usize] - middle) * scale;
+        let tree = BoxTree::build(mesh.face_count(), |face| {
+            Bounds::of(mesh.faces().face(face as usize).iter().map(|&vertex| place(vertex)))
+        });
+        Self { mesh, tree, middle, scale }
+    }
+
+    /// A point of the mesh's space in the units of this.
+    pub(crate) fn local(&self, point: DVec3) -> DVec3 {
+        (point - self.middle) * self.scale
+    }
+
+    /// Where a vertex is.
+    pub(crate) fn place(&self, vertex: u32) -> DVec3 {
+        self.local(self.mesh.positions()[vertex as usize])
+    }
+
+    /// Whether a ray gets away from a point without meeting a face other than its `own`; `None` if `budget` boxes and
+    /// faces were looked at before that was clear.
+    pub(crate) fn is_free(&self, from: DVec3, direction: DVec3, own: u32, budget: usize) -> Option<bool> {
+        // A component of zero would make products that are no numbers.
+        let inverse = direction.to_array().map(|x| 1.0 / if x.abs() < 1e-30 { 1e-30 } else { x });
+        let enter = |bounds: Bounds| {
+            let (mut near, mut far) = (0.0_f64, f64::INFINITY);
+            for axis in 0..3 {
+                let [a, b] = [bounds.low, bounds.high].map(|p| (p[axis] - from[axis]) * inverse[axis]);
+                near = near.max(a.min(b));
+                far = far.min(a.max(b));
+            }
+            // Three roundings on either side.
+            near <= far * (1.0 + 6.0 * f64::EPSILON)
+        };
+        let mut free = true;
+        let enough = self.tree.visit(&mut { budget }, enter, |face| {
+            if face != own && self.meets(face, from, direction) {
+                free = false;
+                return ControlFlow::Break(());
+            }
+            ControlFlow::Continue(())
+        });
+        (enough || !free).then_some(free)
+    }
+
+    /// Whether a ray meets the fan of triangles of a face (T. Möller, B. Trumbore, *Fast, minimum storage ray/triangle
+    /// intersection*, Journal of Graphics Tools 2(1), 1997), from whichever side.
+    fn meets(&self, face: u32, from: DVec3, direction: DVec3) -> bool {
+        let corners = self.mesh.faces().face(face as usize);
+        let first = self.place(corners[0]);
+        corners[1..].windows(2).any(|edge| {
+            let [u, v] = [edge[0], edge[1]].map(|vertex| self.place(vertex) - first);
+            let p = direction.cross(v);
+            let determinant = u.dot(p);
+            if determinant == 0.0 {
+                return false;
+            }
+            let t = from - first;
+            let a = t.dot(p) / determinant;
+            let q = t.cross(u);
+            let b = direction.dot(q) / determinant;
+            a >= 0.0 && b >= 0.0 && a + b <= 1.0 && v.dot(q) / determinant > NEAR
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{Faces, MeshBuilder};
+
+    #[test]
+    fn rays_meet_what_is_in_their_way() {
+        let square = |z: f64| [[-1., -1.], [1., -1.], [1., 1.], [-1., 1.]].map(|[x, y]| DVec3::new(x, y, z));
+        let mut faces = Faces::new();
+        (0..3).for_each(|i| faces.push(&[4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3]));
+        let positions = [square(0.0), square(1.0), square(-3.0)].concat();
+        for offset in [DVec3::ZERO, DVec3::splat(1e6)] {
+            let positions = positions.iter().map(|&p| p + offset).collect();
+            let mesh =
+                MeshBuilder { positions, faces: faces.clone(), ..MeshBuilder::default() }.build().unwrap();
+            let obstacles = Obstacles::new(&mesh);
+            let from = obstacles.local(offset);
+            let free = |direction: DVec3| obstacles.is_free(from, direction, 0, 1000);
+            assert_eq!(free(DVec3::Z), Some(false));
+            assert_eq!(free(DVec3::NEG_Z), Some(false));
+            assert_eq!(free(DVec3::X), Some(true));
+            // Past the rim of the upper one, which is met up to 45°.
+            assert_eq!(free(DVec3::new(0.99, 0.0, 1.0)), Some(false));
+            assert_eq!(free(DVec3::new(1.01, 0.0, 1.0)), Some(true));
+            assert_eq!(obstacles.is_free(from, DVec3::X, 0, 0), None, "no budget");
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! Where a file is seen from: so that its worst places are seen, and not hidden behind others.
+
+use super::pictures::Model;
+use crate::mesh::Obstacles;
+use crate::quality::{Comparison, Diagnosis, Site};
+use crate::raster::{Camera, Projection};
+use glam::{DMat4, DVec3};
+
+/// Where a file is seen from.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Sight {
+    /// From where most of the worst places are seen.
+    #[default]
+    Auto,
+    /// From this side.
+    From(DVec3),
+}
+
+/// Places that have a say; more would cost more and say the same.
+const MOST_PLACES: usize = 64;
+
+/// Boxes and faces that are looked at for whether a place is hidden; beyond, it counts as hidden.
+const BUDGET: usize = 1 << 14;
+
+/// How much a place counts that is seen edge-on or whose face has no direction, against one seen from the front.
+const EDGE_ON: f64 = 0.05;
+
+/// How much of a picture is left free around what it shows.
+const MARGIN: f64 = 1.08;
+
+/// A place that should be seen.
+struct Wanted {
+    position: DVec3,
+    normal: DVec3,
+    /// Its number among the places of parts, and its face.
+    object: usize,
+    face: u32,
+    weight: f64,
+}
+
+/// A camera that sees all of a model, from a side or from where most is seen of what was found and what changed; `None`
+/// if there is nothing to see.
+pub(super) fn camera(
+    model: &Model,
+    diagnosis: &Diagnosis,
+    comparison: Option<&Comparison>,
+    sight: Sight,
+) -> Option<Camera> {
+    let framing = Camera::framing(model.bounds()?, 1.0);
+    let distance = framing.eye.distance(framing.target);
+    let direction = match sight {
+        Sight::From(direction) => direction.normalize_or(DVec3::Z),
+        Sight::Auto => {
+            best(model, &wanted(model, diagnosis, comparison), (framing.eye - framing.target) / distance)
+        }
+    };
+    let up = if direction.y.abs() > 0.95 { DVec3::NEG_Z } else { DVec3::Y };
+    let camera = Camera { eye: framing.target + direction * distance, up, ..framing };
+    Some(zoomed(model, camera))
+}
+
+/// The places of findings, errors before warnings before notes, and what changed most.
+fn wanted(model: &Model, diagnosis: &Diagnosis, comparison: Option<&Comparison>) -> Vec<Wanted> {
+    let found = diagnosis.findings.iter().flat_map(|finding| {
+        let weight = [1.0, 100.0, 10_000.0][finding.severity as usize];
+        finding.places.iter().map(move |site| (weight, site))
+    });
+    let changed = comparison.into_iter().flat_map(|it| &it.places).map(|site| (10_000.0, site));
+    let mut sites: Vec<(f64, &Site)> = found.chain(changed).collect();
+    sites.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let place = |(weight, site): (f64, &Site)| {
+        let (object, position, normal) = model.stand(site)?;
+        Some(Wanted { position, normal, object, face: site.face.unwrap_or(u32::MAX), weight })
+    };
+    sites.into_iter().take(MOST_PLACES).filter_map(place).collect()
+}
+
+/// Of the directions from a cube's faces, edges and corners, the one from which most is seen; the usual one if that is no
+/// worse.
+fn best(model: &Model, wanted: &[Wanted], usual: DVec3) -> DVec3 {
+    if wanted.is_empty() {
+        return usual;
+    }
+    let obstacles: Vec<Obstacles<'_>> = model.meshes().map(Obstacles::new).collect();
+    let score = |direction: DVec3| -> f64 {
+        let seen = wanted.iter().filter(|place| is_seen(model, &obstacles, place, direction));
+        seen.map(|place| place.weight * (EDGE_ON + place.normal.dot(direction).max(0.0))).sum()
+    };
+    let steps = [-1.0, 0.0, 1.0];
+    let around =
+        steps.iter().flat_map(|&x| steps.iter().flat_map(move |&y| steps.map(|z| DVec3::new(x, y, z))));
+    let candidates = around.filter(|direction| *direction != DVec3::ZERO).map(DVec3::normalize);
+    let first = (usual, score(usual) * 1.01);
+    candidates
+        .map(|direction| (direction, score(direction)))
+        .fold(first, |best, next| if next.1 > best.1 { next } else { best })
+        .0
+}
+
+/// Whether nothing stands between a place and a far eye.
+fn is_seen(model: &Model, obstacles: &[Obstacles<'_>], place: &Wanted, direction: DVec3) -> bool {
+    model.objects().enumerate().all(|(number, (part, transform))| {
+        let back: DMat4 = transform.inverse();
+        let from = obstacles[part].local(back.transform_point3(place.position));
+        let own = if number == place.object { place.face } else { u32::MAX };
+        let towards = back.transform_vector3(direction).normalize_or_zero();
+        obstacles[part].is_free(from, towards, own, BUDGET) == Some(true)
+    })
+}
+
+/// The same camera with the angle of view that the model fills.
+fn zoomed(model: &Model, camera: Camera) -> Camera {
+    let (Projection::Perspective(angle), Ok([right, up, forward])) = (camera.projection, camera.axes())
+    else {
+        return camera;
+    };
+    let tangent = |point: DVec3| {
+        let seen = point - camera.eye;
+        seen.dot(right).abs().max(seen.dot(up).abs()) / seen.dot(forward)
+    };
+    let widest = model.points().map(tangent).filter(|it| it.is_finite()).fold(0.0, f64::max);
+    let fitting = 2.0 * libm::atan(widest * MARGIN);
+    if fitting > 0.0 && fitting < angle.0 {
+        Camera { projection: Projection::Perspective(crate::num::Radians(fitting)), ..camera }
+    } else {
+        camera
+    }
+}
