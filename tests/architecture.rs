@@ -62,6 +62,8 @@ const OUTSIDE: &[(&str, &[&str])] = &[
         ],
     ),
     ("memchr", &["io"]),
+    // The program's main file alone.
+    ("mimalloc", &[]),
     ("png", &["report"]),
     ("pulp", &["num"]),
     (
