@@ -62,8 +62,7 @@ const OUTSIDE: &[(&str, &[&str])] = &[
         ],
     ),
     ("memchr", &["io"]),
-    // The program's main file alone.
-    ("mimalloc", &[]),
+    ("mimalloc", &["cli"]),
     ("png", &["report"]),
     ("pulp", &["num"]),
     (
