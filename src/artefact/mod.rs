@@ -34,6 +34,7 @@ mod attenuation_and_overflow;
 mod body;
 mod error;
 mod experiment;
+mod false_smoothing;
 mod flat_validity;
 mod lost_highlight;
 mod mach_bands;
@@ -50,6 +51,7 @@ mod silhouette;
 mod stage;
 mod text;
 mod triangulation;
+mod vertex_average;
 
 pub use error::ArtefactError;
 pub use experiment::{Experiment, Formula};
@@ -62,6 +64,8 @@ pub const EXPERIMENTS: &[Experiment] = &[
     silhouette::EXPERIMENT,
     mach_bands::EXPERIMENT,
     orientation::EXPERIMENT,
+    false_smoothing::EXPERIMENT,
+    vertex_average::EXPERIMENT,
     shared_vertices::EXPERIMENT,
     perspective_distortion::EXPERIMENT,
     lost_highlight::EXPERIMENT,

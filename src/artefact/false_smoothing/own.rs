@@ -1,0 +1,113 @@
+//! Somebody's own mesh, averaged over every edge and not over creases.
+
+use super::super::own_mesh::{Room, camera, light_from};
+use super::super::stage::object;
+use super::super::{ArtefactError, Measure, Moved, Outcome, Parameters, Role, Shot, Text, UserMesh, Verdict};
+use super::shots::{angle_map, labelled, light_map};
+use super::subject::{Subject, material};
+use crate::normals::{Crease, NormalRecipe, compute};
+
+pub(super) fn run(own: &UserMesh, parameters: &Parameters) -> Result<Outcome, ArtefactError> {
+    let &Parameters { size, light, weight, crease, .. } = parameters;
+    let mesh = Room::of(own)?.moved(own.mesh)?;
+    let field = compute(&mesh, &NormalRecipe::default());
+    let camera = camera(&object(&mesh, &field, material()));
+    let subject = Subject { light: light_from(&camera, light)?, mesh, camera, size };
+    let [smooth, sharp] = [Crease::OFF, Crease::Angle(crease)].map(|crease| subject.case(weight, crease));
+    let (smooth, sharp) = (smooth?, sharp?);
+    let is_false = smooth.share_over(crease) > 0.0;
+    let measure = |en, pt, unit, value| Measure::new(Text::new(en, pt), unit, value);
+    let [angles, light] = smooth.maps();
+    let of = ["mesh", "malha"];
+    Ok(Outcome {
+        verdict: match is_false {
+            true => Verdict::Holds(Text::new(
+                "this mesh has corners whose mean is farther from their face than the crease angle.",
+                "esta malha tem cantos cuja média está mais longe da sua face do que o ângulo de vinco.",
+            )),
+            false => Verdict::Fails(Text::new(
+                "no corner of this mesh is farther from its face than the crease angle: nothing is smoothed that the angle calls sharp.",
+                "nenhum canto desta malha está mais longe da sua face do que o ângulo de vinco: nada do que o ângulo chama de vivo é alisado.",
+            )),
+        },
+        moved: Moved {
+            name: Text::new(
+                "mean angle of the pixels' normals to the faces",
+                "ângulo médio das normais dos pixels com as faces",
+            ),
+            unit: "°",
+            bad: smooth.deviation.mean,
+            cure: Text::made(
+                format!("vertices split at edges over {}°", crease.0),
+                format!("vértices separados em arestas de mais de {}°", crease.0),
+            ),
+            cured: sharp.deviation.mean,
+        },
+        measures: vec![
+            measure(
+                "averaged: share of corners over the crease angle",
+                "média: parcela de cantos acima do ângulo de vinco",
+                "",
+                smooth.share_over(crease),
+            ),
+            measure(
+                "split: share of corners over the crease angle",
+                "separada: parcela de cantos acima do ângulo de vinco",
+                "",
+                sharp.share_over(crease),
+            ),
+            measure(
+                "averaged: largest angle of a corner's normal to its face",
+                "média: maior ângulo da normal de um canto com a sua face",
+                "°",
+                smooth.largest(),
+            ),
+            measure(
+                "split: largest angle of a corner's normal to its face",
+                "separada: maior ângulo da normal de um canto com a sua face",
+                "°",
+                sharp.largest(),
+            ),
+            measure(
+                "averaged: mean angle of the pixels",
+                "média: ângulo médio dos pixels",
+                "°",
+                smooth.deviation.mean,
+            ),
+            measure(
+                "split: mean angle of the pixels",
+                "separada: ângulo médio dos pixels",
+                "°",
+                sharp.deviation.mean,
+            ),
+        ],
+        shots: vec![
+            Shot::new(
+                "own",
+                Role::Bad,
+                labelled(of, ["averaged", "média"]),
+                Text::new("Normals averaged over every edge.", "Normais médias sobre todas as arestas."),
+                smooth.lit,
+            ),
+            Shot::new(
+                "own-split",
+                Role::Cured,
+                labelled(of, ["split", "separada"]),
+                Text::new(
+                    "Vertices split where edges are sharper than the crease angle.",
+                    "Vértices separados onde as arestas são mais vivas que o ângulo de vinco.",
+                ),
+                sharp.lit,
+            ),
+            angle_map("own-angles", of, angles),
+            light_map("own-light", of, light),
+        ],
+        charts: Vec::new(),
+        notes: vec![Text::new(
+            "Faces that stand for something round are off their means as well, by half the angle between them; only more than that \
+             is false.",
+            "Faces que representam algo redondo também diferem das suas médias, por metade do ângulo entre elas; só o que passa \
+             disso é falso.",
+        )],
+    })
+}
