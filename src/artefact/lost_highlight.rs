@@ -1,7 +1,7 @@
 //! A highlight that falls between vertices.
 
 use super::body::{Body, Diagonal};
-use super::stage::{draw, front, settings};
+use super::stage::{draw, front, settings, tiles};
 use super::{
     ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters, Role,
     Scale, Setup, Shot, Text, Verdict,
@@ -59,6 +59,8 @@ const DIFFUSE: f64 = 0.4;
 const TILT: Degrees = Degrees(35.0);
 /// The window's side; plate and sphere are 2 wide.
 const WINDOW: f64 = 2.2;
+/// The window's side from close by.
+const CLOSE: f64 = 1.1;
 /// Pictures of one turn by a segment.
 const FRAMES: u32 = 8;
 
@@ -200,6 +202,18 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 image: cured,
             },
             Shot {
+                name: "film",
+                role: Role::Bad,
+                label: Text::new("Gouraud above, Phong below", "Gouraud acima, Phong abaixo"),
+                caption: Text::new(
+                    "The highlight from close by while the sphere turns by one segment, from left to right: Gouraud's goes out and comes \
+                     back, Phong's stays. In an animation (--animate) it flickers.",
+                    "O brilho visto de perto enquanto a esfera gira de um segmento, da esquerda para a direita: o de Gouraud se apaga e \
+                     volta, o de Phong fica. Numa animação (--animate) ele cintila.",
+                ),
+                image: film(&setup.parameters)?,
+            },
+            Shot {
                 name: "sphere-exact",
                 role: Role::Truth,
                 label: Text::new("the sphere itself", "a própria esfera"),
@@ -222,11 +236,28 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     })
 }
 
-/// A frame of the sphere turning by two segments.
+/// A frame of the sphere turning by two segments, with Gouraud's shading at the left and Phong's at the right.
 fn frame(setup: &Setup, number: u32, count: u32) -> Result<Image, ArtefactError> {
     let Parameters { size, segments, exponent, .. } = setup.parameters;
     let turn = 2.0 * TAU / f64::from(segments) * f64::from(number) / f64::from(count.max(1));
-    paint(Body::globe(segments, turn).object(material(exponent)), size, Shading::Gouraud)
+    let globe = Body::globe(segments, turn);
+    let paint = |shading| paint(globe.object(material(exponent)), size, shading);
+    Ok(tiles(&[vec![paint(Shading::Gouraud)?, paint(Shading::Phong)?]]))
+}
+
+/// Five pictures of a turn by a segment from close by, under Gouraud's shading and Phong's.
+fn film(parameters: &Parameters) -> Result<Image, ArtefactError> {
+    const PICTURES: u32 = 5;
+    let &Parameters { size, segments, exponent, .. } = parameters;
+    let row = |shading| {
+        let picture = |k: u32| {
+            let turn = TAU / f64::from(segments) * f64::from(k) / f64::from(PICTURES - 1);
+            let globe = Body::globe(segments, turn);
+            look(globe.object(material(exponent)), size / PICTURES - 2, shading, CLOSE)
+        };
+        (0..PICTURES).map(picture).collect::<Result<Vec<_>, ArtefactError>>()
+    };
+    Ok(tiles(&[row(Shading::Gouraud)?, row(Shading::Phong)?]))
 }
 
 fn chart(gouraud: Vec<[f64; 2]>, phong: Vec<[f64; 2]>, exponent: f64, delta: f64) -> Chart {
@@ -288,8 +319,13 @@ fn plate() -> Body {
 
 /// Light and viewer in front, far away.
 fn paint(object: Object, size: u32, shading: Shading) -> Result<Image, ArtefactError> {
+    look(object, size, shading, WINDOW)
+}
+
+/// The same through a window of any side.
+fn look(object: Object, size: u32, shading: Shading, window: f64) -> Result<Image, ArtefactError> {
     let light = Light::Directional { towards: DVec3::Z, colour: LinearRgb::WHITE };
-    draw(vec![object], &[light], front(WINDOW), &settings([size; 2], shading, Interpolation::Perspective))
+    draw(vec![object], &[light], front(window), &settings([size; 2], shading, Interpolation::Perspective))
 }
 
 #[cfg(test)]
@@ -312,6 +348,8 @@ mod tests {
             };
             assert!(peak("plate-gouraud") < 0.5 * peak("plate-phong"));
             assert!(peak("sphere-gouraud") < peak("sphere-phong"));
+            let still = EXPERIMENT.frame(&Setup { parameters, mesh: None }, 0, 2).unwrap();
+            assert_eq!(still.size, [2 * 160 + 2, 160]);
         }
     }
 }

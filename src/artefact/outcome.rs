@@ -58,9 +58,9 @@ pub struct Moved {
 }
 
 impl Moved {
-    /// How many times smaller it became; infinite if it vanished.
+    /// How many times smaller it became; infinite if it vanished, 1 if there was nothing to cure.
     pub fn factor(&self) -> f64 {
-        self.bad.abs() / self.cured.abs()
+        if self.bad == 0.0 && self.cured == 0.0 { 1.0 } else { self.bad.abs() / self.cured.abs() }
     }
 }
 

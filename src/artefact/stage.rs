@@ -125,9 +125,38 @@ pub(super) fn differences(first: &Image, second: &Image) -> Vec<Option<f64>> {
     (0..colours.len()).map(difference).collect()
 }
 
+/// Pictures of one size as one: rows of them, with a narrow gap of background between.
+pub(super) fn tiles(rows: &[Vec<Image>]) -> Image {
+    const GAP: u32 = 2;
+    let [width, height] = rows.first().and_then(|row| row.first()).map_or([0; 2], |image| image.size);
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(0) as u32;
+    let side = |count: u32, length: u32| (count * (length + GAP)).saturating_sub(GAP);
+    let size = [side(columns, width), side(rows.len() as u32, height)];
+    let background = BACKGROUND.to_array().map(|component| component as f32);
+    let (mut colours, mut coverage) = (Vec::new(), Vec::new());
+    for (y, x) in (0..size[1]).flat_map(|y| (0..size[0]).map(move |x| (y, x))) {
+        let tile =
+            rows.get((y / (height + GAP)) as usize).and_then(|row| row.get((x / (width + GAP)) as usize));
+        let pixel = tile.and_then(|tile| Some((tile, tile.index(x % (width + GAP), y % (height + GAP))?)));
+        colours.push(pixel.map_or(background, |(tile, index)| linear(tile)[index]));
+        coverage.push(pixel.map_or(0, |(tile, index)| tile.coverage[index]));
+    }
+    picture(size, colours, coverage)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn tiles_stand_in_rows() {
+        let grey = |value: f32| picture([3, 1], vec![[value; 3]; 3], vec![1; 3]);
+        let all = tiles(&[vec![grey(0.1), grey(0.2)], vec![grey(0.3)]]);
+        assert_eq!(all.size, [8, 4]);
+        assert_eq!(all.coverage.iter().filter(|&&covered| covered > 0).count(), 9);
+        let at = |x, y| linear(&all)[all.index(x, y).unwrap()][0];
+        assert_eq!([at(0, 0), at(5, 0), at(2, 3)], [0.1, 0.2, 0.3]);
+    }
 
     #[test]
     fn maps_get_lighter_all_the_way() {

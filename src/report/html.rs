@@ -114,16 +114,16 @@ impl Page {
             escape_html(&table.caption)
         );
         self.body.push_str("<thead><tr>");
-        for column in &table.columns {
-            let _ = write!(self.body, "<th scope=\"col\">{}</th>", escape_html(column));
+        let class = |column: usize| if table.has_words(column) { " class=\"words\"" } else { "" };
+        for (column, name) in table.columns.iter().enumerate() {
+            let _ = write!(self.body, "<th scope=\"col\"{}>{}</th>", class(column), escape_html(name));
         }
         self.body.push_str("</tr></thead>\n<tbody>\n");
         for row in &table.rows {
             self.body.push_str("<tr>");
             for (column, cell) in row.iter().enumerate() {
-                let tag = if column == 0 { "th scope=\"row\"" } else { "td" };
-                let end = if column == 0 { "th" } else { "td" };
-                let _ = write!(self.body, "<{tag}>{}</{end}>", escape_html(cell));
+                let (tag, scope) = if column == 0 { ("th", " scope=\"row\"") } else { ("td", "") };
+                let _ = write!(self.body, "<{tag}{scope}{}>{}</{tag}>", class(column), escape_html(cell));
             }
             self.body.push_str("</tr>\n");
         }
@@ -244,23 +244,26 @@ impl Table {
         self.rows.is_empty()
     }
 
+    /// Whether a column holds words: fewer than half of what stands in it begin with a digit.
+    fn has_words(&self, column: usize) -> bool {
+        let filled = || self.rows.iter().map(|row| &row[column]).filter(|cell| !cell.is_empty());
+        let is_number = |cell: &&String| {
+            cell.trim_start_matches(['-', '−', '+']).starts_with(|c: char| c.is_ascii_digit() || c == '∞')
+        };
+        2 * filled().filter(is_number).count() < filled().count()
+    }
+
     /// As text for a terminal: columns of equal width, numbers to the right, words to the left.
     pub fn to_text(&self) -> String {
         let lines = || std::iter::once(&self.columns).chain(&self.rows);
-        let has_numbers = |column: usize| {
-            self.rows.iter().any(|row| {
-                row[column].trim_start_matches(['-', '−', '+']).starts_with(|c: char| c.is_ascii_digit())
-            })
-        };
-        let to_the_left: Vec<bool> =
-            (0..self.columns.len()).map(|column| column == 0 || !has_numbers(column)).collect();
         let width = |column: usize| lines().map(|line| line[column].chars().count()).max().unwrap_or(0);
         let widths: Vec<usize> = (0..self.columns.len()).map(width).collect();
+        let words: Vec<bool> = (0..self.columns.len()).map(|column| self.has_words(column)).collect();
         let mut text = format!("{}\n", self.caption);
         for line in lines() {
             let cells = line.iter().zip(&widths).enumerate().map(|(column, (cell, width))| {
                 let fill = " ".repeat(width - cell.chars().count());
-                if to_the_left[column] { format!("{cell}{fill}") } else { format!("{fill}{cell}") }
+                if column == 0 || words[column] { format!("{cell}{fill}") } else { format!("{fill}{cell}") }
             });
             let _ = writeln!(text, "  {}", cells.collect::<Vec<_>>().join("  ").trim_end());
         }

@@ -11,7 +11,7 @@ use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 
 /// The window's side; the cylinder has the radius 1.
-const WINDOW: f64 = 2.2;
+pub(super) const WINDOW: f64 = 2.2;
 /// Pixels of a scanline that is measured.
 const LINE: u32 = 4096;
 /// Edges farther round are seen so much from the side that their facets have few pixels.
@@ -90,6 +90,12 @@ impl Tube {
             seen && (theta - light).abs() + delta < PI / 2.0
         };
         (0..self.segments).map(turned).filter(is_lit)
+    }
+
+    /// The width across the picture of the narrowest facet beside one of those edges, in radii.
+    pub(super) fn narrowest(&self) -> f64 {
+        let Radians(farthest) = FARTHEST.into();
+        libm::sin((farthest + self.delta()).min(PI / 2.0)) - libm::sin(farthest)
     }
 
     /// The edge with the largest jump, as measured.

@@ -1,16 +1,17 @@
 //! The lectures' diamond: turning a polygon changes its colours under the scanline algorithm.
 
+mod back;
+mod pictures;
 mod polygon;
 
-use super::stage::{differences, linear, map, picture};
+use super::stage::linear;
 use super::{
-    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters, Role,
-    Scale, Setup, Shot, Text, Verdict,
+    ArtefactError, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters, Setup, Text, Verdict,
 };
 use crate::num::Degrees;
 use crate::raster::{Image, Interpolation};
-use glam::DVec3;
-use polygon::{Polygon, sin_cos};
+use glam::{DVec2, DVec3};
+use polygon::Polygon;
 
 pub(super) const EXPERIMENT: Experiment = Experiment {
     id: "orientation",
@@ -35,12 +36,12 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
             "a cor no centro do losango girado de θ",
         ),
     }],
-    takes: &[Knob::Size, Knob::Mesh],
+    takes: &[Knob::Size, Knob::Interpolation, Knob::Mesh],
     own_mesh: Some(Text::new(
-        "its first face of four corners or more",
-        "sua primeira face de quatro cantos ou mais",
+        "its first face of four corners or more, with the colours of its vertices if it has them",
+        "a sua primeira face de quatro cantos ou mais, com as cores dos seus vértices se as tiver",
     )),
-    defaults: Parameters { size: 321, ..Parameters::USUAL },
+    defaults: Parameters { size: 321, interpolation: Interpolation::Scanline, ..Parameters::USUAL },
     run,
     frame: Some(frame),
 };
@@ -59,7 +60,8 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     };
     let scanline = centres(Interpolation::Scanline)?;
     let triangles = centres(Interpolation::Affine)?;
-    let laws: Vec<DVec3> = (0..TURNS).map(|turn| polygon.scanline(angle(turn))).collect();
+    let perspective = centres(Interpolation::Perspective)?;
+    let laws: Vec<DVec3> = (0..TURNS).map(|turn| polygon.scanline(DVec2::ZERO, angle(turn))).collect();
 
     let spread = |colours: &[DVec3]| -> (f64, f64) {
         let far = colours.iter().map(|&colour| (colour - colours[0]).abs().max_element());
@@ -96,20 +98,21 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             mean,
         )
         .expect(mean_law, 2.0 * tolerance, as_law()),
-        Measure::new(
+        in_triangles(
             Text::new("largest change, in triangles", "maior mudança, em triângulos"),
-            "",
             of_triangles,
-        )
-        .expect(
-            0.0,
             2.0 * tolerance,
+        ),
+        in_triangles(
             Text::new(
-                "barycentric coordinates do not turn; corners snap to 256ths of pixels",
-                "coordenadas baricêntricas não giram; os cantos se ajustam a 1/256 de pixel",
+                "largest change, in triangles by perspective",
+                "maior mudança, em triângulos com perspectiva",
             ),
+            spread(&perspective).0,
+            2.0 * tolerance,
         ),
     ];
+    measures.extend(back::measures(&polygon, size, tolerance)?);
     let cuts = [0, 1].map(|cut| polygon.cut(cut));
     let [first, second] = cuts;
     let (first, second) = (first?, second?);
@@ -120,7 +123,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     }
     let upright = polygon.draw(size, Degrees(0.0), Interpolation::Scanline)?;
     let turned = polygon.draw(size, Degrees(90.0), Interpolation::Scanline)?;
-    let back = turned_back(&turned, Degrees(90.0));
+    let back = back::turned_back(&turned, Degrees(90.0));
     let half = polygon.draw(size, Degrees(45.0), Interpolation::Scanline)?;
     Ok(Outcome {
         verdict: match most_law > 0.01 {
@@ -147,8 +150,8 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             cure: Text::new("cut into triangles", "cortado em triângulos"),
             cured: of_triangles,
         },
-        charts: vec![chart(&scanline, &laws, &triangles)],
-        shots: shots([upright, half, turned, back], one, other),
+        charts: vec![pictures::chart(&scanline, &laws, &triangles)],
+        shots: pictures::shots([upright, half, turned, back], one, other),
         measures,
         notes: vec![
             Text::new(
@@ -158,6 +161,12 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                  polígono, e a linha pelo seu centro corta outras arestas em outros lugares.",
             ),
             Text::new(
+                "The animation (--animate) shows the turn; --interpolation affine or perspective shows it in triangles, where nothing \
+                 changes but the place.",
+                "A animação (--animate) mostra o giro; --interpolation affine ou perspective o mostra em triângulos, onde nada muda \
+                 senão o lugar.",
+            ),
+            Text::new(
                 "Triangles cure that: three corners determine a plane of colours. The price is the choice of the diagonal: \
                  the diamond's centre has the mean of the corners that the diagonal joins.",
                 "Triângulos curam isso: três cantos determinam um plano de cores. O preço é a escolha da diagonal: o centro \
@@ -165,6 +174,17 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             ),
         ],
     })
+}
+
+fn in_triangles(name: Text, found: f64, tolerance: f64) -> Measure {
+    Measure::new(name, "", found).expect(
+        0.0,
+        tolerance,
+        Text::new(
+            "barycentric coordinates do not turn; corners snap to 256ths of pixels",
+            "coordenadas baricêntricas não giram; os cantos se ajustam a 1/256 de pixel",
+        ),
+    )
 }
 
 /// Corners are moved by up to 1/512 of a pixel each way, over colours that change by up to 0.6 across 0.2 of the picture's side.
@@ -204,159 +224,13 @@ fn of_the_diamond(scanline: &[DVec3], one: &Image, other: &Image, tolerance: f64
 fn frame(setup: &Setup, number: u32, count: u32) -> Result<Image, ArtefactError> {
     let polygon = Polygon::of(setup.mesh.as_ref())?;
     let angle = Degrees(360.0 * f64::from(number) / f64::from(count));
-    polygon.draw(setup.parameters.size | 1, angle, Interpolation::Scanline)
+    polygon.draw(setup.parameters.size | 1, angle, setup.parameters.interpolation)
 }
 
 /// The colour of the pixel in the middle.
 fn centre(image: &Image) -> DVec3 {
     let middle = linear(image)[linear(image).len() / 2];
     DVec3::from(middle.map(f64::from))
-}
-
-/// A picture of something turned by an angle, turned back: every pixel is where its centre came from, bilinear between the
-/// four pixels about it, and background if one of those is.
-fn turned_back(image: &Image, angle: Degrees) -> Image {
-    let (sin, cos) = sin_cos(angle);
-    let [width, height] = image.size;
-    let (mid_x, mid_y) = (f64::from(width - 1) / 2.0, f64::from(height - 1) / 2.0);
-    let pixels = linear(image);
-    let (mut colours, mut coverage) = (Vec::new(), Vec::new());
-    for (y, x) in (0..height).flat_map(|y| (0..width).map(move |x| (y, x))) {
-        // Rows run downwards.
-        let (right, up) = (f64::from(x) - mid_x, mid_y - f64::from(y));
-        let from = [mid_x + cos * right - sin * up, mid_y - (sin * right + cos * up)];
-        let corner = from.map(libm::floor);
-        let [share_x, share_y] = [from[0] - corner[0], from[1] - corner[1]];
-        let mut sum = DVec3::ZERO;
-        let mut covered = true;
-        for (dx, dy) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
-            let weight = (if dx == 0 { 1.0 - share_x } else { share_x })
-                * (if dy == 0 { 1.0 - share_y } else { share_y });
-            if weight == 0.0 {
-                continue;
-            }
-            let [column, row] = [corner[0] + f64::from(dx), corner[1] + f64::from(dy)];
-            let inside = column >= 0.0 && row >= 0.0;
-            let index = inside.then(|| image.index(column as u32, row as u32)).flatten();
-            covered &= index.is_some_and(|index| image.coverage[index] > 0);
-            if let Some(index) = index {
-                sum += DVec3::from(pixels[index].map(f64::from)) * weight;
-            }
-        }
-        let colour = if covered { sum } else { DVec3::from(super::stage::BACKGROUND.to_array()) };
-        colours.push(colour.to_array().map(|component| component as f32));
-        coverage.push(u8::from(covered));
-    }
-    picture(image.size, colours, coverage)
-}
-
-fn shots([upright, half, turned, back]: [Image; 4], one: Image, other: Image) -> Vec<Shot> {
-    let difference = map(upright.size, &differences(&upright, &back), 0.4);
-    let between = map(upright.size, &differences(&one, &other), 0.4);
-    vec![
-        Shot::new(
-            "position-1",
-            Role::Bad,
-            Text::new("scanline, 0°", "linha de varredura, 0°"),
-            Text::new(
-                "Position 1: the scanline through the centre runs from corner 3 to corner 1.",
-                "Posição 1: a linha de varredura pelo centro vai do canto 3 ao canto 1.",
-            ),
-            upright,
-        ),
-        Shot::new(
-            "turned-45",
-            Role::Bad,
-            Text::new("scanline, 45°", "linha de varredura, 45°"),
-            Text::new(
-                "An eighth of a turn: the scanline cuts two edges in their middles, and the centre is the mean of all corners.",
-                "Um oitavo de volta: a linha corta duas arestas nos seus meios, e o centro é a média de todos os cantos.",
-            ),
-            half,
-        ),
-        Shot::new(
-            "position-2",
-            Role::Bad,
-            Text::new("scanline, 90°", "linha de varredura, 90°"),
-            Text::new(
-                "Position 2: the scanline runs from corner 2 to corner 4, and the same polygon has other colours.",
-                "Posição 2: a linha vai do canto 2 ao canto 4, e o mesmo polígono tem outras cores.",
-            ),
-            turned,
-        ),
-        Shot::new(
-            "difference",
-            Role::Difference,
-            Text::new("difference, 90° turned back", "diferença, 90° girado de volta"),
-            Text::new(
-                "Position 2 turned back, less position 1: dark is none, yellow 0.4 of the full range in a component.",
-                "A posição 2 girada de volta, menos a posição 1: escuro é nenhuma, amarelo 0,4 da faixa numa componente.",
-            ),
-            difference,
-        ),
-        Shot::new(
-            "diagonal-13",
-            Role::Cured,
-            Text::new("triangles, diagonal 1–3", "triângulos, diagonal 1–3 "),
-            Text::new(
-                "Cut from corner 1 to corner 3: the same colours however it is turned.",
-                "Cortado do canto 1 ao canto 3: as mesmas cores como quer que seja girado.",
-            ),
-            one,
-        ),
-        Shot::new(
-            "diagonal-24",
-            Role::Cured,
-            Text::new("triangles, diagonal 2–4", "triângulos, diagonal 2–4 "),
-            Text::new(
-                "Cut from corner 2 to corner 4: also the same however it is turned, but not the same as the other.",
-                "Cortado do canto 2 ao canto 4: também as mesmas como quer que seja girado, mas não as do outro.",
-            ),
-            other,
-        ),
-        Shot::new(
-            "diagonals",
-            Role::Difference,
-            Text::new("difference of the diagonals", "diferença das diagonais"),
-            Text::new(
-                "One diagonal less the other: what the cut decides. Yellow is 0.4 of the full range in a component.",
-                "Uma diagonal menos a outra: o que o corte decide. Amarelo é 0,4 da faixa numa componente.",
-            ),
-            between,
-        ),
-    ]
-}
-
-fn chart(scanline: &[DVec3], laws: &[DVec3], triangles: &[DVec3]) -> Chart {
-    let angle = |turn: usize| 360.0 * turn as f64 / scanline.len() as f64;
-    let curve = |name, drawn, colours: &[DVec3], axis: usize| Curve {
-        name,
-        drawn,
-        points: colours.iter().enumerate().map(|(turn, colour)| [angle(turn), colour[axis]]).collect(),
-    };
-    let mut curves = vec![
-        curve(Text::new("R, scanline", "R, linha de varredura"), Drawn::Points, scanline, 0),
-        curve(Text::new("G, scanline", "G, linha de varredura"), Drawn::Points, scanline, 1),
-        curve(Text::new("B, scanline", "B, linha de varredura"), Drawn::Points, scanline, 2),
-        curve(Text::new("G, triangles", "G, triângulos"), Drawn::Curve, triangles, 1),
-    ];
-    curves.extend((0..3).map(|axis| {
-        let name = if axis == 0 { Text::new("the law", "a lei") } else { Text::same("") };
-        curve(name, Drawn::Guide, laws, axis)
-    }));
-    Chart {
-        name: "centre",
-        title: Text::new("Colour of the centre over a whole turn", "Cor do centro numa volta inteira"),
-        caption: Text::new(
-            "Under the scanline algorithm the centre's colour swings with every quarter turn, as the law says; in triangles \
-             it stays.",
-            "No algoritmo de linhas de varredura a cor do centro oscila a cada quarto de volta, como diz a lei; em \
-             triângulos ela fica.",
-        ),
-        x: Scale::linear(Text::new("turned by, degrees", "giro, graus")),
-        y: Scale::linear(Text::new("linear component", "componente linear")),
-        curves,
-    }
 }
 
 #[cfg(test)]
@@ -381,7 +255,7 @@ mod tests {
             (60.0, [0.163_397, 0.373_205, 0.246_41]),
             (90.0, [0.2, 0.3, 0.1]),
         ] {
-            let found = diamond.scanline(Degrees(angle));
+            let found = diamond.scanline(DVec2::ZERO, Degrees(angle));
             assert!((found - DVec3::from(printed)).abs().max_element() < 6e-7, "{angle}: {found}");
         }
     }
@@ -419,20 +293,31 @@ mod tests {
             outcome.measures
         );
         assert!(outcome.moved.bad > 0.1, "{:?}", outcome.moved);
-        let triangles = builder(Faces::triangles(vec![0, 1, 2])).build().unwrap();
-        let error = EXPERIMENT.run(&Setup { mesh: own(&triangles), ..setup(65) }).unwrap_err();
-        assert!(error.to_string().contains("four corners"), "{error}");
     }
 
+    /// A triangle does not depend on its turn, and a polygon bent round its own middle is turned about a place within.
     #[test]
-    fn a_picture_turned_back_a_quarter_is_the_same_pixels() {
-        let size = 33;
-        let image = Polygon::of(None).unwrap().draw(size, Degrees(0.0), Interpolation::Affine).unwrap();
-        let mut back = image.clone();
-        for _ in 0..4 {
-            back = turned_back(&back, Degrees(90.0));
-        }
-        assert_eq!((linear(&back), &back.coverage), (linear(&image), &image.coverage));
+    fn any_polygon_will_do() {
+        let run = |points: &[[f64; 2]]| {
+            let count = points.len() as u32;
+            let builder = MeshBuilder {
+                positions: points.iter().map(|&[x, y]| DVec3::new(x, y, 7.0)).collect(),
+                faces: Faces::polygons((0..count).collect(), vec![0, count]),
+                ..MeshBuilder::default()
+            };
+            let mesh = builder.build().unwrap();
+            let own = Some(UserMesh { name: "own.obj", mesh: &mesh, finer: None });
+            let outcome = EXPERIMENT.run(&Setup { mesh: own, ..setup(65) }).unwrap();
+            for measure in &outcome.measures {
+                assert_eq!(measure.agrees(), Some(true), "{points:?}: {measure:?}");
+            }
+            outcome
+        };
+        let triangle = run(&[[0.0, 0.0], [3.0, 0.0], [0.0, 2.0]]);
+        assert!(matches!(triangle.verdict, Verdict::Fails(_)), "{:?}", triangle.moved);
+        let bent =
+            [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [3.0, 3.0], [3.0, 1.0], [1.0, 1.0], [1.0, 3.0], [0.0, 3.0]];
+        assert!(matches!(run(&bent).verdict, Verdict::Holds(_)));
     }
 
     #[test]
@@ -440,5 +325,8 @@ mod tests {
         let image = EXPERIMENT.frame(&setup(33), 1, 4).unwrap();
         let expected = Polygon::of(None).unwrap().draw(33, Degrees(90.0), Interpolation::Scanline).unwrap();
         assert_eq!(linear(&image), linear(&expected));
+        let mut setup = setup(33);
+        setup.parameters.interpolation = Interpolation::Affine;
+        assert_ne!(linear(&EXPERIMENT.frame(&setup, 1, 4).unwrap()), linear(&expected));
     }
 }

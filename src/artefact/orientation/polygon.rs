@@ -2,7 +2,7 @@
 
 use crate::artefact::stage::{draw, front, settings, smooth};
 use crate::artefact::{ArtefactError, UserMesh};
-use crate::mesh::{Faces, Mesh, MeshBuilder};
+use crate::mesh::{Faces, Mesh, MeshBuilder, triangulate};
 use crate::normals::{NormalField, Weight};
 use crate::num::{Degrees, LinearRgb, Radians};
 use crate::raster::{Image, Interpolation, Object, Paint, Shading, Shape};
@@ -23,19 +23,16 @@ pub(super) struct Polygon {
 }
 
 impl Polygon {
-    /// The lectures' diamond, or the first face of a mesh that has four corners or more.
+    /// The lectures' diamond, or the first face of a mesh that has four corners or more, or its first.
     pub(super) fn of(own: Option<&UserMesh>) -> Result<Self, ArtefactError> {
         let Some(own) = own else {
             let corners = vec![DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y];
             return Self::new(corners, COLOURS.map(LinearRgb::from).to_vec(), None);
         };
         let faces = own.mesh.faces();
-        let Some(face) = (0..faces.len()).map(|face| faces.face(face)).find(|face| face.len() > 3) else {
+        let Some(face) = faces.iter().find(|face| face.len() > 3).or_else(|| faces.iter().next()) else {
             return Err(ArtefactError::Mesh {
-                found: format!(
-                    "all faces of `{}` are triangles, whose colours do not depend on orientation",
-                    own.name
-                ),
+                found: format!("`{}` has no faces", own.name),
                 advice: "give a mesh with a face of four corners or more",
             });
         };
@@ -50,14 +47,7 @@ impl Polygon {
             }
             None => (0..face.len()).map(|corner| COLOURS[corner % COLOURS.len()].into()).collect(),
         };
-        let polygon = Self::new(flattened(&points, own.name)?, colours, None)?;
-        match polygon.ends(Degrees(0.0)) {
-            [Some(_), Some(_)] => Ok(polygon),
-            _ => Err(ArtefactError::Mesh {
-                found: format!("the middle of the first polygon of `{}` lies outside of it", own.name),
-                advice: "give a mesh whose first polygon is convex",
-            }),
-        }
+        Self::new(centred(flattened(&points, own.name)?)?, colours, None)
     }
 
     fn new(
@@ -98,16 +88,16 @@ impl Polygon {
         draw(vec![object], &[], front(WINDOW), &settings([size; 2], Shading::Gouraud, interpolation))
     }
 
-    /// Where the horizontal line through the origin leaves the polygon turned by an angle, to the left and to the right,
-    /// with the colours there: by cutting each edge.
-    fn ends(&self, angle: Degrees) -> [Option<(f64, DVec3)>; 2] {
-        let (sin, cos) = sin_cos(angle);
-        let turned: Vec<DVec2> =
-            self.corners.iter().map(|p| DVec2::new(cos * p.x - sin * p.y, sin * p.x + cos * p.y)).collect();
+    /// Where the horizontal line through a place leaves the polygon, turned with the place by an angle, to the left and to the
+    /// right, with the colours there: by cutting each edge.
+    fn ends(&self, place: DVec2, angle: Degrees) -> [Option<(f64, DVec3)>; 2] {
+        let (sine, cosine) = sin_cos(angle);
+        let turn = DVec2::new(cosine, sine);
         let colour = |corner: usize| DVec3::from(self.colours[corner].to_array());
         let mut ends: [Option<(f64, DVec3)>; 2] = [None; 2];
-        for (from, to) in (0..turned.len()).map(|corner| (corner, (corner + 1) % turned.len())) {
-            let (a, b) = (turned[from], turned[to]);
+        let count = self.corners.len();
+        for (from, to) in (0..count).map(|corner| (corner, (corner + 1) % count)) {
+            let [a, b] = [from, to].map(|corner| turn.rotate(self.corners[corner] - place));
             if (a.y < 0.0) == (b.y < 0.0) {
                 continue;
             }
@@ -121,12 +111,18 @@ impl Polygon {
         ends
     }
 
-    /// The law: the colour at the origin between the two ends of its scanline.
-    pub(super) fn scanline(&self, angle: Degrees) -> DVec3 {
-        match self.ends(angle) {
+    /// The law: the colour at a place between the two ends of its scanline, when the polygon is turned by an angle.
+    pub(super) fn scanline(&self, place: DVec2, angle: Degrees) -> DVec3 {
+        match self.ends(place, angle) {
             [Some((left, first)), Some((right, second))] => first.lerp(second, left / (left - right)),
             _ => DVec3::ZERO,
         }
+    }
+
+    /// Where on the polygon the centre of a pixel lies, in a picture of so many pixels of it unturned.
+    pub(super) fn place(pixel: [u32; 2], size: u32) -> DVec2 {
+        let from_middle = pixel.map(|k| f64::from(k) + 0.5 - 0.5 * f64::from(size));
+        DVec2::new(from_middle[0], -from_middle[1]) * (WINDOW / f64::from(size))
     }
 }
 
@@ -146,6 +142,34 @@ fn flattened(points: &[DVec3], name: &str) -> Result<Vec<DVec2>, ArtefactError> 
     let x = across.try_normalize().unwrap_or_else(|| normal.any_orthonormal_vector());
     let y = normal.cross(x);
     Ok(points.iter().map(|&p| DVec2::new((p - mean).dot(x), (p - mean).dot(y)) / largest).collect())
+}
+
+/// A polygon with the origin in it: its mean, or where that lies outside, the middle of the largest of its triangles. The
+/// farthest corner is at 1.
+fn centred(corners: Vec<DVec2>) -> Result<Vec<DVec2>, ArtefactError> {
+    let pairs = || corners.iter().zip(corners.iter().cycle().skip(1));
+    let is_left =
+        |(a, b): &(&DVec2, &DVec2)| (a.y < 0.0) != (b.y < 0.0) && a.x + a.y / (a.y - b.y) * (b.x - a.x) < 0.0;
+    if pairs().filter(is_left).count() % 2 == 1 {
+        return Ok(corners);
+    }
+    let count = corners.len() as u32;
+    let builder = MeshBuilder {
+        positions: corners.iter().map(|corner| corner.extend(0.0)).collect(),
+        faces: Faces::polygons((0..count).collect(), vec![0, count]),
+        ..MeshBuilder::default()
+    };
+    let triangles = triangulate(&builder.build()?).triangles;
+    let points = |triangle: &[u32; 3]| triangle.map(|corner| corners[corner as usize]);
+    let area = |triangle: &[u32; 3]| {
+        let [a, b, c] = points(triangle);
+        (b - a).perp_dot(c - a).abs()
+    };
+    let largest = triangles.iter().max_by(|a, b| area(a).total_cmp(&area(b)));
+    let middle = largest.map_or(DVec2::ZERO, |largest| points(largest).into_iter().sum::<DVec2>() / 3.0);
+    let moved = corners.iter().map(|&corner| corner - middle);
+    let farthest = moved.clone().map(DVec2::length).fold(0.0, f64::max);
+    Ok(moved.map(|corner| corner / farthest).collect())
 }
 
 /// Sine and cosine, exact at quarter turns.

@@ -23,7 +23,8 @@ Examples:
   crease artefact mach-bands --segments 24 --light 60 -o out
   crease artefact all -o gallery
   crease artefact all -o galeria --lang pt
-  crease artefact orientation --mesh polygon.obj --json
+  crease artefact silhouette --mesh bunny.obj --json
+  crease artefact silhouette --mesh coarse.ply --finer fine.ply -o out
   crease artefact orientation --animate out.gif";
 
 /// Show the classic artefacts of shading, with numbers
@@ -66,11 +67,11 @@ pub struct ArtefactArgs {
 #[derive(Args)]
 #[command(next_help_heading = "A mesh of your own")]
 pub struct OwnArgs {
-    /// Run it on this mesh, or `-` for standard input
+    /// Run it on this mesh, or `-` for standard input; `crease artefact list` tells what is looked at
     #[arg(long, value_name = "FILE")]
     pub mesh: Option<PathBuf>,
 
-    /// A finer mesh of the same thing to take for the truth
+    /// A finer mesh of the same thing, in the same place, to take for the truth (`silhouette`)
     #[arg(long, value_name = "FILE", requires = "mesh")]
     pub finer: Option<PathBuf>,
 
