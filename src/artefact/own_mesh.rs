@@ -8,9 +8,9 @@ use crate::raster::{Camera, Object, RenderError, Scene};
 use crate::shade::Light;
 use glam::DVec3;
 
-/// A camera that shows all of an object, from the front, a little from above and from the right.
-pub(super) fn camera(object: &Object) -> Camera {
-    let objects = vec![object.clone()];
+/// A camera that shows all of some objects, from the front, a little from above and from the right.
+pub(super) fn camera(objects: &[Object]) -> Camera {
+    let objects = objects.to_vec();
     let (lines, lights, camera) = (Vec::new(), Vec::new(), front(2.0));
     let scene = Scene { objects, lines, lights, camera, background: LinearRgb::BLACK };
     scene.framing(1.0).unwrap_or(camera)

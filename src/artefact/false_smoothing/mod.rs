@@ -86,7 +86,7 @@ fn of_bodies(parameters: &Parameters) -> Result<Outcome, ArtefactError> {
     let &Parameters { size, light, weight, crease, .. } = parameters;
     let solid = |mesh| {
         let field = compute(&mesh, &NormalRecipe::default());
-        let camera = camera(&object(&mesh, &field, subject::material()));
+        let camera = camera(&[object(&mesh, &field, subject::material())]);
         Ok::<_, ArtefactError>(Subject { light: light_from(&camera, light)?, mesh, camera, size })
     };
     let sheet = |leans: &[Degrees], light| {

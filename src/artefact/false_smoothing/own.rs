@@ -11,7 +11,7 @@ pub(super) fn run(own: &UserMesh, parameters: &Parameters) -> Result<Outcome, Ar
     let &Parameters { size, light, weight, crease, .. } = parameters;
     let mesh = Room::of(own)?.moved(own.mesh)?;
     let field = compute(&mesh, &NormalRecipe::default());
-    let camera = camera(&object(&mesh, &field, material()));
+    let camera = camera(&[object(&mesh, &field, material())]);
     let subject = Subject { light: light_from(&camera, light)?, mesh, camera, size };
     let [smooth, sharp] = [Crease::OFF, Crease::Angle(crease)].map(|crease| subject.case(weight, crease));
     let (smooth, sharp) = (smooth?, sharp?);

@@ -31,7 +31,7 @@ pub(super) fn run(own: &UserMesh, parameters: &Parameters) -> Result<Outcome, Ar
         (Some(finer), Some(normals)) => object(finer, normals),
         _ => patches.object(material()),
     };
-    let camera = camera(&truth);
+    let camera = camera(&[truth.clone(), object(&mesh, &field)]);
     let view = View { size, camera, light: light_from(&camera, light)? };
     let patches_of_cure = curved(&mesh, &field, CURE);
     let cure = || patches_of_cure.object(material());

@@ -200,7 +200,7 @@ fn cut(sides: DVec3, cut: u32, weight: Weight, look: &Look) -> Result<Image, Art
     let mesh = cut_box(sides, cut)?;
     let field = smooth(&mesh, weight);
     let object = object(&mesh, &field, chalk());
-    let camera = camera(&object);
+    let camera = camera(std::slice::from_ref(&object));
     let settings = settings([look.size; 2], Shading::Phong, Interpolation::Perspective);
     draw(vec![object], &[light_from(&camera, look.light)?], camera, &settings)
 }

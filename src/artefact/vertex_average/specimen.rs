@@ -45,7 +45,7 @@ impl Specimen {
     ) -> Result<Self, ArtefactError> {
         let mesh = surface.tessellate(tessellation)?;
         let &Look { size, light, exponent } = look;
-        let camera = camera(&Object::new(Shape::Surface(primitive), shiny(exponent)));
+        let camera = camera(&[Object::new(Shape::Surface(primitive), shiny(exponent))]);
         Ok(Self { light: light_from(&camera, light)?, mesh, primitive, exponent, camera, size })
     }
 

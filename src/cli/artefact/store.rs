@@ -56,8 +56,10 @@ fn files(run: &Run, language: Language, in_gallery: bool) -> Result<Vec<File>, R
     }
     for chart in &outcome.charts {
         let svg = chart_plot(chart, language).svg(chart.name);
-        // Alone in a file, a drawing has to say what it is; this name of a vocabulary is no place that is gone to.
-        let svg = svg.replacen("<svg ", "<svg xmlns=\"http://www.w3.org/2000/svg\" ", 1);
+        // Alone in a file, a drawing has to say what it is, and which letters it was laid out for; the name of a vocabulary is
+        // no place that is gone to.
+        const ALONE: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" font-family=\"system-ui, sans-serif\" font-size=\"12\" ";
+        let svg = svg.replacen("<svg ", ALONE, 1);
         files.push((format!("{}.svg", picture_name(experiment, chart.name)), svg.into_bytes()));
     }
     Ok(files)
