@@ -29,7 +29,7 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
     }
     if pairs.is_constant {
         // A flat mesh has one normal by right.
-        let bent = pairs.mean_expected.length() < 0.9;
+        let bent = pairs.mean_face.length() < 0.9;
         if bent {
             found.add(Kind::Constant, Spot::mesh(), area);
         }
@@ -77,7 +77,7 @@ fn explains(turned: f64, as_stored: f64, thresholds: &Thresholds) -> bool {
 struct Pairs {
     correlation: DMat3,
     weight: f64,
-    mean_expected: DVec3,
+    mean_face: DVec3,
     is_constant: bool,
 }
 
@@ -95,11 +95,11 @@ impl Pairs {
         for block in blocks {
             all.correlation += block.correlation;
             all.weight += block.weight;
-            all.mean_expected += block.mean_expected;
+            all.mean_face += block.mean_face;
             all.is_constant &= block.is_constant;
         }
         if all.weight > 0.0 {
-            all.mean_expected /= all.weight;
+            all.mean_face /= all.weight;
         }
         all
     }
@@ -107,7 +107,7 @@ impl Pairs {
     /// The sums over some faces; `first` is the normal that all would be equal to.
     fn of(facts: &Facts<'_>, faces: Range<usize>, first: Option<DVec3>) -> Self {
         let mut pairs =
-            Pairs { correlation: DMat3::ZERO, weight: 0.0, mean_expected: DVec3::ZERO, is_constant: true };
+            Pairs { correlation: DMat3::ZERO, weight: 0.0, mean_face: DVec3::ZERO, is_constant: true };
         for face in faces.filter(|&face| facts.worth[face] != Worth::Silent) {
             let range = facts.mesh.faces().range(face);
             let weight = facts.area[face] / range.len() as f64;
@@ -117,7 +117,7 @@ impl Pairs {
                 pairs.is_constant &= first.is_some_and(|first| first.dot(stored) > 0.9999);
                 let (a, b) = (stored * weight, expected);
                 pairs.correlation += DMat3::from_cols(a * b.x, a * b.y, a * b.z);
-                pairs.mean_expected += expected * weight;
+                pairs.mean_face += facts.face_normal(face) * weight;
                 pairs.weight += weight;
             }
         }

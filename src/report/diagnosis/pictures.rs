@@ -110,7 +110,11 @@ impl Model {
         side: u32,
         sites: &[&Site],
     ) -> Result<Picture, ReportError> {
-        let mut picture = draw(&self.scene(camera, true), side, Show::Shaded)?;
+        let mut scene = self.scene(camera, true);
+        // Colours alone show no form.
+        scene.lines = overlay(&scene, [side; 2], Overlay::Creases);
+        scene.lines.iter_mut().for_each(|lines| lines.style.colour = LinearRgb::grey(0.3));
+        let mut picture = draw(&scene, side, Show::Shaded)?;
         for site in sites {
             if let Some((_, position, _)) = self.stand(site)
                 && let Ok(Some(at)) = camera.on_picture([side; 2], position)

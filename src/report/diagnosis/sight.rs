@@ -25,8 +25,8 @@ const BUDGET: usize = 1 << 14;
 /// How much a place counts that is seen edge-on or whose face has no direction, against one seen from the front.
 const EDGE_ON: f64 = 0.05;
 
-/// How much of a picture is left free around what it shows.
-const MARGIN: f64 = 1.08;
+/// How much of a picture is left free around what it shows: room for a legend below.
+const MARGIN: f64 = 1.2;
 
 /// A place that should be seen.
 struct Wanted {

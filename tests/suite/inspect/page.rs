@@ -1,11 +1,11 @@
 //! The page of a diagnosis: it holds everything itself, its links lead somewhere, its pictures can be read out.
 
-use super::{loaded, surface, with_normals};
+use super::{loaded, rebuilt, surface, with_normals};
 use crease::normals::NormalRecipe;
 use crease::quality::catalogue::Kind;
 use crease::quality::{Thresholds, diagnose};
-use crease::report::{Sight, deviation_picture, diagnosis_page};
-use crease::surface::{Surface, Torus};
+use crease::report::{Picture, Sight, deviation_picture, diagnosis_page};
+use crease::surface::{Sphere, Surface, Torus};
 use glam::DVec3;
 use std::collections::BTreeSet;
 
@@ -50,6 +50,40 @@ fn the_page_of_a_fault_is_whole() {
     assert!(page.contains("crease normals a &lt;torus&gt;.obj -o mended.obj --when broken"));
 }
 
+/// How much of a picture is yellow, above the legend.
+fn yellow(picture: Picture) -> usize {
+    let [width, height] = picture.size.map(|n| n as usize);
+    let crease::raster::Pixels::Eight(pixels) = picture.pixels else { panic!("8 bits") };
+    let upper = &pixels[..width * height * 5 / 6];
+    upper.iter().filter(|[r, g, b]| *r > 200 && *g > 180 && *b < 120).count()
+}
+
+/// A ball in an open box, with normals turned round where it faces a wall: from beyond that wall they are hidden, and the
+/// view is one that sees them.
+#[test]
+fn the_view_sees_what_is_wrong() {
+    let ball = surface(&Surface::from(Sphere::default()), [48, 24]);
+    let mut positions: Vec<DVec3> = ball.positions().iter().map(|&p| p * 0.3).collect();
+    let mut faces = ball.faces().clone();
+    let first = positions.len() as u32;
+    for height in [-1.0, 0.5] {
+        positions.extend([[-1., -1.], [1., -1.], [1., 1.], [-1., 1.]].map(|[x, z]| DVec3::new(x, height, z)));
+    }
+    for [a, b, c, d] in [[0, 1, 2, 3], [0, 4, 5, 1], [1, 5, 6, 2], [2, 6, 7, 3], [3, 7, 4, 0]] {
+        faces.push(&[a, b, c, d].map(|v: u32| first + v));
+    }
+    let mesh = with_normals(rebuilt(positions, faces), &NormalRecipe::default());
+    let mut normals = mesh.columns().normals.clone().unwrap();
+    let turned =
+        normals.values.iter_mut().filter(|normal| normal.x > 0.95 && normal.y > 0.0 && normal.y < 0.3);
+    assert!(turned.map(|normal| *normal = -*normal).count() > 3);
+    let file = loaded(mesh.with_normals(Some(normals)));
+    let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
+    let seen = |sight: Sight| yellow(deviation_picture(&file, &diagnosis, sight, 128).unwrap());
+    assert_eq!(seen(Sight::From(DVec3::X)), 0, "the wall hides it");
+    assert!(seen(Sight::Auto) > 10, "{}", seen(Sight::Auto));
+}
+
 /// A mesh with right normals is violet all over; one with wrong normals is yellow.
 #[test]
 fn colours_tell_deviation() {
@@ -59,16 +93,11 @@ fn colours_tell_deviation() {
     );
     let mut wrong = mesh.columns().normals.clone().unwrap();
     wrong.values.iter_mut().for_each(|normal| *normal = DVec3::new(normal.y, normal.z, normal.x));
-    let yellow = |mesh: crease::mesh::Mesh| {
+    let yellow_of = |mesh: crease::mesh::Mesh| {
         let file = loaded(mesh);
         let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
-        let picture =
-            deviation_picture(&file, &diagnosis, Sight::From(DVec3::new(1.0, 2.0, 1.0)), 96).unwrap();
-        let crease::raster::Pixels::Eight(pixels) = picture.pixels else { panic!("8 bits") };
-        // Above the legend.
-        let upper = &pixels[..96 * 80];
-        upper.iter().filter(|[r, g, b]| *r > 200 && *g > 180 && *b < 120).count()
+        yellow(deviation_picture(&file, &diagnosis, Sight::From(DVec3::new(1.0, 2.0, 1.0)), 96).unwrap())
     };
-    assert_eq!(yellow(mesh.clone()), 0);
-    assert!(yellow(mesh.with_normals(Some(wrong))) > 500);
+    assert_eq!(yellow_of(mesh.clone()), 0);
+    assert!(yellow_of(mesh.with_normals(Some(wrong))) > 500);
 }
