@@ -5,6 +5,16 @@ use crate::shade::Material;
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 
+/// The corners of a box about the origin. Bits of their numbers say on which side of each axis they lie.
+pub(super) fn box_corners(sides: DVec3) -> Vec<DVec3> {
+    let sign = |k: u32, bit: u32| if k >> bit & 1 == 0 { -0.5 } else { 0.5 };
+    (0..8).map(|k| sides * DVec3::new(sign(k, 0), sign(k, 1), sign(k, 2))).collect()
+}
+
+/// The faces of a box by its corners, counter-clockwise from outside: of each axis the low and the high one.
+pub(super) const BOX_FACES: [[u32; 4]; 6] =
+    [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
+
 /// Triangles, each vertex with a normal.
 #[derive(Clone, Debug)]
 pub(super) struct Body {

@@ -1,6 +1,7 @@
 //! Bodies with sharp edges, whose faces share their vertices.
 
 use super::super::ArtefactError;
+use super::super::body::{BOX_FACES, box_corners};
 use crate::mesh::{Faces, Mesh, MeshBuilder};
 use crate::num::{Degrees, Radians};
 use glam::{DVec2, DVec3};
@@ -8,11 +9,7 @@ use std::f64::consts::TAU;
 
 /// The cube from −1 to 1.
 pub(super) fn cube() -> Result<Mesh, ArtefactError> {
-    let sign = |k: u32, bit: u32| if k >> bit & 1 == 0 { -1.0 } else { 1.0 };
-    let positions = (0..8).map(|k| DVec3::new(sign(k, 0), sign(k, 1), sign(k, 2))).collect();
-    // Of each axis the low and the high face.
-    let quads = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
-    build(positions, &quads.map(|quad| quad.to_vec()))
+    build(box_corners(DVec3::splat(2.0)), &BOX_FACES.map(|face| face.to_vec()))
 }
 
 /// The teeth of the gear.

@@ -1,6 +1,7 @@
 //! Boxes, whose six faces can be cut in 64 ways, and what weightings make of them.
 
 use super::super::ArtefactError;
+use super::super::body::{BOX_FACES, box_corners};
 use super::super::stage::smooth;
 use crate::mesh::{Faces, Mesh, MeshBuilder};
 use crate::normals::Weight;
@@ -12,17 +13,12 @@ pub(super) const CUTS: u32 = 64;
 
 /// A box about the origin. Bit k of `cut` says along which diagonal face k is cut.
 pub(super) fn cut_box(sides: DVec3, cut: u32) -> Result<Mesh, ArtefactError> {
-    let sign = |k: u32, bit: u32| if k >> bit & 1 == 0 { -0.5 } else { 0.5 };
-    let positions = (0..8).map(|k| sides * DVec3::new(sign(k, 0), sign(k, 1), sign(k, 2))).collect();
-    // Of each axis the low and the high face.
-    const QUADS: [[u32; 4]; 6] =
-        [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
-    let triangles = QUADS.iter().enumerate().flat_map(|(face, &[a, b, c, d])| match cut >> face & 1 {
+    let triangles = BOX_FACES.iter().enumerate().flat_map(|(face, &[a, b, c, d])| match cut >> face & 1 {
         0 => [a, b, c, a, c, d],
         _ => [a, b, d, b, c, d],
     });
     let faces = Faces::triangles(triangles.collect());
-    Ok(MeshBuilder { positions, faces, ..MeshBuilder::default() }.build()?)
+    Ok(MeshBuilder { positions: box_corners(sides), faces, ..MeshBuilder::default() }.build()?)
 }
 
 /// Angles in degrees.
