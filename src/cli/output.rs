@@ -321,7 +321,8 @@ fn follow_links(path: &Path) -> Result<PathBuf> {
     bail!("{} is a link without an end", path.display())
 }
 
-fn is_same_file(a: &Path, b: &Path) -> bool {
+/// Whether both are there and one file.
+pub fn is_same_file(a: &Path, b: &Path) -> bool {
     matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
 }
 

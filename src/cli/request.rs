@@ -244,7 +244,7 @@ fn check_collisions(jobs: &[Job], in_place: bool) -> Result<(), RequestError> {
 }
 
 /// A path with its folder made absolute, whether or not the file is there.
-fn resolve_parent(path: &Path) -> PathBuf {
+pub fn resolve_parent(path: &Path) -> PathBuf {
     path.canonicalize().unwrap_or_else(|_| {
         let folder = path.parent().unwrap_or(Path::new(""));
         let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };

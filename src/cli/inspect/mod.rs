@@ -12,10 +12,10 @@ use super::batch::{exit_of, guarded};
 use super::console::{Console, Verbosity, escaped};
 use super::inputs::{self, Source};
 use super::normals::{self, Failure};
-use super::output::Store;
+use super::output::{Store, is_same_file};
 use super::progress::{FileProgress, Progress, Stage};
 use super::report::{ErrorReport, json_line};
-use super::request::{Job, RequestError, Target};
+use super::request::{Job, RequestError, Target, resolve_parent};
 use super::{Exit, usage_error, use_threads};
 use against::AgainstReport;
 use args::{Explained, FindingArgs, PictureArgs};
@@ -65,10 +65,36 @@ fn jobs(args: &InspectArgs) -> Result<Vec<Job>, RequestError> {
     if let Some((option, _)) = options.iter().find(|(_, is_given)| *is_given && found.len() > 1) {
         return Err(RequestError::Usage(format!("{option} takes one input, not {}", found.len())));
     }
-    Ok(found
+    let sources: Vec<Source> = found.into_iter().map(|input| input.source).collect();
+    check_outputs(&sources, args)?;
+    Ok(sources
         .into_iter()
-        .map(|input| Job { source: input.source, format: args.format, target: None, to: None })
+        .map(|source| Job { source, format: args.format, target: None, to: None })
         .collect())
+}
+
+/// No picture may be written over what is read, nor over the other.
+fn check_outputs(sources: &[Source], args: &InspectArgs) -> Result<(), RequestError> {
+    let files = sources.iter().filter_map(|source| match source {
+        Source::File(path) => Some(path.as_path()),
+        Source::Stdin => None,
+    });
+    let inputs: Vec<&Path> = files.chain(args.against.as_deref()).collect();
+    let PictureArgs { html, heatmap, .. } = &args.pictures;
+    for output in [html, heatmap].into_iter().flatten() {
+        if let Some(input) = inputs.iter().find(|input| is_same_file(input, output)) {
+            let input = input.display();
+            return Err(RequestError::Usage(format!(
+                "this would overwrite the input {input}; name another output"
+            )));
+        }
+    }
+    match (html, heatmap) {
+        (Some(html), Some(heatmap)) if resolve_parent(html) == resolve_parent(heatmap) => Err(
+            RequestError::Usage(format!("--html and --heatmap would both be written to {}", html.display())),
+        ),
+        _ => Ok(()),
+    }
 }
 
 fn run(jobs: &[Job], args: &InspectArgs, thresholds: &Thresholds, console: &Console) -> Exit {

@@ -4,6 +4,7 @@ use super::args::{ReflectionChoice, RenderArgs, Variant};
 use super::turn;
 use crate::cli::inputs::Source;
 use crate::cli::normals::Failure;
+use crate::cli::output::is_same_file;
 use crate::cli::request::Target;
 use crease::io::{Format, NonFinite, ReadOptions};
 use crease::normals::{Crease, NormalRecipe, When};
@@ -59,9 +60,7 @@ impl<'a> Request<'a> {
         };
         let (target, file) = target(args)?;
         if let (Source::File(input), Some(Target::File(output))) = (&source, &target)
-            && input
-                .canonicalize()
-                .is_ok_and(|input| output.canonicalize().is_ok_and(|output| input == output))
+            && is_same_file(input, output)
         {
             return usage(format!("this would overwrite the input {}; name another output", input.display()));
         }

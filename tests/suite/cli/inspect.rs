@@ -248,3 +248,23 @@ fn different_shapes_are_not_compared() {
     assert_eq!(code(&inspect(&[&a, "--against", "nowhere.obj"])), 3);
     assert_eq!(code(&inspect(&[&a, &b, "--against", &a])), 2);
 }
+
+#[test]
+fn no_picture_is_written_over_what_is_read() {
+    let files = folder(&[("own.obj", TRIANGLE), ("other.obj", TRIANGLE)]);
+    let [own, other, page] = ["own.obj", "other.obj", "page.html"].map(|name| path(files.path().join(name)));
+    let around = path(files.path().join("../").join(files.path().file_name().unwrap()).join("own.obj"));
+    for pictures in [
+        &["--html", &own][..],
+        &["--heatmap", &around],
+        &["--against", &other, "--html", &other],
+        &["--html", &page, "--heatmap", &page],
+    ] {
+        let output = inspect(&[&[own.as_str()], pictures].concat());
+        assert_eq!(code(&output), 2, "{pictures:?}: {}", text(&output.stderr));
+    }
+    assert!(!files.path().join("page.html").exists());
+    for input in [own, other] {
+        assert_eq!(std::fs::read_to_string(input).unwrap(), TRIANGLE);
+    }
+}
