@@ -75,6 +75,7 @@ const OUTSIDE: &[(&str, &[&str])] = &[
     ("rustc_hash", &["mesh", "surface", "io", "normals", "quality", "pipeline"]),
     ("serde", &["io", "shade", "raster", "quality", "metric", "artefact", "trade", "plan", "report", "cli"]),
     ("serde_json", &["io", "report", "cli"]),
+    ("shlex", &["io"]),
     ("spade", &["mesh", "surface"]),
     ("tempfile", &["cli"]),
     (

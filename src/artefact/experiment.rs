@@ -1,6 +1,7 @@
 //! What an experiment is.
 
-use super::{ArtefactError, Knob, Outcome, Parameters, Setup, Text};
+use super::{ArtefactError, Knob, Language, Outcome, Parameters, Setup, Text};
+use crate::io::shell_word;
 use crate::raster::Image;
 
 /// A claim of a textbook, and how it is put to the test.
@@ -75,14 +76,14 @@ impl Experiment {
         frame(setup, number, count)
     }
 
-    /// The command that does the same run and writes its pictures.
-    pub fn command(&self, setup: &Setup) -> String {
+    /// The command that does the same run and writes its pictures, with pages in this language. File names are quoted for a
+    /// POSIX shell.
+    pub fn command(&self, setup: &Setup, language: Language) -> String {
         let mut command = format!("crease artefact {}", self.id);
         if let Some(own) = setup.mesh {
-            command.push_str(" --mesh ");
-            command.push_str(own.name);
+            command.push_str(&format!(" --mesh {}", shell_word(own.name)));
             if let Some((finer, _)) = own.finer {
-                command.push_str(&format!(" --finer {finer}"));
+                command.push_str(&format!(" --finer {}", shell_word(finer)));
             }
         }
         for &knob in self.takes {
@@ -90,6 +91,9 @@ impl Experiment {
             if let Some(own) = own.filter(|own| Some(own) != usual.as_ref()) {
                 command.push_str(&format!(" --{} {own}", knob.name()));
             }
+        }
+        if language != Language::default() {
+            command.push_str(&format!(" --lang {}", language.tag()));
         }
         command + " -o out"
     }

@@ -134,7 +134,10 @@ mod tests {
     fn commands_name_what_was_changed() {
         let experiment = experiment("mach-bands").unwrap();
         let parameters = Parameters { segments: 24, ..experiment.defaults };
-        let command = experiment.command(&Setup { parameters, mesh: None });
+        let setup = Setup { parameters, mesh: None };
+        let command = experiment.command(&setup, Language::English);
         assert_eq!(command, "crease artefact mach-bands --segments 24 -o out");
+        let command = experiment.command(&setup, Language::Portuguese);
+        assert_eq!(command, "crease artefact mach-bands --segments 24 --lang pt -o out");
     }
 }

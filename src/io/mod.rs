@@ -20,6 +20,7 @@ pub mod obj;
 mod open;
 pub mod ply;
 mod remarks;
+mod shell;
 pub mod stl;
 mod tally;
 mod text;
@@ -38,3 +39,4 @@ pub use loaded::{
 pub use loaded::{ReadOptions, TangentPolicy, WriteOptions, Written};
 pub(crate) use open::read_whole;
 pub use open::{detect, read, read_bytes};
+pub(crate) use shell::shell_word;

@@ -1,6 +1,7 @@
 //! What a diagnosis says: findings with causes, counts and places.
 
 use super::catalogue::Kind;
+use crate::io::shell_word;
 use glam::DVec3;
 use serde::Serialize;
 
@@ -117,7 +118,7 @@ impl Finding {
         if self.of == 0 { 0.0 } else { self.count as f64 / self.of as f64 }
     }
 
-    /// The command that mends it, for these names of input and output.
+    /// The command that mends it, for these names of input and output, which are quoted for a POSIX shell.
     ///
     /// ```
     /// use crease::io::{Format, ReadOptions, read_bytes};
@@ -133,6 +134,7 @@ impl Finding {
     pub fn command(&self, input: &str, output: &str) -> Option<String> {
         let options = self.remedy.as_ref()?;
         let space = if options.is_empty() { "" } else { " " };
+        let [input, output] = [input, output].map(shell_word);
         Some(format!("crease normals {input} -o {output}{space}{options}"))
     }
 }

@@ -151,7 +151,7 @@ fn tell(run: &Run, files: Vec<String>, agrees: bool, language: Language, console
         let report = Report {
             status: if agrees { "ok" } else { "findings" },
             outcome: Some(outcome),
-            command: Some(experiment.command(setup)),
+            command: Some(experiment.command(setup, language)),
             files,
             seconds: Some(*seconds),
             ..Report::new(experiment, setup)

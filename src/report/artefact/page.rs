@@ -54,7 +54,7 @@ pub fn experiment_page(
     outcome.notes.iter().for_each(|note| page.paragraph(note.get(language)));
     page.heading(words::REPRODUCE.get(language));
     page.paragraph(words::COMMAND.get(language));
-    page.raw(&format!("<pre><code>{}</code></pre>\n", escape_html(&experiment.command(setup))));
+    page.raw(&format!("<pre><code>{}</code></pre>\n", escape_html(&experiment.command(setup, language))));
     Ok(page.finish())
 }
 
