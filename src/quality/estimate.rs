@@ -87,9 +87,23 @@ pub(super) fn estimate(facts: &Facts<'_>, stored: &Column<DVec3>) -> Option<Esti
         return None;
     }
     let bends: Vec<Bend> = sample.par_iter().filter_map(|&corner| Bend::at(facts, stored, corner)).collect();
-    let (crease, separated) = separating_angle(&bends);
+    let (usual, separating) = (Crease::DEFAULT_ANGLE, separating_angle(&bends));
+    let mut plain = by_angle(facts, &sample, &bends, separating);
+    // A sharp edge that is the only one at its vertex splits nothing, and looks smooth: what separates best need not be
+    // what the normals were made with.
+    if plain.1.reproduced < 1.0 && separating != usual {
+        let other = by_angle(facts, &sample, &bends, usual);
+        plain = if other.0 < plain.0 { other } else { plain };
+    }
+    let (_, plain) = plain;
+    let has_groups = facts.mesh.columns().smoothing.is_some();
+    Some(if has_groups && !plain.is_rule() { with_groups(facts, &sample, plain) } else { plain })
+}
+
+/// The estimate with a crease angle and the weighting that does best with it, and by how much it is off in all.
+fn by_angle(facts: &Facts<'_>, sample: &[u32], bends: &[Bend], crease: Degrees) -> (f64, Estimate) {
     let errors: Vec<[f64; MEANS.len()]> =
-        sample.par_iter().map(|&corner| errors(facts, corner, crease)).collect();
+        sample.par_iter().map(|&corner| errors(facts, corner, crease.0)).collect();
     // Far-off corners are faults, not evidence: all beyond the bound count alike.
     let capped = |weight: usize| errors.iter().map(|all| all[weight].min(REPRODUCED)).sum::<f64>();
     let costs: Vec<f64> = (0..MEANS.len()).map(capped).collect();
@@ -99,17 +113,17 @@ pub(super) fn estimate(facts: &Facts<'_>, stored: &Column<DVec3>) -> Option<Esti
     let mut own: Vec<f64> = errors.iter().map(|all| all[best]).collect();
     let reproduced = own.iter().filter(|&&error| error <= REPRODUCED).count() as f64 / own.len() as f64;
     own.sort_unstable_by(f64::total_cmp);
-    let plain = Estimate {
+    let separated = bends.iter().filter(|bend| (bend.degrees < crease.0) == bend.smooth).count();
+    let estimate = Estimate {
         weight: MEANS[best],
-        crease: Degrees(crease),
+        crease,
         groups: false,
         sample: own.len(),
         reproduced,
-        separated,
+        separated: if bends.is_empty() { 1.0 } else { separated as f64 / bends.len() as f64 },
         median: Degrees(own[own.len() / 2]),
     };
-    let has_groups = facts.mesh.columns().smoothing.is_some();
-    Some(if has_groups && !plain.is_rule() { with_groups(facts, &sample, plain) } else { plain })
+    (costs[best], estimate)
 }
 
 /// The estimate with smoothing groups beside its crease angle, or beside the default one, if that reproduces more.
@@ -188,8 +202,8 @@ impl Bend {
     }
 }
 
-/// The angle that best tells smooth edges from sharp ones, and the share of them that it tells right.
-fn separating_angle(bends: &[Bend]) -> (f64, f64) {
+/// The angle that best tells smooth edges from sharp ones.
+fn separating_angle(bends: &[Bend]) -> Degrees {
     const BINS: usize = 180;
     let bin = |degrees: f64| (degrees as usize).min(BINS - 1);
     let (mut smooth, mut sharp) = ([0usize; BINS], [0usize; BINS]);
@@ -216,14 +230,12 @@ fn separating_angle(bends: &[Bend]) -> (f64, f64) {
         start += run.len();
     }
     let (low, high) = (best.0, best.0 + best.1 - 1);
-    let angle = match (low, high) {
-        _ if sharp.iter().all(|&count| count == 0) => 180,
-        _ if smooth.iter().all(|&count| count == 0) => 0,
-        (low, high) if (low..=high).contains(&40) => 40,
-        (low, high) => low.midpoint(high),
-    };
-    let share = if bends.is_empty() { 1.0 } else { 1.0 - least as f64 / bends.len() as f64 };
-    (angle as f64, share)
+    Degrees(match (low, high) {
+        _ if sharp.iter().all(|&count| count == 0) => 180.0,
+        _ if smooth.iter().all(|&count| count == 0) => 0.0,
+        (low, high) if (low..=high).contains(&40) => 40.0,
+        (low, high) => low.midpoint(high) as f64,
+    })
 }
 
 /// The angle in degrees between the stored normal of a corner and the mean by each weighting over the faces that are

@@ -88,3 +88,19 @@ fn clean_meshes_get_no_warning() {
         assert_eq!(grave(&diagnosis), Vec::<&str>::new(), "{shape:?}");
     }
 }
+
+/// On a rough surface many an edge over the crease angle is the only one at its vertex: it splits nothing, and the edges that
+/// look smooth are no measure of the angle.
+#[test]
+fn rough_meshes_with_our_own_normals_get_no_warning() {
+    let sphere = Surface::from(Sphere::default());
+    for noise in [0.06, 0.15, 0.2] {
+        let rough = Tessellation { noise, ..Tessellation::default() };
+        let clean = clean("rough ball", sphere.tessellate(&rough).unwrap(), 40.0);
+        let diagnosis = inspect(&clean.mesh, 10);
+        let estimate = diagnosis.parts[0].estimate.unwrap();
+        assert!(estimate.reproduced > 0.999, "{noise}: {estimate:?}");
+        let stored = ["flipped-normals", "stray-normals", "split-seam", "averaged-crease"];
+        assert!(!grave(&diagnosis).iter().any(|id| stored.contains(id)), "{noise}: {:?}", grave(&diagnosis));
+    }
+}
