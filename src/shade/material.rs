@@ -139,8 +139,13 @@ pub struct EnergyGain {
 
 impl std::fmt::Display for EnergyGain {
     fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-        // With an exponent where there would be hundreds of digits.
-        write!(f, "the material reflects more light than it gets: k_d + k_s = {:?}", self.sum)
+        write!(f, "the material reflects more light than it gets: k_d + k_s = ")?;
+        // Rounded up, so that what is over 1 does not read as 1.
+        if self.sum < 1e4 {
+            write!(f, "{:.3}", (1e3 * self.sum).ceil() / 1e3)
+        } else {
+            write!(f, "{:.3e}", self.sum)
+        }
     }
 }
 

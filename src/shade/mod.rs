@@ -41,13 +41,13 @@
 //! | F15 | I_c with k and O apart or merged (S0 1.3.1.8) | [`Reflectance`] |
 //! | F16 | sum over lights, each with its own d, L, V, R (S0 1.3.1.9, S4) | [`Shader::shade`] |
 //! | F17 | depth cueing: all but ambient over d+K, d to the viewer (S0 1.6.6, 1.6.11) | [`DepthCue`] |
-//! | F18 | flat: one evaluation for each polygon (S0 1.5.1) | module `raster`; test `raster::shading::flat_faces_are_lit_once`
+//! | F18 | flat: one evaluation for each polygon (S0 1.5.1) | module `raster`; `raster::shading::flat_faces_have_one_colour_each` |
 //! | F19 | Gouraud along edges and scanlines (S0 1.5.2.1) | module `raster`: `raster::interpolation::the_scanline_diamond_turns_its_centre`, `scenes::lectures::exercise_1_6_24` |
-//! | F20 | vertex normal as the mean of face normals (S0 1.5.2.1) | [`Weight::Uniform`](crate::normals::Weight) |
+//! | F20 | vertex normal as the mean of face normals (S0 1.5.2.1) | [`Weight::Uniform`](crate::normals::Weight): `reference::uniform_fans_agree_with_vtk` |
 //! | F21 | n = (P1−P0)×(P2−P0)/‖…‖ (S0 1.6.21a) | [`face_normals`](fn@crate::normals::face_normals) |
 //! | F22 | Phong: normals along edges and spans (S0 1.5.2.2, S3) | module `raster`; made unit again by the guard `renormalise`: `raster::interpolation::gouraud_stays_within_its_corners_and_phong_does_not`, `raster::shading::phong_converges_to_exact_with_order_2` |
 //! | F23 | Gouraud depends on the triangulation (S3) | module `raster`: `raster::interpolation::triangles_depend_on_the_diagonal_instead` |
-//! | F24 | cost: wireframe, flat, Gouraud, Phong (S0 1.6.10) | `cargo bench --bench raster`, whose table is in the README |
+//! | F24 | cost: wireframe, flat, Gouraud, Phong (S0 1.6.10) | `crease render --compare wireframe,flat,gouraud,phong` tells each one's time; the README has a table |
 //! | F25 | out of range: clamp or divide by the largest (S0 1.6.17b) | [`ToneRule`] |
 //! | F26 | artefacts of interpolated shading (S0 1.5.2.3 and exercises) | module `artefact`, an experiment each: `artefact::all_experiments_agree_with_their_checks_and_any_number_of_threads_writes_the_same` |
 //! | F27 | Mach bands worse in Gouraud than in Phong (S0 table 1; false in general) | `theory::bands::phong_is_worse_than_gouraud_beyond_70_degrees`; `crease artefact mach-bands` |

@@ -8,9 +8,10 @@ use crease::raster::{
     Camera, Interpolation, LinePath, LineStyle, Lines, Object, RenderSettings, Samples, Scene, Shading,
     Shape, Show, Triangles, render,
 };
-use crease::shade::{Light, Material};
+use crease::shade::{Attenuation, Light, Material};
 use crease::surface::Sphere;
 use glam::{DMat4, DVec3};
+use std::collections::{BTreeMap, BTreeSet};
 
 fn with_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
     rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(work)
@@ -34,6 +35,30 @@ fn threads_change_no_byte() {
             assert_eq!(one.coverage, other.coverage);
         }
     }
+}
+
+/// F18: flat shading is lit once for each polygon, so that a face has one colour, whatever the light; Gouraud's has many.
+#[test]
+fn flat_faces_have_one_colour_each() {
+    let ball = icosphere(2);
+    let mut scene = scene(vec![ball.object()]);
+    let position = DVec3::new(1.5, 1.0, 1.5);
+    scene.lights = vec![Light::Point { position, colour: LinearRgb::WHITE, attenuation: Attenuation::None }];
+    let draw = |shading, show| {
+        let settings = RenderSettings { shading, show, ..linear([200, 200]) };
+        render(&scene, &settings).unwrap().linear.unwrap()
+    };
+    let faces = draw(Shading::Flat, Show::FaceId);
+    let most_colours_of_a_face = |shading| {
+        let mut colours: BTreeMap<[u32; 3], BTreeSet<[u32; 3]>> = BTreeMap::new();
+        for (face, colour) in faces.iter().zip(draw(shading, Show::Shaded)) {
+            colours.entry(face.map(f32::to_bits)).or_default().insert(colour.map(f32::to_bits));
+        }
+        assert!(colours.len() > 100, "half of 320 faces and the background");
+        colours.values().map(BTreeSet::len).max().unwrap()
+    };
+    assert_eq!(most_colours_of_a_face(Shading::Flat), 1);
+    assert!(most_colours_of_a_face(Shading::Gouraud) > 20);
 }
 
 /// Root mean square difference over pixels covered in both where the truth has N·V > 0.2, and the share of pixels that
