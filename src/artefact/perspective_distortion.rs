@@ -252,9 +252,8 @@ fn shots(affine: &Image, right: &Image, cut: &Image) -> Vec<Shot> {
         };
         map(image.size, &pairs.map(error).collect::<Vec<_>>(), 0.35)
     };
-    let shot = |name, role, label, caption, image| Shot { name, role, label, caption, image };
     vec![
-        shot(
+        Shot::new(
             "affine",
             Role::Bad,
             Text::new("affine", "afim"),
@@ -266,7 +265,7 @@ fn shots(affine: &Image, right: &Image, cut: &Image) -> Vec<Shot> {
             ),
             board(affine),
         ),
-        shot(
+        Shot::new(
             "perspective",
             Role::Cured,
             Text::new("perspective-correct", "correta em perspectiva"),
@@ -276,7 +275,7 @@ fn shots(affine: &Image, right: &Image, cut: &Image) -> Vec<Shot> {
             ),
             board(right),
         ),
-        shot(
+        Shot::new(
             "pieces",
             Role::Cured,
             Text::new("affine, in pieces", "afim, em pedaços"),
@@ -286,7 +285,7 @@ fn shots(affine: &Image, right: &Image, cut: &Image) -> Vec<Shot> {
             ),
             board(cut),
         ),
-        shot(
+        Shot::new(
             "error",
             Role::Difference,
             Text::new("error of the affine one", "erro da afim"),
@@ -296,7 +295,7 @@ fn shots(affine: &Image, right: &Image, cut: &Image) -> Vec<Shot> {
             ),
             across(affine),
         ),
-        shot(
+        Shot::new(
             "error-pieces",
             Role::Difference,
             Text::new("error in pieces", "erro em pedaços"),
@@ -340,7 +339,7 @@ fn error_chart(measured: &[f64], law: impl Fn(f64) -> f64) -> Chart {
 
 fn place_chart(place: impl Fn(f64, f64) -> f64) -> Chart {
     let curve = |ratio: f64| Curve {
-        name: Text::made(format!("ρ = {ratio}"), format!("ρ = {ratio} ")),
+        name: Text::each(|_| format!("ρ = {ratio}")),
         drawn: Drawn::Curve,
         points: (0..=50).map(|k| f64::from(k) / 50.0).map(|t| [t, place(ratio, t)]).collect(),
     };

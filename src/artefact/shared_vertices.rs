@@ -310,9 +310,8 @@ impl Tube {
 }
 
 fn shots([bad, cured, cracked, whole, open, welded]: [Image; 6]) -> Vec<Shot> {
-    let shot = |name, role, label, caption, image| Shot { name, role, label, caption, image };
     vec![
-        shot(
+        Shot::new(
             "t-junction",
             Role::Bad,
             Text::new("T-junction", "junção em T"),
@@ -324,7 +323,7 @@ fn shots([bad, cured, cracked, whole, open, welded]: [Image; 6]) -> Vec<Shot> {
             ),
             bad,
         ),
-        shot(
+        Shot::new(
             "t-junction-shared",
             Role::Cured,
             Text::new("vertex in all faces", "vértice em todas as faces"),
@@ -334,7 +333,7 @@ fn shots([bad, cured, cracked, whole, open, welded]: [Image; 6]) -> Vec<Shot> {
             ),
             cured,
         ),
-        shot(
+        Shot::new(
             "crack",
             Role::Bad,
             Text::new("crack", "fenda"),
@@ -344,7 +343,7 @@ fn shots([bad, cured, cracked, whole, open, welded]: [Image; 6]) -> Vec<Shot> {
             ),
             cracked,
         ),
-        shot(
+        Shot::new(
             "crack-closed",
             Role::Cured,
             Text::new("crack closed", "fenda fechada"),
@@ -354,7 +353,7 @@ fn shots([bad, cured, cracked, whole, open, welded]: [Image; 6]) -> Vec<Shot> {
             ),
             whole,
         ),
-        shot(
+        Shot::new(
             "seam",
             Role::Bad,
             Text::new("seam", "emenda"),
@@ -365,7 +364,7 @@ fn shots([bad, cured, cracked, whole, open, welded]: [Image; 6]) -> Vec<Shot> {
             ),
             open,
         ),
-        shot(
+        Shot::new(
             "seam-welded",
             Role::Cured,
             Text::new("seam welded", "emenda soldada"),

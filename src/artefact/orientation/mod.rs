@@ -203,8 +203,18 @@ fn of_the_diamond(scanline: &[DVec3], one: &Image, other: &Image, tolerance: f64
     let cases = [
         (Text::new("position 1", "posição 1"), scanline[0], [0.1, 0.5, 0.5], &exercise),
         (Text::new("position 2", "posição 2"), scanline[quarter], [0.2, 0.3, 0.1], &exercise),
-        (Text::new("diagonal 1–3", "diagonal 1–3 (triângulos)"), centre(one), [0.1, 0.5, 0.5], &diagonal),
-        (Text::new("diagonal 2–4", "diagonal 2–4 (triângulos)"), centre(other), [0.2, 0.3, 0.1], &diagonal),
+        (
+            Text::new("diagonal 1–3 (triangles)", "diagonal 1–3 (triângulos)"),
+            centre(one),
+            [0.1, 0.5, 0.5],
+            &diagonal,
+        ),
+        (
+            Text::new("diagonal 2–4 (triangles)", "diagonal 2–4 (triângulos)"),
+            centre(other),
+            [0.2, 0.3, 0.1],
+            &diagonal,
+        ),
     ];
     let components = |(name, found, law, by): (Text, DVec3, [f64; 3], &Text)| {
         use super::Language::{English, Portuguese};

@@ -52,7 +52,7 @@ pub(super) fn shots([upright, half, turned, back]: [Image; 4], one: Image, other
         Shot::new(
             "diagonal-13",
             Role::Cured,
-            Text::new("triangles, diagonal 1–3", "triângulos, diagonal 1–3 "),
+            Text::new("triangles, diagonal 1–3", "triângulos, diagonal 1–3"),
             Text::new(
                 "Cut from corner 1 to corner 3: the same colours however it is turned.",
                 "Cortado do canto 1 ao canto 3: as mesmas cores como quer que seja girado.",
@@ -62,7 +62,7 @@ pub(super) fn shots([upright, half, turned, back]: [Image; 4], one: Image, other
         Shot::new(
             "diagonal-24",
             Role::Cured,
-            Text::new("triangles, diagonal 2–4", "triângulos, diagonal 2–4 "),
+            Text::new("triangles, diagonal 2–4", "triângulos, diagonal 2–4"),
             Text::new(
                 "Cut from corner 2 to corner 4: also the same however it is turned, but not the same as the other.",
                 "Cortado do canto 2 ao canto 4: também as mesmas como quer que seja girado, mas não as do outro.",

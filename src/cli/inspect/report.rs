@@ -19,9 +19,10 @@
 //!
 //! A finding has `id`, `severity`, `family`, `cause` (in words), `element` (what is counted), `count`, `of`, `share`,
 //! `area_share`, `degrees` (the largest angle, or null), `steps` (what that does under a key light, in 8-bit steps, or
-//! null), `confidence` (how sure it is which side is the outer one, or null), `command` (what mends it, or null) and `places`: the worst ten. A place has `part`, and where known `face`,
-//! `corner` (of the face), `vertex`, all from 0, `position`, `degrees`, `node` (the way to the first node
-//! that has the part, as `body/arm/hand`, glTF) and `line` (OBJ, from 1).
+//! null), `confidence` (how sure it is which side is the outer one, or null), `command` (what mends it, or null) and
+//! `places`: the worst ten. A place has `part`, and where known `face`, `corner` (of the face), `vertex`, all from 0,
+//! `position`, `degrees`, `node` (the way to the first node that has the part, as `body/arm/hand`, glTF) and `line` (OBJ,
+//! from 1).
 //!
 //! `against` has `path`, the file that came after; `faces`, `unmatched` (faces without counterpart) as pairs, before and
 //! after; `turned` (faces that go round the other way); `corners` (matched), `gained` and `lost` (normals), `changed` (by
