@@ -25,6 +25,17 @@ pub enum Failure {
     Internal(String),
 }
 
+impl Failure {
+    /// That a file cannot be read, with its name, where the command line may name several.
+    pub fn read_of(path: &str, error: ReadError) -> Self {
+        let found = match error.place {
+            Place::File => format!("{path}: {}", error.found),
+            _ => format!("in {path}: {}", error.found),
+        };
+        Failure::Read(ReadError { found, ..error })
+    }
+}
+
 /// Carries out one job and writes down in the report what happened, as far as it went.
 pub fn run(
     job: &Job,

@@ -50,6 +50,13 @@ enum Staged {
     Direct(PathBuf, Vec<u8>),
 }
 
+/// Makes a folder for outputs: before the work, not after.
+pub fn make_folder(folder: &Path) -> Result<()> {
+    let advice = "give -o the name of a folder, which is made if need be";
+    ensure!(!folder.exists() || folder.is_dir(), "{} is a file; {advice}", folder.display());
+    fs::create_dir_all(folder).with_context(|| format!("could not make the folder {}", folder.display()))
+}
+
 /// Tells of a file with other content that one beside the output has replaced.
 pub fn replaced_note(path: &Path) -> Note {
     let path = path.display();
@@ -134,7 +141,8 @@ impl Store {
         for companion in written.companions {
             claimed.extend(self.claim(companion, &path)?);
         }
-        let replaced = claimed.iter().filter(|claim| claim.is_new && claim.replaces_other());
+        // Each that is new has other content than what may be there, which may be somebody else's.
+        let replaced = claimed.iter().filter(|claim| claim.is_new && claim.place.is_file());
         let replaced = replaced.map(|claim| claim.place.clone()).collect();
         check_place(&path)?;
         if !self.dry_run {
@@ -180,8 +188,11 @@ impl Store {
         if let OutputContent::CopyOf(source) = &content {
             ensure!(source.is_file(), "could not read {}, which belongs to the output", source.display());
         }
-        check_place(&place)?;
-        Ok(Some(Claim { is_new: twin.is_none() && !is_there, place, mark, content }))
+        let is_new = twin.is_none() && !is_there && !stands(&place, &content);
+        if is_new {
+            check_place(&place)?;
+        }
+        Ok(Some(Claim { is_new, place, mark, content }))
     }
 
     fn stage(&self, path: &Path, bytes: Vec<u8>) -> Result<Staged> {
@@ -220,35 +231,33 @@ struct Claim {
     place: PathBuf,
     mark: Mark,
     content: OutputContent,
-    /// It has to be written: neither has this run done so, nor is it the file that it would be a copy of.
+    /// It has to be written: neither has this run done so, nor is it the file that it would be a copy of, nor one with the
+    /// same bytes, which may be write-protected.
     is_new: bool,
 }
 
 impl Claim {
-    /// Whether a regular file is there with other content, which may be somebody else's.
-    fn replaces_other(&self) -> bool {
-        let Ok(existing) = fs::metadata(&self.place) else { return false };
-        if !existing.is_file() {
-            return false;
-        }
-        let old = || fs::read(&self.place).ok();
-        match &self.content {
-            OutputContent::Bytes(bytes) => {
-                existing.len() != bytes.len() as u64 || old().is_none_or(|old| old != *bytes)
-            }
-            OutputContent::CopyOf(source) => {
-                let length = fs::metadata(source).map_or(0, |source| source.len());
-                existing.len() != length || fs::read(source).ok() != old()
-            }
-        }
-    }
-
     fn take_bytes(&mut self) -> Result<Vec<u8>> {
         match &mut self.content {
             OutputContent::Bytes(bytes) => Ok(std::mem::take(bytes)),
             OutputContent::CopyOf(source) => {
                 fs::read(&*source).with_context(|| format!("could not read {}", source.display()))
             }
+        }
+    }
+}
+
+/// Whether a regular file is there that has this content.
+fn stands(place: &Path, content: &OutputContent) -> bool {
+    let Some(existing) = fs::metadata(place).ok().filter(fs::Metadata::is_file) else { return false };
+    let is_as_long = |length: u64| existing.len() == length;
+    match content {
+        OutputContent::Bytes(bytes) => {
+            is_as_long(bytes.len() as u64) && fs::read(place).is_ok_and(|there| there == *bytes)
+        }
+        OutputContent::CopyOf(source) => {
+            fs::metadata(source).is_ok_and(|source| is_as_long(source.len()))
+                && matches!((fs::read(source), fs::read(place)), (Ok(own), Ok(there)) if own == there)
         }
     }
 }
@@ -408,6 +417,25 @@ mod tests {
             (vec!["a.gif".to_owned()], b"frame".to_vec())
         );
         assert!(store.stream(&Target::File(folder.path().into()), |_| -> Result<()> { Ok(()) }).is_err());
+    }
+
+    /// What has the bytes already need not be writable; what has others does.
+    #[test]
+    fn companions_that_stay_the_same_are_left_alone() {
+        let folder = tempfile::tempdir().unwrap();
+        let there = folder.path().join("a.bin");
+        fs::write(&there, "bin").unwrap();
+        let mut permissions = fs::metadata(&there).unwrap().permissions();
+        permissions.set_readonly(true);
+        fs::set_permissions(&there, permissions).unwrap();
+        let store = |name: &str, content: OutputContent| {
+            let target = Target::File(folder.path().join(name));
+            Store::new(false, false).store(written(b"main", &[("a.bin", content)]), &target)
+        };
+        assert!(store("b.gltf", OutputContent::Bytes(b"bin".to_vec())).unwrap().is_empty());
+        assert!(store("c.gltf", OutputContent::CopyOf(there.clone())).unwrap().is_empty());
+        assert!(store("d.gltf", OutputContent::Bytes(b"new".to_vec())).is_err());
+        assert_eq!(names(folder.path()), ["a.bin", "b.gltf", "c.gltf"]);
     }
 
     #[cfg(unix)]

@@ -20,6 +20,7 @@ pub mod obj;
 mod open;
 pub mod ply;
 mod remarks;
+mod rounding;
 mod shell;
 pub mod stl;
 mod tally;

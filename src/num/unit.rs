@@ -17,8 +17,15 @@ impl UnitVec3 {
     /// assert_eq!(UnitVec3::new(DVec3::new(0.0, 3e-320, 0.0)).map(UnitVec3::get), Some(DVec3::Y));
     /// assert_eq!(UnitVec3::new(DVec3::ZERO), None);
     /// ```
-    #[inline]
+    #[inline(always)]
     pub fn new(v: DVec3) -> Option<Self> {
+        // Neither zero nor what is not finite has such a square.
+        let squared = squared_length(v);
+        if is_plain(squared) { Some(Self(v * (1.0 / squared.sqrt()))) } else { Self::of_any_size(v) }
+    }
+
+    #[cold]
+    fn of_any_size(v: DVec3) -> Option<Self> {
         let largest = v.abs().max_element();
         if largest == 0.0 || !v.is_finite() {
             return None;

@@ -75,20 +75,24 @@ impl<'a> Turned<'a> {
         all
     }
 
-    /// The change of the part, where these faces of the turned mesh are left out of the output.
-    pub(super) fn edit(self, part: &Part, selection: Selection, task: &Task, dropped: &[u32]) -> PartEdit {
+    /// Leaves faces of the turned mesh out as well, given in ascending order.
+    pub(super) fn leave_out(&mut self, dropped: Vec<u32>) {
+        let numbers = as_read(&self.faces, self.count);
+        let faces = &mut self.faces;
+        faces.dropped.extend(dropped.iter().map(|&face| numbers[face as usize]));
+        faces.dropped.sort_unstable();
+        faces.reversed.retain(|face| faces.dropped.binary_search(face).is_err());
+        self.mesh = Cow::Owned(self.mesh.with_faces(&FaceEdit { dropped, reversed: Vec::new() }));
+    }
+
+    /// The change of the part.
+    pub(super) fn edit(self, part: &Part, selection: Selection, task: &Task) -> PartEdit {
         let is_as_stored = selection.is_as_stored(task.when) && !task.flip;
         let Selection { normals, kept, mut morph_normals, .. } = selection;
         // Turned values are no longer those of the file.
         let kept = if task.flip { 0 } else { kept };
         let mut normals = (!is_as_stored).then(|| self.corners_as_read(part, normals));
-        let mut faces = self.faces;
-        if !dropped.is_empty() {
-            let numbers = as_read(&faces, self.count);
-            faces.dropped.extend(dropped.iter().map(|&face| numbers[face as usize]));
-            faces.dropped.sort_unstable();
-            faces.reversed.retain(|face| faces.dropped.binary_search(face).is_err());
-        }
+        let faces = self.faces;
         if let Some(normals) = normals.as_mut().filter(|_| !faces.dropped.is_empty()) {
             forget_dropped(normals, &mut morph_normals, kept, &faces, &part.mesh);
         }

@@ -54,7 +54,8 @@ pub enum Degenerate {
     /// They stay, with a made-up normal.
     #[default]
     Keep,
-    /// They are left out of the output. Normals are those of the whole mesh: such faces add nothing to them.
+    /// They are left out of the output. Normals are those of what remains: seams close where only such faces were between
+    /// their two sides.
     Drop,
 }
 
@@ -101,24 +102,25 @@ fn revise_part(part: &Part, task: &Task) -> (PartEdit, PartOutcome, Option<Vec<D
     if part.mesh.face_count() == 0 {
         return (PartEdit::default(), outcome, None);
     }
-    let turned = Turned::new(part, task);
-    let field = normals::compute(&turned.mesh, &task.recipe);
+    let mut turned = Turned::new(part, task);
+    let mut field = normals::compute(&turned.mesh, &task.recipe);
     outcome.orientation.clone_from(&turned.orientation);
-    outcome.record(&field);
+    outcome.record_faults(&field.faults);
     outcome.fault_places = places::of_faults(&turned, &part.mesh, &field.faults);
-
-    let dropped: Vec<u32> = match task.degenerate {
-        Degenerate::Keep => Vec::new(),
-        Degenerate::Drop => {
-            let zero_area = field.faults.faces.iter().filter(|fault| fault.reason == FaultReason::ZeroArea);
-            zero_area.map(|fault| fault.index).collect()
+    if task.degenerate == Degenerate::Drop {
+        let zero_area = field.faults.faces.iter().filter(|fault| fault.reason == FaultReason::ZeroArea);
+        let dropped: Vec<u32> = zero_area.map(|fault| fault.index).collect();
+        if !dropped.is_empty() {
+            turned.leave_out(dropped);
+            field = normals::compute(&turned.mesh, &task.recipe);
         }
-    };
+    }
+    outcome.record(&field);
     let mut selection = select(&turned.mesh, field, task.when);
     outcome.record_selection(&selection, turned.mesh.faces().corner_count(), task.when);
     outcome.broken_places = places::of_broken(&turned, &part.mesh, &selection.broken);
     let facets = turned.faces_as_read(std::mem::take(&mut selection.face_normals));
-    let edit = turned.edit(part, selection, task, &dropped);
+    let edit = turned.edit(part, selection, task);
     outcome.reversed_faces = edit.faces.reversed.len();
     outcome.dropped_faces = edit.faces.dropped.len() - part.non_finite_faces.len();
     (edit, outcome, Some(facets))
@@ -220,6 +222,26 @@ mod tests {
         let used: std::collections::BTreeSet<u32> =
             index.iter().copied().filter(|&slot| slot != NONE).collect();
         assert_eq!(used.len(), normals.values.len(), "each value is used");
+    }
+
+    /// Two sides of a bent strip have an edge of their own each, with a face without area between them: without it, they
+    /// meet, and share normals.
+    #[test]
+    fn normals_are_those_of_what_remains() {
+        let edge = [DVec3::ZERO, DVec3::Y];
+        let positions = vec![edge[0], edge[1], edge[0], edge[1], DVec3::new(1.0, 0.5, 0.2), DVec3::NEG_X];
+        let faces = Faces::triangles(vec![0, 4, 1, 2, 3, 5, 0, 1, 3, 0, 3, 2]);
+        let builder = MeshBuilder { positions, faces, ..MeshBuilder::default() };
+        let part = Part { mesh: builder.build().unwrap(), ..Part::default() };
+        for degenerate in [Degenerate::Keep, Degenerate::Drop] {
+            let task = Task { degenerate, ..Task::default() };
+            let (edit, outcome) = revise_one(&part, &task, None);
+            let written = written(&part, &edit);
+            assert_eq!(written, expected(&part, &edit, &task));
+            assert_eq!(outcome.faults.faces.iter().map(|(_, count)| count).sum::<usize>(), 2);
+            let meet = written[0] == written[3];
+            assert_eq!(meet, degenerate == Degenerate::Drop, "{written:?}");
+        }
     }
 
     #[test]

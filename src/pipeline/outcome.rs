@@ -63,7 +63,10 @@ impl PartOutcome {
     pub(super) fn record(&mut self, field: &NormalField) {
         self.entries = field.normals.values.len();
         self.summary = field.summary;
-        self.faults = FaultCounts::of(&field.faults);
+    }
+
+    pub(super) fn record_faults(&mut self, faults: &Faults) {
+        self.faults = FaultCounts::of(faults);
     }
 
     /// Counts which of so many corners keep their normal, and why the others do not.

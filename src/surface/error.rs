@@ -10,7 +10,7 @@ pub(super) const LENGTHS: RangeInclusive<f64> = 1e-60..=1e60;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SurfaceError {
     /// A length that is not positive and of a size that can be computed with.
-    #[error("{what} is {found:e}; a length from 1e-60 to 1e60 was expected")]
+    #[error("{what} is {found:?}; a length from 1e-60 to 1e60 was expected")]
     Length {
         /// Which length.
         what: &'static str,

@@ -47,7 +47,7 @@ impl Assembler<'_> {
                     "element {element} is the position ({}, {}, {})",
                     position.x, position.y, position.z
                 );
-                let advice = "repair the file, or drop the faces there with --force";
+                let advice = "repair the file, or drop the faces there with `crease normals --force`";
                 ReadError::new(Problem::NonFinite, At::new("accessors", accessor).place(), found, advice)
             }
             other => ReadError::new(
@@ -209,7 +209,7 @@ impl Assembler<'_> {
         };
         let found = format!("morph target {number} displaces vertex {vertex} by what is not a finite number");
         if self.non_finite == NonFinite::Refuse {
-            let advice = "repair the file, or leave such displacements out with --force";
+            let advice = "repair the file, or leave such displacements out with `crease normals --force`";
             return Err(ReadError::new(Problem::NonFinite, at.place(), found, advice));
         }
         target.iter_mut().filter(|d| !d.is_finite()).for_each(|d| *d = DVec3::ZERO);

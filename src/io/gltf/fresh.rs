@@ -9,11 +9,12 @@ use super::primitive::mode;
 use super::shape::Shape;
 use super::uri;
 use crate::io::left_out::{Feature, left_out};
+use crate::io::rounding::displacement_note;
 use crate::io::text::counted;
 use crate::io::{
     FileMaterial, Format, Note, OutputContent, OutputFile, Part, Place, WriteError, WriteOptions, Written,
 };
-use crate::mesh::{FaceLabels, Mesh, NONE, Storage, VertexSplit};
+use crate::mesh::{FaceLabels, Mesh, NONE, VertexSplit};
 use glam::DVec3;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
@@ -284,9 +285,7 @@ fn positions(
         );
         return Err(WriteError::Unsupported(format!("{text}; scale the model, or write PLY or OBJ")));
     }
-    if mesh.storage() == Storage::F64 {
-        note_displacement(mesh, &rounded, notes);
-    }
+    notes.extend(displacement_note(mesh));
     let double = |bound: [f32; 3]| bound.map(f64::from).to_vec();
     let bounds = Bounds { low: double(low), high: double(high) };
     let rounded = match split {
@@ -294,20 +293,4 @@ fn positions(
         None => rounded,
     };
     Ok((rounded, bounds))
-}
-
-/// Tells when rounding to `f32` moves vertices far for the size of the model. Around the origin it costs at most
-/// 2⁻²⁵ of the size; far from it, or near the smallest numbers, it can cost everything.
-fn note_displacement(mesh: &Mesh, rounded: &[[f32; 3]], notes: &mut Vec<Note>) {
-    let moved = |(p, q): (&DVec3, &[f32; 3])| p.distance(DVec3::new(q[0].into(), q[1].into(), q[2].into()));
-    let largest = mesh.positions().par_iter().zip(rounded).map(moved).reduce(|| 0.0, f64::max);
-    let size = mesh.bounds().map_or(0.0, |(low, high)| low.distance(high));
-    if size > 0.0 && largest > size / f64::from(1 << 20) {
-        let text = format!(
-            "rounding positions to 32-bit floats moves vertices by up to {largest:.3e}, {:.1e} of the model's size; \
-             move it nearer to the origin, or write PLY or OBJ",
-            largest / size
-        );
-        notes.push(Note::warning(Place::File, text));
-    }
 }

@@ -4,6 +4,7 @@ use super::binary::{FACET, FIRST, HEADER, vector_bytes};
 use super::facets::stored;
 use super::vertex_normals_note;
 use crate::io::left_out::{Feature, left_out};
+use crate::io::rounding::displacement_note;
 use crate::io::{Note, Part, Place, WriteError, WriteOptions, Written};
 use crate::mesh::{Mesh, Storage, triangulate};
 use glam::DVec3;
@@ -104,8 +105,11 @@ fn notes(parts: &[Part], without_normal: u64, options: &WriteOptions) -> Vec<Not
         warn(format!("STL has no parts: all {} were put into one solid", parts.len()));
     }
     notes.extend(left_out("STL", &NOT_HELD, parts));
+    let displaced: Vec<Note> = parts.iter().filter_map(|part| displacement_note(&part.mesh)).collect();
     let is_rounded = |p: &DVec3| p.as_vec3().as_dvec3() != *p;
-    if any(&|mesh| mesh.storage() == Storage::F64 && mesh.positions().iter().any(is_rounded)) {
+    if !displaced.is_empty() {
+        notes.extend(displaced);
+    } else if any(&|mesh| mesh.storage() == Storage::F64 && mesh.positions().iter().any(is_rounded)) {
         notes.push(Note::remark("positions were rounded to 32-bit numbers"));
     }
     notes

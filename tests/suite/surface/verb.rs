@@ -134,6 +134,26 @@ fn every_pattern_is_written_or_refused_with_its_reason() {
     assert_eq!(refused, 9 + 2 + 9);
 }
 
+/// What an offset loses is told in every format: in doubles by the verb, in single precision by the writer.
+#[test]
+fn offsets_that_lose_the_shape_are_told() {
+    let warned = |offset: &str, name: &str| {
+        let (report, _) = written(&["sphere", "--segments", "12x6", "--offset", offset], name);
+        let notes = report["notes"].as_array().cloned().unwrap_or_default();
+        notes
+            .iter()
+            .any(|note| note["severity"] == "warning" && note["text"].as_str().unwrap().contains("size"))
+    };
+    for name in ["a.ply", "a.obj", "a.stl", "a.glb"] {
+        assert!(warned("1e30,0,0", name), "{name}");
+        assert!(!warned("10,0,0", name), "{name}");
+    }
+    assert!(warned("1e3,0,0", "a.stl") && warned("1e3,0,0", "a.glb"));
+    let (report, _) = written(&["sphere", "--radius", "1e-60", "--scale", "1e-300"], "tiny.ply");
+    assert!(report["notes"][0]["text"].as_str().unwrap().contains("few digits or none"), "{report}");
+    assert!(!warned("1e3,0,0", "a.ply") && !warned("1e3,0,0", "a.obj"));
+}
+
 #[test]
 fn scaled_and_moved_copies_are_what_they_say() {
     let (_, plain) = written(&["sphere", "--segments", "12x6"], "a.ply");
