@@ -1,4 +1,4 @@
-//! What light on points costs, for the README: nanoseconds a point, and each scene as a ratio to the cheapest that has
+//! What light on points costs: nanoseconds a point, and each scene as a ratio to the cheapest that has
 //! a light. What a scene does not have must cost nothing: the pairs at the end hold that.
 //!
 //!     cargo bench --bench shade -- [ROUNDS]

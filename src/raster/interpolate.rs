@@ -25,8 +25,8 @@ pub(super) struct Interpolate<'a> {
     pub(super) seen: &'a [Seen],
     /// The sample of the tile's first pixel, in 256ths of a pixel of the picture.
     pub(super) origin: [i32; 2],
-    /// Weigh by 1/w.
-    pub(super) perspective: bool,
+    /// Weigh by 1/w, which is depth with this level; not at all if there is none.
+    pub(super) level: Option<f64>,
     pub(super) out: &'a mut [Row; 3],
 }
 
@@ -40,7 +40,7 @@ impl Kernel for Interpolate<'_> {
     /// within the hull of those at the corners up to rounding.
     #[inline(always)]
     fn run<A: Lanes>(self, _: A) {
-        let Self { records, seen, origin, perspective, out } = self;
+        let Self { records, seen, origin, level, out } = self;
         let mut x = [[0_i32; LANES]; 3];
         let mut y = [[0_i32; LANES]; 3];
         let mut depth = [[0.0_f32; LANES]; 3];
@@ -64,10 +64,10 @@ impl Kernel for Interpolate<'_> {
                 let at = |k: usize| (f64::from(x[k][lane]), f64::from(y[k][lane]));
                 let ((x0, y0), (x1, y1), (x2, y2)) = (at(0), at(1), at(2));
                 let (mut w0, mut w1, mut w2) = (x1 * y2 - x2 * y1, x2 * y0 - x0 * y2, x0 * y1 - x1 * y0);
-                if perspective {
-                    w0 *= f64::from(depth[0][lane]);
-                    w1 *= f64::from(depth[1][lane]);
-                    w2 *= f64::from(depth[2][lane]);
+                if let Some(level) = level {
+                    w0 *= f64::from(depth[0][lane]) + level;
+                    w1 *= f64::from(depth[1][lane]) + level;
+                    w2 *= f64::from(depth[2][lane]) + level;
                 }
                 let per_sum = 1.0 / ((w0 + w1) + w2);
                 weights[0][lane] = (w0 * per_sum) as f32;

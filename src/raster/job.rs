@@ -1,6 +1,7 @@
 //! A scene and settings checked and made ready: what all tiles share.
 
 use super::error::RenderError;
+use super::ink::{Ink, LitInk};
 use super::project::NOT_FINITE;
 use super::scene::{Object, Paint, Scene, Shape};
 use super::settings::{RenderSettings, Shading, Show};
@@ -8,7 +9,7 @@ use super::triangles::DrawnObject;
 use super::view::{Rays, View};
 use crate::mesh::{ColumnIndex, NONE, NormalMatrix, normal_matrix};
 use crate::num::unit_scale;
-use crate::shade::{Frame, ShadeSettings, Shader, Terminator, Viewer};
+use crate::shade::{Frame, ShadeSettings, Terminator, Viewer};
 use crate::surface::Placed;
 use glam::{DMat3, DVec3, Vec3};
 use rayon::prelude::*;
@@ -38,14 +39,6 @@ pub(super) struct Prepared<'a> {
     pub(super) truth: Option<Placed>,
     /// Whether it is drawn by casting rays at its truth.
     pub(super) is_cast: bool,
-}
-
-/// What makes the colour of an object.
-pub(super) enum Ink<'a> {
-    /// Light on a material.
-    Lit(Box<Shader<f32>>),
-    /// A colour for each vertex.
-    Given(&'a [crate::num::LinearRgb]),
 }
 
 /// The largest side of a picture.
@@ -151,8 +144,8 @@ impl<'a> Prepared<'a> {
         let ink = match &object.paint {
             Paint::Lit(material) => {
                 let shade = shade_settings(settings, view, frame);
-                let shader = Shader::new(&scene.lights, material, &shade);
-                Ink::Lit(Box::new(shader.map_err(|error| RenderError::Shade { object: number, error })?))
+                let ink = LitInk::new(&scene.lights, material, &shade);
+                Ink::Lit(Box::new(ink.map_err(|error| RenderError::Shade { object: number, error })?))
             }
             Paint::Given(colours) => Ink::Given(colours),
         };

@@ -1,13 +1,14 @@
 //! Light on corners and faces: on points that are not samples.
 
 use super::error::RenderError;
+use super::ink::LitInk;
 use super::job::{Job, Prepared};
 use super::project::Points;
 use super::triangles::DrawnObject;
 use super::view::ObjectMap;
 use crate::mesh::NONE;
 use crate::num::{self, Kernel, Lanes};
-use crate::shade::{Shader, SurfaceRows};
+use crate::shade::SurfaceRows;
 use glam::{DVec3, Vec3};
 
 /// An object and what lights it.
@@ -16,7 +17,7 @@ pub(super) struct Lit<'a> {
     pub(super) job: &'a Job<'a>,
     pub(super) object: &'a Prepared<'a>,
     pub(super) drawn: &'a DrawnObject<'a>,
-    pub(super) shader: &'a Shader<f32>,
+    pub(super) ink: &'a LitInk,
 }
 
 /// A corner of a face.
@@ -31,6 +32,8 @@ pub(super) struct Corner {
 /// Lights points and keeps its memory.
 pub(super) struct PointLight {
     vertices: Vec<u32>,
+    /// Where the vertices of each point end, if points are means of several.
+    ends: Vec<usize>,
     positions: [Vec<f32>; 3],
     normals: [Vec<f32>; 3],
     colours: [Vec<f32>; 3],
@@ -57,6 +60,7 @@ impl PointLight {
     pub(super) fn new() -> Self {
         Self {
             vertices: Vec::new(),
+            ends: Vec::new(),
             positions: Default::default(),
             normals: Default::default(),
             colours: Default::default(),
@@ -95,24 +99,23 @@ impl PointLight {
         faces: impl Iterator<Item = (C, Vec3)>,
     ) -> Result<(), RenderError> {
         self.clear();
-        let mut ends = Vec::new();
         for (vertices, normal) in faces {
             self.vertices.extend(vertices);
-            self.point_of.push(ends.len() as u32);
-            ends.push(self.vertices.len());
+            self.point_of.push(self.ends.len() as u32);
+            self.ends.push(self.vertices.len());
             self.normals.iter_mut().zip(normal.to_array()).for_each(|(row, component)| row.push(component));
         }
         self.place(lit);
-        if lit.shader.needs_positions() {
+        if lit.ink.needs_positions() {
             for row in &mut self.positions {
                 let mut from = 0;
                 // In place: a face has three corners or more, so a mean never overtakes what it is of.
-                for (face, &end) in ends.iter().enumerate() {
+                for (face, &end) in self.ends.iter().enumerate() {
                     let sum: f32 = row[from..end].iter().sum();
                     row[face] = sum / (end - from) as f32;
                     from = end;
                 }
-                row.truncate(ends.len());
+                row.truncate(self.ends.len());
             }
         }
         self.light(lit)
@@ -128,13 +131,14 @@ impl PointLight {
 
     fn clear(&mut self) {
         self.vertices.clear();
+        self.ends.clear();
         self.point_of.clear();
         self.positions.iter_mut().chain(&mut self.normals).for_each(Vec::clear);
     }
 
     /// Positions of the vertices, if anything depends on them.
     fn place(&mut self, lit: &Lit) {
-        if lit.shader.needs_positions() {
+        if lit.ink.needs_positions() {
             let count = self.vertices.len();
             self.positions.iter_mut().for_each(|row| row.resize(count, 0.0));
             let out = self.positions.each_mut().map(|row| &mut row[..]);
@@ -170,9 +174,25 @@ impl PointLight {
             normals: self.normals.each_ref().map(|row| &row[..]),
         };
         let colours = self.colours.each_mut().map(|row| &mut row[..]);
+        let exactly = |point| exactly(lit, vertices_of(&self.vertices, &self.ends, point));
         let object = lit.drawn.object;
-        lit.shader.shade_rows(&rows, colours).map_err(|error| RenderError::NotFinite { object, error })
+        let done = lit.ink.shade_rows(&rows, None, colours, exactly);
+        done.map_err(|error| RenderError::NotFinite { object, error })
     }
+}
+
+/// The vertices that a point is the mean of.
+fn vertices_of<'a>(vertices: &'a [u32], ends: &[usize], point: usize) -> &'a [u32] {
+    match ends.get(point) {
+        Some(&end) => &vertices[point.checked_sub(1).map_or(0, |before| ends[before])..end],
+        None => &vertices[point..=point],
+    }
+}
+
+/// The mean of some vertices as shaders take it, before anything is rounded.
+fn exactly(lit: &Lit, vertices: &[u32]) -> DVec3 {
+    let place = |&vertex: &u32| lit.drawn.map.scene_point(lit.drawn.points.get(vertex)) / lit.job.frame.unit;
+    vertices.iter().map(place).sum::<DVec3>() / vertices.len() as f64
 }
 
 /// Positions of vertices relative to the eye, as shaders take them.

@@ -1,15 +1,17 @@
 //! Colours of the samples that are seen.
 
-use super::cast::Hits;
+use super::cast::{Hits, cast};
 use super::coverage::{PIXELS, place};
 use super::error::RenderError;
 use super::fixed::{BITS, ONE};
+use super::ink::Ink;
 use super::interpolate::{BATCH, Interpolate, Positions, Row, Seen};
-use super::job::{Ink, Job};
+use super::job::Job;
 use super::light::{Corner, Lit, PointLight};
 use super::list::{Run, TileList};
 use super::records::{Record, Wanted, face_corners, mean_colour, piece_values, single, takes_mean};
 use super::scanline::ScanPolygon;
+use super::seen_point;
 use super::settings::{Interpolation, Show};
 use super::show;
 use super::tile::Colours;
@@ -88,7 +90,7 @@ impl Painter {
                         record.values = record.vertices.map(|vertex| single(colours[vertex as usize]));
                     }
                 }
-                Ink::Lit(shader) => {
+                Ink::Lit(ink) => {
                     let corners = records.iter().flat_map(|record| {
                         let numbers = drawn.list.corners(record.triangle);
                         [0, 1, 2].map(|k| Corner {
@@ -97,7 +99,7 @@ impl Painter {
                             turned: record.turned,
                         })
                     });
-                    self.light.corners(&Lit { job, object, drawn, shader }, corners)?;
+                    self.light.corners(&Lit { job, object, drawn, ink }, corners)?;
                     for (at, record) in records.iter_mut().enumerate() {
                         record.values = [0, 1, 2].map(|k| self.light.colour(3 * at + k));
                     }
@@ -127,13 +129,13 @@ impl Painter {
                     record.values = [mean_colour(colours, face_corners(object, drawn, record)); 3];
                 }
             }
-            Ink::Lit(shader) if takes_mean(job, object) => {
+            Ink::Lit(ink) if takes_mean(job, object) => {
                 let corners = records.iter().flat_map(|record| {
                     let turned = record.turned;
                     let corners = face_corners(object, drawn, record);
                     corners.map(move |(number, vertex)| Corner { number, vertex, turned })
                 });
-                self.light.corners(&Lit { job, object, drawn, shader }, corners)?;
+                self.light.corners(&Lit { job, object, drawn, ink }, corners)?;
                 let mut first = 0;
                 for record in records {
                     let count = face_corners(object, drawn, record).len();
@@ -142,12 +144,12 @@ impl Painter {
                     first += count;
                 }
             }
-            Ink::Lit(shader) => {
+            Ink::Lit(ink) => {
                 let faces = records.iter().map(|record| {
                     let vertices = face_corners(object, drawn, record).map(|(_, vertex)| vertex);
                     (vertices, object.face_normal(record.face, record.turned))
                 });
-                self.light.faces(&Lit { job, object, drawn, shader }, faces)?;
+                self.light.faces(&Lit { job, object, drawn, ink }, faces)?;
                 for (at, record) in records.iter_mut().enumerate() {
                     record.values = [self.light.colour(at); 3];
                 }
@@ -177,8 +179,8 @@ impl Painter {
                 corners.map(move |(number, vertex)| Corner { number, vertex, turned })
             })
         };
-        if let (Wanted::CornerColours, Ink::Lit(shader)) = (wanted, &object.ink) {
-            self.light.corners(&Lit { job, object, drawn, shader }, corners())?;
+        if let (Wanted::CornerColours, Ink::Lit(ink)) = (wanted, &object.ink) {
+            self.light.corners(&Lit { job, object, drawn, ink }, corners())?;
         }
         let value = |(at, corner): (usize, Corner)| match (wanted, &object.ink) {
             (Wanted::CornerNormals, _) => object.corner_normal(corner.number, corner.vertex, corner.turned),
@@ -206,13 +208,11 @@ impl Painter {
     ) -> Result<(), RenderError> {
         let prepared = &job.objects[object];
         let wanted = Wanted::new(job, prepared);
-        let shader = match (&prepared.ink, job.settings.show) {
-            (Ink::Lit(shader), Show::Shaded) if wanted == Wanted::CornerNormals || prepared.is_cast => {
-                Some(shader)
-            }
+        let ink = match (&prepared.ink, job.settings.show) {
+            (Ink::Lit(ink), Show::Shaded) if wanted == Wanted::CornerNormals || prepared.is_cast => Some(ink),
             _ => None,
         };
-        let needs_positions = shader.is_some_and(|shader| shader.needs_positions())
+        let needs_positions = ink.is_some_and(|ink| ink.needs_positions())
             || matches!(job.settings.show, Show::Deviation(_)) && prepared.truth.is_some();
         let hits = tile.hits.filter(|_| prepared.is_cast);
         let Tile { records, depth, origin, .. } = *tile;
@@ -232,7 +232,7 @@ impl Painter {
                     });
                 }
             }
-            let by_faces = job.settings.asks_faces() && !prepared.is_cast && shader.is_some();
+            let by_faces = job.settings.asks_faces() && !prepared.is_cast && ink.is_some();
             if by_faces {
                 for (lane, seen) in seen.iter().enumerate() {
                     let record = &records[seen.record as usize];
@@ -241,19 +241,15 @@ impl Painter {
                 }
             }
             let Self { values, positions, colours, faces, .. } = self;
-            if let Some(shader) = shader {
+            if let Some(ink) = ink {
                 let rows = SurfaceRows {
                     positions: positions.each_ref().map(|row| &row[..count]),
                     normals: values.each_ref().map(|row| &row[..count]),
                 };
+                let faces = by_faces.then(|| faces.each_ref().map(|row| &row[..count]));
                 let colours = colours.each_mut().map(|row| &mut row[..count]);
-                let error = |error| RenderError::NotFinite { object, error };
-                let faces = faces.each_ref().map(|row| &row[..count]);
-                let done = match by_faces {
-                    true => shader.shade_rows_on(&rows, faces, colours),
-                    false => shader.shade_rows(&rows, colours),
-                };
-                done.map_err(error)?;
+                ink.shade_rows(&rows, faces, colours, |lane| seen_exactly(job, object, tile, seen[lane]))
+                    .map_err(|error| RenderError::NotFinite { object, error })?;
             } else if job.settings.show != Show::Shaded {
                 for (lane, seen) in seen.iter().enumerate() {
                     let at = |rows: &[Row; 3]| Vec3::new(rows[0][lane], rows[1][lane], rows[2][lane]);
@@ -270,7 +266,7 @@ impl Painter {
                 }
             }
             // What is neither lit here nor shown in another way is a colour already.
-            let is_colour = shader.is_none() && job.settings.show == Show::Shaded;
+            let is_colour = ink.is_none() && job.settings.show == Show::Shaded;
             let colours = if is_colour { values } else { colours };
             for (out, colours) in out.iter_mut().zip(colours.iter()) {
                 for (seen, &colour) in seen.iter().zip(colours.iter()) {
@@ -293,7 +289,8 @@ impl Painter {
         }
         // In a parallel projection the picture is the scene seen from far away: nothing to correct.
         let perspective = job.settings.interpolation == Interpolation::Perspective && job.view.perspective;
-        num::dispatch(Interpolate { records, seen, origin, perspective, out: &mut self.values });
+        let level = perspective.then_some(job.view.level);
+        num::dispatch(Interpolate { records, seen, origin, level, out: &mut self.values });
         if self.polygons.is_empty() {
             return;
         }
@@ -315,4 +312,19 @@ impl Painter {
             self.positions.iter_mut().zip(hit.position.to_array()).for_each(|(row, value)| row[lane] = value);
         }
     }
+}
+
+/// Where a sample sees an object, in the frame of the shaders, before depth and corners are rounded.
+fn seen_exactly(job: &Job, object: usize, tile: &Tile, seen: Seen) -> DVec3 {
+    let [column, row] = place(usize::from(seen.pixel)).map(|n| n as i32);
+    let at = [tile.origin[0] + (column << BITS), tile.origin[1] + (row << BITS)];
+    let at = at.map(|n| f64::from(n) / f64::from(ONE));
+    let from_eye = match job.drawn.iter().find(|drawn| drawn.object == object) {
+        Some(drawn) => {
+            let triangle = tile.records[seen.record as usize].vertices;
+            seen_point::from_eye(drawn, triangle, seen_point::weights(job, drawn, triangle, at))
+        }
+        None => cast(job, object, at).map_or(DVec3::NAN, |(hit, _)| hit.position - job.view.eye),
+    };
+    from_eye / job.frame.unit
 }

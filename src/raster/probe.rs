@@ -3,11 +3,13 @@
 use super::cast::cast;
 use super::clip::{ClipVertex, NEAR, Shares, clip};
 use super::error::RenderError;
-use super::job::{Ink, Job, shade_settings};
+use super::ink::Ink;
+use super::job::{Job, shade_settings};
 use super::records::{Record, face_corners};
 use super::render::bins;
 use super::scanline::ScanPolygon;
 use super::scene::{Paint, Scene};
+use super::seen_point::{self, shares};
 use super::settings::{FlatSample, Interpolation, RenderSettings, Shading};
 use super::tile::Worker;
 use super::triangles::DrawnObject;
@@ -150,9 +152,9 @@ fn on_face(job: &Job, drawn: &DrawnObject, record: &Record, at: [f64; 2]) -> Pro
     let object = &job.objects[drawn.object];
     let triangle = drawn.list.vertices(record.triangle);
     let corners = drawn.list.corners(record.triangle);
-    let in_scene = scene_weights(job, drawn, triangle, at);
+    let in_scene = seen_point::weights(job, drawn, triangle, at);
+    let relative = seen_point::from_eye(drawn, triangle, in_scene);
     let position = |vertex: u32| drawn.map.scene_point(drawn.points.get(vertex));
-    let relative: DVec3 = triangle.iter().zip(in_scene).map(|(&v, weight)| position(v) * weight).sum();
     let face: Vec<(u32, u32)> = face_corners(object, drawn, record).collect();
     let (corners, weights): (Vec<(u32, u32)>, Vec<f64>) = match job.settings.interpolation {
         Interpolation::Scanline if face.len() > 3 => {
@@ -217,18 +219,6 @@ fn on_face(job: &Job, drawn: &DrawnObject, record: &Record, at: [f64; 2]) -> Pro
     }
 }
 
-/// Barycentric coordinates in the scene of the point of a triangle's plane that a place of the picture sees, by edge
-/// functions in homogeneous coordinates, which hold behind the eye as well (Olano & Greer 1997).
-fn scene_weights(job: &Job, drawn: &DrawnObject, triangle: [u32; 3], at: [f64; 2]) -> [f64; 3] {
-    let [mx, my] = job.view.middle();
-    let ray = DVec3::new(at[0] - mx, at[1] - my, 1.0);
-    let [a, b, c] = triangle.map(|vertex| {
-        let point = drawn.map.view(drawn.points.get(vertex));
-        DVec3::new(point.x, point.y, point.h)
-    });
-    shares([ray.dot(b.cross(c)), ray.dot(c.cross(a)), ray.dot(a.cross(b))])
-}
-
 /// Barycentric coordinates on the picture, of what the near plane leaves of a triangle.
 fn picture_weights(job: &Job, drawn: &DrawnObject, triangle: [u32; 3], at: [f64; 2]) -> [f64; 3] {
     let corner = |k: usize| ClipVertex {
@@ -259,9 +249,4 @@ fn scanline_weights(job: &Job, drawn: &DrawnObject, face: &[(u32, u32)], at: [f6
         ScanPolygon::unsnapped(&job.view, corners).value(at).x
     };
     (0..face.len()).map(weight).collect()
-}
-
-fn shares(parts: [f64; 3]) -> [f64; 3] {
-    let sum: f64 = parts.iter().sum();
-    parts.map(|part| part / sum)
 }

@@ -2,7 +2,8 @@
 
 use super::bins::Piece;
 use super::clip::Shares;
-use super::job::{Ink, Job, Prepared};
+use super::ink::Ink;
+use super::job::{Job, Prepared};
 use super::project::ScreenVertex;
 use super::settings::{FlatSample, Interpolation, Shading, Show};
 use super::setup::double_area;

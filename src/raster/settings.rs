@@ -106,6 +106,16 @@ pub enum Bits {
     Sixteen,
 }
 
+impl Bits {
+    /// How many there are.
+    pub fn count(self) -> u8 {
+        match self {
+            Self::Eight => 8,
+            Self::Sixteen => 16,
+        }
+    }
+}
+
 /// Everything about a picture that is not in the scene. Threads are not here: drawing uses the current pool of rayon
 /// and gives the same bytes whatever its size.
 #[derive(Clone, Copy, Debug, PartialEq)]

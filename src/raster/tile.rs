@@ -286,7 +286,8 @@ impl Worker {
             Owner::Triangle { corners, .. } => corners,
             Owner::Cast(object) => {
                 let hit = cast(job, object, place);
-                return hit.is_some_and(|(_, z)| job.view.depth(z * (1.0 + CHORD)) > depth);
+                let behind = |z: f64| z + CHORD * z.min(job.view.reach);
+                return hit.is_some_and(|(_, z)| job.view.depth(behind(z)) > depth);
             }
         };
         let at = place.map(super::fixed::snap);

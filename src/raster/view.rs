@@ -10,6 +10,14 @@ use glam::{DMat3, DMat4, DVec3, Vec3};
 /// distances is equally far.
 const FARTHEST: f64 = f32::MIN_POSITIVE as f64;
 
+/// A camera that is more than this many heights of what it shows away from its target sees it through so narrow an angle
+/// that depths from the eye would be nearly alike: they are counted from the target instead.
+const FAR: f64 = 64.0;
+
+/// How many times nearer than the target a near distance may be that depths are shares of: single precision has no more
+/// room on either side.
+const MOST_RATIO: f64 = 1e30;
+
 /// A camera with a picture of a certain size.
 ///
 /// *View space* has its origin in the eye. Its first two coordinates are in pixels from the middle of the picture, to
@@ -22,6 +30,13 @@ pub(super) struct View {
     /// Pixels per unit of length: at distance 1 in perspective, anywhere in a parallel projection.
     pub(super) scale: f64,
     pub(super) near: f64,
+    /// The distance at which depth is 1 in perspective and 0 in a parallel projection, before the level is taken off: the
+    /// near one, unless that is next to nothing, or that of the target if the camera is [`FAR`] from it.
+    depth_from: f64,
+    /// What is taken off depth so that it keeps its digits: 0, or in a narrow perspective the depth of the target, 1.
+    pub(super) level: f64,
+    /// How far behind a surface is little, at the most: a distance that a camera which is not far from its target has.
+    pub(super) reach: f64,
     pub(super) perspective: bool,
     pub(super) size: [u32; 2],
 }
@@ -48,7 +63,26 @@ impl View {
             Projection::Perspective(Radians(angle)) => (half / libm::tan(0.5 * angle), true),
             Projection::Orthographic(height) => (2.0 * half / height, false),
         };
-        Ok(Self { eye: camera.eye, axes, scale, near: camera.near, perspective, size })
+        let (near, distance) = (camera.near, (camera.target - camera.eye).length());
+        let shown = f64::from(size[1]) / scale * if perspective { distance } else { 1.0 };
+        let is_far = distance > FAR * shown;
+        let depth_from = match perspective {
+            _ if is_far => distance,
+            true => near.max(distance / MOST_RATIO),
+            false => near,
+        };
+        let level = if is_far && perspective { 1.0 } else { 0.0 };
+        Ok(Self {
+            eye: camera.eye,
+            axes,
+            scale,
+            near,
+            depth_from,
+            level,
+            reach: FAR * shown,
+            perspective,
+            size,
+        })
     }
 
     /// The middle of the picture, in pixels.
@@ -56,11 +90,14 @@ impl View {
         self.size.map(|n| 0.5 * f64::from(n))
     }
 
-    /// Depth as it is compared: larger is nearer. In perspective near/z, which is linear on the picture and is what
-    /// perspective-correct interpolation needs; else linear in z.
+    /// Depth as it is compared: larger is nearer. In perspective a share of 1/z, which is linear on the picture and, with
+    /// the level, is what perspective-correct interpolation needs; else linear in z.
     #[inline(always)]
     pub(super) fn depth(&self, z: f64) -> f64 {
-        if self.perspective { (self.near / z).max(FARTHEST) } else { (self.near - z) * self.scale }
+        match self.perspective {
+            true => (self.depth_from / z).clamp(FARTHEST, MOST_RATIO) - self.level,
+            false => (self.depth_from - z) * self.scale,
+        }
     }
 
     /// A point of view space on the picture, in pixels from the upper left corner.
@@ -180,7 +217,8 @@ pub(super) struct Rays {
     /// At the picture's upper left corner, and per pixel to the right and down.
     pub(super) start: [Vec3; 3],
     pub(super) direction: [Vec3; 3],
-    near: f32,
+    depth_from: f32,
+    level: f32,
     /// Units of length per unit of depth, in a parallel projection.
     per_depth: f32,
     perspective: bool,
@@ -193,7 +231,8 @@ impl Rays {
         Self {
             start: rows(corner.0 / unit, right.0 / unit, below.0 / unit),
             direction: rows(corner.1, right.1, below.1),
-            near: (view.near / unit) as f32,
+            depth_from: (view.depth_from / unit) as f32,
+            level: view.level as f32,
             per_depth: (1.0 / (view.scale * unit)) as f32,
             perspective: view.perspective,
         }
@@ -203,7 +242,10 @@ impl Rays {
     #[inline(always)]
     pub(super) fn distance(&self, depth: f32) -> f32 {
         // Beyond its reach single precision has no squares of distances.
-        if self.perspective { (self.near / depth).min(REACH) } else { self.near - depth * self.per_depth }
+        match self.perspective {
+            true => (self.depth_from / (depth + self.level)).min(REACH),
+            false => self.depth_from - depth * self.per_depth,
+        }
     }
 }
 

@@ -260,12 +260,17 @@ impl fmt::Display for LightExplanation {
             }
             None => writeln!(f, "  L          {}, at infinity", NineEach(self.towards))?,
         }
-        writeln!(f, "  attenuation {}", Nine(self.attenuation))?;
+        match self.irradiance {
+            None => writeln!(f, "  attenuation {}", Nine(self.attenuation))?,
+            Some(irradiance) => {
+                writeln!(f, "  irradiance {}, the diffuse term's", Nine(irradiance))?;
+                if self.highlight.is_some() {
+                    writeln!(f, "  facing     {}, the highlight's factor", Nine(self.attenuation))?;
+                }
+            }
+        }
         if let Some(cone) = self.cone {
             writeln!(f, "  cone       {}", Nine(cone))?;
-        }
-        if let Some(irradiance) = self.irradiance {
-            writeln!(f, "  irradiance {}", Nine(irradiance))?;
         }
         writeln!(f, "  N·L        {}", Nine(self.n_dot_l))?;
         writeln!(f, "  R          {}, V·R {}", NineEach(self.reflected), Nine(self.v_dot_r))?;

@@ -101,9 +101,9 @@ pub struct PictureArgs {
     pub bits: Option<Bits>,
 
     /// Draw panels side by side that differ in shading or interpolation, as --compare flat,gouraud,phong,exact or
-    /// --compare scanline,affine,perspective
+    /// --compare scanline,affine,perspective; with --shading only interpolations, with --interpolation only shadings
     #[arg(long, value_name = "WHAT,WHAT", value_parser = Choices(VARIANTS), value_delimiter = ',',
-          conflicts_with_all = ["shading", "turntable", "probe"])]
+          conflicts_with_all = ["turntable", "probe"])]
     pub compare: Vec<Variant>,
 
     /// Draw an animation of N frames: one turn about the upright axis; camera and lights stay. Needs a GIF output

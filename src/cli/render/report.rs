@@ -16,7 +16,7 @@
 //! | `probe` | absent unless asked for; what the library's `PixelReport` has |
 //! | `seconds` | `load` (reading, normals), `draw` (with encoding, and storing an animation), `write`, `total` |
 
-use super::args::{BITS, INTERPOLATIONS, SHADINGS, TERMINATORS, TRANSFERS};
+use super::args::{INTERPOLATIONS, SHADINGS, TERMINATORS, TRANSFERS};
 use super::draw::{Drawing, Drawn};
 use super::request::{FileKind, Request};
 use crate::cli::choice::name_of;
@@ -101,7 +101,7 @@ pub struct SettingsReport {
     pub shading: &'static str,
     pub interpolation: &'static str,
     pub samples: usize,
-    pub bits: &'static str,
+    pub bits: u8,
     pub tone: &'static str,
     pub transfer: &'static str,
     pub guards: BTreeMap<&'static str, bool>,
@@ -215,7 +215,7 @@ impl SettingsReport {
             shading: name_of(SHADINGS, &settings.shading),
             interpolation: name_of(INTERPOLATIONS, &settings.interpolation),
             samples: settings.samples.count(),
-            bits: name_of(BITS, &settings.bits),
+            bits: settings.bits.count(),
             tone: settings.tone.name(),
             transfer: name_of(TRANSFERS, &settings.transfer),
             guards: Guards::NAMES.into_iter().zip(guards).collect(),

@@ -103,6 +103,13 @@ impl<'a> Request<'a> {
         if args.output.bits == Some(Bits::Sixteen) && self.file == FileKind::Gif {
             return usage("GIF has 8 bits a component; --bits 16 needs a PNG output");
         }
+        let compares = |wanted: fn(&Variant) -> bool| args.output.compare.iter().any(wanted);
+        if args.shading.shading.is_some() && compares(|it| matches!(it, Variant::Shading(_))) {
+            return usage("--shading cannot be used with a --compare of shadings");
+        }
+        if args.shading.interpolation.is_some() && compares(|it| matches!(it, Variant::Interpolation(_))) {
+            return usage("--interpolation cannot be used with a --compare of interpolations");
+        }
         Ok(())
     }
 

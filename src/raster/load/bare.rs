@@ -41,7 +41,12 @@ impl SceneFile {
         let looks = loaded.appearance();
         let Loaded { format, parts, mut nodes, mut notes, document, .. } = loaded;
         drop(document);
-        if !format.is_gltf() {
+        if format.is_gltf() && nodes.is_empty() {
+            notes.push(Note::remark(
+                "no node of the scene shows a mesh: all are drawn where their positions stand",
+            ));
+        }
+        if nodes.is_empty() {
             let as_it_stands =
                 |(part, name)| FileNode { number: part, name, part, world_from_part: DMat4::IDENTITY };
             nodes = parts.iter().map(|part| part.name.clone()).enumerate().map(as_it_stands).collect();

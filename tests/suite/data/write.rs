@@ -29,11 +29,11 @@ pub fn files() -> Vec<(&'static str, Vec<u8>)> {
 const GEAR_MTL: &str = "\
 newmtl steel
 Kd 0.45 0.47 0.50
-Ks 0.60 0.60 0.60
+Ks 0.50 0.50 0.50
 Ns 120
 newmtl brass
-Kd 0.71 0.55 0.25
-Ks 0.50 0.45 0.30
+Kd 0.60 0.46 0.21
+Ks 0.40 0.36 0.24
 Ns 60
 ";
 

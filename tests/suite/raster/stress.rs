@@ -9,9 +9,10 @@ use crease::normals::{NormalRecipe, compute};
 use crease::num::LinearRgb;
 use crease::raster::{
     Camera, CameraError, Interpolation, LinePath, LineStyle, Lines, Object, Paint, Projection, RenderError,
-    RenderSettings, Samples, Scene, Shading, Shape, Triangles, default_lights, render,
+    RenderSettings, Samples, Scene, Shading, Shape, Triangles, default_lights, probe, render,
 };
-use crease::shade::{Light, Material};
+use crease::shade::{Attenuation, Light, Material};
+use crease::surface::{Primitive, Sphere};
 use glam::{DMat4, DVec3};
 
 /// Triangles of all sizes and places, slivers, needles, some behind the eye.
@@ -218,11 +219,95 @@ fn a_colour_that_is_not_finite_is_an_error() {
     scene.lights = vec![Light::Point {
         position: corners[0],
         colour: LinearRgb::WHITE,
-        attenuation: crease::shade::Attenuation::InverseSquare,
+        attenuation: Attenuation::InverseSquare,
     }];
     let settings = RenderSettings { shading: Shading::Gouraud, ..linear([32, 32]) };
     let error = render(&scene, &settings).unwrap_err();
     assert!(matches!(error, RenderError::NotFinite { object: 0, .. }), "{error}");
+}
+
+/// A light so near the surface that single precision takes it for a point of it lights that point all the same: at a
+/// vertex, at the middle of a face and at a sample of a plate and of an analytic surface.
+#[test]
+fn a_light_closer_than_single_precision_can_tell_is_drawn() {
+    let above = |point: DVec3| {
+        vec![Light::Point {
+            position: point + DVec3::Z * libm::exp2(-30.0),
+            colour: LinearRgb::WHITE,
+            attenuation: Attenuation::None,
+        }]
+    };
+    let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[x, y]| DVec3::new(x, y, 0.0));
+    let plate = Model::polygon(&corners);
+    let ball =
+        || Object::new(Shape::Surface(Primitive::from(Sphere::default())), Material::matte(LinearRgb::WHITE));
+    let cases = [
+        (Shading::Gouraud, plate.object(), corners[0]),
+        (Shading::Flat, plate.object(), DVec3::ZERO),
+        (Shading::Phong, plate.object(), DVec3::ZERO),
+        (Shading::Exact, ball(), DVec3::Z),
+    ];
+    for (shading, object, point) in cases {
+        let scene = Scene { lights: above(point), ..scene(vec![object]) };
+        // An odd number of pixels: a sample sees the middle.
+        let settings = RenderSettings { shading, ..linear([33, 33]) };
+        let image = render(&scene, &settings).unwrap().linear.unwrap();
+        let mut brightest = 0.0_f64;
+        for (index, colour) in (0..).zip(&image) {
+            let Some(seen) = probe(&scene, &settings, [index % 33, index / 33], 0).unwrap() else { continue };
+            let truth = seen.colour(&scene, &settings).unwrap();
+            // Corners are snapped to 1/256 pixel, so weights on edges of 11 pixels differ by up to 1/2800: within half an
+            // 8-bit step, as a light that is missed never is.
+            let error = (f64::from(colour[0]) - truth.r).abs();
+            assert!(error < 0.5 / 255.0, "{shading:?}: {colour:?} instead of {truth:?}");
+            brightest = brightest.max(truth.r);
+        }
+        assert!(brightest > 0.2, "{shading:?}: nothing is lit, {brightest}");
+    }
+}
+
+/// From far away depths are nearly alike, and what is in front is in front all the same: of a ball of flat faces, and of two
+/// plates a hundredth of their size apart. A parallel view from near by is the truth.
+#[test]
+fn an_eye_far_away_sees_what_is_in_front() {
+    let ball = icosphere(2);
+    let plate = |z: f64| {
+        let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+        Model::polygon(&corners.map(|[x, y]| DVec3::new(x, y, z)))
+    };
+    let (front, back) = (plate(0.01), plate(-0.01));
+    let camera = |distance: f64, parallel: bool| Camera {
+        eye: DVec3::Z * distance,
+        target: DVec3::ZERO,
+        up: DVec3::Y,
+        projection: match parallel {
+            true => Projection::Orthographic(3.0),
+            false => Projection::Perspective(crease::num::Radians(2.0 * libm::atan(1.5 / distance))),
+        },
+        near: 0.1,
+    };
+    let settings = RenderSettings { shading: Shading::Flat, infinite_viewer: true, ..linear([64, 64]) };
+    let ball_from = |distance, parallel| {
+        let scene = Scene { camera: camera(distance, parallel), ..scene(vec![ball.object()]) };
+        render(&scene, &settings).unwrap().linear.unwrap()
+    };
+    let near = ball_from(10.0, true);
+    for parallel in [true, false] {
+        for distance in [1e5, 1e7, 1e9] {
+            let far = ball_from(distance, parallel);
+            let unlike = far.iter().zip(&near).filter(|(a, b)| a != b).count();
+            // From 1e5 perspective moves points by 2e-4 pixels: some edge may pass over some sample.
+            assert!(unlike <= if parallel { 0 } else { 4 }, "{parallel} {distance:e}: {unlike} pixels");
+            let mut red = front.object();
+            red.paint = Paint::Lit(Material::matte(LinearRgb { r: 1.0, g: 0.0, b: 0.0 }));
+            for objects in [vec![red.clone(), back.object()], vec![back.object(), red.clone()]] {
+                let scene = Scene { camera: camera(distance, parallel), ..scene(objects) };
+                let image = render(&scene, &settings).unwrap().linear.unwrap();
+                let [r, g, _] = image[32 * 64 + 32];
+                assert!(r > 0.1 && g == 0.0, "{parallel} {distance:e}: the plate behind is seen");
+            }
+        }
+    }
 }
 
 /// Every good file with faces is framed by itself, and something of it is seen.

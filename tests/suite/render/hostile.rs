@@ -98,7 +98,6 @@ fn numbers_at_the_ends_of_their_ranges() {
         &["--background", "1e300"],
         &["--material", "kd=1e300"],
         &["--light", "point position=0,0,1e300"],
-        &["--camera", "near=1e-300"],
     ];
     for more in refused {
         assert!(picture_or_error(&with(&but(more[0]), more)).is_err(), "{more:?} makes a picture");
@@ -107,6 +106,7 @@ fn numbers_at_the_ends_of_their_ranges() {
         &["--exponent", "1e9"],
         &["--exponent", "0"],
         &["--camera", "eye=0,0,1e30"],
+        &["--camera", "near=1e-300"],
         &["--camera", "angle=179.9999"],
         &["--camera", "angle=1e-5"],
         &["--rotate", "1e15,-1e15,0.5"],

@@ -232,6 +232,7 @@ fn threads_change_no_byte() {
         &["--shading", "gouraud", "--overlay", "wire,vertex-normals"][..],
         &["--samples", "16", "--bits", "16"],
         &["--compare", "flat,phong,wireframe"],
+        &["--shading", "gouraud", "--compare", "scanline,affine,perspective"],
         &["--turntable", "3"],
         &["--light", "disc centre=0,0,4 normal=0,0,-1 radius=1"],
     ] {

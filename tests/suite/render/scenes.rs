@@ -69,6 +69,7 @@ fn cameras_lights_and_materials_of_a_scene_can_be_changed() {
     assert!(red.pixels().all(|pixel| pixel.0[1] == 0 && pixel.0[2] == 0));
     assert!(pixels_unlike(&red, [0; 3]) > 500);
     assert_eq!(plain["settings"]["samples"], 1, "a scene is drawn as it says");
+    assert_eq!(plain["settings"]["bits"], 8);
 }
 
 /// The lectures' brute force beside the approximations of it.

@@ -102,6 +102,7 @@ fn wrong_command_lines_are_refused_with_a_reason() {
         (&[&a, "-o", &out, "--overlay", "hair"], "vertex-normals"),
         (&[&a, "-o", &out, "--compare", "flat,toon"], "gouraud"),
         (&[&a, "-o", &out, "--compare", "flat", "--shading", "flat"], "cannot be used with"),
+        (&[&a, "-o", &out, "--compare", "affine", "--interpolation", "affine"], "cannot be used with"),
         (&[&a, "-o", &out, "--turntable", "8"], ".gif"),
         (&[&a, "-o", &at("a.gif"), "--turntable", "1"], "2..=720"),
         (&[&a, "--probe", "3,4", "--turntable", "8"], "cannot be used with"),

@@ -42,6 +42,8 @@ fn every_fault_is_told_with_its_line_and_key() {
         ("[settings]\nsize = [0, 480]\n", &["line 4: `settings.size`", "1 to 16384"]),
         ("[settings]\nsize = [640, 99999]\n", &["line 4: `settings.size`", "1 to 16384"]),
         ("[settings]\nsize = [-1, 5]\n", &["line 4: `settings.size`"]),
+        ("[[light.ambient]]\ncolour = 1e39\n", &["line 4: `light.ambient.colour`", "3.4e38"]),
+        ("[settings]\nsize = [1e3, 3]\n", &["line 4: `settings.size`", "a whole number"]),
         ("[settings]\nsamples = 5\n", &["line 4: `settings.samples`", "1, 4, 8 or 16"]),
         ("[settings]\nbits = 12\n", &["line 4: `settings.bits`", "8 or 16"]),
         ("[settings]\nshading = \"toon\"\n", &["line 4: `settings.shading`", "toon", "flat, gouraud, phong"]),

@@ -10,6 +10,15 @@ use glam::{DMat4, DVec3};
 /// A square of two units in the plane z = 0, seen by an orthographic camera from z = 3; the middle of a picture of odd
 /// size is the origin. `nodes` follow the square's and the camera's, `material` and `lights` fill in.
 fn square(nodes: &str, material: &str, lights: &str) -> Result<SceneFile, ReadError> {
+    from_text(square_text(nodes, material, lights))
+}
+
+fn from_text(text: String) -> Result<SceneFile, ReadError> {
+    let loaded = read_bytes(text.into_bytes(), Some(Format::Gltf), None, &ReadOptions::default())?;
+    SceneFile::from_loaded(loaded, &LoadOptions::default())
+}
+
+fn square_text(nodes: &str, material: &str, lights: &str) -> String {
     use base64::Engine;
     let positions: [f32; 12] = [-1.0, -1.0, 0.0, 1.0, -1.0, 0.0, 1.0, 1.0, 0.0, -1.0, 1.0, 0.0];
     let mut bytes: Vec<u8> = positions.iter().flat_map(|x| x.to_le_bytes()).collect();
@@ -17,7 +26,7 @@ fn square(nodes: &str, material: &str, lights: &str) -> Result<SceneFile, ReadEr
     let data = base64::engine::general_purpose::STANDARD.encode(bytes);
     let count = nodes.matches("\"node\"").count() + 2;
     let all: Vec<String> = (0..count).map(|node| node.to_string()).collect();
-    let text = format!(
+    format!(
         r#"{{"asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": [{all}]}}],
         "nodes": [{{"mesh": 0}}, {{"camera": 0, "translation": [0, 0, 3]}}{nodes}],
         "cameras": [{{"type": "orthographic", "orthographic": {{"xmag": 1, "ymag": 1.5, "znear": 0, "zfar": 9}}}}],
@@ -30,9 +39,7 @@ fn square(nodes: &str, material: &str, lights: &str) -> Result<SceneFile, ReadEr
         "bufferViews": [{{"buffer": 0, "byteLength": 48}}, {{"buffer": 0, "byteOffset": 48, "byteLength": 6}}],
         "buffers": [{{"byteLength": 54, "uri": "data:application/octet-stream;base64,{data}"}}]}}"#,
         all = all.join(",")
-    );
-    let loaded = read_bytes(text.into_bytes(), Some(Format::Gltf), None, &ReadOptions::default())?;
-    SceneFile::from_loaded(loaded, &LoadOptions::default())
+    )
 }
 
 const MATTE: &str =
@@ -208,6 +215,15 @@ fn what_is_not_taken_is_told() {
     {
         assert!(said.contains(piece), "{said}");
     }
+}
+
+/// A library of meshes that no node shows is drawn all the same, and says why it stands where it does.
+#[test]
+fn meshes_without_nodes_are_drawn_as_they_stand() {
+    let text = square_text("", MATTE, "").replace(r#"[{"mesh": 0}, "#, r#"[{"name": "empty"}, "#);
+    let file = from_text(text).unwrap();
+    assert_eq!((file.objects.len(), file.objects[0].transform), (1, DMat4::IDENTITY));
+    assert!(file.notes.iter().any(|note| note.text.contains("no node of the scene")), "{:?}", file.notes);
 }
 
 #[test]

@@ -22,7 +22,9 @@ impl Source<'_> {
         let span = error.span().unwrap_or(0..0);
         // Where the text is no TOML there are no keys.
         let key = self.key(&span).map_or_else(String::new, |key| format!("`{key}`: "));
-        let found = format!("{key}{}", error.message());
+        // Types by the names that people who write scenes have for them.
+        let message = error.message().replace("expected u32", "expected a whole number, 0 or more");
+        let found = format!("{key}{message}");
         ReadError::new(Problem::Syntax, self.line(&span), found, "see data/scenes for examples")
     }
 

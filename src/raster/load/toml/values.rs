@@ -172,9 +172,17 @@ impl TryFrom<Loose> for Colour {
         let colour = loose.three().map(LinearRgb::from).or_else(|| loose.hex_colour());
         let colour = colour.ok_or("a colour is 3 linear components, 1 number for a grey, or \"#rrggbb\"")?;
         match colour.to_array().iter().all(|&component| component >= 0.0) {
-            true => Ok(Colour(colour)),
+            true => drawable(colour).map(Colour),
             false => Err("no component of a colour is negative"),
         }
+    }
+}
+
+/// A colour that single precision has, in which it is drawn.
+fn drawable(colour: LinearRgb) -> Result<LinearRgb, &'static str> {
+    match colour.largest() <= f64::from(f32::MAX) {
+        true => Ok(colour),
+        false => Err("no colour or coefficient is above 3.4e38, which is as much as single precision has"),
     }
 }
 
@@ -183,14 +191,14 @@ impl TryFrom<Loose> for Reflects {
 
     fn try_from(loose: Loose) -> Result<Self, Self::Error> {
         match loose {
-            Loose::Number(k) => Ok(Reflects::Coefficient(k)),
+            Loose::Number(k) => drawable(LinearRgb::grey(k)).map(|_| Reflects::Coefficient(k)),
             Loose::Table(Apart { k: Number(k), colour: Colour(colour) }) => {
-                Ok(Reflects::Whole(Reflectance::new(k, colour)))
+                drawable(colour * k).map(|_| Reflects::Whole(Reflectance::new(k, colour)))
             }
             loose => {
                 let colour = loose.three().map(LinearRgb::from).or_else(|| loose.hex_colour());
                 let colour = colour.ok_or("a coefficient k, a colour K = k·O, or { k = …, colour = … }")?;
-                Ok(Reflects::Whole(Reflectance::Merged(colour)))
+                drawable(colour).map(|colour| Reflects::Whole(Reflectance::Merged(colour)))
             }
         }
     }
