@@ -1,7 +1,7 @@
 //! What to use, said plainly: every sentence is made from numbers of the measurement.
 
 use super::summary::{ClassPoint, frontier};
-use super::{Tiling, Trade};
+use super::{Effort, Subject, Tiling, Trade};
 use crate::normals::Weight;
 use crate::num::three_digits;
 
@@ -11,12 +11,29 @@ const ALIKE: f64 = 1.1;
 /// Advice on which weights, which precision, which encodings and which shading to use.
 pub fn advice(trade: &Trade) -> Vec<String> {
     let weights = Tiling::ALL.into_iter().filter_map(|tiling| on_class(trade, tiling));
-    weights
+    on_effort(trade)
+        .into_iter()
+        .chain(weights)
         .chain(on_boxes(trade))
         .chain(on_precision(trade))
         .chain(on_encodings(trade))
         .chain(on_shading(trade))
         .collect()
+}
+
+/// Medians of few surfaces are not those of all.
+fn on_effort(trade: &Trade) -> Option<String> {
+    let names = |effort| Subject::all(effort).iter().map(|subject| subject.name).collect::<Vec<_>>();
+    (trade.effort == Effort::Quick).then(|| {
+        let (few, all) = (names(Effort::Quick), names(Effort::Usual));
+        format!(
+            "Quick: from {} surfaces ({}). Over all {} the best weight of a class may be another: measure without --quick \
+             before you choose.",
+            few.len(),
+            few.join(", "),
+            all.len()
+        )
+    })
 }
 
 /// The best weight that sums faces; [`Weight::Angle`], the usual one, among those that are alike.
@@ -37,10 +54,14 @@ fn on_class(trade: &Trade, tiling: Tiling) -> Option<String> {
         if worst { sums.max_by(by_error) } else { sums.min_by(by_error) }
     };
     let (next, worst) = (others(false)?, others(true)?);
+    // The usual weight stands for all that are alike, which has to be said.
+    let (title, relation) = match next.rms < best.rms {
+        true => (format!("{}, the default", best.weight.name()), "within a tenth of the least, which is"),
+        false => (best.weight.name().to_owned(), "next is"),
+    };
     let mut text = format!(
-        "On {}: {} (rms {}°, {} times the plain loop; next is {} with {}°, last {} with {}°).",
+        "On {}: {title} (rms {}°, {} times the plain loop; {relation} {} with {}°, last {} with {}°).",
         tiling.describes(),
-        best.weight.name(),
         three_digits(best.rms),
         three_digits(best.ratio),
         next.weight.name(),

@@ -33,7 +33,7 @@ pub use cases::{Subject, Tiling};
 pub use cost::{CostRow, Costs, Way};
 pub use effort::{Effort, Observer, Progress};
 pub use encodings::{DIRECTIONS, EncodingRow, direction, encoding_error, encoding_rows};
-pub use own::{OwnMesh, OwnMethod};
+pub use own::{OwnMesh, OwnMethod, estimate_map};
 pub use precision::{PrecisionRow, precision_rows};
 pub use shading::{ShadingRow, shading_rows};
 pub use solids::{BoxRow, box_rows};

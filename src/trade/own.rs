@@ -1,6 +1,6 @@
 //! The trade on a mesh whose surface nobody knows.
 
-use super::angles::{AngleErrors, angle_between};
+use super::angles::{AngleErrors, Histogram, angle_between};
 use super::cost::{Costs, Way};
 use super::vertex::weight_name;
 use super::{Observer, Progress};
@@ -55,6 +55,8 @@ pub struct OwnMethod {
     pub weight: Weight,
     /// The angle to the quadric's normals, where those say something.
     pub estimate: AngleErrors,
+    /// How these angles are spread.
+    pub histogram: Histogram,
     /// Nanoseconds a triangle, on one thread, creases off.
     pub ns_per_triangle: f64,
     /// Times the plain loop.
@@ -67,6 +69,16 @@ const ALIKE: f64 = 1e-5;
 const FEWEST: (usize, f64) = (20, 0.05);
 /// With a smaller share they are of a part of the mesh, which has to be said.
 const WELL_COVERED: f64 = 0.5;
+/// In degrees: the quadric is more accurate than the best sum where that is off by less than about half a degree, as on the
+/// torus of [`OwnMesh`]. From twice that on it is no judge.
+const MOST_TOLD: f64 = 1.0;
+/// In degrees: where the best sum is this close to the quadric, the quadric is the more accurate of the two. On the same torus
+/// of 128 × 64 that is 0.23.
+const QUADRIC_WINS: f64 = 0.3;
+const SAFE: &str =
+    "angle does not change when flat faces are cut into other triangles, so it is the safe choice.";
+/// Below so many triangles a run is over in microseconds, and what it costs is not the weight's doing.
+const SMALL: usize = 10_000;
 /// The usual weight is not worth leaving for less than a tenth.
 const WORTH_LEAVING: f64 = 1.1;
 
@@ -105,13 +117,22 @@ impl OwnMesh {
                 OwnMethod {
                     weight,
                     estimate: AngleErrors::of(&angles),
+                    histogram: Histogram::of(&angles),
                     ns_per_triangle: cost(|row| row.ns_per_triangle),
                     ratio: cost(|row| row.ratio),
                 }
             })
             .collect();
         let alike = share_alike(&fields);
-        let (recommended, reasons) = recommend(&methods, [told.len(), quadric.len(), without_quadric], alike);
+        let (recommended, mut reasons) =
+            recommend(&methods, [told.len(), quadric.len(), without_quadric], alike);
+        if (1..SMALL).contains(&costs.triangles) {
+            reasons.push(format!(
+                "Costs were taken on {} triangles: on so few most of it is what every call takes, and ratios change from run to \
+                 run. `crease trade` has those of large meshes.",
+                costs.triangles
+            ));
+        }
         Self {
             vertices: parts.iter().map(|mesh| mesh.vertex_count()).sum(),
             faces: parts.iter().map(|mesh| mesh.face_count()).sum(),
@@ -126,6 +147,27 @@ impl OwnMesh {
             reasons,
         }
     }
+}
+
+/// The normals of a weight on a mesh, and at every vertex the largest angle to the quadric's normals, where those say
+/// something. For pictures.
+pub fn estimate_map(
+    mesh: &Mesh,
+    recipe: &NormalRecipe,
+    weight: Weight,
+) -> (NormalField, Vec<Option<Radians>>) {
+    let [own, angle, quadric] = [weight, Weight::Angle, Weight::Quadric]
+        .map(|weight| compute(mesh, &NormalRecipe { weight, ..*recipe }));
+    let mut largest: Vec<Option<Radians>> = vec![None; mesh.vertex_count()];
+    let [normals, usual, truth] = [&own, &angle, &quadric].map(|field| &field.normals.values);
+    for (entry, &vertex) in
+        own.entry_vertex.iter().enumerate().filter(|&(entry, _)| usual[entry] != truth[entry])
+    {
+        let found = angle_between(normals[entry], truth[entry]);
+        let known = &mut largest[vertex as usize];
+        *known = Some(known.map_or(found, |known| Radians(known.0.max(found.0))));
+    }
+    (own, largest)
 }
 
 /// Costs on the largest part; large meshes are timed once, small ones several times.
@@ -178,10 +220,7 @@ fn recommend(
             "Quadrics tell something of only {told} of {all} normals, too few to rank weights by: the mesh is flat between \
              its creases, or has too few vertices."
         ));
-        reasons.push(
-            "angle does not change when flat faces are cut into other triangles, so it is the safe choice."
-                .into(),
-        );
+        reasons.push(SAFE.into());
         return (Weight::Angle, reasons);
     }
     if (told as f64) < WELL_COVERED * all as f64 {
@@ -197,6 +236,16 @@ fn recommend(
         return (Weight::Angle, reasons);
     };
     let degrees = |method: &OwnMethod| three_digits(method.estimate.rms);
+    if best.estimate.rms > MOST_TOLD {
+        reasons.push(format!(
+            "Even {}, the closest, is {}° from the quadric normals of {told} normals: on a mesh as coarse as that the quadric is \
+             no nearer to the truth than the sums, and weights cannot be ranked by it.",
+            best.weight.name(),
+            degrees(best)
+        ));
+        reasons.push(SAFE.into());
+        return (Weight::Angle, reasons);
+    }
     let recommended = if usual.estimate.rms <= WORTH_LEAVING * best.estimate.rms { usual } else { best };
     reasons.push(match recommended.weight == best.weight {
         true => format!(
@@ -216,12 +265,15 @@ fn recommend(
     if recommended.weight != Weight::Angle {
         reasons.push(format!("angle, the default, is at {}°.", degrees(usual)));
     }
-    reasons.push(format!(
-        "It costs {} times the plain single-precision loop. Where the surface is smooth and time is no matter, quadric \
-         itself is likely to be the most accurate, at {} times that loop.",
-        three_digits(recommended.ratio),
-        three_digits(quadric.ratio)
-    ));
+    reasons
+        .push(format!("It costs {} times the plain single-precision loop.", three_digits(recommended.ratio)));
+    if best.estimate.rms < QUADRIC_WINS {
+        reasons.push(format!(
+            "Where the surface is smooth and time is no matter, quadric itself is likely to be the most accurate, at {} times \
+             that loop.",
+            three_digits(quadric.ratio)
+        ));
+    }
     reasons.push(
         "Estimates take the quadric for the truth, which it nears as edges grow short beside the surface's curves; on a coarse \
          mesh, weights that are close to each other cannot be told apart by it."
@@ -267,6 +319,21 @@ mod tests {
                 assert_eq!(difference, own.differences[column][row]);
             }
         }
+    }
+
+    /// On a coarse mesh the quadric is farther off than the sums that it would judge.
+    #[test]
+    fn a_coarse_torus_gets_the_safe_choice() {
+        let tessellation = Tessellation { jitter: 0.5, segments: [24, 12], ..Tessellation::default() };
+        let mesh = Surface::from(Torus::default()).tessellate(&tessellation).unwrap();
+        let recipe = NormalRecipe { crease: Crease::OFF, ..NormalRecipe::default() };
+        let own = OwnMesh::measure(&[&mesh], &recipe, &|_| ());
+        let truth = &mesh.columns().normals.as_ref().unwrap().values;
+        let error =
+            |weight| rms_between(&compute(&mesh, &NormalRecipe { weight, ..recipe }).normals.values, truth);
+        assert!(error(Weight::Quadric) > error(Weight::Max), "the quadric would be the better judge");
+        assert_eq!(own.recommended, Weight::Angle);
+        assert!(own.reasons.iter().any(|reason| reason.contains("cannot be ranked")), "{:?}", own.reasons);
     }
 
     /// The quadric through two rings of rounded points is anything: it was once taken for the truth, and all weights for 90°

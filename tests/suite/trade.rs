@@ -97,7 +97,9 @@ fn strip_data(page: &str) -> String {
 fn the_page_stands_alone() {
     let (_, page) = &*QUICK;
     check_page(page);
-    assert!(tags(page, "svg").len() > 10 && tags(page, "img").len() >= 9);
+    assert!(tags(page, "svg").len() > 10 && tags(page, "img").len() >= 3);
+    // Three weights on a sheet, each named below its picture.
+    assert!(page.contains("angle: rms") && page.contains("; max: rms") && page.contains("; quadric: rms"));
     assert!(page.rfind("Advice").unwrap() > page.len() - 10_000, "advice is the last part");
 }
 
@@ -161,6 +163,10 @@ fn a_mesh_of_ones_own_gets_a_recommendation() {
     let page = std::fs::read_to_string(folder.path().join("index.html")).unwrap();
     check_page(&page);
     assert!(page.contains("data/gear.obj") && page.contains("Use --weight "));
+    // Error against cost with its frontier, how errors are spread, and where they are.
+    assert!(page.contains("Pareto frontier") && page.contains("Estimated errors of normals"));
+    assert!(page.contains("grey where there is none"));
+    assert!(text.contains("Costs were taken on"), "a gear is too small for its costs to mean much: {text}");
 }
 
 #[test]
@@ -181,6 +187,8 @@ fn what_cannot_be_read_or_written_is_told() {
     let in_the_way = Path::new("Cargo.toml");
     let refused = crease(&["trade", "data/gear.obj", "-o", in_the_way.to_str().unwrap()]).output().unwrap();
     assert_eq!(refused.status.code(), Some(4));
-    let usage = crease(&["trade", "--quick", "data/gear.obj"]).output().unwrap();
-    assert_eq!(usage.status.code(), Some(2));
+    for wrong in [["--quick", "data/gear.obj"], ["--quick", "--crease=30"], ["--full", "--format=stl"]] {
+        let usage = crease(&["trade", wrong[0], wrong[1]]).output().unwrap();
+        assert_eq!(usage.status.code(), Some(2), "{wrong:?}");
+    }
 }

@@ -11,17 +11,17 @@ use super::batch::{exit_of, guarded};
 use super::console::{Console, Verbosity, escaped};
 use super::normals::{Failure, read_stdin};
 use super::output::Store;
+use super::output::make_folder;
 use super::progress::StepProgress;
 use super::report::{ErrorReport, json_line};
 use super::request::Target;
-use super::{Exit, use_threads};
+use super::{Exit, usage_error, use_threads};
 use crease::io::{self, Limits, Loaded, ReadError, ReadOptions, Written};
 use crease::mesh::Mesh;
 use crease::normals::{Crease, NormalRecipe};
 use crease::report::{own_page, trade_page};
 use crease::trade::{OwnMesh, Trade};
 use report::{Measured, Report};
-use std::fs;
 use std::path::Path;
 use std::time::Instant;
 
@@ -30,6 +30,10 @@ const PAGE: &str = "index.html";
 
 /// Carries the verb out.
 pub fn main(args: &TradeArgs, color: Color) -> Exit {
+    // clap does not ask for an input where --quick or --full exclude one.
+    if args.input.is_none() && (args.crease.is_some() || args.format.is_some()) {
+        usage_error("trade", "--crease and --format are about an input, and none is given".into());
+    }
     let console = Console::new(&args.run, color, None);
     use_threads(args.run.threads);
     let start = Instant::now();
@@ -67,10 +71,8 @@ pub fn main(args: &TradeArgs, color: Color) -> Exit {
 }
 
 fn work(args: &TradeArgs, console: &Console, report: &mut Report) -> Result<(), Failure> {
-    // Before minutes of work, not after.
     if let Some(folder) = &args.output {
-        let made = fs::create_dir_all(folder);
-        made.map_err(|error| Failure::Write(format!("{}: {error}", folder.display())))?;
+        make_folder(folder).map_err(|error| Failure::Write(format!("{error:#}")))?;
     }
     let progress = StepProgress::new(console);
     let observe = |step| progress.step(step);
@@ -87,7 +89,9 @@ fn work(args: &TradeArgs, console: &Console, report: &mut Report) -> Result<(), 
                 ..NormalRecipe::default()
             };
             let own = OwnMesh::measure(&meshes, &recipe, &observe);
-            let page = args.output.is_some().then(|| own_page(&own, &path.to_string_lossy()));
+            let page = || own_page(&own, &meshes, &recipe, &path.to_string_lossy());
+            let page = args.output.is_some().then(page).transpose();
+            let page = page.map_err(|error| Failure::Write(error.to_string()))?;
             (Measured::Own(Box::new(own)), page)
         }
         None => {

@@ -1,15 +1,19 @@
 //! The pages.
 
-use super::pictures::{KEY, error_picture};
-use super::plots::{convergence_plot, encoding_plot, frontier_plot, histogram_plot, own_plot, shading_plot};
+use super::pictures::{Coloured, KEY};
+use super::plots::{
+    convergence_plot, encoding_plot, frontier_plot, histogram_plot, own_histogram_plot, own_plot,
+    shading_plot,
+};
 use super::tables::{
     approximation_table, box_table, class_table, cost_table, encoding_table, order_table, own_table,
     precision_table, shading_table, shading_times, surface_table,
 };
-use crate::normals::Weight;
+use crate::mesh::Mesh;
+use crate::normals::{NormalRecipe, Weight};
 use crate::num::three_digits;
-use crate::report::{Page, Picture, ReportError};
-use crate::trade::{OwnMesh, Subject, Tiling, Trade, VertexCase, advice};
+use crate::report::{Page, Panel, ReportError, panels};
+use crate::trade::{AngleErrors, OwnMesh, Subject, Tiling, Trade, VertexCase, advice};
 
 /// The measurement as a page of HTML that opens from disk with nothing else and ends in plain advice.
 ///
@@ -86,24 +90,17 @@ fn surfaces(trade: &Trade, page: &mut Page) -> Result<(), ReportError> {
          counted. Pictures are of irregular triangles.",
     );
     for subject in Subject::all(trade.effort) {
-        let mut pictures: Vec<(Picture, String)> = Vec::new();
         let cases = || trade.vertex.iter().filter(|case| case.surface == subject.name);
         let Some(case) = cases().find(|case| case.tiling == Tiling::Jittered) else { continue };
-        let mut caption = format!("{}, irregular triangles.", subject.name);
+        let mut sheet = Vec::new();
         for weight in SHOWN {
-            let drawn = error_picture(&subject, Tiling::Jittered, weight, 230);
-            let drawn = drawn.map_err(|error| ReportError::Encoder(error.to_string()))?;
-            let (Some(picture), Some(errors)) = (drawn, case.quoted_errors(weight)) else { continue };
-            let name = weight.name();
-            let (rms, max) = (three_digits(errors.rms), three_digits(errors.max));
-            caption.push_str(&format!(" {name}: rms {rms}°, largest {max}°."));
-            let alternative = format!("{} coloured by the error of {name} normals: rms {rms}°", subject.name);
-            pictures.push((picture, alternative));
+            let Some(coloured) = Coloured::surface(&subject, Tiling::Jittered, weight) else { continue };
+            let (Some(picture), Some(errors)) = (coloured.draw(230)?, case.quoted_errors(weight)) else {
+                continue;
+            };
+            sheet.push(Panel { caption: error_label(weight, &errors), picture });
         }
-        caption.push_str(&format!(" {KEY}"));
-        let pictures: Vec<(&Picture, &str)> =
-            pictures.iter().map(|(picture, alternative)| (picture, alternative.as_str())).collect();
-        page.pictures(&pictures, &caption)?;
+        error_sheet(page, sheet, &format!("{}, irregular triangles", subject.name))?;
     }
     page.table(&surface_table(trade));
     Ok(())
@@ -163,8 +160,31 @@ fn shading(trade: &Trade, page: &mut Page) {
     page.table(&shading_times(&trade.shading));
 }
 
-/// The trade on somebody's own mesh as a page.
-pub fn own_page(own: &OwnMesh, name: &str) -> String {
+/// What stands below a picture of errors.
+fn error_label(weight: Weight, errors: &AngleErrors) -> String {
+    format!("{}: rms {}°, largest {}°", weight.name(), three_digits(errors.rms), three_digits(errors.max))
+}
+
+/// Pictures of the errors of several weights on one mesh, each with its own label.
+fn error_sheet(page: &mut Page, sheet: Vec<Panel>, of: &str) -> Result<(), ReportError> {
+    if sheet.is_empty() {
+        return Ok(());
+    }
+    let labels: Vec<&str> = sheet.iter().map(|panel| panel.caption.as_str()).collect();
+    let alternative = format!("{of}, coloured by the error of normals. {}", labels.join("; "));
+    page.pictures(&[(&panels(&sheet)?, &alternative)], &format!("{of}. {KEY}"))
+}
+
+/// The trade on somebody's own mesh, measured with this recipe, as a page.
+///
+/// # Errors
+/// Pictures that cannot be drawn or made into files.
+pub fn own_page(
+    own: &OwnMesh,
+    parts: &[&Mesh],
+    recipe: &NormalRecipe,
+    name: &str,
+) -> Result<String, ReportError> {
     let mut page = Page::new(
         &format!("Accuracy against speed: {name}"),
         "The surface of this mesh is not known; the quadric method, of second order where sums of faces are of first, \
@@ -180,9 +200,37 @@ pub fn own_page(own: &OwnMesh, name: &str) -> String {
         own.without_quadric
     ));
     page.table(&own_table(own));
-    page.drawing("cost", "Towards the lower left is better.", |id| own_plot(own).svg(id));
+    if own.estimated_from > 0 {
+        let caption = "Towards the lower left is better. What lies above the dashed line is beaten in both.";
+        page.drawing("cost", caption, |id| own_plot(own).svg(id));
+        page.drawing("errors", "Normals that the quadric says something of.", |id| {
+            own_histogram_plot(own).svg(id)
+        });
+        own_pictures(own, parts, recipe, &mut page)?;
+    }
     page.heading("Advice");
     page.paragraph(&format!("Use --weight {}.", own.recommended.name()));
     page.list(own.reasons.iter().map(String::as_str));
-    page.finish()
+    Ok(page.finish())
+}
+
+/// Where the estimated errors are, on the largest part: of the recommended weight and the usual ones.
+fn own_pictures(
+    own: &OwnMesh,
+    parts: &[&Mesh],
+    recipe: &NormalRecipe,
+    page: &mut Page,
+) -> Result<(), ReportError> {
+    let Some(&largest) = parts.iter().max_by_key(|mesh| mesh.face_count()) else { return Ok(()) };
+    let shown = own.methods.iter().filter(|method| {
+        [own.recommended, Weight::Uniform, Weight::Area, Weight::Angle].contains(&method.weight)
+    });
+    let mut sheet = Vec::new();
+    for method in shown {
+        if let Some(picture) = Coloured::own(largest, recipe, method.weight).draw(230)? {
+            sheet.push(Panel { caption: error_label(method.weight, &method.estimate), picture });
+        }
+    }
+    let of = if parts.len() > 1 { "The part with the most faces" } else { "The mesh" };
+    error_sheet(page, sheet, &format!("{of}: angle to the quadric's normals; grey where there is none"))
 }

@@ -3,7 +3,9 @@
 use crate::normals::Weight;
 use crate::num::three_digits;
 use crate::report::{Axis, Mark, Plot, Series};
-use crate::trade::{EncodingRow, Histogram, OwnMesh, ShadingRow, Tiling, Trade, VertexCase, frontier};
+use crate::trade::{
+    AngleErrors, ClassPoint, EncodingRow, Histogram, OwnMesh, ShadingRow, Tiling, Trade, VertexCase, frontier,
+};
 
 /// Errors below this, in degrees, are exact and have no place on a logarithmic axis.
 const EXACT: f64 = 1e-9;
@@ -15,24 +17,37 @@ fn colour(weight: Weight) -> Option<usize> {
 /// Error against cost of every weight on a class of meshes, with the Pareto frontier.
 pub(super) fn frontier_plot(trade: &Trade, tiling: Tiling) -> Plot {
     let points = trade.of_class(tiling);
-    let place = |point: &crate::trade::ClassPoint| [point.ratio, point.rms];
-    let best: Vec<[f64; 2]> = frontier(&points).iter().map(place).collect();
-    let on_it: Vec<&str> = frontier(&points).iter().map(|point| point.weight.name()).collect();
-    let line =
-        Series { name: "Pareto frontier".into(), points: best, mark: Mark::Frontier, ..Series::default() };
+    Plot {
+        title: format!("Error against cost: {}", tiling.describes()),
+        x: Axis::log("times the plain f32 loop, one thread; sums by slices, quadric on a mesh"),
+        ..pareto_plot(&points, "")
+    }
+}
+
+/// Weights by cost and error, and the line of those that no other beats in both.
+fn pareto_plot(points: &[ClassPoint], description: &str) -> Plot {
+    let place = |point: &ClassPoint| [point.ratio, point.rms];
+    let best = frontier(points);
+    let on_it: Vec<&str> = best.iter().map(|point| point.weight.name()).collect();
+    let line = Series {
+        name: "Pareto frontier".into(),
+        points: best.iter().map(place).collect(),
+        mark: Mark::Frontier,
+        ..Series::default()
+    };
     let weights = points.iter().map(|point| Series {
         name: point.weight.name().into(),
         points: vec![place(point)],
         colour: colour(point.weight),
         ..Series::default()
     });
+    let description = format!("From cheap to accurate, nothing beats: {}. {description}", on_it.join(", "));
     Plot {
-        title: format!("Error against cost: {}", tiling.describes()),
-        description: format!("From cheap to accurate, nothing beats: {}.", on_it.join(", ")),
+        description: description.trim_end().into(),
         size: [680, 320],
-        x: Axis::log("times the plain f32 loop, one thread"),
         y: Axis::log("rms error, degrees"),
         series: std::iter::once(line).chain(weights).collect(),
+        ..Plot::default()
     }
 }
 
@@ -83,40 +98,51 @@ pub(super) fn convergence_plot(case: &VertexCase) -> Plot {
         x: Axis::log("mean edge, coarsest mesh = 1"),
         y: Axis::log("rms error, degrees"),
         series,
+        ..Plot::default()
     }
 }
 
 /// How many normals have an error of which size.
 pub(super) fn histogram_plot(case: &VertexCase) -> Plot {
+    let spread = case
+        .methods
+        .iter()
+        .filter_map(|method| Some((method.weight, method.errors.get(case.quoted)?, &method.histogram)));
+    Plot {
+        title: format!("Errors of normals: {}, {}", case.surface, case.tiling.name()),
+        x: Axis::log("error, degrees"),
+        ..spread_plot(&spread.collect::<Vec<_>>())
+    }
+}
+
+/// Outlines of the histograms of some weights.
+fn spread_plot(spread: &[(Weight, &AngleErrors, &Histogram)]) -> Plot {
     let edges: Vec<f64> = Histogram::edges().collect();
-    let has_errors = |errors: &crate::trade::AngleErrors| errors.rms > EXACT;
-    let shown = case.methods.iter().filter(|method| method.errors.get(case.quoted).is_some_and(has_errors));
-    let series = shown.map(|method| {
-        let shares = method.histogram.shares.iter().chain(method.histogram.shares.last());
+    let shown = spread.iter().filter(|(_, errors, _)| errors.rms > EXACT);
+    let series = shown.map(|(weight, _, histogram)| {
+        let shares = histogram.shares.iter().chain(histogram.shares.last());
         // Bins that are empty on both sides of all others are left out.
         let points = edges.iter().zip(shares).map(|(&edge, &share)| [edge, 100.0 * share]);
         let points: Vec<[f64; 2]> = points.collect();
         let first = points.iter().position(|point| point[1] > 0.0).unwrap_or(0);
         let last = points.iter().rposition(|point| point[1] > 0.0).map_or(points.len(), |last| last + 2);
         Series {
-            name: method.weight.name().into(),
+            name: weight.name().into(),
             points: points[first..last.min(points.len())].to_vec(),
             mark: Mark::Steps,
-            colour: colour(method.weight),
+            colour: colour(*weight),
             ..Series::default()
         }
     });
-    let medians = case.methods.iter().filter_map(|method| {
-        let errors = method.errors.get(case.quoted)?;
-        Some(format!("{} {}°", method.weight.name(), three_digits(errors.median)))
-    });
+    let medians = spread
+        .iter()
+        .map(|(weight, errors, _)| format!("{} {}°", weight.name(), three_digits(errors.median)));
     Plot {
-        title: format!("Errors of normals: {}, {}", case.surface, case.tiling.name()),
         description: format!("Medians: {}.", medians.collect::<Vec<_>>().join(", ")),
         size: [680, 320],
-        x: Axis::log("error, degrees"),
         y: Axis::linear("normals in a quarter of a decade, %"),
         series: series.collect(),
+        ..Plot::default()
     }
 }
 
@@ -152,6 +178,7 @@ pub(super) fn encoding_plot(rows: &[EncodingRow]) -> Plot {
                 ..Series::default()
             },
         ],
+        ..Plot::default()
     }
 }
 
@@ -184,23 +211,32 @@ pub(super) fn shading_plot(rows: &[ShadingRow], surface: &str) -> Plot {
         x: Axis::log("faces"),
         y: Axis::log("rms error, steps of 1/255"),
         series: series.collect(),
+        ..Plot::default()
     }
 }
 
-/// Estimated error against cost on somebody's own mesh.
+/// Estimated error against cost on somebody's own mesh, with the Pareto frontier.
 pub(super) fn own_plot(own: &OwnMesh) -> Plot {
-    let series = own.methods.iter().filter(|method| method.weight != Weight::Quadric).map(|method| Series {
-        name: method.weight.name().into(),
-        points: vec![[method.ratio, method.estimate.rms]],
-        colour: colour(method.weight),
-        ..Series::default()
-    });
+    let sums = own.methods.iter().filter(|method| method.weight != Weight::Quadric);
+    let points: Vec<ClassPoint> = sums
+        .map(|method| ClassPoint { weight: method.weight, rms: method.estimate.rms, ratio: method.ratio })
+        .collect();
+    let description = format!("Recommended: {}.", own.recommended.name());
     Plot {
         title: "Estimated error against cost".into(),
-        description: format!("Recommended: {}.", own.recommended.name()),
-        size: [680, 320],
-        x: Axis::log("times the plain f32 loop, one thread"),
+        x: Axis::log("times the plain f32 loop, one thread, on a mesh"),
         y: Axis::log("rms angle to the quadric's normals, degrees"),
-        series: series.collect(),
+        ..pareto_plot(&points, &description)
+    }
+}
+
+/// How the estimated errors on somebody's own mesh are spread.
+pub(super) fn own_histogram_plot(own: &OwnMesh) -> Plot {
+    let spread = own.methods.iter().filter(|method| method.weight != Weight::Quadric);
+    let spread: Vec<_> = spread.map(|method| (method.weight, &method.estimate, &method.histogram)).collect();
+    Plot {
+        title: "Estimated errors of normals".into(),
+        x: Axis::log("angle to the quadric's normals, degrees"),
+        ..spread_plot(&spread)
     }
 }

@@ -270,6 +270,7 @@ pub fn own_table(own: &OwnMesh) -> Table {
     for (place, method) in own.methods.iter().enumerate() {
         let of_estimate = |x: f64| match method.weight {
             Weight::Quadric => NONE.into(),
+            _ if method.estimate.count == 0 => NONE.into(),
             _ => three_digits(x),
         };
         let estimate = method.estimate;
