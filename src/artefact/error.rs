@@ -1,10 +1,12 @@
 //! Why an experiment gives nothing.
 
 use super::Knob;
+use super::text::given;
 use crate::mesh::MeshError;
 use crate::metric::MetricError;
 use crate::raster::RenderError;
 use crate::surface::SurfaceError;
+use std::ops::RangeInclusive;
 
 /// Why there is no outcome.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -29,7 +31,7 @@ pub enum ArtefactError {
         takes: String,
     },
     /// A parameter out of its range.
-    #[error("--{} is {found}; {expected}", .knob.name())]
+    #[error("--{} is {}; {expected}", .knob.name(), given(*.found))]
     Range {
         /// Which.
         knob: Knob,
@@ -37,6 +39,16 @@ pub enum ArtefactError {
         found: f64,
         /// What would do.
         expected: &'static str,
+    },
+    /// Segments too few or too many for an experiment to make sense.
+    #[error("--segments is {found}; the experiment `{experiment}` takes {} to {}", .range.start(), .range.end())]
+    Segments {
+        /// The experiment.
+        experiment: &'static str,
+        /// What was given.
+        found: u32,
+        /// What would do.
+        range: RangeInclusive<u32>,
     },
     /// A mesh that does not suit the experiment.
     #[error("{found}; {advice}")]

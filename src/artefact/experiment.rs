@@ -1,8 +1,9 @@
 //! What an experiment is.
 
-use super::{ArtefactError, Knob, Language, Outcome, Parameters, Setup, Text};
+use super::{ArtefactError, Knob, Language, Outcome, Parameters, Setup, Text, Verdict};
 use crate::io::shell_word;
 use crate::raster::Image;
+use std::ops::RangeInclusive;
 
 /// A claim of a textbook, and how it is put to the test.
 #[derive(Debug)]
@@ -21,6 +22,10 @@ pub struct Experiment {
     pub takes: &'static [Knob],
     /// What a mesh of one's own is looked at for; there if it takes [`Knob::Mesh`].
     pub own_mesh: Option<Text>,
+    /// How many segments it makes sense with, if it takes [`Knob::Segments`].
+    pub segments: RangeInclusive<u32>,
+    /// What would show the artefact, where parameters let nothing be seen of it: the end of a sentence.
+    pub shown_by: Text,
     /// Its own settings.
     pub defaults: Parameters,
     /// Runs it.
@@ -36,11 +41,11 @@ pub(super) type FrameFn = fn(&Setup, u32, u32) -> Result<Image, ArtefactError>;
 ///
 /// The notation is plain text with a few marks: `{…}` groups, `_` and `^` put the next sign or group below and above,
 /// `\frac{a}{b}` and `\sqrt{a}` are fractions and roots; letters stand for quantities, words of several letters for
-/// functions.
+/// functions. It is a text in both languages for the words below quantities and the decimal mark.
 #[derive(Debug)]
 pub struct Formula {
     /// The formula.
-    pub notation: &'static str,
+    pub notation: Text,
     /// What it gives.
     pub says: Text,
 }
@@ -48,13 +53,18 @@ pub struct Formula {
 impl Experiment {
     /// Runs the experiment.
     ///
-    /// The same setup gives the same bits at any number of threads.
+    /// The same setup gives the same bits at any number of threads. Where nothing of the artefact is seen the claim is not put
+    /// to the test, and the verdict is [`Verdict::Absent`].
     ///
     /// # Errors
     /// Parameters out of range, a mesh that does not suit, or what cannot be drawn.
     pub fn run(&self, setup: &Setup) -> Result<Outcome, ArtefactError> {
         self.check(setup)?;
-        (self.run)(setup)
+        let mut outcome = (self.run)(setup)?;
+        if !outcome.moved.is_present() {
+            outcome.verdict = Verdict::Absent(self.shown_by.clone());
+        }
+        Ok(outcome)
     }
 
     /// Whether it has an animation.
@@ -68,12 +78,24 @@ impl Experiment {
     /// As [`run`](Self::run), and if it has no animation.
     pub fn frame(&self, setup: &Setup, number: u32, count: u32) -> Result<Image, ArtefactError> {
         self.check(setup)?;
-        let Some(frame) = self.frame else {
+        self.moves()?(setup, number, count)
+    }
+
+    /// Refuses to be animated if nothing in it moves.
+    ///
+    /// # Errors
+    /// [`ArtefactError::Still`], with the names of those that have an animation.
+    pub fn refuse_still(&self) -> Result<(), ArtefactError> {
+        self.moves().map(|_| ())
+    }
+
+    /// How it draws a frame.
+    fn moves(&self) -> Result<FrameFn, ArtefactError> {
+        self.frame.ok_or_else(|| {
             let animated = super::EXPERIMENTS.iter().filter(|other| other.is_animated());
             let names: Vec<&str> = animated.map(|other| other.id).collect();
-            return Err(ArtefactError::Still(self.id, names.join(", ")));
-        };
-        frame(setup, number, count)
+            ArtefactError::Still(self.id, names.join(", "))
+        })
     }
 
     /// The command that does the same run and writes its pictures, with pages in this language. File names are quoted for a
@@ -99,10 +121,26 @@ impl Experiment {
     }
 
     fn check(&self, setup: &Setup) -> Result<(), ArtefactError> {
-        setup.parameters.check()?;
+        self.accept(&setup.parameters)?;
         match setup.mesh {
             Some(_) => self.refuse([Knob::Mesh]),
             None => Ok(()),
+        }
+    }
+
+    /// Whether parameters are within their ranges, and within the experiment's own.
+    ///
+    /// # Errors
+    /// [`ArtefactError::Range`], [`ArtefactError::Segments`].
+    pub fn accept(&self, parameters: &Parameters) -> Result<(), ArtefactError> {
+        parameters.check()?;
+        match self.segments.contains(&parameters.segments) {
+            true => Ok(()),
+            false => Err(ArtefactError::Segments {
+                experiment: self.id,
+                found: parameters.segments,
+                range: self.segments.clone(),
+            }),
         }
     }
 

@@ -27,7 +27,9 @@
 //!    the metrics of [`metric`](crate::metric) where there is one. A [`Measure`] has its closed form or independent check by
 //!    [`Measure::expect`], with the reason of the tolerance in its text.
 //! 4. Every word is a [`Text`] in both languages; numbers in it by [`Text::made`]. Claims name their lecture section.
-//! 5. Tests at small sizes: all measures agree, the artefact is present in the bad case, the cure reduces it by a stated
+//! 5. [`Moved`] says from what size on the artefact is there and by what factor the cure has to reduce it. Where it is not there
+//!    [`Experiment::run`] makes the verdict [`Verdict::Absent`], with `shown_by`; else the verdict follows from what was measured.
+//! 6. Tests at small sizes: all measures agree, the artefact is present in the bad case, the cure reduces it by a stated
 //!    factor.
 
 mod attenuation_and_overflow;
@@ -38,6 +40,7 @@ mod false_smoothing;
 mod flat_validity;
 mod lost_highlight;
 mod mach_bands;
+mod moved;
 mod orientation;
 mod outcome;
 mod own_mesh;
@@ -55,7 +58,8 @@ mod vertex_average;
 
 pub use error::ArtefactError;
 pub use experiment::{Experiment, Formula};
-pub use outcome::{Chart, Curve, Drawn, Expected, Measure, Moved, Outcome, Role, Scale, Shot, Verdict};
+pub use moved::{Moved, Threshold};
+pub use outcome::{Chart, Curve, Drawn, Expected, Measure, Outcome, Role, Scale, Shot, Verdict};
 pub use parameters::{Changes, Knob, Parameters, Setup, Taken, UserMesh};
 pub use text::{Language, Text};
 

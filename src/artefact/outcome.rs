@@ -1,6 +1,6 @@
 //! What an experiment finds: data and linear pictures, no markup.
 
-use super::Text;
+use super::{Moved, Text};
 use crate::raster::Image;
 use serde::{Serialize, Serializer};
 
@@ -21,6 +21,27 @@ pub struct Outcome {
     pub notes: Vec<Text>,
 }
 
+#[cfg(test)]
+impl Outcome {
+    /// What every experiment's own tests start from: numbers agree with their closed forms, the artefact is there, and the cure
+    /// reduces it by the factor that is stated.
+    pub(super) fn prove(&self) {
+        let checked = self.measures.iter().filter(|measure| measure.agrees() == Some(true)).count();
+        assert!(checked > 0, "nothing is checked");
+        for measure in &self.measures {
+            assert_ne!(measure.agrees(), Some(false), "{measure:?}");
+        }
+        assert!(self.moved.is_present(), "{:?}", self.moved);
+        assert!(self.moved.reduction() >= self.moved.factor && self.moved.factor > 1.0, "{:?}", self.moved);
+    }
+
+    /// The measure whose English name starts like this.
+    pub(super) fn measured(&self, name: &str) -> f64 {
+        let named = |measure: &&Measure| measure.name.get(super::Language::English).starts_with(name);
+        self.measures.iter().find(named).unwrap_or_else(|| panic!("no measure {name}")).value
+    }
+}
+
 /// Whether a claim holds.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "verdict", content = "condition", rename_all = "kebab-case")]
@@ -31,36 +52,20 @@ pub enum Verdict {
     HoldsOnlyIf(Text),
     /// Not here, for this reason.
     Fails(Text),
+    /// It is not put to the test: with these parameters nothing of its artefact is seen ([`Moved::is_present`]). These would
+    /// show it.
+    Absent(Text),
 }
 
 impl Verdict {
-    /// The condition or reason.
+    /// The condition, reason or advice.
     pub fn condition(&self) -> &Text {
         match self {
-            Verdict::Holds(text) | Verdict::HoldsOnlyIf(text) | Verdict::Fails(text) => text,
+            Verdict::Holds(text)
+            | Verdict::HoldsOnlyIf(text)
+            | Verdict::Fails(text)
+            | Verdict::Absent(text) => text,
         }
-    }
-}
-
-/// A number with the artefact and without.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Moved {
-    /// What it measures.
-    pub name: Text,
-    /// Its unit; empty for none.
-    pub unit: &'static str,
-    /// With the artefact.
-    pub bad: f64,
-    /// What was done about it.
-    pub cure: Text,
-    /// After that.
-    pub cured: f64,
-}
-
-impl Moved {
-    /// How many times smaller it became; infinite if it vanished, 1 if there was nothing to cure.
-    pub fn factor(&self) -> f64 {
-        if self.bad == 0.0 && self.cured == 0.0 { 1.0 } else { self.bad.abs() / self.cured.abs() }
     }
 }
 
@@ -76,6 +81,9 @@ pub struct Measure {
     /// What it is held against.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub expected: Option<Expected>,
+    /// Why it is held against nothing, where with other parameters it is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub beyond: Option<Text>,
 }
 
 /// What a number should be, and who says so.
@@ -92,7 +100,7 @@ pub struct Expected {
 impl Measure {
     /// A number that nothing is known about beforehand.
     pub fn new(name: Text, unit: &'static str, value: f64) -> Self {
-        Self { name, unit, value, expected: None }
+        Self { name, unit, value, expected: None, beyond: None }
     }
 
     /// With what it should be.
@@ -100,6 +108,12 @@ impl Measure {
     pub fn expect(mut self, value: f64, tolerance: f64, by: Text) -> Self {
         self.expected = Some(Expected { value, tolerance, by });
         self
+    }
+
+    /// With the reason why no law covers it under these parameters.
+    #[must_use]
+    pub fn beyond(self, why: Text) -> Self {
+        Self { beyond: Some(why), ..self }
     }
 
     /// Whether it is what it should be; `None` where nothing is known.
@@ -203,7 +217,7 @@ pub struct Curve {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Drawn {
-    /// A line through many points, without signs.
+    /// A line through many points.
     Curve,
     /// Signs at the points: what was measured.
     Points,

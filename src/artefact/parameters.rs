@@ -1,11 +1,13 @@
 //! What may be changed about an experiment.
 
 use super::ArtefactError;
+use super::text::given;
 use crate::mesh::Mesh;
 use crate::normals::Weight;
 use crate::num::Degrees;
 use crate::raster::Interpolation;
 use serde::{Serialize, Serializer};
+use std::ops::RangeInclusive;
 
 /// Something that may be changed. Not every experiment has all of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
@@ -65,6 +67,8 @@ pub struct Parameters {
 }
 
 impl Parameters {
+    /// How many segments there may be; some experiments take fewer of them.
+    pub const SEGMENTS: RangeInclusive<u32> = 3..=1024;
     /// What experiments start from: 320 pixels, 16 segments, light 30° off the axis of view, n = 32, angle weights, creases
     /// over 40°, perspective interpolation.
     pub const USUAL: Parameters = Parameters {
@@ -82,10 +86,10 @@ impl Parameters {
         Some(match knob {
             Knob::Size => self.size.to_string(),
             Knob::Segments => self.segments.to_string(),
-            Knob::Light => self.light.0.to_string(),
-            Knob::Exponent => self.exponent.to_string(),
+            Knob::Light => given(self.light.0),
+            Knob::Exponent => given(self.exponent),
             Knob::Weight => self.weight.name().to_owned(),
-            Knob::Crease => self.crease.0.to_string(),
+            Knob::Crease => given(self.crease.0),
             Knob::Interpolation => match self.interpolation {
                 Interpolation::Scanline => "scanline",
                 Interpolation::Affine => "affine",
@@ -106,7 +110,9 @@ impl Parameters {
             false => Err(ArtefactError::Range { knob, found, expected }),
         };
         check(Knob::Size, self.size.into(), 32.0, 1024.0, "give 32 to 1024 pixels")?;
-        check(Knob::Segments, self.segments.into(), 3.0, 1024.0, "give a number from 3 to 1024")?;
+        let [fewest, most] =
+            [Self::SEGMENTS.start(), Self::SEGMENTS.end()].map(|&segments| f64::from(segments));
+        check(Knob::Segments, self.segments.into(), fewest, most, "give a number from 3 to 1024")?;
         check(Knob::Light, self.light.0, -180.0, 180.0, "give an angle from -180 to 180 degrees")?;
         check(Knob::Exponent, self.exponent, 0.0, 1e6, "give a number from 0 to 1000000")?;
         check(Knob::Crease, self.crease.0, 0.0, 180.0, "give an angle from 0 to 180 degrees")

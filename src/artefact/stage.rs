@@ -125,9 +125,11 @@ pub(super) fn differences(first: &Image, second: &Image) -> Vec<Option<f64>> {
     (0..colours.len()).map(difference).collect()
 }
 
+/// What is free between pictures that are shown as one, in pixels.
+pub(super) const GAP: u32 = 2;
+
 /// Pictures of one size as one: rows of them, with a narrow gap of background between.
 pub(super) fn tiles(rows: &[Vec<Image>]) -> Image {
-    const GAP: u32 = 2;
     let [width, height] = rows.first().and_then(|row| row.first()).map_or([0; 2], |image| image.size);
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0) as u32;
     let side = |count: u32, length: u32| (count * (length + GAP)).saturating_sub(GAP);

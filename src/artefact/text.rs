@@ -24,6 +24,47 @@ impl Language {
             Language::Portuguese => "pt",
         }
     }
+
+    /// What stands before the decimals of a number.
+    pub fn decimal_mark(self) -> char {
+        match self {
+            Language::English => '.',
+            Language::Portuguese => ',',
+        }
+    }
+
+    /// A number to six significant digits, with an exponent where it would be long.
+    ///
+    /// ```
+    /// use crease::artefact::Language;
+    ///
+    /// assert_eq!(Language::ALL.map(|language| language.number(70.528_779)), ["70.5288", "70,5288"]);
+    /// ```
+    pub fn number(self, x: f64) -> String {
+        let text = match x.abs() {
+            0.0 => "0".to_owned(),
+            _ if x.is_infinite() => if x > 0.0 { "∞" } else { "−∞" }.to_owned(),
+            magnitude @ 1e-4..1e7 => {
+                let decimals = (5 - libm::floor(libm::log10(magnitude)) as i32).max(0) as usize;
+                let text = format!("{x:.decimals$}");
+                match text.contains('.') {
+                    true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+                    false => text,
+                }
+            }
+            _ => format!("{x:.2e}"),
+        };
+        text.replace('.', &self.decimal_mark().to_string())
+    }
+}
+
+/// A number with all its digits, as it would be given again, with an exponent where it would be long.
+pub(super) fn given(x: f64) -> String {
+    match x.abs() {
+        0.0 => "0".into(),
+        1e-4..1e7 => x.to_string(),
+        _ => format!("{x:e}"),
+    }
 }
 
 impl Serialize for Language {
@@ -74,5 +115,22 @@ impl Text {
             Language::English => &self.en,
             Language::Portuguese => &self.pt,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short() {
+        let numbers = [0.0, 70.528_779, -0.134_38, 1e-7, 0.1, 1_234_567.0, f64::INFINITY];
+        let shown = numbers.map(|x| Language::English.number(x));
+        assert_eq!(shown, ["0", "70.5288", "-0.13438", "1.00e-7", "0.1", "1234567", "∞"]);
+        assert_eq!(Language::Portuguese.number(1e-7), "1,00e-7");
+        assert_eq!(
+            [1e308, -0.0, 1e-300, 1e6, 1.0 / 3.0].map(given),
+            ["1e308", "0", "1e-300", "1000000", "0.3333333333333333"]
+        );
     }
 }

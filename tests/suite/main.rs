@@ -3,6 +3,7 @@
 #![allow(clippy::print_stdout, reason = "a test says what it skips")]
 
 mod artefact;
+mod artefact_sweep;
 mod cli;
 mod convert;
 mod data;

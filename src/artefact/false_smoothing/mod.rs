@@ -8,8 +8,8 @@ mod subject;
 use super::own_mesh::{camera, light_from};
 use super::stage::{front, light_at, object};
 use super::{
-    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters,
-    Scale, Setup, Text, Verdict,
+    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Language, Measure, Moved, Outcome,
+    Parameters, Scale, Setup, Text, Threshold, Verdict,
 };
 use crate::normals::{Crease, NormalRecipe, Weight, compute};
 use crate::num::{Degrees, Radians};
@@ -38,21 +38,24 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
     ],
     formulas: &[
         Formula {
-            notation: "δ_{cube} = arctan(\\sqrt{2}) = 54.7356°",
+            notation: Text::new(
+                "δ_{cube} = arctan(\\sqrt{2}) = 54.7356°",
+                "δ_{cubo} = arctan(\\sqrt{2}) = 54,7356°",
+            ),
             says: Text::new(
                 "the angle between a face of the cube and the mean of the three faces at its corner",
                 "o ângulo entre uma face do cubo e a média das três faces no seu vértice",
             ),
         },
         Formula {
-            notation: "δ_{zigzag} = s, δ_{roof} = s/2",
+            notation: Text::new("δ_{zigzag} = s, δ_{roof} = s/2", "δ_{zigue} = s, δ_{telhado} = s/2"),
             says: Text::new(
                 "for strips that lean by s to either side, and for strips of which every other leans by s",
                 "para faixas inclinadas de s para um lado e para o outro, e para faixas das quais uma sim, outra não, se inclina de s",
             ),
         },
         Formula {
-            notation: "I: cos(s) → 1",
+            notation: Text::same("I: cos(s) → 1"),
             says: Text::new(
                 "the zig-zag in light from the front, as it is and as it is shown",
                 "o zigue-zague sob luz frontal, como é e como aparece",
@@ -64,6 +67,11 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
         "its normals averaged over every edge, and not over creases",
         "as suas normais médias sobre todas as arestas, e não sobre os vincos",
     )),
+    segments: Parameters::SEGMENTS,
+    shown_by: Text::new(
+        "faces that meet at more than the crease angle would show it.",
+        "faces que se encontram com mais que o ângulo de vinco o mostrariam.",
+    ),
     defaults: Parameters { light: Degrees(35.0), ..Parameters::USUAL },
     run,
     frame: None,
@@ -183,14 +191,10 @@ fn of_bodies(parameters: &Parameters) -> Result<Outcome, ArtefactError> {
             ),
             unit: "°",
             bad: gear_smooth.deviation.mean,
-            cure: Text::made(
-                format!("vertices split at edges over {}°", crease.0),
-                format!(
-                    "vértices separados em arestas de mais de {}°",
-                    crease.0.to_string().replace('.', ",")
-                ),
-            ),
+            present: Threshold::HALF_STEP_OF_TILT,
+            cure: cure(crease),
             cured: gear_sharp.deviation.mean,
+            factor: 100.0,
         },
         charts: vec![chart(&gear, weight)?],
         shots: shots::all([
@@ -347,6 +351,17 @@ fn chart(gear: &Subject, weight: Weight) -> Result<Chart, ArtefactError> {
             drawn: Drawn::Line,
             points: points.collect(),
         }],
+    })
+}
+
+/// What is done about it.
+fn cure(crease: Degrees) -> Text {
+    Text::each(|language| {
+        let angle = language.number(crease.0);
+        match language {
+            Language::English => format!("vertices split at edges over {angle}°"),
+            Language::Portuguese => format!("vértices separados em arestas de mais de {angle}°"),
+        }
     })
 }
 

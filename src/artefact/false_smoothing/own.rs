@@ -2,7 +2,10 @@
 
 use super::super::own_mesh::{Room, camera, light_from};
 use super::super::stage::object;
-use super::super::{ArtefactError, Measure, Moved, Outcome, Parameters, Role, Shot, Text, UserMesh, Verdict};
+use super::super::{
+    ArtefactError, Measure, Moved, Outcome, Parameters, Role, Shot, Text, Threshold, UserMesh, Verdict,
+};
+use super::cure;
 use super::shots::{angle_map, labelled, light_map};
 use super::subject::{Subject, material};
 use crate::normals::{Crease, NormalRecipe, compute};
@@ -15,33 +18,31 @@ pub(super) fn run(own: &UserMesh, parameters: &Parameters) -> Result<Outcome, Ar
     let subject = Subject { light: light_from(&camera, light)?, mesh, camera, size };
     let [smooth, sharp] = [Crease::OFF, Crease::Angle(crease)].map(|crease| subject.case(weight, crease));
     let (smooth, sharp) = (smooth?, sharp?);
-    let is_false = smooth.share_over(crease) > 0.0;
     let measure = |en, pt, unit, value| Measure::new(Text::new(en, pt), unit, value);
     let [angles, light] = smooth.maps();
     let of = ["mesh", "malha"];
     Ok(Outcome {
-        verdict: match is_false {
-            true => Verdict::Holds(Text::new(
-                "this mesh has corners whose mean is farther from their face than the crease angle.",
-                "esta malha tem cantos cuja média está mais longe da sua face do que o ângulo de vinco.",
-            )),
-            false => Verdict::Fails(Text::new(
-                "no corner of this mesh is farther from its face than the crease angle: nothing is smoothed that the angle calls sharp.",
-                "nenhum canto desta malha está mais longe da sua face do que o ângulo de vinco: nada do que o ângulo chama de vivo é alisado.",
-            )),
-        },
+        verdict: Verdict::Holds(Text::new(
+            "this mesh has corners whose mean is farther from their face than the crease angle.",
+            "esta malha tem cantos cuja média está mais longe da sua face do que o ângulo de vinco.",
+        )),
         moved: Moved {
             name: Text::new(
-                "mean angle of the pixels' normals to the faces",
-                "ângulo médio das normais dos pixels com as faces",
+                "largest angle of a corner's normal to its face",
+                "maior ângulo da normal de um canto com a sua face",
             ),
             unit: "°",
-            bad: smooth.deviation.mean,
-            cure: Text::made(
-                format!("vertices split at edges over {}°", crease.0),
-                format!("vértices separados em arestas de mais de {}°", crease.0),
-            ),
-            cured: sharp.deviation.mean,
+            bad: smooth.largest(),
+            present: Threshold {
+                value: crease.0,
+                why: Text::new(
+                    "the crease angle; less may stand for something round",
+                    "o ângulo de vinco; menos pode representar algo redondo",
+                ),
+            },
+            cure: cure(crease),
+            cured: sharp.largest(),
+            factor: 2.0,
         },
         measures: vec![
             measure(

@@ -1,11 +1,13 @@
 //! Mach bands on a cylinder: steps of flat shading, slope jumps of Gouraud's and Phong's.
 
+mod duff;
 mod pictures;
 mod predicted;
 mod tube;
 
 use super::{
-    ArtefactError, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters, Setup, Text, Verdict,
+    ArtefactError, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters, Setup, Text, Threshold,
+    Verdict,
 };
 use crate::num::{Degrees, Radians};
 use crate::raster::Shading;
@@ -27,21 +29,26 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
     ],
     formulas: &[
         Formula {
-            notation: "ΔI_{flat} = 2 |sin(θ − θ_L)| sin(Δ/2)",
+            notation: Text::new(
+                "ΔI_{flat} = 2 |sin(θ − θ_L)| sin(Δ/2)",
+                "ΔI_{plano} = 2 |sin(θ − θ_L)| sin(Δ/2)",
+            ),
             says: Text::new(
                 "the step between two flat facets whose common edge is at the angle θ; Δ = 2π/N",
                 "o degrau entre duas facetas planas cuja aresta comum está no ângulo θ; Δ = 2π/N",
             ),
         },
         Formula {
-            notation: "ΔI′_{Gouraud} = −cos(θ_L) [tan(θ + Δ/2) − tan(θ − Δ/2)]",
+            notation: Text::same("ΔI′_{Gouraud} = −cos(θ_L) [tan(θ + Δ/2) − tan(θ − Δ/2)]"),
             says: Text::new(
                 "the jump of the slope across the picture at that edge",
                 "o salto da inclinação, ao longo da imagem, nessa aresta",
             ),
         },
         Formula {
-            notation: "\\frac{ΔI′_{Phong}}{ΔI′_{Gouraud}} = \\frac{sin(θ − θ_L) sin(θ)}{cos(θ_L)}",
+            notation: Text::same(
+                "\\frac{ΔI′_{Phong}}{ΔI′_{Gouraud}} = \\frac{sin(θ − θ_L) sin(θ)}{cos(θ_L)}",
+            ),
             says: Text::new(
                 "so Phong's is the larger one somewhere as soon as cos(θ_L) < 1/3: θ_L > 70.5288°",
                 "portanto o de Phong é o maior em algum lugar assim que cos(θ_L) < 1/3: θ_L > 70,5288°",
@@ -50,7 +57,14 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
     ],
     takes: &[Knob::Size, Knob::Segments, Knob::Light],
     own_mesh: None,
-    defaults: Parameters { segments: 16, light: Degrees(30.0), ..Parameters::USUAL },
+    // Of fewer facets no edge may be in sight; those of four times as many more would be a few pixels wide.
+    segments: 6..=128,
+    shown_by: Text::new(
+        "light within 90° of the direction of view, and 8 to 32 segments, would show it.",
+        "luz a menos de 90° da direção de visão, e de 8 a 32 segmentos, o mostrariam.",
+    ),
+    // So few that bands are seen with the naked eye.
+    defaults: Parameters { segments: 8, light: Degrees(30.0), ..Parameters::USUAL },
     run,
     frame: None,
 };
@@ -62,35 +76,42 @@ const FINER: u32 = 4;
 
 fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let Parameters { size, segments, light, .. } = setup.parameters;
-    let tube = Tube::new(segments, 0.0)?;
+    let tube = Tube::under(light, segments)?;
     let lines = [Shading::Flat, Shading::Gouraud, Shading::Phong, Shading::Exact]
         .map(|shading| tube.profile(light, shading));
     let [flat, gouraud, phong, exact] = lines;
-    let (flat, gouraud, phong, exact) = (flat?, gouraud?, phong?, exact?);
-    let fine = Tube::new(FINER * segments, 0.0)?;
-    let fine_line = fine.profile(light, Shading::Gouraud)?;
+    let lines = Lines { flat: flat?, gouraud: gouraud?, phong: phong?, exact: exact? };
+    let fine = Tube::under(light, FINER * segments)?;
 
-    let step = tube.largest(light, |theta| (flat.step(&tube, theta), flat_step(theta, light, tube.delta())));
+    let step =
+        tube.largest(light, |theta| (lines.flat.step(&tube, theta), flat_step(theta, light, tube.delta())));
     let of = |line: &Profile, law: Law| {
-        tube.largest(light, |theta| (line.slope_jump(&tube, theta), law(theta, light, tube.delta())))
+        tube.largest(light, |theta| (line.slope_jump(&tube, theta).0, law(theta, light, tube.delta())))
     };
-    let (of_gouraud, of_phong) = (of(&gouraud, gouraud_jump), of(&phong, phong_jump));
-    // At the same edges, which the finer one has too.
-    let of_fine = tube.largest(light, |theta| {
-        (fine_line.slope_jump(&fine, theta), gouraud_jump(theta, light, fine.delta()))
-    });
-    let worst = ratio(GRAZING, segments)?;
-    let worst_law =
-        phong_jump(half(GRAZING), GRAZING, tube.delta()) / gouraud_jump(half(GRAZING), GRAZING, tube.delta());
-    let border = border(segments)?;
-    let tolerance = slope_tolerance(segments);
+    let (of_gouraud, of_phong) = (of(&lines.gouraud, gouraud_jump), of(&lines.phong, phong_jump));
+    let is_gouraud_worse = of_gouraud.measured.abs() > of_phong.measured.abs();
+    let worse = match is_gouraud_worse {
+        true => Worse { name: "Gouraud", shading: Shading::Gouraud, law: gouraud_jump, found: of_gouraud },
+        false => Worse { name: "Phong", shading: Shading::Phong, law: phong_jump, found: of_phong },
+    };
+    // At the same edge, which the finer one has too.
+    let (at, fine_line) = (worse.found.theta, fine.profile(light, worse.shading)?);
+    let (of_fine, by_fine) = fine_line.slope_jump(&fine, at);
 
-    let jump = |name, of: Found, notation: Text| {
-        Measure::new(name, "1/R", of.measured).expect(of.law, tolerance, notation)
+    let jump = |name: &str, line: &Profile, found: Found, notation: Text| {
+        let name = Text::made(
+            format!("{name}: largest slope jump up to 60° round"),
+            format!("{name}: maior salto de inclinação até 60° de giro"),
+        );
+        let (_, tolerance) = line.slope_jump(&tube, found.theta);
+        Measure::new(name, "1/R", found.measured).expect(found.law, tolerance, notation)
     };
     let mut measures = vec![
         Measure::new(
-            Text::new("flat: largest step of luminance", "plano: maior degrau de luminância"),
+            Text::new(
+                "flat: largest step of luminance up to 60° round",
+                "plano: maior degrau de luminância até 60° de giro",
+            ),
             "",
             step.measured,
         )
@@ -103,85 +124,111 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             ),
         ),
         jump(
-            Text::new("Gouraud: largest slope jump", "Gouraud: maior salto de inclinação"),
+            "Gouraud",
+            &lines.gouraud,
             of_gouraud,
             Text::new(
-                "−cos θ_L [tan(θ + Δ/2) − tan(θ − Δ/2)]; rounding of samples over a tenth of a facet",
-                "−cos θ_L [tan(θ + Δ/2) − tan(θ − Δ/2)]; arredondamento das amostras num décimo de faceta",
+                "−cos θ_L [tan(θ + Δ/2) − tan(θ − Δ/2)]; roundings of the samples that a slope is taken of",
+                "−cos θ_L [tan(θ + Δ/2) − tan(θ − Δ/2)]; arredondamentos das amostras de que se toma a inclinação",
             ),
         ),
         jump(
-            Text::new("Phong: largest slope jump", "Phong: maior salto de inclinação"),
+            "Phong",
+            &lines.phong,
             of_phong,
             Text::new(
                 "−sin(θ − θ_L) sin θ [tan(θ + Δ/2) − tan(θ − Δ/2)]; as for Gouraud",
                 "−sin(θ − θ_L) sin θ [tan(θ + Δ/2) − tan(θ − Δ/2)]; como em Gouraud",
             ),
         ),
-        jump(
+        Measure::new(
             Text::made(
-                format!("Gouraud with {} segments: largest slope jump", FINER * segments),
-                format!("Gouraud com {} segmentos: maior salto de inclinação", FINER * segments),
+                format!("{} with {} segments: slope jump at the same edge", worse.name, FINER * segments),
+                format!(
+                    "{} com {} segmentos: salto de inclinação na mesma aresta",
+                    worse.name,
+                    FINER * segments
+                ),
             ),
+            "1/R",
             of_fine,
+        )
+        .expect(
+            (worse.law)(at, light, fine.delta()),
+            by_fine,
             Text::new("the same with the smaller Δ", "o mesmo com o Δ menor"),
         ),
-        Measure::new(
-            Text::new(
-                "light at 80°: slope jump of Phong over that of Gouraud at θ = 40°",
-                "luz a 80°: salto de Phong sobre o de Gouraud em θ = 40°",
-            ),
-            "",
-            worst,
-        )
-        .expect(
-            worst_law,
-            0.02,
-            Text::new(
-                "sin(θ − θ_L) sin θ / cos θ_L; 1 % of the smaller jump",
-                "sin(θ − θ_L) sin θ / cos θ_L; 1 % do salto menor",
-            ),
-        ),
-        Measure::new(
-            Text::new(
-                "the light's angle beyond which Phong has the larger jump",
-                "ângulo da luz além do qual Phong tem o salto maior",
-            ),
-            "°",
-            border.0,
-        )
-        .expect(
-            70.528_779_365_509_31,
-            0.1,
-            Text::new(
-                "arccos(1/3), found by halving in pictures; 0.7 % of a jump is 0.1°",
-                "arccos(1/3), achado por bissecção em imagens; 0,7 % de um salto são 0,1°",
-            ),
-        ),
     ];
+    measures.extend(duff::measures(segments)?);
     measures.extend(predicted::measures(&tube, &fine, light)?);
-    let mut charts = pictures::charts(&flat, &gouraud, &phong, &exact);
+    let grazing = Tube::under(GRAZING, segments)?;
+    let mut charts = pictures::charts(&lines, is_gouraud_worse);
     charts.extend(predicted::charts(&tube, light)?);
+    charts.extend(pictures::charts_of_grazing_light(&grazing)?);
     Ok(Outcome {
-        verdict: Verdict::HoldsOnlyIf(Text::new(
-            "the light is less than 70.5288° off the direction of view. Beyond that there are edges where Phong's slope \
-             jump is the larger one; at 90° Gouraud's shading of facets lit as a whole is exact, and only Phong's has bands.",
-            "a luz está a menos de 70,5288° da direção de visão. Além disso há arestas em que o salto de inclinação de \
-             Phong é o maior; a 90° o sombreamento de Gouraud das facetas iluminadas por inteiro é exato, e só o de Phong \
-             tem bandas.",
-        )),
+        verdict: verdict(is_gouraud_worse, setup.parameters.light),
         moved: Moved {
-            name: Text::new("Gouraud's largest slope jump", "o maior salto de inclinação de Gouraud"),
+            name: Text::made(
+                format!("{}'s largest slope jump up to 60° round", worse.name),
+                format!("o maior salto de inclinação de {} até 60° de giro", worse.name),
+            ),
             unit: "1/R",
-            bad: of_gouraud.measured,
+            bad: worse.found.measured.abs(),
+            present: threshold(&tube),
             cure: Text::made(format!("{FINER} times the segments"), format!("{FINER} vezes mais segmentos")),
-            cured: of_fine.measured,
+            cured: of_fine.abs(),
+            // Jumps are of first order in the width of a facet, and of more where tangents grow.
+            factor: 3.5,
         },
         measures,
-        shots: pictures::shots(size, light, &tube, &fine)?,
+        shots: pictures::shots(size, light, [&tube, &fine, &grazing], &worse)?,
         charts,
         notes: notes(),
     })
+}
+
+/// Luminance across the picture.
+struct Lines {
+    flat: Profile,
+    gouraud: Profile,
+    phong: Profile,
+    exact: Profile,
+}
+
+/// The shading whose slope jumps more.
+struct Worse {
+    name: &'static str,
+    shading: Shading,
+    law: Law,
+    found: Found,
+}
+
+/// Where cos θ_L = 1/3: from there on Phong's slope jump is the larger one at some edge.
+const DUFF: Degrees = Degrees(70.528_779_365_509_3);
+
+/// By what was measured at the edges.
+fn verdict(is_gouraud_worse: bool, light: Degrees) -> Verdict {
+    match is_gouraud_worse {
+        true if light.0.abs() > DUFF.0 => Verdict::HoldsOnlyIf(Text::new(
+            "the largest jumps are compared, as they are here. The light is more than 70.5288° off the direction of view, so that at \
+             some edges Phong's slope jump is the larger one already; a little farther off it is the largest of all.",
+            "se comparam os maiores saltos, como aqui. A luz está a mais de 70,5288° da direção de visão, de modo que em algumas \
+             arestas o salto de inclinação de Phong já é o maior; um pouco mais longe ele é o maior de todos.",
+        )),
+        true => Verdict::HoldsOnlyIf(Text::new(
+            "the light is less than 70.5288° off the direction of view, as it is here. Beyond that there are edges where Phong's \
+             slope jump is the larger one; at 90° Gouraud's shading of facets lit as a whole is exact, and only Phong's has bands.",
+            "a luz está a menos de 70,5288° da direção de visão, como aqui. Além disso há arestas em que o salto de inclinação \
+             de Phong é o maior; a 90° o sombreamento de Gouraud das facetas iluminadas por inteiro é exato, e só o de Phong \
+             tem bandas.",
+        )),
+        false => Verdict::Fails(Text::new(
+            "the light is so far off the direction of view that Phong's slope jumps are the larger ones, as they may be from \
+             70.5288° on.",
+            "a luz está tão longe da direção de visão que os saltos de inclinação de Phong são os maiores, como podem ser a partir \
+             de 70,5288°.",
+        )),
+    }
 }
 
 fn notes() -> Vec<Text> {
@@ -199,6 +246,14 @@ fn notes() -> Vec<Text> {
              may be seen and how they compare on one picture, not how strongly they are seen.",
             "O excesso chamado de previsto é o de uma diferença de gaussianas, um modelo da inibição lateral. Ele diz onde bandas podem \
              ser vistas e como se comparam numa imagem, não com que força são vistas.",
+        ),
+        Text::new(
+            "Facets meet where the light ends: there the cylinder itself has a band. Edges are measured where both of their facets are \
+             lit, up to 60° from the direction of view; farther round facets are seen from the side, and slopes across the picture \
+             grow without bound, those of the cylinder too.",
+            "As facetas se encontram onde a luz acaba: ali o próprio cilindro tem uma banda. As arestas são medidas onde as suas duas \
+             facetas estão iluminadas, até 60° da direção de visão; além disso as facetas são vistas de lado, e as inclinações ao longo \
+             da imagem crescem sem limite, também as do cilindro.",
         ),
         Text::new(
             "Jumps are of first order in the width of a facet: four times the segments make them about a quarter.",
@@ -224,62 +279,49 @@ fn phong_jump(theta: f64, light: Degrees, delta: f64) -> f64 {
     -libm::sin(theta - Radians::from(light).0) * libm::sin(theta) * bend
 }
 
-/// Rounding of single-precision samples, 6·10⁻⁸, over a tenth of a facet with weights of up to 6, both sides; and
-/// vertices that snap to 256ths of pixels. Measured at 16 segments: 10⁻⁴.
-fn slope_tolerance(segments: u32) -> f64 {
-    5e-4 * f64::from(segments.max(16)) / 16.0
-}
-
-fn half(Degrees(angle): Degrees) -> f64 {
-    Radians::from(Degrees(angle / 2.0)).0
-}
-
-/// Phong's slope jump over Gouraud's at the edge where it is worst, half-way between the viewer and the light.
-fn ratio(light: Degrees, segments: u32) -> Result<f64, ArtefactError> {
-    let tube = Tube::new(segments, half(light))?;
-    let jump = |shading| tube.profile(light, shading).map(|line| line.slope_jump(&tube, half(light)));
-    Ok(jump(Shading::Phong)? / jump(Shading::Gouraud)?)
-}
-
-/// The angle of the light at which Phong's jump is as large as Gouraud's, by halving.
-fn border(segments: u32) -> Result<Degrees, ArtefactError> {
-    let (mut low, mut high) = (60.0, 80.0);
-    for _ in 0..10 {
-        let middle = 0.5 * (low + high);
-        if ratio(Degrees(middle), segments)?.abs() > 1.0 { high = middle } else { low = middle }
+/// The jump of slope from which on a luminance that is straight over facets is off a round one by half a step of 8 bits: in the
+/// middle of a facet of the width w it is w/8 times the jump.
+fn threshold(tube: &Tube) -> Threshold {
+    Threshold {
+        value: 8.0 * Threshold::HALF_STEP.value / (2.0 * libm::sin(0.5 * tube.delta())),
+        why: Text::new(
+            "the luminance of a facet is then half a step of 8 bits off a round one",
+            "a luminância de uma faceta fica então a meio passo de 8 bits de uma curva",
+        ),
     }
-    Ok(Degrees(0.5 * (low + high)))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::tube::slope_at;
+    use super::tube::slope_weights;
     use super::*;
     use std::f64::consts::TAU;
 
     #[test]
     fn every_edge_follows_its_closed_form() {
-        for light in [Degrees(0.0), Degrees(30.0), Degrees(-45.0)] {
-            let tube = Tube::new(16, 0.1).unwrap();
+        for (segments, light) in
+            [(16, 0.0), (16, 30.0), (16, -45.0), (16, 80.0), (7, 30.0), (64, 60.0), (512, 30.0)]
+        {
+            let light = Degrees(light);
+            let tube = Tube::under(light, segments).unwrap();
             let profile = |shading| tube.profile(light, shading).unwrap();
             let (gouraud, phong) = (profile(Shading::Gouraud), profile(Shading::Phong));
             let flat = profile(Shading::Flat);
-            assert!(tube.edges(light).count() >= 3);
+            assert!(tube.edges(light).count() >= 1);
             for theta in tube.edges(light) {
-                let near = |found: f64, law: f64, tolerance: f64| {
-                    assert!((found - law).abs() <= tolerance, "{theta} {light:?}: {found} is not {law}");
-                };
-                near(
-                    gouraud.slope_jump(&tube, theta),
-                    gouraud_jump(theta, light, tube.delta()),
-                    slope_tolerance(16),
-                );
-                near(
-                    phong.slope_jump(&tube, theta),
-                    phong_jump(theta, light, tube.delta()),
-                    slope_tolerance(16),
-                );
-                near(flat.step(&tube, theta), flat_step(theta, light, tube.delta()), 1e-6);
+                for (line, law) in [(&gouraud, gouraud_jump as Law), (&phong, phong_jump)] {
+                    let (found, tolerance) = line.slope_jump(&tube, theta);
+                    let law = law(theta, light, tube.delta());
+                    // Less than a third of what jumps are under light from the front, or the test would say nothing.
+                    let largest = gouraud_jump(theta, Degrees(0.0), tube.delta()).abs();
+                    assert!(tolerance < 0.3 * largest, "{segments} {theta}: {tolerance} of {largest}");
+                    assert!(
+                        (found - law).abs() <= tolerance,
+                        "{segments} {theta} {light:?}: {found} is not {law}"
+                    );
+                }
+                let (found, law) = (flat.step(&tube, theta), flat_step(theta, light, tube.delta()));
+                assert!((found - law).abs() <= 1e-6, "{segments} {theta} {light:?}: {found} is not {law}");
             }
         }
     }
@@ -300,22 +342,56 @@ mod tests {
         }
     }
 
+    fn run(light: f64, segments: u32) -> Outcome {
+        let parameters = Parameters { size: 48, light: Degrees(light), segments, ..EXPERIMENT.defaults };
+        EXPERIMENT.run(&Setup { parameters, mesh: None }).unwrap()
+    }
+
     #[test]
     fn the_artefact_is_there_and_is_cured() {
-        let setup = Setup { parameters: Parameters { size: 64, ..EXPERIMENT.defaults }, mesh: None };
-        let outcome = EXPERIMENT.run(&setup).unwrap();
+        let outcome = run(30.0, 16);
         for measure in &outcome.measures {
             assert_eq!(measure.agrees(), Some(true), "{measure:?}");
         }
-        // Jumps of first order: a quarter, and a little more where tangents grow.
-        assert!(outcome.moved.bad.abs() > 0.3 && outcome.moved.factor() > 3.0, "{:?}", outcome.moved);
+        // Jumps of first order: a quarter, and less where tangents grow.
+        assert!(outcome.moved.bad > 0.3 && outcome.moved.reduction() > 3.5, "{:?}", outcome.moved);
         assert!(matches!(outcome.verdict, Verdict::HoldsOnlyIf(_)));
+    }
+
+    /// From 70.53° on there may be edges where Phong is the worse one; at 80° there are. The pictures are labelled by that.
+    #[test]
+    fn in_grazing_light_the_claim_fails() {
+        use super::super::Role;
+        for (light, is_gouraud_worse) in [(60.0, true), (-60.0, true), (80.0, false), (-80.0, false)] {
+            let outcome = run(light, 16);
+            let [gouraud, phong] = [1, 2].map(|k| outcome.measures[k].value.abs());
+            assert_eq!(gouraud > phong, is_gouraud_worse, "{light}: {gouraud} {phong}");
+            assert_eq!(matches!(outcome.verdict, Verdict::HoldsOnlyIf(_)), is_gouraud_worse, "{light}");
+            assert_eq!(matches!(outcome.verdict, Verdict::Fails(_)), !is_gouraud_worse, "{light}");
+            let role = |name| outcome.shots.iter().find(|shot| shot.name == name).unwrap().role;
+            assert_eq!(role("gouraud") == Role::Bad, is_gouraud_worse, "{light}");
+            assert_eq!(role("phong") == Role::Bad, !is_gouraud_worse, "{light}");
+            assert!(outcome.charts.iter().any(|chart| chart.name == "slope-80"));
+        }
+    }
+
+    #[test]
+    fn where_nothing_is_lit_or_facets_are_fine_nothing_is_claimed() {
+        for (light, segments) in [(180.0, 16), (30.0, 128)] {
+            let outcome = run(light, segments);
+            assert!(matches!(outcome.verdict, Verdict::Absent(_)), "{light} {segments}: {:?}", outcome.moved);
+        }
+        let parameters = Parameters { segments: 5, ..EXPERIMENT.defaults };
+        let error = EXPERIMENT.run(&Setup { parameters, mesh: None }).unwrap_err().to_string();
+        assert!(error.contains("6 to 128"), "{error}");
     }
 
     #[test]
     fn slopes_of_polynomials_are_exact() {
-        let nodes = [1.0, 1.5, 2.0, 3.0].map(|x: f64| [x, x * x * x - x]);
+        let nodes = [1.0, 1.5, 2.0, 3.0];
+        let slope: f64 =
+            slope_weights(0.5, &nodes).iter().zip(nodes).map(|(weight, x)| weight * (x * x * x - x)).sum();
         // 3x² − 1 at 0.5; a few roundings of numbers up to 24.
-        assert!((slope_at(0.5, &nodes) + 0.25).abs() < 1e-13);
+        assert!((slope + 0.25).abs() < 1e-13);
     }
 }

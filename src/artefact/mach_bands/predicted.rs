@@ -1,7 +1,7 @@
 //! What lateral inhibition predicts at the edges. It is called predicted, for it is a model's answer and nobody's sight.
 
 use super::super::{ArtefactError, Chart, Curve, Drawn, Language, Measure, Scale, Text};
-use super::tube::{Tube, WINDOW};
+use super::tube::{Tube, WINDOW, is_drawn};
 use super::{Law, flat_step, gouraud_jump, phong_jump};
 use crate::metric::{DifferenceOfGaussians, MetricError, PIXELS_PER_DEGREE, Profile};
 use crate::num::{Degrees, Radians};
@@ -39,7 +39,39 @@ impl Answers {
 
     fn curve(&self, name: Text) -> Curve {
         let place = |&[x, answer]: &[f64; 2]| [(x - 0.5 * f64::from(WIDTH)) / radius(), answer];
-        Curve { name, drawn: Drawn::Curve, points: self.points.iter().map(place).collect() }
+        let points = self.points.iter().map(place).filter(|&[x, _]| is_drawn(x)).collect();
+        Curve { name, drawn: Drawn::Curve, points }
+    }
+}
+
+/// What the model should answer at an edge, and how far off that it may be.
+#[derive(Clone, Copy, Debug)]
+struct Expected {
+    answer: f64,
+    open: f64,
+}
+
+impl Expected {
+    /// Up to 11.6 % less where the edge lies between two pixels, and roundings of the samples.
+    fn at_edge(answer: f64) -> Self {
+        Self { answer, open: 0.12 * answer.abs() + 2.0 * f64::from(f32::EPSILON) }
+    }
+
+    /// Beside the edge Phong's shading bends, to which the answer is −Y″ (σs² − σc²)/2: as the normal turns along the chord of
+    /// a facet of the width w, by α′ = sin Δ/w at its ends and α″ = ±2 sin Δ (1 − cos Δ)/w². On the edge that is the mean of both
+    /// sides, and two pixels off more of one.
+    fn with_bends(self, theta: f64, light: Degrees, delta: f64) -> Self {
+        let [centre, surround] = DifferenceOfGaussians::default().widths();
+        let (sine, cosine) = libm::sincos(theta - Radians::from(light).0);
+        let (turn, versine) = (libm::sin(delta), 1.0 - libm::cos(delta));
+        let bends = [1.0, -1.0].map(|side| {
+            let width = libm::sin(theta + side * delta) - libm::sin(theta);
+            let (first, second) = (turn / width, 2.0 * side * turn * versine / (width * width));
+            let curvature = -cosine * first * first - sine * second;
+            -0.5 * curvature * (surround - centre) * (surround + centre) / (radius() * radius())
+        });
+        let [right, left] = bends;
+        Self { answer: self.answer + 0.5 * (right + left), open: self.open + 0.5 * (right - left).abs() }
     }
 }
 
@@ -47,46 +79,45 @@ impl Answers {
 pub(super) fn measures(tube: &Tube, fine: &Tube, light: Degrees) -> Result<Vec<Measure>, ArtefactError> {
     let model = DifferenceOfGaussians::default();
     let [centre, surround] = model.widths();
-    let of = |tube: &Tube, shading, name: [&str; 2], law: &dyn Fn(f64) -> f64| {
+    let of = |tube: &Tube, shading, name: [&str; 2], law: &dyn Fn(f64) -> Expected| {
         let answers = Answers::of(tube, light, shading)?;
-        let found = tube.largest(light, |theta| (answers.at(theta).abs(), law(theta).abs()));
+        let found = tube.largest(light, |theta| (answers.at(theta).abs(), law(theta).answer.abs()));
         let name = Text::each(|language| {
             let (of, overshoot) = match language {
                 Language::English => (name[0], "predicted overshoot"),
                 Language::Portuguese => (name[1], "excesso previsto"),
             };
-            format!("{of}: {overshoot} (DoG, σ {centre} px, {surround} px; {PIXELS_PER_DEGREE} px/°)")
+            let [centre, surround, density] =
+                [centre, surround, PIXELS_PER_DEGREE].map(|x| language.number(x));
+            format!("{of}: {overshoot} (DoG, σ {centre} px, {surround} px; {density} px/°)")
         });
         let measure = Measure::new(name, "", found.measured);
-        // Narrower facets have two edges within the model's reach.
         Ok::<_, ArtefactError>(match tube.narrowest() * radius() > 2.0 * REACH {
             true => measure.expect(
                 found.law,
-                0.12 * found.law,
+                law(found.theta).open,
                 Text::new(
                     "ΔI′ (σs − σc)/√(2π) for a jump of slope, 0.111682 ΔI for a step; up to 11.6 % less where the edge lies between two pixels",
                     "ΔI′ (σs − σc)/√(2π) para um salto de inclinação, 0,111682 ΔI para um degrau; até 11,6 % menos onde a aresta fica entre dois pixels",
                 ),
             ),
-            false => measure,
+            false => measure.beyond(Text::new(
+                "facets are so narrow that the model sees two edges at once",
+                "as facetas são tão estreitas que o modelo vê duas arestas ao mesmo tempo",
+            )),
         })
     };
-    let corner = |law: Law, delta: f64| move |theta| model.at_corner(law(theta, light, delta) / radius());
-    let delta = tube.delta();
-    let step = |theta| model.beside_step(flat_step(theta, light, delta)).0;
-    // Between edges Phong's shading bends as the cylinder itself, Y″ = −cos θ_L/cos³ θ, to which the answer is
-    // −Y″ (σs² − σc²)/2.
-    let bend = |theta: f64| {
-        let (Radians(light), cosine) = (light.into(), libm::cos(theta));
-        let curvature = libm::cos(light) / (cosine * cosine * cosine);
-        0.5 * curvature * (surround - centre) * (surround + centre) / (radius() * radius())
+    let corner = |law: Law, delta: f64| {
+        move |theta| Expected::at_edge(model.at_corner(law(theta, light, delta) / radius()))
     };
+    let delta = tube.delta();
+    let step = |theta| Expected::at_edge(model.beside_step(flat_step(theta, light, delta)).0);
     let segments = fine.segments;
     Ok(vec![
         of(tube, Shading::Flat, ["flat", "plano"], &step)?,
         of(tube, Shading::Gouraud, ["Gouraud", "Gouraud"], &corner(gouraud_jump, delta))?,
         of(tube, Shading::Phong, ["Phong", "Phong"], &|theta| {
-            corner(phong_jump, delta)(theta) + bend(theta)
+            corner(phong_jump, delta)(theta).with_bends(theta, light, delta)
         })?,
         of(
             fine,

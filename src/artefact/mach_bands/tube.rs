@@ -13,9 +13,12 @@ use std::f64::consts::{PI, TAU};
 /// The window's side; the cylinder has the radius 1.
 pub(super) const WINDOW: f64 = 2.2;
 /// Pixels of a scanline that is measured.
-const LINE: u32 = 4096;
+const LINE: u32 = 16_384;
 /// Edges farther round are seen so much from the side that their facets have few pixels.
 const FARTHEST: Degrees = Degrees(60.0);
+/// Over how much of a facet slopes are taken, in radians: over more, Phong's luminance is no polynomial of fourth degree; over
+/// less, roundings count.
+const SPAN: f64 = 0.1;
 
 /// A prism with N sides of radius 1 about the y axis, with the cylinder's own normals.
 pub(super) struct Tube {
@@ -47,6 +50,12 @@ impl Tube {
         Ok(Self { mesh, normals, segments, start })
     }
 
+    /// With an edge where the light ends. There the cylinder itself has a band; a facet across that border would have another
+    /// one at each of its sides under Gouraud's shading, in place of that.
+    pub(super) fn under(light: Degrees, segments: u32) -> Result<Self, ArtefactError> {
+        Self::new(segments, Radians::from(light).0 - (PI / 2.0).copysign(light.0))
+    }
+
     pub(super) fn delta(&self) -> f64 {
         TAU / f64::from(self.segments)
     }
@@ -76,7 +85,7 @@ impl Tube {
         Ok(Profile { values: luminance(&image) })
     }
 
-    /// The edges that are seen well and whose facets are lit all over.
+    /// The edges up to 60° round both of whose facets are seen and lit all over.
     pub(super) fn edges(&self, light: Degrees) -> impl Iterator<Item = f64> {
         let (Radians(light), Radians(farthest)) = (light.into(), FARTHEST.into());
         let (start, delta) = (self.start, self.delta());
@@ -85,9 +94,9 @@ impl Tube {
             angle - TAU * libm::round(angle / TAU)
         };
         let is_lit = move |theta: &f64| {
-            // A rounding's room, for edges that stand at the end of the range.
-            let seen = theta.abs() <= farthest + 1e-9;
-            seen && (theta - light).abs() + delta < PI / 2.0
+            // A rounding's room, for edges that stand at the ends of the ranges.
+            let is_seen = theta.abs() <= farthest + 1e-9 && theta.abs() + 0.5 * delta < PI / 2.0 - 1e-9;
+            is_seen && (theta - light).abs() + delta < PI / 2.0 + 1e-9
         };
         (0..self.segments).map(turned).filter(is_lit)
     }
@@ -102,15 +111,22 @@ impl Tube {
     pub(super) fn largest(&self, light: Degrees, jump: impl Fn(f64) -> (f64, f64)) -> Found {
         let found = self.edges(light).map(|theta| {
             let (measured, law) = jump(theta);
-            Found { measured, law }
+            Found { theta, measured, law }
         });
         found.max_by(|a, b| a.measured.abs().total_cmp(&b.measured.abs())).unwrap_or_default()
     }
 }
 
+/// Whether a place across the picture, in radii, is drawn in charts.
+pub(super) fn is_drawn(x: f64) -> bool {
+    x.abs() < 1.03 * libm::sin(Radians::from(FARTHEST).0)
+}
+
 /// A jump as measured and by its closed form.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Found {
+    /// Where, in radians from the viewer to the right.
+    pub(super) theta: f64,
     pub(super) measured: f64,
     pub(super) law: f64,
 }
@@ -139,35 +155,45 @@ impl Profile {
         (value(1.0) - value(-1.0)).abs()
     }
 
-    /// The slope to the right of an edge of a tube less that to the left, from five samples each, a tenth of the facet
-    /// apart.
-    pub(super) fn slope_jump(&self, tube: &Tube, theta: f64) -> f64 {
-        let slope = |side: f64| {
-            let (edge, next) = (libm::sin(theta), libm::sin(theta + side * tube.delta()));
-            let pixels = [0.1, 0.2, 0.3, 0.4, 0.5]
-                .map(|share| Self::pixel(edge + share * (next - edge)).round() as usize);
-            let nodes = pixels.map(|pixel| [Self::x(pixel), self.values[pixel]]);
-            slope_at(edge, &nodes)
-        };
-        slope(1.0) - slope(-1.0)
+    /// The slope to the right of an edge of a tube less that to the left, and how far roundings may move it.
+    pub(super) fn slope_jump(&self, tube: &Tube, theta: f64) -> (f64, f64) {
+        let [[right, by_right], [left, by_left]] = [1.0, -1.0].map(|side| self.slope(tube, theta, side));
+        (right - left, by_right + by_left)
     }
 
-    /// Every so many pixels, as points of a chart.
+    /// The slope beside an edge from five samples, and how far roundings may move it.
+    fn slope(&self, tube: &Tube, theta: f64, side: f64) -> [f64; 2] {
+        let (edge, next) = (libm::sin(theta), libm::sin(theta + side * tube.delta()));
+        let reach = (SPAN / tube.delta()).min(0.9) * (next - edge);
+        let pixels =
+            [0.2, 0.4, 0.6, 0.8, 1.0].map(|share| Self::pixel(edge + share * reach).round() as usize);
+        let weights = slope_weights(edge, &pixels.map(Self::x));
+        let slope: f64 =
+            pixels.iter().zip(&weights).map(|(&pixel, weight)| weight * self.values[pixel]).sum();
+        // Samples are of single precision, each rounded by itself: three standard deviations of a few roundings of numbers below 1.
+        // Vertices snap to 256ths of pixels, which makes the facet wider or narrower.
+        let of_samples =
+            f64::from(f32::EPSILON) * weights.iter().map(|weight| weight * weight).sum::<f64>().sqrt();
+        let snapped = WINDOW / f64::from(LINE) / 256.0;
+        [slope, of_samples + slope.abs() * snapped / (next - edge).abs()]
+    }
+
+    /// Every so many pixels up to a little more than 60° round, as points of a chart: slopes beyond would dwarf all others.
     pub(super) fn points(&self, every: usize, value: impl Fn(&[f64], usize) -> f64) -> Vec<[f64; 2]> {
-        let inside = |&pixel: &usize| Self::x(pixel).abs() < 0.98;
+        let inside = |&pixel: &usize| is_drawn(Self::x(pixel));
         let pixels = (0..self.values.len()).step_by(every).filter(inside);
         pixels.map(|pixel| [Self::x(pixel), value(&self.values, pixel)]).collect()
     }
 }
 
-/// The slope at a place of the polynomial through some points.
-pub(super) fn slope_at(x: f64, nodes: &[[f64; 2]]) -> f64 {
-    let term = |i: usize| {
+/// What each of some values counts in the slope at a place of the polynomial through them.
+pub(super) fn slope_weights(at: f64, nodes: &[f64]) -> Vec<f64> {
+    let weight = |i: usize| {
         let others = || (0..nodes.len()).filter(move |&j| j != i);
-        let below: f64 = others().map(|j| nodes[i][0] - nodes[j][0]).product();
+        let below: f64 = others().map(|j| nodes[i] - nodes[j]).product();
         let above =
-            |left_out: usize| others().filter(|&j| j != left_out).map(|j| x - nodes[j][0]).product::<f64>();
-        nodes[i][1] * others().map(above).sum::<f64>() / below
+            |left_out: usize| others().filter(|&j| j != left_out).map(|j| at - nodes[j]).product::<f64>();
+        others().map(above).sum::<f64>() / below
     };
-    (0..nodes.len()).map(term).sum()
+    (0..nodes.len()).map(weight).collect()
 }

@@ -23,7 +23,7 @@ pub(super) fn measures(polygon: &Polygon, size: u32, tolerance: f64) -> Result<V
             Language::Portuguese => format!("{pt}: um quarto de volta, girado de volta (rms)"),
         });
         let law = match interpolation {
-            Interpolation::Scanline => law(polygon, &upright, &back),
+            Interpolation::Scanline => law(polygon, &upright, &back, tolerance),
             _ => 0.0,
         };
         let by = Text::new(
@@ -43,7 +43,7 @@ pub(super) fn measures(polygon: &Polygon, size: u32, tolerance: f64) -> Result<V
 }
 
 /// The same by the law, over the pixels that both pictures cover.
-fn law(polygon: &Polygon, upright: &Image, back: &Image) -> f64 {
+fn law(polygon: &Polygon, upright: &Image, back: &Image, tolerance: f64) -> f64 {
     let [width, height] = upright.size;
     let (mut squares, mut count) = (0.0, 0_u32);
     for pixel in (0..height).flat_map(|y| (0..width).map(move |x| [x, y])) {
@@ -51,7 +51,14 @@ fn law(polygon: &Polygon, upright: &Image, back: &Image) -> f64 {
         if index.is_some_and(|index| upright.coverage[index] > 0 && back.coverage[index] > 0) {
             let place = Polygon::place(pixel, width);
             let colour = |angle| polygon.scanline(place, angle);
-            squares += (colour(QUARTER) - colour(Degrees(0.0))).length_squared();
+            // Where the law jumps it is that of either side: what is there stands for it.
+            let angles = [QUARTER, Degrees(0.0)];
+            let jumps = angles.iter().any(|&angle| polygon.jumps(place, angle, width, tolerance));
+            let [turned, straight] = match index.filter(|_| jumps) {
+                Some(index) => [back, upright].map(|image| DVec3::from(linear(image)[index].map(f64::from))),
+                None => angles.map(colour),
+            };
+            squares += (turned - straight).length_squared();
             count += 3;
         }
     }

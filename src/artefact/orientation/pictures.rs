@@ -1,21 +1,71 @@
 //! The polygon in its positions, and its centre over a whole turn.
 
-use super::super::stage::{differences, map};
+use super::super::stage::{differences, linear, map, picture};
 use super::super::{Chart, Curve, Drawn, Role, Scale, Shot, Text};
 use crate::raster::Image;
 use glam::DVec3;
 
-pub(super) fn shots([upright, half, turned, back]: [Image; 4], one: Image, other: Image) -> Vec<Shot> {
+/// The upper half of a picture above the lower half of another of the same size: where both show the same, there is no seam.
+fn halves(upper: &Image, lower: &Image) -> Image {
+    let [width, height] = upper.size;
+    let middle = (width * (height / 2)) as usize;
+    let colours = [&linear(upper)[..middle], &linear(lower)[middle..]].concat();
+    let coverage = [&upper.coverage[..middle], &lower.coverage[middle..]].concat();
+    picture(upper.size, colours, coverage)
+}
+
+/// What is to be said of the lectures' diamond, or of any polygon.
+fn either(is_diamond: bool, diamond: Text, any: Text) -> Text {
+    if is_diamond { diamond } else { any }
+}
+
+/// The pictures of what was drawn under scanlines (unturned, turned by 45° and 90°, and turned back), under triangles turned
+/// back, and cut one way and the other.
+pub(super) fn shots(
+    [upright, half, turned, back]: [Image; 4],
+    triangles_back: &Image,
+    [one, other]: [Image; 2],
+    is_diamond: bool,
+) -> Vec<Shot> {
+    let captioned = |diamond, any| either(is_diamond, diamond, any);
     let difference = map(upright.size, &differences(&upright, &back), 0.4);
     let between = map(upright.size, &differences(&one, &other), 0.4);
     vec![
         Shot::new(
+            "halves",
+            Role::Bad,
+            Text::new("scanline: 0° above, 90° below", "varredura: 0° acima, 90° abaixo"),
+            Text::new(
+                "Above, the polygon as it stands; below, drawn turned by 90° and turned back. Were the colours its own, there would be \
+                 no seam.",
+                "Acima, o polígono como está; abaixo, desenhado girado de 90° e girado de volta. Se as cores fossem dele, não haveria \
+                 emenda.",
+            ),
+            halves(&upright, &back),
+        ),
+        Shot::new(
+            "halves-triangles",
+            Role::Cured,
+            Text::new("triangles: 0° above, 90° below", "triângulos: 0° acima, 90° abaixo"),
+            Text::new(
+                "The same in triangles: no seam, however it is turned.",
+                "O mesmo em triângulos: nenhuma emenda, como quer que seja girado.",
+            ),
+            halves(&one, triangles_back),
+        ),
+        Shot::new(
             "position-1",
             Role::Bad,
             Text::new("scanline, 0°", "linha de varredura, 0°"),
-            Text::new(
-                "Position 1: the scanline through the centre runs from corner 3 to corner 1.",
-                "Posição 1: a linha de varredura pelo centro vai do canto 3 ao canto 1.",
+            captioned(
+                Text::new(
+                    "Position 1: the scanline through the centre runs from corner 3 to corner 1.",
+                    "Posição 1: a linha de varredura pelo centro vai do canto 3 ao canto 1.",
+                ),
+                Text::new(
+                    "As it stands: every pixel lies between the two edges that its scanline meets first.",
+                    "Como está: cada pixel fica entre as duas arestas que a sua linha de varredura encontra primeiro.",
+                ),
             ),
             upright,
         ),
@@ -23,9 +73,15 @@ pub(super) fn shots([upright, half, turned, back]: [Image; 4], one: Image, other
             "turned-45",
             Role::Bad,
             Text::new("scanline, 45°", "linha de varredura, 45°"),
-            Text::new(
-                "An eighth of a turn: the scanline cuts two edges in their middles, and the centre is the mean of all corners.",
-                "Um oitavo de volta: a linha corta duas arestas nos seus meios, e o centro é a média de todos os cantos.",
+            captioned(
+                Text::new(
+                    "An eighth of a turn: the scanline cuts two edges in their middles, and the centre is the mean of all corners.",
+                    "Um oitavo de volta: a linha corta duas arestas nos seus meios, e o centro é a média de todos os cantos.",
+                ),
+                Text::new(
+                    "An eighth of a turn: scanlines meet the edges elsewhere.",
+                    "Um oitavo de volta: as linhas encontram as arestas em outros lugares.",
+                ),
             ),
             half,
         ),
@@ -33,9 +89,15 @@ pub(super) fn shots([upright, half, turned, back]: [Image; 4], one: Image, other
             "position-2",
             Role::Bad,
             Text::new("scanline, 90°", "linha de varredura, 90°"),
-            Text::new(
-                "Position 2: the scanline runs from corner 2 to corner 4, and the same polygon has other colours.",
-                "Posição 2: a linha vai do canto 2 ao canto 4, e o mesmo polígono tem outras cores.",
+            captioned(
+                Text::new(
+                    "Position 2: the scanline runs from corner 2 to corner 4, and the same polygon has other colours.",
+                    "Posição 2: a linha vai do canto 2 ao canto 4, e o mesmo polígono tem outras cores.",
+                ),
+                Text::new(
+                    "A quarter turn: scanlines meet other edges, and the same polygon has other colours.",
+                    "Um quarto de volta: as linhas encontram outras arestas, e o mesmo polígono tem outras cores.",
+                ),
             ),
             turned,
         ),
@@ -52,20 +114,38 @@ pub(super) fn shots([upright, half, turned, back]: [Image; 4], one: Image, other
         Shot::new(
             "diagonal-13",
             Role::Cured,
-            Text::new("triangles, diagonal 1–3", "triângulos, diagonal 1–3"),
-            Text::new(
-                "Cut from corner 1 to corner 3: the same colours however it is turned.",
-                "Cortado do canto 1 ao canto 3: as mesmas cores como quer que seja girado.",
+            captioned(
+                Text::new("triangles, diagonal 1–3", "triângulos, diagonal 1–3"),
+                Text::new("triangles, cut one way", "triângulos, um corte"),
+            ),
+            captioned(
+                Text::new(
+                    "Cut from corner 1 to corner 3: the same colours however it is turned.",
+                    "Cortado do canto 1 ao canto 3: as mesmas cores como quer que seja girado.",
+                ),
+                Text::new(
+                    "Cut one way: the same colours however it is turned.",
+                    "Cortado de um modo: as mesmas cores como quer que seja girado.",
+                ),
             ),
             one,
         ),
         Shot::new(
             "diagonal-24",
             Role::Cured,
-            Text::new("triangles, diagonal 2–4", "triângulos, diagonal 2–4"),
-            Text::new(
-                "Cut from corner 2 to corner 4: also the same however it is turned, but not the same as the other.",
-                "Cortado do canto 2 ao canto 4: também as mesmas como quer que seja girado, mas não as do outro.",
+            captioned(
+                Text::new("triangles, diagonal 2–4", "triângulos, diagonal 2–4"),
+                Text::new("triangles, cut another way", "triângulos, outro corte"),
+            ),
+            captioned(
+                Text::new(
+                    "Cut from corner 2 to corner 4: also the same however it is turned, but not the same as the other.",
+                    "Cortado do canto 2 ao canto 4: também as mesmas como quer que seja girado, mas não as do outro.",
+                ),
+                Text::new(
+                    "Cut another way: also the same however it is turned, but not the same as the other.",
+                    "Cortado de outro modo: também as mesmas como quer que seja girado, mas não as do primeiro.",
+                ),
             ),
             other,
         ),
@@ -95,10 +175,12 @@ pub(super) fn chart(scanline: &[DVec3], laws: &[DVec3], triangles: &[DVec3]) -> 
         curve(Text::new("B, scanline", "B, linha de varredura"), Drawn::Points, scanline, 2),
         curve(Text::new("G, triangles", "G, triângulos"), Drawn::Curve, triangles, 1),
     ];
-    curves.extend((0..3).map(|axis| {
-        let name = if axis == 0 { Text::new("the law", "a lei") } else { Text::same("") };
-        curve(name, Drawn::Guide, laws, axis)
-    }));
+    let names = [
+        Text::new("R, the law", "R, a lei"),
+        Text::new("G, the law", "G, a lei"),
+        Text::new("B, the law", "B, a lei"),
+    ];
+    curves.extend(names.into_iter().enumerate().map(|(axis, name)| curve(name, Drawn::Guide, laws, axis)));
     Chart {
         name: "centre",
         title: Text::new("Colour of the centre over a whole turn", "Cor do centro numa volta inteira"),
@@ -111,5 +193,30 @@ pub(super) fn chart(scanline: &[DVec3], laws: &[DVec3], triangles: &[DVec3]) -> 
         x: Scale::linear(Text::new("turned by, degrees", "giro, graus")),
         y: Scale::linear(Text::new("linear component", "componente linear")),
         curves,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::EXPERIMENT;
+    use crate::artefact::stage::luminance;
+    use crate::artefact::{Parameters, Setup};
+
+    /// The seam's height at the centre: the colours of the exercise's two positions against none.
+    #[test]
+    fn halves_fit_only_in_triangles() {
+        let parameters = Parameters { size: 129, ..EXPERIMENT.defaults };
+        let outcome = EXPERIMENT.run(&Setup { parameters, mesh: None }).unwrap();
+        let seam = |name: &str| {
+            let image = &outcome.shots.iter().find(|shot| shot.name == name).unwrap().image;
+            let at = |y| luminance(image)[image.index(64, y).unwrap()];
+            (at(63) - at(64)).abs()
+        };
+        // (0.1, 0.5, 0.5) and (0.2, 0.3, 0.1) as luminances, and what changes from a row to the next.
+        let [one, two] =
+            [[0.1, 0.5, 0.5], [0.2, 0.3, 0.1]].map(|[r, g, b]| 0.2126 * r + 0.7152 * g + 0.0722 * b);
+        let row = 2.0 * 0.6 / 112.0;
+        let [scanline, triangles] = ["halves", "halves-triangles"].map(seam);
+        assert!((scanline - (one - two)).abs() < row && triangles < row, "{scanline} {triangles}");
     }
 }

@@ -14,6 +14,9 @@ const COLOURS: [[f64; 3]; 4] = [[0.0, 0.4, 0.4], [0.0, 0.2, 0.2], [0.2, 0.6, 0.6
 /// The side of the window; the farthest corner is at 1.
 const WINDOW: f64 = 2.3;
 
+/// The most corners that a polygon may have.
+const MOST_CORNERS: usize = 1024;
+
 /// A plane polygon with a colour at each corner, about the origin; its farthest corner is at 1.
 pub(super) struct Polygon {
     corners: Vec<DVec2>,
@@ -36,6 +39,12 @@ impl Polygon {
                 advice: "give a mesh with a face of four corners or more",
             });
         };
+        if face.len() > MOST_CORNERS {
+            return Err(ArtefactError::Mesh {
+                found: format!("the first polygon of `{}` has {} corners", own.name, face.len()),
+                advice: "give one of up to 1024 corners: of more, edges are shorter than pixels",
+            });
+        }
         let points: Vec<DVec3> = face.iter().map(|&vertex| own.mesh.positions()[vertex as usize]).collect();
         let colours = match &own.mesh.columns().colors {
             Some(colours) => {
@@ -66,12 +75,49 @@ impl Polygon {
         Ok(Self { corners, colours, mesh, normals })
     }
 
-    /// The same cut into a fan of triangles about one of its corners.
-    pub(super) fn cut(&self, corner: u32) -> Result<Self, ArtefactError> {
+    /// The same cut into triangles, one way or the other: a convex polygon into a fan about its first corner or its second, any
+    /// other by Delaunay's rule, or so with a diagonal turned.
+    pub(super) fn cut(&self, other_way: bool) -> Result<Self, ArtefactError> {
         let count = self.corners.len() as u32;
-        let at = |k: u32| (corner + k) % count;
-        let triangles = (1..count - 1).flat_map(|k| [at(0), at(k), at(k + 1)]).collect();
-        Self::new(self.corners.clone(), self.colours.clone(), Some(triangles))
+        let triangles = if self.is_convex() {
+            let at = |k: u32| (u32::from(other_way) + k) % count;
+            (1..count - 1).map(|k| [at(0), at(k), at(k + 1)]).collect()
+        } else {
+            let mut triangles = triangulate(&self.mesh).triangles;
+            if other_way {
+                self.turn_a_diagonal(&mut triangles);
+            }
+            triangles
+        };
+        Self::new(self.corners.clone(), self.colours.clone(), Some(triangles.concat()))
+    }
+
+    /// Whether three corners run counter-clockwise.
+    fn turns_left(&self, [a, b, c]: [u32; 3]) -> bool {
+        let [a, b, c] = [a, b, c].map(|corner| self.corners[corner as usize]);
+        (b - a).perp_dot(c - b) > 0.0
+    }
+
+    fn is_convex(&self) -> bool {
+        let count = self.corners.len() as u32;
+        (0..count).all(|corner| self.turns_left([corner, (corner + 1) % count, (corner + 2) % count]))
+    }
+
+    /// Exchanges the first diagonal whose two triangles are a convex quadrilateral for the other one of that.
+    fn turn_a_diagonal(&self, triangles: &mut [[u32; 3]]) {
+        for (first, second) in
+            (0..triangles.len()).flat_map(|i| (i + 1..triangles.len()).map(move |j| (i, j)))
+        {
+            for [a, b, c] in rotations(triangles[first]) {
+                let beyond = rotations(triangles[second]).find(|&[from, to, _]| [from, to] == [b, a]);
+                let Some([_, _, d]) = beyond else { continue };
+                // Round the quadrilateral: c, a, d, b.
+                if self.turns_left([c, a, d]) && self.turns_left([d, b, c]) {
+                    (triangles[first], triangles[second]) = ([a, d, c], [d, b, c]);
+                    return;
+                }
+            }
+        }
     }
 
     pub(super) fn draw(
@@ -86,6 +132,20 @@ impl Polygon {
             ..Object::new(Shape::Mesh { mesh: &self.mesh, normals: &self.normals }, Material::default())
         };
         draw(vec![object], &[], front(WINDOW), &settings([size; 2], Shading::Gouraud, interpolation))
+    }
+
+    /// The largest change of a colour along an edge, and the shortest edge in pixels.
+    pub(super) fn steepest(&self, size: u32) -> [f64; 2] {
+        let count = self.corners.len();
+        let edges = (0..count).map(|corner| (corner, (corner + 1) % count));
+        let colour = |corner: usize| DVec3::from(self.colours[corner].to_array());
+        let measured = edges.map(|(a, b)| {
+            let length = (self.corners[b] - self.corners[a]).length() * f64::from(size) / WINDOW;
+            [(colour(b) - colour(a)).abs().max_element(), length]
+        });
+        measured.fold([0.0, f64::INFINITY], |[most, least], [change, length]| {
+            [most.max(change), least.min(length)]
+        })
     }
 
     /// Where the horizontal line through a place leaves the polygon, turned with the place by an angle, to the left and to the
@@ -111,6 +171,16 @@ impl Polygon {
         ends
     }
 
+    /// Whether the law jumps at the scanline of a place in a picture of so many pixels: an edge lies along it, or the tip of a
+    /// notch on it, which snapping may move above it or below.
+    pub(super) fn jumps(&self, place: DVec2, angle: Degrees, size: u32, tolerance: f64) -> bool {
+        let (sine, cosine) = sin_cos(angle);
+        // A 128th of a pixel upwards in the picture.
+        let up = DVec2::new(sine, cosine) * (WINDOW / (128.0 * f64::from(size)));
+        let [above, below] = [place + up, place - up].map(|place| self.scanline(place, angle));
+        (above - below).abs().max_element() > tolerance
+    }
+
     /// The law: the colour at a place between the two ends of its scanline, when the polygon is turned by an angle.
     pub(super) fn scanline(&self, place: DVec2, angle: Degrees) -> DVec3 {
         match self.ends(place, angle) {
@@ -124,6 +194,11 @@ impl Polygon {
         let from_middle = pixel.map(|k| f64::from(k) + 0.5 - 0.5 * f64::from(size));
         DVec2::new(from_middle[0], -from_middle[1]) * (WINDOW / f64::from(size))
     }
+}
+
+/// A triangle from each of its corners on.
+fn rotations([a, b, c]: [u32; 3]) -> impl Iterator<Item = [u32; 3]> {
+    [[a, b, c], [b, c, a], [c, a, b]].into_iter()
 }
 
 /// The corners of a polygon in its own plane, about their mean, with the farthest at 1.

@@ -4,7 +4,7 @@ use super::super::body::{Body, Diagonal};
 use super::super::stage::{front, light_at};
 use super::super::{
     ArtefactError, Chart, Curve, Drawn, Language, Measure, Moved, Outcome, Parameters, Role, Scale, Shot,
-    Text, Verdict,
+    Text, Threshold, Verdict,
 };
 use super::{Outline, View, between, material};
 use crate::metric::ContourDistance;
@@ -46,26 +46,28 @@ pub(super) fn run(parameters: &Parameters) -> Result<Outcome, ArtefactError> {
             mean(segments, radius),
             open,
             Text::new(
-                "the mean of e over the polygon and over the circle; a fifth of the outlines' own pixels from either",
-                "a média de e sobre o polígono e sobre o círculo; um quinto dos pixels dos próprios contornos de cada um",
+                "the mean of e over the polygon and over the circle; a third of the outlines' own pixels from either",
+                "a média de e sobre o polígono e sobre o círculo; um terço dos pixels dos próprios contornos de cada um",
             ),
         ),
         area(Text::new("ball", "bola"), segments, &of_coarse, open * 2.0 / radius),
         largest(Text::new("ball", "bola"), enough, &of_fine, radius, open),
         Measure::new(
             Text::new(
-                "ball: fewest segments whose outline is right to half a pixel",
-                "bola: menor número de segmentos com contorno certo até meio pixel",
+                "ball: fewest segments whose outline is right to half a pixel more than that of very many",
+                "bola: menor número de segmentos com contorno certo até meio pixel a mais que o de muitíssimos",
             ),
             "",
             f64::from(found),
         )
         .expect(
             f64::from(enough),
-            (f64::from(enough) * ((0.5 / (0.5 - open)).sqrt() - 1.0)).ceil(),
+            (f64::from(enough) * ((0.5 / (0.5 - 0.5 * open)).sqrt() - 1.0)).ceil(),
             Text::new(
-                "π/(2 arcsin(1/(2√R))), found by halving in pictures; what distances leave open, in segments",
-                "π/(2 arcsin(1/(2√R))), achado por bissecção em imagens; o que as distâncias deixam em aberto, em segmentos",
+                "π/(2 arcsin(1/(2√R))), found by halving in pictures, whose own pixels keep even a circle's outline from being right; \
+                 what distances leave open beside that, in segments",
+                "π/(2 arcsin(1/(2√R))), achado por bissecção em imagens, cujos próprios pixels impedem até o contorno de um círculo de \
+                 estar certo; o que as distâncias deixam em aberto além disso, em segmentos",
             ),
         ),
         largest(Text::new("torus", "toro"), segments, &of_torus, radius, open),
@@ -96,8 +98,16 @@ pub(super) fn run(parameters: &Parameters) -> Result<Outcome, ArtefactError> {
             name: Text::new("largest distance of the outline", "maior distância do contorno"),
             unit: "px",
             bad: of_coarse.hausdorff,
+            present: Threshold {
+                value: Threshold::HALF_PIXEL.value + open,
+                why: Text::new(
+                    "half a pixel, and what outlines of pixels leave open",
+                    "meio pixel, e o que contornos de pixels deixam em aberto",
+                ),
+            },
             cure: Text::made(format!("{enough} segments"), format!("{enough} segmentos")),
             cured: of_fine.hausdorff,
+            factor: (sagitta(segments, radius) / (0.5 + open)).max(1.0),
         },
         charts: vec![ball.chart(&circle, radius)?],
         shots: shots(&ball, &torus, [segments, enough])?,
@@ -155,8 +165,8 @@ fn largest(of: Text, segments: u32, found: &ContourDistance, radius: f64, open: 
         sagitta(segments, radius),
         open,
         Text::new(
-            "R (1 − cos(π/n)); a fifth of the outlines' own pixels from either",
-            "R (1 − cos(π/n)); um quinto dos pixels dos próprios contornos de cada um",
+            "R (1 − cos(π/n)); a third of the outlines' own pixels from either",
+            "R (1 − cos(π/n)); um terço dos pixels dos próprios contornos de cada um",
         ),
     )
 }
@@ -172,7 +182,7 @@ fn area(of: Text, segments: u32, found: &ContourDistance, open: f64) -> Measure 
         open,
         Text::new(
             "n/(2π) sin(2π/n); the outline's length times what distances leave open",
-            "n/(2π) sen(2π/n); o comprimento do contorno vezes o que as distâncias deixam em aberto",
+            "n/(2π) sin(2π/n); o comprimento do contorno vezes o que as distâncias deixam em aberto",
         ),
     )
 }
@@ -221,12 +231,14 @@ impl Subject {
         self.outline(segments, Shading::Flat)?.distance(circle)
     }
 
-    /// The fewest segments whose outline is measured to be right to half a pixel, near those that should be.
+    /// The fewest segments whose outline is measured to be right to half a pixel, near those that should be, beside what outlines
+    /// of pixels are off even with so many segments that their polygon is a circle to a hundredth of a pixel.
     fn found_enough(&self, expected: u32, circle: &Outline) -> Result<u32, ArtefactError> {
+        let of_pixels = self.error(8 * expected, circle)?.hausdorff;
         let (mut low, mut high) = (3, 2 * expected);
         while high - low > 1 {
             let middle = low.midpoint(high);
-            if self.error(middle, circle)?.hausdorff < 0.5 { high = middle } else { low = middle }
+            if self.error(middle, circle)?.hausdorff < 0.5 + of_pixels { high = middle } else { low = middle }
         }
         Ok(high)
     }
@@ -257,8 +269,16 @@ impl Subject {
             curves: vec![
                 curve(Text::new("largest", "maior"), Drawn::Points, farthest),
                 curve(Text::new("mean", "média"), Drawn::Points, means),
-                curve(Text::new("closed forms", "fórmulas"), Drawn::Guide, law(&|n| sagitta(n, radius))),
-                curve(Text::same(""), Drawn::Guide, law(&|n| mean(n, radius))),
+                curve(
+                    Text::new("largest, closed form", "maior, fórmula"),
+                    Drawn::Guide,
+                    law(&|n| sagitta(n, radius)),
+                ),
+                curve(
+                    Text::new("mean, closed form", "média, fórmula"),
+                    Drawn::Guide,
+                    law(&|n| mean(n, radius)),
+                ),
             ],
         })
     }

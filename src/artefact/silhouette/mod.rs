@@ -31,18 +31,18 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
     ],
     formulas: &[
         Formula {
-            notation: "e = R (1 − cos(π/n))",
+            notation: Text::same("e = R (1 − cos(π/n))"),
             says: Text::new(
                 "how far the middles of the sides of an n-gon lie within its circle of R pixels",
                 "quanto os meios dos lados de um n-ágono ficam para dentro do seu círculo de R pixels",
             ),
         },
         Formula {
-            notation: "\\frac{A}{A_0} = \\frac{n}{2π} sin(2π/n)",
+            notation: Text::same("\\frac{A}{A_0} = \\frac{n}{2π} sin(2π/n)"),
             says: Text::new("its area over the circle's", "a sua área sobre a do círculo"),
         },
         Formula {
-            notation: "n_{1/2} = \\frac{π}{2 arcsin(1/(2 \\sqrt{R}))} ≈ π \\sqrt{R}",
+            notation: Text::same("n_{1/2} = \\frac{π}{2 arcsin(1/(2 \\sqrt{R}))} ≈ π \\sqrt{R}"),
             says: Text::new(
                 "the n from which e is below half a pixel",
                 "o n a partir do qual e é menor que meio pixel",
@@ -54,6 +54,12 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
         "its outline against that of --finer FILE, or of itself in curved triangles",
         "o seu contorno contra o de --finer FILE, ou o dela mesma em triângulos curvos",
     )),
+    // More would be hardly larger than pixels.
+    segments: 3..=256,
+    shown_by: Text::new(
+        "fewer segments, a larger picture or a coarser mesh would show it.",
+        "menos segmentos, uma imagem maior ou uma malha mais grosseira o mostrariam.",
+    ),
     defaults: Parameters { segments: 12, light: Degrees(40.0), ..Parameters::USUAL },
     run,
     frame: None,
@@ -100,10 +106,9 @@ impl View {
         (Self::WIDEST / self.size).clamp(1, 4)
     }
 
-    /// What two outlines leave open together, in pixels: each is found to 3/2 − √2 and a quarter of its own, in part the same
-    /// way.
+    /// What two outlines leave open together, in pixels: each is found to 3/2 − √2 and a quarter of its own.
     fn open(&self) -> f64 {
-        0.4 / f64::from(self.scale())
+        2.0 * (1.5 - std::f64::consts::SQRT_2 + 0.25) / f64::from(self.scale())
     }
 
     fn outline(&self, object: Object, shading: Shading) -> Result<Outline, ArtefactError> {

@@ -10,6 +10,7 @@ use super::args::Color;
 use super::batch::{exit_of, guarded};
 use super::console::{Console, Style, Verbosity};
 use super::normals::{Failure, read_stdin};
+use super::output::make_folder;
 use super::progress::CountProgress;
 use super::report::{ErrorReport, json_line};
 use super::{Exit, usage_error, use_threads};
@@ -20,7 +21,6 @@ use crease::mesh::{Faces, Mesh, MeshBuilder};
 use crease::report::{list_table, measure_table, verdict_text};
 use rayon::prelude::*;
 use report::Report;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -56,8 +56,10 @@ pub fn main(args: &ArtefactArgs, color: Color) -> Exit {
 fn chosen(args: &ArtefactArgs) -> Result<Vec<&'static Experiment>, String> {
     let changes = args.parameters.changes();
     let given = || changes.knobs().chain(args.own.mesh.is_some().then_some(Knob::Mesh));
-    // Ranges are the same for all.
-    changes.apply(EXPERIMENTS[0].defaults).check().map_err(|error| error.to_string())?;
+    let accept = |experiment: &Experiment| {
+        let parameters = changes.only(experiment.takes).apply(experiment.defaults);
+        experiment.accept(&parameters).map_err(|error| error.to_string())
+    };
     if [ALL, LIST].contains(&args.experiment.as_str()) {
         if args.animate.is_some() {
             return Err("one animation shows one experiment: name it instead of `all`".into());
@@ -66,11 +68,15 @@ fn chosen(args: &ArtefactArgs) -> Result<Vec<&'static Experiment>, String> {
         let lost = given().find(|knob| !EXPERIMENTS.iter().any(|experiment| experiment.takes.contains(knob)));
         return match lost {
             Some(knob) => Err(format!("no experiment takes --{}", knob.name())),
-            None => Ok(EXPERIMENTS.iter().collect()),
+            None => EXPERIMENTS.iter().try_for_each(accept).map(|()| EXPERIMENTS.iter().collect()),
         };
     }
     let chosen = experiment(&args.experiment).map_err(|error| error.to_string())?;
     chosen.refuse(given()).map_err(|error| error.to_string())?;
+    accept(chosen)?;
+    if args.animate.is_some() {
+        chosen.refuse_still().map_err(|error| error.to_string())?;
+    }
     Ok(vec![chosen])
 }
 
@@ -99,12 +105,15 @@ fn work(
     experiments: &[&'static Experiment],
     console: &Console,
 ) -> Result<bool, Failure> {
-    // Before the work, not after.
     if let Some(folder) = &args.output {
-        let made = fs::create_dir_all(folder);
-        made.map_err(|error| Failure::Write(format!("{}: {error}", folder.display())))?;
+        make_folder(folder).map_err(|error| Failure::Write(format!("{error:#}")))?;
     }
-    let read = |path: Option<&PathBuf>| path.map(|path| read(path, args)).transpose().map_err(Failure::Read);
+    let read = |path: Option<&PathBuf>| {
+        let read = |path: &PathBuf| {
+            read(path, args).map_err(|error| Failure::read_of(&path.to_string_lossy(), error))
+        };
+        path.map(read).transpose()
+    };
     let (mesh, finer) = (read(args.own.mesh.as_ref())?, read(args.own.finer.as_ref())?);
     let [name, finer_name] = [&args.own.mesh, &args.own.finer]
         .map(|path| path.as_ref().map(|path| path.to_string_lossy()).unwrap_or_default());
@@ -160,7 +169,7 @@ fn tell(run: &Run, files: Vec<String>, agrees: bool, language: Language, console
     } else if console.verbosity > Verbosity::Quiet {
         let title = console.report_style().paint(Style::BOLD, experiment.title.get(language));
         let claim = experiment.claim.get(language);
-        let [verdict, condition] = verdict_text(&outcome.verdict, language);
+        let [verdict, condition] = verdict_text(outcome, language);
         let numbers = measure_table(outcome, language).to_text();
         let files = match files.len() {
             0 => String::new(),

@@ -57,7 +57,7 @@ pub struct Report<'a> {
 
 #[derive(Debug, Serialize)]
 pub struct FormulaReport {
-    notation: &'static str,
+    notation: &'static Text,
     says: &'static Text,
 }
 
@@ -65,7 +65,7 @@ impl<'a> Report<'a> {
     pub fn new(experiment: &'static Experiment, setup: &'a Setup<'a>) -> Self {
         let formulas = experiment.formulas.iter();
         let formulas =
-            formulas.map(|formula| FormulaReport { notation: formula.notation, says: &formula.says });
+            formulas.map(|formula| FormulaReport { notation: &formula.notation, says: &formula.says });
         Self {
             schema: "crease-artefact/1",
             crease: env!("CARGO_PKG_VERSION"),

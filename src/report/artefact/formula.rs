@@ -63,17 +63,34 @@ fn atom(signs: &mut Signs) -> Option<String> {
             "sqrt" => format!("<msqrt>{}</msqrt>", argument(signs)),
             name => format!("<mi>{name}</mi>"),
         },
-        c if c.is_ascii_digit() => {
-            format!("<mn>{c}{}</mn>", taken(signs, |c| c.is_ascii_digit() || c == '.'))
-        }
-        c if c.is_ascii_alphabetic() => {
-            format!("<mi>{c}{}{}</mi>", taken(signs, |c| c.is_ascii_alphabetic()), taken(signs, |c| c == '′'))
+        c if c.is_ascii_digit() => format!("<mn>{c}{}</mn>", number(signs)),
+        c if is_of_words(c) => {
+            format!("<mi>{c}{}{}</mi>", taken(signs, is_of_words), taken(signs, |c| c == '′'))
         }
         c if c.is_alphabetic() => format!("<mi>{c}</mi>"),
         // Bars do not stretch: which of a pair closes is not told.
         '|' => "<mo stretchy=\"false\">|</mo>".to_owned(),
         c => format!("<mo>{}</mo>", escape_html(&c.to_string())),
     })
+}
+
+/// Letters of words: those of English and Portuguese. Greek ones stand for quantities, each for one.
+fn is_of_words(c: char) -> bool {
+    c.is_alphabetic() && c <= 'ÿ'
+}
+
+/// What is left of a number whose first digit was taken: a point or comma belongs to it if a digit follows.
+fn number(signs: &mut Signs) -> String {
+    let mut digits = String::new();
+    while let Some(&c) = signs.peek() {
+        let is_mark = ['.', ','].contains(&c) && signs.clone().nth(1).is_some_and(|c| c.is_ascii_digit());
+        if !c.is_ascii_digit() && !is_mark {
+            break;
+        }
+        signs.next();
+        digits.push(c);
+    }
+    digits
 }
 
 /// The group that follows a command; nothing if none does.
@@ -111,6 +128,10 @@ mod tests {
         assert_eq!(row("cos(θ_L)"), "<mi>cos</mi><mo>(</mo><msub><mi>θ</mi><mi>L</mi></msub><mo>)</mo>");
         assert_eq!(row("ΔI′_{ab}"), "<mi>Δ</mi><msub><mi>I′</mi><mrow><mi>ab</mi></mrow></msub>");
         assert_eq!(row("x_1^2"), "<msubsup><mi>x</mi><mn>1</mn><mn>2</mn></msubsup>");
+        assert_eq!(
+            row("w_{trás} 0,5, 1"),
+            "<msub><mi>w</mi><mrow><mi>trás</mi></mrow></msub><mn>0,5</mn><mo>,</mo><mn>1</mn>"
+        );
         let half = "<mfrac><mrow><mn>1</mn></mrow><mrow><mn>2</mn></mrow></mfrac>";
         assert_eq!(row("\\frac{1}{2} < 1"), format!("{half}<mo>&lt;</mo><mn>1</mn>"));
     }

@@ -2,7 +2,7 @@
 
 use super::formula::mathml;
 use super::pictures::{chart_plot, picture_name, thumbnail};
-use super::tables::{measure_table, moved_text, verdict_in_short, verdict_text};
+use super::tables::{measure_table, verdict_in_short, verdict_text};
 use super::words;
 use crate::artefact::{Experiment, Language, Outcome, Role, Setup, Shot};
 use crate::report::{Page, Picture, ReportError, escape_html};
@@ -36,11 +36,11 @@ pub fn experiment_page(
     page.heading(words::PICTURES.get(language));
     page.raw("<div class=\"shots\">\n");
     for shot in &outcome.shots {
-        page.raw(&figure(experiment, shot, language)?);
+        page.raw(&figure(experiment, outcome, shot, language)?);
     }
     page.raw("</div>\n");
     page.heading(words::MOVED.get(language));
-    page.paragraph(&moved_text(outcome, language));
+    page.paragraph(&words::moved(&outcome.moved, language));
     page.heading(words::MEASURED.get(language));
     page.table(&measure_table(outcome, language));
     if !outcome.charts.is_empty() {
@@ -58,7 +58,7 @@ pub fn experiment_page(
     Ok(page.finish())
 }
 
-/// The index of some experiments, with thumbnails.
+/// The index of some experiments, with thumbnails: the artefact, its cure, and what lies between them where that is drawn.
 ///
 /// # Errors
 /// Pictures that cannot be made into files.
@@ -66,7 +66,7 @@ pub fn index_page(found: &[(&Experiment, &Outcome)], language: Language) -> Resu
     let mut page = page(words::LABORATORY.get(language), words::LEAD.get(language), language);
     page.raw("<div class=\"cards\">\n");
     for (experiment, outcome) in found {
-        let thumbnails = [Role::Bad, Role::Cured].into_iter().filter_map(|role| {
+        let thumbnails = [Role::Bad, Role::Cured, Role::Difference].into_iter().filter_map(|role| {
             let shot = outcome.shots.iter().find(|shot| shot.role == role)?;
             Some(super::super::html::image(&thumbnail(&shot.image), shot.caption.get(language)))
         });
@@ -78,7 +78,7 @@ pub fn index_page(found: &[(&Experiment, &Outcome)], language: Language) -> Resu
             thumbnails.join(""),
             escape_html(experiment.title.get(language)),
             escape_html(experiment.claim.get(language)),
-            escape_html(&verdict_in_short(&outcome.verdict, language)),
+            escape_html(&verdict_in_short(outcome, language)),
         ));
     }
     page.raw("</div>\n");
@@ -95,22 +95,27 @@ fn claim(experiment: &Experiment, language: Language, page: &mut Page) {
     page.paragraph(experiment.claim.get(language));
     page.list(experiment.sources.iter().map(|source| source.get(language)));
     for formula in experiment.formulas {
-        page.raw(&mathml(formula.notation));
+        page.raw(&mathml(formula.notation.get(language)));
         page.raw("\n");
         page.paragraph(formula.says.get(language));
     }
 }
 
 fn verdict(outcome: &Outcome, language: Language) -> String {
-    let [name, condition] = verdict_text(&outcome.verdict, language);
+    let [name, condition] = verdict_text(outcome, language);
     let (name, condition) = (escape_html(&name), escape_html(&condition));
     format!("<p class=\"verdict\"><strong>{name}</strong>: {condition}</p>\n")
 }
 
-fn figure(experiment: &Experiment, shot: &Shot, language: Language) -> Result<String, ReportError> {
+fn figure(
+    experiment: &Experiment,
+    outcome: &Outcome,
+    shot: &Shot,
+    language: Language,
+) -> Result<String, ReportError> {
     let picture = Picture::from(shot.image.clone());
     let image = super::super::html::image(&picture, shot.caption.get(language))?;
-    let role = words::role(shot.role);
+    let role = words::role(shot.role, &outcome.moved);
     let [role, label, caption] =
         [&role, &shot.label, &shot.caption].map(|text| escape_html(text.get(language)));
     let file = picture_name(experiment, shot.name);

@@ -45,6 +45,7 @@ pub fn chart_plot(chart: &Chart, language: Language) -> Plot {
         x: axis(&chart.x),
         y: axis(&chart.y),
         series: series.collect(),
+        decimal_mark: language.decimal_mark(),
         ..Plot::default()
     }
 }

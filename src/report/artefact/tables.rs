@@ -1,6 +1,6 @@
 //! Tables and sentences.
 
-use super::words::{self, number, quantity};
+use super::words::{self, quantity};
 use crate::artefact::{EXPERIMENTS, Language, Measure, Outcome, Verdict};
 use crate::report::Table;
 
@@ -10,16 +10,19 @@ pub fn measure_table(outcome: &Outcome, language: Language) -> Table {
     let columns: Vec<&str> = columns.iter().map(|column| column.get(language)).collect();
     let mut table = Table::new(words::MEASURED.get(language), &columns);
     for measure in &outcome.measures {
-        let Measure { name, unit, value, expected } = measure;
+        let Measure { name, unit, value, expected, beyond } = measure;
         let mut row = vec![name.get(language).to_owned(), quantity(*value, unit, language)];
         if let Some(expected) = expected {
             let agrees = if measure.agrees() == Some(true) { words::YES } else { words::NO };
             row.extend([
                 quantity(expected.value, unit, language),
-                number(expected.tolerance, language),
+                language.number(expected.tolerance),
                 agrees.get(language).to_owned(),
                 expected.by.get(language).to_owned(),
             ]);
+        } else if let Some(why) = beyond {
+            let nothing = || words::NOTHING.get(language).to_owned();
+            row.extend([nothing(), nothing(), nothing(), why.get(language).to_owned()]);
         }
         table.push(row);
     }
@@ -42,27 +45,27 @@ pub fn list_table(language: Language) -> Table {
     table
 }
 
-/// The verdict as its name and its condition.
-pub fn verdict_text(verdict: &Verdict, language: Language) -> [String; 2] {
-    let name = match verdict {
+/// The verdict as its name and its condition: with the numbers where nothing of the artefact is seen, and where the cure fails.
+pub fn verdict_text(outcome: &Outcome, language: Language) -> [String; 2] {
+    let name = match &outcome.verdict {
         Verdict::Holds(_) => words::HOLDS,
         Verdict::HoldsOnlyIf(_) => words::HOLDS_ONLY_IF,
         Verdict::Fails(_) => words::FAILS,
+        Verdict::Absent(_) => words::ABSENT,
     };
-    [name, verdict.condition().clone()].map(|text| text.get(language).to_owned())
+    let condition = outcome.verdict.condition().get(language);
+    let condition = match &outcome.verdict {
+        Verdict::Absent(_) => words::absent(&outcome.moved, condition, language),
+        _ if !outcome.moved.is_cured() => format!("{condition} {}", words::uncured(&outcome.moved, language)),
+        _ => condition.to_owned(),
+    };
+    [name.get(language).to_owned(), condition]
 }
 
 /// The verdict as a sentence, with the first of its conditions.
-pub(super) fn verdict_in_short(verdict: &Verdict, language: Language) -> String {
-    let [name, condition] = verdict_text(verdict, language);
+pub(super) fn verdict_in_short(outcome: &Outcome, language: Language) -> String {
+    let [name, condition] = verdict_text(outcome, language);
     let first = condition.split_inclusive(". ").next().unwrap_or_default().trim_end();
-    let colon = if matches!(verdict, Verdict::HoldsOnlyIf(_)) { "" } else { ":" };
+    let colon = if matches!(outcome.verdict, Verdict::HoldsOnlyIf(_)) { "" } else { ":" };
     format!("{name}{colon} {first}")
-}
-
-/// What the cure did, as a sentence.
-pub(super) fn moved_text(outcome: &Outcome, language: Language) -> String {
-    let moved = &outcome.moved;
-    let [bad, cured] = [moved.bad, moved.cured].map(|x| quantity(x, moved.unit, language));
-    words::moved(&moved.name, &moved.cure, &bad, &cured, &number(moved.factor(), language), language)
 }

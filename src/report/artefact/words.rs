@@ -1,6 +1,6 @@
 //! What pages say beside what experiments say.
 
-use crate::artefact::{Language, Role, Text};
+use crate::artefact::{Language, Moved, Role, Text};
 
 pub(super) const LABORATORY: Text = Text::new("The artefact laboratory", "O laboratório de artefatos");
 pub(super) const LEAD: Text = Text::new(
@@ -16,6 +16,7 @@ pub(super) const VERDICT: Text = Text::new("Verdict", "Veredito");
 pub(super) const HOLDS: Text = Text::new("It holds", "Vale");
 pub(super) const HOLDS_ONLY_IF: Text = Text::new("It holds only if", "Vale somente se");
 pub(super) const FAILS: Text = Text::new("It fails", "Não vale");
+pub(super) const ABSENT: Text = Text::new("Nothing of it is seen here", "Nada disso se vê aqui");
 pub(super) const PICTURES: Text = Text::new("Pictures", "Imagens");
 pub(super) const MOVED: Text = Text::new("The number that moved", "O número que mudou");
 pub(super) const MEASURED: Text = Text::new("Measured", "Medido");
@@ -34,78 +35,131 @@ pub(super) const AGREES: Text = Text::new("agrees", "confere");
 pub(super) const BY: Text = Text::new("by", "por");
 pub(super) const YES: Text = Text::new("yes", "sim");
 pub(super) const NO: Text = Text::new("NO", "NÃO");
+pub(super) const NOTHING: Text = Text::same("–");
 pub(super) const EXPERIMENT: Text = Text::new("experiment", "experimento");
 pub(super) const TITLE: Text = Text::new("title", "título");
 pub(super) const OPTIONS: Text = Text::new("options", "opções");
 pub(super) const OWN_MESH: Text = Text::new("of a mesh of your own (--mesh)", "de uma malha sua (--mesh)");
 pub(super) const EXPERIMENTS: Text = Text::new("Experiments", "Experimentos");
 
-/// What a picture is there for.
-pub(super) fn role(role: Role) -> Text {
+/// What a picture is there for. Where the cure fails its pictures are but attempts.
+pub(super) fn role(role: Role, moved: &Moved) -> Text {
     match role {
         Role::Bad => Text::new("artefact", "artefato"),
+        Role::Cured if !moved.is_cured() => Text::new("attempted cure", "tentativa de cura"),
         Role::Cured => Text::new("cured", "curado"),
         Role::Difference => Text::new("difference", "diferença"),
         Role::Truth => Text::new("truth", "verdade"),
     }
 }
 
-/// What a number came to.
-pub(super) fn moved(
-    name: &Text,
-    cure: &Text,
-    bad: &str,
-    cured: &str,
-    factor: &str,
-    language: Language,
-) -> String {
-    let (name, cure) = (name.get(language), cure.get(language));
+/// What a number came to, and what it had to.
+pub(super) fn moved(moved: &Moved, language: Language) -> String {
+    let Told { name, bad, from, why, cure, cured, less, factor } = told(moved, language);
+    match language {
+        Language::English => format!(
+            "{name}: {bad} with the artefact, {cured} after the cure ({cure}): {less}. There is an artefact from \
+             {from} on ({why}), and the cure has to make it {factor} times less, or less than that."
+        ),
+        Language::Portuguese => format!(
+            "{name}: {bad} com o artefato, {cured} depois da cura ({cure}): {less}. Há artefato a partir de {from} \
+             ({why}), e a cura tem de torná-lo {factor} vezes menor, ou menor que isso."
+        ),
+    }
+}
+
+/// Why nothing is seen, and what would show it.
+pub(super) fn absent(moved: &Moved, shown_by: &str, language: Language) -> String {
+    let Told { name, bad, from, why, .. } = told(moved, language);
     match language {
         Language::English => {
-            format!("{name}: {bad} with the artefact, {cured} after the cure ({cure}): {factor} times less.")
+            format!("{name} is {bad}, and from {from} on it would be seen ({why}); {shown_by}")
         }
         Language::Portuguese => {
-            format!("{name}: {bad} com o artefato, {cured} depois da cura ({cure}): {factor} vezes menos.")
+            format!("{name} é {bad}, e a partir de {from} isso se veria ({why}); {shown_by}")
         }
     }
 }
 
-/// A number to six significant digits, with the language's decimal mark.
-pub(super) fn number(x: f64, language: Language) -> String {
-    let text = match x.abs() {
-        0.0 => "0".to_owned(),
-        _ if x.is_infinite() => if x > 0.0 { "∞" } else { "−∞" }.to_owned(),
-        magnitude @ 1e-4..1e7 => {
-            let decimals = (5 - libm::floor(libm::log10(magnitude)) as i32).max(0) as usize;
-            let text = format!("{x:.decimals$}");
-            match text.contains('.') {
-                true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-                false => text,
-            }
-        }
-        _ => format!("{x:.2e}"),
-    };
+/// That the cure did too little.
+pub(super) fn uncured(moved: &Moved, language: Language) -> String {
+    let Told { name, bad, cure, cured, less, factor, .. } = told(moved, language);
     match language {
-        Language::English => text,
-        Language::Portuguese => text.replace('.', ","),
+        Language::English => format!(
+            "The cure fails here ({cure}): {name} goes from {bad} to {cured}, {less} where it has to be {factor}."
+        ),
+        Language::Portuguese => format!(
+            "A cura falha aqui ({cure}): {name} vai de {bad} a {cured}, {less} onde devem ser {factor}."
+        ),
+    }
+}
+
+/// What is said of a number that moved, in words.
+struct Told<'a> {
+    name: &'a str,
+    bad: String,
+    from: String,
+    why: &'a str,
+    cure: &'a str,
+    cured: String,
+    /// What the cure did to it.
+    less: String,
+    factor: String,
+}
+
+fn told(moved: &Moved, language: Language) -> Told<'_> {
+    let of = |x| quantity(x, moved.unit, language);
+    Told {
+        name: moved.name.get(language),
+        bad: of(moved.bad),
+        from: of(moved.present.value),
+        why: moved.present.why.get(language),
+        cure: moved.cure.get(language),
+        cured: of(moved.cured),
+        less: match (moved.reduction(), language) {
+            (f64::INFINITY, Language::English) => "gone".into(),
+            (f64::INFINITY, Language::Portuguese) => "sumiu".into(),
+            (times, Language::English) => format!("{} times less", language.number(times)),
+            (times, Language::Portuguese) => format!("{} vezes menos", language.number(times)),
+        },
+        factor: language.number(moved.factor),
     }
 }
 
 /// A number with its unit.
 pub(super) fn quantity(x: f64, unit: &str, language: Language) -> String {
     let space = if unit.is_empty() || unit == "°" { "" } else { " " };
-    format!("{}{space}{unit}", number(x, language))
+    format!("{}{space}{unit}", language.number(x))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::artefact::Threshold;
 
     #[test]
-    fn numbers_are_short() {
-        let shown = [0.0, 70.528_779, -0.134_38, 1e-7, 0.1, 1_234_567.0, f64::INFINITY]
-            .map(|x| number(x, Language::English));
-        assert_eq!(shown, ["0", "70.5288", "-0.13438", "1.00e-7", "0.1", "1234567", "∞"]);
+    fn what_vanished_is_not_infinitely_less() {
+        let name = Text::same("x");
+        let vanished = Moved {
+            name: name.clone(),
+            unit: "",
+            bad: 0.25,
+            present: Threshold::HALF_STEP_OF_TILT,
+            cure: name,
+            cured: 0.0,
+            factor: 2.0,
+        };
+        let [en, pt] = Language::ALL.map(|language| moved(&vanished, language));
+        assert!(
+            en.contains("0 after the cure (x): gone.") && pt.contains("0 depois da cura (x): sumiu."),
+            "{en} {pt}"
+        );
+        let halved = moved(&Moved { cured: 0.1, ..vanished }, Language::Portuguese);
+        assert!(halved.contains("2,5 vezes menos."), "{halved}");
+    }
+
+    #[test]
+    fn units_stand_apart_from_numbers() {
         assert_eq!(quantity(70.5, "°", Language::Portuguese), "70,5°");
         assert_eq!(quantity(3.0, "px", Language::English), "3 px");
     }

@@ -2,24 +2,24 @@
 
 use super::axis::Fitted;
 use super::legend::legend;
+use super::look::{Look, SIGN, looks};
 use super::{Mark, Plot, Series};
 use crate::report::html::escape_html;
+use crate::report::label::text_width;
 use std::fmt::Write;
 
-/// The colours of M. Okabe and K. Ito, *Color universal design*, 2002; their yellow, too light on white, is last.
-const COLOURS: [&str; 8] =
-    ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#000000", "#e69f00", "#56b4e9", "#b3a100"];
-/// Lengths of dashes and gaps, in pixels.
-const DASHES: [&str; 4] = ["none", "7 3", "2 3", "9 3 2 3"];
-const GREY: &str = "#767676";
-
-/// Room round the field for numbers and labels, in pixels.
+/// Room round the field for numbers and labels, in pixels; to the left at the least.
 const LEFT: f64 = 68.0;
 const TOP: f64 = 34.0;
 const BOTTOM: f64 = 52.0;
 const RIGHT: f64 = 14.0;
-/// Half the height of a sign.
-const SIGN: f64 = 4.0;
+/// Where the baseline of the upright title is, and what is free on both sides of the numbers beside it.
+const UPRIGHT: f64 = 16.0;
+const FREE: f64 = 6.0;
+/// Part of a line's height that is below its baseline, and the height of a line of 12 pixels, in DejaVu Sans: of the usual fonts
+/// without serifs none has wider letters.
+const BELOW: f64 = 4.0;
+const LINE: f32 = 12.0 * 1.164;
 
 /// The field of a plot and where numbers lie in it.
 struct Field {
@@ -41,42 +41,29 @@ impl Field {
     }
 }
 
-/// How a series looks.
-pub(super) struct Look {
-    pub(super) colour: &'static str,
-    pub(super) dash: &'static str,
-    pub(super) sign: usize,
-}
-
-impl Look {
-    pub(super) fn of(series: &Series, place: usize) -> Self {
-        let number = series.colour.unwrap_or(place);
-        match series.mark {
-            Mark::Frontier => Self { colour: GREY, dash: "6 4", sign: 0 },
-            Mark::Guide => Self { colour: GREY, dash: "2 4", sign: 0 },
-            _ => Self {
-                colour: COLOURS[number % COLOURS.len()],
-                dash: DASHES[number / 2 % DASHES.len()],
-                sign: number % SIGNS,
-            },
-        }
-    }
+/// The width of words.
+pub(super) fn width_of(words: &str) -> f64 {
+    f64::from(text_width(words, LINE))
 }
 
 /// The plot as SVG.
 pub(super) fn svg(plot: &Plot, id: &str) -> String {
-    let (legend, legend_width) = legend(plot);
+    let looks = looks(&plot.series);
+    let (legend, legend_width) = legend(plot, &looks);
     let [width, height] = plot.size.map(f64::from);
     let taken = |axis: usize| {
         plot.series.iter().flat_map(move |series| kept(plot, series).map(move |(_, point)| point[axis]))
     };
+    let (x, y) = (plot.x.fit(taken(0)), plot.y.fit(taken(1)));
+    let widest = y.ticks().iter().map(|(_, label)| width_of(label)).fold(0.0, f64::max);
+    let left = f64::max(LEFT, (UPRIGHT + BELOW + FREE + widest + FREE).ceil());
     let field = Field {
-        left: LEFT,
+        left,
         top: TOP,
-        width: (width - LEFT - RIGHT - legend_width).max(50.0),
+        width: (width - left - RIGHT - legend_width).max(50.0),
         height: (height - TOP - BOTTOM).max(50.0),
-        x: plot.x.fit(taken(0)),
-        y: plot.y.fit(taken(1)),
+        x,
+        y,
     };
     let mut out = format!(
         "<svg role=\"img\" aria-labelledby=\"{id}.title {id}.desc\" viewBox=\"0 0 {width} {height}\" \
@@ -85,7 +72,7 @@ pub(super) fn svg(plot: &Plot, id: &str) -> String {
         escape_html(&plot.description),
     );
     let _ = writeln!(out, "<rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>");
-    text(&mut out, [LEFT, 18.0], "start", "font-weight=\"600\" font-size=\"14\"", &plot.title);
+    text(&mut out, [left, 18.0], "start", "font-weight=\"600\" font-size=\"14\"", &plot.title);
     axes(plot, &field, &mut out);
     let _ = writeln!(
         out,
@@ -96,8 +83,11 @@ pub(super) fn svg(plot: &Plot, id: &str) -> String {
         field.height + 2.0 * SIGN
     );
     let _ = writeln!(out, "<g clip-path=\"url(#{id}.field)\">");
-    for (place, series) in plot.series.iter().enumerate() {
-        draw_series(plot, series, &Look::of(series, place), &field, &mut out);
+    // What is measured lies over what it is held against.
+    let (guides, measured): (Vec<_>, Vec<_>) =
+        plot.series.iter().zip(&looks).partition(|(series, _)| series.mark == Mark::Guide);
+    for (series, look) in guides.into_iter().chain(measured) {
+        draw_series(plot, series, look, &field, &mut out);
     }
     out.push_str("</g>\n");
     let _ = writeln!(
@@ -126,12 +116,12 @@ fn axes(plot: &Plot, field: &Field, out: &mut String) {
     for (at, label) in field.x.ticks() {
         let x = field.x(at);
         let _ = write!(lines, "M{x:.1} {:.1}V{bottom:.1}", field.top);
-        text(out, [x, bottom + 16.0], "middle", "", &label);
+        text(out, [x, bottom + 16.0], "middle", "", &plot.written(label));
     }
     for (at, label) in field.y.ticks() {
         let y = field.y(at);
         let _ = write!(lines, "M{:.1} {y:.1}H{right:.1}", field.left);
-        text(out, [field.left - 6.0, y + 4.0], "end", "", &label);
+        text(out, [field.left - FREE, y + BELOW], "end", "", &plot.written(label));
     }
     let _ = writeln!(out, "<path d=\"{lines}\" stroke=\"#e4e4e4\" fill=\"none\"/>");
     let _ = writeln!(
@@ -140,7 +130,7 @@ fn axes(plot: &Plot, field: &Field, out: &mut String) {
         field.left, field.top
     );
     text(out, [field.left + field.width / 2.0, bottom + 38.0], "middle", "", &plot.x.label);
-    let (x, y) = (16.0, field.top + field.height / 2.0);
+    let (x, y) = (UPRIGHT, field.top + field.height / 2.0);
     text(out, [x, y], "middle", &format!("transform=\"rotate(-90 {x:.1} {y:.1})\""), &plot.y.label);
 }
 
@@ -173,10 +163,10 @@ fn draw_series(plot: &Plot, series: &Series, look: &Look, field: &Field, out: &m
             look.colour, look.dash
         );
     }
+    for place in look.signed(series.mark, points.len()) {
+        look.draw_sign(out, points[place].1);
+    }
     for &(number, at) in &points {
-        if matches!(series.mark, Mark::Points | Mark::Line) {
-            sign(out, at, look);
-        }
         if let Some(label) = series.labels.get(number) {
             // Towards the middle, so that names stay within the field.
             let inwards = at[0] < field.left + 0.8 * field.width;
@@ -184,34 +174,4 @@ fn draw_series(plot: &Plot, series: &Series, look: &Look, field: &Field, out: &m
             text(out, [x, at[1] + 4.0], anchor, "", label);
         }
     }
-}
-
-/// How many signs there are.
-const SIGNS: usize = 6;
-
-/// One of six signs, which differ in form.
-pub(super) fn sign(out: &mut String, [x, y]: [f64; 2], look: &Look) {
-    let s = SIGN;
-    let path = match look.sign {
-        0 => format!("M{:.1} {y:.1}a{s} {s} 0 1 0 {} 0a{s} {s} 0 1 0 {} 0Z", x - s, 2.0 * s, -2.0 * s),
-        1 => format!("M{:.1} {:.1}h{}v{}h{}Z", x - s, y - s, 2.0 * s, 2.0 * s, -2.0 * s),
-        2 => format!("M{x:.1} {:.1}l{s} {}h{}Z", y - s, 2.0 * s, -2.0 * s),
-        3 => format!("M{x:.1} {:.1}l{s} {s}l{} {s}l{} {}Z", y - s, -s, -s, -s),
-        4 => format!("M{x:.1} {:.1}l{s} {}h{}Z", y + s, -2.0 * s, -2.0 * s),
-        _ => format!(
-            "M{:.1} {:.1}l{} {}m0 {}l{} {}",
-            x - s,
-            y - s,
-            2.0 * s,
-            2.0 * s,
-            -2.0 * s,
-            -2.0 * s,
-            2.0 * s
-        ),
-    };
-    let _ = writeln!(
-        out,
-        "<path d=\"{path}\" fill=\"{0}\" fill-opacity=\"0.75\" stroke=\"{0}\" stroke-width=\"1.4\"/>",
-        look.colour
-    );
 }

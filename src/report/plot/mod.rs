@@ -1,15 +1,18 @@
 //! Plots as SVG, written plainly: points, lines and bars over linear or logarithmic axes, with a legend.
 
 mod axis;
+#[cfg(test)]
+mod checks;
 mod draw;
 mod legend;
+mod look;
 
 pub use axis::{Axis, Scale};
 
 /// A plot.
 ///
-/// Series differ in colour (those of Okabe & Ito, which the colour-blind tell apart), in their marks and in their dashes, so
-/// that a plot can be read in black and white.
+/// Series differ in colour (those of Okabe & Ito, which the colour-blind tell apart), in their signs and in their dashes, so
+/// that a plot can be read in black and white. To the left there is room for the widest number.
 ///
 /// ```
 /// use crease::report::{Axis, Mark, Plot, Series};
@@ -39,6 +42,8 @@ pub struct Plot {
     pub y: Axis,
     /// What is shown.
     pub series: Vec<Series>,
+    /// What stands before the decimals of numbers along the axes: a point, or in other languages than English a comma.
+    pub decimal_mark: char,
 }
 
 impl Default for Plot {
@@ -51,6 +56,7 @@ impl Default for Plot {
             x: Axis::default(),
             y: Axis::default(),
             series: Vec::new(),
+            decimal_mark: '.',
         }
     }
 }
@@ -78,11 +84,11 @@ pub enum Mark {
     Points,
     /// Signs, and straight lines between one and the next.
     Line,
-    /// A line through many points, without signs.
+    /// A line through many points; a few signs say which.
     Curve,
     /// A grey dashed line of steps without signs: the border of what others are better than.
     Frontier,
-    /// A dotted grey line without signs: a slope to compare with.
+    /// A dotted grey line: a slope to compare with. The first of a plot has no signs, others a few hollow ones.
     Guide,
     /// The outline of bars that begin at each point's x and end at the next one's: a histogram. The last y is not used.
     Steps,
@@ -92,6 +98,14 @@ impl Plot {
     /// The plot as an element of a page; parts of it get ids that begin with the given one and a dot.
     pub fn svg(&self, id: &str) -> String {
         draw::svg(self, id)
+    }
+
+    /// A number along an axis with the plot's decimal mark.
+    fn written(&self, number: String) -> String {
+        match self.decimal_mark {
+            '.' => number,
+            mark => number.replace('.', &mark.to_string()),
+        }
     }
 }
 

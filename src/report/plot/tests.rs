@@ -60,3 +60,51 @@ fn marks_differ() {
     assert_eq!(paths(Mark::Frontier).as_deref(), Some("HVHV"));
     assert_eq!(paths(Mark::Steps).as_deref(), Some("VHVHV"));
 }
+
+/// Numbers of eight letters once lay under the upright title.
+#[test]
+fn wide_numbers_get_room() {
+    let points = [[1.0, 0.000_02], [2.0, 0.000_03]];
+    let wide =
+        Plot { y: Axis::linear("what is measured, upright"), ..plot(vec![series("a", Mark::Line, &points)]) };
+    wide.assert_legible();
+    let comma = Plot { decimal_mark: ',', ..wide.clone() };
+    assert!(wide.svg("p").contains(">2.2e-5<") && comma.svg("p").contains(">2,2e-5<"), "{}", comma.svg("p"));
+}
+
+#[test]
+fn series_differ_without_colour() {
+    let points: Vec<[f64; 2]> = (1..100).map(|x| [f64::from(x), f64::from(x)]).collect();
+    let marks = [
+        Mark::Points,
+        Mark::Line,
+        Mark::Curve,
+        Mark::Curve,
+        Mark::Guide,
+        Mark::Guide,
+        Mark::Guide,
+        Mark::Frontier,
+    ];
+    let all: Vec<Series> = marks.into_iter().map(|mark| series("a", mark, &points)).collect();
+    plot(all.clone()).assert_legible();
+    // Signs of curves are few, and not at the same places.
+    let looks = look::looks(&all);
+    let [first, second] = [2, 3].map(|k| looks[k].signed(Mark::Curve, points.len()));
+    assert_eq!((first.len(), second.len()), (4, 4));
+    assert!(first.iter().all(|place| !second.contains(place)));
+    assert_eq!((looks[0].signed(Mark::Points, 99).len(), looks[4].signed(Mark::Guide, 99).len()), (99, 0));
+}
+
+#[test]
+#[should_panic(expected = "look alike in grey")]
+fn series_of_one_colour_are_alike() {
+    let one = Series { colour: Some(0), ..series("a", Mark::Points, &[[1.0, 1.0]]) };
+    plot(vec![one.clone(), one]).assert_legible();
+}
+
+#[test]
+#[should_panic(expected = "leaves the plot")]
+fn a_title_that_is_too_long_is_found() {
+    let y = Axis::linear("a word too many ".repeat(9).trim());
+    Plot { y, ..plot(vec![series("a", Mark::Points, &[[1.0, 1.0]])]) }.assert_legible();
+}

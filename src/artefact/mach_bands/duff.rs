@@ -1,0 +1,93 @@
+//! The counter-example: light from so far aside that Phong's shading has the larger jumps of slope (Duff 1979).
+
+use super::super::{ArtefactError, Measure, Text};
+use super::tube::Tube;
+use super::{GRAZING, gouraud_jump, phong_jump};
+use crate::num::{Degrees, Radians};
+use crate::raster::Shading;
+use std::f64::consts::PI;
+
+/// The light at which Phong's jump half-way between viewer and light is as large as Gouraud's: arccos(1/3).
+const BORDER: f64 = 70.528_779_365_509_31;
+/// How much larger their ratio is a degree farther on: cot(θ_L/2) + tan(θ_L) there, per radian.
+const GROWTH: f64 = 3.0 * std::f64::consts::SQRT_2 * PI / 180.0;
+
+pub(super) fn measures(segments: u32) -> Result<[Measure; 2], ArtefactError> {
+    let (worst, open) = ratio(GRAZING, segments)?;
+    let (border, open_there) = border(segments)?;
+    let theta = half(GRAZING);
+    let delta = 2.0 * PI / f64::from(segments);
+    let law = phong_jump(theta, GRAZING, delta) / gouraud_jump(theta, GRAZING, delta);
+    let worst = Measure::new(
+        Text::new(
+            "light at 80°: slope jump of Phong over that of Gouraud at θ = 40°",
+            "luz a 80°: salto de Phong sobre o de Gouraud em θ = 40°",
+        ),
+        "",
+        worst,
+    );
+    let border = Measure::new(
+        Text::new(
+            "the light's angle beyond which Phong has the larger jump",
+            "ângulo da luz além do qual Phong tem o salto maior",
+        ),
+        "°",
+        border,
+    );
+    // The facets beside the edge have to be lit as a whole: half of 80° and one facet are less than 90° then.
+    if theta + delta > PI / 2.0 {
+        let why = Text::new(
+            "not held against sin(θ − θ_L) sin θ / cos θ_L: facets so wide are lit in part only",
+            "não comparado com sin(θ − θ_L) sin θ / cos θ_L: facetas tão largas só são iluminadas em parte",
+        );
+        return Ok([worst.beyond(why.clone()), border.beyond(why)]);
+    }
+    Ok([
+        worst.expect(
+            law,
+            open,
+            Text::new(
+                "sin(θ − θ_L) sin θ / cos θ_L; roundings of both jumps",
+                "sin(θ − θ_L) sin θ / cos θ_L; arredondamentos dos dois saltos",
+            ),
+        ),
+        border.expect(
+            BORDER,
+            open_there / GROWTH + RESOLVED,
+            Text::new(
+                "arccos(1/3), found by halving in pictures; the ratio grows by 7.4 % a degree there",
+                "arccos(1/3), achado por bissecção em imagens; a razão cresce ali 7,4 % por grau",
+            ),
+        ),
+    ])
+}
+
+fn half(Degrees(angle): Degrees) -> f64 {
+    Radians::from(Degrees(angle / 2.0)).0
+}
+
+/// Phong's slope jump over Gouraud's at the edge where it is worst, half-way between the viewer and the light, and how far
+/// roundings may move that.
+fn ratio(light: Degrees, segments: u32) -> Result<(f64, f64), ArtefactError> {
+    let tube = Tube::new(segments, half(light))?;
+    let jump = |shading| tube.profile(light, shading).map(|line| line.slope_jump(&tube, half(light)));
+    let ((phong, by_phong), (gouraud, by_gouraud)) = (jump(Shading::Phong)?, jump(Shading::Gouraud)?);
+    let ratio = phong / gouraud;
+    Ok((ratio, ratio.abs() * (by_phong / phong.abs() + by_gouraud / gouraud.abs())))
+}
+
+/// How far halving leaves the angle open.
+const RESOLVED: f64 = 20.0 / 2048.0;
+
+/// The angle of the light at which Phong's jump is as large as Gouraud's, in degrees, by halving; and how far roundings may
+/// move the ratio there.
+fn border(segments: u32) -> Result<(f64, f64), ArtefactError> {
+    let (mut low, mut high, mut open) = (60.0, 80.0, 0.0);
+    for _ in 0..10 {
+        let middle = 0.5 * (low + high);
+        let (ratio, moved) = ratio(Degrees(middle), segments)?;
+        open = moved;
+        if ratio.abs() > 1.0 { high = middle } else { low = middle }
+    }
+    Ok((0.5 * (low + high), open))
+}

@@ -1,0 +1,118 @@
+//! The number that a cure moves, and what follows from it: whether there was anything to cure, and whether the cure did.
+
+use super::Text;
+use serde::{Serialize, Serializer};
+
+/// A number with the artefact and without. As JSON it has two members more, `is_present` and `is_cured`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moved {
+    /// What it measures.
+    pub name: Text,
+    /// Its unit; empty for none.
+    pub unit: &'static str,
+    /// With the artefact.
+    pub bad: f64,
+    /// From what size on there is an artefact.
+    pub present: Threshold,
+    /// What was done about it.
+    pub cure: Text,
+    /// After that.
+    pub cured: f64,
+    /// How many times smaller the cure has to make it.
+    pub factor: f64,
+}
+
+/// A size that something must exceed to be seen.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Threshold {
+    /// The size, in the unit of what is measured.
+    pub value: f64,
+    /// Why this.
+    pub why: Text,
+}
+
+impl Threshold {
+    /// Half a step of light from 0 to 1 in 8 bits.
+    pub const HALF_STEP: Self =
+        Self { value: 0.5 / 255.0, why: Text::new("half a step of 8 bits", "meio passo de 8 bits") };
+    /// Half a pixel of an outline.
+    pub const HALF_PIXEL: Self = Self { value: 0.5, why: Text::new("half a pixel", "meio pixel") };
+    /// Degrees by which a normal has to lean for diffuse light to change by half a step of 8 bits: N·L changes by as much as the
+    /// angle (in radians) where it is steepest, in light from the side.
+    pub const HALF_STEP_OF_TILT: Self = Self {
+        value: 0.5 / 255.0 * 180.0 / std::f64::consts::PI,
+        why: Text::new(
+            "half a step of 8 bits of diffuse light from the side",
+            "meio passo de 8 bits de luz difusa vinda de lado",
+        ),
+    };
+}
+
+impl Moved {
+    /// How many times smaller it became; infinite if it vanished, 1 if there was nothing to cure.
+    pub fn reduction(&self) -> f64 {
+        if self.bad == 0.0 && self.cured == 0.0 { 1.0 } else { self.bad.abs() / self.cured.abs() }
+    }
+
+    /// Whether there is an artefact at all.
+    pub fn is_present(&self) -> bool {
+        self.bad.abs() > self.present.value
+    }
+
+    /// Whether the cure did what it has to: either nothing is seen any more, or it became smaller by the factor.
+    pub fn is_cured(&self) -> bool {
+        self.cured.abs() <= self.present.value || self.reduction() >= self.factor
+    }
+}
+
+impl Serialize for Moved {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(Serialize)]
+        struct Judged<'a> {
+            name: &'a Text,
+            unit: &'a str,
+            bad: f64,
+            present: &'a Threshold,
+            cure: &'a Text,
+            cured: f64,
+            factor: f64,
+            is_present: bool,
+            is_cured: bool,
+        }
+        let Self { name, unit, bad, present, cure, cured, factor } = self;
+        let [bad, cured, factor] = [*bad, *cured, *factor];
+        let (is_present, is_cured) = (self.is_present(), self.is_cured());
+        Judged { name, unit, bad, present, cure, cured, factor, is_present, is_cured }.serialize(serializer)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_seen_has_to_vanish_or_to_shrink() {
+        let moved = |bad, cured| Moved {
+            name: Text::same("x"),
+            unit: "",
+            bad,
+            present: Threshold::HALF_PIXEL,
+            cure: Text::same("y"),
+            cured,
+            factor: 4.0,
+        };
+        for (bad, cured, is_present, is_cured) in [
+            (0.49, 0.49, false, true),
+            (-3.0, -0.7, true, true),
+            (3.0, 0.8, true, false),
+            (0.6, 0.4, true, true),
+            (f64::NAN, f64::NAN, false, false),
+        ] {
+            let moved = moved(bad, cured);
+            assert_eq!((moved.is_present(), moved.is_cured()), (is_present, is_cured), "{bad} {cured}");
+            let json = serde_json::to_value(&moved).unwrap();
+            assert_eq!((&json["is_present"], &json["is_cured"]), (&is_present.into(), &is_cured.into()));
+        }
+        assert_eq!([moved(0.0, 0.0).reduction(), moved(1.0, 0.0).reduction()], [1.0, f64::INFINITY]);
+    }
+}

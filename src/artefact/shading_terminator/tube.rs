@@ -1,0 +1,187 @@
+//! The prism on which one facet turns away from the light.
+
+use super::super::body::{Body, Diagonal};
+use super::super::stage::{GAP, linear, tiles};
+use super::super::{ArtefactError, Chart, Curve, Drawn, Scale, Text};
+use super::{LEVEL, WINDOW, paint, towards};
+use crate::num::{Degrees, Radians};
+use crate::raster::Image;
+use crate::shade::Terminator;
+use glam::DVec3;
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+/// How far the light turns between the two pictures that are measured.
+const TURN: Degrees = Degrees(0.5);
+/// Pictures of a film, and how far the light turns from each to the next.
+const PICTURES: u32 = 8;
+const STEP: Degrees = Degrees(2.0);
+
+/// A prism of radius 1 about the y axis with the cylinder's normals, an edge towards the viewer.
+pub(super) struct Tube {
+    pub(super) segments: u32,
+    pub(super) size: u32,
+}
+
+impl Tube {
+    pub(super) fn body(&self) -> Body {
+        Body::grid([self.segments, 1], Diagonal::Rising, |u, v| {
+            let (sine, cosine) = libm::sincos(TAU * u);
+            (DVec3::new(sine, 1.6 * v - 0.8, cosine), DVec3::new(sine, 0.0, cosine))
+        })
+    }
+
+    fn delta(&self) -> f64 {
+        TAU / f64::from(self.segments)
+    }
+
+    /// The share of the prism's width where the cosine, which is linear between edges, is positive on facets turned away.
+    pub(super) fn share_law(&self, light: Degrees) -> f64 {
+        let light = Radians::from(light).0;
+        let (mut concerned, mut seen) = (0.0, 0.0);
+        for facet in 0..self.segments {
+            let edge = |k: u32| f64::from(facet + k) * self.delta();
+            let middle = 0.5 * (edge(0) + edge(1));
+            if libm::cos(middle) <= 0.0 {
+                continue;
+            }
+            let width = libm::sin(edge(1)) - libm::sin(edge(0));
+            seen += width;
+            let [a, b] = [0, 1].map(|k| libm::cos(edge(k) - light));
+            if libm::cos(middle - light) <= 0.0 {
+                let largest = a.max(b);
+                // A facet turned away has one edge at most in the light.
+                concerned += if largest > 0.0 { width * largest / (a - b).abs() } else { 0.0 };
+            }
+        }
+        concerned / seen
+    }
+
+    /// The light that makes the facet left of the middle turn away, and somewhat more.
+    fn light(&self, more: f64) -> Degrees {
+        Degrees(Degrees::from(Radians(FRAC_PI_2 - 0.5 * self.delta())).0 + more)
+    }
+
+    /// One row across the prism.
+    fn row(&self, light: Degrees, terminator: Terminator) -> Result<Vec<f64>, ArtefactError> {
+        let image = paint(&self.body(), towards(light, LEVEL), terminator, [self.size, 1])?;
+        Ok(linear(&image).iter().map(|colour| f64::from(colour[0])).collect())
+    }
+
+    /// The pixels of that facet, all but those at its edges, with their places.
+    fn facet(&self) -> impl Iterator<Item = (usize, f64)> {
+        let place = |pixel: u32| ((f64::from(pixel) + 0.5) / f64::from(self.size) - 0.5) * WINDOW;
+        let low = libm::sin(-self.delta());
+        let pixel = WINDOW / f64::from(self.size);
+        let inside = move |x: f64| x > low + 0.1 * pixel && x < -0.1 * pixel;
+        (0..self.size).map(move |k| (k as usize, place(k))).filter(move |&(_, x)| inside(x))
+    }
+
+    /// The prism while the light turns, from top to bottom: the facet turns away in the middle.
+    pub(super) fn film(&self, terminator: Terminator) -> Result<Image, ArtefactError> {
+        let height = self.size / PICTURES - GAP;
+        let picture = |k: u32| {
+            let more = STEP.0 * (f64::from(k) - 0.5 * f64::from(PICTURES) - 0.5);
+            Ok(vec![paint(&self.body(), towards(self.light(more), LEVEL), terminator, [self.size, height])?])
+        };
+        Ok(tiles(&(1..=PICTURES).map(picture).collect::<Result<Vec<_>, ArtefactError>>()?))
+    }
+
+    /// The largest change on that facet when the light turns.
+    pub(super) fn pop(&self, terminator: Terminator) -> Result<f64, ArtefactError> {
+        let half = 0.5 * TURN.0;
+        let [before, after] = [-half, half].map(|more| self.row(self.light(more), terminator));
+        let (before, after) = (before?, after?);
+        Ok(self.facet().map(|(k, _)| (before[k] - after[k]).abs()).fold(0.0, f64::max))
+    }
+
+    /// The same by the formulas.
+    pub(super) fn pop_law(&self, terminator: Terminator) -> f64 {
+        let half = 0.5 * TURN.0;
+        let change = |(_, x): (usize, f64)| {
+            let [before, after] = [-half, half].map(|more| self.law(x, self.light(more), terminator));
+            (before - after).abs()
+        };
+        self.facet().map(change).fold(0.0, f64::max)
+    }
+
+    /// The light at a place of that facet.
+    fn law(&self, x: f64, light: Degrees, terminator: Terminator) -> f64 {
+        let delta = self.delta();
+        // 0 at the edge in the middle, 1 at the other.
+        let t = x / libm::sin(-delta);
+        let normal = DVec3::new(-t * libm::sin(delta), 0.0, (1.0 - t) + t * libm::cos(delta)).normalize();
+        let face = DVec3::new(-libm::sin(0.5 * delta), 0.0, libm::cos(0.5 * delta));
+        let towards = towards(light, LEVEL);
+        let (own, of_face) = (normal.dot(towards).max(0.0), face.dot(towards));
+        let g = of_face / (own * face.dot(normal));
+        own * match terminator {
+            Terminator::Smooth => 1.0,
+            _ if of_face <= 0.0 => 0.0,
+            Terminator::Soft if g < 1.0 => ((1.0 - g) * g + 1.0) * g,
+            _ => 1.0,
+        }
+    }
+
+    pub(super) fn chart(&self) -> Result<Chart, ArtefactError> {
+        let pixel = self.facet().last().map_or(0, |(pixel, _)| pixel);
+        let mut curves = Vec::new();
+        for (name, terminator, drawn) in [
+            (
+                Text::new("interpolated normal alone", "só a normal interpolada"),
+                Terminator::Smooth,
+                Drawn::Guide,
+            ),
+            (Text::new("facets shade themselves", "facetas se sombreiam"), Terminator::Hard, Drawn::Line),
+            (Text::new("softened", "suavizado"), Terminator::Soft, Drawn::Line),
+        ] {
+            let mut points = Vec::new();
+            for k in -20..=10 {
+                let light = self.light(0.5 * f64::from(k) - 0.25);
+                points.push([light.0, self.row(light, terminator)?[pixel]]);
+            }
+            curves.push(Curve { name, drawn, points });
+        }
+        Ok(Chart {
+            name: "popping",
+            title: Text::new("One facet as the light turns", "Uma faceta quando a luz gira"),
+            caption: Text::new(
+                "Luminance at the bright edge of one facet against the angle of the light: where the facet turns away it goes out at \
+                 once; softened, it fades.",
+                "Luminância na aresta clara de uma faceta em função do ângulo da luz: onde a faceta se vira, ela se apaga de uma vez; \
+                 suavizada, esmaece.",
+            ),
+            x: Scale::linear(Text::new("angle of the light in degrees", "ângulo da luz em graus")),
+            y: Scale::linear(Text::new("luminance", "luminância")),
+            curves,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Picture by picture the film is what the formulas say: hard, the facet goes out at once, from sin(Δ/2) on; softened, no
+    /// step is half as large.
+    #[test]
+    fn films_pop_and_fade() {
+        let tube = Tube { segments: 16, size: 160 };
+        let height = tube.size / PICTURES - GAP;
+        let (pixel, x) = tube.facet().last().unwrap();
+        let [hard, soft] = [Terminator::Hard, Terminator::Soft].map(|terminator| {
+            let film = tube.film(terminator).unwrap();
+            let shown: Vec<f64> = (0..PICTURES)
+                .map(|k| {
+                    let index = film.index(pixel as u32, k * (height + GAP) + height / 2).unwrap();
+                    let more = STEP.0 * (f64::from(k) - 3.5);
+                    let law = tube.law(x, tube.light(more), terminator);
+                    // Edges snap to 1/256 pixel, and light changes by less than 2 over the width of a pixel.
+                    assert!((f64::from(linear(&film)[index][0]) - law).abs() < 2e-3, "{more}: {law}");
+                    law
+                })
+                .collect();
+            shown.windows(2).map(|pair| (pair[0] - pair[1]).abs()).fold(0.0, f64::max)
+        });
+        assert!(hard > libm::sin(0.5 * tube.delta()) && soft < 0.5 * hard, "{hard} {soft}");
+    }
+}
