@@ -6,7 +6,9 @@ use super::finding::{Element, Finding, Severity, Site};
 use super::gloss::{self, Gloss};
 use super::tally::{Spot, Tallies, Tally, least};
 use super::turned::{explained_by, largest_turn};
-use super::{Estimate, Thresholds, attributes, geometry, key_light_steps, shading, smoothing, stored};
+use super::{
+    Estimate, Precision, Thresholds, attributes, geometry, key_light_steps, shading, smoothing, stored,
+};
 use crate::io::{Document, FileNode, Format, Loaded};
 use crate::mesh::{Mesh, NONE, normal_matrix};
 use glam::DMat3;
@@ -33,6 +35,8 @@ pub struct PartDiagnosis {
     pub corners: usize,
     /// How its stored normals were made; `None` if it has none that tell.
     pub estimate: Option<Estimate>,
+    /// What they were rounded to; `None` if that is no grid of ours, or they are too few to tell.
+    pub precision: Option<Precision>,
 }
 
 impl Diagnosis {
@@ -80,7 +84,7 @@ pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) 
             let gloss = Gloss::new(&part.mesh, &materials, thresholds.exponent);
             let facts = Facts::new(&part.mesh, loaded.format != Format::Stl, thresholds.confidence, gloss);
             let mut found = Tallies::new(thresholds.places);
-            look(&facts, nodes, thresholds, &mut found);
+            own.precision = look(&facts, nodes, thresholds, &mut found);
             attributes::find(&facts, loaded, number, thresholds, &mut found);
             own.estimate = facts.estimate;
             own.vertices = facts.field.summary.referenced_vertices;
@@ -95,6 +99,9 @@ pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) 
         }
         done(part.mesh.face_count());
         diagnosis.parts.push(own);
+    }
+    if diagnosis.parts.iter().all(|part| part.faces == 0) {
+        merged[Kind::NoFaces as usize] = Merged::whole_file();
     }
     diagnosis.findings =
         entries().zip(merged).filter_map(|(entry, merged)| merged.finding(entry.kind)).collect();
@@ -131,14 +138,20 @@ fn nodes_of_parts(loaded: &Loaded) -> Vec<Vec<&FileNode>> {
     nodes
 }
 
-fn look(facts: &Facts<'_>, nodes: &[&FileNode], thresholds: &Thresholds, found: &mut Tallies) {
-    stored::find(facts, thresholds, found);
+fn look(
+    facts: &Facts<'_>,
+    nodes: &[&FileNode],
+    thresholds: &Thresholds,
+    found: &mut Tallies,
+) -> Option<Precision> {
+    let precision = stored::find(facts, thresholds, found);
     smoothing::find(facts, thresholds, found);
     geometry::find(facts, thresholds, found);
     shading::find(facts, thresholds, found);
     for node in nodes {
         place(facts, node, thresholds, found);
     }
+    precision
 }
 
 /// What the places of a part in the world mean for its normals.
@@ -197,11 +210,20 @@ struct Merged {
     /// What is said of the part that has most of it.
     most: u64,
     remark: Option<String>,
+    components: u64,
     remedy: Option<String>,
+    /// In one of the parts it may be meant.
+    may_be_meant: bool,
     confidence: Option<f64>,
 }
 
 impl Merged {
+    /// Something about the file, not about a part.
+    fn whole_file() -> Self {
+        let severity = Some(Severity::Error);
+        Self { count: 1, of: 1, severity, sites: vec![(0.0, Site::default())], ..Self::default() }
+    }
+
     fn add(&mut self, tally: Tally, facts: &Facts<'_>, part: usize) {
         if tally.count == 0 {
             return;
@@ -213,6 +235,8 @@ impl Merged {
             self.most = tally.count;
             (self.remark, self.remedy) = (tally.remark, tally.remedy);
         }
+        self.may_be_meant |= tally.may_be_meant;
+        self.components += tally.components;
         self.confidence = least(self.confidence, tally.confidence);
         let site = |spot: Spot| (spot.weight, site(facts.mesh, spot, part));
         self.sites.extend(tally.worst.into_iter().map(site));
@@ -224,7 +248,13 @@ impl Merged {
         let entry = kind.entry();
         let severity = self.severity?.min(entry.severity);
         let degrees = self.sites.iter().filter_map(|(_, site)| site.degrees).reduce(f64::max);
-        let cause = match self.remark {
+        let what = if kind == Kind::OpenInsideOut { "open" } else { "closed" };
+        let of_components = match self.components {
+            0 => None,
+            1 => Some(format!("in 1 {what} component")),
+            many => Some(format!("in {many} {what} components")),
+        };
+        let cause = match self.remark.or(of_components) {
             Some(remark) => format!("{}: {remark}", entry.title),
             None => entry.title.to_owned(),
         };
@@ -239,7 +269,7 @@ impl Merged {
             steps: degrees.map(key_light_steps),
             confidence: self.confidence,
             places: self.sites.into_iter().map(|(_, site)| site).collect(),
-            remedy: self.remedy.or_else(|| entry.remedy.map(str::to_owned)),
+            remedy: self.remedy.or_else(|| entry.remedy.map(str::to_owned)).filter(|_| !self.may_be_meant),
         })
     }
 }

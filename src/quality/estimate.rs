@@ -2,7 +2,7 @@
 
 use super::facts::{Facts, Worth};
 use crate::mesh::Column;
-use crate::normals::{Crease, Groups, NormalRecipe, Weight, compute_on};
+use crate::normals::{Crease, Groups, NormalRecipe, Weight};
 use crate::num::{Degrees, angle_between};
 use glam::DVec3;
 use rayon::prelude::*;
@@ -13,11 +13,18 @@ pub const SAMPLE: usize = 100_000;
 /// Two normals closer than this, in degrees, are taken to be one: above what 8 bits do to each of them.
 const SAME: f64 = 1.0;
 
+/// The share of corners that a rule reproduces, if nothing else made them.
+const NEARLY_ALL: f64 = 0.98;
+
 /// Edges that bend by less, in degrees, tell nothing about creases.
 const FLAT: f64 = 1.0;
 
 /// A corner counts as reproduced within this many degrees.
 const REPRODUCED: f64 = 5.0;
+
+/// For how many edges that look smooth beyond the crease angle one that looks sharp below it counts, where those may all be
+/// the only sharp ones at their vertices.
+const LONE: usize = 16;
 
 /// Means of faces that were tried: all but the quadric, which is a fit.
 const MEANS: [Weight; 6] =
@@ -36,6 +43,8 @@ pub struct Estimate {
     pub sample: usize,
     /// The share of them that it reproduces within 5°.
     pub reproduced: f64,
+    /// The share of them that it reproduces within 1°.
+    pub closely: f64,
     /// The share of the edges at them, of those that bend at all, that the crease angle puts on the right side.
     pub separated: f64,
     /// The median angle between stored and reproduced normals.
@@ -74,9 +83,10 @@ impl Estimate {
         if self.groups { 0.0 } else { self.crease.0 }
     }
 
-    /// Whether the normals follow a rule closely enough for exceptions to be faults.
+    /// Whether the normals follow a rule closely enough for exceptions to be faults: nearly all do, or most do to the letter
+    /// and the others not at all.
     pub fn is_rule(&self) -> bool {
-        self.reproduced >= 0.98
+        self.reproduced >= NEARLY_ALL || (self.closely >= 0.85 && self.reproduced - self.closely <= 0.01)
     }
 }
 
@@ -87,23 +97,34 @@ pub(super) fn estimate(facts: &Facts<'_>, stored: &Column<DVec3>) -> Option<Esti
         return None;
     }
     let bends: Vec<Bend> = sample.par_iter().filter_map(|&corner| Bend::at(facts, stored, corner)).collect();
-    let (usual, separating) = (Crease::DEFAULT_ANGLE, separating_angle(&bends));
-    let mut plain = by_angle(facts, &sample, &bends, separating);
+    let sharp_from = |crease| Smoothness { crease, groups: None };
+    let separating = separating_angle(&bends, 1);
+    let mut plain = by_rule(facts, &sample, &bends, sharp_from(separating));
     // A sharp edge that is the only one at its vertex splits nothing, and looks smooth: what separates best need not be
-    // what the normals were made with.
-    if plain.1.reproduced < 1.0 && separating != usual {
-        let other = by_angle(facts, &sample, &bends, usual);
-        plain = if other.0 < plain.0 { other } else { plain };
+    // what the normals were made with. Edges that look sharp are what they seem.
+    let others = [Crease::DEFAULT_ANGLE, separating_angle(&bends, LONE)];
+    if plain.1.reproduced < 1.0 {
+        for &other in others.iter().filter(|&&other| other != separating) {
+            let other = by_rule(facts, &sample, &bends, sharp_from(other));
+            plain = if other.0 < plain.0 { other } else { plain };
+        }
     }
-    let (_, plain) = plain;
-    let has_groups = facts.mesh.columns().smoothing.is_some();
-    Some(if has_groups && !plain.is_rule() { with_groups(facts, &sample, plain) } else { plain })
+    if let Some(groups) = facts.mesh.columns().smoothing.as_ref().filter(|_| plain.1.reproduced < NEARLY_ALL)
+    {
+        for crease in [plain.1.crease, Crease::DEFAULT_ANGLE, Degrees(180.0)] {
+            let rule = Smoothness { crease, groups: Some(&groups.of_face) };
+            let other = by_rule(facts, &sample, &bends, rule);
+            plain = if other.1.reproduced > plain.1.reproduced { other } else { plain };
+        }
+    }
+    Some(plain.1)
 }
 
-/// The estimate with a crease angle and the weighting that does best with it, and by how much it is off in all.
-fn by_angle(facts: &Facts<'_>, sample: &[u32], bends: &[Bend], crease: Degrees) -> (f64, Estimate) {
+/// The estimate with a rule about edges and the weighting that does best with it, and by how much it is off in all.
+fn by_rule(facts: &Facts<'_>, sample: &[u32], bends: &[Bend], rule: Smoothness<'_>) -> (f64, Estimate) {
+    let crease = rule.crease;
     let errors: Vec<[f64; MEANS.len()]> =
-        sample.par_iter().map(|&corner| errors(facts, corner, crease.0)).collect();
+        sample.par_iter().map(|&corner| errors(facts, corner, rule)).collect();
     // Far-off corners are faults, not evidence: all beyond the bound count alike.
     let capped = |weight: usize| errors.iter().map(|all| all[weight].min(REPRODUCED)).sum::<f64>();
     let costs: Vec<f64> = (0..MEANS.len()).map(capped).collect();
@@ -111,39 +132,26 @@ fn by_angle(facts: &Facts<'_>, sample: &[u32], bends: &[Bend], crease: Degrees) 
     let best = (1..MEANS.len())
         .fold(0, |best, i| if costs[i] < costs[best] * (1.0 - 1e-3) - 1e-9 { i } else { best });
     let mut own: Vec<f64> = errors.iter().map(|all| all[best]).collect();
-    let reproduced = own.iter().filter(|&&error| error <= REPRODUCED).count() as f64 / own.len() as f64;
+    let within = |most: f64| own.iter().filter(|&&error| error <= most).count() as f64 / own.len() as f64;
+    let (reproduced, closely) = (within(REPRODUCED), within(SAME));
     own.sort_unstable_by(f64::total_cmp);
     let separated = bends.iter().filter(|bend| (bend.degrees < crease.0) == bend.smooth).count();
     let estimate = Estimate {
         weight: MEANS[best],
         crease,
-        groups: false,
+        groups: rule.groups.is_some(),
         sample: own.len(),
         reproduced,
-        separated: if bends.is_empty() { 1.0 } else { separated as f64 / bends.len() as f64 },
+        closely,
+        separated: match (rule.groups, bends.len()) {
+            (None, 1..) => separated as f64 / bends.len() as f64,
+            (None, 0) => 1.0,
+            // Groups say which edges are sharp, not the angle.
+            (Some(_), _) => reproduced,
+        },
         median: Degrees(own[own.len() / 2]),
     };
     (costs[best], estimate)
-}
-
-/// The estimate with smoothing groups beside its crease angle, or beside the default one, if that reproduces more.
-fn with_groups(facts: &Facts<'_>, sample: &[u32], plain: Estimate) -> Estimate {
-    let candidates = [plain.crease, Crease::DEFAULT_ANGLE, Degrees(180.0)];
-    let tried = candidates.map(|crease| {
-        let candidate = Estimate { groups: true, crease, ..plain };
-        let field = compute_on(facts.mesh, &facts.topology, &candidate.recipe());
-        let error = |&corner: &u32| {
-            let expected = field.normals.get(corner as usize, facts.mesh.faces().corners()[corner as usize]);
-            let stored = facts.stored_unit(corner as usize);
-            stored.zip(expected).map_or(180.0, |(a, b)| Degrees::from(angle_between(a, *b)).0)
-        };
-        let mut errors: Vec<f64> = sample.par_iter().map(error).collect();
-        let within = errors.iter().filter(|&&error| error <= REPRODUCED).count();
-        errors.sort_unstable_by(f64::total_cmp);
-        let reproduced = within as f64 / errors.len() as f64;
-        Estimate { reproduced, separated: reproduced, median: Degrees(errors[errors.len() / 2]), ..candidate }
-    });
-    tried.into_iter().fold(plain, |best, next| if next.reproduced > best.reproduced { next } else { best })
 }
 
 /// Corners with a direction on sound faces; if there are too many, those that a fixed generator picks.
@@ -202,8 +210,9 @@ impl Bend {
     }
 }
 
-/// The angle that best tells smooth edges from sharp ones.
-fn separating_angle(bends: &[Bend]) -> Degrees {
+/// The angle that best tells smooth edges from sharp ones, if one that looks sharp below it is as wrong as so many that look
+/// smooth beyond it.
+fn separating_angle(bends: &[Bend], weight: usize) -> Degrees {
     const BINS: usize = 180;
     let bin = |degrees: f64| (degrees as usize).min(BINS - 1);
     let (mut smooth, mut sharp) = ([0usize; BINS], [0usize; BINS]);
@@ -215,7 +224,7 @@ fn separating_angle(bends: &[Bend]) -> Degrees {
     let mut wrong = smooth.iter().sum::<usize>();
     let mut costs = vec![wrong];
     for k in 0..BINS {
-        wrong = wrong + sharp[k] - smooth[k];
+        wrong = wrong + weight * sharp[k] - smooth[k];
         costs.push(wrong);
     }
     let least = *costs.iter().min().expect("181 angles");
@@ -232,15 +241,35 @@ fn separating_angle(bends: &[Bend]) -> Degrees {
     let (low, high) = (best.0, best.0 + best.1 - 1);
     Degrees(match (low, high) {
         _ if sharp.iter().all(|&count| count == 0) => 180.0,
-        _ if smooth.iter().all(|&count| count == 0) => 0.0,
+        // What is computed without being asked for is what most have been made with.
         (low, high) if (low..=high).contains(&40) => 40.0,
+        _ if smooth.iter().all(|&count| count == 0) => 0.0,
         (low, high) => low.midpoint(high) as f64,
     })
 }
 
+/// Which edges are smooth.
+#[derive(Clone, Copy)]
+struct Smoothness<'a> {
+    /// Those that bend by no more.
+    crease: Degrees,
+    /// Of those, the ones whose two faces have one of these numbers, and not 0.
+    groups: Option<&'a [u32]>,
+}
+
+impl Smoothness<'_> {
+    /// Whether an edge between two faces is smooth.
+    fn joins(self, facts: &Facts<'_>, [a, b]: [usize; 2]) -> bool {
+        let in_one_group = |groups: &[u32]| groups[a] == groups[b] && groups[a] != 0;
+        self.groups.is_none_or(in_one_group)
+            && (self.crease.0 >= 180.0
+                || Degrees::from(angle_between(facts.face_normal(a), facts.face_normal(b))) <= self.crease)
+    }
+}
+
 /// The angle in degrees between the stored normal of a corner and the mean by each weighting over the faces that are
-/// reached from it without crossing an edge sharper than the crease angle.
-fn errors(facts: &Facts<'_>, corner: u32, crease: f64) -> [f64; MEANS.len()] {
+/// reached from it without crossing a sharp edge.
+fn errors(facts: &Facts<'_>, corner: u32, rule: Smoothness<'_>) -> [f64; MEANS.len()] {
     let mut sums = [DVec3::ZERO; MEANS.len()];
     let mut add = |corner: u32| {
         let face = facts.topology.face_of(corner) as usize;
@@ -259,7 +288,7 @@ fn errors(facts: &Facts<'_>, corner: u32, crease: f64) -> [f64; MEANS.len()] {
             *sum += normal * weight;
         }
     };
-    walk(facts, corner, crease, &mut add);
+    walk(facts, corner, rule, &mut add);
     let stored = facts.stored_unit(corner as usize).expect("the sample has corners with a direction");
     sums.map(|sum| Degrees::from(angle_between(stored, sum)).0)
 }
@@ -268,11 +297,10 @@ fn errors(facts: &Facts<'_>, corner: u32, crease: f64) -> [f64; MEANS.len()] {
 const LONGEST: usize = 512;
 
 /// Visits the corners of the smooth group of a corner.
-fn walk(facts: &Facts<'_>, start: u32, crease: f64, visit: &mut impl FnMut(u32)) {
+fn walk(facts: &Facts<'_>, start: u32, rule: Smoothness<'_>, visit: &mut impl FnMut(u32)) {
     let topology = &facts.topology;
-    let normal = |corner: u32| facts.face_normal(topology.face_of(corner) as usize);
     let is_smooth =
-        |a: u32, b: u32| crease >= 180.0 || Degrees::from(angle_between(normal(a), normal(b))).0 <= crease;
+        |a: u32, b: u32| rule.joins(facts, [a, b].map(|corner| topology.face_of(corner) as usize));
     visit(start);
     let mut corner = start;
     for _ in 0..LONGEST {

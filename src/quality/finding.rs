@@ -64,7 +64,7 @@ impl Element {
 }
 
 /// One of the places of a finding. All numbers count from 0, as the mesh was read.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Site {
     /// Which part of the file.
     pub part: usize,

@@ -89,10 +89,8 @@ fn inside_out(facts: &Facts<'_>, found: &mut Tallies) {
         }
         let opposed = opposed(facts.mesh, facts.stored, &facts.field, &faces);
         let tally = found.tally(kind);
-        let (what, confidence) = if is_open { ("open", outward.confidence) } else { ("closed", 1.0) };
-        tally.remark =
-            Some(format!("in {components} {what} component{}", if components == 1 { "" } else { "s" }));
-        tally.confidence = Some(confidence);
+        tally.components = components as u64;
+        tally.confidence = Some(if is_open { outward.confidence } else { 1.0 });
         // Rooms, skies and bowls are seen from within; their normals say so as well.
         if opposed < 0.5 {
             tally.severity = Some(if is_open { Severity::Note } else { Severity::Warning });
@@ -170,6 +168,8 @@ fn crowded_edges(facts: &Facts<'_>, found: &mut Tallies) {
 fn faults(facts: &Facts<'_>, found: &mut Tallies) {
     for fault in &facts.field.faults.faces {
         let kind = match fault.reason {
+            // What crosses itself has area, up and down.
+            FaultReason::ZeroArea if polygons::is_balanced(facts, fault.index as usize) => continue,
             FaultReason::ZeroArea => Kind::ZeroArea,
             FaultReason::BelowStorage => Kind::BelowStorage,
             _ => continue,
@@ -243,29 +243,48 @@ fn far_from_origin(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
     const SAMPLE: usize = 10_000;
     let Some((low, high)) = facts.mesh.bounds() else { return };
     let farthest = low.abs().max(high.abs()).max_element() * facts.scale;
-    let stride = facts.mesh.face_count().div_ceil(SAMPLE).max(1);
-    let mut heights: Vec<f64> = (0..facts.mesh.face_count())
-        .step_by(stride)
-        .filter(|&face| facts.area[face] > 0.0)
-        .map(|face| {
-            let shape = height_over_length(facts, face);
-            (2.0 * facts.area[face] * shape).sqrt()
-        })
-        .collect();
     // A dense mesh round the origin has small faces too; far is what lies outside its own size.
-    if heights.is_empty() || farthest < 4.0 * facts.size {
+    if farthest < 4.0 * facts.size {
+        return;
+    }
+    let unit = |x: f64| f64::from((x as f32).next_up()) - f64::from(x as f32);
+    let units = DVec3::from(low.abs().max(high.abs()).to_array().map(unit)) * facts.scale;
+    let stride = facts.mesh.face_count().div_ceil(SAMPLE).max(1);
+    let sampled = (0..facts.mesh.face_count()).step_by(stride).filter(|&face| facts.area[face] > 0.0);
+    let (mut heights, tilts): (Vec<f64>, Vec<f64>) = sampled
+        .map(|face| {
+            let height = (2.0 * facts.area[face] * height_over_length(facts, face)).sqrt();
+            (height, expected_tilt(facts, face, units))
+        })
+        .unzip();
+    if heights.is_empty() {
         return;
     }
     heights.sort_unstable_by(f64::total_cmp);
     let height = heights[heights.len() / 2];
+    let tilt = tilts.iter().sum::<f64>() / tilts.len() as f64;
     // Half a unit in the last place of 24 bits at each of the two ends of the height.
     let rounding = farthest * f64::from(f32::EPSILON) / 2.0;
     let error = Degrees::from(Radians(libm::atan2(2.0 * rounding, height))).0;
     if error > thresholds.rounding.0 {
         found.add(Kind::FarFromOrigin, Spot::mesh().by(error), facts.total_area);
         let bits = libm::floor(libm::log2(height / rounding)).max(0.0);
+        let expected = Degrees::from(Radians(libm::atan(tilt))).0;
         found.tally(Kind::FarFromOrigin).remark = Some(format!(
-            "{bits} bits are left for the height of a face, whose normal may be off by {error:.2}°"
+            "{bits} bits are left for the height of a face, whose normal is off by {expected:.2}° in the mean and may be \
+             by {error:.2}°"
         ));
     }
+}
+
+/// The mean tangent of the angle by which a triangle's normal turns if each coordinate of its corners is rounded to
+/// multiples of a unit in the last place: errors e with variance Σ (n units)²/12 along the normal tilt the plane by
+/// Σ eᵢ ∇λᵢ, where |∇λᵢ| is one over the height at corner i, and the mean length of such a plane vector is √(π/4) of its root
+/// mean square. Polygons count as triangles with their area and longest edges.
+fn expected_tilt(facts: &Facts<'_>, face: usize, units: DVec3) -> f64 {
+    let edge = |corner: usize| facts.place(facts.topology.next(corner as u32) as usize) - facts.place(corner);
+    let edges: f64 = facts.mesh.faces().range(face).map(|corner| edge(corner).length_squared()).sum();
+    let inverse_heights = edges.sqrt() / (2.0 * facts.area[face]);
+    let along = (facts.face_normal(face) * units).length() / 12f64.sqrt();
+    (std::f64::consts::PI / 4.0).sqrt() * along * inverse_heights
 }

@@ -27,17 +27,38 @@ fn grey(degrees: f64) -> f64 {
     Transfer::Srgb.encode(cosine) * 255.0
 }
 
+/// The same from the cosine, for as many as a mesh has edges: the power of 1/2.4 is the fifth power of the twelfth root,
+/// which three roots give several times sooner.
+fn grey_of_cosine(cosine: f64) -> f64 {
+    const CUT: f64 = 0.003_130_8;
+    let root = libm::cbrt(cosine.max(CUT).sqrt().sqrt());
+    let squared = root * root;
+    let curved = 1.055 * (squared * squared * root) - 0.055;
+    255.0 * if cosine <= CUT { 12.92 * cosine.max(0.0) } else { curved }
+}
+
 /// By how much the slope of brightness changes at an edge, in steps of 8 bits a pixel, under a key light 45° from its normal
 /// and across it, on the side where that is more.
 ///
-/// Brightness is interpolated from the edge to what is beyond it on either side: `degrees` of the normals there from that
-/// of the edge, positive on the first side's own side, and `pixels` from the edge.
-pub(super) fn slope_jump(degrees: [f64; 2], pixels: [f64; 2]) -> f64 {
-    let jump = |light: f64| {
-        let slopes = [0, 1].map(|side| (grey(degrees[side] - light) - grey(light)) / pixels[side].max(1.0));
+/// Brightness is interpolated from the edge to what is beyond it on either side: the normals there by their parts along
+/// that of the edge and across it, positive on the first side's own side, of any length; and `pixels` from the edge.
+pub(super) fn slope_jump(normals: [[f64; 2]; 2], pixels: [f64; 2]) -> f64 {
+    const DIAGONAL: f64 = std::f64::consts::FRAC_1_SQRT_2;
+    let here = grey_of_cosine(DIAGONAL);
+    let units = normals.map(|[up, aside]| match (up * up + aside * aside).sqrt() {
+        length if length > 0.0 => [up, aside].map(|part| part * (DIAGONAL / length)),
+        // Nothing to tell: as on the edge.
+        _ => [DIAGONAL, 0.0],
+    });
+    // On either side of the edge: cos(θ ∓ 45°) = (cos θ ± sin θ)/√2.
+    let jump = |side: f64| {
+        let slopes = [0, 1].map(|k| {
+            let [up, aside] = units[k];
+            (grey_of_cosine(up + side * aside) - here) / pixels[k].max(1.0)
+        });
         (slopes[0] + slopes[1]).abs()
     };
-    jump(KEY_LIGHT).max(jump(-KEY_LIGHT))
+    jump(1.0).max(jump(-1.0))
 }
 
 #[cfg(test)]
@@ -48,6 +69,13 @@ mod tests {
     /// face; where a plane goes over into it, it is the slope there itself.
     #[test]
     fn slopes_jump_where_interpolation_bends() {
+        let slope_jump = |degrees: [f64; 2], pixels| {
+            let normal = |degrees: f64| {
+                let (sine, cosine) = libm::sincos(degrees.to_radians());
+                [3.0 * cosine, 3.0 * sine]
+            };
+            super::slope_jump(degrees.map(normal), pixels)
+        };
         let jump = slope_jump([10.0, -10.0], [40.0, 40.0]);
         let second = |light: f64| (grey(light - 10.0) - 2.0 * grey(light) + grey(light + 10.0)).abs() / 40.0;
         assert!((jump - second(45.0)).abs() < 1e-12, "{jump}");
@@ -55,6 +83,16 @@ mod tests {
         assert!((plane - (grey(45.0) - grey(55.0)) / 40.0).abs() < 1e-12, "{plane}");
         assert!(slope_jump([5.0, -5.0], [20.0, 20.0]) < jump, "finer is smoother");
         assert_eq!(slope_jump([0.0, 0.0], [3.0, 4.0]), 0.0);
+    }
+
+    /// Roots and the power agree to a few roundings of 255.
+    #[test]
+    fn roots_give_the_code_of_the_standard() {
+        for k in -100..=1000 {
+            let cosine = f64::from(k) * 1e-3;
+            let coded = Transfer::Srgb.encode(cosine.max(0.0)) * 255.0;
+            assert!((grey_of_cosine(cosine) - coded).abs() < 1e-12, "{cosine}");
+        }
     }
 
     #[test]

@@ -17,6 +17,12 @@
 //!
 #![doc = include_str!("measured/planted.md")]
 //!
+//! The confusion matrix: on how many of those meshes each kind was planted, and on how many each was reported, as error,
+//! warning or note, unless the clean mesh has it too. Rounding leaves loose lengths; what else stands beside the diagonal
+//! are notes of what else is true of the planted mesh.
+//!
+#![doc = include_str!("measured/confusion.md")]
+//!
 //! Recall by the size of the fault, over the icosphere and the bowl; below its threshold a fault passes:
 //!
 #![doc = include_str!("measured/recall.md")]
@@ -27,10 +33,12 @@ mod comparison;
 mod diagnosis;
 mod duplicates;
 mod estimate;
+mod facets;
 mod facts;
 mod finding;
 mod geometry;
 mod gloss;
+mod grid;
 mod light;
 mod limit;
 mod polygons;
@@ -48,5 +56,6 @@ pub use diagnosis::{Diagnosis, PartDiagnosis, diagnose};
 pub use estimate::{Estimate, SAMPLE};
 pub use finding::{Element, Finding, Severity, Site};
 pub use light::key_light_steps;
+pub use quantisation::Precision;
 pub use survey::{Survey, survey};
 pub use thresholds::Thresholds;

@@ -16,16 +16,20 @@ const BEND: f64 = 1e-6;
 /// Findings about one face.
 pub(super) fn look_at(facts: &Facts<'_>, face: usize, thresholds: &Thresholds, found: &mut Tallies) {
     let range = facts.mesh.faces().range(face);
-    if range.len() < 4 || facts.area[face] == 0.0 {
+    if range.len() < 4 {
         return;
     }
-    let first = facts.place(range.start);
-    let places: Vec<DVec3> = range.map(|corner| facts.place(corner) - first).collect();
+    if facts.area[face] == 0.0 {
+        if is_balanced(facts, face) {
+            found.add(Kind::Crossed, Spot::face(face, 0.0), 0.0);
+        }
+        return;
+    }
+    let places = places(facts, face);
     let normal = facts.face_normal(face);
     let area = facts.area[face];
     let twist = twist(&places, normal);
-    let (x, y) = normal.any_orthonormal_pair();
-    let flat: Vec<DVec2> = places.iter().map(|place| DVec2::new(place.dot(x), place.dot(y))).collect();
+    let flat = flattened(&places, normal);
     let bends = bends(&flat);
     if crosses_itself(&flat) {
         found.add(Kind::Crossed, Spot::face(face, 0.0), area);
@@ -37,6 +41,30 @@ pub(super) fn look_at(facts: &Facts<'_>, face: usize, thresholds: &Thresholds, f
     if let Some(worst) = bends.iter().copied().filter(|&bend| bend < -BEND).min_by(f64::total_cmp) {
         found.add(Kind::Concave, Spot::face(face, -worst), area);
     }
+}
+
+/// Whether a polygon without area crosses itself, so that what faces up is as large as what faces down.
+pub(super) fn is_balanced(facts: &Facts<'_>, face: usize) -> bool {
+    let places = places(facts, face);
+    // The plane of the largest triangle of the fan: the polygon as a whole has no direction.
+    let spokes = places[1..].windows(2).map(|pair| pair[0].cross(pair[1]));
+    let largest =
+        spokes.fold(DVec3::ZERO, |a, b| if b.length_squared() > a.length_squared() { b } else { a });
+    let normal = largest.try_normalize();
+    places.len() > 3 && normal.is_some_and(|normal| crosses_itself(&flattened(&places, normal)))
+}
+
+/// The corners of a face from its first one.
+fn places(facts: &Facts<'_>, face: usize) -> Vec<DVec3> {
+    let range = facts.mesh.faces().range(face);
+    let first = facts.place(range.start);
+    range.map(|corner| facts.place(corner) - first).collect()
+}
+
+/// Places as seen along a normal.
+fn flattened(places: &[DVec3], normal: DVec3) -> Vec<DVec2> {
+    let (x, y) = normal.any_orthonormal_pair();
+    places.iter().map(|place| DVec2::new(place.dot(x), place.dot(y))).collect()
 }
 
 /// The largest angle in degrees between the polygon's normal and that of the triangle at a corner, whichever way it faces.

@@ -6,7 +6,8 @@ use super::facts::{Facts, Worth};
 use super::light::slope_jump;
 use super::limit::Limit;
 use super::tally::{Spot, Tallies, scan};
-use crate::num::{Degrees, Radians, angle_between, three_digits};
+use crate::num::{angle_between, three_digits};
+use glam::DVec3;
 
 /// Turns of normals, as tangents, up to which the two bounds below hold.
 const SMALL_TURN: f64 = 0.3;
@@ -16,6 +17,9 @@ const SLOPE: f64 = 100.0;
 
 /// More than half the second derivative of that within [`SMALL_TURN`], and than what a tangent is more than its angle.
 const CURVATURE: f64 = 200.0;
+
+/// Normals at the two sides of an edge are one as far as shading goes where their cosine is above this: 1.1° apart.
+const SMOOTH: f64 = 0.9998;
 
 /// Risks of shading with the normals that a viewer has: the stored ones, or the computed ones where there are none.
 pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Tallies) {
@@ -65,26 +69,29 @@ fn corners(facts: &Facts<'_>, face: usize, terminator: Limit, found: &mut Tallie
 
 /// Smooth edges that bend so much that it shows along them, or at the outline.
 fn edge(facts: &Facts<'_>, face: usize, half_edge: u32, thresholds: &Thresholds, found: &mut Tallies) {
-    let Some(across) = facts.topology.across(half_edge).filter(|&across| half_edge < across) else { return };
-    let other = facts.topology.face_of(across) as usize;
+    let topology = &facts.topology;
+    let Some(across) = topology.across(half_edge).filter(|&across| half_edge < across) else { return };
+    let other = topology.face_of(across) as usize;
     if facts.worth[other] != Worth::Sound {
         return;
     }
-    let pairs = [(half_edge, facts.topology.next(across)), (facts.topology.next(half_edge), across)];
-    let is_smooth = |&(a, b): &(u32, u32)| facts.shaded(a as usize).dot(facts.shaded(b as usize)) > 0.9998;
-    if !pairs.iter().all(is_smooth) {
+    let ends = [half_edge, topology.next(half_edge)];
+    let normals = ends.map(|corner| facts.shaded(corner as usize));
+    let beyond = [topology.next(across), across].map(|corner| facts.shaded(corner as usize));
+    if normals[0].dot(beyond[0]) <= SMOOTH || normals[1].dot(beyond[1]) <= SMOOTH {
         return;
     }
     let spot = Spot { is_angle: false, ..Spot::corner(face, half_edge as usize, 0.0) };
-    let length =
-        (facts.place(facts.topology.next(half_edge) as usize) - facts.place(half_edge as usize)).length();
+    let along = facts.place(ends[1] as usize) - facts.place(ends[0] as usize);
+    let length = along.length();
     let pixels = thresholds.size / facts.size;
     let heights = [face, other].map(|face| {
         // From the edge to the far corner of a triangle, to the far edge of a polygon.
         let share = if facts.mesh.faces().range(face).len() == 3 { 2.0 } else { 1.0 };
         share * facts.area[face] / length * pixels
     });
-    let jump = band(facts, [half_edge, across], heights, thresholds.band);
+    let far = [half_edge, across].map(|half_edge| beyond_edge(facts, half_edge));
+    let jump = band(normals[0] + normals[1], along, far, heights, thresholds.band);
     if jump > thresholds.band {
         found.add(Kind::MachBands, Spot { weight: jump, ..spot }, 0.0);
     }
@@ -102,23 +109,23 @@ fn edge(facts: &Facts<'_>, face: usize, half_edge: u32, thresholds: &Thresholds,
     }
 }
 
-/// How much the slope of brightness changes at an edge, in steps a pixel; 0 where that is `least` at most for certain.
-fn band(facts: &Facts<'_>, half_edges: [u32; 2], heights: [f64; 2], least: f64) -> f64 {
-    let ends =
-        [half_edges[0], facts.topology.next(half_edges[0])].map(|corner| facts.shaded(corner as usize));
-    let edge = ends[0] + ends[1];
-    let far = half_edges.map(|half_edge| {
-        let before = facts.topology.previous(half_edge);
-        let after = facts.topology.next(facts.topology.next(half_edge));
-        facts.shaded(before as usize) + facts.shaded(after as usize)
-    });
-    let along =
-        facts.place(facts.topology.next(half_edges[0]) as usize) - facts.place(half_edges[0] as usize);
+/// The direction of the normals at the corners next to an edge on the face of its half-edge: of a triangle it is one corner.
+fn beyond_edge(facts: &Facts<'_>, half_edge: u32) -> DVec3 {
+    let before = facts.topology.previous(half_edge);
+    let after = facts.topology.next(facts.topology.next(half_edge));
+    let normal = facts.shaded(before as usize);
+    if before == after { normal } else { normal + facts.shaded(after as usize) }
+}
+
+/// How much the slope of brightness changes at an edge with this normal and direction, in steps a pixel; 0 where that is
+/// `least` at most for certain. What is beyond it is told by normals of any length and by heights.
+fn band(normal: DVec3, along: DVec3, far: [DVec3; 2], heights: [f64; 2], least: f64) -> f64 {
     // Towards the first face.
-    let aside = edge.cross(along).normalize_or_zero();
-    let up = edge.normalize_or_zero();
+    let aside = normal.cross(along).normalize_or_zero();
+    let up = normal.normalize_or_zero();
+    let turned = far.map(|normal| [normal.dot(up), normal.dot(aside)]);
     // Tangents of the angles between the normals beyond the edge and that of the edge.
-    let turns = far.map(|normal| normal.dot(aside) / normal.dot(up).max(0.0));
+    let turns = turned.map(|[up, aside]| aside / up.max(0.0));
     if turns.iter().all(|turn| turn.abs() < SMALL_TURN) {
         let pixels = heights.map(|height| height.max(1.0));
         let first = SLOPE * (turns[0] / pixels[0] + turns[1] / pixels[1]).abs();
@@ -127,6 +134,5 @@ fn band(facts: &Facts<'_>, half_edges: [u32; 2], heights: [f64; 2], least: f64) 
             return 0.0;
         }
     }
-    let degrees = far.map(|normal| Degrees::from(Radians(libm::atan2(normal.dot(aside), normal.dot(up)))).0);
-    slope_jump(degrees, heights)
+    slope_jump(turned, heights)
 }

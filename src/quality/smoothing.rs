@@ -28,7 +28,7 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
         for face in faces {
             for half_edge in facts.mesh.faces().range(face) {
                 if let Some(edge) = Edge::at(facts, stored, half_edge as u32) {
-                    edge.judge(facts, crease, groups, thresholds, found);
+                    edge.judge(facts, stored, crease, groups, thresholds, found);
                 }
             }
         }
@@ -60,19 +60,70 @@ fn mergeable(facts: &Facts<'_>, stored: &Column<DVec3>) -> usize {
     (0..facts.mesh.vertex_count() as u32).filter(|&vertex| sets.find(vertex) != vertex).count()
 }
 
-/// Whether one of the two edges of its face at a corner has one normal on both sides where the rule of the mesh has two.
-pub(super) fn is_averaged(facts: &Facts<'_>, corner: usize) -> bool {
+/// Whether one of the two edges of its face at a corner bends by more than this and has one normal on both sides, where the
+/// rule of the mesh has two.
+pub(super) fn is_averaged(facts: &Facts<'_>, corner: usize, from: f64) -> bool {
     let (Some(stored), Some(estimate)) = (facts.stored, facts.estimate) else { return false };
+    let from = from.max(estimate.sharp_from());
     let ways = [corner as u32, facts.topology.previous(corner as u32)];
     facts.shares_vertices
         && ways
             .into_iter()
             .filter_map(|half_edge| Edge::either_way(facts, stored, half_edge))
-            .any(|edge| edge.is_averaged(facts, estimate.sharp_from()))
+            .any(|edge| edge.is_averaged(facts, from))
+}
+
+/// Whether a corner has its normal together with others at its vertex, up to an edge that is a seam.
+pub(super) fn is_beside_seam(facts: &Facts<'_>, corner: usize, thresholds: &Thresholds) -> bool {
+    let Some(stored) = facts.stored.filter(|_| facts.shares_vertices) else { return false };
+    let shares = |way: Way| way.shares(facts, stored, corner as u32);
+    let ends_at_seam = |way: Way| {
+        let mut at = corner as u32;
+        for _ in 0..facts.topology.corners_at(facts.mesh.faces().corners()[corner]).len() {
+            let Some((edge, end)) = way.edge(facts, stored, at) else { return false };
+            if edge.gaps[end] > SAME {
+                return edge.is_seam(facts, stored, thresholds);
+            }
+            at = edge.ends[end][1] as u32;
+        }
+        false
+    };
+    WAYS.into_iter().any(shares) && WAYS.into_iter().any(ends_at_seam)
+}
+
+/// A way round a vertex.
+#[derive(Clone, Copy)]
+enum Way {
+    /// Over the edge that leaves a corner.
+    Forward,
+    /// Over the edge that comes in to it.
+    Back,
+}
+
+const WAYS: [Way; 2] = [Way::Forward, Way::Back];
+
+impl Way {
+    /// The next edge from a corner, and which of its ends the vertex is.
+    fn edge(self, facts: &Facts<'_>, stored: &Column<DVec3>, corner: u32) -> Option<(Edge, usize)> {
+        match self {
+            Way::Forward => Some((Edge::either_way(facts, stored, corner)?, 0)),
+            Way::Back => Some((Edge::either_way(facts, stored, facts.topology.previous(corner))?, 1)),
+        }
+    }
+
+    /// Whether a corner has one normal with the one beyond that edge.
+    fn shares(self, facts: &Facts<'_>, stored: &Column<DVec3>, corner: u32) -> bool {
+        self.edge(facts, stored, corner).is_some_and(|(edge, end)| edge.gaps[end] <= SAME)
+    }
+}
+
+/// The angle between two directions, in degrees.
+fn degrees(a: DVec3, b: DVec3) -> f64 {
+    Degrees::from(angle_between(a, b)).0
 }
 
 /// An edge between two sound faces, with the stored normals on both sides at both ends.
-struct Edge {
+pub(super) struct Edge {
     half_edge: u32,
     across: u32,
     faces: [usize; 2],
@@ -84,7 +135,7 @@ struct Edge {
 
 impl Edge {
     /// The edge of a half-edge, told once for both.
-    fn at(facts: &Facts<'_>, stored: &Column<DVec3>, half_edge: u32) -> Option<Edge> {
+    pub(super) fn at(facts: &Facts<'_>, stored: &Column<DVec3>, half_edge: u32) -> Option<Edge> {
         let is_first = facts.topology.across(half_edge).is_some_and(|across| half_edge < across);
         if is_first { Self::either_way(facts, stored, half_edge) } else { None }
     }
@@ -105,21 +156,32 @@ impl Edge {
             if stored.slot(a, corners[a]).is_some_and(|slot| Some(slot) == stored.slot(b, corners[b])) {
                 return facts.stored_unit(a).map(|_| 0.0);
             }
-            Some(Degrees::from(angle_between(facts.stored_unit(a)?, facts.stored_unit(b)?)).0)
+            Some(degrees(facts.stored_unit(a)?, facts.stored_unit(b)?))
         };
         let gaps = [gap(ends[0])?, gap(ends[1])?];
         Some(Edge { half_edge, across, faces, gaps, ends })
     }
 
+    /// Whether its two sides have one normal, at both ends.
+    pub(super) fn is_shared(&self) -> bool {
+        self.gaps[0].max(self.gaps[1]) <= SAME
+    }
+
+    /// How far the normals at it are from their faces, at most.
+    pub(super) fn leaning(&self, facts: &Facts<'_>) -> f64 {
+        self.ends.as_flattened().iter().map(|&corner| facts.leaning(corner)).fold(0.0, f64::max)
+    }
+
     /// How far it bends, in degrees.
     fn bend(&self, facts: &Facts<'_>) -> f64 {
         let [a, b] = self.faces.map(|face| facts.face_normal(face));
-        Degrees::from(angle_between(a, b)).0
+        degrees(a, b)
     }
 
     fn judge(
         &self,
         facts: &Facts<'_>,
+        stored: &Column<DVec3>,
         crease: f64,
         groups: Option<&SmoothingGroups>,
         thresholds: &Thresholds,
@@ -128,9 +190,8 @@ impl Edge {
         let spot = Spot::corner(self.faces[0], self.half_edge as usize, 0.0);
         let [low, high] = [self.gaps[0].min(self.gaps[1]), self.gaps[0].max(self.gaps[1])];
         if self.is_averaged(facts, crease + thresholds.crease.0) {
-            let leaning = self.ends.as_flattened().iter().map(|&corner| facts.leaning(corner));
-            found.add(Kind::AveragedCrease, spot.by(leaning.fold(0.0, f64::max)), 0.0);
-        } else if low > thresholds.seam.0 && self.goes_on(facts) {
+            found.add(Kind::AveragedCrease, spot.by(self.leaning(facts)), 0.0);
+        } else if low > thresholds.seam.0 && self.is_seam(facts, stored, thresholds) {
             found.add(Kind::SplitSeam, spot.by(high), 0.0);
         } else if high == 0.0 && facts.shares_vertices && self.is_needless(facts) {
             found.add(Kind::NeedlessSeam, Spot { is_angle: false, weight: 0.0, ..spot }, 0.0);
@@ -147,10 +208,23 @@ impl Edge {
         }
     }
 
+    /// Whether it splits the normals of a surface that goes on: not where single corners stray or are turned round, which is
+    /// told as that.
+    fn is_seam(&self, facts: &Facts<'_>, stored: &Column<DVec3>, thresholds: &Thresholds) -> bool {
+        let is_told = |&corner: &usize| {
+            let off = facts.stored_unit(corner).map_or(0.0, |unit| degrees(unit, facts.expected(corner)));
+            off > thresholds.deviation.0
+                && (facts.leaning(corner) > 90.0 + thresholds.against.0
+                    || !WAYS.into_iter().any(|way| way.shares(facts, stored, corner as u32)))
+        };
+        self.gaps[0].min(self.gaps[1]) > thresholds.seam.0
+            && self.goes_on(facts)
+            && !self.ends.as_flattened().iter().any(is_told)
+    }
+
     /// Whether both sides have one normal where the rule of the mesh has two.
     fn is_averaged(&self, facts: &Facts<'_>, from: f64) -> bool {
-        let is_shared = self.gaps[0].max(self.gaps[1]) <= SAME;
-        is_shared && !self.goes_on(facts) && self.bend(facts) > from
+        self.is_shared() && !self.goes_on(facts) && self.bend(facts) > from
     }
 
     /// Whether the recipe that fits best has one normal on both sides, at both ends.
@@ -182,6 +256,6 @@ impl Facts<'_> {
     /// How far the normal that a corner is shaded with is from its face, in degrees.
     pub(super) fn leaning(&self, corner: usize) -> f64 {
         let face = self.topology.face_of(corner as u32) as usize;
-        Degrees::from(angle_between(self.shaded(corner), self.face_normal(face))).0
+        degrees(self.shaded(corner), self.face_normal(face))
     }
 }

@@ -1,27 +1,30 @@
 //! Findings about stored normals, corner by corner.
 
-use super::Thresholds;
 use super::catalogue::Kind;
 use super::facts::{Facts, Worth};
 use super::finding::Severity;
 use super::limit::Limit;
 use super::tally::{Spot, Tallies, scan};
-use super::{quantisation, smoothing, turned};
+use super::{Estimate, Precision, Thresholds};
+use super::{facets, quantisation, smoothing, turned};
 use crate::mesh::Column;
 use crate::num::{Degrees, angle_between};
 use glam::DVec3;
 
-/// From here on, in degrees, a normal counts as the opposite of the right one.
+/// From here on, in degrees, a normal counts as the opposite of the right one, and an edge as a fold.
 const OPPOSITE: f64 = 135.0;
 
 /// The share of corners against their faces from which on it is all of them.
 const ALL: f64 = 0.9;
 
-/// Everything about the normals that a part has in its file.
-pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Tallies) {
+/// The share of corners up to which strays are exceptions.
+const FEW: f64 = 0.15;
+
+/// Everything about the normals that a part has in its file; gives the precision that they were stored with.
+pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Tallies) -> Option<Precision> {
     let Some(stored) = facts.stored else {
         found.add(Kind::NoNormals, Spot::mesh(), facts.total_area);
-        return;
+        return None;
     };
     let deviation = Limit::new(thresholds.deviation.0);
     let corners = scan(facts.mesh.face_count(), thresholds.places, |faces, found| {
@@ -42,8 +45,26 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
     } else {
         grade_strays(facts, found, judged.sound);
     }
-    find_facets(facts, found);
-    quantisation::find(facts, stored, thresholds, found);
+    like_the_rest(facts, found);
+    facets::find(facts, stored, thresholds, found);
+    quantisation::find(facts, stored, thresholds, found)
+}
+
+/// Single normals are replaced by ones that are made as the rest is, or they would be strays.
+fn like_the_rest(facts: &Facts<'_>, found: &mut Tallies) {
+    let is_usual = |it: &Estimate| it.is_default() && facts.mesh.columns().smoothing.is_none();
+    let Some(estimate) = facts.estimate.filter(|estimate| !is_usual(estimate)) else { return };
+    for kind in [
+        Kind::MissingNormals,
+        Kind::NotFinite,
+        Kind::ZeroNormals,
+        Kind::NotUnit,
+        Kind::Flipped,
+        Kind::AgainstFace,
+    ] {
+        let own = kind.entry().remedy.unwrap_or_default();
+        found.tally(kind).remedy = Some(format!("{own} {}", estimate.options()));
+    }
 }
 
 /// How many corners could be told to be against their faces, and how many are.
@@ -114,12 +135,20 @@ fn direction(
 ) -> Option<Kind> {
     let from_face = Degrees::from(angle_between(normal, facts.face_normal(face))).0;
     match from_face > 90.0 + thresholds.against.0 {
+        // Smoothed over a fold, as when a polygon that crosses itself was cut into triangles, it is right for one side.
+        true if is_folded_over(facts, face) => None,
         true if off > OPPOSITE => Some(Kind::Flipped),
         true => Some(Kind::AgainstFace),
-        // An edge that should be sharp explains its corners.
-        false if smoothing::is_averaged(facts, corner) => None,
+        // An edge that should be sharp explains its corners, and so does one that should not be.
+        false if smoothing::is_averaged(facts, corner, 0.0) => None,
+        false if smoothing::is_beside_seam(facts, corner, thresholds) => None,
         false => Some(Kind::Stray),
     }
+}
+
+/// Whether an edge of a face is a fold with one normal on both sides.
+fn is_folded_over(facts: &Facts<'_>, face: usize) -> bool {
+    facts.mesh.faces().range(face).any(|corner| smoothing::is_averaged(facts, corner, OPPOSITE))
 }
 
 /// Strays are faults where all others follow a rule; where none does, or many follow it loosely, the normals are of another
@@ -129,7 +158,7 @@ fn grade_strays(facts: &Facts<'_>, found: &mut Tallies, sound: f64) {
     let far = [Kind::Stray, Kind::Flipped, Kind::AgainstFace].map(|kind| found.get(kind).count as f64);
     let is_tight = |reproduced: f64| far.iter().sum::<f64>() >= 0.5 * (1.0 - reproduced) * sound;
     match facts.estimate {
-        Some(estimate) if estimate.is_rule() && is_tight(estimate.reproduced) && strays <= 0.05 * sound => {
+        Some(estimate) if estimate.is_rule() && is_tight(estimate.reproduced) && strays <= FEW * sound => {
             found.tally(Kind::Stray).remedy = Some(estimate.options());
         }
         _ => found.rename(Kind::Stray, Kind::Custom),
@@ -137,27 +166,6 @@ fn grade_strays(facts: &Facts<'_>, found: &mut Tallies, sound: f64) {
     if facts.estimate.is_none_or(|estimate| !estimate.is_rule()) {
         let against = found.tally(Kind::AgainstFace);
         against.severity = Some(Severity::Note);
-    }
-}
-
-/// Flat normals on a shape that bends smoothly nearly everywhere.
-fn find_facets(facts: &Facts<'_>, found: &mut Tallies) {
-    let Some(estimate) = facts.estimate else { return };
-    if !facts.shares_vertices || estimate.crease.0 > 0.0 || estimate.reproduced < 0.99 {
-        return;
-    }
-    let (mut bent, mut gentle) = (0usize, 0usize);
-    for half_edge in 0..facts.mesh.faces().corner_count() as u32 {
-        let Some(across) = facts.topology.across(half_edge).filter(|&across| half_edge < across) else {
-            continue;
-        };
-        let [a, b] =
-            [half_edge, across].map(|corner| facts.face_normal(facts.topology.face_of(corner) as usize));
-        let bend = Degrees::from(angle_between(a, b)).0;
-        bent += usize::from(bend > 1.0);
-        gentle += usize::from(bend > 1.0 && bend < 30.0);
-    }
-    if bent >= 100 && gentle as f64 >= 0.9 * bent as f64 {
-        found.add(Kind::Faceted, Spot::mesh(), facts.total_area);
+        against.may_be_meant = true;
     }
 }

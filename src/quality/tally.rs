@@ -61,10 +61,14 @@ pub(super) struct Tally {
     pub(super) worst: Vec<Spot>,
     /// What else is to be said of it.
     pub(super) remark: Option<String>,
+    /// Components that it is of, where they are told in place of a remark.
+    pub(super) components: u64,
     /// Where it is not the catalogue's.
     pub(super) severity: Option<Severity>,
     /// Where it is not the catalogue's.
     pub(super) remedy: Option<String>,
+    /// It may be meant, and nothing is suggested.
+    pub(super) may_be_meant: bool,
     /// How sure it is, at least, where that is a question.
     pub(super) confidence: Option<f64>,
 }
@@ -89,8 +93,10 @@ impl Tally {
         self.area += other.area;
         other.worst.into_iter().for_each(|spot| self.keep(spot, most));
         self.remark = self.remark.take().or(other.remark);
+        self.components += other.components;
         self.severity = self.severity.max(other.severity);
         self.remedy = self.remedy.take().or(other.remedy);
+        self.may_be_meant |= other.may_be_meant;
         self.confidence = least(self.confidence, other.confidence);
     }
 }

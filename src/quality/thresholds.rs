@@ -60,7 +60,7 @@ impl Default for Thresholds {
             deviation: Degrees(15.0),
             against: Degrees(5.0),
             rotation: Degrees(5.0),
-            quantisation: Degrees(0.1),
+            quantisation: Degrees(0.05),
             tangent: Degrees(5.0),
             crease: Degrees(10.0),
             seam: Degrees(2.0),

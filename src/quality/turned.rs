@@ -28,8 +28,8 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
         return false;
     }
     if pairs.is_constant {
-        // A flat mesh has one normal by right.
-        let bent = pairs.mean_face.length() < 0.9;
+        // A flat mesh has one normal by right, and so has what no normals could be computed for.
+        let bent = [pairs.mean_face, pairs.mean_expected].iter().all(|mean| mean.length() < 0.9);
         if bent {
             found.add(Kind::Constant, Spot::mesh(), area);
         }
@@ -78,6 +78,7 @@ struct Pairs {
     correlation: DMat3,
     weight: f64,
     mean_face: DVec3,
+    mean_expected: DVec3,
     is_constant: bool,
 }
 
@@ -96,18 +97,25 @@ impl Pairs {
             all.correlation += block.correlation;
             all.weight += block.weight;
             all.mean_face += block.mean_face;
+            all.mean_expected += block.mean_expected;
             all.is_constant &= block.is_constant;
         }
         if all.weight > 0.0 {
             all.mean_face /= all.weight;
+            all.mean_expected /= all.weight;
         }
         all
     }
 
     /// The sums over some faces; `first` is the normal that all would be equal to.
     fn of(facts: &Facts<'_>, faces: Range<usize>, first: Option<DVec3>) -> Self {
-        let mut pairs =
-            Pairs { correlation: DMat3::ZERO, weight: 0.0, mean_face: DVec3::ZERO, is_constant: true };
+        let mut pairs = Pairs {
+            correlation: DMat3::ZERO,
+            weight: 0.0,
+            mean_face: DVec3::ZERO,
+            mean_expected: DVec3::ZERO,
+            is_constant: true,
+        };
         for face in faces.filter(|&face| facts.worth[face] != Worth::Silent) {
             let range = facts.mesh.faces().range(face);
             let weight = facts.area[face] / range.len() as f64;
@@ -118,6 +126,7 @@ impl Pairs {
                 let (a, b) = (stored * weight, expected);
                 pairs.correlation += DMat3::from_cols(a * b.x, a * b.y, a * b.z);
                 pairs.mean_face += facts.face_normal(face) * weight;
+                pairs.mean_expected += expected * weight;
                 pairs.weight += weight;
             }
         }

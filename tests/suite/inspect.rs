@@ -4,11 +4,13 @@
 mod against;
 mod attributes;
 mod clean;
+mod geometry;
 mod mended;
 mod page;
 mod planted;
 mod real;
 mod recall;
+mod wholes;
 
 use crease::io::{Document, FileNode, Format, Loaded, Part};
 use crease::mesh::{Columns, Faces, Mesh, MeshBuilder};

@@ -49,7 +49,7 @@ pub struct InspectArgs {
 
     /// Tell also what is different in this file, which has the same shape: by how many degrees the normals changed, what
     /// that shows, and which findings came and went. Faces are matched by the places of their corners, so that order,
-    /// splits and cuts into triangles do not matter (one input only)
+    /// splits and cuts into triangles do not matter; `-` is standard input (one input only)
     #[arg(long, value_name = "FILE")]
     pub against: Option<PathBuf>,
 
@@ -129,7 +129,7 @@ pub struct ThresholdArgs {
     #[arg(long, value_name = "DEG")]
     pub rotation: Option<f64>,
 
-    /// How far the precision of storage may turn normals [default: 0.1]
+    /// How far the precision of storage may turn normals [default: 0.05]
     #[arg(long, value_name = "DEG")]
     pub quantisation: Option<f64>,
 

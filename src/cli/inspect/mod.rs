@@ -19,7 +19,7 @@ use super::request::{Job, RequestError, Target, resolve_parent};
 use super::{Exit, usage_error, use_threads};
 use against::AgainstReport;
 use args::{Explained, FindingArgs, PictureArgs};
-use crease::io::{Loaded, ReadError, ReadOptions, Written};
+use crease::io::{Loaded, ReadOptions, Written};
 use crease::num::Transfer;
 use crease::quality::{Comparison, Diagnosis, Thresholds, compare, diagnose};
 use crease::report::{After, ReportError, deviation_picture, diagnosis_page, encode_png};
@@ -66,11 +66,20 @@ fn jobs(args: &InspectArgs) -> Result<Vec<Job>, RequestError> {
         return Err(RequestError::Usage(format!("{option} takes one input, not {}", found.len())));
     }
     let sources: Vec<Source> = found.into_iter().map(|input| input.source).collect();
+    let is_stdin = |source: &Source| matches!(source, Source::Stdin);
+    if args.against.as_deref().map(source).is_some_and(|it| is_stdin(&it)) && sources.iter().any(is_stdin) {
+        return Err(RequestError::Usage("standard input can be read once; name one of the two files".into()));
+    }
     check_outputs(&sources, args)?;
     Ok(sources
         .into_iter()
         .map(|source| Job { source, format: args.format, target: None, to: None })
         .collect())
+}
+
+/// The file that `--against` names, or standard input.
+fn source(path: &Path) -> Source {
+    if path == Path::new("-") { Source::Stdin } else { Source::File(path.to_path_buf()) }
 }
 
 /// No picture may be written over what is read, nor over the other.
@@ -186,11 +195,10 @@ impl Later {
         diagnosis: &Diagnosis,
         progress: &FileProgress<'_>,
     ) -> Result<Self, Failure> {
-        let job = Job { source: Source::File(path.to_path_buf()), format: None, target: None, to: None };
+        let job = Job { source: source(path), format: None, target: None, to: None };
         let path = name(&job);
-        let loaded = normals::load(&job, read, progress, &mut None).map_err(|error| {
-            Failure::Read(ReadError { found: format!("in {path}: {}", error.found), ..error })
-        })?;
+        let loaded =
+            normals::load(&job, read, progress, &mut None).map_err(|error| Failure::read_of(&path, error))?;
         let own = diagnose(&loaded, thresholds, &|_| {});
         let comparison = compare([before, &loaded], [diagnosis, &own], thresholds.places)
             .map_err(|error| Failure::Draw(format!("--against {path}: {error}")))?;

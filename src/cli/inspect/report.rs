@@ -12,7 +12,7 @@
 //! | `input` | as in `crease-normals/1` |
 //! | `verdict` | the gravest severity told, or null |
 //! | `counts` | how many findings are `error`, `warning`, `note` |
-//! | `parts` | `name`, `vertices`, `faces`, `corners`, and `estimate`, null if stored normals do not tell: `weight`, `crease` (degrees), `groups` (whether smoothing groups count too), `sample` (corners), `reproduced`, `separated` (shares), `median` (degrees) |
+//! | `parts` | `name`, `vertices`, `faces`, `corners`, and `estimate`, null if stored normals do not tell: `weight`, `crease` (degrees), `groups` (whether smoothing groups count too), `sample` (corners), `reproduced`, `separated` (shares), `median` (degrees); and `precision`, null if they were rounded to no grid that tells: `grid` (in words), `degrees` (the most that it turns a normal by), `exponent` (the largest of a highlight that it serves, null if it may show on a matte surface) |
 //! | `findings` | the gravest first, below |
 //! | `against` | with `--against` only, below |
 //! | `seconds` | `read`, `inspect`, `total` |
@@ -32,7 +32,7 @@
 
 use super::super::report::{ErrorReport, InputReport};
 use super::against::AgainstReport;
-use crease::quality::{Diagnosis, Estimate, Finding, PartDiagnosis, Severity, Site};
+use crease::quality::{Diagnosis, Estimate, Finding, PartDiagnosis, Precision, Severity, Site};
 use serde::Serialize;
 
 /// The report of one input.
@@ -67,6 +67,7 @@ pub struct PartReport {
     pub faces: usize,
     pub corners: usize,
     pub estimate: Option<EstimateReport>,
+    pub precision: Option<PrecisionReport>,
 }
 
 #[derive(Debug, Serialize)]
@@ -78,6 +79,13 @@ pub struct EstimateReport {
     pub reproduced: f64,
     pub separated: f64,
     pub median: f64,
+}
+
+#[derive(Debug, Serialize)]
+pub struct PrecisionReport {
+    pub grid: String,
+    pub degrees: f64,
+    pub exponent: Option<u64>,
 }
 
 #[derive(Debug, Serialize)]
@@ -167,12 +175,18 @@ impl PartReport {
             separated: estimate.separated,
             median: estimate.median.0,
         };
+        let precision = |precision: &Precision| PrecisionReport {
+            grid: precision.grid.clone(),
+            degrees: precision.error.0,
+            exponent: precision.exponent,
+        };
         Self {
             name: part.name.clone(),
             vertices: part.vertices,
             faces: part.faces,
             corners: part.corners,
             estimate: part.estimate.map(estimate),
+            precision: part.precision.as_ref().map(precision),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! What `crease inspect` tells people.
 
 use super::super::console::{Style, escaped};
-use super::report::{Counts, FindingReport, InspectReport, SiteReport};
+use super::report::{Counts, FindingReport, InspectReport, PrecisionReport, SiteReport};
 use crease::num::three_digits;
 use crease::quality::Severity;
 use crease::quality::catalogue::{Entry, entries};
@@ -45,7 +45,13 @@ pub fn block(report: &InspectReport, style: Style, verbose: bool, places: usize)
             ),
             None => String::new(),
         };
-        let _ = writeln!(out, "  {name}{} faces, {} vertices{made}", part.faces, part.vertices);
+        let rounded = match &part.precision {
+            Some(PrecisionReport { grid, degrees, .. }) => {
+                format!("; rounded to {grid}: by up to {}°", three_digits(*degrees))
+            }
+            None => String::new(),
+        };
+        let _ = writeln!(out, "  {name}{} faces, {} vertices{made}{rounded}", part.faces, part.vertices);
     }
     report.findings.iter().for_each(|finding| out.push_str(&paragraph(finding, report, style, places)));
     if let Some(against) = &report.against {

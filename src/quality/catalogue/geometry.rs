@@ -5,6 +5,15 @@ use super::{Entry, Kind, entry};
 
 pub(super) const ENTRIES: &[Entry] = &[
     entry(
+        Kind::NoFaces,
+        "no-faces",
+        Severity::Warning,
+        "a file without faces",
+        "There are points or lines at most, so there is no surface to have normals, and nothing else was looked for. A picture of it is empty.",
+        "Look for what it was exported from: the faces may have been left out, or be of a kind that is not read.",
+        None,
+    ),
+    entry(
         Kind::InconsistentWinding,
         "inconsistent-winding",
         Severity::Error,
@@ -27,7 +36,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         "inside-out",
         Severity::Error,
         "closed surfaces that face inwards",
-        "The signed volume of the component is negative where it should be positive, by the number of others that it lies in; that is told exactly, or not at all. With back faces culled one sees its far side from within; lit, it is dark on the side of the lamp. Rooms and skies are made so on purpose; then the stored normals face inwards too, and this is a warning only.",
+        "The signed volume of the component is negative where it should be positive, by the number of others that it lies in; that is told exactly, or not at all. With back faces culled one sees its far side from within; lit, it is dark on the side of the lamp. An error where most of the stored normals of these faces point the other way: faces and normals contradict each other. A warning where they agree, or where none are stored: rooms and skies are made so on purpose, and only who made it knows.",
         "Turn its faces outward, unless it is meant to be seen from within.",
         Some("--orient outward"),
     ),
@@ -162,7 +171,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         "far-from-origin",
         Severity::Warning,
         "far from the origin for its detail",
-        "Viewers hold positions in 32 bits. At this distance from the origin so few are left for the size of a face that its normal, if computed there, is off by this angle: shading ripples and flickers, though stored normals are right.",
+        "Viewers hold positions in 32 bits. At this distance from the origin so few are left for the size of a face that its normal, if computed there, is off: by an angle in the mean, over faces whose corners are rounded each on its own, and by up to a larger one, the bound for a usual face. Shading ripples and flickers, though stored normals are right.",
         "Move the mesh to the origin and put the distance into its node.",
         None,
     ),

@@ -29,6 +29,7 @@ pub enum Kind {
     Stray,
     Custom,
     Faceted,
+    Soft,
     Quantised,
     Tangents,
     MorphNormals,
@@ -36,6 +37,7 @@ pub enum Kind {
     SplitSeam,
     NeedlessSeam,
     GroupMismatch,
+    NoFaces,
     InconsistentWinding,
     NonOrientable,
     InsideOut,
@@ -139,7 +141,7 @@ impl Kind {
     const fn family(self) -> Family {
         match self as usize {
             number if number < Kind::AveragedCrease as usize => Family::Stored,
-            number if number < Kind::InconsistentWinding as usize => Family::Smoothing,
+            number if number < Kind::NoFaces as usize => Family::Smoothing,
             number if number < Kind::Terminator as usize => Family::Geometry,
             _ => Family::Shading,
         }
@@ -148,6 +150,7 @@ impl Kind {
     const fn element(self) -> Element {
         match self {
             Kind::NoNormals
+            | Kind::NoFaces
             | Kind::Constant
             | Kind::SwappedAxes
             | Kind::Rotated
@@ -155,7 +158,8 @@ impl Kind {
             | Kind::Faceted
             | Kind::Quantised
             | Kind::FarFromOrigin => Element::Mesh,
-            Kind::AveragedCrease
+            Kind::Soft
+            | Kind::AveragedCrease
             | Kind::SplitSeam
             | Kind::NeedlessSeam
             | Kind::GroupMismatch

@@ -1,6 +1,6 @@
 //! Before and after, side by side.
 
-use super::pictures::Model;
+use super::pictures::{HeatScale, Model};
 use crate::io::Loaded;
 use crate::num::three_digits;
 use crate::quality::{Comparison, Survey};
@@ -23,36 +23,35 @@ pub(super) fn section(
     page: &mut Page,
     before: &Model,
     after: After<'_>,
+    surveys: &[Survey],
     camera: Camera,
     side: u32,
 ) -> Result<(), ReportError> {
     let comparison = after.comparison;
     page.heading("Before and after");
     page.paragraph(&words(after.name, comparison));
-    let surveys = super::surveys(after.loaded);
     let changes = surveys.iter().zip(&comparison.change);
     let changes: Vec<Survey> =
         changes.map(|(survey, change)| Survey { deviations: change.clone(), ..survey.clone() }).collect();
-    let (then, change) = (Model::new(after.loaded, &surveys)?, Model::new(after.loaded, &changes)?);
+    let then = Model::new(after.loaded, surveys, before.scale)?;
+    let change = Model::new(after.loaded, &changes, HeatScale::of(changes.iter()))?;
     let worst: Vec<_> = comparison.places.first().into_iter().collect();
     let lit = [before.lit(camera, side)?, then.lit(camera, side)?];
     let marked = change.deviation(camera, side, &worst)?;
     let pictures: [(&Picture, &str); 3] = [
         (&lit[0], "the mesh lit with the normals that it had before"),
         (&lit[1], "the mesh lit with the normals that it has after"),
-        (
-            &marked,
-            "the mesh coloured by how far its normals changed, from violet, 0°, to yellow, 15° and more",
-        ),
+        (&marked, &format!("the mesh coloured by how far its normals changed, {}", change.scale.words())),
     ];
     let caption = "Left: before. Middle: after. Right: by how much the normals of each corner changed; the ring marks \
                    the place that changed most, also where it lies behind.";
     page.pictures(&pictures, caption)?;
     let off = [before.deviation(camera, side, &[])?, then.deviation(camera, side, &[])?];
-    let pictures: [(&Picture, &str); 2] = [
-        (&off[0], "before: the mesh coloured by the deviation of its normals from the rule that they follow"),
-        (&off[1], "after: the mesh coloured by the deviation of its normals from the rule that they follow"),
-    ];
+    let words = ["before", "after"].map(|when| {
+        let scale = before.scale.words();
+        format!("{when}: the mesh coloured by the deviation of its normals from the rule that they follow, {scale}")
+    });
+    let pictures: [(&Picture, &str); 2] = [(&off[0], &words[0]), (&off[1], &words[1])];
     page.pictures(
         &pictures,
         "How far normals are from those that the rule of their own mesh gives, before and after.",

@@ -1,7 +1,7 @@
 //! The page.
 
 use super::change::{self, After};
-use super::pictures::Model;
+use super::pictures::{HeatScale, Model};
 use super::plots::histograms;
 use super::sight::{self, Sight};
 use crate::io::Loaded;
@@ -32,12 +32,14 @@ pub fn diagnosis_page(
     sight: Sight,
 ) -> Result<String, ReportError> {
     let surveys = super::surveys(loaded);
-    let model = Model::new(loaded, &surveys)?;
+    // Colours mean the same before and after.
+    let later = after.map(|after| super::surveys(after.loaded)).unwrap_or_default();
+    let model = Model::new(loaded, &surveys, HeatScale::of(surveys.iter().chain(&later)))?;
     let mut page = Page::new(&format!("Normals of {name}"), &verdict(diagnosis));
     let camera = sight::camera(&model, diagnosis, after.map(|after| after.comparison), sight);
     overview(&mut page, &model, diagnosis, camera)?;
     if let (Some(after), Some(camera)) = (after, camera) {
-        change::section(&mut page, &model, after, camera, SIDES[0])?;
+        change::section(&mut page, &model, after, &later, camera, SIDES[0])?;
     }
     rules(&mut page, diagnosis);
     let mut drawn = 0;
@@ -84,7 +86,7 @@ fn overview(
     let pictures: [(&Picture, &str); 3] = [
         (
             &heat,
-            "the mesh coloured by the deviation of its stored normals, from violet, 0°, to yellow, 15° and more",
+            &format!("the mesh coloured by the deviation of its stored normals, {}", model.scale.words()),
         ),
         (&facing, "the mesh with front faces green and back faces red"),
         (&creases, "the mesh lit, with lines along creases and seams"),

@@ -16,9 +16,6 @@ use crate::shade::Material;
 use glam::{DMat3, DMat4, DVec3};
 use std::borrow::Cow;
 
-/// The deviation at the light end of the colours.
-const FULL: Degrees = Degrees(15.0);
-
 /// The least that a close-up shows, as a share of the whole.
 const CLOSEST: f64 = 1e-3;
 
@@ -27,6 +24,41 @@ pub(super) struct Model {
     parts: Vec<PartModel>,
     /// Which part stands where.
     places: Vec<(usize, DMat4)>,
+    pub(super) scale: HeatScale,
+}
+
+/// Which deviation has the light end of the colours.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct HeatScale {
+    full: Degrees,
+    /// Some deviations are larger.
+    is_clipped: bool,
+}
+
+impl HeatScale {
+    /// Round angles that scales end at. Below the first, a picture shows nothing of it.
+    const ENDS: [f64; 11] = [1.0, 2.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 90.0, 180.0];
+
+    /// The first round angle that no more than one deviation in two hundred is above: single faults do not make all others
+    /// look alike.
+    pub(super) fn of<'a>(surveys: impl Iterator<Item = &'a Survey>) -> Self {
+        let mut all: Vec<f64> = surveys.flat_map(|survey| &survey.deviations).copied().collect();
+        all.sort_unstable_by(f64::total_cmp);
+        let nearly_all = all.iter().rev().nth(all.len() / 200).copied().unwrap_or_default();
+        let full = Self::ENDS.into_iter().find(|&end| end >= nearly_all).unwrap_or(180.0);
+        Self { full: Degrees(full), is_clipped: all.last().is_some_and(|&largest| largest > full) }
+    }
+
+    /// What stands at the light end, and in the middle.
+    fn labels(self) -> [String; 2] {
+        let more = if self.is_clipped { " and more" } else { "" };
+        [format!("{}°{more}", self.full.0), format!("{}°", self.full.0 / 2.0)]
+    }
+
+    /// The same for those who do not see it.
+    pub(super) fn words(self) -> String {
+        format!("from violet, 0°, to yellow, {}", self.labels()[0])
+    }
 }
 
 struct PartModel {
@@ -36,11 +68,12 @@ struct PartModel {
 }
 
 impl Model {
-    /// The file with what was measured of each part.
-    pub(super) fn new(loaded: &Loaded, surveys: &[Survey]) -> Result<Self, ReportError> {
+    /// The file with what was measured of each part, in colours of a scale.
+    pub(super) fn new(loaded: &Loaded, surveys: &[Survey], scale: HeatScale) -> Result<Self, ReportError> {
         let parts = loaded.parts.iter().zip(surveys);
-        let parts: Vec<PartModel> =
-            parts.map(|(part, survey)| PartModel::new(&part.mesh, survey)).collect::<Result<_, _>>()?;
+        let parts: Vec<PartModel> = parts
+            .map(|(part, survey)| PartModel::new(&part.mesh, survey, scale))
+            .collect::<Result<_, _>>()?;
         let has_faces = |part: usize| parts[part].mesh.face_count() > 0;
         let mut places: Vec<(usize, DMat4)> =
             loaded.nodes.iter().map(|node| (node.part, node.world_from_part)).collect();
@@ -48,7 +81,7 @@ impl Model {
             places = (0..parts.len()).map(|part| (part, DMat4::IDENTITY)).collect();
         }
         places.retain(|&(part, place)| has_faces(part) && place.determinant() != 0.0);
-        Ok(Self { parts, places })
+        Ok(Self { parts, places, scale })
     }
 
     /// Which object a place is on, where that is in the world, and which way its face looks there.
@@ -122,7 +155,7 @@ impl Model {
                 ring(&mut picture, at, f64::from(side) / 40.0);
             }
         }
-        legend(&mut picture);
+        legend(&mut picture, self.scale);
         Ok(picture)
     }
 
@@ -176,7 +209,7 @@ impl Model {
 }
 
 impl PartModel {
-    fn new(mesh: &Mesh, survey: &Survey) -> Result<Self, ReportError> {
+    fn new(mesh: &Mesh, survey: &Survey, scale: HeatScale) -> Result<Self, ReportError> {
         let corners = mesh.faces().corners();
         let mut faces = Faces::with_capacity(corners.len());
         for range in mesh.faces().ranges() {
@@ -194,7 +227,7 @@ impl PartModel {
             faults: crate::normals::Faults::default(),
             summary: Summary::default(),
         };
-        let colours = survey.deviations.iter().map(|degrees| viridis(degrees / FULL.0)).collect();
+        let colours = survey.deviations.iter().map(|degrees| viridis(degrees / scale.full.0)).collect();
         Ok(Self { mesh: apart, field, colours })
     }
 }
@@ -209,7 +242,8 @@ pub fn deviation_picture(
     sight: Sight,
     side: u32,
 ) -> Result<Picture, ReportError> {
-    let model = Model::new(loaded, &super::surveys(loaded))?;
+    let surveys = super::surveys(loaded);
+    let model = Model::new(loaded, &surveys, HeatScale::of(surveys.iter()))?;
     let camera = sight::camera(&model, diagnosis, None, sight).ok_or(ReportError::Empty)?;
     model.deviation(camera, side, &[])
 }
@@ -239,7 +273,7 @@ fn ring(picture: &mut Picture, [x, y]: [f64; 2], radius: f64) {
 }
 
 /// A bar of the colours with its ends in degrees, along the bottom.
-fn legend(picture: &mut Picture) {
+fn legend(picture: &mut Picture, scale: HeatScale) {
     let [width, height] = picture.size.map(i64::from);
     let (bar, text) = ((height / 40).max(6), (height as f32 / 28.0).max(12.0));
     let (left, right, top) = (width / 8, width - width / 8, height - 2 * bar);
@@ -248,9 +282,27 @@ fn legend(picture: &mut Picture) {
         let coded = crate::num::Srgb8::from(colour).0.map(|c| f32::from(c) / 255.0);
         (top..top + bar).for_each(|y| picture.blend([x, y], coded, 1.0));
     }
-    for (label, at) in [("0°", left), ("7.5°", (left + right) / 2), ("15° and more", right)] {
+    let [full, half] = scale.labels();
+    for (label, at) in [("0°", left), (&half, (left + right) / 2), (&full, right)] {
         let wide = text_width(label, text) as i64;
         let x = (at - wide / 2).clamp(0, width - wide);
         draw_text(picture, label, [x, top - text as i64 - 2], text, [0.1; 3]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scales_end_where_the_data_does() {
+        let scale = |deviations: Vec<f64>| HeatScale::of([Survey { deviations, ..Survey::default() }].iter());
+        assert_eq!(scale(vec![]).labels(), ["1°", "0.5°"]);
+        assert_eq!(scale(vec![0.0, 3.0]).labels(), ["5°", "2.5°"]);
+        assert_eq!(scale(vec![30.0; 7]).labels(), ["30°", "15°"]);
+        // One in two hundred is left out, two are not.
+        let with = |count: usize| [vec![0.0; 200 - count], vec![180.0; count]].concat();
+        assert_eq!(scale(with(1)).words(), "from violet, 0°, to yellow, 1° and more");
+        assert_eq!(scale(with(2)).words(), "from violet, 0°, to yellow, 180°");
     }
 }

@@ -74,6 +74,7 @@ fn histogram(title: &str, unit: &str, values: &[f64], end: f64) -> Plot {
         x: Axis { range: Some([0.0, end]), ..Axis::linear(unit) },
         y: Axis::linear("per cent"),
         series: vec![Series { points, mark: Mark::Steps, ..Series::default() }],
+        ..Plot::default()
     }
 }
 

@@ -38,6 +38,7 @@ struct Part {
     faces: usize,
     corners: usize,
     estimate: Option<Estimate>,
+    precision: Option<Precision>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -51,6 +52,15 @@ struct Estimate {
     reproduced: f64,
     separated: f64,
     median: f64,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[allow(dead_code, reason = "the members are checked by being read")]
+struct Precision {
+    grid: String,
+    degrees: f64,
+    exponent: Option<u64>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -235,6 +245,32 @@ fn before_and_after_are_told_apart() {
     );
     let same = inspect(&[&mended, "--against", &mended]);
     assert!(text(&same.stdout).contains("no direction of 6 corners changed"), "{}", text(&same.stdout));
+}
+
+#[test]
+fn what_came_after_may_come_from_standard_input() {
+    let files = folder(&[("flipped.obj", FLIPPED)]);
+    let flipped = path(files.path().join("flipped.obj"));
+    let output = crease()
+        .args(["inspect", "--json", &flipped, "--against", "-"])
+        .write_stdin(FLIPPED)
+        .output()
+        .unwrap();
+    let report: Report = serde_json::from_str(text(&output.stdout)).unwrap();
+    let against = report.against.expect("it was asked for");
+    assert_eq!((against.path.as_str(), against.corners, against.changed), ("-", 6, 0));
+    let twice = crease().args(["inspect", "-", "--against", "-"]).write_stdin(FLIPPED).output().unwrap();
+    assert_eq!(code(&twice), 2, "{}", text(&twice.stderr));
+}
+
+#[test]
+fn a_file_without_faces_does_not_pass() {
+    let files = folder(&[("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n")]);
+    let points = path(files.path().join("points.obj"));
+    let output = inspect(&["--json", "--fail-on", "warning", &points]);
+    assert_eq!(code(&output), 1);
+    let report: Report = serde_json::from_str(text(&output.stdout)).unwrap();
+    assert_eq!(report.findings.iter().map(|it| it.id.as_str()).collect::<Vec<_>>(), ["no-faces"]);
 }
 
 #[test]

@@ -1,10 +1,12 @@
 //! What goes with normals in glTF files: tangents and the normals of morph targets, with faults at known vertices.
 
+use super::planted::Planted;
 use super::{grave, surface, with_normals};
 use base64::Engine;
-use crease::io::{Format, ReadOptions, read_bytes};
+use crease::io::{Format, Loaded, ReadOptions, read_bytes};
 use crease::mesh::{Mesh, triangulate};
 use crease::normals::NormalRecipe;
+use crease::num::{Degrees, angle_between};
 use crease::quality::catalogue::Kind;
 use crease::quality::{Diagnosis, Thresholds, diagnose};
 use crease::surface::{Surface, Torus};
@@ -130,8 +132,26 @@ impl Vertices {
         .into_bytes()
     }
 
+    /// By how many degrees the shear turns the normal of a vertex.
+    fn turn(&self, vertex: u32) -> f64 {
+        let (normal, turn) = (self.normals[vertex as usize], self.turns[vertex as usize]);
+        Degrees::from(angle_between(normal, normal + turn)).0
+    }
+
+    fn loaded(&self) -> Loaded {
+        read_bytes(self.file(), Some(Format::Gltf), None, &ReadOptions::default()).unwrap()
+    }
+
+    /// The file with a fault at some vertices.
+    fn planted(&self, what: &'static str, expected: Kind, vertices: &BTreeSet<u32>) -> Planted {
+        let mesh = self.loaded().parts.remove(0).mesh;
+        let corners = mesh.faces().corners().iter().zip(0..);
+        let places = corners.filter(|(v, _)| vertices.contains(v)).map(|(_, corner)| corner).collect();
+        Planted { file: Some(self.file()), ..Planted::new(what, expected, mesh, places) }
+    }
+
     fn diagnosis(&self) -> Diagnosis {
-        let loaded = read_bytes(self.file(), Some(Format::Gltf), None, &ReadOptions::default()).unwrap();
+        let loaded = self.loaded();
         diagnose(&loaded, &Thresholds { places: 1 << 16, ..Thresholds::default() }, &|_| {})
     }
 }
@@ -184,13 +204,8 @@ fn tangents_that_do_not_fit_are_found_where_they_are() {
 #[test]
 fn morph_normals_that_do_not_turn_along_are_found() {
     let mut file = Vertices::right();
-    // Where the shear turns the normal by twice the threshold and more.
-    let turned = |file: &Vertices, v: usize| {
-        let (from, to) = (file.normals[v], file.normals[v] + file.turns[v]);
-        crease::num::Degrees::from(crease::num::angle_between(from, to)).0
-    };
-    let places: BTreeSet<u32> =
-        some(&file).into_iter().filter(|&v| turned(&file, v as usize) > 30.0).collect();
+    // Twice the threshold and more.
+    let places: BTreeSet<u32> = some(&file).into_iter().filter(|&v| file.turn(v) > 30.0).collect();
     assert!(places.len() > 5);
     places.iter().for_each(|&vertex| file.turns[vertex as usize] = DVec3::ZERO);
     let diagnosis = file.diagnosis();
@@ -198,6 +213,22 @@ fn morph_normals_that_do_not_turn_along_are_found() {
     assert_eq!(grave(&diagnosis), ["wrong-morph-normals"]);
     let site = &diagnosis.get(Kind::MorphNormals).unwrap().places[0];
     assert_eq!(site.node.as_deref(), Some("body/arm/ring"), "the whole way to the node");
+}
+
+/// The faults above as they stand in the table, at the vertices that [`some`] picks.
+pub(super) fn planted() -> [Planted; 2] {
+    let mut leaning = Vertices::right();
+    let places = some(&leaning);
+    places
+        .iter()
+        .for_each(|&v| leaning.tangents[v as usize] = leaning.normals[v as usize].extend(1.0).into());
+    let mut unmoved = Vertices::right();
+    let far: BTreeSet<u32> = some(&unmoved).into_iter().filter(|&v| unmoved.turn(v) > 30.0).collect();
+    far.iter().for_each(|&v| unmoved.turns[v as usize] = DVec3::ZERO);
+    [
+        leaning.planted("tangents along their normals", Kind::Tangents, &places),
+        unmoved.planted("morph targets that do not turn normals", Kind::MorphNormals, &far),
+    ]
 }
 
 /// Files with a fault each that a command mends.

@@ -4,14 +4,16 @@ use super::clean::meshes;
 use super::planted::{Planted, faults};
 use super::{recipe, with_normals};
 use crate::cli::{crease, path, text};
-use crease::io::{Format, Part, WriteOptions, write_new};
+use crate::meshes::{Row, rows};
+use crease::io::{Format, Part, ReadOptions, WriteOptions, read, write_new};
 use crease::mesh::Mesh;
 use crease::normals::Weight;
 use crease::quality::catalogue::{Kind, entries};
+use rayon::prelude::*;
 use serde_json::Value;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// What the program finds in a file.
 fn findings(file: &Path) -> Vec<Value> {
@@ -64,13 +66,18 @@ impl Faulty {
         let before = findings(&file);
         let found = named(&before, id).unwrap_or_else(|| panic!("{name}: {id} is not found in {before:?}"));
         let Some(command) = found["command"].as_str() else { return false };
-        let words: Vec<&str> = command.split(' ').collect();
-        let output = crease().args(&words[1..]).output().unwrap();
-        assert!(output.status.success(), "{command}: {}", text(&output.stderr));
-        let after = findings(Path::new(words[words.iter().position(|word| *word == "-o").unwrap() + 1]));
+        let after = findings(&carried_out(command));
         assert!(named(&after, id).is_none(), "{name}: {command} leaves {:?}", named(&after, id));
         true
     }
+}
+
+/// Carries out a command and gives the file that it writes.
+fn carried_out(command: &str) -> PathBuf {
+    let words: Vec<&str> = command.split(' ').collect();
+    let output = crease().args(&words[1..]).output().unwrap();
+    assert!(output.status.success(), "{command}: {}", text(&output.stderr));
+    words[words.iter().position(|word| *word == "-o").unwrap() + 1].into()
 }
 
 /// Faults that are told of files rather than planted into clean meshes.
@@ -113,4 +120,62 @@ fn what_is_suggested_mends() {
     let mendable = entries().filter(|entry| entry.remedy.is_some()).map(|entry| entry.kind);
     let untried: Vec<&str> = mendable.filter(|kind| !mended.contains(kind)).map(Kind::id).collect();
     assert!(untried.is_empty(), "not tried: {untried:?}");
+}
+
+/// All that is read of a file, in a folder of its own where more may be written: the file, and what it names.
+fn copied(row: &Row, folder: &Path) -> PathBuf {
+    let beside = row.path.parent().unwrap();
+    let is_alone = ["stl", "ply", "obj", "gltf"].iter().any(|shared| beside.ends_with(shared));
+    let names = |path: &Path| path.file_stem() == row.path.file_stem();
+    for entry in fs::read_dir(beside).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_file() && (!is_alone || names(&path)) {
+            fs::copy(&path, folder.join(path.file_name().unwrap())).unwrap();
+        }
+    }
+    folder.join(row.path.file_name().unwrap())
+}
+
+/// What is suggested for a real file removes what it is suggested for, and brings no error or warning of another kind.
+fn check_real(row: &Row) -> Vec<String> {
+    let folder = tempfile::tempdir().unwrap();
+    let file = copied(row, folder.path());
+    let before = findings(&file);
+    let mut by_command: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+    for finding in &before {
+        if let Some(command) = finding["command"].as_str() {
+            by_command.entry(command).or_default().push(finding["id"].as_str().unwrap());
+        }
+    }
+    let mut failures = Vec::new();
+    for (command, ids) in by_command {
+        let after = findings(&carried_out(command));
+        let left = ids.iter().filter(|id| named(&after, id).is_some());
+        failures.extend(left.map(|id| format!("{}: {command} leaves {id}", row.name())));
+        let new = after.iter().filter(|it| it["severity"] != "note");
+        let new = new.map(|it| it["id"].as_str().unwrap()).filter(|id| named(&before, id).is_none());
+        failures.extend(new.map(|id| format!("{}: {command} brings {id}", row.name())));
+    }
+    failures
+}
+
+/// On real meshes as well, as they come. `CREASE_LONG` takes the large ones too.
+#[test]
+fn what_is_suggested_mends_real_meshes() {
+    let most = if std::env::var_os("CREASE_LONG").is_some() { u64::MAX } else { 100_000 };
+    let folders = [
+        ("obj", &["obj"][..]),
+        ("ply", &["ply"]),
+        ("stl", &["stl", "STL"]),
+        ("gltf", &["gltf", "glb"]),
+        ("ref", &["ply"]),
+    ];
+    let rows: Vec<Row> =
+        folders.into_iter().flat_map(|(folder, extensions)| rows(folder, extensions)).collect();
+    let is_wanted = |row: &&Row| {
+        let is_small = fs::metadata(&row.path).is_ok_and(|it| it.len() <= most);
+        is_small && read(&row.path, None, &ReadOptions::default()).is_ok()
+    };
+    let failures: Vec<String> = rows.par_iter().filter(is_wanted).flat_map(check_real).collect();
+    assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
 }

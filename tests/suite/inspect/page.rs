@@ -92,7 +92,8 @@ fn colours_tell_deviation() {
         &NormalRecipe::default(),
     );
     let mut wrong = mesh.columns().normals.clone().unwrap();
-    wrong.values.iter_mut().for_each(|normal| *normal = DVec3::new(normal.y, normal.z, normal.x));
+    // Those that the view sees.
+    wrong.values.iter_mut().filter(|normal| normal.y > 0.0).for_each(|normal| *normal = -*normal);
     let yellow_of = |mesh: crease::mesh::Mesh| {
         let file = loaded(mesh);
         let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});

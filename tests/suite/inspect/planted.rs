@@ -1,8 +1,10 @@
 //! One fault of each kind, planted at known places: is it found, all of it and nothing else, and is its cause named?
 
 use super::clean::{Clean, meshes};
+use super::wholes::{self, by_chance, turned_any_way};
 use super::{inspect, loaded, rebuilt, with_normals};
-use crease::io::FileNode;
+use crate::random::Random;
+use crease::io::{FileNode, ReadOptions, read_bytes};
 use crease::mesh::{
     Column, ColumnIndex, FaceEdit, Mesh, MeshBuilder, SmoothingGroups, Topology, Weld, normal_matrix,
 };
@@ -18,26 +20,31 @@ pub(super) struct Planted {
     /// What was done.
     pub(super) what: &'static str,
     pub(super) mesh: Mesh,
+    /// The file that the mesh is from, if the fault is in what else it holds.
+    pub(super) file: Option<Vec<u8>>,
     /// Where the mesh stands in the world, if not as it is.
     pub(super) node: Option<DMat4>,
     pub(super) expected: Kind,
     /// What is wrong; empty for a fault of the mesh as a whole.
-    places: BTreeSet<u32>,
-    by_face: bool,
+    pub(super) places: BTreeSet<u32>,
+    pub(super) by_face: bool,
 }
 
 impl Planted {
-    fn new(what: &'static str, expected: Kind, mesh: Mesh, places: BTreeSet<u32>) -> Self {
-        Self { what, mesh, node: None, expected, places, by_face: false }
+    pub(super) fn new(what: &'static str, expected: Kind, mesh: Mesh, places: BTreeSet<u32>) -> Self {
+        Self { what, mesh, file: None, node: None, expected, places, by_face: false }
     }
 
-    fn by_face(self) -> Self {
+    pub(super) fn by_face(self) -> Self {
         Self { by_face: true, ..self }
     }
 
     /// Everything that is found, with all places.
     pub(super) fn diagnosis(&self) -> Diagnosis {
-        let mut file = loaded(self.mesh.clone());
+        let mut file = match &self.file {
+            Some(bytes) => read_bytes(bytes.clone(), None, None, &ReadOptions::default()).unwrap(),
+            None => loaded(self.mesh.clone()),
+        };
         file.nodes.extend(self.node.map(|world_from_part| FileNode {
             number: 0,
             name: "node".into(),
@@ -56,13 +63,13 @@ fn chosen_corners(mesh: &Mesh) -> BTreeSet<u32> {
 }
 
 /// The stored normals with one value a corner.
-fn unshared(mesh: &Mesh) -> Vec<DVec3> {
+pub(super) fn unshared(mesh: &Mesh) -> Vec<DVec3> {
     let stored = mesh.columns().normals.as_ref().expect("a clean mesh has normals");
     let corners = mesh.faces().corners();
     (0..corners.len()).map(|corner| *stored.get(corner, corners[corner]).unwrap()).collect()
 }
 
-fn per_corner(mesh: &Mesh, normals: Vec<DVec3>) -> Mesh {
+pub(super) fn per_corner(mesh: &Mesh, normals: Vec<DVec3>) -> Mesh {
     let index = (0..normals.len() as u32).collect();
     mesh.clone().with_normals(Some(Column::per_corner(normals, index)))
 }
@@ -98,10 +105,6 @@ pub(super) fn turned(normal: DVec3, degrees: f64) -> DVec3 {
     normal * libm::cos(angle) + aside * libm::sin(angle)
 }
 
-fn quantised(normal: DVec3) -> DVec3 {
-    (normal * 127.0).round() / 127.0
-}
-
 /// Faces turned round, their stored normals left as they are.
 fn reversed_faces(clean: &Clean) -> Planted {
     let places: BTreeSet<u32> = (0..clean.mesh.face_count() as u32).step_by(53).collect();
@@ -119,17 +122,18 @@ fn inside_out(clean: &Clean) -> Planted {
 }
 
 /// Every tenth sharp edge averaged: both sides get the normal in the middle.
-fn averaged_crease(clean: &Clean) -> Option<Planted> {
-    let topology = Topology::build(&clean.mesh, Weld::Exact);
-    let mut normals = unshared(&clean.mesh);
+pub(super) fn averaged_crease(mesh: &Mesh) -> Option<Planted> {
+    let topology = Topology::build(mesh, Weld::Exact);
+    let mut normals = unshared(mesh);
     let before = normals.clone();
-    let corners = clean.mesh.faces().corners();
+    let corners = mesh.faces().corners();
     let mut places = BTreeSet::new();
     // By place: beyond a seam the same corner of the shape is another vertex.
     let mut touched: BTreeSet<[u64; 3]> = BTreeSet::new();
     let place =
-        |corner: u32| clean.mesh.positions()[corners[corner as usize] as usize].to_array().map(f64::to_bits);
-    let far = |a: DVec3, b: DVec3| angle_between(a, b).0 > 0.8;
+        |corner: u32| mesh.positions()[corners[corner as usize] as usize].to_array().map(f64::to_bits);
+    // Beyond the 40° that the meshes are made with.
+    let far = |a: DVec3, b: DVec3| angle_between(a, b).0 > 0.7;
     for half_edge in 0..corners.len() as u32 {
         let Some(across) = topology.across(half_edge).filter(|&across| half_edge < across) else { continue };
         let ends = [[half_edge, topology.next(across)], [topology.next(half_edge), across]];
@@ -146,7 +150,7 @@ fn averaged_crease(clean: &Clean) -> Option<Planted> {
         places.insert(half_edge);
     }
     // A crease can be told from the rule only where the rule is known from others.
-    let mesh = per_corner(&clean.mesh, normals);
+    let mesh = per_corner(mesh, normals);
     (places.len() >= 3).then(|| Planted::new("sharp edges averaged", Kind::AveragedCrease, mesh, places))
 }
 
@@ -279,14 +283,16 @@ pub(super) fn faults(clean: &Clean) -> Vec<Planted> {
         doubled_faces(clean),
         other_groups(clean),
     ];
-    if clean.is_round {
-        all.push(everywhere(clean, "all rounded to 8 bits", Kind::Quantised, quantised));
-    }
     if clean.has_outside {
         all.push(inside_out(clean));
     }
-    all.extend(averaged_crease(clean));
+    all.extend(averaged_crease(&clean.mesh));
     all.extend(split_seam(clean, 10.0));
+    let neg = |n: DVec3, _: &mut Random| -n;
+    let tilt = |n, random: &mut Random| turned_any_way(n, 30.0, random);
+    all.push(by_chance(clean, ("1 % of corners negated, by chance", Kind::Flipped, 0.01), neg));
+    all.push(by_chance(clean, ("10 % of corners tilted by 30°, by chance", Kind::Stray, 0.1), tilt));
+    all.extend(wholes::faults(clean));
     all
 }
 

@@ -1,0 +1,112 @@
+//! Normals that are flat on a shape that bends smoothly, or smooth on one with sharp edges.
+
+use super::Thresholds;
+use super::catalogue::Kind;
+use super::facts::{Facts, Worth};
+use super::finding::Severity;
+use super::limit::Limit;
+use super::smoothing::Edge;
+use super::tally::{Spot, Tallies, scan};
+use crate::mesh::Column;
+use crate::normals::Crease;
+use glam::DVec3;
+use rayon::prelude::*;
+use std::ops::Add;
+
+/// Edges that bend by less, in degrees, do not count.
+const FLAT: f64 = 1.0;
+
+/// Edges that bend by less are those of a smooth shape.
+const GENTLE: f64 = 30.0;
+
+/// Bent edges that a smooth shape has at least.
+const FEWEST_GENTLE: usize = 100;
+
+/// Edges between flat sides that a sharp shape has at least: a cube has twelve.
+const FEWEST_SHARP: usize = 8;
+
+/// Edges between gentle and sharp ones for each sharp one, at most: a machined part has 0.05, a gear with bevels 0.29; round
+/// shapes, however coarse, have all kinds: the cage of a cow 0.34, a head 0.6, a person 0.8.
+const BETWEEN: f64 = 0.3;
+
+/// Either, as far as the estimate of how the normals were made allows.
+pub(super) fn find(facts: &Facts<'_>, stored: &Column<DVec3>, thresholds: &Thresholds, found: &mut Tallies) {
+    let Some(estimate) = facts.estimate.filter(|_| facts.shares_vertices) else { return };
+    let sharp_from = Crease::DEFAULT_ANGLE.0 + thresholds.crease.0;
+    if estimate.crease.0 == 0.0 && estimate.reproduced >= 0.99 {
+        let bends = Bends::of(facts, [FLAT, GENTLE]);
+        let bent = bends.between + bends.beyond;
+        if bent >= FEWEST_GENTLE && bends.between as f64 >= 0.9 * bent as f64 {
+            found.add(Kind::Faceted, Spot::mesh(), facts.total_area);
+        }
+    } else if !estimate.groups && estimate.crease.0 > sharp_from {
+        let bends = Bends::of(facts, [GENTLE, sharp_from]);
+        if bends.beyond < FEWEST_SHARP || bends.between as f64 > BETWEEN * bends.beyond as f64 {
+            return;
+        }
+        let mut soft = softened(facts, stored, sharp_from, thresholds.places);
+        // Where some are kept sharp, those that are not are told one by one.
+        if (soft.get(Kind::Soft).count as f64) < 0.98 * bends.beyond as f64 {
+            return;
+        }
+        let has_groups = facts.mesh.columns().smoothing.is_some();
+        let tally = soft.tally(Kind::Soft);
+        tally.severity = (has_groups || !estimate.is_rule()).then_some(Severity::Note);
+        tally.remedy = has_groups.then(|| format!("--crease {} --groups ignore", Crease::DEFAULT_ANGLE.0));
+        found.merge(soft);
+    }
+}
+
+/// How many edges bend by an angle between two others, and by more.
+#[derive(Clone, Copy, Default)]
+struct Bends {
+    between: usize,
+    beyond: usize,
+}
+
+impl Add for Bends {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self { between: self.between + other.between, beyond: self.beyond + other.beyond }
+    }
+}
+
+impl Bends {
+    fn of(facts: &Facts<'_>, [low, high]: [f64; 2]) -> Self {
+        let bent = Limit::new(low);
+        let count = |face: usize| {
+            let bends = facts.mesh.faces().range(face).filter_map(|corner| bend(facts, corner as u32, bent));
+            bends.fold(Self::default(), |all, bend| {
+                let is_beyond = bend > high;
+                all + Self { between: usize::from(!is_beyond), beyond: usize::from(is_beyond) }
+            })
+        };
+        (0..facts.mesh.face_count()).into_par_iter().map(count).reduce(Self::default, Self::add)
+    }
+}
+
+/// By how many degrees the edge of a half-edge bends, if that is over a limit; told once for both half-edges.
+fn bend(facts: &Facts<'_>, half_edge: u32, limit: Limit) -> Option<f64> {
+    let across = facts.topology.across(half_edge).filter(|&across| half_edge < across)?;
+    let faces = [half_edge, across].map(|corner| facts.topology.face_of(corner) as usize);
+    let is_sound = faces.iter().all(|&face| facts.worth[face] == Worth::Sound);
+    let [a, b] = faces.map(|face| facts.face_normal(face));
+    limit.exceeded(a, b).filter(|_| is_sound)
+}
+
+/// Sharp edges with one stored normal on both sides.
+fn softened(facts: &Facts<'_>, stored: &Column<DVec3>, sharp_from: f64, most: usize) -> Tallies {
+    let sharp = Limit::new(sharp_from);
+    scan(facts.mesh.face_count(), most, |faces, found| {
+        for face in faces {
+            for corner in facts.mesh.faces().range(face) {
+                if bend(facts, corner as u32, sharp).is_some()
+                    && let Some(edge) = Edge::at(facts, stored, corner as u32).filter(Edge::is_shared)
+                {
+                    found.add(Kind::Soft, Spot::corner(face, corner, edge.leaning(facts)), 0.0);
+                }
+            }
+        }
+    })
+}
