@@ -1,6 +1,6 @@
 //! What files say about looks: materials, cameras and lights, as plain data for whoever draws them.
 
-use super::{Document, Loaded, Note, dispatch, gltf};
+use super::{Document, Loaded, Note, Place, dispatch, gltf};
 use glam::DMat4;
 
 /// Materials, cameras and lights of a file.
@@ -62,6 +62,8 @@ pub enum FileReflection {
 pub struct FileCamera {
     /// Its name, possibly empty.
     pub name: String,
+    /// Where the file describes it.
+    pub place: Place,
     /// From its own space, where it looks along −z with +y up, to the world's.
     pub world_from_camera: DMat4,
     /// How it maps.
@@ -75,8 +77,13 @@ pub struct FileCamera {
 pub enum FileProjection {
     /// The angle from bottom to top, in radians.
     Perspective(f64),
-    /// The height from bottom to top.
-    Orthographic(f64),
+    /// Lengths in its own space.
+    Orthographic {
+        /// From left to right.
+        width: f64,
+        /// From bottom to top.
+        height: f64,
+    },
 }
 
 /// A light at its place (`KHR_lights_punctual`).

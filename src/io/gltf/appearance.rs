@@ -110,7 +110,8 @@ impl Appearance {
                 Some((FileProjection::Perspective(as_written(lens.yfov)), lens.znear))
             }
             (Checked::Valid(CameraType::Orthographic), _, Some(lens)) => {
-                Some((FileProjection::Orthographic(2.0 * as_written(lens.ymag)), lens.znear))
+                let [width, height] = [lens.xmag, lens.ymag].map(|half| 2.0 * as_written(half));
+                Some((FileProjection::Orthographic { width, height }, lens.znear))
             }
             _ => None,
         };
@@ -118,7 +119,7 @@ impl Appearance {
             return self.warn(place, "a camera is perspective or orthographic, and says how");
         };
         let name = camera.name.unwrap_or_default();
-        self.cameras.push(FileCamera { name, world_from_camera, projection, near: as_written(near) });
+        self.cameras.push(FileCamera { name, place, world_from_camera, projection, near: as_written(near) });
     }
 
     fn light(&mut self, json: &Json, lights: &[Value], number: Option<u64>, at: At, world: DMat4) {

@@ -36,7 +36,7 @@ impl SceneFile {
     /// [`default_lights`]: super::default_lights
     ///
     /// # Errors
-    /// If it has no faces, or places beyond all measure.
+    /// If it has no faces, places beyond all measure, or a first camera without a size.
     pub fn from_loaded(loaded: Loaded, options: &LoadOptions) -> Result<Self, ReadError> {
         let looks = loaded.appearance();
         let Loaded { format, parts, mut nodes, mut notes, document, .. } = loaded;
@@ -82,13 +82,17 @@ impl SceneFile {
             settings: RenderSettings::default(),
             notes: Vec::new(),
         };
-        (scene.camera, scene.lights) = scene.view(&looks, &mut notes);
+        (scene.camera, scene.lights) = scene.view(&looks, &mut notes)?;
         scene.notes = notes;
         Ok(scene)
     }
 
     /// The camera and lights of a file that shows this.
-    fn view(&self, looks: &Appearance, notes: &mut Vec<Note>) -> (Option<Camera>, Option<Vec<Light>>) {
+    fn view(
+        &self,
+        looks: &Appearance,
+        notes: &mut Vec<Note>,
+    ) -> Result<(Option<Camera>, Option<Vec<Light>>), ReadError> {
         let (low, high) = self.scene().bounds().unwrap_or_default();
         let distance = |eye: DVec3| match eye.distance(low * 0.5 + high * 0.5) {
             distance if distance > 0.0 && distance.is_finite() => distance,

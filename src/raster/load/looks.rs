@@ -3,12 +3,13 @@
 use super::lights::plain_material;
 use crate::io::{
     Appearance, FileCamera, FileLight, FileLightKind, FileMaterial, FileProjection, FileReflection, Note,
+    Problem, ReadError,
 };
 use crate::num::{LinearRgb, Radians};
 use crate::raster::{Camera, Projection};
 use crate::shade::{Attenuation, Cone, Light, Material, Reflectance, Reflection, roughness_exponent};
 use glam::DVec3;
-use std::f64::consts::{FRAC_1_PI, FRAC_PI_2};
+use std::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI};
 
 /// Reflectance of what is no metal, seen from straight above: that of glass (glTF 2.0, appendix B).
 const DIELECTRIC: f64 = 0.04;
@@ -82,7 +83,7 @@ fn camera(file: &FileCamera, distance: f64) -> Camera {
         up: axis(DVec3::Y),
         projection: match file.projection {
             FileProjection::Perspective(angle) => Projection::Perspective(Radians(angle)),
-            FileProjection::Orthographic(height) => Projection::Orthographic(height),
+            FileProjection::Orthographic { height, .. } => Projection::Orthographic(height),
         },
         near: file.near,
     }
@@ -111,15 +112,42 @@ fn light(file: &FileLight) -> Light {
     }
 }
 
+/// A file without a camera is framed by itself, but one whose camera has no size asks for a picture of nothing.
+fn check_size(file: &FileCamera) -> Result<(), ReadError> {
+    let wrong = |what: &str, size: f64, reason: &str| {
+        let found = format!("the camera's {what} is {size}, {reason}");
+        let advice = "give it a size above 0, or take the camera out of the file";
+        Err(ReadError::new(Problem::Range, file.place.clone(), found, advice))
+    };
+    match file.projection {
+        FileProjection::Perspective(angle) if !(angle > 0.0 && angle < PI) => {
+            wrong("yfov", angle, "not an angle between 0 and π")
+        }
+        FileProjection::Orthographic { height, .. } if !(height > 0.0 && height.is_finite()) => {
+            wrong("ymag", 0.5 * height, "so that it sees nothing")
+        }
+        FileProjection::Orthographic { width, .. } if !(width > 0.0 && width.is_finite()) => {
+            wrong("xmag", 0.5 * width, "so that it sees nothing")
+        }
+        _ => Ok(()),
+    }
+}
+
 /// The first camera of a file, `distance` away from its target, and its lights, `None` if it has none. What makes no
 /// sense is left out with a note.
+///
+/// # Errors
+/// A camera without a size, if it would be taken.
 pub(super) fn view(
     looks: &Appearance,
     distance: impl Fn(DVec3) -> f64,
     notes: &mut Vec<Note>,
-) -> (Option<Camera>, Option<Vec<Light>>) {
+) -> Result<(Option<Camera>, Option<Vec<Light>>), ReadError> {
     let mut cameras = Vec::new();
     for (number, file) in looks.cameras.iter().enumerate() {
+        if cameras.is_empty() {
+            check_size(file)?;
+        }
         let camera = camera(file, distance(file.world_from_camera.w_axis.truncate()));
         match camera.check() {
             Ok(()) => cameras.push(camera),
@@ -137,7 +165,7 @@ pub(super) fn view(
             Err(error) => notes.push(left_out("light", number, &file.name, &error)),
         }
     }
-    (cameras.first().copied(), (!lights.is_empty()).then_some(lights))
+    Ok((cameras.first().copied(), (!lights.is_empty()).then_some(lights)))
 }
 
 fn left_out(what: &str, number: usize, name: &str, error: &dyn std::error::Error) -> Note {

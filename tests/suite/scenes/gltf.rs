@@ -217,6 +217,33 @@ fn what_is_not_taken_is_told() {
     }
 }
 
+/// A camera that sees nothing is an error where it would be taken, not a reason to look from somewhere else.
+#[test]
+fn cameras_without_a_size_are_refused_with_their_place() {
+    let lens = r#""orthographic", "orthographic": {"xmag": 1, "ymag": 1.5, "znear": 0, "zfar": 9}"#;
+    let perspective = r#""perspective", "perspective": {"yfov": 0, "znear": 0.1}"#;
+    for (faulty, field) in [
+        (lens.replace(r#""xmag": 1"#, r#""xmag": 0"#), "xmag is 0"),
+        (lens.replace("1.5", "0"), "ymag is 0"),
+        (perspective.to_owned(), "yfov is 0"),
+        (perspective.replace(r#""yfov": 0"#, r#""yfov": -0.5"#), "yfov is -0.5"),
+        (perspective.replace(r#""yfov": 0"#, r#""yfov": 3.2"#), "yfov is 3.2"),
+    ] {
+        let text = square_text("", MATTE, "");
+        assert!(text.contains(lens));
+        let error = from_text(text.replace(lens, &faulty)).unwrap_err().to_string();
+        assert!(
+            error.contains("/cameras/0") && error.contains(field) && error.contains("take the"),
+            "{error}"
+        );
+        // What is never looked through does no harm.
+        let two = text.replace(lens, &format!(r#"{lens}}}, {{"type": {faulty}"#));
+        let two = two.replace(r#""translation": [0, 0, 3]}"#, r#""translation": [0, 0, 3]}, {"camera": 1}"#);
+        let two = two.replace(r#""nodes": [0,1]"#, r#""nodes": [0,1,2]"#);
+        assert!(from_text(two).unwrap().camera.is_some());
+    }
+}
+
 /// A library of meshes that no node shows is drawn all the same, and says why it stands where it does.
 #[test]
 fn meshes_without_nodes_are_drawn_as_they_stand() {

@@ -57,7 +57,9 @@ impl SceneFile {
         scene.camera = keys.camera.map(|camera| settings::camera(source, &camera)).transpose()?;
         let mut builder = Builder::new(source, base, options, colouring, scene);
         keys.object.into_iter().try_for_each(|object| builder.add(object))?;
-        builder.finish()
+        let scene = builder.finish()?;
+        settings::check_exact(source, &keys.settings, &scene)?;
+        Ok(scene)
     }
 }
 

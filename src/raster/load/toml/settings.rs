@@ -7,7 +7,7 @@ use super::place::Source;
 use super::values::Number;
 use crate::io::ReadError;
 use crate::num::{Degrees, Transfer};
-use crate::raster::load::SceneFile;
+use crate::raster::load::{SceneFile, SceneObject, SceneShape};
 use crate::raster::{
     Bits, Camera, CameraError, Cull, FlatSample, Interpolation, LineStyle, Projection, RenderSettings,
     Samples, Shading,
@@ -107,6 +107,22 @@ fn sizes(source: Source, keys: &SettingsKeys, settings: &mut RenderSettings) -> 
         };
     }
     Ok(())
+}
+
+/// Whether all that is to be shaded exactly has a surface that rays can be cast at.
+pub(super) fn check_exact(source: Source, keys: &SettingsKeys, scene: &SceneFile) -> Result<(), ReadError> {
+    let Some(name) = keys.shading.as_ref().filter(|_| scene.settings.shading == Shading::Exact) else {
+        return Ok(());
+    };
+    let has_none =
+        |object: &SceneObject| matches!(object.shape, SceneShape::Mesh(_)) && object.surface.is_none();
+    let Some(number) = scene.objects.iter().position(has_none) else { return Ok(()) };
+    let which = match &*scene.objects[number].name {
+        "" => format!("object {}", number + 1),
+        name => format!("object {} (`{name}`)", number + 1),
+    };
+    let found = format!("exact shading, but {which} is no analytic surface that rays can be cast at");
+    Err(source.error(&name.span(), &found, "choose another shading, or give the object a `surface`"))
 }
 
 fn guards(source: Source, keys: &SettingsKeys) -> Result<Guards, ReadError> {
