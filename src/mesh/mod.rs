@@ -34,6 +34,7 @@ pub use topology::{Link, Topology};
 pub use transform::{NormalMatrix, TransformFault, normal_matrix};
 pub use triangulate::{Triangulation, triangulate};
 pub use weld::Weld;
+pub(crate) use weld::place_key;
 
 use glam::DVec3;
 use std::sync::Arc;

@@ -108,8 +108,8 @@ struct Classes {
     wide_clusters: usize,
 }
 
-/// The bits of a position, with −0 taken as +0.
-fn key(p: DVec3) -> [u64; 3] {
+/// The bits of a position, with −0 taken as +0: alike for the ends that [`Weld::Exact`] joins.
+pub(crate) fn place_key(p: DVec3) -> [u64; 3] {
     (p + DVec3::ZERO).to_array().map(f64::to_bits)
 }
 
@@ -118,14 +118,14 @@ fn exact_classes(rim: &[u32], positions: &[DVec3], shapes: &[&[DVec3]]) -> Class
     let mut of_rim: Vec<u32> = Vec::with_capacity(rim.len());
     for &vertex in rim {
         let fresh = first.len() as u32;
-        of_rim.push(*first.entry(key(positions[vertex as usize])).or_insert(fresh));
+        of_rim.push(*first.entry(place_key(positions[vertex as usize])).or_insert(fresh));
     }
     // Each morph target refines the classes: two vertices stay together only if it moves them alike.
     for shape in shapes {
         let mut finer: FxHashMap<(u32, [u64; 3]), u32> = FxHashMap::default();
         for (class, &vertex) in of_rim.iter_mut().zip(rim) {
             let fresh = finer.len() as u32;
-            *class = *finer.entry((*class, key(shape[vertex as usize]))).or_insert(fresh);
+            *class = *finer.entry((*class, place_key(shape[vertex as usize]))).or_insert(fresh);
         }
     }
     Classes { of_rim, wide_clusters: 0 }

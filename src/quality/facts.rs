@@ -2,11 +2,12 @@
 
 use super::estimate::{Estimate, estimate};
 use super::gloss::Gloss;
-use crate::mesh::{Column, Confidence, Link, Mesh, Orientation, Orientations, Topology, Weld};
+use crate::mesh::{Column, Confidence, Link, Mesh, Orientation, Orientations, Topology, Weld, place_key};
 use crate::normals::{Crease, FaultReason, Groups, NormalField, NormalRecipe, compute_on};
 use crate::num::{UnitVec3, unit_scale};
 use glam::DVec3;
 use rayon::prelude::*;
+use rustc_hash::FxHashSet;
 
 /// What a face is good for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,6 +45,8 @@ pub(super) struct Facts<'a> {
     pub(super) minority: Vec<u32>,
     /// Of each vertex whether a turned face is at it, so that the mean there says nothing; empty if there are none.
     beside_turned: Vec<bool>,
+    /// The ends of edges without length, by their bits.
+    collapsed: FxHashSet<[u64; 3]>,
     /// How sharp the highlights of faces are.
     pub(super) gloss: Gloss,
     /// Whether the file can share vertices at all; STL cannot.
@@ -79,10 +82,12 @@ impl<'a> Facts<'a> {
             outward,
             minority,
             beside_turned: Vec::new(),
+            collapsed: FxHashSet::default(),
             gloss,
             shares_vertices,
         };
         facts.mark_turned();
+        facts.collapsed = facts.collapsed_places();
         facts.estimate = stored.and_then(|stored| estimate(&facts, stored));
         let has_groups = mesh.columns().smoothing.is_some();
         if let Some(estimate) = facts.estimate.filter(|estimate| has_groups || !estimate.is_default()) {
@@ -111,6 +116,27 @@ impl<'a> Facts<'a> {
                 self.beside_turned[head as usize] = true;
             }
         }
+    }
+
+    /// Where edges without length are.
+    fn collapsed_places(&self) -> FxHashSet<[u64; 3]> {
+        let faces = self.mesh.faces();
+        // A triangle with such an edge has no area; a polygon may.
+        let may_have = |&face: &usize| self.worth[face] == Worth::Silent || faces.face(face).len() > 3;
+        let places = |face: usize| {
+            let corners = faces.face(face);
+            let pairs = corners.iter().zip(corners.iter().cycle().skip(1));
+            pairs.map(|(&a, &b)| [a, b].map(|vertex| place_key(self.mesh.positions()[vertex as usize])))
+        };
+        let edges = (0..faces.len()).filter(may_have).flat_map(places);
+        edges.filter(|[a, b]| a == b).map(|[place, _]| place).collect()
+    }
+
+    /// Whether an edge without length is at a corner's place. Two vertices stand there, and which faces come one after
+    /// the other round it depends on whether vertices are told apart by number or by place: either fan is right.
+    pub(super) fn has_two_fans(&self, corner: usize) -> bool {
+        let vertex = self.mesh.faces().corners()[corner] as usize;
+        !self.collapsed.is_empty() && self.collapsed.contains(&place_key(self.mesh.positions()[vertex]))
     }
 
     /// Whether the faces round a corner's vertex agree, so that their mean says something.

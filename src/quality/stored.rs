@@ -142,6 +142,8 @@ fn direction(
         // An edge that should be sharp explains its corners, and so does one that should not be.
         false if smoothing::is_averaged(facts, corner, 0.0) => None,
         false if smoothing::is_beside_seam(facts, corner, thresholds) => None,
+        // The fan may be another one than that which the normal was made from.
+        false if facts.has_two_fans(corner) => None,
         false => Some(Kind::Stray),
     }
 }
