@@ -101,7 +101,7 @@ pub(super) fn build_part(
             let (problem, advice) = match error {
                 MeshError::NonFinite { .. } => (
                     Problem::NonFinite,
-                    "correct it (text beyond 1.8e308 reads as infinite), or drop the faces that use such vertices with `crease normals --force`",
+                    "correct it (text beyond 1.8e308 reads as infinite), or drop the faces that use such vertices with `crease normals --force` (`crease render --force` draws the others)",
                 ),
                 MeshError::TooLarge { .. } => (Problem::Limit, "divide the mesh"),
                 _ => (Problem::Range, "the file is damaged, or its writer is at fault"),

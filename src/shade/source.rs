@@ -165,13 +165,13 @@ pub(super) fn in_frame<R: Real>(
     check: Check,
     field: &'static str,
 ) -> Result<Triple<R>, ShadeError> {
-    let position = frame.to_local(position);
+    let local = frame.to_local(position);
     // A quarter of the exponents: the square has half of them, and there is room for what points add.
     let farthest = libm::exp2(R::EXPONENTS.1 / 4.0);
-    if position.abs().max_element() <= farthest {
-        return Ok(rounded(position));
+    if local.abs().max_element() <= farthest {
+        return Ok(rounded(local));
     }
-    let expected = "nearer to the scene (within 2^31 of its units in single precision); for a light, or a viewer, \
+    let expected = "nearer to the scene (within 2^31 of its sizes in single precision); for a light, or a viewer, \
                     as far away as this, give a direction";
-    Err(check.text(field, format!("{position} in units of the scene"), expected))
+    Err(check.text(field, position.to_string(), expected))
 }

@@ -45,11 +45,11 @@ pub enum SurfaceError {
         /// Height over waist.
         found: f64,
     },
-    /// Fewer or more segments than the pattern can do with on this surface.
-    #[error("{found} segments {direction} are {}; {limit} is the limit", if found < limit { "too few" } else { "too many" })]
+    /// Fewer or more pieces than the pattern can do with on this surface.
+    #[error("{found} {what} are {}; {limit} is the limit", if found < limit { "too few" } else { "too many" })]
     Segments {
-        /// Which way.
-        direction: &'static str,
+        /// Segments of what, or what else is counted.
+        what: &'static str,
         /// How many were asked for.
         found: u64,
         /// How many there must or may be.

@@ -66,14 +66,16 @@ impl Grid {
         let [u, v] = self.segments.map(u64::from);
         let Chart { wraps_u, wraps_v, pole_low, pole_high } = self.chart;
         let least = |wraps, poles| if wraps { 3 } else { 1 + u64::from(poles) };
-        let limits =
-            [("round", u, least(wraps_u, false)), ("along", v, least(wraps_v, pole_low && pole_high))];
-        if let Some(&(direction, found, limit)) = limits.iter().find(|(_, found, least)| found < least) {
-            return Err(SurfaceError::Segments { direction, found, limit });
+        let limits = [
+            ("segments round", u, least(wraps_u, false)),
+            ("segments along", v, least(wraps_v, pole_low && pole_high)),
+        ];
+        if let Some(&(what, found, limit)) = limits.iter().find(|(_, found, least)| found < least) {
+            return Err(SurfaceError::Segments { what, found, limit });
         }
         let cells = u.saturating_mul(v).saturating_mul(charts);
         if cells > MOST_CELLS {
-            return Err(SurfaceError::Segments { direction: "in all", found: cells, limit: MOST_CELLS });
+            return Err(SurfaceError::Segments { what: "cells", found: cells, limit: MOST_CELLS });
         }
         Ok(())
     }

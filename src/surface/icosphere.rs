@@ -15,7 +15,7 @@ const HIGHEST: u32 = 10;
 pub(super) fn net(surface: &dyn StarShaped, level: u32) -> Result<Net, SurfaceError> {
     if level > HIGHEST {
         let (found, limit) = (level.into(), HIGHEST.into());
-        return Err(SurfaceError::Segments { direction: "of levels", found, limit });
+        return Err(SurfaceError::Segments { what: "levels of division", found, limit });
     }
     let (mut directions, mut triangles) = icosahedron();
     for _ in 0..level {

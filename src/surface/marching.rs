@@ -79,7 +79,7 @@ impl Lattice {
     fn new(room: Room, cells: u32, hash: GridHash) -> Result<Self, SurfaceError> {
         const CHANNEL: u32 = 5;
         if cells == 0 {
-            return Err(SurfaceError::Segments { direction: "of the box", found: 0, limit: 1 });
+            return Err(SurfaceError::Segments { what: "cells along a side of the box", found: 0, limit: 1 });
         }
         let size = room.high - room.low;
         let edge = size.max_element() / f64::from(cells);
@@ -97,11 +97,7 @@ impl Lattice {
         }
         let total = counts.to_array().iter().fold(1_u64, |total, &count| total.saturating_mul(count.into()));
         if total > MOST_CELLS {
-            return Err(SurfaceError::Segments {
-                direction: "of the box, cubed,",
-                found: total,
-                limit: MOST_CELLS,
-            });
+            return Err(SurfaceError::Segments { what: "cells of the box", found: total, limit: MOST_CELLS });
         }
         Ok(Self { origin, spacing, cells: counts })
     }

@@ -17,10 +17,10 @@ pub(super) fn net(surface: &dyn Height, segments: [u32; 2], hash: GridHash) -> R
     let [columns, rows] = segments;
     let cells = u64::from(columns) * u64::from(rows);
     if cells == 0 {
-        return Err(SurfaceError::Segments { direction: "in all", found: 0, limit: 1 });
+        return Err(SurfaceError::Segments { what: "cells", found: 0, limit: 1 });
     }
     if cells > MOST_CELLS {
-        return Err(SurfaceError::Segments { direction: "in all", found: cells, limit: MOST_CELLS });
+        return Err(SurfaceError::Segments { what: "cells", found: cells, limit: MOST_CELLS });
     }
     let place = |i: u32, j: u32| {
         let on_side = i == 0 || j == 0 || i == columns || j == rows;
@@ -66,7 +66,7 @@ pub fn height_field(points: &[DVec3]) -> Result<Mesh, SurfaceError> {
     }
     let found = points.len() as u64;
     if found > MOST_CELLS {
-        return Err(SurfaceError::Segments { direction: "of points", found, limit: MOST_CELLS });
+        return Err(SurfaceError::Segments { what: "points", found, limit: MOST_CELLS });
     }
     let places: Vec<DVec2> = points.iter().map(|p| p.truncate()).collect();
     let triangles = delaunay(&places)?;

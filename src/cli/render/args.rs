@@ -111,7 +111,7 @@ pub struct PictureArgs {
     pub turntable: Option<u16>,
 
     /// Tell the numbers behind a pixel, counted from 0 at the upper left: what is seen, N, L, V, R, H, every term
-    #[arg(long, value_name = "X,Y", value_parser = values::pixel, conflicts_with_all = ["show", "overlay"])]
+    #[arg(long, value_name = "X,Y", value_parser = values::pixel, allow_hyphen_values = true, conflicts_with_all = ["show", "overlay"])]
     pub probe: Option<[u32; 2]>,
 }
 
@@ -169,7 +169,7 @@ pub struct SceneArgs {
     pub light: Vec<Light>,
 
     /// Ambient light, in place of what the scene has
-    #[arg(long, value_name = "COLOUR", value_parser = values::colour)]
+    #[arg(long, value_name = "COLOUR", value_parser = values::colour, allow_hyphen_values = true)]
     pub ambient: Option<LinearRgb>,
 
     /// The material of all objects

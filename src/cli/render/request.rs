@@ -209,11 +209,16 @@ impl<'a> Request<'a> {
                 }
             }
             // Each for itself is in range, but not what comes of them together.
-            RenderError::NotFinite { error, .. } => typed(scene.material.is_some(), "--material", error)
-                .or_else(|| {
-                    typed(error.light.is_some_and(|n| n + scene.light.len() >= lights), "--light", error)
-                })
-                .or_else(|| typed(error.light.is_none() && scene.ambient.is_some(), "--ambient", error)),
+            RenderError::NotFinite { error, .. } => {
+                let light = match error.light {
+                    Some(number) => (number + scene.light.len() >= lights, "--light"),
+                    None => (scene.ambient.is_some(), "--ambient"),
+                };
+                let options = [(scene.material.is_some(), "--material"), light];
+                let typed: Vec<&str> =
+                    options.iter().filter(|(is_typed, _)| *is_typed).map(|&(_, option)| option).collect();
+                (!typed.is_empty()).then(|| format!("{}: {error}", typed.join(" and ")))
+            }
             _ => None,
         }
     }

@@ -47,7 +47,7 @@ impl Assembler<'_> {
                     "element {element} is the position ({}, {}, {})",
                     position.x, position.y, position.z
                 );
-                let advice = "repair the file, or drop the faces there with `crease normals --force`";
+                let advice = "repair the file, or drop the faces there with `crease normals --force` (`crease render --force` draws the others)";
                 ReadError::new(Problem::NonFinite, At::new("accessors", accessor).place(), found, advice)
             }
             other => ReadError::new(

@@ -298,6 +298,6 @@ fn mesh_fault(text: &[u8], error: &MeshError) -> Fault {
         offset,
         problem: Problem::NonFinite,
         found: format!("vertex {} is at ({}), which is {what}", vertex + 1, spelled.join(", ")),
-        advice: "correct it, or drop the faces at such vertices with `crease normals --force`",
+        advice: "correct it, or drop the faces at such vertices with `crease normals --force` (`crease render --force` draws the others)",
     }
 }

@@ -23,7 +23,10 @@ impl Source<'_> {
         // Where the text is no TOML there are no keys.
         let key = self.key(&span).map_or_else(String::new, |key| format!("`{key}`: "));
         // Types by the names that people who write scenes have for them.
-        let message = error.message().replace("expected u32", "expected a whole number, 0 or more");
+        let message = error.message().replace("expected u32", "expected a whole number, 0 or more").replace(
+            "wanted exactly 1 element, more than 1 element",
+            "it may be one thing, but several are given",
+        );
         let found = format!("{key}{message}");
         ReadError::new(Problem::Syntax, self.line(&span), found, "see data/scenes for examples")
     }
