@@ -54,14 +54,14 @@ impl Experiment {
     /// Runs the experiment.
     ///
     /// The same setup gives the same bits at any number of threads. Where nothing of the artefact is seen the claim is not put
-    /// to the test, and the verdict is [`Verdict::Absent`].
+    /// to the test, and the verdict is [`Verdict::Absent`], with the experiment's own advice unless this run has better.
     ///
     /// # Errors
     /// Parameters out of range, a mesh that does not suit, or what cannot be drawn.
     pub fn run(&self, setup: &Setup) -> Result<Outcome, ArtefactError> {
         self.check(setup)?;
         let mut outcome = (self.run)(setup)?;
-        if !outcome.moved.is_present() {
+        if !outcome.moved.is_present() && !matches!(outcome.verdict, Verdict::Absent(_)) {
             outcome.verdict = Verdict::Absent(self.shown_by.clone());
         }
         Ok(outcome)
@@ -141,6 +141,15 @@ impl Experiment {
                 found: parameters.segments,
                 range: self.segments.clone(),
             }),
+        }
+    }
+
+    /// The least and the most of a number that it takes; `None` for what is no number, and for what it does not take.
+    pub fn range(&self, knob: Knob) -> Option<RangeInclusive<f64>> {
+        match knob {
+            _ if !self.takes.contains(&knob) => None,
+            Knob::Segments => Some(f64::from(*self.segments.start())..=f64::from(*self.segments.end())),
+            _ => knob.range(),
         }
     }
 

@@ -108,7 +108,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let share = share.max(of_viewer.fold(0.0, f64::max));
     measures.push(
         Measure::new(Text::new("largest error over its bound", "maior erro sobre o seu limite"), "", share)
-            .expect(0.5, 0.5, Text::new("the bounds hold: at most 1", "os limites valem: no máximo 1")),
+            .at_most(1.0, Text::new("the bounds hold", "os limites valem")),
     );
     let near = Lamp { angle: light, distance: RATIOS[0] * RADIUS };
     let cured = near.error(segments, size)?;

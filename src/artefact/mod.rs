@@ -25,7 +25,7 @@
 //! 3. `run` gives at least one [`Shot`] with [`Role::Bad`] and one with [`Role::Cured`], drawn by `stage::draw` at
 //!    `parameters.size`, and [`Moved`] with the number before and after. Measure on linear samples (`stage::luminance`), with
 //!    the metrics of [`metric`](crate::metric) where there is one. A [`Measure`] has its closed form or independent check by
-//!    [`Measure::expect`], with the reason of the tolerance in its text.
+//!    [`Measure::expect`], or its bound by [`Measure::at_most`], with the reason of the tolerance in its text.
 //! 4. Every word is a [`Text`] in both languages; numbers in it by [`Text::made`]. Claims name their lecture section.
 //! 5. [`Moved`] says from what size on the artefact is there and by what factor the cure has to reduce it. Where it is not there
 //!    [`Experiment::run`] makes the verdict [`Verdict::Absent`], with `shown_by`; else the verdict follows from what was measured.
@@ -59,7 +59,7 @@ mod vertex_average;
 pub use error::ArtefactError;
 pub use experiment::{Experiment, Formula};
 pub use moved::{Moved, Threshold};
-pub use outcome::{Chart, Curve, Drawn, Expected, Measure, Outcome, Role, Scale, Shot, Verdict};
+pub use outcome::{Chart, Curve, Drawn, Expected, Measure, Outcome, Range, Role, Scale, Shot, Verdict};
 pub use parameters::{Changes, Knob, Parameters, Setup, Taken, UserMesh};
 pub use text::{Language, Text};
 

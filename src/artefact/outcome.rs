@@ -69,8 +69,8 @@ impl Verdict {
     }
 }
 
-/// A measured number.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+/// A measured number. As JSON it has one member more where something is known about it: `agrees`.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Measure {
     /// What it measures.
     pub name: Text,
@@ -79,22 +79,47 @@ pub struct Measure {
     /// What was found.
     pub value: f64,
     /// What it is held against.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub expected: Option<Expected>,
     /// Why it is held against nothing, where with other parameters it is.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub beyond: Option<Text>,
 }
 
 /// What a number should be, and who says so.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Expected {
-    /// The closed form's value, or that of an independent computation.
-    pub value: f64,
-    /// How far the measured one may be from it.
-    pub tolerance: f64,
+    /// Where it has to lie.
+    #[serde(flatten)]
+    pub range: Range,
     /// The closed form or the other way to compute it, and why the tolerance is what it is.
     pub by: Text,
+}
+
+/// Where a number has to lie.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Range {
+    /// About the value of a closed form, or of an independent computation.
+    Near {
+        /// That value.
+        value: f64,
+        /// How far the measured one may be from it.
+        tolerance: f64,
+    },
+    /// Under a bound. What is bounded is never negative.
+    AtMost {
+        /// The bound, with what rounding leaves open.
+        at_most: f64,
+    },
+}
+
+impl Range {
+    /// Whether a number lies there; what is not a number lies nowhere.
+    fn contains(self, found: f64) -> bool {
+        match self {
+            Range::Near { value, tolerance } => (found - value).abs() <= tolerance,
+            Range::AtMost { at_most } => (0.0..=at_most).contains(&found),
+        }
+    }
 }
 
 impl Measure {
@@ -105,9 +130,16 @@ impl Measure {
 
     /// With what it should be.
     #[must_use]
-    pub fn expect(mut self, value: f64, tolerance: f64, by: Text) -> Self {
-        self.expected = Some(Expected { value, tolerance, by });
-        self
+    pub fn expect(self, value: f64, tolerance: f64, by: Text) -> Self {
+        let range = Range::Near { value, tolerance };
+        Self { expected: Some(Expected { range, by }), ..self }
+    }
+
+    /// With a bound that it must not exceed, nor be negative.
+    #[must_use]
+    pub fn at_most(self, at_most: f64, by: Text) -> Self {
+        let range = Range::AtMost { at_most };
+        Self { expected: Some(Expected { range, by }), ..self }
     }
 
     /// With the reason why no law covers it under these parameters.
@@ -118,8 +150,27 @@ impl Measure {
 
     /// Whether it is what it should be; `None` where nothing is known.
     pub fn agrees(&self) -> Option<bool> {
-        let expected = self.expected.as_ref()?;
-        Some((self.value - expected.value).abs() <= expected.tolerance)
+        Some(self.expected.as_ref()?.range.contains(self.value))
+    }
+}
+
+impl Serialize for Measure {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(Serialize)]
+        struct Judged<'a> {
+            name: &'a Text,
+            unit: &'a str,
+            value: f64,
+            #[serde(skip_serializing_if = "Option::is_none")]
+            expected: Option<&'a Expected>,
+            #[serde(skip_serializing_if = "Option::is_none")]
+            agrees: Option<bool>,
+            #[serde(skip_serializing_if = "Option::is_none")]
+            beyond: Option<&'a Text>,
+        }
+        let Self { name, unit, value, expected, beyond } = self;
+        let (expected, agrees, beyond) = (expected.as_ref(), self.agrees(), beyond.as_ref());
+        Judged { name, unit, value: *value, expected, agrees, beyond }.serialize(serializer)
     }
 }
 
@@ -225,4 +276,31 @@ pub enum Drawn {
     Line,
     /// A dotted line: what theory says, or a border.
     Guide,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bounds_have_one_side_and_closed_forms_two() {
+        let measure = |value| Measure::new(Text::same("x"), "", value);
+        for (measure, agrees) in [
+            (measure(1.5).expect(1.0, 0.5, Text::same("y")), true),
+            (measure(0.4).expect(1.0, 0.5, Text::same("y")), false),
+            (measure(0.0).at_most(1.0, Text::same("y")), true),
+            (measure(1.0).at_most(1.0, Text::same("y")), true),
+            (measure(1.1).at_most(1.0, Text::same("y")), false),
+            (measure(-0.1).at_most(1.0, Text::same("y")), false),
+            (measure(f64::NAN).at_most(1.0, Text::same("y")), false),
+        ] {
+            assert_eq!(measure.agrees(), Some(agrees), "{measure:?}");
+            let json = serde_json::to_value(&measure).unwrap();
+            assert_eq!(json["agrees"], agrees);
+            let has = |member: &str| !json["expected"][member].is_null();
+            assert_ne!(has("value") && has("tolerance"), has("at_most"), "{json}");
+        }
+        let json = serde_json::to_value(measure(1.0)).unwrap();
+        assert_eq!(json.as_object().unwrap().len(), 3, "{json}");
+    }
 }

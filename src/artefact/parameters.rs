@@ -32,6 +32,21 @@ pub enum Knob {
 }
 
 impl Knob {
+    /// The least and the most that a number may be; `None` for what is no number. An experiment may take less of it, see
+    /// [`Experiment::range`](super::Experiment::range).
+    pub fn range(self) -> Option<RangeInclusive<f64>> {
+        match self {
+            Knob::Size => Some(32.0..=1024.0),
+            Knob::Segments => {
+                Some(f64::from(*Parameters::SEGMENTS.start())..=f64::from(*Parameters::SEGMENTS.end()))
+            }
+            Knob::Light => Some(-180.0..=180.0),
+            Knob::Exponent => Some(0.0..=1e6),
+            Knob::Crease => Some(0.0..=180.0),
+            Knob::Weight | Knob::Interpolation | Knob::Mesh => None,
+        }
+    }
+
     /// Its name, which on the command line is that of the option.
     pub fn name(self) -> &'static str {
         match self {
@@ -105,17 +120,19 @@ impl Parameters {
     /// # Errors
     /// [`ArtefactError::Range`] for the first that is not.
     pub fn check(&self) -> Result<(), ArtefactError> {
-        let check = |knob, found: f64, low: f64, high: f64, expected| match (low..=high).contains(&found) {
-            true => Ok(()),
-            false => Err(ArtefactError::Range { knob, found, expected }),
-        };
-        check(Knob::Size, self.size.into(), 32.0, 1024.0, "give 32 to 1024 pixels")?;
-        let [fewest, most] =
-            [Self::SEGMENTS.start(), Self::SEGMENTS.end()].map(|&segments| f64::from(segments));
-        check(Knob::Segments, self.segments.into(), fewest, most, "give a number from 3 to 1024")?;
-        check(Knob::Light, self.light.0, -180.0, 180.0, "give an angle from -180 to 180 degrees")?;
-        check(Knob::Exponent, self.exponent, 0.0, 1e6, "give a number from 0 to 1000000")?;
-        check(Knob::Crease, self.crease.0, 0.0, 180.0, "give an angle from 0 to 180 degrees")
+        let numbers = [
+            (Knob::Size, self.size.into(), "give 32 to 1024 pixels"),
+            (Knob::Segments, self.segments.into(), "give a number from 3 to 1024"),
+            (Knob::Light, self.light.0, "give an angle from -180 to 180 degrees"),
+            (Knob::Exponent, self.exponent, "give a number from 0 to 1000000"),
+            (Knob::Crease, self.crease.0, "give an angle from 0 to 180 degrees"),
+        ];
+        let is_out =
+            |(knob, found, _): &(Knob, f64, _)| knob.range().is_some_and(|range| !range.contains(found));
+        match numbers.into_iter().find(is_out) {
+            Some((knob, found, expected)) => Err(ArtefactError::Range { knob, found, expected }),
+            None => Ok(()),
+        }
     }
 }
 
@@ -140,7 +157,7 @@ pub struct Changes {
 
 impl Changes {
     /// What is changed.
-    pub fn knobs(&self) -> impl Iterator<Item = Knob> {
+    pub fn knobs(&self) -> impl Iterator<Item = Knob> + use<> {
         let changed = [
             (Knob::Size, self.size.is_some()),
             (Knob::Segments, self.segments.is_some()),

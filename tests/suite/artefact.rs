@@ -35,7 +35,7 @@ fn all_experiments_agree_with_their_checks_and_any_number_of_threads_writes_the_
         assert_eq!(reports.len(), 14);
         for report in &reports {
             let name = &report["experiment"];
-            assert_eq!((&report["schema"], &report["status"]), (&"crease-artefact/1".into(), &"ok".into()));
+            assert_eq!((&report["schema"], &report["status"]), (&"crease-artefact/2".into(), &"ok".into()));
             for member in ["claim", "title", "parameters", "command"] {
                 assert!(!report[member].is_null(), "{name}: {member}");
             }
@@ -105,6 +105,13 @@ fn a_polygon_of_ones_own_is_turned_and_what_does_not_suit_is_refused() {
         (&["mach-bands", "--exponent", "1e308"], 2, "no exponent"),
         (&["lost-highlight", "--exponent", "1e308"], 2, "--exponent is 1e308;"),
         (&["silhouette", "--animate", "x.gif"], 2, "these do: orientation"),
+        (&["orientation", "--animate", "turn.png"], 2, "give turn.gif"),
+        (&["orientation", "--animate", "-"], 2, "turn.gif"),
+        (&["list", "-o", "out"], 2, "-o would be lost"),
+        (&["list", "--segments", "12"], 2, "--segments would be lost"),
+        (&["list", "--animate", "x.gif"], 2, "--animate would be lost"),
+        (&["all", "--segments", "2"], 2, "--segments is 2; give a number from 3 to 1024"),
+        (&["all", "--light", "200"], 2, "--light is 200; give an angle"),
         (&["silhouette", "--mesh", "no.obj"], 3, "no.obj: there is no such file"),
         (&["silhouette", "--mesh", &square, "--finer", "no.obj"], 3, "no.obj: there is no such file"),
         (&["silhouette", "--mesh", &nan], 3, "`crease normals --force`"),
@@ -119,6 +126,42 @@ fn a_polygon_of_ones_own_is_turned_and_what_does_not_suit_is_refused() {
         let output = artefact(args);
         assert_eq!(code(&output), exit, "{args:?}: {}", text(&output.stderr));
         assert!(text(&output.stderr).contains(says), "{args:?}: {}", text(&output.stderr));
+    }
+}
+
+/// What some experiments have no use for stops none of the others.
+#[test]
+fn all_leaves_out_what_does_not_take_a_value() {
+    let output = artefact(&["all", "--segments", "3", "--size", "32", "--json"]);
+    assert_eq!(code(&output), 0, "{}", text(&output.stderr));
+    let reports = reports(&output);
+    assert_eq!(reports.len(), 14);
+    for report in &reports {
+        let is_out = report["ranges"]["segments"][0].as_f64().is_some_and(|fewest| fewest > 3.0);
+        let status = if is_out { "left-out" } else { "ok" };
+        assert_eq!((&report["status"], report["outcome"].is_null()), (&status.into(), is_out), "{report}");
+        let id = report["experiment"].as_str().unwrap();
+        let told = text(&output.stderr).contains(&format!("`{id}` is left out: --segments is 3"));
+        assert_eq!(told, is_out, "{id}: {}", text(&output.stderr));
+    }
+    let left_out = reports.iter().filter(|report| report["status"] == "left-out").count();
+    assert!((1..14).contains(&left_out), "{left_out}");
+}
+
+#[test]
+fn the_list_tells_parameters_and_their_ranges() {
+    let listed = reports(&artefact(&["list", "--json"]));
+    assert_eq!(listed.len(), 14);
+    for report in &listed {
+        let takes = report["takes"].as_array().unwrap().iter().filter(|knob| **knob != "mesh");
+        for knob in takes.map(|knob| knob.as_str().unwrap()) {
+            let (value, range) = (&report["parameters"][knob], report["ranges"][knob].as_array().unwrap());
+            let fits = match value.as_f64() {
+                Some(value) => (range[0].as_f64().unwrap()..=range[1].as_f64().unwrap()).contains(&value),
+                None => range.contains(value),
+            };
+            assert!(fits, "{}: {knob} is {value} of {range:?}", report["experiment"]);
+        }
     }
 }
 

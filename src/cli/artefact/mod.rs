@@ -1,6 +1,7 @@
 //! The verb `artefact`: experiments of the laboratory, their numbers, pages and pictures.
 
 mod args;
+mod choose;
 mod report;
 mod store;
 
@@ -14,11 +15,12 @@ use super::output::make_folder;
 use super::progress::CountProgress;
 use super::report::{ErrorReport, json_line};
 use super::{Exit, usage_error, use_threads};
-use args::{ALL, LIST};
-use crease::artefact::{EXPERIMENTS, Experiment, Knob, Language, Outcome, Setup, UserMesh, experiment};
+use args::LIST;
+use choose::{Chosen, chosen};
+use crease::artefact::{ArtefactError, EXPERIMENTS, Experiment, Knob, Language, Outcome, Setup, UserMesh};
 use crease::io::{self, Limits, Loaded, ReadError, ReadOptions};
 use crease::mesh::{Faces, Mesh, MeshBuilder};
-use crease::report::{list_table, measure_table, verdict_text};
+use crease::report::{list_table, measure_table, misses, verdict_text};
 use rayon::prelude::*;
 use report::Report;
 use std::path::{Path, PathBuf};
@@ -27,12 +29,14 @@ use std::time::Instant;
 /// Carries the verb out.
 pub fn main(args: &ArtefactArgs, color: Color) -> Exit {
     let console = Console::new(&args.run, color, None);
-    let experiments = chosen(args).unwrap_or_else(|message| usage_error("artefact", message));
+    let Chosen { run: experiments, left_out } =
+        chosen(args).unwrap_or_else(|message| usage_error("artefact", message));
     use_threads(args.run.threads);
     if args.experiment == LIST {
         list(args, &console);
         return if console.has_reported() { Exit::Done } else { Exit::OutputFailed };
     }
+    left_out.iter().for_each(|(experiment, why)| leave_out(args, experiment, why, &console));
     let result = guarded(|| work(args, &experiments, &console));
     match result {
         Err(failure) => {
@@ -52,34 +56,6 @@ pub fn main(args: &ArtefactArgs, color: Color) -> Exit {
     }
 }
 
-/// The experiments that are meant, if they take what was given.
-fn chosen(args: &ArtefactArgs) -> Result<Vec<&'static Experiment>, String> {
-    let changes = args.parameters.changes();
-    let given = || changes.knobs().chain(args.own.mesh.is_some().then_some(Knob::Mesh));
-    let accept = |experiment: &Experiment| {
-        let parameters = changes.only(experiment.takes).apply(experiment.defaults);
-        experiment.accept(&parameters).map_err(|error| error.to_string())
-    };
-    if [ALL, LIST].contains(&args.experiment.as_str()) {
-        if args.animate.is_some() {
-            return Err("one animation shows one experiment: name it instead of `all`".into());
-        }
-        // Each takes what it knows; what none knows would be lost.
-        let lost = given().find(|knob| !EXPERIMENTS.iter().any(|experiment| experiment.takes.contains(knob)));
-        return match lost {
-            Some(knob) => Err(format!("no experiment takes --{}", knob.name())),
-            None => EXPERIMENTS.iter().try_for_each(accept).map(|()| EXPERIMENTS.iter().collect()),
-        };
-    }
-    let chosen = experiment(&args.experiment).map_err(|error| error.to_string())?;
-    chosen.refuse(given()).map_err(|error| error.to_string())?;
-    accept(chosen)?;
-    if args.animate.is_some() {
-        chosen.refuse_still().map_err(|error| error.to_string())?;
-    }
-    Ok(vec![chosen])
-}
-
 fn list(args: &ArtefactArgs, console: &Console) {
     if console.json {
         for experiment in EXPERIMENTS {
@@ -88,6 +64,20 @@ fn list(args: &ArtefactArgs, console: &Console) {
         }
     } else {
         console.report(&list_table(args.lang).to_text());
+    }
+}
+
+/// Tells that an experiment is left out where all are run.
+fn leave_out(args: &ArtefactArgs, experiment: &'static Experiment, why: &ArtefactError, console: &Console) {
+    if console.json {
+        let parameters = args.parameters.changes().only(experiment.takes).apply(experiment.defaults);
+        let setup = Setup { parameters, mesh: None };
+        let error = ErrorReport { kind: "usage", message: why.to_string(), input: None };
+        let report = Report { status: "left-out", error: Some(error), ..Report::new(experiment, &setup) };
+        console.report(&json_line(&report));
+    }
+    if console.verbosity > Verbosity::Quiet {
+        console.note(&format!("`{}` is left out: {why}", experiment.id));
     }
 }
 
@@ -147,9 +137,10 @@ fn work(
     }
     let mut agree = true;
     for (run, files) in runs.iter().zip(files) {
-        let agrees = run.outcome.measures.iter().all(|measure| measure.agrees() != Some(false));
-        agree &= agrees;
-        tell(run, files, agrees, args.lang, console);
+        let misses = misses(&run.outcome, Language::English);
+        agree &= misses.is_empty();
+        tell(run, files, misses.is_empty(), args.lang, console);
+        misses.iter().for_each(|miss| console.error(&format!("{}: {miss}", run.experiment.id)));
     }
     Ok(agree)
 }

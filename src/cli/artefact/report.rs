@@ -1,15 +1,16 @@
 //! What `crease artefact --json` tells.
 //!
-//! # The JSON schema, `crease-artefact/1`
+//! # The JSON schema, `crease-artefact/2`
 //! One object on one line for each experiment.
 //!
 //! | member | meaning |
 //! |---|---|
-//! | `schema`, `crease` | `"crease-artefact/1"`; the program's version |
-//! | `status`, `error` | as in `crease-normals/1`; `status` is `findings` if a number is not what it should be |
+//! | `schema`, `crease` | `"crease-artefact/2"`; the program's version |
+//! | `status`, `error` | as in `crease-normals/1`; `status` is `findings` if a number is not what it should be, and `left-out` if `all` leaves it out for a value that it does not take |
 //! | `experiment`, `title` | its id and title |
 //! | `claim`, `sources`, `formulas` | what is claimed, by whom, and the closed forms |
 //! | `takes` | the parameters that it takes |
+//! | `ranges` | of each of these the least and the most, or the names there are |
 //! | `own_mesh` | what a mesh of one's own is looked at for, if it takes one |
 //! | `mesh`, `finer` | the meshes that were given, if any |
 //! | `parameters` | their values |
@@ -22,8 +23,11 @@
 //! and `parameters` as they are by default.
 
 use super::super::report::ErrorReport;
+use crate::cli::render::INTERPOLATIONS;
 use crease::artefact::{Experiment, Knob, Outcome, Setup, Taken, Text};
+use crease::normals::Weight;
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 #[derive(Debug, Serialize)]
 pub struct Report<'a> {
@@ -38,6 +42,7 @@ pub struct Report<'a> {
     pub sources: &'static [Text],
     pub formulas: Vec<FormulaReport>,
     pub takes: &'static [Knob],
+    pub ranges: BTreeMap<&'static str, Range>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub own_mesh: Option<&'static Text>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -61,13 +66,33 @@ pub struct FormulaReport {
     says: &'static Text,
 }
 
+/// What may be given for a parameter.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+pub enum Range {
+    Numbers([f64; 2]),
+    Names(Vec<&'static str>),
+}
+
+impl Range {
+    fn of(experiment: &Experiment, knob: Knob) -> Option<Self> {
+        match knob {
+            Knob::Weight => Some(Range::Names(Weight::ALL.map(Weight::name).to_vec())),
+            Knob::Interpolation => Some(Range::Names(INTERPOLATIONS.iter().map(|choice| choice.0).collect())),
+            _ => experiment.range(knob).map(|range| Range::Numbers([*range.start(), *range.end()])),
+        }
+    }
+}
+
 impl<'a> Report<'a> {
     pub fn new(experiment: &'static Experiment, setup: &'a Setup<'a>) -> Self {
         let formulas = experiment.formulas.iter();
         let formulas =
             formulas.map(|formula| FormulaReport { notation: &formula.notation, says: &formula.says });
+        let ranges =
+            experiment.takes.iter().filter_map(|&knob| Some((knob.name(), Range::of(experiment, knob)?)));
         Self {
-            schema: "crease-artefact/1",
+            schema: "crease-artefact/2",
             crease: env!("CARGO_PKG_VERSION"),
             status: "ok",
             error: None,
@@ -77,6 +102,7 @@ impl<'a> Report<'a> {
             sources: experiment.sources,
             formulas: formulas.collect(),
             takes: experiment.takes,
+            ranges: ranges.collect(),
             own_mesh: experiment.own_mesh.as_ref(),
             mesh: setup.mesh.map(|own| own.name),
             finer: setup.mesh.and_then(|own| own.finer).map(|(name, _)| name),

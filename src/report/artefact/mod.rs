@@ -12,4 +12,4 @@ mod words;
 pub use formula::mathml;
 pub use page::{experiment_page, index_page, page_name};
 pub use pictures::{chart_plot, experiment_sheet, picture_name};
-pub use tables::{list_table, measure_table, verdict_text};
+pub use tables::{list_table, measure_table, misses, verdict_text};

@@ -1,7 +1,7 @@
 //! Tables and sentences.
 
 use super::words::{self, quantity};
-use crate::artefact::{EXPERIMENTS, Language, Measure, Outcome, Verdict};
+use crate::artefact::{EXPERIMENTS, Expected, Language, Measure, Outcome, Range, Verdict};
 use crate::report::Table;
 
 /// All numbers of an experiment beside what they should be.
@@ -11,22 +11,39 @@ pub fn measure_table(outcome: &Outcome, language: Language) -> Table {
     let mut table = Table::new(words::MEASURED.get(language), &columns);
     for measure in &outcome.measures {
         let Measure { name, unit, value, expected, beyond } = measure;
+        let nothing = || words::NOTHING.get(language).to_owned();
         let mut row = vec![name.get(language).to_owned(), quantity(*value, unit, language)];
         if let Some(expected) = expected {
             let agrees = if measure.agrees() == Some(true) { words::YES } else { words::NO };
+            let (wanted, within) = match expected.range {
+                Range::Near { value, tolerance } => {
+                    (quantity(value, unit, language), language.number(tolerance))
+                }
+                Range::AtMost { .. } => (words::wanted(expected.range, unit, language), nothing()),
+            };
             row.extend([
-                quantity(expected.value, unit, language),
-                language.number(expected.tolerance),
+                wanted,
+                within,
                 agrees.get(language).to_owned(),
                 expected.by.get(language).to_owned(),
             ]);
         } else if let Some(why) = beyond {
-            let nothing = || words::NOTHING.get(language).to_owned();
             row.extend([nothing(), nothing(), nothing(), why.get(language).to_owned()]);
         }
         table.push(row);
     }
     table
+}
+
+/// A sentence for each number that is not what it should be: what it is, what was found, what was expected, and by what.
+pub fn misses(outcome: &Outcome, language: Language) -> Vec<String> {
+    let missed = outcome.measures.iter().filter(|measure| measure.agrees() == Some(false));
+    let sentence = |Measure { name, unit, value, expected, .. }: &Measure| {
+        let Expected { range, by } = expected.as_ref()?;
+        let (found, wanted) = (quantity(*value, unit, language), words::wanted(*range, unit, language));
+        Some(words::miss([name.get(language), &found, &wanted, by.get(language)], language))
+    };
+    missed.filter_map(sentence).collect()
 }
 
 /// All experiments: id, title, options, and what a mesh of one's own is looked at for.

@@ -1,6 +1,6 @@
 //! What pages say beside what experiments say.
 
-use crate::artefact::{Language, Moved, Role, Text};
+use crate::artefact::{Language, Moved, Range, Role, Text};
 
 pub(super) const LABORATORY: Text = Text::new("The artefact laboratory", "O laboratório de artefatos");
 pub(super) const LEAD: Text = Text::new(
@@ -126,6 +126,29 @@ fn told(moved: &Moved, language: Language) -> Told<'_> {
     }
 }
 
+/// Where a number has to lie.
+pub(super) fn wanted(range: Range, unit: &str, language: Language) -> String {
+    match (range, language) {
+        (Range::Near { value, tolerance }, _) => {
+            format!("{} ± {}", quantity(value, unit, language), quantity(tolerance, unit, language))
+        }
+        (Range::AtMost { at_most }, Language::English) => {
+            format!("at most {}", quantity(at_most, unit, language))
+        }
+        (Range::AtMost { at_most }, Language::Portuguese) => {
+            format!("no máximo {}", quantity(at_most, unit, language))
+        }
+    }
+}
+
+/// That a number is not what it should be.
+pub(super) fn miss([name, found, wanted, by]: [&str; 4], language: Language) -> String {
+    match language {
+        Language::English => format!("{name}: measured {found}, expected {wanted} ({by})"),
+        Language::Portuguese => format!("{name}: medido {found}, esperado {wanted} ({by})"),
+    }
+}
+
 /// A number with its unit.
 pub(super) fn quantity(x: f64, unit: &str, language: Language) -> String {
     let space = if unit.is_empty() || unit == "°" { "" } else { " " };
@@ -135,12 +158,12 @@ pub(super) fn quantity(x: f64, unit: &str, language: Language) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::artefact::Threshold;
+    use crate::artefact::{Measure, Outcome, Threshold, Verdict};
+    use crate::report::{measure_table, misses};
 
-    #[test]
-    fn what_vanished_is_not_infinitely_less() {
+    fn vanished() -> Moved {
         let name = Text::same("x");
-        let vanished = Moved {
+        Moved {
             name: name.clone(),
             unit: "",
             bad: 0.25,
@@ -148,7 +171,12 @@ mod tests {
             cure: name,
             cured: 0.0,
             factor: 2.0,
-        };
+        }
+    }
+
+    #[test]
+    fn what_vanished_is_not_infinitely_less() {
+        let vanished = vanished();
         let [en, pt] = Language::ALL.map(|language| moved(&vanished, language));
         assert!(
             en.contains("0 after the cure (x): gone.") && pt.contains("0 depois da cura (x): sumiu."),
@@ -156,6 +184,37 @@ mod tests {
         );
         let halved = moved(&Moved { cured: 0.1, ..vanished }, Language::Portuguese);
         assert!(halved.contains("2,5 vezes menos."), "{halved}");
+    }
+
+    #[test]
+    fn misses_tell_what_was_found_and_what_was_expected() {
+        let by = || Text::same("z");
+        let measure = |value: f64| Measure::new(Text::same("x"), "px", value);
+        let measures = vec![
+            measure(1.5).expect(1.0, 0.25, by()),
+            measure(1.5).at_most(1.0, by()),
+            measure(1.0).expect(1.0, 0.25, by()),
+            measure(1.0),
+        ];
+        let moved = vanished();
+        let verdict = Verdict::Holds(by());
+        let outcome = Outcome { verdict, moved, measures, shots: vec![], charts: vec![], notes: vec![] };
+        assert_eq!(
+            misses(&outcome, Language::English),
+            [
+                "x: measured 1.5 px, expected 1 px ± 0.25 px (z)",
+                "x: measured 1.5 px, expected at most 1 px (z)"
+            ]
+        );
+        assert_eq!(
+            misses(&outcome, Language::Portuguese),
+            [
+                "x: medido 1,5 px, esperado 1 px ± 0,25 px (z)",
+                "x: medido 1,5 px, esperado no máximo 1 px (z)"
+            ]
+        );
+        let table = measure_table(&outcome, Language::Portuguese).to_text();
+        assert!(table.contains("no máximo 1 px") && table.contains("NÃO"), "{table}");
     }
 
     #[test]

@@ -1,0 +1,99 @@
+//! Which experiments are meant, and whether what was typed suits them.
+
+use super::args::{ALL, ArtefactArgs, LIST};
+use crease::artefact::{ArtefactError, Changes, EXPERIMENTS, Experiment, Knob, experiment};
+use std::path::Path;
+
+/// The experiments that are meant.
+pub struct Chosen {
+    pub run: Vec<&'static Experiment>,
+    /// Of all of them, those that have no use for a value that was given, and why.
+    pub left_out: Vec<(&'static Experiment, ArtefactError)>,
+}
+
+/// The experiments that are meant, if they take what was given.
+pub fn chosen(args: &ArtefactArgs) -> Result<Chosen, String> {
+    if let Some(path) = &args.animate {
+        refuse_other_than_gif(path)?;
+    }
+    match args.experiment.as_str() {
+        LIST => refuse_to_list(args).map(|()| Chosen { run: EXPERIMENTS.iter().collect(), left_out: vec![] }),
+        ALL => all(args),
+        name => one(name, args).map_err(|error| error.to_string()),
+    }
+}
+
+/// What was given.
+fn given(args: &ArtefactArgs) -> impl Iterator<Item = Knob> {
+    let mesh = args.own.mesh.is_some().then_some(Knob::Mesh);
+    args.parameters.changes().knobs().chain(mesh)
+}
+
+fn accept(experiment: &Experiment, changes: &Changes) -> Result<(), ArtefactError> {
+    experiment.accept(&changes.only(experiment.takes).apply(experiment.defaults))
+}
+
+fn one(name: &str, args: &ArtefactArgs) -> Result<Chosen, ArtefactError> {
+    let chosen = experiment(name)?;
+    chosen.refuse(given(args))?;
+    accept(chosen, &args.parameters.changes())?;
+    if args.animate.is_some() {
+        chosen.refuse_still()?;
+    }
+    Ok(Chosen { run: vec![chosen], left_out: vec![] })
+}
+
+/// Each takes what it knows. What none knows, and a value that suits none of those that know it, would be lost.
+fn all(args: &ArtefactArgs) -> Result<Chosen, String> {
+    if args.animate.is_some() {
+        return Err("one animation shows one experiment: name it instead of `all`".into());
+    }
+    let changes = args.parameters.changes();
+    for knob in given(args) {
+        let takers = EXPERIMENTS.iter().filter(|experiment| experiment.takes.contains(&knob));
+        let refusals = takers.map(|experiment| accept(experiment, &changes.only(&[knob])).err());
+        match refusals.min_by_key(Option::is_some) {
+            None => return Err(format!("no experiment takes --{}", knob.name())),
+            Some(Some(error)) => return Err(error.to_string()),
+            Some(None) => {}
+        }
+    }
+    let mut chosen = Chosen { run: vec![], left_out: vec![] };
+    for experiment in EXPERIMENTS {
+        match accept(experiment, &changes) {
+            Ok(()) => chosen.run.push(experiment),
+            Err(error) => chosen.left_out.push((experiment, error)),
+        }
+    }
+    Ok(chosen)
+}
+
+/// A list draws nothing and runs nothing, so all of this would be lost.
+fn refuse_to_list(args: &ArtefactArgs) -> Result<(), String> {
+    let option = match given(args).next() {
+        _ if args.output.is_some() => "-o".to_owned(),
+        _ if args.animate.is_some() => "--animate".to_owned(),
+        Some(knob) => format!("--{}", knob.name()),
+        None => return Ok(()),
+    };
+    Err(format!(
+        "`list` only tells what experiments there are, and {option} would be lost: leave it out, or name an experiment instead of \
+         `list`, or `all`"
+    ))
+}
+
+/// Whatever its name says, an animation is a GIF.
+fn refuse_other_than_gif(path: &Path) -> Result<(), String> {
+    let shown = path.display();
+    match path.extension() {
+        _ if path.as_os_str() == "-" => {
+            Err("--animate writes a file, and standard output has the report: give a name such as turn.gif"
+                .into())
+        }
+        Some(ending) if !ending.eq_ignore_ascii_case("gif") => {
+            let gif = path.with_extension("gif");
+            Err(format!("--animate draws a GIF, and {shown} does not end so: give {}", gif.display()))
+        }
+        _ => Ok(()),
+    }
+}
