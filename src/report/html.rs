@@ -53,6 +53,8 @@ pub struct Page {
     lead: String,
     /// The language's tag, and what the list of contents is called in it.
     language: [String; 2],
+    /// How running text becomes HTML.
+    setting: fn(&str) -> String,
     body: String,
     /// The text and the id of each heading.
     contents: Vec<(String, String)>,
@@ -66,6 +68,7 @@ impl Page {
             title: title.to_owned(),
             lead: lead.to_owned(),
             language: ["en", "Contents"].map(str::to_owned),
+            setting: |text| escape_html(text).into_owned(),
             body: String::new(),
             contents: Vec::new(),
             ids: BTreeSet::new(),
@@ -76,6 +79,14 @@ impl Page {
     #[must_use]
     pub fn in_language(mut self, tag: &str, contents: &str) -> Self {
         self.language = [tag, contents].map(str::to_owned);
+        self
+    }
+
+    /// The page with running text (the lead, paragraphs, lists, cells, captions of drawings) made HTML by this, which has to
+    /// escape it.
+    #[must_use]
+    pub(super) fn set_by(mut self, setting: fn(&str) -> String) -> Self {
+        self.setting = setting;
         self
     }
 
@@ -94,14 +105,14 @@ impl Page {
 
     /// A paragraph.
     pub fn paragraph(&mut self, text: &str) {
-        let _ = writeln!(self.body, "<p>{}</p>", escape_html(text));
+        let _ = writeln!(self.body, "<p>{}</p>", (self.setting)(text));
     }
 
     /// A list of points.
     pub fn list<'a>(&mut self, points: impl IntoIterator<Item = &'a str>) {
         self.body.push_str("<ul>\n");
         for point in points {
-            let _ = writeln!(self.body, "<li>{}</li>", escape_html(point));
+            let _ = writeln!(self.body, "<li>{}</li>", (self.setting)(point));
         }
         self.body.push_str("</ul>\n");
     }
@@ -123,7 +134,7 @@ impl Page {
             self.body.push_str("<tr>");
             for (column, cell) in row.iter().enumerate() {
                 let (tag, scope) = if column == 0 { ("th", " scope=\"row\"") } else { ("td", "") };
-                let _ = write!(self.body, "<{tag}{scope}{}>{}</{tag}>", class(column), escape_html(cell));
+                let _ = write!(self.body, "<{tag}{scope}{}>{}</{tag}>", class(column), (self.setting)(cell));
             }
             self.body.push_str("</tr>\n");
         }
@@ -151,7 +162,7 @@ impl Page {
     /// A drawing under a caption; it is given an id for its parts to refer to. See [`Plot::svg`](super::Plot::svg).
     pub fn drawing(&mut self, name: &str, caption: &str, draw: impl FnOnce(&str) -> String) {
         let id = self.id(name);
-        let (drawing, caption) = (draw(&id), escape_html(caption));
+        let (drawing, caption) = (draw(&id), (self.setting)(caption));
         let _ = writeln!(self.body, "<figure>\n{drawing}\n<figcaption>{caption}</figcaption>\n</figure>");
     }
 
@@ -176,7 +187,7 @@ impl Page {
 
     /// The whole page.
     pub fn finish(self) -> String {
-        let (title, lead) = (escape_html(&self.title), escape_html(&self.lead));
+        let (title, lead) = (escape_html(&self.title), (self.setting)(&self.lead));
         let entries = self.contents.iter();
         let entries =
             entries.map(|(text, id)| format!("<li><a href=\"#{id}\">{}</a></li>\n", escape_html(text)));

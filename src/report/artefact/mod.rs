@@ -4,6 +4,7 @@
 mod formula;
 mod page;
 mod pictures;
+mod running;
 mod tables;
 #[cfg(test)]
 mod tests;

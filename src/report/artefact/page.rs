@@ -2,6 +2,7 @@
 
 use super::formula::mathml;
 use super::pictures::{chart_plot, picture_name, thumbnail};
+use super::running::running;
 use super::tables::{measure_table, verdict_in_short, verdict_text};
 use super::words;
 use crate::artefact::{Experiment, Language, Outcome, Role, Setup, Shot};
@@ -77,8 +78,8 @@ pub fn index_page(found: &[(&Experiment, &Outcome)], language: Language) -> Resu
             escape_html(&page_name(experiment)),
             thumbnails.join(""),
             escape_html(experiment.title.get(language)),
-            escape_html(experiment.claim.get(language)),
-            escape_html(&verdict_in_short(outcome, language)),
+            running(experiment.claim.get(language)),
+            running(&verdict_in_short(outcome, language)),
         ));
     }
     page.raw("</div>\n");
@@ -86,7 +87,7 @@ pub fn index_page(found: &[(&Experiment, &Outcome)], language: Language) -> Resu
 }
 
 fn page(title: &str, lead: &str, language: Language) -> Page {
-    Page::new(title, lead).in_language(language.tag(), words::CONTENTS.get(language))
+    Page::new(title, lead).in_language(language.tag(), words::CONTENTS.get(language)).set_by(running)
 }
 
 /// Who claims it, and the closed forms.
@@ -103,7 +104,7 @@ fn claim(experiment: &Experiment, language: Language, page: &mut Page) {
 
 fn verdict(outcome: &Outcome, language: Language) -> String {
     let [name, condition] = verdict_text(outcome, language);
-    let (name, condition) = (escape_html(&name), escape_html(&condition));
+    let (name, condition) = (escape_html(&name), running(&condition));
     format!("<p class=\"verdict\"><strong>{name}</strong>: {condition}</p>\n")
 }
 
@@ -116,8 +117,7 @@ fn figure(
     let picture = Picture::from(shot.image.clone());
     let image = super::super::html::image(&picture, shot.caption.get(language))?;
     let role = words::role(shot.role, &outcome.moved);
-    let [role, label, caption] =
-        [&role, &shot.label, &shot.caption].map(|text| escape_html(text.get(language)));
+    let [role, label, caption] = [&role, &shot.label, &shot.caption].map(|text| running(text.get(language)));
     let file = picture_name(experiment, shot.name);
     Ok(format!(
         "<figure>\n{image}\n<figcaption><strong>{label}</strong> ({role}). {caption} <code>{file}.png</code></figcaption>\n\

@@ -1,5 +1,6 @@
 //! The gallery's structure, in both languages.
 
+use super::running::running;
 use super::*;
 use crate::artefact::{EXPERIMENTS, Language, Outcome, Parameters, Setup};
 use crate::report::escape_html;
@@ -115,7 +116,8 @@ fn portuguese_pages_have_no_english_left() {
             assert!(en != pt || is_alike(&en), "{}: not translated: {en}", experiment.id);
             // A short word may be a part of a Portuguese one.
             let is_told = en != pt && en.len() > 12 && !pt.contains(&en);
-            assert!(!is_told || !page.contains(&*escape_html(&en)), "{}: English left: {en}", experiment.id);
+            let is_left = || page.contains(&*escape_html(&en)) || page.contains(&running(&en));
+            assert!(!is_told || !is_left(), "{}: English left: {en}", experiment.id);
         }
     }
 }
@@ -142,6 +144,22 @@ fn words_of(page: &str) -> String {
         }
     }
     words
+}
+
+/// No mark of the formulas' notation is left where people read: not in running text, not in plots.
+#[test]
+fn scripts_are_typeset() {
+    let mut below_and_above = 0;
+    for (name, page) in Language::ALL.into_iter().flat_map(pages) {
+        let body = page.split_once("<body").unwrap().1;
+        for element in body.split('<') {
+            let (tag, text) = element.split_once('>').unwrap_or_default();
+            below_and_above += usize::from(["sub", "sup"].contains(&tag));
+            let is_read = !tag.starts_with("code");
+            assert!(!is_read || !text.contains(['_', '^', '`', '{', '\\']), "{name}: <{tag}> {text}");
+        }
+    }
+    assert!(below_and_above > 40, "{below_and_above}");
 }
 
 /// Decimal numbers of a text: digits with one of the marks between. Those with more are numbers of sections.

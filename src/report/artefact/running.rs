@@ -1,0 +1,90 @@
+//! Sub- and superscripts in running text, where there is no room for a formula of its own.
+
+use crate::report::escape_html;
+
+/// Running text as HTML: `θ_L`, `c_{13}`, `cosⁿ` and `sin(α)^n` with their scripts below and above the line, names between
+/// backticks as code.
+///
+/// What stands below belongs to a single letter, so that names of files and of options are left as they are. A script is a
+/// group in braces or parentheses, which are not shown, or the letters and digits that follow.
+pub fn running(text: &str) -> String {
+    let mut out = String::with_capacity(text.len() + 16);
+    for (number, part) in text.split('`').enumerate() {
+        match number % 2 {
+            0 => scripts(part, &mut out),
+            _ => out.push_str(&format!("<code>{}</code>", escape_html(part))),
+        }
+    }
+    out
+}
+
+fn scripts(text: &str, out: &mut String) {
+    // What is before the mark, and up to where it is written.
+    let (mut written, mut before): (usize, [Option<char>; 2]) = (0, [None; 2]);
+    for (place, c) in text.char_indices() {
+        if place < written {
+            continue;
+        }
+        let element = match c {
+            '_' if is_letter(before) => Some("sub"),
+            '^' if before[1].is_some_and(|c| c.is_alphanumeric() || c == ')') => Some("sup"),
+            _ => None,
+        };
+        let found = element.and_then(|element| Some((element, script(&text[place + c.len_utf8()..])?)));
+        match found {
+            Some((element, (script, length))) => {
+                out.push_str(&format!("<{element}>{}</{element}>", escape_html(script)));
+                written = place + c.len_utf8() + length;
+                before = [before[1], script.chars().last()];
+            }
+            None => {
+                out.push_str(&escape_html(&text[place..place + c.len_utf8()]));
+                before = [before[1], Some(c)];
+            }
+        }
+    }
+}
+
+/// Whether a letter stands by itself.
+fn is_letter([before, last]: [Option<char>; 2]) -> bool {
+    last.is_some_and(char::is_alphabetic) && !before.is_some_and(|c| c.is_alphanumeric() || "_.-".contains(c))
+}
+
+/// The script at the start of a text, and how long it is there; none if nothing is there.
+fn script(text: &str) -> Option<(&str, usize)> {
+    for (open, close) in [('{', '}'), ('(', ')')] {
+        if let Some(rest) = text.strip_prefix(open) {
+            return rest.find(close).map(|end| (&rest[..end], end + 2));
+        }
+    }
+    let end = text.find(|c: char| !c.is_alphanumeric()).unwrap_or(text.len());
+    (end > 0).then(|| (&text[..end], end))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::running;
+
+    #[test]
+    fn scripts_stand_below_and_above() {
+        for (text, html) in [
+            ("cos(θ_L) < 1/3", "cos(θ<sub>L</sub>) &lt; 1/3"),
+            ("(k_d + k_s M(n)) δ", "(k<sub>d</sub> + k<sub>s</sub> M(n)) δ"),
+            ("cos(α)^n, cos^n", "cos(α)<sup>n</sup>, cos<sup>n</sup>"),
+            ("z_far/z_near", "z<sub>far</sub>/z<sub>near</sub>"),
+            ("(I₀h)^(2/3) − h²", "(I₀h)<sup>2/3</sup> − h²"),
+            ("w_{trás}^2", "w<sub>trás</sub><sup>2</sup>"),
+            ("|e_1| |e_2|", "|e<sub>1</sub>| |e<sub>2</sub>|"),
+        ] {
+            assert_eq!(running(text), html);
+        }
+    }
+
+    #[test]
+    fn what_is_no_notation_stays() {
+        for text in ["a_ b", "_x", "^", "x_{", "x^(", "my_mesh.obj", "--no_such"] {
+            assert_eq!(running(text), text);
+        }
+        assert_eq!(running("of `a_b<.obj`."), "of <code>a_b&lt;.obj</code>.");
+    }
+}
