@@ -2,12 +2,14 @@
 
 use super::super::own_mesh::{Room, camera, light_from};
 use super::super::{
-    ArtefactError, Measure, Moved, Outcome, Parameters, Role, Shot, Text, Threshold, UserMesh, Verdict,
+    ArtefactError, Language, Measure, Moved, Outcome, Parameters, Role, Shot, Text, Threshold, UserMesh,
+    Verdict,
 };
 use super::curved::curved;
 use super::{View, between, material};
 use crate::mesh::Mesh;
 use crate::normals::{Crease, NormalRecipe, compute};
+use crate::num::Degrees;
 use crate::raster::{Object, Shading, Shape};
 
 /// Into how many parts the edges of the cure are cut, which is what a program that draws would do.
@@ -43,15 +45,26 @@ pub(super) fn run(own: &UserMesh, parameters: &Parameters) -> Result<Outcome, Ar
     let (truth, coarse, cured) = (picture(truth)?, picture(object(&mesh, &field))?, picture(cure())?);
     let lacking = between(&coarse, &truth);
     let told = told(own, parts);
+    let sharp = Sharp { edges: field.summary.edges.crease, crease };
+    let is_off = of_coarse.hausdorff > Threshold::HALF_PIXEL.value;
     let measure = |en, pt, unit, value| Measure::new(Text::new(en, pt), unit, value);
     Ok(Outcome {
-        verdict: Verdict::Holds(Text::each(|language| {
-            let off = Text::new(
-                "the outline of this mesh is off by more than half a pixel here.",
-                "o contorno desta malha erra mais de meio pixel aqui.",
-            );
-            format!("{} {}", off.get(language), told.get(language))
-        })),
+        verdict: match (is_off, own.finer) {
+            (true, _) => Verdict::Holds(Text::each(|language| {
+                let off = Text::new(
+                    "the outline of this mesh is off by more than half a pixel here.",
+                    "o contorno desta malha erra mais de meio pixel aqui.",
+                );
+                format!("{} {}", off.get(language), told.get(language))
+            })),
+            (false, Some(_)) => Verdict::Absent(Text::new(
+                "the two meshes have the same outline at this size: a larger picture (--size) or a finer mesh for --finer would \
+                 show more.",
+                "as duas malhas têm o mesmo contorno neste tamanho: uma imagem maior (--size) ou uma malha mais fina em --finer \
+                 mostraria mais.",
+            )),
+            (false, None) => Verdict::Absent(sharp.advice()),
+        },
         moved: Moved {
             name: Text::new("largest distance of the outline", "maior distância do contorno"),
             unit: "px",
@@ -142,6 +155,42 @@ pub(super) fn run(own: &UserMesh, parameters: &Parameters) -> Result<Outcome, Ar
         charts: Vec::new(),
         notes: vec![told],
     })
+}
+
+/// Edges of a mesh that stay sharp in curved triangles, and the angle that makes them so.
+struct Sharp {
+    edges: usize,
+    crease: Degrees,
+}
+
+impl Sharp {
+    /// What would show an outline that is seen to be right, for a mesh that is its own truth.
+    fn advice(&self) -> Text {
+        let &Self { edges, crease } = self;
+        match edges {
+            0 => Text::new(
+                "no finer mesh was given, and in curved triangles the outline is the same: give one with --finer FILE, or a larger \
+                 picture (--size).",
+                "não foi dada malha mais fina, e em triângulos curvos o contorno é o mesmo: indique uma com --finer ARQUIVO, ou uma \
+                 imagem maior (--size).",
+            ),
+            _ => Text::each(|language| {
+                let angle = language.number(crease.0);
+                match language {
+                    Language::English => format!(
+                        "no finer mesh was given, and {edges} edges stay sharp in the curved triangles that this one is held against, \
+                         being sharper than {angle}°. If they stand for something round, --crease 180 makes them so; --finer FILE gives \
+                         the true shape."
+                    ),
+                    Language::Portuguese => format!(
+                        "não foi dada malha mais fina, e {edges} arestas ficam vivas nos triângulos curvos com que esta é comparada, \
+                         por serem mais vivas que {angle}°. Se representam algo redondo, --crease 180 as torna assim; --finer ARQUIVO \
+                         indica a forma verdadeira."
+                    ),
+                }
+            }),
+        }
+    }
 }
 
 /// What was taken for the truth.
