@@ -3,7 +3,7 @@
 mod tube;
 
 use super::body::Body;
-use super::stage::{chalk, draw, front, linear, map, settings};
+use super::stage::{chalk, differences, draw, front, linear, map, settings};
 use super::{
     ArtefactError, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters, Role, Setup, Shot, Text,
     Threshold, Verdict,
@@ -91,6 +91,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let on_tube = share(&concerned(&tube.body(), towards(light, LEVEL), size)?);
     let [pop_hard, pop_soft] = [Terminator::Hard, Terminator::Soft].map(|terminator| tube.pop(terminator));
     let (pop_hard, pop_soft) = (pop_hard?, pop_soft?);
+    // The prism has a light of its own. What it does there is seen on the sphere only if facets of that take light away in this.
+    let taken = differences(&hard, &smooth).into_iter().flatten().fold(0.0, f64::max);
+    let is_seen = taken > Threshold::HALF_STEP.value;
+    let popped = |change: f64| if is_seen { change } else { 0.0 };
     // Where edges fall between pixel centres: one pixel for each facet that is seen.
     let pixels = f64::from(segments) / 2.0 * WINDOW / (2.0 * f64::from(size));
     let by_formula = Text::new(
@@ -126,6 +130,14 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         ),
         Measure::new(
             Text::new(
+                "sphere: most light that facets' own shadow takes from a pixel",
+                "esfera: máximo de luz que a sombra própria das facetas tira de um pixel",
+            ),
+            "",
+            taken,
+        ),
+        Measure::new(
+            Text::new(
                 "prism, light turned by 0.5°: largest change on a facet, hard",
                 "prisma, luz girada de 0,5°: maior mudança numa faceta, dura",
             ),
@@ -143,9 +155,6 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         )
         .expect(tube.pop_law(Terminator::Soft), 2e-4, by_formula),
     ];
-    // Where no pixel is concerned nothing pops in these pictures, whatever the prism does in its own light.
-    let is_concerned = share(&coarse_map) > 0.0;
-    let popped = |change: f64| if is_concerned { change } else { 0.0 };
     let difference = map([size; 2], &coarse_map, 1.0);
     Ok(Outcome {
         verdict: Verdict::HoldsOnlyIf(Text::new(
@@ -249,13 +258,27 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             ),
         ],
         charts: vec![tube.chart()?],
-        notes: vec![Text::new(
+        notes: notes(),
+    })
+}
+
+fn notes() -> Vec<Text> {
+    vec![
+        Text::new(
             "The factor is continuous: it is 0 where the facet's own cosine is, and 1 where that is at least what the interpolated \
              normal promises. It needs nothing but the two normals, and costs nothing where it is not asked for.",
             "O fator é contínuo: vale 0 onde o cosseno da própria faceta é 0, e 1 onde este é ao menos o que a normal interpolada \
              promete. Precisa só das duas normais, e nada custa onde não é pedido.",
-        )],
-    })
+        ),
+        Text::new(
+            "The sphere's light stands 25° high, so that its border crosses facets askew and is in sight even where the light comes \
+             from the viewer's side. The prism's pixels are counted in level light at the same angle: there none is concerned as \
+             long as the border is out of sight. The films have a light of their own, which turns where one facet turns away.",
+            "A luz da esfera está a 25° de altura, de modo que a sua fronteira cruza facetas de viés e se vê mesmo quando a luz vem \
+             do lado do observador. Os pixels do prisma são contados sob luz horizontal no mesmo ângulo: ali nenhum está em questão \
+             enquanto a fronteira não se vê. Os filmes têm luz própria, que gira onde uma faceta se vira.",
+        ),
+    ]
 }
 
 /// The sphere while the light goes round it, facets shading themselves.
