@@ -63,8 +63,8 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
         "light within 90° of the direction of view, and 8 to 32 segments, would show it.",
         "luz a menos de 90° da direção de visão, e de 8 a 32 segmentos, o mostrariam.",
     ),
-    // So few that bands are seen with the naked eye.
-    defaults: Parameters { segments: 8, light: Degrees(30.0), ..Parameters::USUAL },
+    // So few that bands are seen with the naked eye; with an odd number of facets in the light no two neighbours are alike.
+    defaults: Parameters { segments: 10, light: Degrees(30.0), ..Parameters::USUAL },
     run,
     frame: None,
 };

@@ -146,7 +146,8 @@ pub(super) fn charts(lines: &Lines, is_gouraud_worse: bool) -> Vec<Chart> {
     ];
     let mut charts = derivatives(["luminance", "slope", "curvature"], None, [luminance, slopes], &three);
     let steps = curve(Text::new("flat", "plano"), flat, &Derivative::Zeroth);
-    charts[0].curves.insert(0, steps);
+    // Last, so that the others look alike in all plots.
+    charts[0].curves.push(steps);
     charts
 }
 
@@ -161,8 +162,8 @@ pub(super) fn charts_of_grazing_light(grazing: &Tube) -> Result<Vec<Chart>, Arte
             "A luz a 80°: a luminância do cilindro é quase reta onde há luz, e a de Gouraud também. A de Phong é curva.",
         ),
         Text::new(
-            "The slope of that: Phong's goes up and down on each facet and jumps back at edges, up to 2.4 times as far as Gouraud's.",
-            "A inclinação disso: a de Phong sobe e desce em cada faceta e salta de volta nas arestas, até 2,4 vezes mais que a de \
+            "The slope of that: Phong's goes up and down on each facet and jumps back at edges, about twice as far as Gouraud's.",
+            "A inclinação disso: a de Phong sobe e desce em cada faceta e salta de volta nas arestas, cerca de duas vezes mais que a de \
              Gouraud.",
         ),
     ];
