@@ -3,8 +3,8 @@
 use super::body::{Body, Diagonal};
 use super::stage::{GAP, draw, front, settings, tiles};
 use super::{
-    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters, Role,
-    Scale, Setup, Shot, Text, Threshold, Verdict,
+    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Language, Measure, Moved, Outcome,
+    Parameters, Role, Scale, Setup, Shot, Text, Threshold, Verdict,
 };
 use crate::metric::Highlight;
 use crate::num::{Degrees, LinearRgb, Radians};
@@ -12,7 +12,7 @@ use crate::raster::{Image, Interpolation, Object, Shading, Shape};
 use crate::shade::{Light, Material, Reflectance};
 use crate::surface::{Primitive, Sphere};
 use glam::DVec3;
-use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2, TAU};
+use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2, TAU};
 
 pub(super) const EXPERIMENT: Experiment = Experiment {
     id: "lost-highlight",
@@ -69,6 +69,39 @@ const WINDOW: f64 = 2.2;
 const CLOSE: f64 = 1.1;
 /// Pictures of one turn by a segment.
 const FRAMES: u32 = 8;
+
+/// By whether the highlight is narrower than half a segment, where a vertex is at the farthest.
+fn verdict(segments: u32, exponent: f64) -> Verdict {
+    let least = (f64::from(segments) / PI) * (f64::from(segments) / PI);
+    let told = |language: Language| [language.number(exponent), language.number(least.round())];
+    let (en, pt) = (told(Language::English), told(Language::Portuguese));
+    match exponent >= least {
+        true => Verdict::Holds(Text::made(
+            format!(
+                "wherever the nearest vertex's normal is farther from the highlight than the highlight is wide: exponents from about \
+                 (N/π)² on, on this sphere {}. As it turns it flickers.",
+                en[1]
+            ),
+            format!(
+                "sempre que a normal do vértice mais próximo está mais longe do brilho do que o brilho é largo: expoentes a partir de \
+                 cerca de (N/π)², nesta esfera {}. Girando, ela cintila.",
+                pt[1]
+            ),
+        )),
+        false => Verdict::HoldsOnlyIf(Text::made(
+            format!(
+                "the nearest vertex's normal is farther from the highlight than the highlight is wide. On this sphere \
+                 that takes exponents from about (N/π)² = {} on; at {} its highlight is wider than a facet: dulled, not lost.",
+                en[1], en[0]
+            ),
+            format!(
+                "a normal do vértice mais próximo está mais longe do brilho do que o brilho é largo. Nesta esfera isso \
+                 pede expoentes a partir de cerca de (N/π)² = {}; com {} o brilho é mais largo que uma faceta: embaçado, não perdido.",
+                pt[1], pt[0]
+            ),
+        )),
+    }
+}
 
 fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let Parameters { size, segments, exponent, .. } = setup.parameters;
@@ -176,12 +209,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         ),
     ];
     Ok(Outcome {
-        verdict: Verdict::Holds(Text::new(
-            "wherever the nearest vertex's normal is farther from the highlight than the highlight is wide: exponents from about \
-             (N/π)² on. A sphere that turns flickers.",
-            "sempre que a normal do vértice mais próximo está mais longe do brilho do que o brilho é largo: expoentes a partir de \
-             cerca de (N/π)². Uma esfera que gira cintila.",
-        )),
+        verdict: verdict(segments, exponent),
         moved: Moved {
             name: Text::new(
                 "flicker of the highlight's peak, beyond that of diffuse light",
@@ -400,6 +428,17 @@ mod tests {
                 "{segments} {exponent}: {:?}",
                 outcome.moved
             );
+        }
+    }
+
+    /// At the usual exponent the highlight is narrower than half a segment of 16, of 12 too, of 24 not.
+    #[test]
+    fn what_is_wider_than_facets_is_not_lost() {
+        for (segments, exponent, holds) in
+            [(16, 32.0, true), (12, 32.0, true), (24, 32.0, false), (16, 10.0, false)]
+        {
+            let verdict = verdict(segments, exponent);
+            assert_eq!(matches!(verdict, Verdict::Holds(_)), holds, "{segments} {exponent}: {verdict:?}");
         }
     }
 }

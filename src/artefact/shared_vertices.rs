@@ -51,8 +51,10 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
     own_mesh: None,
     segments: Parameters::SEGMENTS,
     shown_by: Text::new(
-        "light that comes from the side of the seam (--light 50), and fewer segments, would show it.",
-        "luz que vem do lado da emenda (--light 50), e menos segmentos, o mostrariam.",
+        "light that comes from the side of the seam (--light 50), and fewer segments, would show it there; the T-junction and the \
+         crack are seen in any light.",
+        "luz que vem do lado da emenda (--light 50), e menos segmentos, o mostrariam ali; a junção em T e a fenda se veem sob \
+         qualquer luz.",
     ),
     defaults: Parameters { segments: 16, light: Degrees(50.0), ..Parameters::USUAL },
     run,

@@ -146,9 +146,9 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
 fn verdict(cube: Range) -> Verdict {
     match cube.largest > 1e-6 {
         true => Verdict::Holds(Text::new(
-            "for these weights. Weights by the angle do not see how flat faces are cut, and Max' are exact on spheres; none is right \
-             everywhere.",
-            "para estes pesos. Pesos pelo ângulo não veem como faces planas são cortadas, e os de Max são exatos em esferas; nenhum \
+            "with weights that change where a face is cut through the vertex, as these do. Weights by the angle do not see how flat \
+             faces are cut, and Max' are exact on spheres; none is right everywhere.",
+            "com pesos que mudam onde uma face é cortada através do vértice, como estes. Pesos pelo ângulo não veem como faces planas são cortadas, e os de Max são exatos em esferas; nenhum \
              está certo em toda parte.",
         )),
         false => Verdict::Fails(Text::new(
