@@ -255,11 +255,12 @@ impl Table {
         self.rows.is_empty()
     }
 
-    /// Whether a column holds words: fewer than half of what stands in it begin with a digit.
+    /// Whether a column holds words: fewer than half of what stands in it are numbers, a digit first and a unit at most behind.
     fn has_words(&self, column: usize) -> bool {
         let filled = || self.rows.iter().map(|row| &row[column]).filter(|cell| !cell.is_empty());
         let is_number = |cell: &&String| {
-            cell.trim_start_matches(['-', '−', '+']).starts_with(|c: char| c.is_ascii_digit() || c == '∞')
+            let starts = |c: char| c.is_ascii_digit() || c == '∞';
+            cell.trim_start_matches(['-', '−', '+']).starts_with(starts) && cell.split(' ').count() <= 2
         };
         2 * filled().filter(is_number).count() < filled().count()
     }
@@ -327,6 +328,15 @@ mod tests {
         let markdown = "| weight | rms |\n|---|---:|\n| max | 0.5 |\n| a\\|b | 11.25 |\n| – |  |\n";
         assert_eq!(table.to_markdown(), markdown);
         assert!(!table.is_empty());
+    }
+
+    /// What begins with a digit may be words all the same.
+    #[test]
+    fn columns_of_words_are_told_from_numbers() {
+        let table = Table::new("t", &["quantity", "found"])
+            .row(["1/d²: share of the floor", "0.5 px"])
+            .row(["2 |x|: y", "-3"]);
+        assert_eq!([0, 1].map(|column| table.has_words(column)), [true, false]);
     }
 
     #[test]

@@ -27,10 +27,14 @@ type Signs<'a> = Peekable<Chars<'a>>;
 
 /// Everything up to the brace that closes the group, or the end.
 fn terms(signs: &mut Signs) -> String {
-    let mut row = String::new();
-    while signs.peek().is_some_and(|&c| c != '}') {
+    let (mut row, mut ends_term) = (String::new(), false);
+    while let Some(&next) = signs.peek().filter(|&&c| c != '}') {
         if let Some(base) = atom(signs) {
             row.push_str(&scripts(base, signs));
+            ends_term = next.is_alphanumeric() || ")]}|\\".contains(next);
+        } else if ends_term && signs.peek().is_some_and(|&c| c.is_alphabetic()) {
+            // Functions stand off from what they are multiplied with.
+            row.push_str("<mspace width=\"0.17em\"></mspace>");
         }
     }
     row
@@ -39,10 +43,13 @@ fn terms(signs: &mut Signs) -> String {
 /// What stands below and above a term.
 fn scripts(base: String, signs: &mut Signs) -> String {
     let (mut below, mut above) = (None, None);
-    while let Some(&mark) = signs.peek().filter(|&&c| c == '_' || c == '^') {
+    while let Some(&mark) = signs.peek().filter(|&&c| "_^′".contains(c)) {
         signs.next();
-        let script = atom(signs);
-        if mark == '_' { below = script } else { above = script }
+        match mark {
+            '_' => below = atom(signs),
+            '^' => above = atom(signs),
+            _ => above = Some("<mo>′</mo>".to_owned()),
+        }
     }
     match (below, above) {
         (None, None) => base,
@@ -65,11 +72,13 @@ fn atom(signs: &mut Signs) -> Option<String> {
         },
         c if c.is_ascii_digit() => format!("<mn>{c}{}</mn>", number(signs)),
         c if is_of_words(c) => {
-            format!("<mi>{c}{}{}</mi>", taken(signs, is_of_words), taken(signs, |c| c == '′'))
+            format!("<mi>{c}{}</mi>", taken(signs, is_of_words))
         }
         c if c.is_alphabetic() => format!("<mi>{c}</mi>"),
-        // Bars do not stretch: which of a pair closes is not told.
-        '|' => "<mo stretchy=\"false\">|</mo>".to_owned(),
+        // Which of a pair of bars closes is not told, so they neither stretch nor keep a distance.
+        '|' => "<mo stretchy=\"false\" lspace=\"0\" rspace=\"0\">|</mo>".to_owned(),
+        // Stretched by itself, as scripts have their bases, a bracket would sink below its line.
+        c @ ('(' | ')' | '[' | ']') => format!("<mo stretchy=\"false\">{c}</mo>"),
         c => format!("<mo>{}</mo>", escape_html(&c.to_string())),
     })
 }
@@ -125,8 +134,14 @@ mod tests {
     #[test]
     fn terms_are_set_as_they_are_meant() {
         assert_eq!(row("2x"), "<mn>2</mn><mi>x</mi>");
-        assert_eq!(row("cos(θ_L)"), "<mi>cos</mi><mo>(</mo><msub><mi>θ</mi><mi>L</mi></msub><mo>)</mo>");
-        assert_eq!(row("ΔI′_{ab}"), "<mi>Δ</mi><msub><mi>I′</mi><mrow><mi>ab</mi></mrow></msub>");
+        let [open, close] = ['(', ')'].map(|bracket| format!("<mo stretchy=\"false\">{bracket}</mo>"));
+        assert_eq!(row("cos(θ_L)"), format!("<mi>cos</mi>{open}<msub><mi>θ</mi><mi>L</mi></msub>{close}"));
+        assert_eq!(
+            row("ΔI′_{ab}"),
+            "<mi>Δ</mi><msubsup><mi>I</mi><mrow><mi>ab</mi></mrow><mo>′</mo></msubsup>"
+        );
+        let space = "<mspace width=\"0.17em\"></mspace>";
+        assert_eq!(row("2 sin − x"), format!("<mn>2</mn>{space}<mi>sin</mi><mo>−</mo><mi>x</mi>"));
         assert_eq!(row("x_1^2"), "<msubsup><mi>x</mi><mn>1</mn><mn>2</mn></msubsup>");
         assert_eq!(
             row("w_{trás} 0,5, 1"),

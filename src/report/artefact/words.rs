@@ -56,6 +56,7 @@ pub(super) fn role(role: Role, moved: &Moved) -> Text {
 /// What a number came to, and what it had to.
 pub(super) fn moved(moved: &Moved, language: Language) -> String {
     let Told { name, bad, from, why, cure, cured, less, factor } = told(moved, language);
+    let name = capitalised(name);
     match language {
         Language::English => format!(
             "{name}: {bad} with the artefact, {cured} after the cure ({cure}): {less}. There is an artefact from \
@@ -66,6 +67,12 @@ pub(super) fn moved(moved: &Moved, language: Language) -> String {
              ({why}), e a cura tem de torná-lo {factor} vezes menor, ou menor que isso."
         ),
     }
+}
+
+/// A text as the beginning of a sentence.
+fn capitalised(text: &str) -> String {
+    let mut signs = text.chars();
+    signs.next().map_or(String::new(), |first| first.to_uppercase().chain(signs).collect())
 }
 
 /// Why nothing is seen, and what would show it.
@@ -182,6 +189,7 @@ mod tests {
             en.contains("0 after the cure (x): gone.") && pt.contains("0 depois da cura (x): sumiu."),
             "{en} {pt}"
         );
+        assert!(en.starts_with("X: 0.25"), "{en}");
         let halved = moved(&Moved { cured: 0.1, ..vanished }, Language::Portuguese);
         assert!(halved.contains("2,5 vezes menos."), "{halved}");
     }
