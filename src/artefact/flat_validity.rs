@@ -367,9 +367,10 @@ fn chart(diffuse: Vec<[f64; 2]>, specular: Vec<[f64; 2]>, exponent: f64) -> Char
         name: "error-by-distance",
         title: Text::new("Error of flat shading by distance", "Erro do sombreamento plano pela distância"),
         caption: Text::new(
-            "Both errors fall as one over the distance and stay below their bounds. The dotted level is half a step of 8 bits.",
-            "Ambos os erros caem como um sobre a distância e ficam abaixo dos seus limites. O nível pontilhado é meio passo de 8 \
-             bits.",
+            "Both errors stay below their bounds, which fall as one over the distance. The level line with squares is half a step \
+             of 8 bits.",
+            "Ambos os erros ficam abaixo dos seus limites, que caem como um sobre a distância. A linha de nível com quadrados é meio \
+             passo de 8 bits.",
         ),
         x: Scale::log(Text::new("distance in circumradii of the face", "distância em circunraios da face")),
         y: Scale::log(Text::new("largest error", "maior erro")),

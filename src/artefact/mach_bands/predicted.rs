@@ -97,8 +97,8 @@ pub(super) fn measures(tube: &Tube, fine: &Tube, light: Degrees) -> Result<Vec<M
                 found.law,
                 law(found.theta).open,
                 Text::new(
-                    "ΔI′ (σs − σc)/√(2π) for a jump of slope, 0.111682 ΔI for a step; up to 11.6 % less where the edge lies between two pixels",
-                    "ΔI′ (σs − σc)/√(2π) para um salto de inclinação, 0,111682 ΔI para um degrau; até 11,6 % menos onde a aresta fica entre dois pixels",
+                    "ΔI′ (σ_s − σ_c)/√(2π) for a jump of slope, 0.111682 ΔI for a step; up to 11.6 % less where the edge lies between two pixels",
+                    "ΔI′ (σ_s − σ_c)/√(2π) para um salto de inclinação, 0,111682 ΔI para um degrau; até 11,6 % menos onde a aresta fica entre dois pixels",
                 ),
             ),
             false => measure.beyond(Text::new(

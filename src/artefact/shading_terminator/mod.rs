@@ -359,4 +359,17 @@ mod tests {
             assert!(coarse > 0.005 && fine < 0.5 * coarse, "{coarse} {fine}");
         }
     }
+
+    /// With the light from the viewer's side no pixel of the prism is concerned; the sphere says whether anything is seen.
+    #[test]
+    fn what_is_claimed_is_seen_on_the_sphere() {
+        for (segments, is_seen) in [(16, true), (64, false)] {
+            let parameters = Parameters { size: 32, segments, light: Degrees(0.0), ..EXPERIMENT.defaults };
+            let outcome = EXPERIMENT.run(&Setup { parameters, mesh: None }).unwrap();
+            assert_eq!(outcome.measured("prism: share"), 0.0);
+            let taken = outcome.measured("sphere: most light");
+            assert_eq!(taken > Threshold::HALF_STEP.value, is_seen, "{segments}: {taken}");
+            assert_eq!(matches!(outcome.verdict, Verdict::Absent(_)), !is_seen, "{segments}");
+        }
+    }
 }
