@@ -19,6 +19,9 @@
 //! | `files` | what was written |
 //! | `seconds` | how long it took |
 //!
+//! A measure has `name`, `unit` and `value`; where something is known about it `expected`, which has `value` and `tolerance` or, of
+//! a bound, `at_most`, and `by`; with it `agrees`; where nothing is known with these parameters `beyond`, which says why.
+//!
 //! Texts are objects with `en` and `pt`. Nothing but `seconds` differs from run to run. `list` has the members up to `own_mesh`,
 //! and `parameters` as they are by default.
 

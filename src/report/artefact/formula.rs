@@ -41,14 +41,15 @@ fn terms(signs: &mut Signs) -> String {
 }
 
 /// What stands below and above a term.
-fn scripts(base: String, signs: &mut Signs) -> String {
+fn scripts(mut base: String, signs: &mut Signs) -> String {
     let (mut below, mut above) = (None, None);
     while let Some(&mark) = signs.peek().filter(|&&c| "_^′".contains(c)) {
         signs.next();
         match mark {
             '_' => below = atom(signs),
             '^' => above = atom(signs),
-            _ => above = Some("<mo>′</mo>".to_owned()),
+            // A sign that is small and high by itself, and would be tiny above.
+            _ => base = format!("<mrow>{base}<mo lspace=\"0\" rspace=\"0\">′</mo></mrow>"),
         }
     }
     match (below, above) {
@@ -138,7 +139,7 @@ mod tests {
         assert_eq!(row("cos(θ_L)"), format!("<mi>cos</mi>{open}<msub><mi>θ</mi><mi>L</mi></msub>{close}"));
         assert_eq!(
             row("ΔI′_{ab}"),
-            "<mi>Δ</mi><msubsup><mi>I</mi><mrow><mi>ab</mi></mrow><mo>′</mo></msubsup>"
+            "<mi>Δ</mi><msub><mrow><mi>I</mi><mo lspace=\"0\" rspace=\"0\">′</mo></mrow><mrow><mi>ab</mi></mrow></msub>"
         );
         let space = "<mspace width=\"0.17em\"></mspace>";
         assert_eq!(row("2 sin − x"), format!("<mn>2</mn>{space}<mi>sin</mi><mo>−</mo><mi>x</mi>"));
