@@ -61,6 +61,18 @@ pub struct Loaded {
     pub document: Document,
 }
 
+impl Loaded {
+    /// Where each part stands in the world: nowhere, if no node has it; once and as it is, if there are no nodes at all.
+    pub(crate) fn places(&self) -> Vec<Vec<DMat4>> {
+        if self.nodes.is_empty() {
+            return vec![vec![DMat4::IDENTITY]; self.parts.len()];
+        }
+        let mut places = vec![Vec::new(); self.parts.len()];
+        self.nodes.iter().for_each(|node| places[node.part].push(node.world_from_part));
+        places
+    }
+}
+
 /// One mesh of a file.
 #[derive(Clone, Debug, Default)]
 pub struct Part {

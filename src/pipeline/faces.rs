@@ -2,7 +2,7 @@
 
 use super::Task;
 use crate::io::{Part, PartEdit};
-use crate::mesh::{Column, ColumnIndex, FaceEdit, Mesh, NONE, Orient, Orientation, Topology, orient};
+use crate::mesh::{Column, ColumnIndex, FaceEdit, Mesh, NONE, Orientation};
 use crate::normals::{LENGTH_TOLERANCE, Selection};
 use glam::DVec3;
 use std::borrow::Cow;
@@ -19,19 +19,14 @@ pub(super) struct Turned<'a> {
 }
 
 impl<'a> Turned<'a> {
-    pub(super) fn new(part: &'a Part, task: &Task) -> Self {
+    pub(super) fn new(part: &'a Part, mut orientation: Option<Orientation>, task: &Task) -> Self {
         let count = part.mesh.face_count();
         let mut faces = FaceEdit { dropped: part.non_finite_faces.clone(), reversed: Vec::new() };
-        let mut orientation = None;
-        if task.orient != Orient::Keep {
-            let present = applied(&part.mesh, &faces);
-            let topology = Topology::build(&present, task.recipe.weld);
-            let mut found = orient(&present, &topology, task.orient, task.confidence);
+        if let Some(found) = &mut orientation {
             let numbers = as_read(&faces, count);
             let reversed = std::mem::take(&mut found.reversed);
             found.reversed_open.clear();
             faces.reversed = reversed.into_iter().map(|face| numbers[face as usize]).collect();
-            orientation = Some(found);
         }
         if task.flip {
             faces.reversed =
@@ -114,7 +109,8 @@ impl<'a> Turned<'a> {
     }
 }
 
-fn applied<'a>(mesh: &'a Mesh, faces: &FaceEdit) -> Cow<'a, Mesh> {
+/// The mesh with some of its faces left out or turned.
+pub(super) fn applied<'a>(mesh: &'a Mesh, faces: &FaceEdit) -> Cow<'a, Mesh> {
     if faces.is_empty() { Cow::Borrowed(mesh) } else { Cow::Owned(mesh.with_faces(faces)) }
 }
 

@@ -16,6 +16,7 @@
 //! ```
 
 mod faces;
+mod orientation;
 mod outcome;
 mod places;
 
@@ -23,7 +24,7 @@ pub use outcome::{FaultCounts, PartOutcome, ReasonCounts, ReplacedCounts};
 pub use places::{MOST_PLACES, Spot};
 
 use crate::io::{Emit, Format, Loaded, Part, PartEdit};
-use crate::mesh::{Confidence, Orient};
+use crate::mesh::{Confidence, Orient, Orientation};
 use crate::normals::{self, FaultReason, NormalRecipe, When, select};
 use faces::Turned;
 use glam::DVec3;
@@ -38,7 +39,8 @@ pub struct Task {
     pub emit: Emit,
     /// Which stored normals are replaced.
     pub when: When,
-    /// How faces are turned. Stored normals that [`when`](Self::when) keeps stay as they are.
+    /// How faces are turned. What faces inwards within what another part encloses, wherever the file stands them, is a cavity
+    /// of it. Stored normals that [`when`](Self::when) keeps stay as they are.
     pub orient: Orient,
     /// How sure [`Orient::Outward`] has to be of components with a rim.
     pub confidence: Confidence,
@@ -81,8 +83,9 @@ pub fn revise(
     let (edits, parts) = loaded
         .parts
         .par_iter()
-        .map(|part| {
-            let (mut edit, outcome, facets) = revise_part(part, task);
+        .zip(orientation::find(loaded, task))
+        .map(|(part, orientation)| {
+            let (mut edit, outcome, facets) = revise_part(part, orientation, task);
             let wants_facets = task.emit == Emit::Face || target == Some(Format::Stl);
             let same_facets = target == Some(Format::Stl) && loaded.format == Format::Stl && edit.is_empty();
             edit.face_normals = facets.filter(|_| wants_facets && !same_facets);
@@ -97,12 +100,16 @@ pub fn revise(
 }
 
 /// The change of a part, what was found in it, and one normal a face.
-fn revise_part(part: &Part, task: &Task) -> (PartEdit, PartOutcome, Option<Vec<DVec3>>) {
+fn revise_part(
+    part: &Part,
+    orientation: Option<Orientation>,
+    task: &Task,
+) -> (PartEdit, PartOutcome, Option<Vec<DVec3>>) {
     let mut outcome = PartOutcome::new(part);
     if part.mesh.face_count() == 0 {
         return (PartEdit::default(), outcome, None);
     }
-    let mut turned = Turned::new(part, task);
+    let mut turned = Turned::new(part, orientation, task);
     let mut field = normals::compute(&turned.mesh, &task.recipe);
     outcome.orientation.clone_from(&turned.orientation);
     outcome.record_faults(&field.faults);

@@ -1,5 +1,6 @@
 //! From a file to its findings.
 
+use super::around::Around;
 use super::catalogue::{Kind, entries};
 use super::facts::Facts;
 use super::finding::{Element, Finding, Severity, Site};
@@ -9,7 +10,7 @@ use super::turned::{explained_by, largest_turn};
 use super::{
     Estimate, Precision, Thresholds, attributes, geometry, key_light_steps, shading, smoothing, stored,
 };
-use crate::io::{Document, FileNode, Format, Loaded};
+use crate::io::{Document, FileNode, Loaded};
 use crate::mesh::{Mesh, NONE, normal_matrix};
 use glam::DMat3;
 
@@ -76,13 +77,14 @@ pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) 
     let mut diagnosis = Diagnosis::default();
     let mut merged: Vec<Merged> = entries().map(|_| Merged::default()).collect();
     let nodes_of_parts = nodes_of_parts(loaded);
+    let around = Around::new(loaded);
     let materials = gloss::materials(loaded, thresholds.exponent);
     for (number, part) in loaded.parts.iter().enumerate() {
         let mut own = PartDiagnosis { name: part.name.clone(), ..PartDiagnosis::default() };
         if part.mesh.face_count() > 0 {
             let nodes = &nodes_of_parts[number];
             let gloss = Gloss::new(&part.mesh, &materials, thresholds.exponent);
-            let facts = Facts::new(&part.mesh, loaded.format != Format::Stl, thresholds.confidence, gloss);
+            let facts = Facts::new(&around, number, thresholds.confidence, gloss);
             let mut found = Tallies::new(thresholds.places);
             own.precision = look(&facts, nodes, thresholds, &mut found);
             attributes::find(&facts, loaded, number, thresholds, &mut found);

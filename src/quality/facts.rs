@@ -1,5 +1,6 @@
 //! What all findings about a part are made from, worked out once.
 
+use super::around::Around;
 use super::estimate::{Estimate, estimate};
 use super::gloss::Gloss;
 use crate::mesh::{Column, Confidence, Link, Mesh, Orientation, Orientations, Topology, Weld, place_key};
@@ -54,13 +55,18 @@ pub(super) struct Facts<'a> {
 }
 
 impl<'a> Facts<'a> {
-    pub(super) fn new(mesh: &'a Mesh, shares_vertices: bool, confidence: Confidence, gloss: Gloss) -> Self {
+    /// Of a part of a file.
+    pub(super) fn new(around: &Around<'a>, part: usize, confidence: Confidence, gloss: Gloss) -> Self {
+        let mesh = around.mesh(part);
         let topology = Topology::build(mesh, Weld::Exact);
         let stored = mesh.columns().normals.as_ref().filter(|stored| !stored.values.is_empty());
         let field = compute_on(mesh, &topology, &NormalRecipe::default());
         let orientations = Orientations::new(mesh, &topology);
         let minority = orientations.consistent().reversed;
-        let outward = orientations.outward(mesh, confidence);
+        let mut outward = orientations.outward(mesh, confidence, &[]);
+        if outward.inside_out > 0 && !around.hollows(part).is_empty() {
+            outward = orientations.outward(mesh, confidence, around.hollows(part));
+        }
         let worth = worth(mesh, stored, &field, &minority, &outward);
         let extent = mesh.bounds().map_or(0.0, |(low, high)| (high - low).max_element());
         let scale = unit_scale(extent);
@@ -84,7 +90,7 @@ impl<'a> Facts<'a> {
             beside_turned: Vec::new(),
             collapsed: FxHashSet::default(),
             gloss,
-            shares_vertices,
+            shares_vertices: around.shares_vertices(),
         };
         facts.mark_turned();
         facts.collapsed = facts.collapsed_places();

@@ -27,6 +27,7 @@
 //!
 #![doc = include_str!("measured/recall.md")]
 
+mod around;
 mod attributes;
 pub mod catalogue;
 mod comparison;

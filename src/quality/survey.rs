@@ -1,9 +1,10 @@
 //! What pictures and histograms of a report are made of.
 
+use super::around::Around;
 use super::facts::Facts;
 use super::gloss::Gloss;
-use crate::io::Format;
-use crate::mesh::{Confidence, Mesh};
+use crate::io::Loaded;
+use crate::mesh::Confidence;
 use crate::num::{Degrees, angle_between};
 use glam::DVec3;
 
@@ -27,12 +28,20 @@ pub struct Survey {
     pub edge_lengths: Vec<f64>,
 }
 
-/// Measures a mesh that came from a file of this format.
-pub fn survey(mesh: &Mesh, format: Format) -> Survey {
-    if mesh.face_count() == 0 {
-        return Survey::default();
-    }
-    let facts = Facts::new(mesh, format != Format::Stl, Confidence::default(), Gloss::new(mesh, &[], None));
+/// Measures each part of a file.
+pub fn survey(loaded: &Loaded) -> Vec<Survey> {
+    let around = Around::new(loaded);
+    let facts = |part: usize| {
+        let gloss = Gloss::new(around.mesh(part), &[], None);
+        Facts::new(&around, part, Confidence::default(), gloss)
+    };
+    let has_faces = |part: usize| around.mesh(part).face_count() > 0;
+    let parts = 0..loaded.parts.len();
+    parts.map(|part| if has_faces(part) { measured(&facts(part)) } else { Survey::default() }).collect()
+}
+
+fn measured(facts: &Facts<'_>) -> Survey {
+    let mesh = facts.mesh;
     let corners = mesh.faces().corner_count();
     let between = |a: DVec3, b: DVec3| Degrees::from(angle_between(a, b)).0;
     let edge = |corner: usize| facts.place(facts.topology.next(corner as u32) as usize) - facts.place(corner);

@@ -3,6 +3,7 @@
 
 mod against;
 mod attributes;
+mod cavities;
 mod clean;
 mod geometry;
 mod mended;

@@ -1,6 +1,7 @@
 //! Turning faces round until they agree.
 
 mod components;
+mod hollows;
 mod nesting;
 mod probe;
 mod visibility;
@@ -8,6 +9,7 @@ mod volume;
 
 use super::{Mesh, Topology};
 use components::Components;
+pub(crate) use hollows::{Placed, hollows};
 use nesting::{depths, face_bounds};
 use rayon::prelude::*;
 use visibility::votes;
@@ -121,7 +123,7 @@ pub fn orient(mesh: &Mesh, topology: &Topology, policy: Orient, confidence: Conf
     match policy {
         Orient::Keep => Orientation::default(),
         Orient::Consistent => Orientations::new(mesh, topology).consistent(),
-        Orient::Outward => Orientations::new(mesh, topology).outward(mesh, confidence),
+        Orient::Outward => Orientations::new(mesh, topology).outward(mesh, confidence, &[]),
     }
 }
 
@@ -131,6 +133,15 @@ pub(crate) struct Orientations {
     /// Those that are orientable, ascending: the closed ones, and the others.
     closed: Vec<usize>,
     open: Vec<usize>,
+}
+
+/// A closed component with a volume.
+struct Shell {
+    component: usize,
+    /// Whether the faces that run with its lowest one face outwards.
+    outward: bool,
+    /// In how many others of its mesh it lies; `None` if that cannot be told.
+    depth: Option<u32>,
 }
 
 impl Orientations {
@@ -158,10 +169,11 @@ impl Orientations {
         found
     }
 
-    /// What [`Orient::Outward`] turns.
-    pub(crate) fn outward(&self, mesh: &Mesh, confidence: Confidence) -> Orientation {
+    /// What [`Orient::Outward`] turns, where some components, ascending, are known to lie [inside of another
+    /// mesh](hollows) as well as they lie in their own.
+    pub(crate) fn outward(&self, mesh: &Mesh, confidence: Confidence, hollows: &[usize]) -> Orientation {
         let mut found = self.nothing();
-        self.turn_closed(mesh, &mut found);
+        self.turn_closed(mesh, hollows, &mut found);
         self.turn_open(mesh, confidence, &mut found);
         found.reversed.extend_from_slice(&found.reversed_open);
         found.reversed.par_sort_unstable();
@@ -189,7 +201,8 @@ impl Orientations {
         2 * turned > self.components.faces(component).len()
     }
 
-    fn turn_closed(&self, mesh: &Mesh, found: &mut Orientation) {
+    /// The closed components with a volume, ascending.
+    fn shells(&self, mesh: &Mesh) -> Vec<Shell> {
         let against = self.components.against();
         let solid: Vec<(usize, bool)> = self
             .closed
@@ -199,15 +212,22 @@ impl Orientations {
                 Some((component, faces_outward(mesh, faces, against, face_bounds(mesh, faces))?))
             })
             .collect();
-        found.flat = self.closed.len() - solid.len();
-        let shells: Vec<&[u32]> =
+        let faces: Vec<&[u32]> =
             solid.iter().map(|&(component, _)| self.components.faces(component)).collect();
-        for (&(component, outward), depth) in solid.iter().zip(depths(mesh, against, &shells)) {
+        let depths = depths(mesh, against, &faces);
+        let shell = |((component, outward), depth)| Shell { component, outward, depth };
+        solid.into_iter().zip(depths).map(shell).collect()
+    }
+
+    fn turn_closed(&self, mesh: &Mesh, hollows: &[usize], found: &mut Orientation) {
+        let shells = self.shells(mesh);
+        found.flat = self.closed.len() - shells.len();
+        for Shell { component, outward, depth } in shells {
             let Some(depth) = depth else {
                 found.undecided += 1;
                 continue;
             };
-            let cavity = depth % 2 == 1;
+            let cavity = depth % 2 == 1 || hollows.binary_search(&component).is_ok();
             let before = found.reversed.len();
             // Faces that run with the lowest one are right as they are if they face outwards and should.
             found.reversed.extend(self.faces(component, outward != cavity));

@@ -49,7 +49,7 @@ pub(super) fn depths(mesh: &Mesh, against: &[bool], shells: &[&[u32]]) -> Vec<Op
         })
         .collect();
     let walls = Walls::new(mesh, against, shells, &outer);
-    let budget = (RAY_BUDGET.0 + RAY_BUDGET.1 * walls.triangles.len()) / rays;
+    let budget = Walls::budget(std::iter::once(&walls), rays);
     (0..shells.len())
         .into_par_iter()
         .map(|s| if inner[s] { walls.depth(s as u32, shells[s], &bounds, budget) } else { Some(0) })
@@ -73,24 +73,25 @@ fn finds(tree: &BoxTree, enter: impl Fn(Bounds) -> bool, hits: impl Fn(u32) -> b
 }
 
 /// The triangles that rays can meet.
-struct Walls<'a> {
+pub(super) struct Walls<'a> {
     mesh: &'a Mesh,
     /// The shell and the vertices of each; all of a shell agree.
     triangles: Vec<(u32, [u32; 3])>,
     tree: BoxTree,
     /// Brings all coordinates below 1, so that differences stay in range.
-    scale: f64,
+    pub(super) scale: f64,
 }
 
-/// Where a point lies as to one shell, if not outside.
+/// Where a point, or a shell, lies as to another shell, if not outside.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Place {
+pub(super) enum Place {
     Inside,
     TooClose,
 }
 
 impl<'a> Walls<'a> {
-    fn new(mesh: &'a Mesh, against: &[bool], shells: &[&[u32]], outer: &[u32]) -> Self {
+    /// Those of some shells, the `outer` ones.
+    pub(super) fn new(mesh: &'a Mesh, against: &[bool], shells: &[&[u32]], outer: &[u32]) -> Self {
         let fan = |face: u32| {
             let corners = mesh.faces().face(face as usize);
             let against = against[face as usize];
@@ -113,33 +114,54 @@ impl<'a> Walls<'a> {
         Self { mesh, triangles, tree, scale }
     }
 
+    /// What each of so many rays may cost.
+    pub(super) fn budget<'w>(walls: impl Iterator<Item = &'w Self>, rays: usize) -> usize
+    where
+        'a: 'w,
+    {
+        let triangles: usize = walls.map(|walls| walls.triangles.len()).sum();
+        (RAY_BUDGET.0 + RAY_BUDGET.1 * triangles) / rays.max(1)
+    }
+
     /// In how many others a shell lies.
     fn depth(&self, shell: u32, faces: &[u32], bounds: &[Bounds], budget: usize) -> Option<u32> {
         let probes = probes(self.mesh, faces, self.scale);
+        let own = bounds[shell as usize];
+        let round =
+            self.round_all(Some(shell), &probes, budget, |other| bounds[other as usize].contains(own))?;
+        round.iter().all(|&(_, place)| place == Place::Inside).then_some(round.len() as u32)
+    }
+
+    /// The wanted shells that all points of a surface lie in, or that all of them lie too close to, other than the one
+    /// that they are points of. Points are scaled as the walls are. `None` if the budget of a ray did not reach.
+    pub(super) fn round_all(
+        &self,
+        own: Option<u32>,
+        probes: &[Probe],
+        budget: usize,
+        is_wanted: impl Fn(u32) -> bool,
+    ) -> Option<Vec<(u32, Place)>> {
         let mut places: Vec<(u32, Place)> = Vec::new();
-        for probe in &probes {
-            let mut round = self.round(shell, probe, budget)?;
-            round.retain(|&(other, _)| bounds[other as usize].contains(bounds[shell as usize]));
+        for probe in probes {
+            let mut round = self.round(own, probe, budget)?;
+            round.retain(|&(other, _)| is_wanted(other));
             if round.is_empty() {
-                return Some(0);
+                return Some(Vec::new());
             }
             places.extend(round);
         }
         places.sort_unstable_by_key(|&(other, _)| other);
-        let mut depth = 0;
-        for of_shell in places.chunk_by(|a, b| a.0 == b.0) {
+        let all = places.chunk_by(|a, b| a.0 == b.0).filter_map(|of_shell| {
             // A shell that a probe lies outside of is missing from the list of that probe.
-            let close = of_shell.iter().filter(|(_, place)| *place == Place::TooClose).count();
-            if close == probes.len() {
-                return None;
-            }
-            depth += u32::from(of_shell.len() == probes.len());
-        }
-        Some(depth)
+            let is_close = of_shell.iter().all(|(_, place)| *place == Place::TooClose);
+            let place = if is_close { Place::TooClose } else { Place::Inside };
+            (of_shell.len() == probes.len()).then_some((of_shell[0].0, place))
+        });
+        Some(all.collect())
     }
 
     /// The other shells that a point lies in or too close to; `None` if the budget did not reach.
-    fn round(&self, own: u32, probe: &Probe, mut budget: usize) -> Option<Vec<(u32, Place)>> {
+    fn round(&self, own: Option<u32>, probe: &Probe, mut budget: usize) -> Option<Vec<(u32, Place)>> {
         let at = probe.at;
         let reach = |node: Bounds| {
             let (low, high) = (node.low - probe.blur, node.high + probe.blur);
@@ -148,7 +170,7 @@ impl<'a> Walls<'a> {
         let mut crossings: Vec<(u32, Option<i32>)> = Vec::new();
         let enough = self.tree.visit(&mut budget, reach, |item| {
             let (shell, triangle) = self.triangles[item as usize];
-            if shell != own {
+            if Some(shell) != own {
                 let [a, b, c] = triangle.map(|vertex| self.scale * self.mesh.positions()[vertex as usize]);
                 let crossing = probe.crossing(a, b, c);
                 crossings.extend((crossing != Some(0)).then_some((shell, crossing)));

@@ -10,11 +10,3 @@ pub use change::After;
 pub use page::diagnosis_page;
 pub use pictures::deviation_picture;
 pub use sight::Sight;
-
-use crate::io::Loaded;
-use crate::quality::{Survey, survey};
-
-/// What was measured of each part of a file.
-fn surveys(loaded: &Loaded) -> Vec<Survey> {
-    loaded.parts.iter().map(|part| survey(&part.mesh, loaded.format)).collect()
-}

@@ -6,7 +6,7 @@ use super::plots::histograms;
 use super::sight::{self, Sight};
 use crate::io::Loaded;
 use crate::num::three_digits;
-use crate::quality::{Diagnosis, Finding, Severity, Site};
+use crate::quality::{Diagnosis, Finding, Severity, Site, survey};
 use crate::raster::Camera;
 use crate::report::{Page, Picture, ReportError, Table, escape_html};
 use std::fmt::Write;
@@ -31,9 +31,9 @@ pub fn diagnosis_page(
     [name, output]: [&str; 2],
     sight: Sight,
 ) -> Result<String, ReportError> {
-    let surveys = super::surveys(loaded);
+    let surveys = survey(loaded);
     // Colours mean the same before and after.
-    let later = after.map(|after| super::surveys(after.loaded)).unwrap_or_default();
+    let later = after.map(|after| survey(after.loaded)).unwrap_or_default();
     let model = Model::new(loaded, &surveys, HeatScale::of(surveys.iter().chain(&later)))?;
     let mut page = Page::new(&format!("Normals of {name}"), &verdict(diagnosis));
     let camera = sight::camera(&model, diagnosis, after.map(|after| after.comparison), sight);

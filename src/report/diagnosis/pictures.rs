@@ -5,7 +5,7 @@ use crate::io::Loaded;
 use crate::mesh::{Column, Faces, Mesh, MeshBuilder, normal_matrix};
 use crate::normals::{NormalField, Summary};
 use crate::num::{Degrees, LinearRgb};
-use crate::quality::{Diagnosis, Site, Survey};
+use crate::quality::{Diagnosis, Site, Survey, survey};
 use crate::raster::{
     Camera, Object, Paint, Projection, RenderSettings, Samples, Scene, Shape, Show, default_lights, render,
 };
@@ -242,7 +242,7 @@ pub fn deviation_picture(
     sight: Sight,
     side: u32,
 ) -> Result<Picture, ReportError> {
-    let surveys = super::surveys(loaded);
+    let surveys = survey(loaded);
     let model = Model::new(loaded, &surveys, HeatScale::of(surveys.iter()))?;
     let camera = sight::camera(&model, diagnosis, None, sight).ok_or(ReportError::Empty)?;
     model.deviation(camera, side, &[])

@@ -1,0 +1,38 @@
+//! What lies round a part in its file.
+
+use crate::io::{Format, Loaded};
+use crate::mesh::{Mesh, Placed, Weld, hollows};
+use std::cell::OnceCell;
+
+/// The file round its parts, looked at when a part first asks.
+pub(super) struct Around<'a> {
+    loaded: &'a Loaded,
+    hollows: OnceCell<Vec<Vec<usize>>>,
+}
+
+impl<'a> Around<'a> {
+    pub(super) fn new(loaded: &'a Loaded) -> Self {
+        Self { loaded, hollows: OnceCell::new() }
+    }
+
+    /// The mesh of a part.
+    pub(super) fn mesh(&self, part: usize) -> &'a Mesh {
+        &self.loaded.parts[part].mesh
+    }
+
+    /// Whether the file can share vertices at all; STL cannot.
+    pub(super) fn shares_vertices(&self) -> bool {
+        self.loaded.format != Format::Stl
+    }
+
+    /// Components of a part that face inwards because other meshes of the file lie round them.
+    pub(super) fn hollows(&self, part: usize) -> &[usize] {
+        let find = || {
+            let parts = self.loaded.parts.iter().zip(self.loaded.places());
+            let parts: Vec<Placed<'_>> =
+                parts.map(|(part, places)| Placed { mesh: &part.mesh, places }).collect();
+            hollows(&parts, Weld::Exact)
+        };
+        &self.hollows.get_or_init(find)[part]
+    }
+}
