@@ -219,7 +219,7 @@ pub struct GltfArgs {
     #[arg(long, value_name = "HOW", default_value = "drop", value_parser = Choices(TANGENTS))]
     pub tangents: TangentPolicy,
 
-    /// How normals are stored
+    /// How normals are stored; other formats have no choice, which a warning says
     #[arg(long, value_name = "TYPE", default_value = "same", value_parser = Choices(NORMAL_FORMATS))]
     pub normal_format: NormalFormat,
 }

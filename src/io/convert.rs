@@ -2,7 +2,8 @@
 
 use super::text::counted;
 use super::{
-    Document, Emit, FileNode, Format, Loaded, Note, Part, PartEdit, Place, WriteError, WriteOptions, Written,
+    Document, Emit, FileNode, Format, Loaded, NormalFormat, Note, Part, PartEdit, Place, WriteError,
+    WriteOptions, Written,
 };
 use super::{dispatch, instances};
 use crate::mesh::{Column, Mesh, TransformFault};
@@ -30,10 +31,17 @@ pub fn write<'a>(
     if edits.len() < loaded.parts.len() {
         edits.to_mut().resize(loaded.parts.len(), PartEdit::default());
     }
-    if format == loaded.format || format.is_gltf() && loaded.format.is_gltf() {
-        return dispatch::edit(loaded, &edits, format, options);
-    }
     let mut notes = Vec::new();
+    if !format.is_gltf() && options.normal_format != NormalFormat::Same {
+        let text =
+            format!("only glTF has a choice of how normals are stored; here they are as {format} has them");
+        notes.push(Note::warning(Place::File, text));
+    }
+    if format == loaded.format || format.is_gltf() && loaded.format.is_gltf() {
+        let mut written = dispatch::edit(loaded, &edits, format, options)?;
+        written.notes.splice(0..0, notes);
+        return Ok(written);
+    }
     let parts = placed(loaded, edits, format, options, &mut notes)?;
     let left = dispatch::beside_meshes(&loaded.document);
     if !left.is_empty() {

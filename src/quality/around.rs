@@ -25,6 +25,11 @@ impl<'a> Around<'a> {
         self.loaded.format != Format::Stl
     }
 
+    /// Whether the file has a choice of how normals are stored; only glTF has.
+    pub(super) fn has_normal_formats(&self) -> bool {
+        self.loaded.format.is_gltf()
+    }
+
     /// Components of a part that face inwards because other meshes of the file lie round them.
     pub(super) fn hollows(&self, part: usize) -> &[usize] {
         let find = || {

@@ -52,6 +52,8 @@ pub(super) struct Facts<'a> {
     pub(super) gloss: Gloss,
     /// Whether the file can share vertices at all; STL cannot.
     pub(super) shares_vertices: bool,
+    /// Whether the file has a choice of how normals are stored.
+    pub(super) has_normal_formats: bool,
 }
 
 impl<'a> Facts<'a> {
@@ -91,6 +93,7 @@ impl<'a> Facts<'a> {
             collapsed: FxHashSet::default(),
             gloss,
             shares_vertices: around.shares_vertices(),
+            has_normal_formats: around.has_normal_formats(),
         };
         facts.mark_turned();
         facts.collapsed = facts.collapsed_places();

@@ -15,6 +15,9 @@ const SAMPLE: usize = 10_000;
 /// Half a step of 8 bits: what rounding may show.
 const VISIBLE: f64 = 0.5 / 255.0;
 
+/// What mends rounded normals in a format that would round them in the same way again.
+const FINER: &str = "--normal-format i16";
+
 /// What stored normals were rounded to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Precision {
@@ -43,14 +46,16 @@ pub(super) fn find(
         error: grid.error(),
         exponent: largest_exponent(grid.error().into(), VISIBLE),
     };
-    if grid.spoils_lengths() && found.get(Kind::LooseLength).count > 0 {
-        // In the format that they have they would be as loose again.
-        found.tally(Kind::LooseLength).remedy = Kind::Quantised.entry().remedy.map(str::to_owned);
+    if facts.has_normal_formats && grid.spoils_lengths() && found.get(Kind::LooseLength).count > 0 {
+        found.tally(Kind::LooseLength).remedy = Some(FINER.into());
     }
     if precision.error <= thresholds.quantisation {
         return Some(precision);
     }
     found.add(Kind::Quantised, Spot::mesh().by(precision.error.0), facts.total_area);
+    if facts.has_normal_formats {
+        found.tally(Kind::Quantised).remedy = Some(FINER.into());
+    }
     let serves = match precision.exponent {
         Some(exponent) => format!("good for exponents up to {exponent}"),
         None => "which a matte surface may show in half a step of 8 bits".into(),

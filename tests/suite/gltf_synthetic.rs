@@ -291,6 +291,57 @@ fn integers_for_normals_need_their_extension_once() {
     }
 }
 
+/// What comes from another format may be stored as integers as well; where there is no choice that is said.
+#[test]
+fn new_files_have_normals_in_the_format_that_is_asked_for() {
+    let text =
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvn 0 0.6 0.8\nvn 0.48 -0.6 0.64\nf 1//1 2//2 3//1\nf 1 3 4\n";
+    let read = |bytes: Vec<u8>, format| {
+        crease::io::read_bytes(bytes, Some(format), None, &ReadOptions::default()).unwrap()
+    };
+    let obj = read(text.as_bytes().to_vec(), Format::Obj);
+    let normals = |loaded: &Loaded| {
+        let mesh = &loaded.parts[0].mesh;
+        let corners = mesh.faces().corners();
+        let stored = mesh.columns().normals.as_ref().unwrap();
+        [0, 1, 2].map(|corner| *stored.get(corner, corners[corner]).unwrap())
+    };
+    let before = normals(&obj);
+    for (normal_format, step, tolerance) in [
+        (NormalFormat::Same, None, 1e-7),
+        (NormalFormat::F32, None, 1e-7),
+        (NormalFormat::I16, Some(8), 3e-5),
+        (NormalFormat::I8, Some(4), 8e-3),
+    ] {
+        let options = WriteOptions { normal_format, ..WriteOptions::default() };
+        for format in [Format::Glb, Format::Gltf] {
+            let written = crease::io::write(&obj, vec![], format, &options).unwrap();
+            assert!(!written.notes.iter().any(|note| note.text.contains("choice")));
+            if format == Format::Gltf {
+                let json = parse(&written.bytes);
+                let used = step.map(|_| serde_json::json!(["KHR_mesh_quantization"])).unwrap_or_default();
+                assert_eq!((&json["extensionsUsed"], &json["extensionsRequired"]), (&used, &used));
+                let accessor = &json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"];
+                let accessor = &json["accessors"][accessor.as_u64().unwrap() as usize];
+                let view = &json["bufferViews"][accessor["bufferView"].as_u64().unwrap() as usize];
+                assert_eq!(
+                    (view["byteStride"].as_i64(), accessor["normalized"] == true),
+                    (step, step.is_some())
+                );
+            }
+            let after = normals(&read(written.bytes, format));
+            let off = (0..3).map(|corner| (after[corner] - before[corner]).length()).fold(0.0, f64::max);
+            assert!(off < tolerance, "{normal_format:?}: {off}");
+            assert!(step.is_none() || off > 0.0, "{normal_format:?} is as exact as a float");
+        }
+        for format in [Format::Obj, Format::Ply] {
+            let written = crease::io::write(&obj, vec![], format, &options).unwrap();
+            let told = written.notes.iter().any(|note| note.text.contains("only glTF has a choice"));
+            assert_eq!(told, normal_format != NormalFormat::Same, "{format}");
+        }
+    }
+}
+
 #[test]
 fn morph_targets_get_the_difference_of_normals() {
     let bytes = std::fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join("data/morph.gltf")).unwrap();

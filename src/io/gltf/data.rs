@@ -21,6 +21,10 @@ pub(super) enum Array<'a> {
     Vec2(Vec<[f32; 2]>),
     Vec3(Vec<[f32; 3]>),
     Vec4(Vec<[f32; 4]>),
+    /// Three numbers from −1 to 1 and a filler, since elements begin at multiples of four bytes.
+    Bytes3(Vec<[i8; 4]>),
+    /// The same in 16 bits.
+    Shorts3(Vec<[i16; 4]>),
     U16(Vec<u16>),
     U32(Cow<'a, [u32]>),
 }
@@ -40,8 +44,24 @@ impl Array<'_> {
             Array::Vec2(values) => bytemuck::cast_slice(values),
             Array::Vec3(values) => bytemuck::cast_slice(values),
             Array::Vec4(values) => bytemuck::cast_slice(values),
+            Array::Bytes3(values) => bytemuck::cast_slice(values),
+            Array::Shorts3(values) => bytemuck::cast_slice(values),
             Array::U16(values) => bytemuck::cast_slice(values),
             Array::U32(values) => bytemuck::cast_slice(values),
+        }
+    }
+
+    /// How many elements it has.
+    pub(super) fn count(&self) -> usize {
+        self.bytes().len() / self.stride().unwrap_or(self.format().size())
+    }
+
+    /// From the beginning of an element to that of the next, where fillers are between them.
+    pub(super) fn stride(&self) -> Option<usize> {
+        match self {
+            Array::Bytes3(_) => Some(size_of::<[i8; 4]>()),
+            Array::Shorts3(_) => Some(size_of::<[i16; 4]>()),
+            _ => None,
         }
     }
 
@@ -50,6 +70,8 @@ impl Array<'_> {
             Array::Vec2(_) => Format::vector(Component::F32, false, 2),
             Array::Vec3(_) => Format::vector(Component::F32, false, 3),
             Array::Vec4(_) => Format::vector(Component::F32, false, 4),
+            Array::Bytes3(_) => Format::vector(Component::I8, true, 3),
+            Array::Shorts3(_) => Format::vector(Component::I16, true, 3),
             Array::U16(_) => Format::vector(Component::U16, false, 1),
             Array::U32(_) => Format::vector(Component::U32, false, 1),
         }

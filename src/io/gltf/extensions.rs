@@ -34,6 +34,9 @@ const HARMLESS: &[&str] = &[
     "EXT_mesh_gpu_instancing",
 ];
 
+/// Attributes stored as integers.
+pub(super) const QUANTIZATION: &str = "KHR_mesh_quantization";
+
 /// The name under which a primitive's Draco data are stored.
 pub(super) const DRACO: &str = "KHR_draco_mesh_compression";
 

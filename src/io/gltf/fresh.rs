@@ -2,6 +2,8 @@
 
 use super::container;
 use super::data::{Array, Blob, Bounds, Target, accessor_json, view_json};
+use super::edit::steps;
+use super::extensions::QUANTIZATION;
 use super::json::quoted;
 use super::material;
 use super::objects::pieces;
@@ -12,9 +14,10 @@ use crate::io::left_out::{Feature, left_out};
 use crate::io::rounding::displacement_note;
 use crate::io::text::counted;
 use crate::io::{
-    FileMaterial, Format, Note, OutputContent, OutputFile, Part, Place, WriteError, WriteOptions, Written,
+    FileMaterial, Format, NormalFormat, Note, OutputContent, OutputFile, Part, Place, WriteError,
+    WriteOptions, Written,
 };
-use crate::mesh::{FaceLabels, Mesh, NONE, VertexSplit};
+use crate::mesh::{Column, FaceLabels, Mesh, NONE, VertexSplit};
 use glam::DVec3;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
@@ -27,7 +30,7 @@ const NOT_HELD: [Feature; 2] = [Feature::HardEdges, Feature::MorphTargets];
 /// Writes a new `.glb` or `.gltf` of meshes: one mesh and one node a part, or an object of a part; one primitive a
 /// material.
 ///
-/// Positions and normals are rounded to `f32`. Vertices are split where corners differ in normal or uv; polygons
+/// Positions are rounded to `f32`, normals to the format that is asked for. Vertices are split where corners differ in normal or uv; polygons
 /// are cut into triangles. Faces with a corner without a normal become a primitive without normals, which glTF
 /// draws flat. A `.gltf` keeps its data in a companion `<stem>.bin`, or inside if there is no stem.
 ///
@@ -47,7 +50,7 @@ pub(in crate::io) fn write_with_materials(
 ) -> Result<Written, WriteError> {
     let (pieces, unused) = pieces(parts);
     let known = materials.iter().map(|material| (material.name.as_str(), material)).collect();
-    let mut file = File { known, ..File::default() };
+    let mut file = File { known, normal_format: options.normal_format, ..File::default() };
     let mut written = Written::default();
     for part in &pieces {
         file.part(part, &mut written)?;
@@ -85,12 +88,21 @@ struct File<'a> {
     known: FxHashMap<&'a str, &'a FileMaterial>,
     /// Textures of the materials that are used.
     textures: usize,
+    /// How normals are stored.
+    normal_format: NormalFormat,
+    /// Some are stored as integers.
+    is_quantized: bool,
 }
 
 impl<'a> File<'a> {
     fn json(&self, buffer_uri: Option<&str>) -> String {
         let generator = concat!("crease ", env!("CARGO_PKG_VERSION"));
         let mut json = format!("{{\"asset\":{{\"version\":\"2.0\",\"generator\":{}}}", quoted(generator));
+        if self.is_quantized {
+            for list in ["extensionsUsed", "extensionsRequired"] {
+                let _ = write!(json, ",\"{list}\":[\"{QUANTIZATION}\"]");
+            }
+        }
         if !self.nodes.is_empty() {
             let all: Vec<String> = (0..self.nodes.len()).map(|node| node.to_string()).collect();
             let _ = write!(json, ",\"scene\":0,\"scenes\":[{{\"nodes\":[{}]}}]", all.join(","));
@@ -158,10 +170,29 @@ impl<'a> File<'a> {
         }
         let mut full = flat.clone();
         if let Some(normals) = &columns.normals {
-            let values = shape.values(mesh, normals, [0.0, 0.0, 1.0], |n| n.as_vec3().to_array());
-            let _ = write!(full, ",\"NORMAL\":{}", self.store(Array::Vec3(values), Target::Vertices, None));
+            let values = self.normals(mesh, shape, normals);
+            let _ = write!(full, ",\"NORMAL\":{}", self.store(values, Target::Vertices, None));
         }
         Ok(Attributes { loose, flat, full })
+    }
+
+    /// The normal of every vertex as it is to be stored, +z where there is none.
+    fn normals(&mut self, mesh: &Mesh, shape: &Shape<'_>, normals: &Column<DVec3>) -> Array<'a> {
+        let padded = |[x, y, z]: [i32; 3]| [x, y, z, 0];
+        self.is_quantized |= matches!(self.normal_format, NormalFormat::I8 | NormalFormat::I16);
+        match self.normal_format {
+            NormalFormat::Same | NormalFormat::F32 => {
+                Array::Vec3(shape.values(mesh, normals, [0.0, 0.0, 1.0], |n| n.as_vec3().to_array()))
+            }
+            NormalFormat::I16 => {
+                let coded = |n: &DVec3| padded(steps(*n, i32::from(i16::MAX))).map(|step| step as i16);
+                Array::Shorts3(shape.values(mesh, normals, coded(&DVec3::Z), coded))
+            }
+            NormalFormat::I8 => {
+                let coded = |n: &DVec3| padded(steps(*n, i32::from(i8::MAX))).map(|step| step as i8);
+                Array::Bytes3(shape.values(mesh, normals, coded(&DVec3::Z), coded))
+            }
+        }
     }
 
     /// The triangles, a primitive for each material, apart for faces without normals.
@@ -229,10 +260,11 @@ impl<'a> File<'a> {
     }
 
     fn store(&mut self, array: Array<'a>, target: Target, bounds: Option<&Bounds>) -> usize {
-        let (format, length) = (array.format(), array.bytes().len());
+        let (format, length, count, stride) =
+            (array.format(), array.bytes().len(), array.count(), array.stride());
         let offset = self.blob.push(array);
-        self.views.push(view_json(0, offset, length, None, target));
-        self.accessors.push(accessor_json(self.views.len() - 1, format, length / format.size(), bounds));
+        self.views.push(view_json(0, offset, length, stride, target));
+        self.accessors.push(accessor_json(self.views.len() - 1, format, count, bounds));
         self.accessors.len() - 1
     }
 }

@@ -163,8 +163,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         Severity::Note,
         "normals stored with few bits",
         "All of them lie on one grid: components of few decimals or bits, perhaps made unit again, or octahedral codes. A broad highlight does not show it; a narrow one wanders in steps over smooth surfaces, and reflections look like hammered metal.",
-        "Compute them and store them as floats or 16-bit integers where the material is glossy.",
-        Some("--normal-format i16"),
+        "Compute them again where the material is glossy; in glTF, store them as floats or 16-bit integers with --normal-format.",
+        Some(""),
     ),
     entry(
         Kind::Tangents,

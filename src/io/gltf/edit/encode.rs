@@ -36,7 +36,7 @@ pub(super) const LENGTH_TOLERANCE: f64 = 0.00674;
 
 /// A unit vector in steps of 1/`most`: rounded, or where eight bits are too coarse for a unit length, the one of
 /// the eight grid points around it with a good length that is nearest.
-fn steps(normal: DVec3, most: i32) -> [i32; 3] {
+pub(in crate::io::gltf) fn steps(normal: DVec3, most: i32) -> [i32; 3] {
     let scaled = normal * f64::from(most);
     let rounded = scaled.round();
     let is_unit = |steps: DVec3| ((steps / f64::from(most)).length() - 1.0).abs() < LENGTH_TOLERANCE;

@@ -11,8 +11,10 @@ pub(super) mod store;
 mod tangents;
 
 use super::GltfDocument;
+use super::extensions::QUANTIZATION;
 use super::package;
 use crate::io::{Format, Loaded, Note, Part, PartEdit, Place, WriteError, WriteOptions, Written};
+pub(super) use encode::steps;
 use group::Group;
 use member::Member;
 use remarks::Remarks;
@@ -54,7 +56,7 @@ pub fn edit(
         }
     }
     if remarks.quantized {
-        store.require("KHR_mesh_quantization");
+        store.require(QUANTIZATION);
     }
     let mut written = package::package(document, store, to, options)?;
     let vertices: usize = loaded.parts.iter().map(|part: &Part| part.mesh.vertex_count()).sum();
