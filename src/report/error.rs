@@ -31,6 +31,11 @@ pub enum ReportError {
     /// Nothing to show.
     #[error("there is no picture to show")]
     Empty,
+    /// Positions or nodes of a file put something where no number tells where it is.
+    #[error(
+        "a node moves positions beyond the range of numbers, where nothing can be drawn; correct its transform"
+    )]
+    Range,
     /// The encoder's own complaint.
     #[error("could not encode the picture: {0}")]
     Encoder(String),

@@ -4,7 +4,7 @@ use super::SceneFile;
 use crate::io::Note;
 use crate::num::unit_scale;
 use crate::shade::Light;
-use glam::DVec3;
+use glam::{DMat4, DVec3};
 
 /// A camera that is this many times farther from the origin than it is from what it sees is rounded too coarsely to
 /// stand where it should: 2⁻²⁹ of the scene's size is far less than a pixel, and much more than this leaves nothing.
@@ -15,6 +15,39 @@ const LARGEST: f64 = (1_u128 << 100) as f64;
 
 /// The exponent of the largest power of two by which a scene is scaled: it and its inverse keep all of their digits.
 const MOST: i32 = 1000;
+
+/// A space in which a scene has a size that pictures can be computed at, and its middle at the origin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Recentring {
+    centre: DVec3,
+    /// A power of two.
+    scale: f64,
+}
+
+impl Recentring {
+    /// For what has these bounds; `None`, as nearly always, if it can stay as it is: it has a size from 2⁻¹⁰⁰ to 2¹⁰⁰ and is
+    /// no farther from the origin than 2²⁴ times that.
+    pub(crate) fn of((low, high): (DVec3, DVec3)) -> Option<Self> {
+        // Halved before they are added: the bounds may reach the largest numbers there are.
+        let (centre, half) = (low * 0.5 + high * 0.5, high * 0.5 - low * 0.5);
+        let (size, place) = (half.max_element(), centre.abs().max_element());
+        let is_small_or_large = !(1.0 / LARGEST..=LARGEST).contains(&size);
+        if size == 0.0 || !(is_small_or_large || place / size > FARTHEST) {
+            return None;
+        }
+        let scale = if is_small_or_large { unit_scale(size) } else { 1.0 };
+        Some(Self { centre, scale: scale.clamp(libm::ldexp(1.0, -MOST), libm::ldexp(1.0, MOST)) })
+    }
+
+    /// What took a part to the old space, so that it takes it to the new one.
+    pub(crate) fn apply(self, map: &mut DMat4) {
+        for axis in [&mut map.x_axis, &mut map.y_axis, &mut map.z_axis] {
+            *axis *= self.scale;
+        }
+        let place = (map.w_axis.truncate() - self.centre) * self.scale;
+        map.w_axis = place.extend(1.0);
+    }
+}
 
 impl SceneFile {
     /// Moves a scene that frames itself into the middle of its space, and makes it larger or smaller by a power of two,
@@ -29,25 +62,9 @@ impl SceneFile {
         if self.camera.is_some() || self.lights.iter().flatten().any(stands) {
             return None;
         }
-        let (low, high) = self.unframed().bounds()?;
-        // Halved before they are added: the bounds may reach the largest numbers there are.
-        let (centre, half) = (low * 0.5 + high * 0.5, high * 0.5 - low * 0.5);
-        let (size, place) = (half.max_element(), centre.abs().max_element());
-        let is_small_or_large = !(1.0 / LARGEST..=LARGEST).contains(&size);
-        if size == 0.0 || !(is_small_or_large || place / size > FARTHEST) {
-            return None;
-        }
-        let scale = if is_small_or_large { unit_scale(size) } else { 1.0 };
-        let scale = scale.clamp(libm::ldexp(1.0, -MOST), libm::ldexp(1.0, MOST));
-        for object in &mut self.objects {
-            let map = &mut object.transform;
-            for axis in [&mut map.x_axis, &mut map.y_axis, &mut map.z_axis] {
-                *axis *= scale;
-            }
-            let place = (map.w_axis.truncate() - centre) * scale;
-            map.w_axis = place.extend(1.0);
-        }
-        let DVec3 { x, y, z } = centre;
+        let recentring = Recentring::of(self.unframed().bounds()?)?;
+        self.objects.iter_mut().for_each(|object| recentring.apply(&mut object.transform));
+        let Recentring { centre: DVec3 { x, y, z }, scale } = recentring;
         let larger =
             if scale == 1.0 { String::new() } else { format!(" and 2^{} times as large", libm::log2(scale)) };
         Some(Note::remark(format!(

@@ -1,6 +1,7 @@
 //! The diagnosis of a file as a page: what was found, shown.
 
 mod change;
+mod close_up;
 mod page;
 mod pictures;
 mod plots;

@@ -7,7 +7,7 @@ use crate::normals::{NormalField, Summary};
 use crate::num::{Degrees, LinearRgb};
 use crate::quality::{Diagnosis, Site, Survey, survey};
 use crate::raster::{
-    Camera, Object, Paint, Projection, RenderSettings, Samples, Scene, Shape, Show, default_lights, render,
+    Camera, Object, Paint, Recentring, RenderSettings, Samples, Scene, Shape, Show, default_lights, render,
 };
 use crate::report::label::{draw_text, text_width};
 use crate::report::viridis::viridis;
@@ -15,9 +15,6 @@ use crate::report::{Overlay, Picture, ReportError, overlay};
 use crate::shade::Material;
 use glam::{DMat3, DMat4, DVec3};
 use std::borrow::Cow;
-
-/// The least that a close-up shows, as a share of the whole.
-const CLOSEST: f64 = 1e-3;
 
 /// A file taken apart, so that each corner has a colour and a normal of its own.
 pub(super) struct Model {
@@ -80,8 +77,23 @@ impl Model {
         if places.is_empty() {
             places = (0..parts.len()).map(|part| (part, DMat4::IDENTITY)).collect();
         }
-        places.retain(|&(part, place)| has_faces(part) && place.determinant() != 0.0);
-        Ok(Self { parts, places, scale })
+        let is_flat = |place: DMat4| normal_matrix(DMat3::from_mat4(place)).is_none();
+        places.retain(|&(part, place)| has_faces(part) && !is_flat(place));
+        let mut model = Self { parts, places, scale };
+        model.recentre()?;
+        Ok(model)
+    }
+
+    /// Brings what is huge, tiny or far away to where a camera can see it.
+    fn recentre(&mut self) -> Result<(), ReportError> {
+        let Some((low, high)) = self.bounds() else { return Ok(()) };
+        if !(low.is_finite() && high.is_finite()) {
+            return Err(ReportError::Range);
+        }
+        if let Some(recentring) = Recentring::of((low, high)) {
+            self.places.iter_mut().for_each(|(_, place)| recentring.apply(place));
+        }
+        Ok(())
     }
 
     /// Which object a place is on, where that is in the world, and which way its face looks there.
@@ -105,6 +117,17 @@ impl Model {
         self.places.iter().copied()
     }
 
+    /// Which part an object is, and where it stands.
+    pub(super) fn object(&self, object: usize) -> (usize, DMat4) {
+        self.places[object]
+    }
+
+    /// The mesh of a part, every corner a vertex of its own, and the normals of its faces.
+    pub(super) fn part(&self, part: usize) -> (&Mesh, &[DVec3]) {
+        let PartModel { mesh, field, .. } = &self.parts[part];
+        (mesh, &field.face_normals)
+    }
+
     /// All points, in the world.
     pub(super) fn points(&self) -> impl Iterator<Item = DVec3> {
         let of = |&(part, place): &(usize, DMat4)| {
@@ -114,7 +137,7 @@ impl Model {
     }
 
     /// The scene from a camera, as it is lit, or coloured by deviation.
-    fn scene(&self, camera: Camera, is_coloured: bool) -> Scene<'_> {
+    pub(super) fn scene(&self, camera: Camera, is_coloured: bool) -> Scene<'_> {
         let object = |&(part, transform): &(usize, DMat4)| {
             let PartModel { mesh, field, colours } = &self.parts[part];
             let plain = Object::new(Shape::Mesh { mesh, normals: field }, Material::default());
@@ -175,37 +198,6 @@ impl Model {
         scene.lines = overlay(&scene, [side; 2], Overlay::Creases);
         draw(&scene, side, Show::Shaded)
     }
-
-    /// A place close up, lit, with its edges; what stands in front of it is cut away. `None` for what is nowhere.
-    pub(super) fn close_up(&self, site: &Site, side: u32) -> Result<Option<Picture>, ReportError> {
-        let Some((object, position, normal)) = self.stand(site) else { return Ok(None) };
-        let mesh = &self.parts[site.part].mesh;
-        let face = site.face.map(|face| mesh.faces().face(face as usize));
-        let place = self.places[object].1;
-        let reach =
-            |&vertex: &u32| place.transform_point3(mesh.positions()[vertex as usize]).distance(position);
-        let size = face.map_or(0.0, |face| face.iter().map(reach).fold(0.0, f64::max));
-        let Some((low, high)) = self.bounds() else { return Ok(None) };
-        // A face that is next to nothing is shown among its neighbours.
-        let size = size.max(CLOSEST * (high - low).length());
-        if size == 0.0 || !size.is_finite() {
-            return Ok(None);
-        }
-        let towards = if normal == DVec3::ZERO { DVec3::Z } else { normal };
-        let up = if towards.y.abs() > 0.95 { DVec3::NEG_Z } else { DVec3::Y };
-        let camera = Camera {
-            eye: position + towards * 4.0 * size,
-            target: position,
-            up,
-            projection: Projection::Orthographic(6.0 * size),
-            near: 0.0,
-        };
-        let mut scene = self.scene(camera, false);
-        scene.lines = overlay(&scene, [side; 2], Overlay::Wire);
-        let mut picture = draw(&scene, side, Show::Shaded)?;
-        ring(&mut picture, [f64::from(side) / 2.0; 2], f64::from(side) / 16.0);
-        Ok(Some(picture))
-    }
 }
 
 impl PartModel {
@@ -248,7 +240,7 @@ pub fn deviation_picture(
     model.deviation(camera, side, &[])
 }
 
-fn draw(scene: &Scene<'_>, side: u32, show: Show) -> Result<Picture, ReportError> {
+pub(super) fn draw(scene: &Scene<'_>, side: u32, show: Show) -> Result<Picture, ReportError> {
     let settings = RenderSettings {
         size: [side; 2],
         samples: Samples::Four,
@@ -260,7 +252,7 @@ fn draw(scene: &Scene<'_>, side: u32, show: Show) -> Result<Picture, ReportError
 }
 
 /// A red ring round a point of a picture.
-fn ring(picture: &mut Picture, [x, y]: [f64; 2], radius: f64) {
+pub(super) fn ring(picture: &mut Picture, [x, y]: [f64; 2], radius: f64) {
     let reach = radius as i64 + 3;
     for dy in -reach..=reach {
         for dx in -reach..=reach {

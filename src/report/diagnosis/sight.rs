@@ -2,9 +2,10 @@
 
 use super::pictures::Model;
 use crate::mesh::Obstacles;
+use crate::num::unit_scale;
 use crate::quality::{Comparison, Diagnosis, Site};
 use crate::raster::{Camera, Projection};
-use glam::{DMat4, DVec3};
+use glam::{DMat3, DMat4, DVec3};
 
 /// Where a file is seen from.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -100,12 +101,20 @@ fn best(model: &Model, wanted: &[Wanted], usual: DVec3) -> DVec3 {
 /// Whether nothing stands between a place and a far eye.
 fn is_seen(model: &Model, obstacles: &[Obstacles<'_>], place: &Wanted, direction: DVec3) -> bool {
     model.objects().enumerate().all(|(number, (part, transform))| {
-        let back: DMat4 = transform.inverse();
+        let back = inverse(transform);
         let from = obstacles[part].local(back.transform_point3(place.position));
         let own = if number == place.object { place.face } else { u32::MAX };
         let towards = back.transform_vector3(direction).normalize_or_zero();
         obstacles[part].is_free(from, towards, own, BUDGET) == Some(true)
     })
+}
+
+/// The inverse of an affine map of any scale: the determinant of one that is far from 1 has no number.
+fn inverse(map: DMat4) -> DMat4 {
+    let linear = DMat3::from_mat4(map);
+    let scale = unit_scale(linear.to_cols_array().into_iter().fold(0.0, |most: f64, x| most.max(x.abs())));
+    let back = (linear * scale).inverse() * scale;
+    DMat4::from_mat3_translation(back, -(back * map.w_axis.truncate()))
 }
 
 /// The same camera with the angle of view that the model fills.

@@ -1,0 +1,95 @@
+//! The worst place of a finding, close up.
+
+use super::pictures::{Model, draw, ring};
+use crate::mesh::{Mesh, normal_matrix};
+use crate::quality::Site;
+use crate::raster::{Camera, Projection, Show};
+use crate::report::{Overlay, Picture, ReportError, overlay};
+use glam::{DMat3, DMat4, DVec3};
+
+/// Short edges that a close-up shows one above the other, or thereabouts.
+const EDGES: f64 = 8.0;
+
+/// The share of the whole that is shown where edges have no length.
+const CLOSEST: f64 = 1e-3;
+
+impl Model {
+    /// A place close up, lit, with its edges; what stands in front of it is cut away. `None` for what is nowhere.
+    pub(super) fn close_up(&self, site: &Site, side: u32) -> Result<Option<Picture>, ReportError> {
+        let (Some((object, position, normal)), Some((low, high))) = (self.stand(site), self.bounds()) else {
+            return Ok(None);
+        };
+        let (part, place) = self.object(object);
+        let (mesh, face_normals) = self.part(part);
+        let around = Around::new(mesh, site);
+        let local = around.size(mesh, site, place);
+        let size = if local > 0.0 { local } else { CLOSEST * (high - low).length() };
+        if size == 0.0 || !size.is_finite() {
+            return Ok(None);
+        }
+        let towards = if normal == DVec3::ZERO { around.outward(face_normals, place) } else { normal };
+        let up = if towards.y.abs() > 0.95 { DVec3::NEG_Z } else { DVec3::Y };
+        let camera = Camera {
+            eye: position + towards * 4.0 * size,
+            target: position,
+            up,
+            projection: Projection::Orthographic(EDGES * size),
+            near: 0.0,
+        };
+        let mut scene = self.scene(camera, false);
+        scene.lines = overlay(&scene, [side; 2], Overlay::Wire);
+        let mut picture = draw(&scene, side, Show::Shaded)?;
+        ring(&mut picture, [f64::from(side) / 2.0; 2], f64::from(side) / 16.0);
+        Ok(Some(picture))
+    }
+}
+
+/// The faces that have a corner at a place: at its vertex, or at any corner of its face.
+struct Around {
+    faces: Vec<usize>,
+}
+
+impl Around {
+    fn new(mesh: &Mesh, site: &Site) -> Self {
+        let places: Vec<DVec3> = match (site.vertex, site.face) {
+            (None, Some(face)) => points(mesh, face as usize).collect(),
+            _ => site.position.into_iter().collect(),
+        };
+        let faces = 0..mesh.face_count();
+        Self {
+            faces: faces.filter(|&face| points(mesh, face).any(|point| places.contains(&point))).collect(),
+        }
+    }
+
+    /// The length, in the world, that a quarter of the edges there are shorter than: long faces end at edges that bend most
+    /// over little. Where it is about a face, so much that all of it is seen.
+    fn size(&self, mesh: &Mesh, site: &Site, place: DMat4) -> f64 {
+        let edges = self.faces.iter().flat_map(|&face| {
+            let ends = points(mesh, face).skip(1).chain(points(mesh, face).take(1));
+            points(mesh, face).zip(ends).map(|(tail, head)| place.transform_vector3(head - tail).length())
+        });
+        let mut lengths: Vec<f64> = edges.collect();
+        lengths.sort_unstable_by(f64::total_cmp);
+        let short = lengths.get(lengths.len() / 4).copied().unwrap_or(0.0);
+        match (site.vertex, site.face, site.position) {
+            (None, Some(face), Some(middle)) => {
+                let reach =
+                    points(mesh, face as usize).map(|point| place.transform_vector3(point - middle).length());
+                reach.map(|reach| 2.5 / EDGES * reach).fold(short, f64::max)
+            }
+            _ => short,
+        }
+    }
+
+    /// The way that most of the faces look in the world, if any does.
+    fn outward(&self, face_normals: &[DVec3], place: DMat4) -> DVec3 {
+        let sum: DVec3 = self.faces.iter().map(|&face| face_normals[face]).sum();
+        let normal = normal_matrix(DMat3::from_mat4(place)).and_then(|matrix| matrix.apply(sum));
+        normal.unwrap_or(DVec3::Z)
+    }
+}
+
+/// Where the corners of a face are.
+fn points(mesh: &Mesh, face: usize) -> impl Iterator<Item = DVec3> {
+    mesh.faces().face(face).iter().map(|&vertex| mesh.positions()[vertex as usize])
+}
