@@ -66,11 +66,12 @@ pub struct InspectArgs {
 #[derive(Args)]
 #[command(next_help_heading = "Pictures (one input only)")]
 pub struct PictureArgs {
-    /// Write a page with pictures, histograms and explanations that opens from disk with nothing else
+    /// Write a page with pictures, histograms and explanations that opens from disk with nothing else; `-` is standard
+    /// output, and the report then goes to standard error
     #[arg(long, value_name = "FILE")]
     pub html: Option<PathBuf>,
 
-    /// Write the mesh coloured by the deviation of its stored normals, as PNG
+    /// Write the mesh coloured by the deviation of its stored normals, as PNG; `-` likewise
     #[arg(long, value_name = "FILE")]
     pub heatmap: Option<PathBuf>,
 

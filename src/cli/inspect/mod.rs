@@ -24,12 +24,14 @@ use crease::num::Transfer;
 use crease::quality::{Comparison, Diagnosis, Thresholds, compare, diagnose};
 use crease::report::{After, ReportError, deviation_picture, diagnosis_page, encode_png};
 use report::InspectReport;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// Carries the verb out.
 pub fn main(args: &InspectArgs, color: Color) -> Exit {
-    let console = Console::new(&args.run, color, None);
+    let PictureArgs { html, heatmap, .. } = &args.pictures;
+    let to_stdout = [html, heatmap].into_iter().flatten().find(|path| is_stdout(path));
+    let console = Console::new(&args.run, color, to_stdout.map(PathBuf::as_path));
     if let Some(explained) = args.findings.explain {
         let style = console.report_style();
         console.report(&match explained {
@@ -77,6 +79,11 @@ fn jobs(args: &InspectArgs) -> Result<Vec<Job>, RequestError> {
         .collect())
 }
 
+/// Whether a picture goes to standard output.
+fn is_stdout(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
 /// The file that `--against` names, or standard input.
 fn source(path: &Path) -> Source {
     if path == Path::new("-") { Source::Stdin } else { Source::File(path.to_path_buf()) }
@@ -90,7 +97,7 @@ fn check_outputs(sources: &[Source], args: &InspectArgs) -> Result<(), RequestEr
     });
     let inputs: Vec<&Path> = files.chain(args.against.as_deref()).collect();
     let PictureArgs { html, heatmap, .. } = &args.pictures;
-    for output in [html, heatmap].into_iter().flatten() {
+    for output in [html, heatmap].into_iter().flatten().filter(|path| !is_stdout(path)) {
         if let Some(input) = inputs.iter().find(|input| is_same_file(input, output)) {
             let input = input.display();
             return Err(RequestError::Usage(format!(
@@ -221,7 +228,8 @@ fn draw(
     let mut store = Store::new(false, false);
     let mut put = |bytes: Vec<u8>, path: &Path| {
         let written = Written { bytes, ..Written::default() };
-        let stored = store.store(written, &Target::File(path.to_path_buf()));
+        let target = if is_stdout(path) { Target::Stdout } else { Target::File(path.to_path_buf()) };
+        let stored = store.store(written, &target);
         stored.map(drop).map_err(|error| Failure::Write(format!("{error:#}")))
     };
     if let Some(path) = html {

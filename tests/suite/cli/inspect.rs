@@ -286,6 +286,52 @@ fn different_shapes_are_not_compared() {
 }
 
 #[test]
+fn pictures_may_go_to_standard_output() {
+    let files = folder(&[("flipped.obj", FLIPPED)]);
+    let (flipped, page) = (path(files.path().join("flipped.obj")), path(files.path().join("page.html")));
+    let page_to = |to: &str| inspect(&["--json", "--fail-on", "error", "--html", to, &flipped]);
+    let (streamed, stored) = (page_to("-"), page_to(&page));
+    assert_eq!((code(&streamed), code(&stored)), (1, 1), "{}", text(&streamed.stderr));
+    assert_eq!(text(&streamed.stdout), std::fs::read_to_string(&page).unwrap());
+    let report: Report = serde_json::from_str(text(&streamed.stderr)).expect("the report alone");
+    assert_eq!(report.status, "findings");
+    let picture = inspect(&["--heatmap", "-", &flipped]);
+    assert!(picture.stdout.starts_with(b"\x89PNG"), "{}", text(&picture.stderr));
+    assert!(text(&picture.stderr).contains("flipped-normals"));
+    let both = inspect(&["--html", "-", "--heatmap", "-", &flipped]);
+    assert_eq!(code(&both), 2, "{}", text(&both.stderr));
+    assert!(both.stdout.is_empty() && !std::path::Path::new("-").exists());
+}
+
+/// What no camera can see where it stands is drawn as a bare mesh is: brought nearer.
+#[test]
+fn meshes_of_any_size_and_place_have_pictures() {
+    let triangle = |scale: f64, away: f64| {
+        let at = |x: f64, y: f64| format!("v {:e} {:e} {:e}\n", away + x * scale, y * scale, x * y * scale);
+        let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| at(x, y)).concat();
+        format!("{corners}vn 0 0 1\nvn 0 0 -1\nf 1//1 2//1 3//1\nf 1//1 3//2 4//1\n")
+    };
+    let files = [
+        ("small.obj", 1e-300, 0.0),
+        ("large.obj", 1e300, 0.0),
+        ("far.obj", 1.0, 1e12),
+        ("usual.obj", 1.0, 0.0),
+    ];
+    let files = files.map(|(name, scale, away)| (name, triangle(scale, away)));
+    let files = folder(&files.each_ref().map(|(name, content)| (*name, content.as_str())));
+    for name in ["small.obj", "large.obj", "far.obj", "usual.obj"] {
+        let file = path(files.path().join(name));
+        for pictures in ["--heatmap", "--html"] {
+            let output = inspect(&[pictures, "-", &file]);
+            assert_eq!(code(&output), 0, "{name}: {}", text(&output.stderr));
+            // A page has an overview and a close-up at least.
+            let is_page = pictures == "--html";
+            assert!(!is_page || text(&output.stdout).matches("<img").count() > 3, "{name}");
+        }
+    }
+}
+
+#[test]
 fn no_picture_is_written_over_what_is_read() {
     let files = folder(&[("own.obj", TRIANGLE), ("other.obj", TRIANGLE)]);
     let [own, other, page] = ["own.obj", "other.obj", "page.html"].map(|name| path(files.path().join(name)));
