@@ -11,6 +11,7 @@ mod page;
 mod planted;
 mod real;
 mod recall;
+mod seams;
 mod wholes;
 
 use crease::io::{Document, FileNode, Format, Loaded, Part};

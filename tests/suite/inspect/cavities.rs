@@ -214,7 +214,7 @@ fn facets(mesh: &Mesh) -> String {
 }
 
 /// A glTF file with the primitives of all meshes in one.
-fn one_mesh(bytes: &[u8]) -> String {
+pub(super) fn one_mesh(bytes: &[u8]) -> String {
     let mut document: Value = serde_json::from_slice(bytes).unwrap();
     let meshes = document["meshes"].as_array().unwrap().clone();
     let primitives: Vec<Value> =
