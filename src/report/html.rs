@@ -255,12 +255,15 @@ impl Table {
         self.rows.is_empty()
     }
 
-    /// Whether a column holds words: fewer than half of what stands in it are numbers, a digit first and a unit at most behind.
+    /// Whether a column holds words: fewer than half of what stands in it are numbers, a digit first and one word at most,
+    /// such as a unit.
     fn has_words(&self, column: usize) -> bool {
         let filled = || self.rows.iter().map(|row| &row[column]).filter(|cell| !cell.is_empty());
+        let is_word = |text: &&str| text.chars().filter(|c| c.is_alphabetic()).count() > 1;
+        let words = |cell: &str| cell.split(' ').filter(is_word).count();
         let is_number = |cell: &&String| {
             let starts = |c: char| c.is_ascii_digit() || c == '∞';
-            cell.trim_start_matches(['-', '−', '+']).starts_with(starts) && cell.split(' ').count() <= 2
+            cell.trim_start_matches(['-', '−', '+']).starts_with(starts) && words(cell) < 2
         };
         2 * filled().filter(is_number).count() < filled().count()
     }
@@ -333,10 +336,10 @@ mod tests {
     /// What begins with a digit may be words all the same.
     #[test]
     fn columns_of_words_are_told_from_numbers() {
-        let table = Table::new("t", &["quantity", "found"])
-            .row(["1/d²: share of the floor", "0.5 px"])
-            .row(["2 |x|: y", "-3"]);
-        assert_eq!([0, 1].map(|column| table.has_words(column)), [true, false]);
+        let table = Table::new("t", &["quantity", "found", "others"])
+            .row(["1/d²: share of the floor", "0.5 px", "8.7 to 9.7"])
+            .row(["8 bits: largest change", "-3", "0.5 (12 %)"]);
+        assert_eq!([0, 1, 2].map(|column| table.has_words(column)), [true, false, false]);
     }
 
     #[test]
