@@ -272,8 +272,9 @@ impl Viewer {
         let eye = DVec3::Z * self.distance;
         let mirrored = towards(Degrees(-self.angle.0));
         let highlight = |point: DVec3| {
-            let cosine = (eye - point).normalize().dot(mirrored).max(0.0);
-            libm::pow(cosine, self.exponent)
+            let cosine = (eye - point).normalize().dot(mirrored);
+            // Even an exponent of 0 gives nothing where the mirrored ray leads away.
+            if cosine > 0.0 { libm::pow(cosine, self.exponent) } else { 0.0 }
         };
         let middle = highlight(DVec3::ZERO);
         centres(size).map(|p| (highlight(p) - middle).abs()).fold(0.0, f64::max)
@@ -405,6 +406,15 @@ mod tests {
         let parameters = Parameters { size: 32, light: Degrees(180.0), ..EXPERIMENT.defaults };
         let outcome = EXPERIMENT.run(&Setup { parameters, mesh: None }).unwrap();
         assert!(matches!(outcome.verdict, Verdict::Absent(_)), "{:?}", outcome.moved);
+    }
+
+    /// The law once had a highlight of exponent 0 on all of the plate.
+    #[test]
+    fn highlights_end_where_the_mirrored_ray_leads_away() {
+        let parameters = Parameters { size: 32, light: Degrees(81.58), exponent: 0.0, ..EXPERIMENT.defaults };
+        let outcome = EXPERIMENT.run(&Setup { parameters, mesh: None }).unwrap();
+        assert_eq!(outcome.measured("viewer at 2 circumradii"), 1.0);
+        assert!(outcome.measures.iter().all(|measure| measure.agrees() != Some(false)), "{outcome:?}");
     }
 
     #[test]
