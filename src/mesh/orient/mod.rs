@@ -170,7 +170,7 @@ impl Orientations {
     }
 
     /// What [`Orient::Outward`] turns, where some components, ascending, are known to lie [inside of another
-    /// mesh](hollows) as well as they lie in their own.
+    /// mesh](hollows()) as well as they lie in their own.
     pub(crate) fn outward(&self, mesh: &Mesh, confidence: Confidence, hollows: &[usize]) -> Orientation {
         let mut found = self.nothing();
         self.turn_closed(mesh, hollows, &mut found);

@@ -93,3 +93,51 @@ impl Around {
 fn points(mesh: &Mesh, face: usize) -> impl Iterator<Item = DVec3> {
     mesh.faces().face(face).iter().map(|&vertex| mesh.positions()[vertex as usize])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{Faces, MeshBuilder};
+
+    /// A post a hundred long, and at its end a small square.
+    fn post() -> Mesh {
+        let corner = |x: f64, y: f64| DVec3::new(x, y, 0.0);
+        let positions =
+            vec![corner(0.0, 0.0), corner(-100.0, 0.0), corner(0.0, 1.0), corner(1.0, 1.0), corner(1.0, 0.0)];
+        let mut faces = Faces::new();
+        [&[0, 2, 1][..], &[0, 4, 3, 2]].iter().for_each(|face| faces.push(face));
+        MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap()
+    }
+
+    /// The close-up of a corner at the end of a long face was as wide as that face.
+    #[test]
+    fn places_are_shown_by_their_short_edges_where_nodes_put_them() {
+        let mesh = post();
+        let corner = Site { face: Some(0), vertex: Some(0), position: Some(DVec3::ZERO), ..Site::default() };
+        let whole = Site { vertex: None, position: Some(DVec3::new(-33.0, 0.5, 0.0)), ..corner.clone() };
+        // A model is never larger than 2¹⁰⁰.
+        for scale in [1.0, 1e-3, 1e30] {
+            let place = DMat4::from_scale(DVec3::splat(scale));
+            let size = |site: &Site| Around::new(&mesh, site).size(&mesh, site, place) / scale;
+            assert!((size(&corner) - 1.0).abs() < 1e-12, "{}", size(&corner));
+            // The far corner is 67 away: within the picture, and not at its rim.
+            let half = 0.5 * EDGES * size(&whole);
+            assert!(half > 70.0 && half < 100.0, "{half}");
+        }
+        let nowhere = Site { position: Some(DVec3::ONE * 7.0), ..Site::default() };
+        assert_eq!(Around::new(&mesh, &nowhere).size(&mesh, &nowhere, DMat4::IDENTITY), 0.0);
+    }
+
+    #[test]
+    fn vertices_are_looked_at_from_where_their_faces_look() {
+        let mesh = post();
+        let vertex = Site { vertex: Some(0), position: Some(DVec3::ZERO), ..Site::default() };
+        let around = Around::new(&mesh, &vertex);
+        assert_eq!(around.faces, [0, 1]);
+        let normals = [DVec3::NEG_Z, DVec3::NEG_Z];
+        assert_eq!(around.outward(&normals, DMat4::IDENTITY), DVec3::NEG_Z);
+        let turned = DMat4::from_scale(DVec3::new(1.0, -1.0, -1.0));
+        assert_eq!(around.outward(&normals, turned), DVec3::Z);
+        assert_eq!(around.outward(&[DVec3::Z, DVec3::NEG_Z], DMat4::IDENTITY), DVec3::Z, "any, if none");
+    }
+}

@@ -135,3 +135,22 @@ fn zoomed(model: &Model, camera: Camera) -> Camera {
         camera
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Determinants of such scales are zero or infinite, and what stood there counted as hidden.
+    #[test]
+    fn maps_of_any_scale_are_undone() {
+        let turn = DMat4::from_axis_angle(DVec3::new(1.0, 2.0, 3.0).normalize(), 0.7);
+        let point = DVec3::new(0.3, -0.2, 0.9);
+        for power in [-1000, -400, 0, 400, 1000] {
+            let scale = DMat4::from_scale(DVec3::new(-1.0, 2.0, 0.5) * libm::ldexp(1.0, power));
+            let map = turn * scale;
+            let back = inverse(map).transform_point3(map.transform_point3(point));
+            // Some tens of roundings of numbers below 1, and the scales differ by 4.
+            assert!(back.distance(point) < 1e-14, "2^{power}: {back}");
+        }
+    }
+}
