@@ -1,23 +1,22 @@
 //! How stored normals were made: which weighting and which crease angle reproduce them best.
 
+use super::bends::{Bend, separating_angle};
 use super::facts::{Facts, Worth};
+use super::rotation::{are_spread, rotation_angle, steady_turn};
 use crate::mesh::Column;
 use crate::normals::{Crease, Groups, NormalRecipe, Weight};
 use crate::num::{Degrees, angle_between};
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 
 /// The most corners that are looked at.
 pub const SAMPLE: usize = 100_000;
 
 /// Two normals closer than this, in degrees, are taken to be one: above what 8 bits do to each of them.
-const SAME: f64 = 1.0;
+pub(super) const SAME: f64 = 1.0;
 
 /// The share of corners that a rule reproduces, if nothing else made them.
 const NEARLY_ALL: f64 = 0.98;
-
-/// Edges that bend by less, in degrees, tell nothing about creases.
-const FLAT: f64 = 1.0;
 
 /// A corner counts as reproduced within this many degrees.
 const REPRODUCED: f64 = 5.0;
@@ -39,6 +38,8 @@ pub struct Estimate {
     pub crease: Degrees,
     /// Whether smoothing groups reproduce them better than a crease angle alone; the angle then applies beside them.
     pub groups: bool,
+    /// Whether all normals were turned or mirrored together: what is told here is of them turned back.
+    pub turned: bool,
     /// Corners looked at.
     pub sample: usize,
     /// The share of them that it reproduces within 5°.
@@ -90,68 +91,154 @@ impl Estimate {
     }
 }
 
-/// Estimates from a fixed sample; `None` if no corner has a usable normal.
-pub(super) fn estimate(facts: &Facts<'_>, stored: &Column<DVec3>) -> Option<Estimate> {
-    let sample = sample(facts);
-    if sample.is_empty() {
+/// The share of corners that a rule reproduces at least once they are turned back, if a turn explains them.
+const MOST: f64 = 0.5;
+
+/// How much of what the best rule is off by, or of its median, a turn of all normals may leave.
+const LEFT: f64 = 0.5;
+
+/// Estimates from a fixed sample; `None` if no corner has a usable normal. Where no rule reproduces the normals as they are,
+/// they may have been turned as a whole: the turn that stands between them and what a rule gives comes second.
+pub(super) fn estimate(facts: &Facts<'_>, stored: &Column<DVec3>) -> Option<(Estimate, Option<DMat3>)> {
+    let corners = sample(facts);
+    if corners.is_empty() {
         return None;
     }
-    let bends: Vec<Bend> = sample.par_iter().filter_map(|&corner| Bend::at(facts, stored, corner)).collect();
-    let sharp_from = |crease| Smoothness { crease, groups: None };
-    let separating = separating_angle(&bends, 1);
-    let mut plain = by_rule(facts, &sample, &bends, sharp_from(separating));
-    // A sharp edge that is the only one at its vertex splits nothing, and looks smooth: what separates best need not be
-    // what the normals were made with. Edges that look sharp are what they seem.
-    let others = [Crease::DEFAULT_ANGLE, separating_angle(&bends, LONE)];
-    if plain.1.reproduced < 1.0 {
-        for &other in others.iter().filter(|&&other| other != separating) {
-            let other = by_rule(facts, &sample, &bends, sharp_from(other));
-            plain = if other.0 < plain.0 { other } else { plain };
+    let unit = |&corner: &u32| facts.stored_unit(corner as usize).expect("the sample has directions");
+    let normals = corners.par_iter().map(unit).collect();
+    let bends = corners.par_iter().filter_map(|&corner| Bend::at(facts, stored, corner)).collect();
+    let sample = Sample { facts, corners, normals, bends };
+    let as_stored = sample.best(false);
+    if !as_stored.estimate.is_rule() {
+        let turned_back = sample.best(true);
+        if are_spread(sample.normals.iter().copied()) && turned_back.explains(&as_stored) {
+            return Some((turned_back.estimate, turned_back.turn));
         }
     }
-    if let Some(groups) = facts.mesh.columns().smoothing.as_ref().filter(|_| plain.1.reproduced < NEARLY_ALL)
-    {
-        for crease in [plain.1.crease, Crease::DEFAULT_ANGLE, Degrees(180.0)] {
-            let rule = Smoothness { crease, groups: Some(&groups.of_face) };
-            let other = by_rule(facts, &sample, &bends, rule);
-            plain = if other.1.reproduced > plain.1.reproduced { other } else { plain };
-        }
-    }
-    Some(plain.1)
+    Some((as_stored.estimate, None))
 }
 
-/// The estimate with a rule about edges and the weighting that does best with it, and by how much it is off in all.
-fn by_rule(facts: &Facts<'_>, sample: &[u32], bends: &[Bend], rule: Smoothness<'_>) -> (f64, Estimate) {
-    let crease = rule.crease;
-    let errors: Vec<[f64; MEANS.len()]> =
-        sample.par_iter().map(|&corner| errors(facts, corner, rule)).collect();
-    // Far-off corners are faults, not evidence: all beyond the bound count alike.
-    let capped = |weight: usize| errors.iter().map(|all| all[weight].min(REPRODUCED)).sum::<f64>();
-    let costs: Vec<f64> = (0..MEANS.len()).map(capped).collect();
-    // Where all do alike, as on flat shapes, the first one is as good as any.
-    let best = (1..MEANS.len())
-        .fold(0, |best, i| if costs[i] < costs[best] * (1.0 - 1e-3) - 1e-9 { i } else { best });
-    let mut own: Vec<f64> = errors.iter().map(|all| all[best]).collect();
-    let within = |most: f64| own.iter().filter(|&&error| error <= most).count() as f64 / own.len() as f64;
-    let (reproduced, closely) = (within(REPRODUCED), within(SAME));
-    own.sort_unstable_by(f64::total_cmp);
-    let separated = bends.iter().filter(|bend| (bend.degrees < crease.0) == bend.smooth).count();
-    let estimate = Estimate {
-        weight: MEANS[best],
-        crease,
-        groups: rule.groups.is_some(),
-        sample: own.len(),
-        reproduced,
-        closely,
-        separated: match (rule.groups, bends.len()) {
-            (None, 1..) => separated as f64 / bends.len() as f64,
-            (None, 0) => 1.0,
-            // Groups say which edges are sharp, not the angle.
-            (Some(_), _) => reproduced,
-        },
-        median: Degrees(own[own.len() / 2]),
-    };
-    (costs[best], estimate)
+/// The corners that are looked at, and the edges at them.
+struct Sample<'a> {
+    facts: &'a Facts<'a>,
+    corners: Vec<u32>,
+    /// The stored normals, as unit vectors.
+    normals: Vec<DVec3>,
+    bends: Vec<Bend>,
+}
+
+/// Sums of the faces round a corner, by each weighting.
+type Sums = [DVec3; MEANS.len()];
+
+/// What a rule about edges makes of a sample, with the weighting that does best with it.
+struct Fit {
+    estimate: Estimate,
+    /// By how much it is off in all, in degrees, as [`cost`] has it.
+    cost: f64,
+    /// By how many degrees it is off at each corner, ascending.
+    errors: Vec<f64>,
+    /// What all normals were turned by before, if that was asked for.
+    turn: Option<DMat3>,
+}
+
+impl Fit {
+    /// Whether turning all normals back explains what is wrong with them as they are. What turning single ones round explains
+    /// as well is no turn of all: on a box with some sides' normals reversed half a turn does. Where a rule reproduces the
+    /// normals, many may be turned by little, so the sum tells; where none quite does, the median.
+    fn explains(&self, as_stored: &Fit) -> bool {
+        let mut either_way: Vec<f64> =
+            as_stored.errors.iter().map(|error| error.min(180.0 - error)).collect();
+        either_way.sort_unstable_by(f64::total_cmp);
+        self.turn.is_some_and(|turn| rotation_angle(turn) > SAME)
+            && self.estimate.reproduced >= MOST
+            && (self.cost < LEFT * cost(&either_way) || median(&self.errors) < LEFT * median(&either_way))
+    }
+}
+
+/// The sum of errors. Far-off corners are faults, not evidence: all beyond the bound count alike.
+fn cost(errors: &[f64]) -> f64 {
+    errors.iter().map(|error| error.min(REPRODUCED)).sum()
+}
+
+fn median(ascending: &[f64]) -> f64 {
+    ascending[ascending.len() / 2]
+}
+
+impl Sample<'_> {
+    /// The rule that fits best, to the normals as they are or turned back as a whole.
+    fn best(&self, turned_back: bool) -> Fit {
+        let sharp_from = |crease| Smoothness { crease, groups: None };
+        let separating = separating_angle(&self.bends, 1);
+        let mut plain = self.by_rule(sharp_from(separating), turned_back);
+        // A sharp edge that is the only one at its vertex splits nothing, and looks smooth: what separates best need not be
+        // what the normals were made with. Edges that look sharp are what they seem.
+        let others = [Crease::DEFAULT_ANGLE, separating_angle(&self.bends, LONE)];
+        if plain.estimate.reproduced < 1.0 {
+            for &other in others.iter().filter(|&&other| other != separating) {
+                let other = self.by_rule(sharp_from(other), turned_back);
+                plain = if other.cost < plain.cost { other } else { plain };
+            }
+        }
+        let groups = self.facts.mesh.columns().smoothing.as_ref();
+        if let Some(groups) = groups.filter(|_| plain.estimate.reproduced < NEARLY_ALL) {
+            for crease in [plain.estimate.crease, Crease::DEFAULT_ANGLE, Degrees(180.0)] {
+                let other = self.by_rule(Smoothness { crease, groups: Some(&groups.of_face) }, turned_back);
+                plain = if other.estimate.reproduced > plain.estimate.reproduced { other } else { plain };
+            }
+        }
+        plain
+    }
+
+    fn by_rule(&self, rule: Smoothness<'_>, turned_back: bool) -> Fit {
+        let crease = rule.crease;
+        let sums: Vec<Sums> = self.corners.par_iter().map(|&corner| sums(self.facts, corner, rule)).collect();
+        let turn = |weight| if turned_back { steady_turn(&self.pairs(&sums, weight)) } else { None };
+        // Weightings differ by little and to all sides: any of them tells what all are turned by.
+        let about = turn(0);
+        let costs: Vec<f64> =
+            (0..MEANS.len()).map(|weight| cost(&self.errors(&sums, weight, about))).collect();
+        // Where all do alike, as on flat shapes, the first one is as good as any.
+        let best = (1..MEANS.len())
+            .fold(0, |best, i| if costs[i] < costs[best] * (1.0 - 1e-3) - 1e-9 { i } else { best });
+        let turn = turn(best);
+        let mut errors = self.errors(&sums, best, turn);
+        let cost = cost(&errors);
+        errors.sort_unstable_by(f64::total_cmp);
+        let count = errors.len() as f64;
+        let within = |most: f64| errors.partition_point(|&error| error <= most) as f64 / count;
+        let separated = self.bends.iter().filter(|bend| (bend.degrees < crease.0) == bend.smooth).count();
+        let reproduced = within(REPRODUCED);
+        let estimate = Estimate {
+            weight: MEANS[best],
+            crease,
+            groups: rule.groups.is_some(),
+            turned: turn.is_some(),
+            sample: errors.len(),
+            reproduced,
+            closely: within(SAME),
+            separated: match (rule.groups, self.bends.len()) {
+                (None, 1..) => separated as f64 / self.bends.len() as f64,
+                (None, 0) => 1.0,
+                // Groups say which edges are sharp, not the angle.
+                (Some(_), _) => reproduced,
+            },
+            median: Degrees(median(&errors)),
+        };
+        Fit { estimate, cost, errors, turn }
+    }
+
+    /// Stored normals and the means by a weighting, as unit vectors.
+    fn pairs(&self, sums: &[Sums], weight: usize) -> Vec<(DVec3, DVec3)> {
+        let mean = |sums: &Sums| sums[weight].normalize_or_zero();
+        self.normals.par_iter().zip(sums).map(|(&normal, sums)| (normal, mean(sums))).collect()
+    }
+
+    /// The angle in degrees between each stored normal and the mean by a weighting, turned.
+    fn errors(&self, sums: &[Sums], weight: usize, turn: Option<DMat3>) -> Vec<f64> {
+        let mean = |sums: &Sums| turn.map_or(sums[weight], |turn| turn * sums[weight]);
+        let error = |(&normal, sums): (&DVec3, &Sums)| Degrees::from(angle_between(normal, mean(sums))).0;
+        self.normals.par_iter().zip(sums).map(error).collect()
+    }
 }
 
 /// Corners with a direction on sound faces; if there are too many, those that a fixed generator picks.
@@ -180,74 +267,6 @@ fn mixed(seed: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// An edge, by how far it bends and whether the stored normals go on across it.
-struct Bend {
-    degrees: f64,
-    smooth: bool,
-}
-
-impl Bend {
-    /// The edge that leaves a corner, by the normals at that corner.
-    fn at(facts: &Facts<'_>, stored: &Column<DVec3>, corner: u32) -> Option<Bend> {
-        let across = facts.topology.across(corner)?;
-        let beyond = facts.topology.next(across) as usize;
-        let faces = [corner, across].map(|corner| facts.topology.face_of(corner) as usize);
-        if faces.iter().any(|&face| facts.worth[face] != Worth::Sound) {
-            return None;
-        }
-        let degrees =
-            Degrees::from(angle_between(facts.face_normal(faces[0]), facts.face_normal(faces[1]))).0;
-        if degrees < FLAT {
-            return None;
-        }
-        let corners = facts.mesh.faces().corners();
-        let slots = [corner as usize, beyond].map(|corner| stored.slot(corner, corners[corner]));
-        let smooth = slots[0] == slots[1] || {
-            let (a, b) = (facts.stored_unit(corner as usize)?, facts.stored_unit(beyond)?);
-            Degrees::from(angle_between(a, b)).0 <= SAME
-        };
-        Some(Bend { degrees, smooth })
-    }
-}
-
-/// The angle that best tells smooth edges from sharp ones, if one that looks sharp below it is as wrong as so many that look
-/// smooth beyond it.
-fn separating_angle(bends: &[Bend], weight: usize) -> Degrees {
-    const BINS: usize = 180;
-    let bin = |degrees: f64| (degrees as usize).min(BINS - 1);
-    let (mut smooth, mut sharp) = ([0usize; BINS], [0usize; BINS]);
-    for bend in bends {
-        let list = if bend.smooth { &mut smooth } else { &mut sharp };
-        list[bin(bend.degrees)] += 1;
-    }
-    // An angle of k degrees is wrong about sharp edges of bins below k and smooth ones of bins from k on.
-    let mut wrong = smooth.iter().sum::<usize>();
-    let mut costs = vec![wrong];
-    for k in 0..BINS {
-        wrong = wrong + weight * sharp[k] - smooth[k];
-        costs.push(wrong);
-    }
-    let least = *costs.iter().min().expect("181 angles");
-    let runs = costs.chunk_by(|a, b| a == b);
-    // The longest run of best angles; among equals the first.
-    let mut best = (0, 0);
-    let mut start = 0;
-    for run in runs {
-        if run[0] == least && run.len() > best.1 {
-            best = (start, run.len());
-        }
-        start += run.len();
-    }
-    let (low, high) = (best.0, best.0 + best.1 - 1);
-    Degrees(match (low, high) {
-        _ if sharp.iter().all(|&count| count == 0) => 180.0,
-        // What is computed without being asked for is what most have been made with.
-        (low, high) if (low..=high).contains(&40) => 40.0,
-        _ if smooth.iter().all(|&count| count == 0) => 0.0,
-        (low, high) => low.midpoint(high) as f64,
-    })
-}
-
 /// Which edges are smooth.
 #[derive(Clone, Copy)]
 struct Smoothness<'a> {
@@ -267,9 +286,8 @@ impl Smoothness<'_> {
     }
 }
 
-/// The angle in degrees between the stored normal of a corner and the mean by each weighting over the faces that are
-/// reached from it without crossing a sharp edge.
-fn errors(facts: &Facts<'_>, corner: u32, rule: Smoothness<'_>) -> [f64; MEANS.len()] {
+/// The sum by each weighting over the faces that are reached from a corner without crossing a sharp edge.
+fn sums(facts: &Facts<'_>, corner: u32, rule: Smoothness<'_>) -> Sums {
     let mut sums = [DVec3::ZERO; MEANS.len()];
     let mut add = |corner: u32| {
         let face = facts.topology.face_of(corner) as usize;
@@ -289,8 +307,7 @@ fn errors(facts: &Facts<'_>, corner: u32, rule: Smoothness<'_>) -> [f64; MEANS.l
         }
     };
     walk(facts, corner, rule, &mut add);
-    let stored = facts.stored_unit(corner as usize).expect("the sample has corners with a direction");
-    sums.map(|sum| Degrees::from(angle_between(stored, sum)).0)
+    sums
 }
 
 /// The longest way from a corner that is walked: poles of more faces are judged by these.

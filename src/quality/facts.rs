@@ -6,7 +6,7 @@ use super::gloss::Gloss;
 use crate::mesh::{Column, Confidence, Link, Mesh, Orientation, Orientations, Topology, Weld, place_key};
 use crate::normals::{Crease, FaultReason, Groups, NormalField, NormalRecipe, compute_on};
 use crate::num::{UnitVec3, unit_scale};
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 use rustc_hash::FxHashSet;
 
@@ -29,6 +29,8 @@ pub(super) struct Facts<'a> {
     pub(super) stored: Option<&'a Column<DVec3>>,
     /// How the stored normals were made, as far as they tell.
     pub(super) estimate: Option<Estimate>,
+    /// What all stored normals were turned by, if the estimate is of them turned back.
+    pub(super) turn: Option<DMat3>,
     /// Normals computed that way; with the default recipe if there are none to go by.
     pub(super) field: NormalField,
     pub(super) worth: Vec<Worth>,
@@ -81,6 +83,7 @@ impl<'a> Facts<'a> {
             topology,
             stored,
             estimate: None,
+            turn: None,
             field,
             worth,
             total_area: area.iter().sum(),
@@ -97,7 +100,9 @@ impl<'a> Facts<'a> {
         };
         facts.mark_turned();
         facts.collapsed = facts.collapsed_places();
-        facts.estimate = stored.and_then(|stored| estimate(&facts, stored));
+        if let Some((estimate, turn)) = stored.and_then(|stored| estimate(&facts, stored)) {
+            (facts.estimate, facts.turn) = (Some(estimate), turn);
+        }
         let has_groups = mesh.columns().smoothing.is_some();
         if let Some(estimate) = facts.estimate.filter(|estimate| has_groups || !estimate.is_default()) {
             facts.field = compute_on(mesh, &facts.topology, &estimate.recipe());

@@ -6,7 +6,9 @@
 //! # How a normal is judged
 //! Stored normals are compared with those that *this* mesh's own normals were most likely made by: the weighting and the
 //! crease angle that reproduce them best ([`Estimate`]). So a mesh made by another rule than our default is not wrong,
-//! and where no rule fits, the normals were made by hand and are only noted. Faces that run against their neighbours, that
+//! and where no rule fits, the normals were made by hand and are only noted. Where none fits them as they are but one does
+//! once a rotation or reflection of all of them is taken off, that is what is told. Normals on fewer than three lines, as of
+//! a flat sheet or two, leave open what they were turned by. Faces that run against their neighbours, that
 //! are inside out or without direction have no say about normals: their cause is told of them, not of the normals.
 //!
 //! Findings about shading are notes: they are what even right normals will show.
@@ -29,6 +31,7 @@
 
 mod around;
 mod attributes;
+mod bends;
 pub mod catalogue;
 mod comparison;
 mod diagnosis;
@@ -44,6 +47,7 @@ mod light;
 mod limit;
 mod polygons;
 mod quantisation;
+mod rotation;
 mod shading;
 mod smoothing;
 mod stored;

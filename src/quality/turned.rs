@@ -4,6 +4,7 @@
 use super::Thresholds;
 use super::catalogue::Kind;
 use super::facts::{Facts, Worth};
+use super::rotation::{are_spread, closest_turn, outer, rotation_angle};
 use super::tally::{Spot, Tallies};
 use crate::mesh::normal_matrix;
 use crate::num::{Degrees, Radians, angle_between};
@@ -13,9 +14,6 @@ use std::ops::Range;
 
 /// The mean cosine from which on a rotation is taken to explain the normals.
 const AGREES: f64 = 0.9;
-
-/// The least determinant of the mean of stored · expectedᵀ for normals to be spread over all directions.
-const SPREAD: f64 = 1e-6;
 
 /// How much of the disagreement an explanation has to take away.
 const EXPLAINED: f64 = 0.75;
@@ -35,48 +33,79 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
         }
         return bent;
     }
-    // Normals in one plane fit many a change of axes.
-    if pairs.correlation.determinant().abs() < SPREAD * pairs.weight * pairs.weight * pairs.weight {
+    // Through two lines much can be laid that has nothing to do with them.
+    if !are_spread(corners(facts)) {
         return false;
     }
-    let as_stored = pairs.agreement(DMat3::IDENTITY);
-    let explains = |agreement: f64| explains(agreement, as_stored, thresholds);
-    if let Some((axes, _)) = axis_changes()
+    let closest = closest_turn(pairs.correlation * (1.0 / pairs.weight));
+    let Some(closest) = facts.turn.or(closest) else { return false };
+    let explains = |agreement: f64| explains(agreement, pairs.either_way, thresholds);
+    let changes: Vec<(DMat3, f64)> = axis_changes()
         .map(|axes| (axes, pairs.agreement(axes)))
-        .filter(|(_, it)| explains(*it))
-        .max_by(|a, b| a.1.total_cmp(&b.1))
-    {
-        // The opposite of everything is told from the faces' side: either could be turned round.
-        if axes == -DMat3::IDENTITY {
-            return false;
-        }
+        .filter(|&(_, agreement)| explains(agreement))
+        .collect();
+    let is_closest = |axes: DMat3| {
+        let between = closest.transpose() * axes;
+        between.determinant() > 0.0 && rotation_angle(between) <= thresholds.rotation.0
+    };
+    if let Some(remark) = smallest_of_the_best(&changes, is_closest) {
         found.add(Kind::SwappedAxes, Spot::mesh(), area);
-        found.tally(Kind::SwappedAxes).remark = Some(describe(axes));
+        found.tally(Kind::SwappedAxes).remark = Some(remark);
         return true;
     }
-    if let Some(rotation) = pairs.best_rotation() {
-        let angle = rotation_angle(rotation);
-        if angle > thresholds.rotation.0 && explains(pairs.agreement(rotation)) {
-            found.add(Kind::Rotated, Spot::mesh().by(angle), area);
-            found.tally(Kind::Rotated).remark = Some(format!("by {angle:.1}°"));
-            return true;
-        }
+    let angle = rotation_angle(closest);
+    let fits = facts.turn.is_some() || explains(pairs.agreement(closest));
+    let is_turned = fits && angle > thresholds.rotation.0;
+    if is_turned {
+        let reversed = if closest.determinant() < 0.0 { ", and reversed" } else { "" };
+        found.add(Kind::Rotated, Spot::mesh().by(angle), area);
+        found.tally(Kind::Rotated).remark = Some(format!("by {angle:.1}°{reversed}"));
     }
-    false
+    is_turned
 }
 
-/// Whether there is something to explain, by mean cosines, and a turn explains it.
-fn explains(turned: f64, as_stored: f64, thresholds: &Thresholds) -> bool {
-    // Normals about the axis of a rotation turn by less than it does.
-    let least = 0.25 * (1.0 - libm::cos(Radians::from(thresholds.rotation).0));
-    let wrong = 1.0 - as_stored;
-    wrong > least && turned >= AGREES && 1.0 - turned <= (1.0 - EXPLAINED) * wrong
+/// The stored normals of all corners, as unit vectors.
+fn corners(facts: &Facts<'_>) -> impl Iterator<Item = DVec3> {
+    (0..facts.mesh.faces().corner_count()).filter_map(|corner| facts.stored_unit(corner))
+}
+
+/// The change of axes that agrees best, in words; of several that agree as well the smallest, and that there are others.
+/// `None` if none of these is the closest turn.
+fn smallest_of_the_best(changes: &[(DMat3, f64)], is_closest: impl Fn(DMat3) -> bool) -> Option<String> {
+    /// What rounding makes of equal mean cosines.
+    const ALIKE: f64 = 1e-6;
+    let best = changes.iter().map(|it| it.1).reduce(f64::max)?;
+    let alike: Vec<DMat3> = changes.iter().filter(|it| it.1 >= best - ALIKE).map(|it| it.0).collect();
+    if !alike.iter().any(|&axes| is_closest(axes)) {
+        return None;
+    }
+    let changed = |axes: &&DMat3| (0..3).filter(|&i| axes.col(i) != DMat3::IDENTITY.col(i)).count();
+    let smallest = describe(*alike.iter().min_by_key(changed)?);
+    Some(match alike.len() - 1 {
+        0 => smallest,
+        1 => format!("{smallest} (or another change that this shape does not tell from it)"),
+        others => format!("{smallest} (or one of {others} changes that this shape does not tell from it)"),
+    })
+}
+
+/// Whether there is something to explain, by mean cosines, and a turn of all normals explains it. What turning single ones
+/// round explains as well is no turn of all: on a box with some sides' normals reversed half a turn does.
+fn explains(turned: f64, either_way: f64, thresholds: &Thresholds) -> bool {
+    let wrong = 1.0 - either_way;
+    wrong > least(thresholds) && turned >= AGREES && 1.0 - turned <= (1.0 - EXPLAINED) * wrong
+}
+
+/// The least disagreement that is worth a word. Normals about the axis of a rotation turn by less than it does.
+fn least(thresholds: &Thresholds) -> f64 {
+    0.25 * (1.0 - libm::cos(Radians::from(thresholds.rotation).0))
 }
 
 /// Expected and stored normals, summed up: M = Σ stored · expectedᵀ.
 struct Pairs {
     correlation: DMat3,
     weight: f64,
+    /// The mean cosine if each stored normal may stand for its opposite.
+    either_way: f64,
     mean_face: DVec3,
     mean_expected: DVec3,
     is_constant: bool,
@@ -96,11 +125,13 @@ impl Pairs {
         for block in blocks {
             all.correlation += block.correlation;
             all.weight += block.weight;
+            all.either_way += block.either_way;
             all.mean_face += block.mean_face;
             all.mean_expected += block.mean_expected;
             all.is_constant &= block.is_constant;
         }
         if all.weight > 0.0 {
+            all.either_way /= all.weight;
             all.mean_face /= all.weight;
             all.mean_expected /= all.weight;
         }
@@ -112,6 +143,7 @@ impl Pairs {
         let mut pairs = Pairs {
             correlation: DMat3::ZERO,
             weight: 0.0,
+            either_way: 0.0,
             mean_face: DVec3::ZERO,
             mean_expected: DVec3::ZERO,
             is_constant: true,
@@ -123,8 +155,8 @@ impl Pairs {
                 let Some(stored) = facts.stored_unit(corner) else { continue };
                 let expected = facts.right_way(face, corner);
                 pairs.is_constant &= first.is_some_and(|first| first.dot(stored) > 0.9999);
-                let (a, b) = (stored * weight, expected);
-                pairs.correlation += DMat3::from_cols(a * b.x, a * b.y, a * b.z);
+                pairs.correlation += outer(stored * weight, expected);
+                pairs.either_way += stored.dot(expected).abs() * weight;
                 pairs.mean_face += facts.face_normal(face) * weight;
                 pairs.mean_expected += expected * weight;
                 pairs.weight += weight;
@@ -138,37 +170,6 @@ impl Pairs {
         let sum = |i: usize| turn.col(i).dot(self.correlation.col(i));
         (sum(0) + sum(1) + sum(2)) / self.weight
     }
-
-    /// The rotation or reflection that fits best: the orthogonal factor of the correlation, by Newton's iteration
-    /// (N. Higham, *Computing the polar decomposition*, 1986). `None` if the normals leave one free.
-    fn best_rotation(&self) -> Option<DMat3> {
-        let mut x = self.correlation * (1.0 / self.weight);
-        if x.determinant().abs() < 1e-4 {
-            return None;
-        }
-        for _ in 0..60 {
-            let next = (x + x.inverse().transpose()) * 0.5;
-            let change =
-                (next - x).to_cols_array().iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
-            x = next;
-            if change < 1e-14 {
-                break;
-            }
-        }
-        x.is_finite().then_some(x)
-    }
-}
-
-/// The angle of a rotation, in degrees; of a reflection that of what remains after the sign is taken off.
-fn rotation_angle(turn: DMat3) -> f64 {
-    let turn = if turn.determinant() < 0.0 { -turn } else { turn };
-    let axis = DVec3::new(
-        turn.y_axis.z - turn.z_axis.y,
-        turn.z_axis.x - turn.x_axis.z,
-        turn.x_axis.y - turn.y_axis.x,
-    );
-    let trace = turn.x_axis.x + turn.y_axis.y + turn.z_axis.z;
-    Degrees::from(Radians(libm::atan2(axis.length(), trace - 1.0))).0
 }
 
 /// All permutations of the axes with all changes of sign, but the one that changes nothing.
@@ -193,21 +194,24 @@ fn describe(axes: DMat3) -> String {
     said.join(", ")
 }
 
-/// Whether a linear map, or its inverse, stands between the stored normals and the faces.
+/// Whether a linear map, or its inverse, stands between the stored normals and the faces, and no other turn that explains them
+/// better.
 pub(super) fn explained_by(facts: &Facts<'_>, map: DMat3, thresholds: &Thresholds) -> bool {
     [map, map.inverse()].into_iter().filter_map(normal_matrix).any(|matrix| {
-        let (mut with, mut without, mut weight) = (0.0, 0.0, 0.0);
+        let (mut with, mut by_turn, mut either_way, mut weight) = (0.0, 0.0, 0.0, 0.0);
         for (face, range) in facts.mesh.faces().ranges().enumerate() {
             for corner in range.filter(|_| facts.worth[face] != Worth::Silent) {
                 let Some(stored) = facts.stored_unit(corner) else { continue };
                 let expected = facts.right_way(face, corner);
                 let turned = matrix.apply(expected).unwrap_or(expected);
                 with += facts.area[face] * stored.dot(turned);
-                without += facts.area[face] * stored.dot(expected);
+                by_turn += facts.area[face] * stored.dot(facts.turn.unwrap_or_default() * expected);
+                either_way += facts.area[face] * stored.dot(expected).abs();
                 weight += facts.area[face];
             }
         }
-        explains(with / weight, without / weight, thresholds)
+        explains(with / weight, either_way / weight, thresholds)
+            && (by_turn - with) / weight <= least(thresholds)
     })
 }
 

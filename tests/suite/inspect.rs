@@ -11,6 +11,7 @@ mod page;
 mod planted;
 mod real;
 mod recall;
+mod rotated;
 mod seams;
 mod wholes;
 

@@ -12,7 +12,7 @@
 //! | `input` | as in `crease-normals/1` |
 //! | `verdict` | the gravest severity told, or null |
 //! | `counts` | how many findings are `error`, `warning`, `note` |
-//! | `parts` | `name`, `vertices`, `faces`, `corners`, and `estimate`, null if stored normals do not tell: `weight`, `crease` (degrees), `groups` (whether smoothing groups count too), `sample` (corners), `reproduced`, `separated` (shares), `median` (degrees); and `precision`, null if they were rounded to no grid that tells: `grid` (in words), `degrees` (the most that it turns a normal by), `exponent` (the largest of a highlight that it serves, null if it may show on a matte surface) |
+//! | `parts` | `name`, `vertices`, `faces`, `corners`, and `estimate`, null if stored normals do not tell: `weight`, `crease` (degrees), `groups` (whether smoothing groups count too), `turned` (whether all normals were turned or mirrored together: the rest is of them turned back), `sample` (corners), `reproduced`, `separated` (shares), `median` (degrees); and `precision`, null if they were rounded to no grid that tells: `grid` (in words), `degrees` (the most that it turns a normal by), `exponent` (the largest of a highlight that it serves, null if it may show on a matte surface) |
 //! | `findings` | the gravest first, below |
 //! | `against` | with `--against` only, below |
 //! | `seconds` | `read`, `inspect`, `total` |
@@ -75,6 +75,7 @@ pub struct EstimateReport {
     pub weight: &'static str,
     pub crease: f64,
     pub groups: bool,
+    pub turned: bool,
     pub sample: usize,
     pub reproduced: f64,
     pub separated: f64,
@@ -170,6 +171,7 @@ impl PartReport {
             weight: estimate.weight.name(),
             crease: estimate.crease.0,
             groups: estimate.groups,
+            turned: estimate.turned,
             sample: estimate.sample,
             reproduced: estimate.reproduced,
             separated: estimate.separated,

@@ -37,7 +37,8 @@ pub fn block(report: &InspectReport, style: Style, verbose: bool, places: usize)
         let made = match &part.estimate {
             Some(estimate) if estimate.reproduced < 0.5 => "; no rule reproduces the stored normals".into(),
             Some(estimate) => format!(
-                "; stored normals are best reproduced by --weight {} --crease {}{}: {} % of corners within 5°",
+                "; stored normals{} are best reproduced by --weight {} --crease {}{}: {} % of corners within 5°",
+                if estimate.turned { ", turned back," } else { "" },
                 estimate.weight,
                 estimate.crease,
                 if estimate.groups { " and smoothing groups" } else { "" },

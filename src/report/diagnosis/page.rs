@@ -121,7 +121,11 @@ fn rules(page: &mut Page, diagnosis: &Diagnosis) {
             part.faces.to_string(),
             estimate.weight.name().to_owned(),
             format!("{}°", estimate.crease.0),
-            format!("{} %", three_digits(100.0 * estimate.reproduced)),
+            format!(
+                "{} %{}",
+                three_digits(100.0 * estimate.reproduced),
+                if estimate.turned { ", turned back" } else { "" }
+            ),
             format!("{}°", three_digits(estimate.median.0)),
         ]);
     }

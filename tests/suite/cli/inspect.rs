@@ -48,6 +48,7 @@ struct Estimate {
     weight: String,
     crease: f64,
     groups: bool,
+    turned: bool,
     sample: usize,
     reproduced: f64,
     separated: f64,

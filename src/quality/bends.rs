@@ -1,0 +1,78 @@
+//! Where stored normals go on across edges, and the angle that tells those edges from the others.
+
+use super::estimate::SAME;
+use super::facts::{Facts, Worth};
+use crate::mesh::Column;
+use crate::num::{Degrees, angle_between};
+use glam::DVec3;
+
+/// Edges that bend by less, in degrees, tell nothing about creases.
+const FLAT: f64 = 1.0;
+
+/// An edge, by how far it bends and whether the stored normals go on across it.
+pub(super) struct Bend {
+    pub(super) degrees: f64,
+    pub(super) smooth: bool,
+}
+
+impl Bend {
+    /// The edge that leaves a corner, by the normals at that corner.
+    pub(super) fn at(facts: &Facts<'_>, stored: &Column<DVec3>, corner: u32) -> Option<Bend> {
+        let across = facts.topology.across(corner)?;
+        let beyond = facts.topology.next(across) as usize;
+        let faces = [corner, across].map(|corner| facts.topology.face_of(corner) as usize);
+        if faces.iter().any(|&face| facts.worth[face] != Worth::Sound) {
+            return None;
+        }
+        let degrees =
+            Degrees::from(angle_between(facts.face_normal(faces[0]), facts.face_normal(faces[1]))).0;
+        if degrees < FLAT {
+            return None;
+        }
+        let corners = facts.mesh.faces().corners();
+        let slots = [corner as usize, beyond].map(|corner| stored.slot(corner, corners[corner]));
+        let smooth = slots[0] == slots[1] || {
+            let (a, b) = (facts.stored_unit(corner as usize)?, facts.stored_unit(beyond)?);
+            Degrees::from(angle_between(a, b)).0 <= SAME
+        };
+        Some(Bend { degrees, smooth })
+    }
+}
+
+/// The angle that best tells smooth edges from sharp ones, if one that looks sharp below it is as wrong as so many that look
+/// smooth beyond it.
+pub(super) fn separating_angle(bends: &[Bend], weight: usize) -> Degrees {
+    const BINS: usize = 180;
+    let bin = |degrees: f64| (degrees as usize).min(BINS - 1);
+    let (mut smooth, mut sharp) = ([0usize; BINS], [0usize; BINS]);
+    for bend in bends {
+        let list = if bend.smooth { &mut smooth } else { &mut sharp };
+        list[bin(bend.degrees)] += 1;
+    }
+    // An angle of k degrees is wrong about sharp edges of bins below k and smooth ones of bins from k on.
+    let mut wrong = smooth.iter().sum::<usize>();
+    let mut costs = vec![wrong];
+    for k in 0..BINS {
+        wrong = wrong + weight * sharp[k] - smooth[k];
+        costs.push(wrong);
+    }
+    let least = *costs.iter().min().expect("181 angles");
+    let runs = costs.chunk_by(|a, b| a == b);
+    // The longest run of best angles; among equals the first.
+    let mut best = (0, 0);
+    let mut start = 0;
+    for run in runs {
+        if run[0] == least && run.len() > best.1 {
+            best = (start, run.len());
+        }
+        start += run.len();
+    }
+    let (low, high) = (best.0, best.0 + best.1 - 1);
+    Degrees(match (low, high) {
+        _ if sharp.iter().all(|&count| count == 0) => 180.0,
+        // What is computed without being asked for is what most have been made with.
+        (low, high) if (low..=high).contains(&40) => 40.0,
+        _ if smooth.iter().all(|&count| count == 0) => 0.0,
+        (low, high) => low.midpoint(high) as f64,
+    })
+}
