@@ -83,11 +83,11 @@ pub struct PictureArgs {
 #[derive(Args)]
 #[command(next_help_heading = "Findings")]
 pub struct FindingArgs {
-    /// End with exit code 1 if a finding is at least that grave
+    /// End with exit code 1 if a finding that is told is at least that grave
     #[arg(long, value_name = "SEVERITY", value_parser = Choices(SEVERITIES))]
     pub fail_on: Option<Severity>,
 
-    /// Tell only findings that are at least that grave
+    /// Tell only findings that are at least that grave; what is not told does not count for --fail-on either
     #[arg(long, value_name = "SEVERITY", default_value = "note", value_parser = Choices(SEVERITIES))]
     pub severity: Severity,
 
@@ -119,83 +119,83 @@ pub enum Explained {
 #[command(next_help_heading = "Thresholds (angles in degrees)")]
 pub struct ThresholdArgs {
     /// How far a stored normal may be from the one that its mesh's own rule gives [default: 15]
-    #[arg(long, value_name = "DEG")]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     pub deviation: Option<f64>,
 
     /// How far past 90° from its face a stored normal may point [default: 5]
-    #[arg(long, value_name = "DEG")]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     pub past_face: Option<f64>,
 
     /// How far all stored normals may be turned together [default: 5]
-    #[arg(long, value_name = "DEG")]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     pub rotation: Option<f64>,
 
     /// How far the precision of storage may turn normals [default: 0.05]
-    #[arg(long, value_name = "DEG")]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     pub quantisation: Option<f64>,
 
     /// How far past the crease angle an edge with one normal on both sides may bend [default: 10]
-    #[arg(long, value_name = "DEG")]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     pub past_crease: Option<f64>,
 
     /// How far the normals on the two sides of a smooth edge may be apart [default: 2]
-    #[arg(long, value_name = "DEG")]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     pub seam: Option<f64>,
 
     /// How far a tangent may lean towards its normal or away from it [default: 5]
-    #[arg(long, value_name = "DEG")]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     pub tangent: Option<f64>,
 
     /// Most by which the length of a normal may differ from 1 [default: 0.00674]
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
     pub length: Option<f64>,
 
     /// The same without a note [default: 0.001]
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
     pub strict_length: Option<f64>,
 
     /// How far the corners of a polygon may leave its plane [default: 10]
-    #[arg(long, value_name = "DEG")]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     pub planarity: Option<f64>,
 
     /// Height over longest edge below which a face is a needle [default: 0.001]
-    #[arg(long, value_name = "RATIO")]
+    #[arg(long, value_name = "RATIO", allow_negative_numbers = true)]
     pub needle: Option<f64>,
 
     /// From which bend on an edge is folded [default: 170]
-    #[arg(long, value_name = "DEG")]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     pub fold: Option<f64>,
 
     /// How far rounding positions to 32 bits may turn the normals of faces [default: 0.5]
-    #[arg(long, value_name = "DEG")]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     pub rounding: Option<f64>,
 
     /// How sure it has to be which side of an open component is its outer one, from 0.5 to 1 [default: 0.9]
-    #[arg(long, value_name = "SHARE", value_parser = confidence)]
+    #[arg(long, value_name = "SHARE", allow_negative_numbers = true, value_parser = confidence)]
     pub confidence: Option<Confidence>,
 
     /// Most faces round a vertex [default: 48]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub valence: Option<u32>,
 
     /// The highlight that each face has to hold, as its Blinn exponent [default: its material's, or 32]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub exponent: Option<f64>,
 
     /// The change of slope at an edge, in 8-bit steps a pixel, that shows as a Mach band [default: 0.1]
-    #[arg(long, value_name = "STEPS")]
+    #[arg(long, value_name = "STEPS", allow_negative_numbers = true)]
     pub band: Option<f64>,
 
     /// How far a normal may lean from its face before shadows break up [default: 20]
-    #[arg(long, value_name = "DEG")]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     pub terminator: Option<f64>,
 
     /// Pixels by which an outline may cut its curve [default: 1]
-    #[arg(long, value_name = "PIXELS")]
+    #[arg(long, value_name = "PIXELS", allow_negative_numbers = true)]
     pub outline: Option<f64>,
 
     /// The width of the mesh on the screen, in pixels, for outlines and bands [default: 512]
-    #[arg(long, value_name = "PIXELS")]
+    #[arg(long, value_name = "PIXELS", allow_negative_numbers = true)]
     pub size: Option<f64>,
 }
 

@@ -194,6 +194,33 @@ fn gates_end_with_1_where_something_is_found() {
     assert_eq!(code(&inspect(&["--deviation", "200", &good])), 2);
 }
 
+/// What is not told does not count, and the help says so.
+#[test]
+fn severity_hides_findings_from_the_gate() {
+    let files = folder(&[("good.obj", TRIANGLE)]);
+    let good = path(files.path().join("good.obj"));
+    assert_eq!(code(&inspect(&["--fail-on", "note", &good])), 1);
+    assert_eq!(code(&inspect(&["--fail-on", "note", "--severity", "error", &good])), 0);
+    let help = inspect(&["--help"]);
+    let said = text(&help.stdout).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(said.contains("what is not told does not count for --fail-on either"), "{said}");
+}
+
+#[test]
+fn negative_thresholds_are_answered_with_what_is_allowed() {
+    for (option, allowed) in [
+        ("--deviation", "an angle from 0 to 180 degrees, not -1"),
+        ("--length", "a number of 0 or more, not -1"),
+        ("--size", "a number of 1 or more, not -1"),
+        ("--valence", "-1 is not in 0.."),
+        ("--confidence", "0.5 to 1"),
+    ] {
+        let output = inspect(&[option, "-1", "part.obj"]);
+        let said = text(&output.stderr);
+        assert!(code(&output) == 2 && said.contains(allowed) && said.contains(option), "{option}: {said}");
+    }
+}
+
 #[test]
 fn every_finding_is_explained() {
     let all = inspect(&["--explain", "all"]);
