@@ -127,9 +127,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     Ok(Outcome {
         verdict: Verdict::HoldsOnlyIf(Text::new(
             "light or viewer are near. From 510 circumradii of a face on, flat shading of plane faces under diffuse light is right \
-             to half a step of 8 bits: only then is one colour a face all there is to see.",
+             to half a step of 8 bits by its bound, often sooner: then one colour a face is all there is to see.",
             "a luz ou o observador estão próximos. A partir de 510 circunraios da face, o sombreamento plano de faces planas sob \
-             luz difusa está certo até meio passo de 8 bits: só então uma cor por face é tudo o que há para ver.",
+             luz difusa está certo até meio passo de 8 bits por seu limite, muitas vezes antes: então uma cor por face é tudo o que \
+             há para ver.",
         )),
         moved: Moved {
             name: Text::new(

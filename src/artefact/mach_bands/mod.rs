@@ -94,6 +94,9 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         true => Worse { name: "Gouraud", shading: Shading::Gouraud, law: gouraud_jump, found: of_gouraud },
         false => Worse { name: "Phong", shading: Shading::Phong, law: phong_jump, found: of_phong },
     };
+    let is_phong_worse_at = |theta: f64| {
+        phong_jump(theta, light, tube.delta()).abs() > gouraud_jump(theta, light, tube.delta()).abs()
+    };
     // At the same edge, which the finer one has too.
     let (at, fine_line) = (worse.found.theta, fine.profile(light, worse.shading)?);
     let (of_fine, by_fine) = fine_line.slope_jump(&fine, at);
@@ -166,16 +169,22 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     charts.extend(predicted::charts(&tube, light)?);
     charts.extend(pictures::charts_of_grazing_light(&grazing)?);
     Ok(Outcome {
-        verdict: verdict(is_gouraud_worse, setup.parameters.light),
+        verdict: verdict(is_gouraud_worse, tube.edges(light).any(is_phong_worse_at), light),
         moved: Moved {
             name: Text::made(
-                format!("{}'s largest slope jump up to 60° round", worse.name),
-                format!("o maior salto de inclinação de {} até 60° de giro", worse.name),
+                format!("{}'s slope jump at the edge, up to 60° round, where it is largest", worse.name),
+                format!(
+                    "o salto de inclinação de {} na aresta, até 60° de giro, em que ele é maior",
+                    worse.name
+                ),
             ),
             unit: "1/R",
             bad: worse.found.measured.abs(),
             present: threshold(&tube),
-            cure: Text::made(format!("{FINER} times the segments"), format!("{FINER} vezes mais segmentos")),
+            cure: Text::made(
+                format!("{FINER} times the segments, at the same edge"),
+                format!("{FINER} vezes mais segmentos, na mesma aresta"),
+            ),
             cured: of_fine.abs(),
             // Jumps are of first order in the width of a facet, and of more where tangents grow.
             factor: 3.5,
@@ -206,9 +215,15 @@ struct Worse {
 /// Where cos θ_L = 1/3: from there on Phong's slope jump is the larger one at some edge.
 const DUFF: Degrees = Degrees(70.528_779_365_509_3);
 
-/// By what was measured at the edges.
-fn verdict(is_gouraud_worse: bool, light: Degrees) -> Verdict {
+/// By what was measured at the edges, and whether Phong's jump is the larger one at any of them.
+fn verdict(is_gouraud_worse: bool, is_phong_worse_somewhere: bool, light: Degrees) -> Verdict {
     match is_gouraud_worse {
+        true if light.0.abs() > DUFF.0 && !is_phong_worse_somewhere => Verdict::HoldsOnlyIf(Text::new(
+            "no edge stands where it does not. The light is more than 70.5288° off the direction of view, so that Phong's slope \
+             jump would be the larger one at an edge halfway to the light; this cylinder has none there.",
+            "nenhuma aresta está onde ela não vale. A luz está a mais de 70,5288° da direção de visão, de modo que o salto de \
+             inclinação de Phong seria o maior em uma aresta a meio caminho da luz; este cilindro não tem nenhuma ali.",
+        )),
         true if light.0.abs() > DUFF.0 => Verdict::HoldsOnlyIf(Text::new(
             "the largest jumps are compared, as they are here. The light is more than 70.5288° off the direction of view, so that at \
              some edges Phong's slope jump is the larger one already; a little farther off it is the largest of all.",

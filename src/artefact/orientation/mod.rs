@@ -198,10 +198,11 @@ fn in_triangles(name: Text, found: f64, tolerance: f64) -> Measure {
 }
 
 /// Corners are moved by up to 1/512 of a pixel each way, over colours that change along edges; and from one edge of a narrow corner
-/// to the next within a fifth of the picture's side.
+/// to the next within a fifth of the picture's side. Colours themselves are of single precision: a few roundings of them.
 fn tolerance(polygon: &Polygon, size: u32) -> f64 {
     let [change, shortest] = polygon.steepest(size);
-    4.0 * change / (256.0 * shortest.min(0.2 * f64::from(size)))
+    let snapped = 4.0 * change / (256.0 * shortest.min(0.2 * f64::from(size)));
+    snapped + 4.0 * f64::from(f32::EPSILON) * polygon.brightest()
 }
 
 /// Numbers that the law does not cover: edges shorter than a pixel are passed over by scanlines.

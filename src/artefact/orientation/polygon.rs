@@ -148,6 +148,11 @@ impl Polygon {
         })
     }
 
+    /// The largest component of a colour.
+    pub(super) fn brightest(&self) -> f64 {
+        self.colours.iter().map(|colour| colour.largest()).fold(0.0, f64::max)
+    }
+
     /// Where the horizontal line through a place leaves the polygon, turned with the place by an angle, to the left and to the
     /// right, with the colours there: by cutting each edge.
     fn ends(&self, place: DVec2, angle: Degrees) -> [Option<(f64, DVec3)>; 2] {

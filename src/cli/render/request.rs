@@ -189,6 +189,7 @@ impl<'a> Request<'a> {
         let typed = |is_typed: bool, option: &str, what: &dyn std::fmt::Display| {
             is_typed.then(|| format!("{option}: {what}"))
         };
+        let is_typed = |light: usize| !scene.light.is_empty() && light + scene.light.len() >= lights;
         match error {
             RenderError::Camera(error) => typed(scene.camera.is_some(), "--camera", error),
             RenderError::Number { what: "the background", found, expected } => {
@@ -200,7 +201,7 @@ impl<'a> Request<'a> {
                 match place {
                     // Lights that are typed stand last, ambient light first.
                     Place::Light(0) if scene.ambient.is_some() => typed(true, "--ambient", &wrong),
-                    Place::Light(number) => typed(number + scene.light.len() >= lights, "--light", &wrong),
+                    Place::Light(number) => typed(is_typed(*number), "--light", &wrong),
                     Place::Material if *field == "exponent" && shading.exponent.is_some() => {
                         typed(true, "--exponent", &wrong)
                     }
@@ -211,7 +212,7 @@ impl<'a> Request<'a> {
             // Each for itself is in range, but not what comes of them together.
             RenderError::NotFinite { error, .. } => {
                 let light = match error.light {
-                    Some(number) => (number + scene.light.len() >= lights, "--light"),
+                    Some(number) => (is_typed(number), "--light"),
                     None => (scene.ambient.is_some(), "--ambient"),
                 };
                 let options = [(scene.material.is_some(), "--material"), light];

@@ -137,7 +137,7 @@ fn check_size(file: &FileCamera) -> Result<(), ReadError> {
 /// sense is left out with a note.
 ///
 /// # Errors
-/// A camera without a size, if it would be taken.
+/// A camera without a size, or that cannot be looked through, if it would be taken.
 pub(super) fn view(
     looks: &Appearance,
     distance: impl Fn(DVec3) -> f64,
@@ -151,6 +151,11 @@ pub(super) fn view(
         let camera = camera(file, distance(file.world_from_camera.w_axis.truncate()));
         match camera.check() {
             Ok(()) => cameras.push(camera),
+            Err(error) if cameras.is_empty() => {
+                let found = format!("the camera cannot be looked through: {error}");
+                let advice = "mend it and the nodes above it, or take it out of the file";
+                return Err(ReadError::new(Problem::Range, file.place.clone(), found, advice));
+            }
             Err(error) => notes.push(left_out("camera", number, &file.name, &error)),
         }
     }

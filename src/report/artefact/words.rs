@@ -55,9 +55,18 @@ pub(super) fn role(role: Role, moved: &Moved) -> Text {
 
 /// What a number came to, and what it had to.
 pub(super) fn moved(moved: &Moved, language: Language) -> String {
+    let is_present = moved.is_present();
     let Told { name, bad, from, why, cure, cured, less, factor } = told(moved, language);
     let name = capitalised(name);
     match language {
+        Language::English if !is_present => format!(
+            "{name}: {bad}, which is no artefact: there is one from {from} on ({why}). After what cures it elsewhere ({cure}) it \
+             is {cured}."
+        ),
+        Language::Portuguese if !is_present => format!(
+            "{name}: {bad}, o que não é artefato: há um a partir de {from} ({why}). Depois do que o cura em outros casos ({cure}) \
+             fica {cured}."
+        ),
         Language::English => format!(
             "{name}: {bad} with the artefact, {cured} after the cure ({cure}): {less}. There is an artefact from \
              {from} on ({why}), and the cure has to make it {factor} times less, or less than that."

@@ -202,8 +202,9 @@ fn an_animation_takes_no_more_memory_the_longer_it_is() {
         let options = ["--size", "1000x1000", "--samples", "1", "--turntable", frames];
         peak(&[&["render", &square, "-q", "-o", &out][..], &options].concat())
     };
-    let (Some(short), Some(long)) = (turn("2"), turn("24")) else { return };
+    let (Some(short), Some(long)) = (turn("12"), turn("72")) else { return };
     let grown = long.saturating_sub(short);
-    // 32 MiB are kept, of which the short one has six; all frames would be 66 MB more.
-    assert!(grown <= 34 * MIB, "{} MiB more", grown / MIB);
+    // 32 MiB are kept, of which the short one may hold next to nothing, and allocators keep as much again at the worst; all
+    // frames would be 180 MB more.
+    assert!(grown <= 64 * MIB, "{} MiB more", grown / MIB);
 }

@@ -216,13 +216,16 @@ fn values_that_a_scene_rejects_are_errors_of_usage() {
         (&["--ambient", "1e300"], &["--ambient: colour is [1e300, "]),
         (
             &["--material", "kd=1e30", "--light", "directional towards=0,0,1 colour=1e30"],
-            &["--material: no finite"],
+            &["--material and --light: no finite"],
         ),
         (
             &["--light", "point position=0,0,0.01 colour=1e38 attenuation=inverse-square"],
             &["--light: no finite"],
         ),
-        (&["--material", "colour=1 ka=1e20 kd=0 ks=0", "--ambient", "1e20"], &["--material: no finite"]),
+        (
+            &["--material", "colour=1 ka=1e20 kd=0 ks=0", "--ambient", "1e20"],
+            &["--material and --ambient: no finite"],
+        ),
         (&["--probe", "641,0"], &["--probe 641,0", "640x480", "639,479"]),
         (&["--probe", "3,4", "--shading", "wireframe"], &["--probe", "a wireframe has none"]),
         (&["--compare", "flat,phong", "--size", "16384x16384"], &["--compare", "1 to 16384"]),

@@ -228,12 +228,13 @@ fn cameras_without_a_size_are_refused_with_their_place() {
         (perspective.to_owned(), "yfov is 0"),
         (perspective.replace(r#""yfov": 0"#, r#""yfov": -0.5"#), "yfov is -0.5"),
         (perspective.replace(r#""yfov": 0"#, r#""yfov": 3.2"#), "yfov is 3.2"),
+        (perspective.replace(r#"0, "znear": 0.1"#, r#"1, "znear": 0"#), "near distance"),
     ] {
         let text = square_text("", MATTE, "");
         assert!(text.contains(lens));
         let error = from_text(text.replace(lens, &faulty)).unwrap_err().to_string();
         assert!(
-            error.contains("/cameras/0") && error.contains(field) && error.contains("take the"),
+            error.contains("/cameras/0") && error.contains(field) && error.contains("out of the file"),
             "{error}"
         );
         // What is never looked through does no harm.
