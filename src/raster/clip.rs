@@ -65,8 +65,8 @@ pub(super) fn clip<A: Mix>(
                 spare.push(from);
             }
             match (a >= 0.0, b >= 0.0) {
-                (true, false) => spare.push(crossing(view, plane, from, to, a / (a - b))),
-                (false, true) => spare.push(crossing(view, plane, to, from, b / (b - a))),
+                (true, false) => spare.push(crossing(view, plane, from, to, [a, b])),
+                (false, true) => spare.push(crossing(view, plane, to, from, [b, a])),
                 _ => {}
             }
         }
@@ -81,18 +81,27 @@ pub(super) fn clip_line(view: &View, [mut a, mut b]: [ViewPoint; 2]) -> Option<[
         match (at_a >= 0.0, at_b >= 0.0) {
             (true, true) => {}
             (false, false) => return None,
-            (true, false) => b = crossing_point(view, plane, a, b, at_a / (at_a - at_b)),
-            (false, true) => a = crossing_point(view, plane, b, a, at_b / (at_b - at_a)),
+            (true, false) => b = crossing_point(view, plane, a, b, [at_a, at_b]),
+            (false, true) => a = crossing_point(view, plane, b, a, [at_b, at_a]),
         }
     }
     Some([a, b])
 }
 
-/// Where an edge leaves the half-space of a plane, `t` of the way from its inner end: exactly on the plane, whatever
+/// Where an edge leaves the half-space of a plane, by how far its ends are inside of it: exactly on the plane, whatever
 /// rounding did.
-fn crossing_point(view: &View, plane: usize, p: ViewPoint, q: ViewPoint, t: f64) -> ViewPoint {
+fn crossing_point(
+    view: &View,
+    plane: usize,
+    p: ViewPoint,
+    q: ViewPoint,
+    [inner, outer]: [f64; 2],
+) -> ViewPoint {
+    let t = inner / (inner - outer);
     let mix = |a: f64, b: f64| a + (b - a) * t;
-    let mut point = ViewPoint { x: mix(p.x, q.x), y: mix(p.y, q.y), z: mix(p.z, q.z), h: mix(p.h, q.h) };
+    // A sum of numbers above 0: a point 10¹⁶ times as far away as the other would leave nothing of a difference.
+    let h = (inner * q.h - outer * p.h) / (inner - outer);
+    let mut point = ViewPoint { x: mix(p.x, q.x), y: mix(p.y, q.y), z: mix(p.z, q.z), h };
     let guard = f64::from(GUARD) * point.h;
     match plane {
         NEAR => {
@@ -107,18 +116,20 @@ fn crossing_point(view: &View, plane: usize, p: ViewPoint, q: ViewPoint, t: f64)
     point
 }
 
-/// The corner where an edge leaves the half-space of a plane, `t` of the way from its inner end.
+/// The corner where an edge leaves the half-space of a plane, by how far its ends are inside of it.
 fn crossing<A: Mix>(
     view: &View,
     plane: usize,
     inner: ClipVertex<A>,
     outer: ClipVertex<A>,
-    t: f64,
+    inside: [f64; 2],
 ) -> ClipVertex<A> {
-    let point = crossing_point(view, plane, inner.point, outer.point, t);
+    let point = crossing_point(view, plane, inner.point, outer.point, inside);
+    let [a, b] = inside;
+    let t = a / (a - b);
     // The new corners at the near plane are corners of what is drawn; those at the guard band are not, so there the
     // interpolation on the picture must not notice them.
-    let s = if plane == NEAR { t } else { t * outer.point.h / point.h };
+    let s = if plane == NEAR { t } else { a * outer.point.h / (a * outer.point.h - b * inner.point.h) };
     ClipVertex { point, attribute: inner.attribute.mix(outer.attribute, t, s) }
 }
 

@@ -54,6 +54,23 @@ fn wild_triangles_are_drawn_or_clipped() {
     }
 }
 
+/// A triangle from behind the eye to where depths differ by more than a double has digits.
+#[test]
+fn a_triangle_from_behind_the_eye_to_the_horizon_is_drawn() {
+    for far in [1e10, 1e13, 1e14, 1e16, 1e18, 1e25, 1e30] {
+        let corners = [DVec3::new(0.75, 1.1, 16.0), DVec3::new(-0.2, -1.9, 0.0), DVec3::new(0.0, 1.0, -far)];
+        let model = Model::new(corners.to_vec(), Faces::triangles(vec![0, 1, 2]));
+        for interpolation in [Interpolation::Scanline, Interpolation::Affine, Interpolation::Perspective] {
+            let settings = RenderSettings { shading: Shading::Phong, interpolation, ..linear([64, 48]) };
+            let scene = lit(vec![model.object()]);
+            let camera = Camera { eye: DVec3::new(0.0, 0.0, 6.0), target: DVec3::ZERO, ..scene.camera };
+            let image = render(&Scene { camera, ..scene }, &settings).unwrap();
+            assert!(image.statistics.covered_pixels > 300, "{far:e} {interpolation:?}");
+            assert!(image.linear.unwrap().as_flattened().iter().all(|c| c.is_finite()));
+        }
+    }
+}
+
 /// Every pixel that a wild triangle does not take shows what it shows without it.
 #[test]
 fn wild_triangles_leave_other_pixels_alone() {
