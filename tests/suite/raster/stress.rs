@@ -6,7 +6,7 @@ use crate::random::Random;
 use crease::io::{ReadOptions, read};
 use crease::mesh::Faces;
 use crease::normals::{NormalRecipe, compute};
-use crease::num::LinearRgb;
+use crease::num::{Degrees, LinearRgb};
 use crease::raster::{
     Camera, CameraError, Interpolation, LinePath, LineStyle, Lines, Object, Paint, Projection, RenderError,
     RenderSettings, Samples, Scene, Shading, Shape, Triangles, default_lights, probe, render,
@@ -62,9 +62,16 @@ fn a_triangle_from_behind_the_eye_to_the_horizon_is_drawn() {
         let model = Model::new(corners.to_vec(), Faces::triangles(vec![0, 1, 2]));
         for interpolation in [Interpolation::Scanline, Interpolation::Affine, Interpolation::Perspective] {
             let settings = RenderSettings { shading: Shading::Phong, interpolation, ..linear([64, 48]) };
-            let scene = lit(vec![model.object()]);
-            let camera = Camera { eye: DVec3::new(0.0, 0.0, 6.0), target: DVec3::ZERO, ..scene.camera };
-            let image = render(&Scene { camera, ..scene }, &settings).unwrap();
+            // A near distance as one has it who looks at what is near, not at the horizon.
+            let camera = Camera {
+                eye: DVec3::new(0.0, 0.0, 6.0),
+                target: DVec3::ZERO,
+                up: DVec3::Y,
+                projection: Projection::Perspective(Degrees(25.0).into()),
+                near: 0.006,
+            };
+            let lights = default_lights(&camera).to_vec();
+            let image = render(&Scene { camera, lights, ..scene(vec![model.object()]) }, &settings).unwrap();
             assert!(image.statistics.covered_pixels > 300, "{far:e} {interpolation:?}");
             assert!(image.linear.unwrap().as_flattened().iter().all(|c| c.is_finite()));
         }
