@@ -227,6 +227,8 @@ impl Binning<'_> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Piece {
     pub(super) vertices: [ScreenVertex; 3],
+    /// The nearness of its corners, in perspective.
+    pub(super) nearness: [f32; 3],
     /// What each of its corners has of the corners of the whole.
     pub(super) shares: [Shares; 3],
 }
@@ -255,14 +257,13 @@ impl Clipper {
             attribute: Shares::of_corner(k),
         }));
         clip(view, planes, &mut self.polygon, &mut self.spare);
-        let corner = |vertex: &ClipVertex<Shares>| (screen_vertex(view, vertex.point), vertex.attribute);
         if let Some((first, rest)) = self.polygon.split_first() {
-            let a = corner(first);
             for pair in rest.windows(2) {
-                let [b, c] = [0, 1].map(|k| corner(&pair[k]));
-                let vertices = [a.0, b.0, c.0];
+                let corners = [first, &pair[0], &pair[1]];
+                let vertices = corners.map(|corner| screen_vertex(view, corner.point));
                 if double_area(&vertices) != 0.0 {
-                    self.pieces.push(Piece { vertices, shares: [a.1, b.1, c.1] });
+                    let nearness = corners.map(|corner| view.nearness(corner.point.z) as f32);
+                    self.pieces.push(Piece { vertices, nearness, shares: corners.map(|c| c.attribute) });
                 }
             }
         }

@@ -9,8 +9,8 @@ use super::view::{View, ViewPoint};
 
 /// What a corner carries along.
 pub(super) trait Mix: Copy {
-    /// The value on the way to another: `t` of the way in the scene, `s` of the way on the picture.
-    fn mix(self, other: Self, t: f64, s: f64) -> Self;
+    /// The value on the way to another, by the shares of the two in the scene and on the picture.
+    fn mix(self, other: Self, scene: [f64; 2], picture: [f64; 2]) -> Self;
 }
 
 /// Shares of a triangle's three corners in a point of it.
@@ -33,9 +33,13 @@ impl Shares {
 }
 
 impl Mix for Shares {
-    fn mix(self, other: Self, t: f64, s: f64) -> Self {
-        let mix = |a: [f64; 3], b: [f64; 3], t: f64| [0, 1, 2].map(|k| a[k] + (b[k] - a[k]) * t);
-        Self { scene: mix(self.scene, other.scene, t), picture: mix(self.picture, other.picture, s) }
+    fn mix(self, other: Self, scene: [f64; 2], picture: [f64; 2]) -> Self {
+        let mix =
+            |a: [f64; 3], b: [f64; 3], [of_a, of_b]: [f64; 2]| [0, 1, 2].map(|k| a[k] * of_a + b[k] * of_b);
+        Self {
+            scene: mix(self.scene, other.scene, scene),
+            picture: mix(self.picture, other.picture, picture),
+        }
     }
 }
 
@@ -88,20 +92,20 @@ pub(super) fn clip_line(view: &View, [mut a, mut b]: [ViewPoint; 2]) -> Option<[
     Some([a, b])
 }
 
+/// The shares of an edge's ends in the point where it leaves a half-space, by how far they are inside of it. Each keeps
+/// its digits however small it is: of an end 10²⁰ times as far out as the other that is what the place depends on.
+fn shares_of_ends([inner, outer]: [f64; 2]) -> [f64; 2] {
+    // Halved: the sum of two large numbers is none any more.
+    let (inner, outer) = (0.5 * inner, -0.5 * outer);
+    [outer / (inner + outer), inner / (inner + outer)]
+}
+
 /// Where an edge leaves the half-space of a plane, by how far its ends are inside of it: exactly on the plane, whatever
 /// rounding did.
-fn crossing_point(
-    view: &View,
-    plane: usize,
-    p: ViewPoint,
-    q: ViewPoint,
-    [inner, outer]: [f64; 2],
-) -> ViewPoint {
-    let t = inner / (inner - outer);
-    let mix = |a: f64, b: f64| a + (b - a) * t;
-    // A sum of numbers above 0: a point 10¹⁶ times as far away as the other would leave nothing of a difference.
-    let h = (inner * q.h - outer * p.h) / (inner - outer);
-    let mut point = ViewPoint { x: mix(p.x, q.x), y: mix(p.y, q.y), z: mix(p.z, q.z), h };
+fn crossing_point(view: &View, plane: usize, p: ViewPoint, q: ViewPoint, inside: [f64; 2]) -> ViewPoint {
+    let [of_p, of_q] = shares_of_ends(inside);
+    let mix = |a: f64, b: f64| a * of_p + b * of_q;
+    let mut point = ViewPoint { x: mix(p.x, q.x), y: mix(p.y, q.y), z: mix(p.z, q.z), h: mix(p.h, q.h) };
     let guard = f64::from(GUARD) * point.h;
     match plane {
         NEAR => {
@@ -125,12 +129,17 @@ fn crossing<A: Mix>(
     inside: [f64; 2],
 ) -> ClipVertex<A> {
     let point = crossing_point(view, plane, inner.point, outer.point, inside);
-    let [a, b] = inside;
-    let t = a / (a - b);
+    let scene = shares_of_ends(inside);
     // The new corners at the near plane are corners of what is drawn; those at the guard band are not, so there the
     // interpolation on the picture must not notice them.
-    let s = if plane == NEAR { t } else { a * outer.point.h / (a * outer.point.h - b * inner.point.h) };
-    ClipVertex { point, attribute: inner.attribute.mix(outer.attribute, t, s) }
+    let picture = match plane {
+        NEAR => scene,
+        _ => {
+            let farthest = inner.point.h.max(outer.point.h);
+            shares_of_ends([inside[0] * (outer.point.h / farthest), inside[1] * (inner.point.h / farthest)])
+        }
+    };
+    ClipVertex { point, attribute: inner.attribute.mix(outer.attribute, scene, picture) }
 }
 
 /// A clipped corner on the picture.

@@ -2,7 +2,7 @@
 
 use super::coverage::place;
 use super::fixed::BITS;
-use super::records::Record;
+use super::records::{Record, parts};
 use super::view::Rays;
 use crate::num::{Kernel, Lanes};
 
@@ -25,8 +25,8 @@ pub(super) struct Interpolate<'a> {
     pub(super) seen: &'a [Seen],
     /// The sample of the tile's first pixel, in 256ths of a pixel of the picture.
     pub(super) origin: [i32; 2],
-    /// Weigh by 1/w, which is depth with this level; not at all if there is none.
-    pub(super) level: Option<f64>,
+    /// Weigh by nearness.
+    pub(super) perspective: bool,
     pub(super) out: &'a mut [Row; 3],
 }
 
@@ -40,10 +40,10 @@ impl Kernel for Interpolate<'_> {
     /// within the hull of those at the corners up to rounding.
     #[inline(always)]
     fn run<A: Lanes>(self, _: A) {
-        let Self { records, seen, origin, level, out } = self;
+        let Self { records, seen, origin, perspective, out } = self;
         let mut x = [[0_i32; LANES]; 3];
         let mut y = [[0_i32; LANES]; 3];
-        let mut depth = [[0.0_f32; LANES]; 3];
+        let mut nearness = [[0.0_f32; LANES]; 3];
         let mut values = [[[0.0_f32; LANES]; 3]; 3];
         for (block, seen) in seen.chunks(LANES).enumerate() {
             for (lane, seen) in seen.iter().enumerate().take(LANES) {
@@ -53,7 +53,7 @@ impl Kernel for Interpolate<'_> {
                 for k in 0..3 {
                     x[k][lane] = record.x[k] - px;
                     y[k][lane] = record.y[k] - py;
-                    depth[k][lane] = record.depth[k];
+                    nearness[k][lane] = record.nearness[k];
                     let value = record.values[k];
                     (values[k][0][lane], values[k][1][lane], values[k][2][lane]) =
                         (value.x, value.y, value.z);
@@ -61,13 +61,12 @@ impl Kernel for Interpolate<'_> {
             }
             let mut weights = [[0.0_f32; LANES]; 3];
             for lane in 0..LANES {
-                let at = |k: usize| (f64::from(x[k][lane]), f64::from(y[k][lane]));
-                let ((x0, y0), (x1, y1), (x2, y2)) = (at(0), at(1), at(2));
-                let (mut w0, mut w1, mut w2) = (x1 * y2 - x2 * y1, x2 * y0 - x0 * y2, x0 * y1 - x1 * y0);
-                if let Some(level) = level {
-                    w0 *= f64::from(depth[0][lane]) + level;
-                    w1 *= f64::from(depth[1][lane]) + level;
-                    w2 *= f64::from(depth[2][lane]) + level;
+                let [mut w0, mut w1, mut w2] =
+                    parts([x[0][lane], x[1][lane], x[2][lane]], [y[0][lane], y[1][lane], y[2][lane]]);
+                if perspective {
+                    w0 *= f64::from(nearness[0][lane]);
+                    w1 *= f64::from(nearness[1][lane]);
+                    w2 *= f64::from(nearness[2][lane]);
                 }
                 let per_sum = 1.0 / ((w0 + w1) + w2);
                 weights[0][lane] = (w0 * per_sum) as f32;
@@ -93,6 +92,8 @@ pub(super) struct Positions<'a> {
     pub(super) rays: &'a Rays,
     pub(super) seen: &'a [Seen],
     pub(super) depth: &'a [f32],
+    /// What is seen, where depths are not what [`Rays::distance`] takes.
+    pub(super) records: Option<&'a [Record]>,
     pub(super) origin: [i32; 2],
     pub(super) out: &'a mut [Row; 3],
 }
@@ -102,14 +103,17 @@ impl Kernel for Positions<'_> {
 
     #[inline(always)]
     fn run<A: Lanes>(self, _: A) {
-        let Self { rays, seen, depth, origin, out } = self;
+        let Self { rays, seen, depth, records, origin, out } = self;
         let mut rows = [[0.0_f32; BATCH]; 3];
         let [xs, ys, depths] = &mut rows;
         for (lane, seen) in seen.iter().enumerate().take(BATCH) {
             let [column, row] = place(usize::from(seen.pixel)).map(|n| n as i32);
-            xs[lane] = (origin[0] + (column << BITS)) as f32;
-            ys[lane] = (origin[1] + (row << BITS)) as f32;
-            depths[lane] = depth[usize::from(seen.pixel)];
+            let at = [origin[0] + (column << BITS), origin[1] + (row << BITS)];
+            [xs[lane], ys[lane]] = at.map(|n| n as f32);
+            depths[lane] = match records {
+                None => depth[usize::from(seen.pixel)],
+                Some(records) => records[seen.record as usize].nearness_at(at),
+            };
         }
         let (start, direction) = (rays.start.map(|v| v.to_array()), rays.direction.map(|v| v.to_array()));
         let per_pixel = 1.0 / (1 << BITS) as f32;

@@ -90,7 +90,11 @@ impl TileList {
     pub(super) fn record(&self, job: &Job, owner: u32) -> Record {
         match self.look_up(job, owner) {
             Owner::Triangle { object, triangle, corners } => {
-                Record::new(job, &job.drawn[object], triangle, &corners)
+                let mut record = Record::new(job, &job.drawn[object], triangle, &corners);
+                if let Some(piece) = self.piece(owner) {
+                    record.nearness = piece.nearness;
+                }
+                record
             }
             Owner::Cast(object) => Record::cast(object),
         }

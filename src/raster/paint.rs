@@ -227,6 +227,7 @@ impl Painter {
                         rays: &job.rays,
                         seen,
                         depth,
+                        records: job.view.has_level().then_some(records),
                         origin,
                         out: &mut self.positions,
                     });
@@ -253,13 +254,13 @@ impl Painter {
             } else if job.settings.show != Show::Shaded {
                 for (lane, seen) in seen.iter().enumerate() {
                     let at = |rows: &[Row; 3]| Vec3::new(rows[0][lane], rows[1][lane], rows[2][lane]);
-                    let record = &records[seen.record as usize];
                     let sample = show::Sample {
-                        record,
-                        front: hits.map_or(record.front, |hits| hits.at(seen.pixel).front),
+                        record: &records[seen.record as usize],
+                        hit: hits.map(|hits| hits.at(seen.pixel)),
                         value: at(values),
                         position: at(positions),
                         depth: depth[usize::from(seen.pixel)],
+                        at: tile.place(*seen),
                     };
                     let colour = show::colour(job, prepared, &sample).to_array();
                     colours.iter_mut().zip(colour).for_each(|(row, component)| row[lane] = component);
@@ -289,17 +290,15 @@ impl Painter {
         }
         // In a parallel projection the picture is the scene seen from far away: nothing to correct.
         let perspective = job.settings.interpolation == Interpolation::Perspective && job.view.perspective;
-        let level = perspective.then_some(job.view.level);
-        num::dispatch(Interpolate { records, seen, origin, level, out: &mut self.values });
+        num::dispatch(Interpolate { records, seen, origin, perspective, out: &mut self.values });
         if self.polygons.is_empty() {
             return;
         }
         for (lane, seen) in seen.iter().enumerate() {
             let face = records[seen.record as usize].face;
             let Ok(found) = self.polygons.binary_search_by_key(&face, |&(face, _)| face) else { continue };
-            let [column, row] = place(usize::from(seen.pixel)).map(|n| n as i32);
-            let at = [origin[0] + (column << BITS), origin[1] + (row << BITS)];
-            let value = self.polygons[found].1.value(at.map(|n| f64::from(n) / f64::from(ONE)));
+            let at = tile.place(*seen).map(|n| f64::from(n) / f64::from(ONE));
+            let value = self.polygons[found].1.value(at);
             self.values.iter_mut().zip(value.to_array()).for_each(|(row, value)| row[lane] = value as f32);
         }
     }
@@ -314,11 +313,17 @@ impl Painter {
     }
 }
 
+impl Tile<'_> {
+    /// Where a sample is, in 256ths of a pixel of the picture.
+    fn place(&self, seen: Seen) -> [i32; 2] {
+        let [column, row] = place(usize::from(seen.pixel)).map(|n| n as i32);
+        [self.origin[0] + (column << BITS), self.origin[1] + (row << BITS)]
+    }
+}
+
 /// Where a sample sees an object, in the frame of the shaders, before depth and corners are rounded.
 fn seen_exactly(job: &Job, object: usize, tile: &Tile, seen: Seen) -> DVec3 {
-    let [column, row] = place(usize::from(seen.pixel)).map(|n| n as i32);
-    let at = [tile.origin[0] + (column << BITS), tile.origin[1] + (row << BITS)];
-    let at = at.map(|n| f64::from(n) / f64::from(ONE));
+    let at = tile.place(seen).map(|n| f64::from(n) / f64::from(ONE));
     let from_eye = match job.drawn.iter().find(|drawn| drawn.object == object) {
         Some(drawn) => {
             let triangle = tile.records[seen.record as usize].vertices;

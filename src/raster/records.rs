@@ -17,7 +17,8 @@ pub(super) struct Record {
     /// Its corners on the picture.
     pub(super) x: [i32; 3],
     pub(super) y: [i32; 3],
-    pub(super) depth: [f32; 3],
+    /// Their [nearness](super::view::View::nearness), in perspective.
+    pub(super) nearness: [f32; 3],
     /// What is interpolated, at each corner: a normal or a colour.
     pub(super) values: [Vec3; 3],
     /// Its vertices.
@@ -38,12 +39,20 @@ impl Record {
     #[inline(always)]
     pub(super) fn new(job: &Job, object: &DrawnObject, triangle: u32, v: &[ScreenVertex; 3]) -> Self {
         let front = (double_area(v) < 0.0) != object.mirrored;
+        let vertices = object.list.vertices(triangle);
+        let nearness = match job.view.has_level() {
+            false => v.map(|v| v.depth),
+            true => vertices.map(|vertex| {
+                let point = object.map.view(object.points.get(vertex));
+                job.view.nearness(point.z) as f32
+            }),
+        };
         Self {
             x: v.map(|v| v.x),
             y: v.map(|v| v.y),
-            depth: v.map(|v| v.depth),
+            nearness,
             values: [Vec3::ZERO; 3],
-            vertices: object.list.vertices(triangle),
+            vertices,
             triangle,
             face: object.list.face(triangle),
             object: object.object as u32,
@@ -57,7 +66,7 @@ impl Record {
         Self {
             x: [0; 3],
             y: [0; 3],
-            depth: [0.0; 3],
+            nearness: [1.0; 3],
             values: [Vec3::ZERO; 3],
             vertices: [0; 3],
             triangle: 0,
@@ -67,6 +76,24 @@ impl Record {
             turned: false,
         }
     }
+
+    /// The nearness of its point at a sample.
+    pub(super) fn nearness_at(&self, [x, y]: [i32; 2]) -> f32 {
+        let parts = parts(self.x.map(|corner| corner - x), self.y.map(|corner| corner - y));
+        let sum = |of: [f32; 3]| {
+            parts[0] * f64::from(of[0]) + parts[1] * f64::from(of[1]) + parts[2] * f64::from(of[2])
+        };
+        (sum(self.nearness) / sum([1.0; 3])) as f32
+    }
+}
+
+/// Twice the signed areas of the parts into which the origin cuts a triangle, opposite to each corner: the shares of its
+/// corners. Exact in doubles for coordinates of 25 bits.
+#[inline(always)]
+pub(super) fn parts(x: [i32; 3], y: [i32; 3]) -> [f64; 3] {
+    let at = |k: usize| (f64::from(x[k]), f64::from(y[k]));
+    let ((x0, y0), (x1, y1), (x2, y2)) = (at(0), at(1), at(2));
+    [x1 * y2 - x2 * y1, x2 * y0 - x0 * y2, x0 * y1 - x1 * y0]
 }
 
 /// What is wanted at each sample.

@@ -9,8 +9,8 @@ use super::view::{View, ViewPoint};
 use glam::DVec3;
 
 impl Mix for DVec3 {
-    fn mix(self, other: Self, t: f64, _: f64) -> Self {
-        self + (other - self) * t
+    fn mix(self, other: Self, [of_self, of_other]: [f64; 2], _: [f64; 2]) -> Self {
+        self * of_self + other * of_other
     }
 }
 

@@ -1,5 +1,6 @@
 //! What is shown in place of shaded colours: normals, sides, distances, faces, deviations.
 
+use super::cast::CastHit;
 use super::job::{Job, Prepared};
 use super::records::Record;
 use super::settings::Show;
@@ -9,13 +10,31 @@ use glam::{DVec3, Vec3};
 /// A sample that is seen.
 pub(super) struct Sample<'a> {
     pub(super) record: &'a Record,
-    /// Whether the front is seen.
-    pub(super) front: bool,
+    /// What its ray hit, if it was cast.
+    pub(super) hit: Option<&'a CastHit>,
     /// Its normal, of any length.
     pub(super) value: Vec3,
     /// Relative to the eye, in units of the frame; only for deviations from an analytic surface.
     pub(super) position: Vec3,
     pub(super) depth: f32,
+    /// Its place on the picture, in 256ths of a pixel.
+    pub(super) at: [i32; 2],
+}
+
+impl Sample<'_> {
+    fn is_front(&self) -> bool {
+        self.hit.map_or(self.record.front, |hit| hit.front)
+    }
+
+    /// Distance along the camera's axis.
+    fn distance(&self, job: &Job) -> f64 {
+        let distance = match self.hit {
+            Some(hit) => hit.position.as_dvec3().dot(job.view.axes[2]),
+            None if job.view.has_level() => f64::from(job.rays.distance(self.record.nearness_at(self.at))),
+            None => f64::from(job.rays.distance(self.depth)),
+        };
+        distance * job.frame.unit
+    }
 }
 
 const FRONT: Vec3 = Vec3::new(0.05, 0.6, 0.1);
@@ -27,12 +46,11 @@ pub(super) fn colour(job: &Job, object: &Prepared, sample: &Sample) -> Vec3 {
         // Shaded samples do not come here: the values of their rows are their colours.
         Show::Shaded => sample.value,
         Show::Normals => (sample.value.normalize_or_zero() + 1.0) * 0.5,
-        Show::Facing if sample.front => FRONT,
+        Show::Facing if sample.is_front() => FRONT,
         Show::Facing => BACK,
         Show::Depth => {
-            let distance = f64::from(job.rays.distance(sample.depth)) * job.frame.unit;
             let [low, high] = job.distances;
-            Vec3::splat(((high - distance) / (high - low)).clamp(0.0, 1.0) as f32)
+            Vec3::splat(((high - sample.distance(job)) / (high - low)).clamp(0.0, 1.0) as f32)
         }
         Show::FaceId => face_colour(sample.record.object, sample.record.face),
         Show::Deviation(full) => {

@@ -10,6 +10,9 @@ use glam::{DMat3, DMat4, DVec3, Vec3};
 /// distances is equally far.
 const FARTHEST: f64 = f32::MIN_POSITIVE as f64;
 
+/// The largest depth in a parallel projection: single precision has room for differences of two.
+const DEEPEST: f64 = 1e38;
+
 /// A camera that is more than this many heights of what it shows away from its target sees it through so narrow an angle
 /// that depths from the eye would be nearly alike: they are counted from the target instead.
 const FAR: f64 = 64.0;
@@ -33,8 +36,11 @@ pub(super) struct View {
     /// The distance at which depth is 1 in perspective and 0 in a parallel projection, before the level is taken off: the
     /// near one, unless that is next to nothing, or that of the target if the camera is [`FAR`] from it.
     depth_from: f64,
-    /// What is taken off depth so that it keeps its digits: 0, or in a narrow perspective the depth of the target, 1.
-    pub(super) level: f64,
+    /// What is taken off depth so that it keeps its digits: 0, or in a narrow perspective the depth of the target, 1. What
+    /// is more than 10⁷ times as far away as that is then equally far.
+    level: f64,
+    /// How far away the target is.
+    distance: f64,
     /// How far behind a surface is little, at the most: a distance that a camera which is not far from its target has.
     pub(super) reach: f64,
     pub(super) perspective: bool,
@@ -79,6 +85,7 @@ impl View {
             near,
             depth_from,
             level,
+            distance,
             reach: FAR * shown,
             perspective,
             size,
@@ -90,14 +97,26 @@ impl View {
         self.size.map(|n| 0.5 * f64::from(n))
     }
 
-    /// Depth as it is compared: larger is nearer. In perspective a share of 1/z, which is linear on the picture and, with
-    /// the level, is what perspective-correct interpolation needs; else linear in z.
+    /// Depth as it is compared: larger is nearer. In perspective [`nearness`](Self::nearness) less the level, which is
+    /// linear on the picture; else linear in z.
     #[inline(always)]
     pub(super) fn depth(&self, z: f64) -> f64 {
         match self.perspective {
-            true => (self.depth_from / z).clamp(FARTHEST, MOST_RATIO) - self.level,
-            false => (self.depth_from - z) * self.scale,
+            true => self.nearness(z) - self.level,
+            false => ((self.depth_from - z) * self.scale).clamp(-DEEPEST, DEEPEST),
         }
+    }
+
+    /// A share of 1/z, never 0: what perspective-correct interpolation weighs by.
+    #[inline(always)]
+    pub(super) fn nearness(&self, z: f64) -> f64 {
+        (self.depth_from / z).clamp(FARTHEST, MOST_RATIO)
+    }
+
+    /// Whether depth in perspective is not nearness, but has lost the digits of what is far behind the target.
+    #[inline(always)]
+    pub(super) fn has_level(&self) -> bool {
+        self.level != 0.0
     }
 
     /// A point of view space on the picture, in pixels from the upper left corner.
@@ -147,6 +166,9 @@ impl Camera {
     }
 }
 
+/// How many times farther away than the target a pivot may be: it takes 10 of the 53 bits of what is there.
+const FAR_PIVOT: f64 = 1024.0;
+
 /// The way from an object's own space to view space and to the scene's axes about the eye.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ObjectMap {
@@ -182,10 +204,15 @@ impl ObjectMap {
         }
     }
 
-    /// The way of points near this one, which is the pivot unless differences from it are beyond the range of numbers.
+    /// The way of points near this one, which is the pivot, unless it is so far off that differences from it would lose
+    /// the digits of points near the eye: then the eye is.
     pub(super) fn about(view: &View, transform: DMat4, point: DVec3) -> Self {
-        let is_near = point.abs().max_element() < 0.25 * f64::MAX;
-        Self::new(view, transform, if is_near { point } else { DVec3::ZERO })
+        let away = transform.transform_point3(point) - view.eye;
+        if away.abs().max_element() <= FAR_PIVOT * view.distance {
+            return Self::new(view, transform, point);
+        }
+        let eye = transform.inverse().transform_point3(view.eye);
+        Self::new(view, transform, if eye.is_finite() { eye } else { DVec3::ZERO })
     }
 
     /// A point of the object in view space.
@@ -211,14 +238,13 @@ impl ObjectMap {
 }
 
 /// The same rays as [`View::ray`], in single precision for rows of pixels and in a unit of length of their own: a point
-/// at depth `d` is `start + distance · direction`, each linear on the picture.
+/// at a distance is `start + distance · direction`, each linear on the picture.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rays {
     /// At the picture's upper left corner, and per pixel to the right and down.
     pub(super) start: [Vec3; 3],
     pub(super) direction: [Vec3; 3],
     depth_from: f32,
-    level: f32,
     /// Units of length per unit of depth, in a parallel projection.
     per_depth: f32,
     perspective: bool,
@@ -232,18 +258,17 @@ impl Rays {
             start: rows(corner.0 / unit, right.0 / unit, below.0 / unit),
             direction: rows(corner.1, right.1, below.1),
             depth_from: (view.depth_from / unit) as f32,
-            level: view.level as f32,
             per_depth: (1.0 / (view.scale * unit)) as f32,
             perspective: view.perspective,
         }
     }
 
-    /// Distance along the axis of a point of this depth.
+    /// Distance along the axis of a point of this [nearness](View::nearness) or, in a parallel projection, depth.
     #[inline(always)]
     pub(super) fn distance(&self, depth: f32) -> f32 {
         // Beyond its reach single precision has no squares of distances.
         match self.perspective {
-            true => (self.depth_from / (depth + self.level)).min(REACH),
+            true => (self.depth_from / depth).min(REACH),
             false => self.depth_from - depth * self.per_depth,
         }
     }

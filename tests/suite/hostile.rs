@@ -17,7 +17,7 @@ use std::time::Duration;
 /// Far longer than anything here takes: whoever needs it hangs.
 const PATIENCE: Duration = Duration::from_secs(300);
 
-fn is_long() -> bool {
+pub fn is_long() -> bool {
     std::env::var_os("CREASE_LONG").is_some_and(|value| value == "1")
 }
 

@@ -1,6 +1,7 @@
 //! The rasterizer: coverage, interpolation, shading and what must not change them.
 
 mod coverage;
+mod extremes;
 mod interpolation;
 mod probe;
 mod shading;
