@@ -1,6 +1,6 @@
 //! What files say about looks: materials, cameras and lights, as plain data for whoever draws them.
 
-use super::{Document, Loaded, Note, Place, dispatch, gltf};
+use super::{Document, Loaded, Note, Place, ReadError, dispatch, gltf};
 use glam::DMat4;
 
 /// Materials, cameras and lights of a file.
@@ -9,8 +9,8 @@ pub struct Appearance {
     /// The materials that the labels of faces ([`Columns::materials`](crate::mesh::Columns::materials)) name, each
     /// name once; materials that no library defines are missing.
     pub materials: Vec<FileMaterial>,
-    /// Cameras of the default scene, in the order of the node tree.
-    pub cameras: Vec<FileCamera>,
+    /// Cameras of the default scene, in the order of the node tree; an error for each that the format does not allow.
+    pub cameras: Vec<Result<FileCamera, ReadError>>,
     /// Lights of the default scene, in the order of the node tree.
     pub lights: Vec<FileLight>,
     /// What could not be understood; it counts as if it were not there.

@@ -160,7 +160,8 @@ pub struct ShadingArgs {
 #[derive(Args)]
 #[command(next_help_heading = "Scene")]
 pub struct SceneArgs {
-    /// Change the camera [default: it frames the mesh, 30° from top to bottom]
+    /// Change the camera; one of a glTF file that makes no sense is then left out, and no error [default: it frames the
+    /// mesh, 30° from top to bottom]
     #[arg(long, value_name = "CAMERA", value_parser = fields::camera)]
     pub camera: Option<CameraChange>,
 

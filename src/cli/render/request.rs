@@ -84,6 +84,7 @@ impl<'a> Request<'a> {
                 },
                 // Options override what a scene says.
                 when: args.normals.when.or(args.normals.are_typed().then(When::default)),
+                from_elsewhere: args.scene.camera.is_some(),
                 read: ReadOptions {
                     root: args.output.root.clone(),
                     non_finite: if args.output.force { NonFinite::DropFaces } else { NonFinite::Refuse },

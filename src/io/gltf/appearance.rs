@@ -1,16 +1,11 @@
-//! Materials, cameras and lights, by the typed view of the `gltf` crate.
+//! Materials, cameras and lights; materials and lights by the typed view of the `gltf` crate.
 
-use super::GltfDocument;
 use super::fields::{At, Fields};
 use super::json::{Json, Kind, Value};
-use super::nodes;
+use super::{GltfDocument, camera, nodes};
 use crate::io::appearance::as_written;
-use crate::io::{
-    Appearance, FileCamera, FileLight, FileLightKind, FileMaterial, FileProjection, FileReflection, Note,
-    Place,
-};
+use crate::io::{Appearance, FileLight, FileLightKind, FileMaterial, FileReflection, Note, Place};
 use glam::DMat4;
-use gltf::json::camera::{Camera, Type as CameraType};
 use gltf::json::extensions::scene::khr_lights_punctual::{Light, Type as LightType};
 use gltf::json::material::Material;
 use gltf::json::validation::Checked;
@@ -18,7 +13,7 @@ use serde::de::DeserializeOwned;
 
 const LIGHTS: &str = "KHR_lights_punctual";
 
-/// What the document says about looks. What the standard does not allow is left out with a note.
+/// What the document says about looks. Materials and lights that the standard does not allow are left out with a note.
 pub(in crate::io) fn appearance(document: &GltfDocument) -> Appearance {
     let mut found = Appearance::default();
     let json = &document.records.json;
@@ -30,9 +25,7 @@ pub(in crate::io) fn appearance(document: &GltfDocument) -> Appearance {
         if !node.shown {
             return Ok(());
         }
-        if let Some(camera) = node.fields.index("camera")? {
-            found.camera(json, camera, node.world);
-        }
+        found.cameras.extend(camera::at_node(&node).transpose());
         if let Some(extension) = node.fields.extension(LIGHTS) {
             let light = json.member(extension, "light").and_then(|light| json.integer(light));
             found.light(json, &lights, light, node.fields.at, node.world);
@@ -99,29 +92,6 @@ impl Appearance {
         });
     }
 
-    fn camera(&mut self, json: &Json, number: usize, world_from_camera: DMat4) {
-        let place = At::new("cameras", number).place();
-        let cameras = elements(json, json.member(json.root(), "cameras"));
-        let Some(camera) = self.typed::<Camera>(json, cameras.get(number).copied(), place.clone()) else {
-            return;
-        };
-        let mapped = match (&camera.type_, &camera.perspective, &camera.orthographic) {
-            (Checked::Valid(CameraType::Perspective), Some(lens), _) => {
-                Some((FileProjection::Perspective(as_written(lens.yfov)), lens.znear))
-            }
-            (Checked::Valid(CameraType::Orthographic), _, Some(lens)) => {
-                let [width, height] = [lens.xmag, lens.ymag].map(|half| 2.0 * as_written(half));
-                Some((FileProjection::Orthographic { width, height }, lens.znear))
-            }
-            _ => None,
-        };
-        let Some((projection, near)) = mapped else {
-            return self.warn(place, "a camera is perspective or orthographic, and says how");
-        };
-        let name = camera.name.unwrap_or_default();
-        self.cameras.push(FileCamera { name, place, world_from_camera, projection, near: as_written(near) });
-    }
-
     fn light(&mut self, json: &Json, lights: &[Value], number: Option<u64>, at: At, world: DMat4) {
         let number = number.and_then(|number| usize::try_from(number).ok());
         let Some(number) = number else {
@@ -154,7 +124,7 @@ impl Appearance {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::{Format, ReadOptions, read_bytes};
+    use crate::io::{FileProjection, Format, ReadOptions, read_bytes};
     use glam::DVec3;
 
     fn looks(text: &str) -> Appearance {
@@ -175,7 +145,7 @@ mod tests {
                 {"extensions": {"KHR_lights_punctual": {"light": 0}}}, {"camera": 0}]}"#,
         );
         assert_eq!(found.notes, []);
-        let [camera] = &found.cameras[..] else { panic!("the other one is not in the scene") };
+        let [Ok(camera)] = &found.cameras[..] else { panic!("the other one is not in the scene") };
         assert_eq!((&*camera.name, camera.near), ("eye", 0.01));
         assert_eq!(camera.projection, FileProjection::Perspective(0.6));
         assert_eq!(camera.world_from_camera.transform_point3(DVec3::ZERO), DVec3::new(1.0, 2.0, 7.0));
@@ -188,18 +158,93 @@ mod tests {
     fn what_the_standard_does_not_allow_is_left_out_and_told() {
         let found = looks(
             r#"{"asset": {"version": "2.0"},
-            "cameras": [{"type": "fisheye"}, {"type": "perspective"}, 7],
             "extensions": {"KHR_lights_punctual": {"lights": [{"type": "spot"}, {"type": "area"}, {}]}},
-            "nodes": [{"camera": 0}, {"camera": 1}, {"camera": 2}, {"camera": 3},
-                {"extensions": {"KHR_lights_punctual": {"light": 0}}},
+            "nodes": [{"extensions": {"KHR_lights_punctual": {"light": 0}}},
                 {"extensions": {"KHR_lights_punctual": {"light": 1}}},
                 {"extensions": {"KHR_lights_punctual": {"light": 2}}},
                 {"extensions": {"KHR_lights_punctual": {"light": 3}}},
                 {"extensions": {"KHR_lights_punctual": {}}}]}"#,
         );
-        assert_eq!((found.cameras.len(), found.lights.len()), (0, 0));
-        assert_eq!(found.notes.len(), 9, "{:?}", found.notes);
-        assert_eq!(found.notes[0].place, Place::Json("/cameras/0".into()));
-        assert_eq!(found.notes[8].place, Place::Json("/nodes/8/extensions".into()));
+        assert_eq!(found.lights.len(), 0);
+        assert_eq!(found.notes.len(), 5, "{:?}", found.notes);
+        let lights = "/extensions/KHR_lights_punctual/lights/0";
+        assert_eq!(found.notes[0].place, Place::Json(lights.into()));
+        assert_eq!(found.notes[4].place, Place::Json("/nodes/4/extensions".into()));
+    }
+
+    /// Each fault with its place, the number that is wrong and what to do.
+    #[test]
+    fn what_is_no_camera_is_an_error_of_its_own() {
+        let (perspective, orthographic) = (
+            r#"{"type": "perspective", "perspective": {"yfov": 0.6, "znear": 0.1}}"#,
+            r#"{"type": "orthographic", "orthographic": {"xmag": 1, "ymag": 1.1, "znear": 0, "zfar": 9}}"#,
+        );
+        let at_camera = |camera: &str, node: &str| {
+            let text = format!(
+                r#"{{"asset": {{"version": "2.0"}}, "cameras": [{camera}], "nodes": [{{"camera": 0{node}}}]}}"#
+            );
+            looks(&text).cameras.remove(0).map_err(|error| error.to_string())
+        };
+        assert!(at_camera(perspective, "").is_ok() && at_camera(orthographic, "").is_ok());
+        let lens = "/cameras/0/perspective";
+        for (from, to, pieces) in [
+            (
+                r#""type": "perspective""#,
+                r#""type": "fisheye""#,
+                ["/cameras/0/type", "fisheye", "orthographic"],
+            ),
+            (r#""type": "perspective", "#, "", ["/cameras/0", "no `type`", "export"]),
+            (r#""perspective":"#, r#""lens":"#, ["/cameras/0", "no `perspective`", "export"]),
+            (
+                r#""perspective": {"yfov": 0.6, "znear": 0.1}"#,
+                r#""perspective": 7"#,
+                [lens, "7 where an object", "export"],
+            ),
+            (r#""yfov": 0.6, "#, "", [lens, "no `yfov`", "export"]),
+            ("0.6", r#""x""#, ["/perspective/yfov", r#""x" where a finite number"#, "export"]),
+            ("0.6", "0", ["/perspective/yfov", "`yfov` is 0", "above 0 and below π, in radians"]),
+            ("0.6", "-0.5", ["/perspective/yfov", "`yfov` is -0.5", "above 0 and below π, in radians"]),
+            ("0.6", "3.2", ["/perspective/yfov", "`yfov` is 3.2", "above 0 and below π, in radians"]),
+            ("0.6", "1e999", ["/perspective/yfov", "1e999 where a finite number", "export"]),
+            (r#", "znear": 0.1"#, "", [lens, "no `znear`", "export"]),
+            ("0.1", "0", ["/perspective/znear", "`znear` is 0", "above 0"]),
+            (
+                "0.1",
+                r#"0.1, "zfar": 0.1"#,
+                ["/perspective/zfar", "`zfar` is 0.1", "above `znear`, which is 0.1"],
+            ),
+            (
+                "0.1",
+                r#"0.1, "aspectRatio": 0"#,
+                ["/perspective/aspectRatio", "`aspectRatio` is 0", "or none"],
+            ),
+            (
+                "0.1",
+                r#"0.1, "aspectRatio": -2"#,
+                ["/perspective/aspectRatio", "`aspectRatio` is -2", "or none"],
+            ),
+            ("0.1}", r#"0.1}, "name": "eye", "type": "none""#, ["/cameras/0", "the camera `eye`", "none"]),
+            (perspective, "7", ["/cameras/0", "7 where an object", "export"]),
+            (perspective, "", ["/nodes/0/camera", "camera 0 is asked for", "where the file has 0"]),
+        ] {
+            assert!(perspective.contains(from));
+            let error = at_camera(&perspective.replace(from, to), "").unwrap_err();
+            assert!(pieces.iter().all(|piece| error.contains(piece)), "{to}: {error}");
+        }
+        for (from, to, pieces) in [
+            ("1.1", "0", ["/orthographic/ymag", "`ymag` is 0", "above 0"]),
+            (r#""xmag": 1"#, r#""xmag": -1"#, ["/orthographic/xmag", "`xmag` is -1", "above 0"]),
+            (r#""znear": 0"#, r#""znear": -1"#, ["/orthographic/znear", "`znear` is -1", "0 or more"]),
+            (r#""zfar": 9"#, r#""zfar": 0"#, ["/orthographic/zfar", "`zfar` is 0", "above `znear`"]),
+            (r#", "zfar": 9"#, "", ["/cameras/0/orthographic", "no `zfar`", "export"]),
+        ] {
+            assert!(orthographic.contains(from));
+            let error = at_camera(&orthographic.replace(from, to), "").unwrap_err();
+            assert!(pieces.iter().all(|piece| error.contains(piece)), "{to}: {error}");
+        }
+        let error = at_camera(perspective, r#", "rotation": [0, 0, 0, 0]"#).unwrap_err();
+        assert!(error.starts_with("/nodes/0/rotation: ") && error.contains("0, 0, 0, 1"), "{error}");
+        let error = at_camera(perspective, r#", "x": 0, "camera": "x""#).unwrap_err();
+        assert!(error.starts_with("/nodes/0/camera: \"x\" where"), "{error}");
     }
 }

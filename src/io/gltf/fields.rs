@@ -4,19 +4,26 @@ use super::json::{Json, Kind, Value};
 use crate::io::{Place, Problem, ReadError};
 use std::borrow::Cow;
 
-/// The place of an object in a document: up to two numbered steps, such as `/meshes/3/primitives/1`.
+/// The place of an object in a document: up to two numbered steps, such as `/meshes/3/primitives/1`, and perhaps one more
+/// by name.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct At {
     steps: [Option<(&'static str, usize)>; 2],
+    last: Option<&'static str>,
 }
 
 impl At {
     pub(super) fn new(list: &'static str, number: usize) -> At {
-        At { steps: [Some((list, number)), None] }
+        At { steps: [Some((list, number)), None], last: None }
     }
 
     pub(super) fn then(self, list: &'static str, number: usize) -> At {
-        At { steps: [self.steps[0], Some((list, number))] }
+        At { steps: [self.steps[0], Some((list, number))], last: None }
+    }
+
+    /// The place of a member that is an object itself.
+    pub(super) fn member_at(self, name: &'static str) -> At {
+        At { last: Some(name), ..self }
     }
 
     pub(super) fn place(self) -> Place {
@@ -34,7 +41,8 @@ impl At {
     }
 
     fn pointer(self) -> String {
-        self.steps.iter().flatten().map(|(list, number)| format!("/{list}/{number}")).collect()
+        let steps = self.steps.iter().flatten().map(|(list, number)| format!("/{list}/{number}"));
+        steps.chain(self.last.map(|name| format!("/{name}"))).collect()
     }
 }
 
@@ -79,6 +87,11 @@ impl<'a> Fields<'a> {
     pub(super) fn string(&self, name: &str) -> Result<Option<Cow<'a, str>>, ReadError> {
         let json = self.json;
         self.typed(name, "a string", |value| json.string(value))
+    }
+
+    /// A finite number.
+    pub(super) fn number(&self, name: &str) -> Result<Option<f64>, ReadError> {
+        self.typed(name, "a finite number", |value| self.json.number(value).filter(|n| n.is_finite()))
     }
 
     /// A list of exactly `N` numbers, all finite.

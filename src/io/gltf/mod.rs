@@ -12,6 +12,7 @@ mod appearance;
 mod attributes;
 mod beside;
 mod buffers;
+mod camera;
 mod columns;
 mod container;
 mod data;

@@ -9,8 +9,11 @@ use glam::{DMat4, DQuat, DVec3};
 /// The meshes of the default scene (of all root nodes, where there is none), in the order of the tree.
 pub(super) fn read(json: &Json, meshes: usize, notes: &mut Vec<Note>) -> Result<Vec<FileNode>, ReadError> {
     let mut placed = Vec::new();
-    let mut skinned_elsewhere = None;
+    let (mut unturned, mut skinned_elsewhere) = (Vec::new(), None);
     each(json, |node| {
+        if node.without_rotation == Some(node.number) {
+            unturned.push(node.number);
+        }
         let Some(part) = node.fields.index("mesh")? else { return Ok(()) };
         if part >= meshes {
             return Err(dangling(node.fields.at.member("mesh"), "mesh", part, meshes));
@@ -28,7 +31,7 @@ pub(super) fn read(json: &Json, meshes: usize, notes: &mut Vec<Note>) -> Result<
         placed.push(FileNode { number: node.number, name, part, world_from_part });
         Ok(())
     })?;
-    warn(&placed, skinned_elsewhere, notes);
+    warn(&placed, &unturned, skinned_elsewhere, notes);
     Ok(placed)
 }
 
@@ -62,6 +65,8 @@ pub(super) struct Placed<'a> {
     pub(super) fields: Fields<'a>,
     /// From its own space to the world's.
     pub(super) world: DMat4,
+    /// The nearest node at or above it whose rotation is a quaternion of length 0, which is none.
+    pub(super) without_rotation: Option<usize>,
     /// Whether the default scene has it.
     pub(super) shown: bool,
 }
@@ -77,20 +82,23 @@ pub(super) fn each<'a>(
     let tree = Tree::new((0..nodes.len()).map(fields), nodes.len())?;
     let shown = tree.shown(&root)?;
     // The way from a root to the node at hand, with the place of each node in the world.
-    let mut path: Vec<(u32, DMat4)> = Vec::new();
+    let mut path: Vec<(u32, DMat4, Option<usize>)> = Vec::new();
     for node in tree.order()? {
         let number = node as usize;
-        while path.last().is_some_and(|&(above, _)| above != tree.parent[number]) {
+        while path.last().is_some_and(|&(above, ..)| above != tree.parent[number]) {
             path.pop();
         }
         let fields = fields(number);
-        let world = path.last().map_or(DMat4::IDENTITY, |&(_, world)| world) * local_matrix(&fields)?;
+        let (local, is_turned) = local_matrix(&fields)?;
+        let (_, above, without_rotation) = path.last().copied().unwrap_or((NOBODY, DMat4::IDENTITY, None));
+        let world = above * local;
+        let without_rotation = if is_turned { without_rotation } else { Some(number) };
         if !world.is_finite() {
             let found = "a node whose place in the world is beyond what numbers can hold";
             return Err(ReadError::new(Problem::NonFinite, fields.at.place(), found, "check its scale"));
         }
-        path.push((node, world));
-        visit(Placed { number, fields, world, shown: shown[number] })?;
+        path.push((node, world, without_rotation));
+        visit(Placed { number, fields, world, without_rotation, shown: shown[number] })?;
     }
     Ok(())
 }
@@ -185,19 +193,24 @@ fn no_tree(node: usize, found: String) -> ReadError {
     ReadError::new(Problem::Range, place, found, "nodes must form trees; export the file again")
 }
 
-fn local_matrix(node: &Fields<'_>) -> Result<DMat4, ReadError> {
+/// Where a node stands in its parent, and whether its rotation is one.
+fn local_matrix(node: &Fields<'_>) -> Result<(DMat4, bool), ReadError> {
     if let Some(columns) = node.numbers::<16>("matrix")? {
-        return Ok(DMat4::from_cols_array(&columns));
+        return Ok((DMat4::from_cols_array(&columns), true));
     }
     let vector = |name, default| Ok(node.numbers::<3>(name)?.map_or(default, DVec3::from_array));
     let (translation, scale) = (vector("translation", DVec3::ZERO)?, vector("scale", DVec3::ONE)?);
     let rotation = node.numbers::<4>("rotation")?.map_or(DQuat::IDENTITY, DQuat::from_array);
-    // Quaternions come rounded to a few digits; a length of zero means nothing at all.
-    let rotation = if rotation.length_squared() > 0.0 { rotation.normalize() } else { DQuat::IDENTITY };
-    Ok(DMat4::from_scale_rotation_translation(scale, rotation, translation))
+    // Quaternions come rounded to a few digits.
+    let is_turned = rotation.length_squared() > 0.0;
+    let rotation = if is_turned { rotation.normalize() } else { DQuat::IDENTITY };
+    Ok((DMat4::from_scale_rotation_translation(scale, rotation, translation), is_turned))
 }
 
-fn warn(placed: &[FileNode], skinned_elsewhere: Option<usize>, notes: &mut Vec<Note>) {
+fn warn(placed: &[FileNode], unturned: &[usize], skinned_elsewhere: Option<usize>, notes: &mut Vec<Note>) {
+    let places = unturned.iter().map(|&node| At::new("nodes", node).member("rotation"));
+    let text = "a rotation of zeros is none: the node stands unturned";
+    notes.extend(Note::for_all(Severity::Warning, unturned.len() as u64, places, text));
     let singular = placed.iter().filter(|node| node.world_from_part.determinant() == 0.0);
     let places = singular.clone().map(|node| At::new("nodes", node.number).place());
     let text = "a node squeezes its mesh flat: normals have no direction there";
@@ -246,6 +259,18 @@ mod tests {
         let mut notes = Vec::new();
         read(&json, 1, &mut notes).unwrap();
         assert_eq!(notes.len(), 1);
+    }
+
+    #[test]
+    fn a_rotation_of_zeros_is_told() {
+        let text =
+            r#"{"nodes":[{"children":[1],"rotation":[0,0,0,0]},{"mesh":0},{"rotation":[0,0,0,1e-3]}]}"#;
+        let json = Json::parse(text.as_bytes().to_vec(), 0, 32).unwrap();
+        let mut notes = Vec::new();
+        let placed = read(&json, 1, &mut notes).unwrap();
+        assert_eq!(placed[0].world_from_part, DMat4::IDENTITY);
+        let [note] = &notes[..] else { panic!("{notes:?}") };
+        assert_eq!((note.place.to_string(), note.more), ("/nodes/0/rotation".to_owned(), 0));
     }
 
     #[test]

@@ -36,7 +36,8 @@ impl SceneFile {
     /// [`default_lights`]: super::default_lights
     ///
     /// # Errors
-    /// If it has no faces, places beyond all measure, or a first camera without a size.
+    /// If it has no faces, places beyond all measure, or a first camera that the format does not allow, unless
+    /// [`LoadOptions::from_elsewhere`].
     pub fn from_loaded(loaded: Loaded, options: &LoadOptions) -> Result<Self, ReadError> {
         let looks = loaded.appearance();
         let Loaded { format, parts, mut nodes, mut notes, document, .. } = loaded;
@@ -82,7 +83,7 @@ impl SceneFile {
             settings: RenderSettings::default(),
             notes: Vec::new(),
         };
-        (scene.camera, scene.lights) = scene.view(&looks, &mut notes)?;
+        (scene.camera, scene.lights) = scene.view(&looks, options, &mut notes)?;
         scene.notes = notes;
         Ok(scene)
     }
@@ -91,6 +92,7 @@ impl SceneFile {
     fn view(
         &self,
         looks: &Appearance,
+        options: &LoadOptions,
         notes: &mut Vec<Note>,
     ) -> Result<(Option<Camera>, Option<Vec<Light>>), ReadError> {
         let (low, high) = self.scene().bounds().unwrap_or_default();
@@ -98,7 +100,7 @@ impl SceneFile {
             distance if distance > 0.0 && distance.is_finite() => distance,
             _ => 1.0,
         };
-        looks::view(looks, distance, notes)
+        looks::view(looks, distance, options.from_elsewhere, notes)
     }
 }
 

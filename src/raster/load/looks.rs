@@ -3,13 +3,13 @@
 use super::lights::plain_material;
 use crate::io::{
     Appearance, FileCamera, FileLight, FileLightKind, FileMaterial, FileProjection, FileReflection, Note,
-    Problem, ReadError,
+    Problem, ReadError, Severity,
 };
 use crate::num::{LinearRgb, Radians};
 use crate::raster::{Camera, Projection};
 use crate::shade::{Attenuation, Cone, Light, Material, Reflectance, Reflection, roughness_exponent};
 use glam::DVec3;
-use std::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_1_PI, FRAC_PI_2};
 
 /// Reflectance of what is no metal, seen from straight above: that of glass (glTF 2.0, appendix B).
 const DIELECTRIC: f64 = 0.04;
@@ -112,51 +112,38 @@ fn light(file: &FileLight) -> Light {
     }
 }
 
-/// A file without a camera is framed by itself, but one whose camera has no size asks for a picture of nothing.
-fn check_size(file: &FileCamera) -> Result<(), ReadError> {
-    let wrong = |what: &str, size: f64, reason: &str| {
-        let found = format!("the camera's {what} is {size}, {reason}");
-        let advice = "give it a size above 0, or take the camera out of the file";
-        Err(ReadError::new(Problem::Range, file.place.clone(), found, advice))
+/// The same, if it can be looked through.
+fn looked_through(file: &FileCamera, distance: impl Fn(DVec3) -> f64) -> Result<Camera, ReadError> {
+    let camera = camera(file, distance(file.world_from_camera.w_axis.truncate()));
+    let cannot = |error| {
+        let found = format!("the camera cannot be looked through: {error}");
+        ReadError::new(Problem::Range, file.place.clone(), found, "mend it and the nodes above it")
     };
-    match file.projection {
-        FileProjection::Perspective(angle) if !(angle > 0.0 && angle < PI) => {
-            wrong("yfov", angle, "not an angle between 0 and π")
-        }
-        FileProjection::Orthographic { height, .. } if !(height > 0.0 && height.is_finite()) => {
-            wrong("ymag", 0.5 * height, "so that it sees nothing")
-        }
-        FileProjection::Orthographic { width, .. } if !(width > 0.0 && width.is_finite()) => {
-            wrong("xmag", 0.5 * width, "so that it sees nothing")
-        }
-        _ => Ok(()),
-    }
+    camera.check().map_err(cannot).map(|()| camera)
 }
 
 /// The first camera of a file, `distance` away from its target, and its lights, `None` if it has none. What makes no
 /// sense is left out with a note.
 ///
 /// # Errors
-/// A camera without a size, or that cannot be looked through, if it would be taken.
+/// A first camera that is none, unless pictures are seen from elsewhere.
 pub(super) fn view(
     looks: &Appearance,
     distance: impl Fn(DVec3) -> f64,
+    from_elsewhere: bool,
     notes: &mut Vec<Note>,
 ) -> Result<(Option<Camera>, Option<Vec<Light>>), ReadError> {
     let mut cameras = Vec::new();
-    for (number, file) in looks.cameras.iter().enumerate() {
-        if cameras.is_empty() {
-            check_size(file)?;
-        }
-        let camera = camera(file, distance(file.world_from_camera.w_axis.truncate()));
-        match camera.check() {
-            Ok(()) => cameras.push(camera),
-            Err(error) if cameras.is_empty() => {
-                let found = format!("the camera cannot be looked through: {error}");
-                let advice = "mend it and the nodes above it, or take it out of the file";
-                return Err(ReadError::new(Problem::Range, file.place.clone(), found, advice));
+    for file in &looks.cameras {
+        match file.clone().and_then(|file| looked_through(&file, &distance)) {
+            Ok(camera) => cameras.push(camera),
+            Err(error) if cameras.is_empty() && !from_elsewhere => {
+                let advice = format!("{}, or take the camera out of the file", error.advice);
+                return Err(ReadError { advice, ..error });
             }
-            Err(error) => notes.push(left_out("camera", number, &file.name, &error)),
+            Err(ReadError { place, found, .. }) => {
+                notes.push(Note::new(Severity::Note, place, format!("{found}; this camera is left out")));
+            }
         }
     }
     if cameras.len() > 1 {
@@ -167,17 +154,16 @@ pub(super) fn view(
         let light = light(file);
         match light.check(number) {
             Ok(()) => lights.push(light),
-            Err(error) => notes.push(left_out("light", number, &file.name, &error)),
+            Err(error) => notes.push(light_left_out(number, &file.name, &error)),
         }
     }
     Ok((cameras.first().copied(), (!lights.is_empty()).then_some(lights)))
 }
 
-fn left_out(what: &str, number: usize, name: &str, error: &dyn std::error::Error) -> Note {
-    let which = if name.is_empty() {
-        format!("{what} {number}, counted from 0,")
-    } else {
-        format!("the {what} `{name}`")
+fn light_left_out(number: usize, name: &str, error: &dyn std::error::Error) -> Note {
+    let which = match name {
+        "" => format!("light {number}, counted from 0,"),
+        name => format!("the light `{name}`"),
     };
     Note::remark(format!("{which} is left out: {error}"))
 }

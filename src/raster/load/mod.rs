@@ -30,6 +30,9 @@ pub struct LoadOptions {
     pub when: Option<When>,
     /// What readers may do and how much they may take.
     pub read: ReadOptions,
+    /// Whether pictures are seen from elsewhere, so that a camera of a mesh file that makes no sense is left out with a
+    /// note and is no error.
+    pub from_elsewhere: bool,
 }
 
 /// Reads a scene, or a mesh as a scene: framed by itself, with a light of its own, in a plain material.

@@ -67,6 +67,22 @@ fn advice_within_a_scene_can_be_followed() {
     assert!(code(&output) == 3 && message.contains(".obj") && !message.contains("--format"), "{message}");
 }
 
+/// Who looks from elsewhere needs no camera of the file.
+#[test]
+fn a_files_camera_that_is_none_is_an_error_unless_it_is_replaced() {
+    let stage = std::fs::read_to_string(crate::cli::data("scenes/stage.gltf")).unwrap();
+    let work = folder(&[("a.gltf", &stage.replace("\"yfov\": 0.55,", "\"yfov\": 3.2,"))]);
+    let args = with(&[path(work.path().join("a.gltf"))], &["--size", "40x30"]);
+    let refused = super::render(with(&args, &["-o", "-"]));
+    let message = text(&refused.stderr);
+    for piece in ["/cameras/0/perspective/yfov", "`yfov` is 3.2", "above 0 and below π"] {
+        assert!(code(&refused) == 3 && message.contains(piece), "{message}");
+    }
+    let args = with(&args, &["--camera", "angle=20"]);
+    assert!(notes(&args).contains("`yfov` is 3.2; this camera is left out"), "{}", notes(&args));
+    assert!(pixels_unlike(&picture(&args), [0, 0, 0]) > 200);
+}
+
 /// Options override what a scene says of normals, and where there are none to change that is told.
 #[test]
 fn options_override_normals_that_a_scene_calls_given() {

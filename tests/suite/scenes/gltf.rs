@@ -217,32 +217,43 @@ fn what_is_not_taken_is_told() {
     }
 }
 
-/// A camera that sees nothing is an error where it would be taken, not a reason to look from somewhere else.
+/// A camera that is none is an error where it would be taken, not a reason to look from somewhere else; and a note where
+/// it is not.
 #[test]
-fn cameras_without_a_size_are_refused_with_their_place() {
+fn cameras_that_are_none_are_refused_with_their_place() {
     let lens = r#""orthographic", "orthographic": {"xmag": 1, "ymag": 1.5, "znear": 0, "zfar": 9}"#;
-    let perspective = r#""perspective", "perspective": {"yfov": 0, "znear": 0.1}"#;
     for (faulty, field) in [
-        (lens.replace(r#""xmag": 1"#, r#""xmag": 0"#), "xmag is 0"),
-        (lens.replace("1.5", "0"), "ymag is 0"),
-        (perspective.to_owned(), "yfov is 0"),
-        (perspective.replace(r#""yfov": 0"#, r#""yfov": -0.5"#), "yfov is -0.5"),
-        (perspective.replace(r#""yfov": 0"#, r#""yfov": 3.2"#), "yfov is 3.2"),
-        (perspective.replace(r#"0, "znear": 0.1"#, r#"1, "znear": 0"#), "near distance"),
+        (lens.replace(r#""xmag": 1"#, r#""xmag": 0"#), "`xmag` is 0"),
+        (r#""perspective", "perspective": {"yfov": 3.2, "znear": 0.1}"#.to_owned(), "`yfov` is 3.2"),
+        (r#""perspective", "perspective": {"znear": 0.1}"#.to_owned(), "no `yfov`"),
+        (r#""perspective""#.to_owned(), "no `perspective`"),
     ] {
         let text = square_text("", MATTE, "");
         assert!(text.contains(lens));
-        let error = from_text(text.replace(lens, &faulty)).unwrap_err().to_string();
+        let wrong = text.replace(lens, &faulty);
+        let error = from_text(wrong.clone()).unwrap_err().to_string();
         assert!(
             error.contains("/cameras/0") && error.contains(field) && error.contains("out of the file"),
             "{error}"
         );
+        let is_told = |file: &SceneFile| {
+            file.notes.iter().any(|note| note.text.contains(field) && note.text.contains("left out"))
+        };
+        let loaded = read_bytes(wrong.into_bytes(), Some(Format::Gltf), None, &ReadOptions::default());
+        let elsewhere = LoadOptions { from_elsewhere: true, ..LoadOptions::default() };
+        let file = SceneFile::from_loaded(loaded.unwrap(), &elsewhere).unwrap();
+        assert!(file.camera.is_none() && is_told(&file), "{:?}", file.notes);
         // What is never looked through does no harm.
         let two = text.replace(lens, &format!(r#"{lens}}}, {{"type": {faulty}"#));
         let two = two.replace(r#""translation": [0, 0, 3]}"#, r#""translation": [0, 0, 3]}, {"camera": 1}"#);
         let two = two.replace(r#""nodes": [0,1]"#, r#""nodes": [0,1,2]"#);
-        assert!(from_text(two).unwrap().camera.is_some());
+        let file = from_text(two).unwrap();
+        assert!(file.camera.is_some() && is_told(&file), "{:?}", file.notes);
     }
+    // No zero of a number, but a place that nothing can be seen from.
+    let flat = square_text("", MATTE, "").replace("[0, 0, 3]", r#"[0, 0, 3], "scale": [1, 1, 0]"#);
+    let error = from_text(flat).unwrap_err().to_string();
+    assert!(error.contains("/cameras/0") && error.contains("cannot be looked through"), "{error}");
 }
 
 /// A library of meshes that no node shows is drawn all the same, and says why it stands where it does.

@@ -172,7 +172,7 @@ impl<'a> Builder<'a> {
         if let Some(objects) = self.files.get(&key) {
             return Ok(objects.clone());
         }
-        let options = LoadOptions { when: Some(when), ..self.options.clone() };
+        let options = LoadOptions { when: Some(when), from_elsewhere: true, ..self.options.clone() };
         let loaded = io::read(&key.0, None, &options.read).map_err(fault)?;
         let file = SceneFile::from_loaded(loaded, &options).map_err(fault)?;
         let note =
