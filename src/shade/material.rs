@@ -104,9 +104,9 @@ impl Material {
     /// More light out than in (F1: what comes in is reflected, transmitted or absorbed, so K_d + K_s ≤ 1 in each
     /// component). Exercise 1.6.19 of the lectures does it, so it is worth a warning, not an error.
     pub fn gain(&self) -> Option<EnergyGain> {
-        let sum = (self.diffuse.merged() + self.specular.merged()).largest();
+        let sum = self.diffuse.merged() + self.specular.merged();
         // A sum of two rounded numbers that are 1 together is not a gain.
-        (sum > 1.0 + 4.0 * f64::EPSILON).then_some(EnergyGain { sum })
+        (sum.largest() > 1.0 + 4.0 * f64::EPSILON).then_some(EnergyGain { sum })
     }
 
     /// Whether every number makes sense.
@@ -133,19 +133,24 @@ impl Material {
 /// A material that reflects more than it gets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergyGain {
-    /// The largest component of K_d + K_s: over 1.
-    pub sum: f64,
+    /// K_d + K_s = k_d·O_d + k_s·O_s, of which some component is over 1.
+    pub sum: LinearRgb,
 }
 
 impl std::fmt::Display for EnergyGain {
     fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-        write!(f, "the material reflects more light than it gets: k_d + k_s = ")?;
         // Rounded up, so that what is over 1 does not read as 1.
-        if self.sum < 1e4 {
-            write!(f, "{:.3}", (1e3 * self.sum).ceil() / 1e3)
-        } else {
-            write!(f, "{:.3e}", self.sum)
-        }
+        let told = |sum: f64| match sum {
+            _ if sum >= 1e4 => format!("{sum:.3e}"),
+            _ if sum > 1.0 => format!("{:.3}", (1e3 * sum).ceil() / 1e3),
+            _ => format!("{sum:.3}"),
+        };
+        let [red, green, blue] = self.sum.to_array().map(told);
+        write!(
+            f,
+            "the material reflects more light than it gets: K_d + K_s, coefficients times colours, is "
+        )?;
+        write!(f, "{red} of red, {green} of green, {blue} of blue, where 1 is all there is")
     }
 }
 

@@ -24,7 +24,7 @@
 //!
 //! | | formula | where |
 //! |---|---|---|
-//! | F1 | I = I_d + I_e + I_abs + I_ref, so k_d + k_s ≤ 1 (S0 1.2) | [`Material::gain`], a warning: exercise 1.6.19 breaks it |
+//! | F1 | I = I_d + I_e + I_abs + I_ref, so k_d + k_s ≤ 1 (S0 1.2) | [`Material::gain`], a warning about K = k·O of each component: exercise 1.6.19 breaks it |
 //! | F2 | law of reflection (S0 1.2, S3, S4) | [`reflect`] |
 //! | F3 | Lambert: I_i k_d (N·L) (S0 1.3.1.1) | diffuse term; clamped at 0 by the guard `diffuse` |
 //! | F4 | Phong: I_i k_s (V·R)ⁿ if V·R > 0 (S0 1.3.1.2) | [`Reflection::Phong`]; nothing from behind by the guard `highlight` |

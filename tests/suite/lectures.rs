@@ -229,7 +229,7 @@ fn exercise_1_6_19_which_is_cut_off_and_reflects_more_than_it_gets() {
     let blinn = Material { reflection: Reflection::Blinn, ..phong };
     all_digits(explain(&lights, &blinn, &settings).sum, ["0.703553", "0.903553", "0.000000"]);
     // F1: k_d + k_s = 1.2.
-    digits(phong.gain().unwrap().sum, "1.2");
+    all_digits(phong.gain().unwrap().sum.to_array(), ["1.2"; 3]);
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! The rasterizer: coverage, interpolation, shading and what must not change them.
 
+mod casting;
 mod coverage;
 mod extremes;
 mod interpolation;

@@ -36,6 +36,7 @@ Cameras, lights and materials are words KEY=VALUE between spaces, in quotes for 
               each with [colour=C], point and spot with
               [attenuation=none|inverse-square|inverse-square:RANGE|offset:K|KC,KL,KQ]
   --material  [colour=C] [ka=N] [kd=N] [ks=N] [highlight=C] [exponent=N]
+              with a warning if kd times colour plus ks times highlight is over 1 in red, green or blue
 Colours are #rrggbb (sRGB), or linear light: R,G,B, or one number for a grey. Under --transfer direct, which writes light as
 it is, #808080 comes out as 55, for its light is 0.216; 0.502 comes out as 128.";
 

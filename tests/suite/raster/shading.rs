@@ -117,38 +117,6 @@ fn phong_converges_to_exact_with_order_2() {
     assert!((libm::log2(flat[0] / flat[1]) - 1.0).abs() < 0.15, "{flat:?}");
 }
 
-/// An independent ray caster: the textbook's quadratic for a sphere, in the picture's own geometry.
-#[test]
-fn exact_agrees_with_a_textbook_ray_caster() {
-    let (radius, centre) = (0.8, DVec3::new(0.3, -0.2, 0.1));
-    let mut object = Object::new(Shape::Surface(Sphere::new(radius).unwrap().into()), Material::default());
-    object.transform = DMat4::from_translation(centre);
-    let scene = scene(vec![object]);
-    let image = render(&scene, &RenderSettings { show: Show::Normals, ..linear([120, 90]) }).unwrap();
-    let linear = image.linear.unwrap();
-    let mut hits = 0;
-    for y in 0..90 {
-        for x in 0..120 {
-            let tan = libm::tan(20.0_f64.to_radians());
-            let direction =
-                DVec3::new((x as f64 + 0.5 - 60.0) / 45.0 * tan, (45.0 - y as f64 - 0.5) / 45.0 * tan, -1.0);
-            let from = scene.camera.eye - centre;
-            let (a, b, c) = (direction.dot(direction), from.dot(direction), from.dot(from) - radius * radius);
-            let discriminant = b * b - a * c;
-            let index = y * 120 + x;
-            assert_eq!(image.coverage[index] > 0, discriminant > 0.0, "{x} {y}");
-            if discriminant > 0.0 {
-                let normal = (from + direction * ((-b - discriminant.sqrt()) / a)) / radius;
-                let got = DVec3::from(linear[index].map(|c| 2.0 * f64::from(c) - 1.0));
-                // Single precision twice.
-                assert!(got.distance(normal) < 1e-6, "{x} {y}: {got} is not {normal}");
-                hits += 1;
-            }
-        }
-    }
-    assert!(hits > 500);
-}
-
 /// The slices and the mesh are drawn by the same code.
 #[test]
 fn slices_draw_what_the_mesh_draws() {

@@ -257,7 +257,14 @@ fn errors_and_warnings_are_data_too() {
     let gear = gear();
     let failed = report(&with(&gear, &["--shading", "exact"]));
     assert_eq!((&failed["status"], &failed["error"]["kind"]), (&"failed".into(), &"input".into()));
-    let bright = report(&with(&gear, &["--material", "kd=0.9 ks=0.7"]));
+    let bright = report(&with(&gear, &["--material", "colour=1,0.5,0.25 kd=0.9 ks=0.7 highlight=1,0,1"]));
     assert_eq!(bright["notes"][0]["severity"], "warning");
-    assert!(bright["notes"][0]["text"].as_str().unwrap().contains("k_d + k_s"), "{}", bright["notes"]);
+    let said = bright["notes"][0]["text"].as_str().unwrap();
+    assert!(
+        said.contains("K_d + K_s") && said.contains("1.600 of red, 0.450 of green, 0.925 of blue"),
+        "{said}"
+    );
+    // What is compared are products: coefficients above 1 in dark colours reflect no more than there is.
+    let dark = report(&with(&gear, &["--material", "colour=0.5 kd=1.2 ks=0.7 highlight=0.5"]));
+    assert_eq!(dark["notes"].as_array().unwrap().len(), 0, "{}", dark["notes"]);
 }

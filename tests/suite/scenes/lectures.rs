@@ -144,7 +144,7 @@ fn exercise_1_6_19_which_is_cut_off_and_reflects_more_than_it_gets() {
     // Printed: 0.3535, 0.5535.
     all_digits(phong.linear, ["0.353553391", "0.553553391", "0.000000000"]);
     // F1: k_d + k_s = 1.2.
-    digits(file.objects[0].material.gain().unwrap().sum, "1.2");
+    all_digits(file.objects[0].material.gain().unwrap().sum.to_array(), ["1.2"; 3]);
     all_digits(probe(&by(Reflection::Blinn, file), MIDDLE).linear, ["0.703553", "0.903553", "0.000000"]);
 }
 
