@@ -11,8 +11,10 @@ pub(super) enum Refusal {
     Remote,
     /// It is outside the folder that companions may come from.
     Outside,
-    /// It is not there, or no regular file.
+    /// It is not there.
     Missing,
+    /// It is there, but a folder or a device.
+    NoFile,
 }
 
 impl fmt::Display for Refusal {
@@ -21,6 +23,7 @@ impl fmt::Display for Refusal {
             Refusal::Remote => "is on a network or named by a URL, and was not read",
             Refusal::Outside => "is outside the input's folder and was not read (--root widens it)",
             Refusal::Missing => "was not found",
+            Refusal::NoFile => "is a folder or no regular file, and was not read",
         })
     }
 }
@@ -58,7 +61,7 @@ impl Companions {
         if !self.allowed.iter().any(|folder| path.starts_with(folder)) {
             return Err(Refusal::Outside);
         }
-        if path.is_file() { Ok(path) } else { Err(Refusal::Missing) }
+        if path.is_file() { Ok(path) } else { Err(Refusal::NoFile) }
     }
 }
 
@@ -69,6 +72,7 @@ pub(crate) fn companion(base: &Path, name: &str, options: &ReadOptions) -> Resul
             Refusal::Remote => "copy it to this machine",
             Refusal::Outside => "move it into that folder",
             Refusal::Missing => "check the name",
+            Refusal::NoFile => "name a file",
         };
         ReadError::new(Problem::Companion, Place::File, format!("it {refusal}"), advice)
     })
@@ -119,7 +123,7 @@ mod tests {
         assert_eq!(find("../out.mtl"), Err(Refusal::Outside));
         assert_eq!(find(outer.path().join("out.mtl").to_str().unwrap()), Err(Refusal::Outside));
         assert_eq!(find("none.mtl"), Err(Refusal::Missing));
-        assert_eq!(find("sub"), Err(Refusal::Missing), "a folder");
+        assert_eq!(find("sub"), Err(Refusal::NoFile), "a folder");
         assert_eq!(find("nul\0.mtl"), Err(Refusal::Missing));
         for name in ["http://host/a.mtl", "file:///etc/passwd", "//host/share/a.mtl", "\\\\host\\a.mtl"] {
             assert_eq!(find(name), Err(Refusal::Remote), "{name}");

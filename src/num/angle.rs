@@ -22,6 +22,19 @@ impl From<Radians> for Degrees {
     }
 }
 
+impl Degrees {
+    /// The shortest decimal number of degrees that is this angle, as it may have been typed: 30, not 29.999999999999996.
+    pub fn shortest(angle: Radians) -> Self {
+        let plain = Degrees::from(angle);
+        let rounded = (1..=15).map(|digits| {
+            let text = format!("{:.*e}", digits - 1, plain.0);
+            Degrees(text.parse().unwrap_or(plain.0))
+        });
+        let mut same = rounded.filter(|&degrees| Radians::from(degrees) == angle);
+        same.next().unwrap_or(plain)
+    }
+}
+
 /// The angle between two vectors by atan2(|a×b|, a·b): exact to the last digits for angles of any size, where an arc cosine
 /// is blind below 1.5·10⁻⁸ rad.
 pub fn angle_between(a: DVec3, b: DVec3) -> Radians {
@@ -31,6 +44,14 @@ pub fn angle_between(a: DVec3, b: DVec3) -> Radians {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn typed_degrees_come_back() {
+        for typed in [30.0, 0.001, 25.0, 179.999, 1.0 / 3.0, 1e-30, 0.0, 57.295_779_513_082_32] {
+            assert_eq!(Degrees::shortest(Degrees(typed).into()), Degrees(typed));
+        }
+        assert_ne!(Degrees::from(Radians::from(Degrees(30.0))), Degrees(30.0));
+    }
 
     #[test]
     fn small_angles_are_seen() {

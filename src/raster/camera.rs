@@ -123,7 +123,7 @@ impl Camera {
                 return Err(CameraError::NonFinite("vertical angle"));
             }
             Projection::Perspective(Radians(angle)) if !(angle > 0.0 && angle < std::f64::consts::PI) => {
-                return Err(CameraError::Angle(angle.to_degrees()));
+                return Err(CameraError::Angle(Degrees::shortest(Radians(angle)).0));
             }
             Projection::Orthographic(height) if !height.is_finite() => {
                 return Err(CameraError::NonFinite("orthographic height"));

@@ -166,7 +166,13 @@ impl fmt::Display for SeenReport {
         let side = if self.front { "front" } else { "back" };
         match self.face {
             Some(face) => {
-                writeln!(f, "seen         object {}, face {}, its {side}", self.object + 1, face + 1)?
+                let counted = "counted from 1; in JSON from 0";
+                writeln!(
+                    f,
+                    "seen         object {}, face {}, its {side} ({counted})",
+                    self.object + 1,
+                    face + 1
+                )?
             }
             None => writeln!(f, "seen         object {}, an analytic surface, its {side}", self.object + 1)?,
         }

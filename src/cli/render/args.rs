@@ -111,7 +111,8 @@ pub struct PictureArgs {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=720), conflicts_with = "probe")]
     pub turntable: Option<u16>,
 
-    /// Tell the numbers behind a pixel, counted from 0 at the upper left: what is seen, N, L, V, R, H, every term
+    /// Tell the numbers behind a pixel, counted from 0 at the upper left: what is seen, N, L, V, R, H, every term. Objects,
+    /// faces, vertices and lights are counted from 1 in the text, from 0 in --json
     #[arg(long, value_name = "X,Y", value_parser = values::pixel, allow_hyphen_values = true, conflicts_with_all = ["show", "overlay"])]
     pub probe: Option<[u32; 2]>,
 }
@@ -140,14 +141,18 @@ pub struct ShadingArgs {
     pub flat_sample: Option<FlatSample>,
 
     /// Show, in place of light: `normals` (n + 1)/2; `facing` front green, back red; `depth` white near, black far;
-    /// `face-id` a colour for each face; `deviation[=DEG]` the angle between interpolated and true normal, from black
-    /// over red and yellow to white at 15° or the angle given
+    /// `face-id` a colour for each face; `deviation[=DEG]` the angle between the interpolated normal and that of the analytic
+    /// surface that an object stands for, else of the face: from black over red and yellow to white at 15° or the angle given
     #[arg(long, value_name = "WHAT", value_parser = values::show)]
     pub show: Option<Show>,
 
-    /// Draw lines over the picture, hidden where a surface is in front
+    /// Draw lines over the picture
     #[arg(long, value_name = "WHAT,WHAT", value_parser = Choices(OVERLAYS), value_delimiter = ',')]
     pub overlay: Vec<Overlay>,
+
+    /// What becomes of lines of wireframes and overlays where a surface is in front [default: remove]
+    #[arg(long, value_name = "HOW", value_parser = Choices(HIDDEN_LINES))]
+    pub hidden_lines: Option<HiddenLines>,
 
     /// Leave out faces by the side that is seen [default: none]
     #[arg(long, value_name = "WHICH", value_parser = Choices(CULLS))]
@@ -178,7 +183,7 @@ pub struct SceneArgs {
     #[arg(long, value_name = "MATERIAL", value_parser = fields::material)]
     pub material: Option<Material>,
 
-    /// What is seen where there is nothing [default: black]
+    /// What is seen where there is nothing; the wireframe of a mesh is black on what is bright [default: black]
     #[arg(long, value_name = "COLOUR", value_parser = values::colour)]
     pub background: Option<LinearRgb>,
 
@@ -236,6 +241,13 @@ pub struct ColourArgs {
     /// How linear light becomes codes [default: srgb; for --show normals and depth, direct]
     #[arg(long, value_name = "CURVE", value_parser = Choices(TRANSFERS))]
     pub transfer: Option<Transfer>,
+}
+
+/// What becomes of lines behind surfaces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HiddenLines {
+    Remove,
+    Show,
 }
 
 /// One panel of `--compare`.
@@ -302,6 +314,11 @@ const OVERLAYS: &[Choice<Overlay>] = &[
     ("creases", Overlay::Creases, "edges whose sides have different normals"),
     ("vertex-normals", Overlay::VertexNormals, "lines along the normals of vertices"),
     ("face-normals", Overlay::FaceNormals, "lines along the normals of faces"),
+];
+
+const HIDDEN_LINES: &[Choice<HiddenLines>] = &[
+    ("remove", HiddenLines::Remove, "they are left out"),
+    ("show", HiddenLines::Show, "they are drawn like all others"),
 ];
 
 const CULLS: &[Choice<Cull>] = &[

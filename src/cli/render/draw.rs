@@ -110,7 +110,10 @@ fn image(file: &SceneFile, settings: &RenderSettings, request: &Request) -> Resu
 
 fn add_overlays(scene: &mut Scene, settings: &RenderSettings, request: &Request) {
     let kinds = &request.args.shading.overlay;
-    let lines: Vec<_> = kinds.iter().flat_map(|&kind| overlay(scene, settings.size, kind)).collect();
+    let mut lines: Vec<_> = kinds.iter().flat_map(|&kind| overlay(scene, settings.size, kind)).collect();
+    for lines in &mut lines {
+        lines.style.hide = request.hides_lines(lines.style.hide);
+    }
     scene.lines.extend(lines);
 }
 

@@ -7,6 +7,7 @@ mod report;
 mod request;
 mod text;
 mod turn;
+mod unused;
 mod values;
 
 pub use args::{INTERPOLATIONS, RenderArgs};
@@ -20,7 +21,7 @@ use super::output::Store;
 use super::progress::CountProgress;
 use super::report::{ErrorReport, NoteReport, json_line};
 use super::{Exit, notes, usage_error, use_threads};
-use crease::io::{self, Note, ReadError, Written};
+use crease::io::{self, ReadError, Written};
 use crease::raster::{Image, Object, SceneFile, Shading, Shape, Unseen, load};
 use crease::report::{PixelReport, probe_pixel};
 use draw::{DrawError, Drawn, Made};
@@ -57,10 +58,7 @@ fn work(request: &Request, console: &Console, report: &mut Report) -> Result<(),
     }
     report.notes.extend(file.notes.iter().map(NoteReport::new));
     request.change(&mut file)?;
-    if request.args.normals.are_typed() && file.meshes.is_empty() {
-        let text = "there are no meshes, whose normals --weight, --crease and --when would change";
-        report.notes.push(NoteReport::new(&Note::remark(text)));
-    }
+    report.notes.extend(unused::notes(request, &file));
     report.notes.extend(gains(&file));
     report.scene = Some(SceneReport::new(&file, &file.scene()));
     report.settings = Some(SettingsReport::new(&file.settings));

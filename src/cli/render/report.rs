@@ -197,7 +197,7 @@ impl SceneReport {
                 up: up.to_array(),
                 near,
                 projection: match projection {
-                    Projection::Perspective(angle) => ProjectionReport::Angle(Degrees::from(angle).0),
+                    Projection::Perspective(angle) => ProjectionReport::Angle(Degrees::shortest(angle).0),
                     Projection::Orthographic(height) => ProjectionReport::Height(height),
                 },
             },

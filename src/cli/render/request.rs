@@ -1,6 +1,6 @@
 //! What was typed after `render`, made into what shall be done.
 
-use super::args::{ReflectionChoice, RenderArgs, Variant};
+use super::args::{HiddenLines, ReflectionChoice, RenderArgs, Variant};
 use super::turn;
 use crate::cli::inputs::Source;
 use crate::cli::normals::Failure;
@@ -47,6 +47,10 @@ pub enum Subject<'a> {
 
 /// Most pixels of all frames or panels together, as many as the largest single picture has: what is more was hardly meant.
 const MOST_PIXELS: u64 = 1 << 28;
+
+/// The luminance of a background on which black is told better than white: where (1 + 0.05)/(Y + 0.05) is
+/// (Y + 0.05)/0.05, the contrast ratios of WCAG 2.
+const BRIGHT: f64 = 0.179;
 
 impl<'a> Request<'a> {
     /// Checks what was typed against itself.
@@ -120,6 +124,11 @@ impl<'a> Request<'a> {
         matches!(&self.source, Source::File(path) if is_toml(path)) && self.format.is_none()
     }
 
+    /// Whether lines behind surfaces are left out, if nothing else says so.
+    pub fn hides_lines(&self, default: bool) -> bool {
+        self.args.shading.hidden_lines.map_or(default, |lines| lines == HiddenLines::Remove)
+    }
+
     /// Whether what was typed tells places in the scene's own space.
     pub fn has_places(&self) -> bool {
         let scene = &self.args.scene;
@@ -139,6 +148,9 @@ impl<'a> Request<'a> {
         self.change_materials(file).map_err(Failure::Draw)?;
         let scene = &self.args.scene;
         file.background = scene.background.unwrap_or(file.background);
+        if !self.has_settings() && file.background.luminance() > BRIGHT {
+            file.settings.wire.colour = LinearRgb::BLACK;
+        }
         let is_typed = self.args.colour.transfer.is_some();
         if !is_typed && (transfer, file.settings.transfer) == (Transfer::Srgb, Transfer::Direct) {
             // The same codes as behind the lit picture.
@@ -261,6 +273,7 @@ impl<'a> Request<'a> {
         set.shading = shading.shading.unwrap_or(set.shading);
         set.interpolation = shading.interpolation.unwrap_or(set.interpolation);
         set.flat_sample = shading.flat_sample.unwrap_or(set.flat_sample);
+        set.wire.hide = self.hides_lines(set.wire.hide);
         set.cull = shading.cull.unwrap_or(set.cull);
         set.two_sided |= shading.two_sided;
         if let Some(show) = shading.show {

@@ -65,6 +65,11 @@ fn advice_within_a_scene_can_be_followed() {
     let output = super::render([path(work.path().join("a.toml")).as_str(), "-o", "-"]);
     let message = text(&output.stderr);
     assert!(code(&output) == 3 && message.contains(".obj") && !message.contains("--format"), "{message}");
+    // Nor is a folder a file that is not there.
+    let work = folder(&[("a.toml", "[[object]]\nmesh = \"sub\"\n"), ("sub/b.obj", SQUARE)]);
+    let output = super::render([path(work.path().join("a.toml")).as_str(), "-o", "-"]);
+    let message = text(&output.stderr);
+    assert!(code(&output) == 3 && message.contains("line 2") && message.contains("is a folder"), "{message}");
 }
 
 /// Who looks from elsewhere needs no camera of the file.
@@ -107,6 +112,78 @@ fn options_override_normals_that_a_scene_calls_given() {
     assert!(!notes(&ball).contains("no meshes"));
 }
 
+/// Options that were typed for nothing are told, and none that do something.
+#[test]
+fn options_that_change_nothing_are_told() {
+    let ball = "[[object]]\nsurface.sphere.radius = 1\n";
+    let white = "[settings]\nshading = \"wireframe\"\nbackground = 1\n[[object]]\nmesh = \"square.obj\"\n";
+    let work = folder(&[("ball.toml", ball), ("white.toml", white), ("square.obj", SQUARE)]);
+    let at = |name: &str| path(work.path().join(name));
+    let [ball, white, square] = ["ball.toml", "white.toml", "square.obj"].map(at);
+    let small = |args: &[&str]| notes(&with(args, &["--size", "40x30"]));
+    let table: &[(&[&str], &str)] = &[
+        (&[&square, "--flat-sample", "centroid"], "--flat-sample changes nothing"),
+        (
+            &[&square, "--interpolation", "affine", "--shading", "flat"],
+            "--interpolation changes nothing: only",
+        ),
+        (&[&square, "--interpolation", "affine", "--show", "depth"], "not interpolated"),
+        (&[&ball, "--interpolation", "scanline"], "--interpolation changes nothing: analytic"),
+        (&[&ball, "--compare", "scanline,affine"], "no difference: analytic"),
+        (&[&ball, "--shading", "flat"], "drawn exactly"),
+        (&[&ball, "--shading", "phong"], "drawn exactly"),
+        (&[&ball, "--compare", "flat,exact"], "drawn exactly"),
+        (&[&square, "--hidden-lines", "show"], "--hidden-lines changes nothing"),
+        (&[&square, "--show", "depth", "--light", "directional towards=0,0,1"], "--light changes nothing"),
+        (
+            &[&square, "--show", "normals", "--ambient", "1", "--exponent", "3"],
+            "--ambient, --exponent change",
+        ),
+        (
+            &[&square, "--shading", "wireframe", "--material", "kd=1"],
+            "--material changes nothing: a wireframe",
+        ),
+        (&[&white], "the colour of the background"),
+    ];
+    for (args, expected) in table {
+        let found = small(args);
+        assert!(found.contains(expected), "{args:?}: no {expected:?} in {found:?}");
+    }
+    let silent: &[&[&str]] = &[
+        &[&square, "--flat-sample", "centroid", "--shading", "flat"],
+        &[&square, "--flat-sample", "centroid", "--compare", "flat,phong"],
+        &[&square, "--interpolation", "affine"],
+        &[&square, "--interpolation", "affine", "--show", "normals"],
+        &[&square, "--compare", "affine,perspective"],
+        &[&ball],
+        &[&ball, "--shading", "exact"],
+        &[&square, "--hidden-lines", "show", "--overlay", "wire"],
+        &[&square, "--light", "directional towards=0,0,1"],
+        &[&square, "--show", "deviation", "--weight", "area"],
+        &[&white, "--background", "0.5"],
+        &[&square, "--shading", "wireframe", "--background", "1"],
+    ];
+    for args in silent {
+        let found = small(args);
+        let is_told =
+            ["nothing", "no difference", "drawn exactly", "background"].iter().any(|it| found.contains(it));
+        assert!(!is_told, "{args:?}: {found}");
+    }
+}
+
+/// A wireframe shows on a background of any brightness.
+#[test]
+fn wireframes_show_on_white() {
+    let (_folder, square) = square();
+    let drawn = |background: &str| {
+        let args = with(&[square.as_str()], &["--shading", "wireframe", "--size", "40x30"]);
+        picture(&with(&args, &["--background", background]))
+    };
+    let darkest = |picture: &image::RgbImage| picture.pixels().map(|pixel| pixel.0[0]).min().unwrap();
+    assert!(darkest(&drawn("1")) < 64 && pixels_unlike(&drawn("0"), [0, 0, 0]) > 20);
+    assert!(pixels_unlike(&drawn("0.1"), [89, 89, 89]) > 20);
+}
+
 /// What is left out of `--camera` stays: also the near distance that a scene has chosen, however the eye is moved.
 #[test]
 fn a_scenes_camera_keeps_what_is_left_out() {
@@ -116,8 +193,7 @@ fn a_scenes_camera_keeps_what_is_left_out() {
     let camera = |args: &[String]| report(&with(args, &["--size", "40x30"]))["scene"]["camera"].clone();
     let moved = camera(&with(&[at("a.toml")], &["--camera", "eye=0,1,9"]));
     assert_eq!(moved["near"], 0.25, "{moved}");
-    // Degrees to radians and back.
-    assert!((moved["angle"].as_f64().unwrap() - 30.0).abs() < 1e-12, "{moved}");
+    assert_eq!(moved["angle"], 30.0, "{moved}");
     // A far target cuts nothing off.
     let far = with(&[at("a.obj")], &["--camera", "eye=0,0,5 target=0,0,-30000", "--size", "40x30"]);
     assert!(pixels_unlike(&picture(&far), [0, 0, 0]) > 200);

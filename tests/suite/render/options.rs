@@ -54,6 +54,30 @@ fn every_value_of_every_option_makes_its_own_picture() {
     }
 }
 
+/// Hidden lines show as more lines, of wireframes and of overlays; removing them is the default.
+#[test]
+fn hidden_lines_are_removed_or_shown() {
+    let gear = gear();
+    for lines in [&["--shading", "wireframe"][..], &["--overlay", "wire"], &["--overlay", "vertex-normals"]] {
+        let drawn = |how: &[&str]| bytes(&with(&with(&gear, lines), how));
+        let (removed, shown) = (drawn(&["--hidden-lines", "remove"]), drawn(&["--hidden-lines", "show"]));
+        assert!(removed != shown && removed == drawn(&[]), "{lines:?}");
+    }
+    let wires = |how: &str| {
+        let args = with(&gear, &["--shading", "wireframe", "--hidden-lines", how]);
+        pixels_unlike(&picture(&args), [0, 0, 0])
+    };
+    assert!(wires("show") > wires("remove"));
+    // And a scene that shows them is overruled.
+    let scene = "[settings]\nshading = \"wireframe\"\nwire.hide = false\n[[object]]\nsurface.torus = { major = 1, minor = 0.4 }\n\
+                 tessellation = {}\n";
+    let work = crate::cli::folder(&[("a.toml", scene)]);
+    let args = with(&[path(work.path().join("a.toml"))], &["--size", "96x72"]);
+    let plain = bytes(&args);
+    assert!(plain == bytes(&with(&args, &["--hidden-lines", "show"])));
+    assert!(plain != bytes(&with(&args, &["--hidden-lines", "remove"])));
+}
+
 /// What the defaults are called.
 #[test]
 fn defaults_are_what_help_says() {

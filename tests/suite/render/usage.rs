@@ -22,6 +22,7 @@ const OPTIONS: &[(&str, &[&str])] = &[
     ("--flat-sample", &["centroid", "vertex-mean"]),
     ("--show", &["normals", "facing", "depth", "face-id", "deviation"]),
     ("--overlay", &["wire", "creases", "vertex-normals", "face-normals"]),
+    ("--hidden-lines", &["remove", "show"]),
     ("--cull", &["none", "back", "front"]),
     ("--two-sided", &[]),
     ("--camera", &["CAMERA"]),
