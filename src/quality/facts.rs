@@ -44,6 +44,8 @@ pub(super) struct Facts<'a> {
     pub(super) scale: f64,
     /// What `--orient outward` would find.
     pub(super) outward: Orientation,
+    /// The components that it would turn.
+    pub(super) inside_out: Vec<InsideOut>,
     /// Faces that `--orient consistent` would turn, ascending.
     pub(super) minority: Vec<u32>,
     /// Of each vertex whether a turned face is at it, so that the mean there says nothing; empty if there are none.
@@ -71,7 +73,9 @@ impl<'a> Facts<'a> {
         if outward.inside_out > 0 && !around.hollows(part).is_empty() {
             outward = orientations.outward(mesh, confidence, around.hollows(part));
         }
-        let worth = worth(mesh, stored, &field, &minority, &outward);
+        let inside_out =
+            InsideOut::all(&orientations, &outward, |faces| opposed(mesh, stored, &field, faces));
+        let worth = worth(mesh, &field, &minority, &inside_out);
         let extent = mesh.bounds().map_or(0.0, |(low, high)| (high - low).max_element());
         let scale = unit_scale(extent);
         let area: Vec<f64> = (0..mesh.face_count())
@@ -91,6 +95,7 @@ impl<'a> Facts<'a> {
             size: extent * scale,
             scale,
             outward,
+            inside_out,
             minority,
             beside_turned: Vec::new(),
             collapsed: FxHashSet::default(),
@@ -191,40 +196,61 @@ impl<'a> Facts<'a> {
     }
 }
 
-/// The share of the corners of some faces whose stored normals point against their face; 0 if none is stored.
-pub(super) fn opposed(
-    mesh: &Mesh,
-    stored: Option<&Column<DVec3>>,
-    field: &NormalField,
-    faces: &[u32],
-) -> f64 {
-    let Some(stored) = stored else { return 0.0 };
-    let (mut opposed, mut all) = (0usize, 0usize);
+/// A component that faces the wrong way as a whole.
+pub(super) struct InsideOut {
+    /// Its faces, but for those that run against the others, ascending.
+    pub(super) faces: Vec<u32>,
+    pub(super) is_open: bool,
+    /// Whether most of its stored normals point against these faces; `None` if none is stored that says so.
+    pub(super) is_opposed: Option<bool>,
+}
+
+impl InsideOut {
+    fn all(
+        orientations: &Orientations,
+        outward: &Orientation,
+        is_opposed: impl Fn(&[u32]) -> Option<bool>,
+    ) -> Vec<Self> {
+        let all = orientations.inside_out(&outward.reversed).into_iter();
+        let told = |faces: Vec<u32>| {
+            let is_open = faces.first().is_some_and(|face| outward.reversed_open.binary_search(face).is_ok());
+            Self { is_opposed: is_opposed(&faces), is_open, faces }
+        };
+        all.map(told).collect()
+    }
+
+    /// Whether its faces are to be taken for the opposite of what they are. Rooms, skies and bowls are seen from within, and
+    /// their normals say so as well; without normals, a component with a rim has no inside for certain.
+    fn is_fault(&self) -> bool {
+        self.is_opposed.unwrap_or(!self.is_open)
+    }
+}
+
+/// Whether more than half of the stored normals at some faces point against their face; `None` if there are none, or all are
+/// the same and say nothing of any side.
+fn opposed(mesh: &Mesh, stored: Option<&Column<DVec3>>, field: &NormalField, faces: &[u32]) -> Option<bool> {
+    let stored = stored?;
+    let (mut opposed, mut all, mut first, mut is_constant) = (0usize, 0usize, None, true);
     for &face in faces {
         let normal = field.face_normals[face as usize];
         for unit in mesh.faces().range(face as usize).filter_map(|corner| stored_unit(stored, mesh, corner)) {
+            is_constant &= are_same(*first.get_or_insert(unit), unit);
             all += 1;
             opposed += usize::from(unit.dot(normal) < 0.0);
         }
     }
-    opposed as f64 / all.max(1) as f64
+    (!is_constant).then_some(2 * opposed > all)
 }
 
-fn worth(
-    mesh: &Mesh,
-    stored: Option<&Column<DVec3>>,
-    field: &NormalField,
-    minority: &[u32],
-    outward: &Orientation,
-) -> Vec<Worth> {
+/// Whether two unit vectors are one, as far as a mesh whose normals are all the same goes.
+pub(super) fn are_same(a: DVec3, b: DVec3) -> bool {
+    a.dot(b) > 0.9999
+}
+
+fn worth(mesh: &Mesh, field: &NormalField, minority: &[u32], inside_out: &[InsideOut]) -> Vec<Worth> {
     let mut worth = vec![Worth::Sound; mesh.face_count()];
-    // With a rim a component has no inside for certain: it is held to be turned round where its normals say so too.
-    let open = &outward.reversed_open;
-    let are_open_turned = opposed(mesh, stored, field, open) > 0.5;
-    let inside_out =
-        outward.reversed.iter().filter(|face| are_open_turned || open.binary_search(face).is_err());
-    // What both lists have is only against its neighbours; what one has is that, or part of what is inside out.
-    for &face in minority.iter().chain(inside_out) {
+    let wholes = inside_out.iter().filter(|component| component.is_fault());
+    for &face in wholes.flat_map(|component| &component.faces).chain(minority) {
         worth[face as usize] = Worth::Turned;
     }
     let silent =

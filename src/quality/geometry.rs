@@ -2,7 +2,7 @@
 
 use super::Thresholds;
 use super::catalogue::Kind;
-use super::facts::{Facts, opposed};
+use super::facts::Facts;
 use super::finding::Severity;
 use super::limit::Limit;
 use super::tally::{Spot, Tallies, scan};
@@ -72,29 +72,22 @@ fn winding(facts: &Facts<'_>, doubled: &[u32], found: &mut Tallies) {
 
 /// Components that face the wrong way as a whole: closed ones by their volume, those with a rim by what is seen of them.
 fn inside_out(facts: &Facts<'_>, found: &mut Tallies) {
-    let outward = &facts.outward;
-    for (kind, components, is_open) in
-        [(Kind::InsideOut, outward.inside_out, false), (Kind::OpenInsideOut, outward.open_inside_out, true)]
-    {
-        if components == 0 {
-            continue;
+    for component in &facts.inside_out {
+        let kind = if component.is_open { Kind::OpenInsideOut } else { Kind::InsideOut };
+        let is_opposed = component.is_opposed == Some(true);
+        for &face in &component.faces {
+            let weight = f64::from(u8::from(is_opposed));
+            found.add(kind, Spot::face(face as usize, weight), facts.area[face as usize]);
         }
-        // Where both would turn a face it is against its neighbours only.
-        let is_whole = |face: &u32| facts.minority.binary_search(face).is_err();
-        let is_wanted = |face: &u32| outward.reversed_open.binary_search(face).is_ok() == is_open;
-        let faces: Vec<u32> =
-            outward.reversed.iter().copied().filter(|face| is_whole(face) && is_wanted(face)).collect();
-        for &face in &faces {
-            found.add(kind, Spot::face(face as usize, 0.0), facts.area[face as usize]);
-        }
-        let opposed = opposed(facts.mesh, facts.stored, &facts.field, &faces);
+        let severity = match (component.is_open, is_opposed) {
+            (_, true) => kind.entry().severity,
+            (false, false) => Severity::Warning,
+            (true, false) => Severity::Note,
+        };
         let tally = found.tally(kind);
-        tally.components = components as u64;
-        tally.confidence = Some(if is_open { outward.confidence } else { 1.0 });
-        // Rooms, skies and bowls are seen from within; their normals say so as well.
-        if opposed < 0.5 {
-            tally.severity = Some(if is_open { Severity::Note } else { Severity::Warning });
-        }
+        tally.components += 1;
+        tally.confidence = Some(if component.is_open { facts.outward.confidence } else { 1.0 });
+        tally.severity = tally.severity.max(Some(severity));
     }
 }
 

@@ -3,7 +3,7 @@
 
 use super::Thresholds;
 use super::catalogue::Kind;
-use super::facts::{Facts, Worth};
+use super::facts::{Facts, Worth, are_same};
 use super::rotation::{are_spread, closest_turn, outer, rotation_angle};
 use super::tally::{Spot, Tallies};
 use crate::mesh::normal_matrix;
@@ -154,7 +154,7 @@ impl Pairs {
             for corner in range {
                 let Some(stored) = facts.stored_unit(corner) else { continue };
                 let expected = facts.right_way(face, corner);
-                pairs.is_constant &= first.is_some_and(|first| first.dot(stored) > 0.9999);
+                pairs.is_constant &= first.is_some_and(|first| are_same(first, stored));
                 pairs.correlation += outer(stored * weight, expected);
                 pairs.either_way += stored.dot(expected).abs() * weight;
                 pairs.mean_face += facts.face_normal(face) * weight;

@@ -180,6 +180,23 @@ impl Orientations {
         found
     }
 
+    /// Of faces to turn, ascending, those of each component that has more than half of its faces turned.
+    pub(crate) fn inside_out(&self, reversed: &[u32]) -> Vec<Vec<u32>> {
+        if reversed.is_empty() {
+            return Vec::new();
+        }
+        let is_turned = |face: &u32| reversed.binary_search(face).is_ok();
+        let turned = |component: usize| -> Vec<u32> {
+            self.components.faces(component).iter().copied().filter(is_turned).collect()
+        };
+        let components = (0..self.components.len()).into_par_iter();
+        let turned = components.map(|component| (component, turned(component)));
+        turned
+            .filter(|(component, faces)| self.is_inside_out(*component, faces.len()))
+            .map(|it| it.1)
+            .collect()
+    }
+
     /// The counts of components, and no face turned.
     fn nothing(&self) -> Orientation {
         Orientation {

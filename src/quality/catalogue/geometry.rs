@@ -36,7 +36,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         "inside-out",
         Severity::Error,
         "closed surfaces that face inwards",
-        "The signed volume of the component is negative where it should be positive, by the number of others that it lies in; that is told exactly, or not at all. What lies in the matter of another mesh of the file, wherever nodes put it, is a cavity and is right. With back faces culled one sees its far side from within; lit, it is dark on the side of the lamp. An error where most of the stored normals of these faces point the other way: faces and normals contradict each other. A warning where they agree, or where none are stored: rooms and skies are made so on purpose, and only who made it knows.",
+        "The signed volume of the component is negative where it should be positive, by the number of others that it lies in; that is told exactly, or not at all. What lies in the matter of another mesh of the file, wherever nodes put it, is a cavity and is right. With back faces culled one sees its far side from within; lit, it is dark on the side of the lamp. An error where most of the stored normals of such a component point the other way: faces and normals contradict each other. A warning where they agree, and the normals are then judged by the faces as they are, or where none are stored: rooms and skies are made so on purpose, and only who made it knows.",
         "Turn its faces outward, unless it is meant to be seen from within.",
         Some("--orient outward"),
     ),

@@ -4,10 +4,11 @@ use super::{grave, inspect, rebuilt, recipe, surface, with_normals};
 use crate::cli::data;
 use crate::meshes;
 use crease::io::{Format, Part, ReadOptions, WriteOptions, read, read_bytes, write_new};
-use crease::mesh::{Faces, Mesh};
+use crease::mesh::{FaceEdit, Faces, Mesh};
 use crease::normals::{NormalRecipe, Weight};
-use crease::quality::{Thresholds, diagnose};
+use crease::quality::{Severity, Thresholds, diagnose};
 use crease::surface::{Cylinder, Pattern, Sphere, Superquadric, Surface, Tessellation, Torus, Wave};
+use glam::DVec3;
 
 /// A clean mesh and what it is good for.
 pub(super) struct Clean {
@@ -22,12 +23,41 @@ pub(super) struct Clean {
     pub(super) is_round: bool,
     /// Its faces are so uneven that weightings differ.
     pub(super) is_uneven: bool,
+    /// It is closed, faces inwards and is meant to: its normals say so as well.
+    pub(super) is_room: bool,
 }
 
 fn clean(name: &'static str, mesh: Mesh, crease: f64) -> Clean {
     let recipe = recipe(Weight::Angle, crease);
     let mesh = with_normals(mesh.with_normals(None), &recipe);
-    Clean { name, mesh, recipe, is_closed: true, has_outside: true, is_round: true, is_uneven: false }
+    let (is_closed, has_outside, is_round) = (true, true, true);
+    Clean { name, mesh, recipe, is_closed, has_outside, is_round, is_uneven: false, is_room: false }
+}
+
+/// A closed mesh to be seen from within: its faces turned round, and normals made of them as they are then.
+fn room(name: &'static str, mesh: &Mesh) -> Clean {
+    let reversed = (0..mesh.face_count() as u32).collect();
+    let inward = mesh.with_faces(&FaceEdit { reversed, ..FaceEdit::default() });
+    Clean { is_round: false, is_room: true, ..clean(name, inward, 40.0) }
+}
+
+/// A box with sides of 8 × 8 squares, each side with vertices of its own.
+fn tiled_box() -> Mesh {
+    const TILES: u32 = 8;
+    let (mut positions, mut faces) = (Vec::new(), Faces::new());
+    for (axis, sign) in (0..3).flat_map(|axis| [(axis, -1.0), (axis, 1.0)]) {
+        let [out, across] = [DVec3::AXES[axis] * sign, DVec3::AXES[(axis + 1) % 3]];
+        let along = out.cross(across);
+        let first = positions.len() as u32;
+        let share = |i: u32| f64::from(i) * 2.0 / f64::from(TILES) - 1.0;
+        let rows = (0..=TILES).flat_map(|i| (0..=TILES).map(move |j| (i, j)));
+        let size = DVec3::new(3.0, 2.0, 4.0);
+        positions.extend(rows.map(|(i, j)| (out + across * share(i) + along * share(j)) * size));
+        for corner in (0..TILES).flat_map(|i| (0..TILES).map(move |j| first + i * (TILES + 1) + j)) {
+            faces.push(&[corner, corner + TILES + 1, corner + TILES + 2, corner + 1]);
+        }
+    }
+    rebuilt(positions, faces)
 }
 
 fn jittered(shape: &Surface, segments: [u32; 2]) -> Mesh {
@@ -64,6 +94,9 @@ pub(super) fn meshes() -> Vec<Clean> {
         },
         Clean { is_closed: false, is_uneven: true, ..clean("bowl", bowl(), 40.0) },
         Clean { is_round: false, ..clean("gear", file("gear.obj"), 40.0) },
+        room("sky", &sphere.tessellate(&ball).unwrap()),
+        room("box room", &tiled_box()),
+        room("gear room", &file("gear.obj")),
     ];
     if let Some(path) = meshes::path("ref/fandisk_vtk_split30.ply") {
         let mesh = read(&path, None, &ReadOptions::default()).unwrap().parts.remove(0).mesh;
@@ -76,7 +109,10 @@ pub(super) fn meshes() -> Vec<Clean> {
 fn clean_meshes_get_no_warning() {
     for clean in meshes() {
         let diagnosis = inspect(&clean.mesh, 10);
-        assert_eq!(grave(&diagnosis), Vec::<&str>::new(), "{}", clean.name);
+        // Only who made it knows whether it is meant.
+        let told: &[&str] = if clean.is_room { &["inside-out"] } else { &[] };
+        assert_eq!(grave(&diagnosis), told, "{}", clean.name);
+        assert_ne!(diagnosis.worst(), Some(Severity::Error), "{}", clean.name);
     }
     for (shape, segments) in [
         (Surface::from(Cylinder::default()), [32, 8]),

@@ -293,6 +293,10 @@ pub(super) fn faults(clean: &Clean) -> Vec<Planted> {
     all.push(by_chance(clean, ("1 % of corners negated, by chance", Kind::Flipped, 0.01), neg));
     all.push(by_chance(clean, ("10 % of corners tilted by 30°, by chance", Kind::Stray, 0.1), tilt));
     all.extend(wholes::faults(clean));
+    // A room whose normals or faces are all turned round is a solid with one or the other turned.
+    all.retain(|it| !clean.is_room || ![Kind::Inverted, Kind::InsideOut].contains(&it.expected));
+    // To mirror the normals of a box is to turn those of two sides round.
+    all.retain(|it| clean.name != "box room" || it.what != "x mirrored");
     all
 }
 
