@@ -3,16 +3,20 @@
 use crate::normals::encoding::Encoding;
 use crate::num::{Degrees, Radians};
 use glam::DVec3;
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
-/// Directions, all different, that have to lie on a grid before it is believed.
-const FEWEST: usize = 16;
+/// How unlikely it has to be that directions lie on a grid by chance before it is believed, in bits: one in a million, of
+/// which some sixty grids take their share.
+const NEEDED: f64 = 20.0;
 
 /// The largest component of directions that say nothing: multiples of few whole numbers are on very many grids.
 const SIMPLE: i32 = 4;
 
 /// How far what was on a grid may be from it, as a share of the largest code: more than 32 bits and six decimals leave.
 const ROUNDED: f64 = 1e-6;
+
+/// How far the length of a vector may be from 1 for it to count as unit: more than 32 bits leave.
+const UNIT: f64 = 1e-5;
 
 /// How far rounding three components to whole numbers may move a vector: half a step in each.
 const REACH: f64 = 0.866_025_403_784_438_6;
@@ -95,16 +99,17 @@ impl Codes {
 }
 
 impl Grid {
-    /// The coarsest grid that all of some normals lie on; `None` if they lie on none, or are too few to tell.
+    /// The coarsest grid that all of some normals lie on; `None` if they lie on none, or too few do for it to be no chance.
     pub(super) fn find(normals: &[DVec3]) -> Option<Grid> {
-        let normals: Vec<DVec3> =
-            normals.iter().copied().filter(|n| n.is_finite() && *n != DVec3::ZERO).collect();
-        let is_telling = {
-            let mut different = BTreeSet::new();
-            let telling = normals.iter().map(|normal| normal.normalize()).filter(|n| !is_simple(*n));
-            telling.map(shape).any(|shape| different.insert(shape) && different.len() >= FEWEST)
-        };
-        if is_telling { grids().find(|grid| normals.iter().all(|&n| grid.has(n))) } else { None }
+        let usable = normals.iter().copied().filter(|n| n.is_finite() && *n != DVec3::ZERO);
+        let normals: Vec<DVec3> = usable.collect();
+        let telling = normals.iter().filter(|normal| !is_simple(normal.normalize()));
+        let different: BTreeMap<[u32; 3], DVec3> = telling.map(|&normal| (shape(normal), normal)).collect();
+        let evidence = |grid: &Grid| different.values().map(|&normal| grid.evidence(normal)).sum::<f64>();
+        if different.is_empty() {
+            return None;
+        }
+        grids().find(|grid| normals.iter().all(|&normal| grid.has(normal)) && evidence(grid) >= NEEDED)
     }
 
     fn has(&self, normal: DVec3) -> bool {
@@ -115,8 +120,45 @@ impl Grid {
         }
     }
 
+    /// How unlikely it is that a vector lies on the grid by chance, in bits.
+    ///
+    /// A vector that was not rounded may be any, or of whole numbers: slopes of models often are. What rounding leaves is
+    /// not of length 1, which vectors of neither kind are not that were made unit.
+    fn evidence(&self, normal: DVec3) -> f64 {
+        let scale = self.codes.scale;
+        let by_component = -libm::log2((2.0 * ROUNDED * scale).min(1.0));
+        let free =
+            |vector: DVec3| vector.to_array().iter().filter(|x| **x != 0.0 && x.abs() != 1.0).count() as f64;
+        match self.layout {
+            // What no rounding of a unit vector leaves is of another making.
+            Layout::Components if (normal.length() - 1.0).abs() * scale > REACH + ROUNDED * scale => 0.0,
+            Layout::Components if (normal.length() - 1.0).abs() > UNIT => free(normal) * by_component,
+            Layout::Octahedral => {
+                let codes = normal / normal.abs().element_sum() * scale;
+                let any = (free(codes / scale) - 1.0).max(0.0) * by_component;
+                any.min(libm::log2(primitive(codes).abs().element_sum()))
+            }
+            _ => {
+                let Some(codes) = self.codes_of(normal.normalize()) else { return 0.0 };
+                // The share of the circle, or the sphere, that is as near to a direction of codes.
+                let near = match codes.to_array().contains(&0.0) {
+                    true => 4.0 * REACH * ROUNDED * scale,
+                    false => std::f64::consts::TAU * REACH * (ROUNDED * scale).powi(2),
+                };
+                // A multiple of a vector of whole numbers has such a length.
+                let whole = libm::log2(primitive(codes).length() / (2.0 * REACH));
+                (-libm::log2(near.min(1.0))).min(whole.max(0.0))
+            }
+        }
+    }
+
     /// Whether a vector of whole codes, which rounding a unit vector may give, has this direction.
     fn is_made_unit(&self, direction: DVec3) -> bool {
+        self.codes_of(direction).is_some()
+    }
+
+    /// The codes, without their offset, of which one that rounding a unit vector may give has this direction.
+    fn codes_of(&self, direction: DVec3) -> Option<DVec3> {
         let Codes { scale, offset, .. } = self.codes;
         let largest = direction[direction.abs().max_position()];
         let [a, b] = [scale - REACH, scale + REACH].map(|length| length * largest + offset);
@@ -124,7 +166,9 @@ impl Grid {
         // Two or three, at most.
         let codes = (0..4).map(|i| first + f64::from(i)).take_while(|&code| code <= last);
         let mut lengths = codes.map(|code| (code - offset) / largest);
-        lengths.any(|length| direction.to_array().iter().all(|x| self.codes.has(x * length)))
+        let length =
+            lengths.find(|length| direction.to_array().iter().all(|x| self.codes.has(x * length)))?;
+        Some((direction * length + offset).round() - offset)
     }
 
     /// An angle that no normal is farther from where it is rounded to.
@@ -170,11 +214,23 @@ fn grids() -> impl Iterator<Item = Grid> {
     cubes.chain(squares).map(|(layout, codes)| Grid { layout, codes })
 }
 
-/// What a direction has in common with those that permutations and signs make of it, which are on the same grids.
-fn shape(direction: DVec3) -> [u32; 3] {
-    let mut sizes = direction.abs().to_array().map(|x| libm::round(x * 1e5) as u32);
+/// What a vector's direction has in common with those that permutations and signs make of it, which are on the same grids.
+fn shape(vector: DVec3) -> [u32; 3] {
+    let mut sizes = vector.normalize().abs().to_array().map(|x| libm::round(x * 1e5) as u32);
     sizes.sort_unstable();
     sizes
+}
+
+/// The smallest vector of whole numbers in the direction of one of whole numbers or halves.
+fn primitive(halves: DVec3) -> DVec3 {
+    let whole = (halves * 2.0).round();
+    let common = whole.to_array().into_iter().fold(0, |common, x| common_divisor(common, x.abs() as u64));
+    whole / common.max(1) as f64
+}
+
+/// The greatest common divisor; of 0 and another, the other.
+fn common_divisor(a: u64, b: u64) -> u64 {
+    if b == 0 { a } else { common_divisor(b, a % b) }
 }
 
 /// Whether a direction is that of a vector of few whole numbers.
@@ -269,6 +325,47 @@ mod tests {
         for encoding in [Encoding::OCTAHEDRAL_8, Encoding::Snorm(Snorm::EIGHT), Encoding::Snorm(Snorm::TEN)] {
             let (worst, bound) = round(encoding);
             assert!(worst <= bound && worst > 0.9 * bound, "{}: {worst} of {bound}", encoding.name());
+        }
+    }
+
+    /// A prism of few sides has few directions, and fewer that signs and permutations do not make of each other.
+    #[test]
+    fn few_directions_tell_how_they_were_rounded() {
+        let side = |count: u32, lean: f64| {
+            let at = move |i: u32| {
+                let (sine, cosine) = libm::sincos(f64::from(i) * std::f64::consts::TAU / f64::from(count));
+                DVec3::new(cosine, lean, sine).normalize()
+            };
+            (0..count).map(at)
+        };
+        let named = |normals: &[DVec3], round: fn(DVec3) -> DVec3| {
+            let rounded: Vec<DVec3> = normals.iter().map(|&n| single(round(n))).collect();
+            Grid::find(&rounded).map(|grid| grid.name())
+        };
+        let signed: fn(DVec3) -> DVec3 = |n| (n * 127.0).round() / 127.0;
+        let unit: fn(DVec3) -> DVec3 = |n| (n * 127.0).round().normalize();
+        let octahedral: fn(DVec3) -> DVec3 = |n| {
+            let codec = Octahedral::new(8).unwrap();
+            codec.decode(codec.encode(n, Rounding::Nearest))
+        };
+        // Of a prism of 8 sides all are simple; of one of 16, one direction tells. A vector made unit again tells less.
+        for count in [12, 16, 20, 24, 32, 48, 64, 96, 128, 360] {
+            for lean in [0.0, 0.4] {
+                let sides: Vec<DVec3> = side(count, lean).collect();
+                let told = |round| named(&sides, round);
+                assert_eq!(named(&sides, |n| n), None, "{count} sides, {lean}");
+                assert_eq!(
+                    told(signed).as_deref(),
+                    Some("8-bit signed integers over 127"),
+                    "{count}, {lean}"
+                );
+                if count >= 48 {
+                    let expected = Some("8-bit signed integers over 127, made unit again");
+                    assert_eq!(told(unit).as_deref(), expected, "{count}, {lean}");
+                    let expected = Some("octahedral codes of 2 × 8-bit signed integers over 127");
+                    assert_eq!(told(octahedral).as_deref(), expected, "{count}, {lean}");
+                }
+            }
         }
     }
 
