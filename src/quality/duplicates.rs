@@ -1,9 +1,9 @@
-//! Faces that stand twice at one place.
+//! Faces and vertices that stand twice at one place.
 
 use super::catalogue::Kind;
 use super::facts::Facts;
 use super::tally::{Spot, Tallies};
-use glam::DVec3;
+use crate::mesh::{ColumnIndex, FaceLabels, place_key};
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 
@@ -68,8 +68,49 @@ fn places(facts: &Facts<'_>, face: usize) -> Vec<[u64; 3]> {
     facts.mesh.faces().range(face).map(|corner| place(facts, corner)).collect()
 }
 
-/// The bits of the position of a corner, −0 taken as +0.
+/// The position of a corner.
 fn place(facts: &Facts<'_>, corner: usize) -> [u64; 3] {
-    let position = facts.mesh.positions()[facts.mesh.faces().corners()[corner] as usize];
-    (position + DVec3::ZERO).to_array().map(f64::to_bits)
+    place_key(facts.mesh.positions()[facts.mesh.faces().corners()[corner] as usize])
+}
+
+/// Finds vertices, of those that faces use, that nothing tells from an earlier one. Where normals are stored, seams tell.
+pub(super) fn vertices(facts: &Facts<'_>, found: &mut Tallies) {
+    if facts.stored.is_some() || !facts.shares_vertices {
+        return;
+    }
+    let place = |vertex: u32| place_key(facts.mesh.positions()[vertex as usize]);
+    let used = (0..facts.mesh.vertex_count() as u32)
+        .into_par_iter()
+        .filter(|&vertex| !facts.topology.corners_at(vertex).is_empty());
+    let mut keys: Vec<([u64; 3], u32)> = used.map(|vertex| (place(vertex), vertex)).collect();
+    keys.par_sort_unstable();
+    for at_one_place in keys.chunk_by(|a, b| a.0 == b.0).filter(|chunk| chunk.len() > 1) {
+        let mut different: Vec<u32> = Vec::new();
+        for &(_, vertex) in at_one_place {
+            if different.iter().any(|&other| are_alike(facts, vertex, other)) {
+                found.add(Kind::DuplicateVertices, Spot::vertex(vertex as usize, 0.0), 0.0);
+            } else {
+                different.push(vertex);
+            }
+        }
+    }
+}
+
+/// Whether two vertices have the same of all that a file may say of a vertex, and faces of one material and object.
+fn are_alike(facts: &Facts<'_>, a: u32, b: u32) -> bool {
+    let columns = facts.mesh.columns();
+    let face = |vertex: u32| facts.topology.face_of(facts.topology.corners_at(vertex)[0]) as usize;
+    let (faces, ends) = ([face(a), face(b)], [a as usize, b as usize]);
+    let same_label = |labels: &Option<FaceLabels>| {
+        labels.as_ref().is_none_or(|labels| labels.of_face[faces[0]] == labels.of_face[faces[1]])
+    };
+    let same_uv = columns.uvs.as_ref().is_none_or(|uvs| match uvs.index {
+        ColumnIndex::PerVertex => uvs.values[ends[0]] == uvs.values[ends[1]],
+        ColumnIndex::PerCorner(_) => true,
+    });
+    same_uv
+        && columns.colors.as_ref().is_none_or(|colours| colours[ends[0]] == colours[ends[1]])
+        && columns.morph_targets.iter().all(|target| target[ends[0]] == target[ends[1]])
+        && same_label(&columns.materials)
+        && same_label(&columns.objects)
 }

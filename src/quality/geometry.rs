@@ -16,6 +16,7 @@ use rayon::prelude::*;
 /// Everything about the shape of a part.
 pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Tallies) {
     let doubled = duplicates::find(facts, found);
+    duplicates::vertices(facts, found);
     winding(facts, &doubled, found);
     let folded = Limit::new(thresholds.fold.0);
     let faces = scan(facts.mesh.face_count(), thresholds.places, |faces, found| {

@@ -95,6 +95,15 @@ pub(super) const ENTRIES: &[Entry] = &[
         None,
     ),
     entry(
+        Kind::DuplicateVertices,
+        "duplicate-vertices",
+        Severity::Note,
+        "vertices at one place that nothing tells apart",
+        "Texture coordinates, colours, material and object are equal as well as the place, and no normals are stored that would differ. `crease` smooths over such edges all the same; programs that go by indices see a rim there, shade the edge as a sharp one, and count more vertices than the shape needs. A file with stored normals has `needless-seam` in its place.",
+        "Merge the vertices with a tool that does, unless they stand for sharp edges; computing normals needs nothing.",
+        None,
+    ),
+    entry(
         Kind::NonPlanar,
         "non-planar-polygons",
         Severity::Note,

@@ -47,6 +47,7 @@ pub enum Kind {
     Needles,
     DuplicateFaces,
     BackToBack,
+    DuplicateVertices,
     NonPlanar,
     Concave,
     Crossed,
@@ -167,7 +168,7 @@ impl Kind {
             | Kind::Folded
             | Kind::MachBands
             | Kind::CoarseOutline => Element::Edge,
-            Kind::PinchedVertices | Kind::HighValence => Element::Vertex,
+            Kind::DuplicateVertices | Kind::PinchedVertices | Kind::HighValence => Element::Vertex,
             Kind::MirroredNode | Kind::SingularNode => Element::Node,
             Kind::MissingNormals
             | Kind::NotFinite

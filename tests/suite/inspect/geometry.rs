@@ -1,13 +1,13 @@
 //! Geometry that spoils normals, against what can be worked out by other means.
 
-use super::{inspect, rebuilt, surface};
+use super::{inspect, loaded, rebuilt, surface};
 use crease::io::{Format, ReadOptions, read_bytes};
-use crease::mesh::{Faces, Mesh};
+use crease::mesh::{Column, Columns, FaceLabels, Faces, Mesh, MeshBuilder};
 use crease::num::{Degrees, angle_between};
 use crease::quality::catalogue::Kind;
-use crease::quality::{Thresholds, diagnose};
+use crease::quality::{Diagnosis, Severity, Thresholds, diagnose};
 use crease::surface::{Surface, Torus};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 fn polygon(corners: &[[f64; 3]]) -> Mesh {
     let mut faces = Faces::new();
@@ -77,4 +77,56 @@ fn components_are_counted_over_all_parts() {
     let diagnosis = diagnose(&loaded, &Thresholds::default(), &|_| {});
     let found = diagnosis.get(Kind::InsideOut).unwrap();
     assert!(found.count == 8 && found.cause.ends_with("in 2 closed components"), "{found:?}");
+}
+
+/// A strip of two squares, the second with two vertices of its own where it meets the first.
+fn cut_strip(columns: Columns) -> Mesh {
+    let at = |x: f64, y: f64| DVec3::new(x, y, 0.0);
+    let positions = vec![
+        at(0.0, 0.0),
+        at(1.0, 0.0),
+        at(1.0, 1.0),
+        at(-0.0, 1.0),
+        at(1.0, 0.0),
+        at(2.0, 0.0),
+        at(2.0, 1.0),
+        at(1.0, 1.0),
+        // Of no face.
+        at(0.0, 0.0),
+    ];
+    let mut faces = Faces::new();
+    [[0, 1, 2, 3], [4, 5, 6, 7]].iter().for_each(|face| faces.push(face));
+    MeshBuilder { positions, faces, columns, ..MeshBuilder::default() }.build().unwrap()
+}
+
+/// Vertices that nothing tells from others at their place are told once each, where no normals are stored; with normals the
+/// seams that they make are told.
+#[test]
+fn vertices_that_stand_twice_are_told() {
+    let vertices = |diagnosis: &Diagnosis| -> Vec<Option<u32>> {
+        let told = diagnosis.get(Kind::DuplicateVertices);
+        told.map_or(vec![], |finding| finding.places.iter().map(|site| site.vertex).collect())
+    };
+    let bare = inspect(&cut_strip(Columns::default()), 10);
+    assert_eq!(vertices(&bare), [Some(4), Some(7)]);
+    let told = bare.get(Kind::DuplicateVertices).unwrap();
+    assert_eq!((told.count, told.of, told.severity), (2, 8, Severity::Note));
+
+    let colors = (0..9).map(|vertex| [if vertex == 4 { 1.0 } else { 0.5 }, 0.0, 0.0, 1.0]).collect();
+    let coloured = cut_strip(Columns { colors: Some(colors), ..Columns::default() });
+    assert_eq!(vertices(&inspect(&coloured, 10)), [Some(7)], "another colour is a reason");
+    let uvs = (0..9).map(|vertex| DVec2::splat(f64::from(u8::from(vertex == 7)))).collect();
+    let mapped = cut_strip(Columns { uvs: Some(Column::per_vertex(uvs)), ..Columns::default() });
+    assert_eq!(vertices(&inspect(&mapped, 10)), [Some(4)], "another place in the texture is a reason");
+    let materials = FaceLabels { of_face: vec![0, 1], names: vec!["a".into(), "b".into()] };
+    let painted = cut_strip(Columns { materials: Some(materials), ..Columns::default() });
+    assert!(vertices(&inspect(&painted, 10)).is_empty(), "another material is a reason");
+
+    let stored = cut_strip(Columns::default()).with_normals(Some(Column::per_vertex(vec![DVec3::Z; 9])));
+    let diagnosis = inspect(&stored, 10);
+    assert!(vertices(&diagnosis).is_empty() && diagnosis.get(Kind::NeedlessSeam).is_some());
+    // Facets cannot share.
+    let mut facets = loaded(cut_strip(Columns::default()));
+    facets.format = Format::Stl;
+    assert!(vertices(&diagnose(&facets, &Thresholds::default(), &|_| {})).is_empty());
 }
