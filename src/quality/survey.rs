@@ -15,9 +15,11 @@ pub struct Survey {
     pub shaded: Vec<DVec3>,
     /// The unit normal of each face.
     pub face_normals: Vec<DVec3>,
-    /// At each corner, the angle between its stored normal and the one that the rule of its mesh gives, in degrees; 0
-    /// where none is stored.
-    pub deviations: Vec<f64>,
+    /// The unit normal that the rule of its mesh gives each corner.
+    pub expected: Vec<DVec3>,
+    /// At each corner, the angle between its stored normal and the one that the rule of its mesh gives, in degrees; `None`
+    /// where none is stored, or one without a direction: zero, or no number.
+    pub deviations: Vec<Option<f64>>,
     /// The bend of each edge between two faces, in degrees.
     pub bends: Vec<f64>,
     /// The angle of the face at each corner, in degrees.
@@ -45,9 +47,8 @@ fn measured(facts: &Facts<'_>) -> Survey {
     let corners = mesh.faces().corner_count();
     let between = |a: DVec3, b: DVec3| Degrees::from(angle_between(a, b)).0;
     let edge = |corner: usize| facts.place(facts.topology.next(corner as u32) as usize) - facts.place(corner);
-    let deviation = |corner: usize| {
-        facts.stored_unit(corner).map_or(0.0, |stored| between(stored, facts.expected(corner)))
-    };
+    let deviation =
+        |corner: usize| facts.stored_unit(corner).map(|stored| between(stored, facts.expected(corner)));
     let bend = |corner: usize| {
         let across = facts.topology.across(corner as u32).filter(|&across| (corner as u32) < across)?;
         let faces = [corner as u32, across].map(|corner| facts.topology.face_of(corner) as usize);
@@ -69,6 +70,7 @@ fn measured(facts: &Facts<'_>) -> Survey {
     let valence = |vertex: u32| facts.topology.corners_at(vertex).len() as f64;
     Survey {
         shaded: (0..corners).map(|corner| facts.shaded(corner)).collect(),
+        expected: (0..corners).map(|corner| facts.expected(corner)).collect(),
         face_normals: facts.field.face_normals.clone(),
         deviations: (0..corners).map(deviation).collect(),
         bends: (0..corners).filter_map(bend).collect(),

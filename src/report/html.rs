@@ -33,6 +33,26 @@ pub fn escape_html(text: &str) -> Cow<'_, str> {
     Cow::Owned(out)
 }
 
+/// Running text as HTML, with what stands between two backticks as code and the rest as `prose` writes it.
+pub(super) fn with_code_in(text: &str, prose: impl Fn(&str, &mut String)) -> String {
+    let mut out = String::with_capacity(text.len() + 16);
+    let mut rest = text;
+    while let Some((before, (code, after))) =
+        rest.split_once('`').and_then(|(before, after)| Some((before, after.split_once('`')?)))
+    {
+        prose(before, &mut out);
+        let _ = write!(out, "<code>{}</code>", escape_html(code));
+        rest = after;
+    }
+    prose(rest, &mut out);
+    out
+}
+
+/// Running text as HTML, with what stands between two backticks as code.
+pub(super) fn with_code(text: &str) -> String {
+    with_code_in(text, |text, out| out.push_str(&escape_html(text)))
+}
+
 /// A page under construction: headings, paragraphs, tables and figures, one after the other.
 ///
 /// Everything is inside the one file: style, pictures (as data) and drawings. Each picture has alternative text, headings

@@ -1,6 +1,7 @@
 //! Sub- and superscripts in running text, where there is no room for a formula of its own.
 
 use crate::report::escape_html;
+use crate::report::html::with_code_in;
 
 /// Running text as HTML: `θ_L`, `c_{13}`, `cosⁿ` and `sin(α)^n` with their scripts below and above the line, names between
 /// backticks as code.
@@ -8,14 +9,7 @@ use crate::report::escape_html;
 /// What stands below belongs to a single letter, so that names of files and of options are left as they are. A script is a
 /// group in braces or parentheses, which are not shown, or the letters and digits that follow.
 pub fn running(text: &str) -> String {
-    let mut out = String::with_capacity(text.len() + 16);
-    for (number, part) in text.split('`').enumerate() {
-        match number % 2 {
-            0 => scripts(part, &mut out),
-            _ => out.push_str(&format!("<code>{}</code>", escape_html(part))),
-        }
-    }
-    out
+    with_code_in(text, scripts)
 }
 
 fn scripts(text: &str, out: &mut String) {

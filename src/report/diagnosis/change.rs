@@ -1,6 +1,7 @@
 //! Before and after, side by side.
 
-use super::pictures::{HeatScale, Model};
+use super::heat::HeatScale;
+use super::pictures::Model;
 use crate::io::Loaded;
 use crate::num::three_digits;
 use crate::quality::{Comparison, Survey};
@@ -31,8 +32,9 @@ pub(super) fn section(
     page.heading("Before and after");
     page.paragraph(&words(after.name, comparison));
     let changes = surveys.iter().zip(&comparison.change);
+    let changed = |change: &[f64]| change.iter().copied().map(Some).collect();
     let changes: Vec<Survey> =
-        changes.map(|(survey, change)| Survey { deviations: change.clone(), ..survey.clone() }).collect();
+        changes.map(|(survey, change)| Survey { deviations: changed(change), ..survey.clone() }).collect();
     let then = Model::new(after.loaded, surveys, before.scale)?;
     let change = Model::new(after.loaded, &changes, HeatScale::of(changes.iter()))?;
     let worst: Vec<_> = comparison.places.first().into_iter().collect();

@@ -2,6 +2,7 @@
 
 mod change;
 mod close_up;
+mod heat;
 mod page;
 mod pictures;
 mod plots;

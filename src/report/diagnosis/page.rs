@@ -1,13 +1,15 @@
 //! The page.
 
 use super::change::{self, After};
-use super::pictures::{HeatScale, Model};
+use super::heat::HeatScale;
+use super::pictures::{Model, worst_places};
 use super::plots::histograms;
 use super::sight::{self, Sight};
 use crate::io::Loaded;
 use crate::num::three_digits;
-use crate::quality::{Diagnosis, Finding, Severity, Site, survey};
+use crate::quality::{Diagnosis, Finding, Severity, survey};
 use crate::raster::Camera;
+use crate::report::html::with_code;
 use crate::report::{Page, Picture, ReportError, Table, escape_html};
 use std::fmt::Write;
 
@@ -35,7 +37,7 @@ pub fn diagnosis_page(
     // Colours mean the same before and after.
     let later = after.map(|after| survey(after.loaded)).unwrap_or_default();
     let model = Model::new(loaded, &surveys, HeatScale::of(surveys.iter().chain(&later)))?;
-    let mut page = Page::new(&format!("Normals of {name}"), &verdict(diagnosis));
+    let mut page = Page::new(&format!("Normals of {name}"), &verdict(diagnosis)).set_by(with_code);
     let camera = sight::camera(&model, diagnosis, after.map(|after| after.comparison), sight);
     overview(&mut page, &model, diagnosis, camera)?;
     if let (Some(after), Some(camera)) = (after, camera) {
@@ -75,13 +77,7 @@ fn overview(
         page.paragraph("There are no faces to show.");
         return Ok(());
     };
-    let worst: Vec<&Site> = diagnosis
-        .findings
-        .iter()
-        .filter(|finding| finding.severity > Severity::Note)
-        .filter_map(|finding| finding.places.first())
-        .collect();
-    let heat = model.deviation(camera, SIDES[0], &worst)?;
+    let heat = model.deviation(camera, SIDES[0], &worst_places(diagnosis))?;
     let (facing, creases) = (model.facing(camera, SIDES[0])?, model.creases(camera, SIDES[0])?);
     let pictures: [(&Picture, &str); 3] = [
         (
@@ -93,9 +89,10 @@ fn overview(
     ];
     page.pictures(
         &pictures,
-        "Left: how far stored normals are from those that the rule of their mesh gives; red rings mark the worst place of \
-         each error and warning, also where it lies behind. Middle: front faces green, back faces red. Right: lit, with \
-         lines where the normals of two sides differ.",
+        "Left: how far stored normals are from those that the rule of their mesh gives, with dots on what is far off and too \
+         small to be seen, and grey lines where that rule has two normals at an edge; red rings mark the worst place of each \
+         error and warning, also where it lies behind. Middle: front faces green, back faces red. Right: lit, with red lines \
+         where the normals of two sides differ.",
     )?;
     let mut links = String::from("<ul>\n");
     for finding in &diagnosis.findings {

@@ -1,16 +1,15 @@
 //! Pictures of what was found: deviation as colours, facing, creases, and the worst places close up.
 
+use super::heat::{Corner, HeatScale, dots, form, longest_edge, with_legend};
 use super::sight::{self, Sight};
 use crate::io::Loaded;
 use crate::mesh::{Column, Faces, Mesh, MeshBuilder, normal_matrix};
 use crate::normals::{NormalField, Summary};
-use crate::num::{Degrees, LinearRgb};
-use crate::quality::{Diagnosis, Site, Survey, survey};
+use crate::num::LinearRgb;
+use crate::quality::{Diagnosis, Severity, Site, Survey, survey};
 use crate::raster::{
     Camera, Object, Paint, Recentring, RenderSettings, Samples, Scene, Shape, Show, default_lights, render,
 };
-use crate::report::label::{draw_text, text_width};
-use crate::report::viridis::viridis;
 use crate::report::{Overlay, Picture, ReportError, overlay};
 use crate::shade::Material;
 use glam::{DMat3, DMat4, DVec3};
@@ -24,43 +23,12 @@ pub(super) struct Model {
     pub(super) scale: HeatScale,
 }
 
-/// Which deviation has the light end of the colours.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct HeatScale {
-    full: Degrees,
-    /// Some deviations are larger.
-    is_clipped: bool,
-}
-
-impl HeatScale {
-    /// Round angles that scales end at. Below the first, a picture shows nothing of it.
-    const ENDS: [f64; 11] = [1.0, 2.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 90.0, 180.0];
-
-    /// The first round angle that no more than one deviation in two hundred is above: single faults do not make all others
-    /// look alike.
-    pub(super) fn of<'a>(surveys: impl Iterator<Item = &'a Survey>) -> Self {
-        let mut all: Vec<f64> = surveys.flat_map(|survey| &survey.deviations).copied().collect();
-        all.sort_unstable_by(f64::total_cmp);
-        let nearly_all = all.iter().rev().nth(all.len() / 200).copied().unwrap_or_default();
-        let full = Self::ENDS.into_iter().find(|&end| end >= nearly_all).unwrap_or(180.0);
-        Self { full: Degrees(full), is_clipped: all.last().is_some_and(|&largest| largest > full) }
-    }
-
-    /// What stands at the light end, and in the middle.
-    fn labels(self) -> [String; 2] {
-        let more = if self.is_clipped { " and more" } else { "" };
-        [format!("{}°{more}", self.full.0), format!("{}°", self.full.0 / 2.0)]
-    }
-
-    /// The same for those who do not see it.
-    pub(super) fn words(self) -> String {
-        format!("from violet, 0°, to yellow, {}", self.labels()[0])
-    }
-}
-
 struct PartModel {
     mesh: Mesh,
     field: NormalField,
+    /// The normals that the rule of the mesh gives: edges that are sharp by it show its form, whatever is wrong.
+    ruled: NormalField,
+    deviations: Vec<Option<f64>>,
     colours: Vec<LinearRgb>,
 }
 
@@ -139,8 +107,9 @@ impl Model {
     /// The scene from a camera, as it is lit, or coloured by deviation.
     pub(super) fn scene(&self, camera: Camera, is_coloured: bool) -> Scene<'_> {
         let object = |&(part, transform): &(usize, DMat4)| {
-            let PartModel { mesh, field, colours } = &self.parts[part];
-            let plain = Object::new(Shape::Mesh { mesh, normals: field }, Material::default());
+            let PartModel { mesh, field, ruled, colours, .. } = &self.parts[part];
+            let normals = if is_coloured { ruled } else { field };
+            let plain = Object::new(Shape::Mesh { mesh, normals }, Material::default());
             let paint = if is_coloured { Paint::Given(Cow::Borrowed(colours)) } else { plain.paint };
             Object { paint, transform, ..plain }
         };
@@ -159,7 +128,7 @@ impl Model {
         self.scene(any, false).bounds()
     }
 
-    /// Coloured by deviation, with a legend, and with rings round some places.
+    /// Coloured by deviation, with rings round some places and a legend below.
     pub(super) fn deviation(
         &self,
         camera: Camera,
@@ -168,18 +137,38 @@ impl Model {
     ) -> Result<Picture, ReportError> {
         let mut scene = self.scene(camera, true);
         // Colours alone show no form.
-        scene.lines = overlay(&scene, [side; 2], Overlay::Creases);
-        scene.lines.iter_mut().for_each(|lines| lines.style.colour = LinearRgb::grey(0.3));
+        scene.lines = form(&scene, side);
+        let has_lines = !scene.lines.is_empty();
+        scene.lines.extend(dots(self.corners(), self.scale, &camera, side));
         let mut picture = draw(&scene, side, Show::Shaded)?;
+        let mut has_rings = false;
         for site in sites {
             if let Some((_, position, _)) = self.stand(site)
                 && let Ok(Some(at)) = camera.on_picture([side; 2], position)
             {
                 ring(&mut picture, at, f64::from(side) / 40.0);
+                has_rings = true;
             }
         }
-        legend(&mut picture, self.scale);
-        Ok(picture)
+        Ok(with_legend(&picture, self.scale, has_lines, has_rings))
+    }
+
+    /// All corners, in the world.
+    fn corners(&self) -> impl Iterator<Item = Corner> {
+        self.places.iter().flat_map(|&(part, place)| {
+            let PartModel { mesh, deviations, .. } = &self.parts[part];
+            let point = |vertex: u32| mesh.positions()[vertex as usize];
+            let of_face = move |face: &[u32]| -> Vec<Corner> {
+                let count = face.len();
+                let corner = |at: usize| Corner {
+                    position: place.transform_point3(point(face[at])),
+                    deviation: deviations[face[at] as usize],
+                    edge: longest_edge(place, [at + count - 1, at, at + 1].map(|at| point(face[at % count]))),
+                };
+                (0..count).map(corner).collect()
+            };
+            mesh.faces().iter().flat_map(of_face)
+        })
     }
 
     /// Lit with the normals that it has.
@@ -211,20 +200,34 @@ impl PartModel {
         let apart = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build();
         let apart = apart.map_err(|error| ReportError::Encoder(error.to_string()))?;
         let own: Vec<u32> = (0..corners.len() as u32).collect();
-        let field = NormalField {
-            normals: Column::per_corner(survey.shaded.clone(), own.clone()),
-            entry_vertex: own,
+        let field = |normals: &[DVec3]| NormalField {
+            normals: Column::per_corner(normals.to_vec(), own.clone()),
+            entry_vertex: own.clone(),
             face_normals: survey.face_normals.clone(),
             morph_normals: Vec::new(),
             faults: crate::normals::Faults::default(),
             summary: Summary::default(),
         };
-        let colours = survey.deviations.iter().map(|degrees| viridis(degrees / scale.full.0)).collect();
-        Ok(Self { mesh: apart, field, colours })
+        Ok(Self {
+            mesh: apart,
+            field: field(&survey.shaded),
+            ruled: field(&survey.expected),
+            colours: survey.deviations.iter().map(|&deviation| scale.colour(deviation)).collect(),
+            deviations: survey.deviations.clone(),
+        })
     }
 }
 
-/// The heat map of a file alone: how far stored normals are from those that the rule of their mesh gives.
+/// The worst place of each error and warning.
+pub(super) fn worst_places(diagnosis: &Diagnosis) -> Vec<&Site> {
+    let grave = diagnosis.findings.iter().filter(|finding| finding.severity > Severity::Note);
+    grave.filter_map(|finding| finding.places.first()).collect()
+}
+
+/// The heat map of a file alone: how far stored normals are from those that the rule of their mesh gives, with rings round
+/// the worst places and a legend below; as many pixels wide as it is asked for, and higher by the legend. Corners whose
+/// faces are too small to be seen are marked with dots, the worst uppermost; those without a stored normal that has a
+/// direction have a colour of their own.
 ///
 /// # Errors
 /// If there is nothing to draw, or it cannot be drawn.
@@ -237,7 +240,7 @@ pub fn deviation_picture(
     let surveys = survey(loaded);
     let model = Model::new(loaded, &surveys, HeatScale::of(surveys.iter()))?;
     let camera = sight::camera(&model, diagnosis, None, sight).ok_or(ReportError::Empty)?;
-    model.deviation(camera, side, &[])
+    model.deviation(camera, side, &worst_places(diagnosis))
 }
 
 pub(super) fn draw(scene: &Scene<'_>, side: u32, show: Show) -> Result<Picture, ReportError> {
@@ -261,40 +264,5 @@ pub(super) fn ring(picture: &mut Picture, [x, y]: [f64; 2], radius: f64) {
             let share = (1.5 - (distance - radius).abs()).clamp(0.0, 1.0);
             picture.blend([px, py], [0.9, 0.1, 0.1], share as f32);
         }
-    }
-}
-
-/// A bar of the colours with its ends in degrees, along the bottom.
-fn legend(picture: &mut Picture, scale: HeatScale) {
-    let [width, height] = picture.size.map(i64::from);
-    let (bar, text) = ((height / 40).max(6), (height as f32 / 28.0).max(12.0));
-    let (left, right, top) = (width / 8, width - width / 8, height - 2 * bar);
-    for x in left..right {
-        let colour = viridis((x - left) as f64 / (right - left - 1) as f64);
-        let coded = crate::num::Srgb8::from(colour).0.map(|c| f32::from(c) / 255.0);
-        (top..top + bar).for_each(|y| picture.blend([x, y], coded, 1.0));
-    }
-    let [full, half] = scale.labels();
-    for (label, at) in [("0°", left), (&half, (left + right) / 2), (&full, right)] {
-        let wide = text_width(label, text) as i64;
-        let x = (at - wide / 2).clamp(0, width - wide);
-        draw_text(picture, label, [x, top - text as i64 - 2], text, [0.1; 3]);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn scales_end_where_the_data_does() {
-        let scale = |deviations: Vec<f64>| HeatScale::of([Survey { deviations, ..Survey::default() }].iter());
-        assert_eq!(scale(vec![]).labels(), ["1°", "0.5°"]);
-        assert_eq!(scale(vec![0.0, 3.0]).labels(), ["5°", "2.5°"]);
-        assert_eq!(scale(vec![30.0; 7]).labels(), ["30°", "15°"]);
-        // One in two hundred is left out, two are not.
-        let with = |count: usize| [vec![0.0; 200 - count], vec![180.0; count]].concat();
-        assert_eq!(scale(with(1)).words(), "from violet, 0°, to yellow, 1° and more");
-        assert_eq!(scale(with(2)).words(), "from violet, 0°, to yellow, 180°");
     }
 }

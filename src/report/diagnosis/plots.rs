@@ -10,7 +10,8 @@ const BINS: usize = 60;
 pub(super) fn histograms(surveys: &[Survey]) -> Vec<(&'static str, &'static str, Plot)> {
     let all =
         |values: fn(&Survey) -> &Vec<f64>| surveys.iter().flat_map(values).copied().collect::<Vec<f64>>();
-    let deviations = all(|survey| &survey.deviations);
+    let deviations: Vec<f64> =
+        surveys.iter().flat_map(|survey| &survey.deviations).copied().flatten().collect();
     let farthest = deviations.iter().copied().fold(1.0, f64::max);
     let valences = all(|survey| &survey.valences);
     let most = valences.iter().copied().fold(12.0, f64::max);
@@ -19,7 +20,7 @@ pub(super) fn histograms(surveys: &[Survey]) -> Vec<(&'static str, &'static str,
     vec![
         (
             "deviation",
-            "Right normals stand at the left end; faults stand apart from it.",
+            "Right normals stand at the left end; faults stand apart from it. What has no direction is left out.",
             histogram("Deviation of stored normals", "degrees", &deviations, farthest),
         ),
         (

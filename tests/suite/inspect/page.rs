@@ -50,12 +50,21 @@ fn the_page_of_a_fault_is_whole() {
     assert!(page.contains("crease normals &#39;a &lt;torus&gt;.obj&#39; -o mended.obj --when broken"));
 }
 
-/// How much of a picture is yellow, above the legend.
-fn yellow(picture: Picture) -> usize {
-    let [width, height] = picture.size.map(|n| n as usize);
+/// How many pixels of a picture, above the legend, have such a colour.
+fn pixels(picture: Picture, is_such: fn([u8; 3]) -> bool) -> usize {
+    let side = picture.size[0] as usize;
     let crease::raster::Pixels::Eight(pixels) = picture.pixels else { panic!("8 bits") };
-    let upper = &pixels[..width * height * 5 / 6];
-    upper.iter().filter(|[r, g, b]| *r > 200 && *g > 180 && *b < 120).count()
+    pixels[..side * side].iter().filter(|pixel| is_such(**pixel)).count()
+}
+
+/// How much of a picture is yellow.
+fn yellow(picture: Picture) -> usize {
+    pixels(picture, |[r, g, b]| r > 200 && g > 180 && b < 120)
+}
+
+/// How much of it is of the pink of corners without a normal.
+fn pink(picture: Picture) -> usize {
+    pixels(picture, |[r, g, b]| r > 220 && g < 120 && b > 170)
 }
 
 /// A ball in an open box, with normals turned round where it faces a wall: from beyond that wall they are hidden, and the
@@ -101,4 +110,58 @@ fn colours_tell_deviation() {
     };
     assert_eq!(yellow_of(mesh.clone()), 0);
     assert!(yellow_of(mesh.with_normals(Some(wrong))) > 500);
+}
+
+fn heat_map(mesh: crease::mesh::Mesh, side: u32) -> Picture {
+    let file = loaded(mesh);
+    let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
+    deviation_picture(&file, &diagnosis, Sight::From(DVec3::new(1.0, 2.0, 1.0)), side).unwrap()
+}
+
+/// Each single fault is seen, however small its faces are: their corners were one pixel of many, mixed with right ones, and
+/// lines that only the fault drew lay over it.
+#[test]
+fn single_faults_are_seen_at_any_density() {
+    const SIDE: u32 = 240;
+    for segments in [[24, 12], [240, 120], [480, 240]] {
+        let torus = surface(&Surface::from(Torus::default()), segments).with_normals(None);
+        let mesh = with_normals(torus, &NormalRecipe::default());
+        assert_eq!(yellow(heat_map(mesh.clone(), SIDE)), 0, "{segments:?}");
+        let mut normals = mesh.columns().normals.clone().unwrap();
+        // One that the view sees, of as many as there are.
+        let seen = normals.values.iter().position(|normal| normal.y > 0.8 && normal.x > 0.1).unwrap();
+        normals.values[seen] = -normals.values[seen];
+        let found = yellow(heat_map(mesh.with_normals(Some(normals)), SIDE));
+        assert!(found >= 3, "{segments:?}: {found} pixels");
+    }
+}
+
+/// What has no deviation is not drawn as right: corners without a normal, with one that is zero or no number, and a whole
+/// file without any.
+#[test]
+fn what_has_no_direction_is_pink() {
+    let bare = surface(&Surface::from(Torus::default()), [24, 12]).with_normals(None);
+    let mesh = with_normals(bare.clone(), &NormalRecipe::default());
+    assert_eq!(pink(heat_map(mesh.clone(), 160)), 0);
+    for nothing in [DVec3::ZERO, DVec3::NAN] {
+        let mut normals = mesh.columns().normals.clone().unwrap();
+        normals.values.iter_mut().filter(|normal| normal.y > 0.7).for_each(|normal| *normal = nothing);
+        let found = pink(heat_map(mesh.clone().with_normals(Some(normals)), 160));
+        assert!((1000..10_000).contains(&found), "{nothing}: {found}");
+    }
+    let found = pink(heat_map(bare, 160));
+    assert!(found > 8_000, "{found}: all of it");
+}
+
+/// Names between backticks are set as code, and no backtick is left.
+#[test]
+fn names_in_pages_are_code() {
+    let bare = surface(&Surface::from(Torus::default()), [24, 12]).with_normals(None);
+    let mut normals = with_normals(bare.clone(), &NormalRecipe::default()).columns().normals.clone().unwrap();
+    normals.values.iter_mut().step_by(2).for_each(|normal| *normal = normal.any_orthonormal_vector());
+    let file = loaded(bare.with_normals(Some(normals)));
+    let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
+    let page = diagnosis_page(&file, &diagnosis, None, ["a.obj", "b.obj"], Sight::Auto).unwrap();
+    assert!(diagnosis.get(Kind::Custom).is_some());
+    assert!(page.contains("<code>--when missing</code>") && !page.contains('`'));
 }

@@ -1,0 +1,350 @@
+//! The colours of a heat map, its lines and marks, and the legend that explains them.
+
+use super::pictures::ring;
+use crate::num::{Degrees, LinearRgb, Srgb8};
+use crate::quality::Survey;
+use crate::raster::{Camera, LinePath, LineStyle, Lines, Projection, Scene};
+use crate::report::label::{draw_text, text_width};
+use crate::report::viridis::viridis;
+use crate::report::{Overlay, Picture, overlay};
+use glam::{DMat4, DVec3};
+
+/// The colour of corners without a stored normal that has a direction: none of the scale's.
+const ABSENT: Srgb8 = Srgb8([240, 80, 200]);
+
+/// The brightness of lines along edges: darker than all colours but those of right normals, lighter than these.
+const LINE: f64 = 0.3;
+
+/// The share of a picture that lines may cover; where there are more, those of short edges are left out.
+const MOST_INK: f64 = 0.1;
+
+/// Pixels below which an edge is short: lines a pixel wide would cover a good part of the faces between them.
+const SHORT: f64 = 8.0;
+
+/// The width of the dots that mark single corners, in a picture of 480 pixels.
+const DOT: f64 = 2.5;
+
+/// Shares of the scale from which on corners are marked, each with a colour of its own; higher ones lie above lower ones.
+const MARKED: [f64; 5] = [0.5, 0.625, 0.75, 0.875, 1.0];
+
+/// Which deviation has the light end of the colours.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct HeatScale {
+    full: Degrees,
+    /// Some deviations are larger.
+    is_clipped: bool,
+    /// Some corners have a deviation.
+    is_used: bool,
+    /// Some corners have none.
+    is_absent: bool,
+}
+
+impl HeatScale {
+    /// Round angles that scales end at. Below the first, a picture shows nothing of it.
+    const ENDS: [f64; 11] = [1.0, 2.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 90.0, 180.0];
+
+    /// The first round angle that no more than one deviation in two hundred is above: single faults do not make all others
+    /// look alike.
+    pub(super) fn of<'a>(surveys: impl Iterator<Item = &'a Survey>) -> Self {
+        let corners: Vec<Option<f64>> = surveys.flat_map(|survey| &survey.deviations).copied().collect();
+        let mut all: Vec<f64> = corners.iter().copied().flatten().collect();
+        all.sort_unstable_by(f64::total_cmp);
+        let nearly_all = all.iter().rev().nth(all.len() / 200).copied().unwrap_or_default();
+        let full = Self::ENDS.into_iter().find(|&end| end >= nearly_all).unwrap_or(180.0);
+        Self {
+            full: Degrees(full),
+            is_clipped: all.last().is_some_and(|&largest| largest > full),
+            is_used: !all.is_empty(),
+            is_absent: all.len() < corners.len(),
+        }
+    }
+
+    /// The colour of a corner.
+    pub(super) fn colour(self, deviation: Option<f64>) -> LinearRgb {
+        deviation.map_or(LinearRgb::from(ABSENT), |degrees| viridis(degrees / self.full.0))
+    }
+
+    /// What stands at the light end, and in the middle.
+    fn labels(self) -> [String; 2] {
+        let more = if self.is_clipped { " and more" } else { "" };
+        [format!("{}°{more}", self.full.0), format!("{}°", self.full.0 / 2.0)]
+    }
+
+    /// The same for those who do not see it.
+    pub(super) fn words(self) -> String {
+        let scale = format!("from violet, 0°, to yellow, {}", self.labels()[0]);
+        match (self.is_used, self.is_absent) {
+            (true, true) => format!("{scale}; pink where no normal is stored that has a direction"),
+            (false, true) => "pink all over: no normal is stored that has a direction".into(),
+            _ => scale,
+        }
+    }
+
+    /// The colours that mark corners, each with the deviations that it marks.
+    fn marks(self) -> Vec<(LinearRgb, impl Fn(Option<f64>) -> bool)> {
+        let absent = (LinearRgb::from(ABSENT), None, None);
+        let above = |at: usize| {
+            let next = MARKED.get(at + 1).map(|share| share * self.full.0);
+            (viridis(MARKED[at]), Some(MARKED[at] * self.full.0), next)
+        };
+        let all = (0..MARKED.len()).map(above).chain([absent]);
+        let is_marked = |least: Option<f64>, below: Option<f64>| {
+            move |deviation: Option<f64>| match (deviation, least) {
+                (Some(degrees), Some(least)) => degrees >= least && below.is_none_or(|below| degrees < below),
+                (None, None) => true,
+                _ => false,
+            }
+        };
+        all.map(|(colour, least, below)| (colour, is_marked(least, below))).collect()
+    }
+}
+
+/// Lines that show the form of what has its colours from elsewhere: its creases. Where they would hide the colours, as those
+/// of a fine mesh that is flat all over, those along short edges are left out.
+pub(super) fn form(scene: &Scene<'_>, side: u32) -> Vec<Lines> {
+    let mut lines = overlay(scene, [side; 2], Overlay::Creases);
+    for Lines { style, .. } in &mut lines {
+        // Thinner than where they are what is shown.
+        *style = LineStyle { colour: LinearRgb::grey(LINE), width: 0.5 * style.width, ..*style };
+    }
+    let length = |[a, b]: [DVec3; 2]| {
+        let at = |point| scene.camera.on_picture([side; 2], point).ok().flatten();
+        at(a).zip(at(b)).map_or(0.0, |(a, b)| libm::hypot(a[0] - b[0], a[1] - b[1]))
+    };
+    let lengths = |lines: &Lines| -> Vec<f64> {
+        match &lines.path {
+            LinePath::Edges { object, edges } => {
+                let object = &scene.objects[*object];
+                let place = |vertex| object.transform.transform_point3(object.shape.point(vertex));
+                edges.iter().map(|edge| length(edge.map(place))).collect()
+            }
+            LinePath::Points { points, segments } => {
+                segments.iter().map(|ends| length(ends.map(|end| points[end as usize]))).collect()
+            }
+            _ => Vec::new(),
+        }
+    };
+    let all: Vec<Vec<f64>> = lines.iter().map(lengths).collect();
+    let ink: f64 =
+        lines.iter().zip(&all).map(|(lines, all)| lines.style.width * all.iter().sum::<f64>()).sum();
+    if ink > MOST_INK * f64::from(side).powi(2) {
+        for (lines, lengths) in lines.iter_mut().zip(&all) {
+            let mut is_long = lengths.iter().map(|&length| length >= SHORT);
+            match &mut lines.path {
+                LinePath::Edges { edges, .. } => edges.retain(|_| is_long.next() == Some(true)),
+                LinePath::Points { segments, .. } => segments.retain(|_| is_long.next() == Some(true)),
+                _ => {}
+            }
+        }
+    }
+    lines.retain(|lines| match &lines.path {
+        LinePath::Edges { edges, .. } => !edges.is_empty(),
+        LinePath::Points { segments, .. } => !segments.is_empty(),
+        _ => false,
+    });
+    lines
+}
+
+/// A corner that may be marked.
+pub(super) struct Corner {
+    /// Where it is in the world.
+    pub(super) position: DVec3,
+    pub(super) deviation: Option<f64>,
+    /// The length of the longest edge of its face there.
+    pub(super) edge: f64,
+}
+
+/// Dots on corners that are far off and whose faces are too small to be seen: a pixel shows the mean of what it covers, and
+/// of single faults among many faces that would be nothing.
+pub(super) fn dots(
+    corners: impl Iterator<Item = Corner>,
+    scale: HeatScale,
+    camera: &Camera,
+    side: u32,
+) -> Vec<Lines> {
+    let (Ok([right, _, forward]), width) = (camera.axes(), DOT * (f64::from(side) / 480.0).max(1.0)) else {
+        return Vec::new();
+    };
+    let is_small = |corner: &Corner| corner.edge < 2.0 * width * pixel(camera, side, corner.position);
+    let least = scale.full.0 * MARKED[0];
+    let is_far = |corner: &Corner| corner.deviation.is_none_or(|degrees| degrees >= least);
+    let all: Vec<Corner> =
+        corners.filter(|corner| scale.is_used && is_far(corner) && is_small(corner)).collect();
+    let marks = scale.marks().into_iter().map(|(colour, is_marked)| {
+        let marked = all.iter().filter(|corner| is_marked(corner.deviation));
+        let points = marked.flat_map(|corner| {
+            let pixel = pixel(camera, side, corner.position);
+            // Towards the eye, or the surface round it would hide what bends away.
+            let at = corner.position - forward * width * pixel;
+            [at - right * 0.5 * pixel, at + right * 0.5 * pixel]
+        });
+        let points: Vec<DVec3> = points.collect();
+        let segments = (0..points.len() as u32 / 2).map(|dot| [2 * dot, 2 * dot + 1]).collect();
+        let style = LineStyle { colour, width, hide: true };
+        Lines { path: LinePath::Points { points, segments }, style }
+    });
+    marks
+        .filter(|lines| !matches!(&lines.path, LinePath::Points { segments, .. } if segments.is_empty()))
+        .collect()
+}
+
+/// The size of a pixel in the world, at a point.
+fn pixel(camera: &Camera, side: u32, point: DVec3) -> f64 {
+    let height = match camera.projection {
+        Projection::Orthographic(height) => height,
+        Projection::Perspective(angle) => 2.0 * camera.eye.distance(point) * libm::tan(0.5 * angle.0),
+    };
+    height / f64::from(side)
+}
+
+/// The longest of the edges that a corner of a face has, in the world.
+pub(super) fn longest_edge(place: DMat4, [before, here, after]: [DVec3; 3]) -> f64 {
+    [before, after].map(|end| place.transform_vector3(end - here).length()).into_iter().fold(0.0, f64::max)
+}
+
+/// What a line of the legend explains.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Key {
+    Absent,
+    Line,
+    Ring,
+}
+
+/// A picture with what its colours, lines and rings mean below it.
+pub(super) fn with_legend(picture: &Picture, scale: HeatScale, has_lines: bool, has_rings: bool) -> Picture {
+    let [width, height] = picture.size.map(i64::from);
+    let (bar, text) = ((height / 40).max(6), (height as f32 / 28.0).max(12.0));
+    let (margin, line) = (width / 16, text as i64 + bar / 2);
+    let keys = [
+        (Key::Absent, "no valid normal", scale.is_absent),
+        (Key::Line, "edge with two normals", has_lines),
+        (Key::Ring, "worst place", has_rings),
+    ];
+    // As many in a row as fit.
+    let (mut at, mut places) = ([margin, 0], Vec::new());
+    for (key, words, _) in keys.into_iter().filter(|(.., is_there)| *is_there) {
+        let wide = line + text_width(words, text) as i64 + line;
+        if at[0] > margin && at[0] + wide > width - margin / 2 {
+            at = [margin, at[1] + line];
+        }
+        places.push((key, words, at));
+        at[0] += wide;
+    }
+    let scale_height = if scale.is_used { line + 2 * bar } else { 0 };
+    let keys_height = if places.is_empty() { 0 } else { at[1] + line };
+    let strip = scale_height + keys_height + bar;
+    let size = [picture.size[0], picture.size[1] + strip as u32];
+    let mut sheet = Picture::filled(size, picture.is_sixteen(), [1.0; 3]);
+    sheet.paste(picture, [0, 0]);
+    if scale.is_used {
+        draw_scale(&mut sheet, scale, [margin, height], (bar, text));
+    }
+    for (key, words, [x, y]) in places {
+        let top = height + scale_height + y;
+        swatch(&mut sheet, key, [x, top], text as i64);
+        draw_text(&mut sheet, words, [x + line, top], text, INK);
+    }
+    sheet
+}
+
+/// The colour of words.
+const INK: [f32; 3] = [0.1; 3];
+
+/// A bar of the colours with angles above it.
+fn draw_scale(picture: &mut Picture, scale: HeatScale, [left, top]: [i64; 2], (bar, text): (i64, f32)) {
+    let width = i64::from(picture.size[0]);
+    let (right, below) = (width - left, top + text as i64 + 2);
+    for x in left..right {
+        let colour = coded(viridis((x - left) as f64 / (right - left - 1) as f64));
+        (below..below + bar).for_each(|y| picture.blend([x, y], colour, 1.0));
+    }
+    let [full, half] = scale.labels();
+    for (label, at) in [("0°", left), (&half, (left + right) / 2), (&full, right)] {
+        let wide = text_width(label, text) as i64;
+        let x = (at - wide / 2).clamp(0, (width - wide).max(0));
+        draw_text(picture, label, [x, top], text, INK);
+    }
+}
+
+/// A picture of what a key stands for, in a square.
+fn swatch(picture: &mut Picture, key: Key, [x, y]: [i64; 2], side: i64) {
+    let middle = y + side / 2;
+    let rows = match key {
+        Key::Absent => y + side / 6..y + side - side / 6,
+        Key::Line => middle - 1..middle + 1,
+        Key::Ring => {
+            let at = [x + side / 2, middle].map(|it| it as f64);
+            return ring(picture, at, side as f64 / 3.0);
+        }
+    };
+    let colour =
+        if key == Key::Absent { coded(LinearRgb::from(ABSENT)) } else { coded(LinearRgb::grey(LINE)) };
+    rows.for_each(|y| (x..x + side).for_each(|x| picture.blend([x, y], colour, 1.0)));
+}
+
+/// A colour as shares of the full code.
+fn coded(colour: LinearRgb) -> [f32; 3] {
+    Srgb8::from(colour).0.map(|c| f32::from(c) / 255.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scales_end_where_the_data_does() {
+        let scale = |deviations: Vec<f64>| {
+            let deviations = deviations.into_iter().map(Some).collect();
+            HeatScale::of([Survey { deviations, ..Survey::default() }].iter())
+        };
+        assert_eq!(scale(vec![]).labels(), ["1°", "0.5°"]);
+        assert_eq!(scale(vec![0.0, 3.0]).labels(), ["5°", "2.5°"]);
+        assert_eq!(scale(vec![30.0; 7]).labels(), ["30°", "15°"]);
+        // One in two hundred is left out, two are not.
+        let with = |count: usize| [vec![0.0; 200 - count], vec![180.0; count]].concat();
+        assert_eq!(scale(with(1)).words(), "from violet, 0°, to yellow, 1° and more");
+        assert_eq!(scale(with(2)).words(), "from violet, 0°, to yellow, 180°");
+    }
+
+    #[test]
+    fn what_has_no_deviation_has_a_colour_of_its_own() {
+        let of =
+            |deviations: Vec<Option<f64>>| HeatScale::of([Survey { deviations, ..Survey::default() }].iter());
+        let scale = of(vec![Some(3.0), None]);
+        assert_eq!(scale.colour(None), LinearRgb::from(ABSENT));
+        assert_eq!(
+            scale.words(),
+            "from violet, 0°, to yellow, 5°; pink where no normal is stored that has a direction"
+        );
+        assert_eq!(of(vec![None]).words(), "pink all over: no normal is stored that has a direction");
+    }
+
+    /// Every deviation from half of the scale on is marked once, and nothing below.
+    #[test]
+    fn marks_share_the_upper_half() {
+        let deviations = vec![Some(90.0)];
+        let scale = HeatScale::of([Survey { deviations, ..Survey::default() }].iter());
+        let marks = |deviation| scale.marks().iter().filter(|(_, is_marked)| is_marked(deviation)).count();
+        for degrees in 0..=180 {
+            assert_eq!(marks(Some(f64::from(degrees))), usize::from(degrees >= 45), "{degrees}°");
+        }
+        assert_eq!(marks(None), 1);
+    }
+
+    #[test]
+    fn legends_stand_below_the_picture_and_have_what_there_is() {
+        let picture = Picture::filled([320, 320], false, [0.0; 3]);
+        let scale =
+            |deviations: Vec<Option<f64>>| HeatScale::of([Survey { deviations, ..Survey::default() }].iter());
+        let height =
+            |deviations, lines, rings| with_legend(&picture, scale(deviations), lines, rings).size[1];
+        let plain = height(vec![Some(1.0)], false, false);
+        assert!(plain > 320 && height(vec![Some(1.0)], true, true) > plain);
+        let sheet = with_legend(&picture, scale(vec![Some(1.0), None]), true, true);
+        let crate::raster::Pixels::Eight(pixels) = &sheet.pixels else { panic!("8 bits") };
+        assert!(pixels[..320 * 320].iter().all(|pixel| *pixel == [0; 3]), "nothing lies on the picture");
+        for colour in [ABSENT.0, Srgb8::from(LinearRgb::grey(LINE)).0, Srgb8::from(viridis(1.0)).0] {
+            assert!(pixels[320 * 320..].contains(&colour), "{colour:?}");
+        }
+    }
+}
