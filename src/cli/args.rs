@@ -23,7 +23,7 @@ Exit codes:
   2  wrong usage
   3  an input could not be read
   4  an output could not be made or stored
-  5  some files of a batch failed, the others are done";
+  5  some files of a batch failed, the others are done, whatever was found in them";
 
 pub const NORMALS_EXAMPLES: &str = "\
 Examples:

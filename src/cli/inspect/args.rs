@@ -49,7 +49,8 @@ pub struct InspectArgs {
 
     /// Tell also what is different in this file, which has the same shape: by how many degrees the normals changed, what
     /// that shows, and which findings came and went. Faces are matched by the places of their corners, so that order,
-    /// splits and cuts into triangles do not matter; `-` is standard input (one input only)
+    /// splits and cuts into triangles do not matter; `-` is standard input (one input only). --fail-on judges the input, not
+    /// this file
     #[arg(long, value_name = "FILE")]
     pub against: Option<PathBuf>,
 
@@ -71,7 +72,8 @@ pub struct PictureArgs {
     #[arg(long, value_name = "FILE")]
     pub html: Option<PathBuf>,
 
-    /// Write the mesh coloured by the deviation of its stored normals, as PNG; `-` likewise
+    /// Write the mesh coloured by the deviation of its stored normals, as PNG, with rings round the worst places and a
+    /// legend; `-` likewise
     #[arg(long, value_name = "FILE")]
     pub heatmap: Option<PathBuf>,
 
@@ -83,11 +85,13 @@ pub struct PictureArgs {
 #[derive(Args)]
 #[command(next_help_heading = "Findings")]
 pub struct FindingArgs {
-    /// End with exit code 1 if a finding that is told is at least that grave
+    /// End with exit code 1 if a finding that is told is at least that grave. Where a file of a batch cannot be read, that
+    /// comes first: exit code 5, whatever was found in the others
     #[arg(long, value_name = "SEVERITY", value_parser = Choices(SEVERITIES))]
     pub fail_on: Option<Severity>,
 
-    /// Tell only findings that are at least that grave; what is not told does not count for --fail-on either
+    /// Tell only findings that are at least that grave, and how many others there are; what is not told does not count for
+    /// --fail-on either
     #[arg(long, value_name = "SEVERITY", default_value = "note", value_parser = Choices(SEVERITIES))]
     pub severity: Severity,
 

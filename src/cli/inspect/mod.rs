@@ -23,9 +23,13 @@ use crease::io::{Loaded, ReadOptions, Written};
 use crease::num::Transfer;
 use crease::quality::{Comparison, Diagnosis, Thresholds, compare, diagnose};
 use crease::report::{After, ReportError, deviation_picture, diagnosis_page, encode_png};
-use report::InspectReport;
+use report::{Counts, InspectReport};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
+
+/// What a heat map of a file without normals shows.
+const NO_DEVIATION: &str = "no normals are stored, so none can be off: the heat map has one colour for that; \
+                            `crease normals` computes them";
 
 /// Carries the verb out.
 pub fn main(args: &InspectArgs, color: Color) -> Exit {
@@ -124,9 +128,14 @@ fn run(jobs: &[Job], args: &InspectArgs, thresholds: &Thresholds, console: &Cons
         let result = guarded(|| inspect(job, &read, args, thresholds, &file, &mut report));
         drop(file);
         report.seconds.total = start.elapsed().as_secs_f64();
+        let mut lacks_normals = false;
         match result {
-            Ok(true) => (report.status, told) = ("findings", true),
-            Ok(false) => {}
+            Ok(outcome) => {
+                lacks_normals = outcome.lacks_normals;
+                if outcome.is_grave {
+                    (report.status, told) = ("findings", true);
+                }
+            }
             Err(failure) => {
                 failed += 1;
                 failure_exit = exit_of(&failure);
@@ -134,7 +143,13 @@ fn run(jobs: &[Job], args: &InspectArgs, thresholds: &Thresholds, console: &Cons
                 report.error = Some(ErrorReport::new(&failure));
             }
         }
-        progress.suspended(|| tell(&report, args, jobs.len() > 1, console));
+        progress.suspended(|| {
+            if lacks_normals {
+                let name = &report.input.path;
+                console.note(&format!("{name}: {NO_DEVIATION}"));
+            }
+            tell(&report, args, jobs.len() > 1, console);
+        });
     }
     drop(progress);
     match (failed, jobs.len()) {
@@ -151,7 +166,7 @@ fn run(jobs: &[Job], args: &InspectArgs, thresholds: &Thresholds, console: &Cons
     }
 }
 
-/// Reads and looks; tells whether something is as grave as `--fail-on`.
+/// Reads, looks and draws.
 fn inspect(
     job: &Job,
     read: &ReadOptions,
@@ -159,7 +174,7 @@ fn inspect(
     thresholds: &Thresholds,
     progress: &FileProgress<'_>,
     report: &mut InspectReport,
-) -> Result<bool, Failure> {
+) -> Result<Outcome, Failure> {
     progress.stage(Stage::Read);
     let start = Instant::now();
     let loaded = normals::load(job, read, progress, &mut report.input.bytes).map_err(Failure::Read)?;
@@ -180,10 +195,26 @@ fn inspect(
     };
     report.seconds.inspect = start.elapsed().as_secs_f64();
     report.against = after.as_ref().map(|after| AgainstReport::new(&after.path, &after.comparison));
-    keep_wanted(&mut diagnosis, &args.findings);
+    report.hidden = keep_wanted(&mut diagnosis, &args.findings);
     report.fill(&diagnosis, &mended(job, loaded.format.extension()));
     draw(&loaded, &diagnosis, after.as_ref(), &report.input.path, args)?;
-    Ok(args.findings.fail_on.is_some_and(|least| diagnosis.worst() >= Some(least)))
+    let is_grave = args.findings.fail_on.is_some_and(|least| diagnosis.worst() >= Some(least));
+    let has_pictures = args.pictures.html.is_some() || args.pictures.heatmap.is_some();
+    Ok(Outcome { is_grave, lacks_normals: has_pictures && !has_normals(&loaded) })
+}
+
+/// What came of an input that was read.
+struct Outcome {
+    /// Something is as grave as `--fail-on`.
+    is_grave: bool,
+    /// Pictures were drawn of a file in which no normals are stored.
+    lacks_normals: bool,
+}
+
+/// Whether any part of a file has stored normals.
+fn has_normals(loaded: &Loaded) -> bool {
+    let columns = loaded.parts.iter().map(|part| part.mesh.columns());
+    columns.flat_map(|columns| &columns.normals).any(|normals| !normals.values.is_empty())
 }
 
 /// The file that `--against` names, and what is different in it.
@@ -245,12 +276,15 @@ fn draw(
     Ok(())
 }
 
-fn keep_wanted(diagnosis: &mut Diagnosis, args: &FindingArgs) {
+/// Leaves the findings that are to be told, and gives the counts of the others.
+fn keep_wanted(diagnosis: &mut Diagnosis, args: &FindingArgs) -> Counts {
+    let all = Counts::of(diagnosis);
     diagnosis.findings.retain(|finding| {
         finding.severity >= args.severity
             && !args.ignore.contains(&finding.kind)
             && (args.only.is_empty() || args.only.contains(&finding.kind))
     });
+    all.without(Counts::of(diagnosis))
 }
 
 fn name(job: &Job) -> String {

@@ -12,6 +12,7 @@
 //! | `input` | as in `crease-normals/1` |
 //! | `verdict` | the gravest severity told, or null |
 //! | `counts` | how many findings are `error`, `warning`, `note` |
+//! | `hidden` | the same of what `--severity`, `--ignore` and `--only` left out |
 //! | `parts` | `name`, `vertices`, `faces`, `corners`, and `estimate`, null if stored normals do not tell: `weight`, `crease` (degrees), `groups` (whether smoothing groups count too), `turned` (whether all normals were turned or mirrored together: the rest is of them turned back), `sample` (corners), `reproduced`, `separated` (shares), `median` (degrees); and `precision`, null if they were rounded to no grid that tells: `grid` (in words), `degrees` (the most that it turns a normal by), `exponent` (the largest of a highlight that it serves, null if it may show on a matte surface) |
 //! | `findings` | the gravest first, below |
 //! | `against` | with `--against` only, below |
@@ -46,6 +47,7 @@ pub struct InspectReport {
     pub input: InputReport,
     pub verdict: Option<Severity>,
     pub counts: Counts,
+    pub hidden: Counts,
     pub parts: Vec<PartReport>,
     pub findings: Vec<FindingReport>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -58,6 +60,23 @@ pub struct Counts {
     pub error: usize,
     pub warning: usize,
     pub note: usize,
+}
+
+impl Counts {
+    /// Of all findings.
+    pub fn of(diagnosis: &Diagnosis) -> Self {
+        let [note, warning, error] = Severity::ALL.map(|severity| diagnosis.count(severity));
+        Self { error, warning, note }
+    }
+
+    /// Those that are not among others.
+    pub fn without(self, others: Self) -> Self {
+        Self {
+            error: self.error - others.error,
+            warning: self.warning - others.warning,
+            note: self.note - others.note,
+        }
+    }
 }
 
 #[derive(Debug, Serialize)]
@@ -143,6 +162,7 @@ impl InspectReport {
             input: InputReport { path: path.to_owned(), format: None, bytes: None },
             verdict: None,
             counts: Counts::default(),
+            hidden: Counts::default(),
             parts: Vec::new(),
             findings: Vec::new(),
             against: None,
@@ -152,12 +172,7 @@ impl InspectReport {
 
     /// Takes over what was found, with the names that a command to mend it would have.
     pub fn fill(&mut self, diagnosis: &Diagnosis, output: &str) {
-        let count = |severity| diagnosis.count(severity);
-        self.counts = Counts {
-            error: count(Severity::Error),
-            warning: count(Severity::Warning),
-            note: count(Severity::Note),
-        };
+        self.counts = Counts::of(diagnosis);
         self.verdict = diagnosis.worst();
         self.parts = diagnosis.parts.iter().map(PartReport::new).collect();
         let path = self.input.path.clone();

@@ -10,10 +10,17 @@ use std::fmt::Write;
 /// The verdict in one line.
 pub fn line(report: &InspectReport, style: Style) -> String {
     let name = style.paint(Style::BOLD, &escaped(&report.input.path));
-    format!("{name}: {}\n", verdict(report.counts, style))
+    let (told, hidden) = (counted(report.counts, style), counted(report.hidden, style));
+    let told = match (told.is_empty(), hidden.is_empty()) {
+        (true, true) => "nothing found".into(),
+        (true, false) => format!("nothing of what was asked for; not told: {hidden}"),
+        (false, true) => told,
+        (false, false) => format!("{told}; not told: {hidden}"),
+    };
+    format!("{name}: {told}\n")
 }
 
-fn verdict(counts: Counts, style: Style) -> String {
+fn counted(counts: Counts, style: Style) -> String {
     let mut told = Vec::new();
     for (count, name, colour) in [
         (counts.error, "error", Style::RED),
@@ -24,7 +31,7 @@ fn verdict(counts: Counts, style: Style) -> String {
             told.push(style.paint(colour, &format!("{count} {name}{}", if count == 1 { "" } else { "s" })));
         }
     }
-    if told.is_empty() { "nothing found".into() } else { told.join(", ") }
+    told.join(", ")
 }
 
 /// The verdict, how the normals were made, and every finding.

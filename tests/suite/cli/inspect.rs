@@ -15,6 +15,7 @@ struct Report {
     input: serde_json::Value,
     verdict: Option<String>,
     counts: Counts,
+    hidden: Counts,
     parts: Vec<Part>,
     findings: Vec<Finding>,
     against: Option<Against>,
@@ -189,6 +190,8 @@ fn gates_end_with_1_where_something_is_found() {
     assert_eq!(statuses.collect::<Vec<_>>(), ["findings", "ok"]);
     assert_eq!(code(&inspect(&["nowhere.obj"])), 3);
     assert_eq!(code(&inspect(&["nowhere.obj", &good])), 5);
+    // A file that cannot be read comes first, whatever is found in the others.
+    assert_eq!(code(&inspect(&["--fail-on", "error", "nowhere.obj", &flipped])), 5);
     assert_eq!(code(&inspect(&[])), 2);
     assert_eq!(code(&inspect(&["--only", "nothing", &good])), 2);
     assert_eq!(code(&inspect(&["--deviation", "200", &good])), 2);
@@ -201,6 +204,12 @@ fn severity_hides_findings_from_the_gate() {
     let good = path(files.path().join("good.obj"));
     assert_eq!(code(&inspect(&["--fail-on", "note", &good])), 1);
     assert_eq!(code(&inspect(&["--fail-on", "note", "--severity", "error", &good])), 0);
+    let said = |options: &[&str]| text(&inspect(&[options, &[&good]].concat()).stdout).to_owned();
+    let hidden = "good.obj: nothing of what was asked for; not told: 1 note\n";
+    assert!(said(&["--severity", "error"]).contains(hidden), "{}", said(&["--severity", "error"]));
+    assert!(said(&["--ignore", "no-normals"]).contains(hidden));
+    let report: Report = serde_json::from_str(&said(&["--json", "--severity", "error"])).unwrap();
+    assert_eq!((report.counts.note, report.hidden), (0, Counts { error: 0, warning: 0, note: 1 }));
     let help = inspect(&["--help"]);
     let said = text(&help.stdout).split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(said.contains("what is not told does not count for --fail-on either"), "{said}");
@@ -377,4 +386,20 @@ fn no_picture_is_written_over_what_is_read() {
     for input in [own, other] {
         assert_eq!(std::fs::read_to_string(input).unwrap(), TRIANGLE);
     }
+}
+
+/// A heat map of a file without normals has nothing to show: that is said, and the map is made.
+#[test]
+fn heat_maps_without_normals_are_explained() {
+    let files = folder(&[("flipped.obj", FLIPPED), ("good.obj", TRIANGLE)]);
+    let map = path(files.path().join("map.png"));
+    let of = |name: &str| inspect(&["--heatmap", &map, &path(files.path().join(name))]);
+    let said = of("good.obj");
+    assert!(
+        code(&said) == 0 && text(&said.stderr).contains("no normals are stored"),
+        "{}",
+        text(&said.stderr)
+    );
+    assert!(files.path().join("map.png").is_file());
+    assert_eq!(text(&of("flipped.obj").stderr), "");
 }
