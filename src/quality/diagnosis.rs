@@ -6,7 +6,7 @@ use super::facts::Facts;
 use super::finding::{Element, Finding, Severity, Site};
 use super::gloss::{self, Gloss};
 use super::tally::{Spot, Tallies, Tally, least};
-use super::turned::{explained_by, largest_turn};
+use super::turned::{explained_by, largest_turn, taken_back};
 use super::{
     Estimate, Precision, Thresholds, attributes, geometry, key_light_steps, shading, smoothing, stored,
 };
@@ -84,8 +84,17 @@ pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) 
         if part.mesh.face_count() > 0 {
             let nodes = &nodes_of_parts[number];
             let gloss = Gloss::new(&part.mesh, &materials, thresholds.exponent);
-            let facts = Facts::new(&around, number, thresholds.confidence, gloss);
+            let mut facts = Facts::new(&around, number, thresholds.confidence, gloss);
             let mut found = Tallies::new(thresholds.places);
+            // What is told of normals of another space is of what they are in that of the mesh.
+            let taken_back = untransformed(&facts, nodes, thresholds, &mut found);
+            if let Some(mesh) = &taken_back {
+                let gloss = Gloss::new(mesh, &materials, thresholds.exponent);
+                let written = facts.stored;
+                facts = Facts::of(&around, (number, mesh), thresholds.confidence, gloss);
+                facts.written = written;
+                facts.estimate.iter_mut().for_each(|estimate| estimate.turned = true);
+            }
             own.precision = look(&facts, nodes, thresholds, &mut found);
             attributes::find(&facts, loaded, number, thresholds, &mut found);
             own.estimate = facts.estimate;
@@ -151,30 +160,39 @@ fn look(
     geometry::find(facts, thresholds, found);
     shading::find(facts, thresholds, found);
     for node in nodes {
-        place(facts, node, thresholds, found);
+        place(node, found);
     }
     precision
 }
 
+/// The mesh with its stored normals in its own space, if the matrix of a node or its inverse stands between the two.
+fn untransformed(
+    facts: &Facts<'_>,
+    nodes: &[&FileNode],
+    thresholds: &Thresholds,
+    found: &mut Tallies,
+) -> Option<Mesh> {
+    facts.stored?;
+    nodes.iter().find_map(|node| {
+        let linear = DMat3::from_mat4(node.world_from_part);
+        let turn = largest_turn(linear);
+        if turn <= thresholds.rotation.0 {
+            return None;
+        }
+        let map = explained_by(facts, linear, thresholds)?;
+        found.add(Kind::Untransformed, Spot::mesh().by(turn), facts.total_area);
+        Some(taken_back(facts.mesh, map))
+    })
+}
+
 /// What the places of a part in the world mean for its normals.
-fn place(facts: &Facts<'_>, node: &FileNode, thresholds: &Thresholds, found: &mut Tallies) {
-    let linear = DMat3::from_mat4(node.world_from_part);
-    let Some(matrix) = normal_matrix(linear) else {
+fn place(node: &FileNode, found: &mut Tallies) {
+    let Some(matrix) = normal_matrix(DMat3::from_mat4(node.world_from_part)) else {
         found.add(Kind::SingularNode, Spot::mesh(), 0.0);
         return;
     };
     if matrix.mirrored() {
         found.add(Kind::MirroredNode, Spot::mesh(), 0.0);
-    }
-    let turned = [Kind::SwappedAxes, Kind::Rotated].into_iter().find(|&kind| found.get(kind).count > 0);
-    // A matrix that explains the normals says more than the rotation that it is.
-    if facts.stored.is_some()
-        && found.get(Kind::Untransformed).count == 0
-        && largest_turn(linear) > thresholds.rotation.0
-        && explained_by(facts, linear, thresholds)
-    {
-        turned.into_iter().for_each(|kind| drop(found.take(kind)));
-        found.add(Kind::Untransformed, Spot::mesh().by(largest_turn(linear)), facts.total_area);
     }
 }
 

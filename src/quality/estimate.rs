@@ -21,6 +21,13 @@ const NEARLY_ALL: f64 = 0.98;
 /// A corner counts as reproduced within this many degrees.
 const REPRODUCED: f64 = 5.0;
 
+/// The same to the letter: above what 32 bits and four decimals do, below what differs between programs.
+const LETTER: f64 = 0.1;
+
+/// The share of corners to the letter from which on the others depart from a rule, rather than that there is none: what is
+/// not all of them may be half, less what a border between two halves takes.
+const NEARLY_HALF: f64 = 0.4;
+
 /// For how many edges that look smooth beyond the crease angle one that looks sharp below it counts, where those may all be
 /// the only sharp ones at their vertices.
 const LONE: usize = 16;
@@ -46,6 +53,8 @@ pub struct Estimate {
     pub reproduced: f64,
     /// The share of them that it reproduces within 1°.
     pub closely: f64,
+    /// The share of them that it reproduces within 0.1°.
+    pub exactly: f64,
     /// The share of the edges at them, of those that bend at all, that the crease angle puts on the right side.
     pub separated: f64,
     /// The median angle between stored and reproduced normals.
@@ -88,6 +97,14 @@ impl Estimate {
     /// and the others not at all.
     pub fn is_rule(&self) -> bool {
         self.reproduced >= NEARLY_ALL || (self.closely >= 0.85 && self.reproduced - self.closely <= 0.01)
+    }
+}
+
+impl Estimate {
+    /// Whether the normals follow a rule, or those that do follow it to the letter and are so many that the others depart from
+    /// it: however far they do.
+    pub(super) fn is_departed_from(&self) -> bool {
+        self.is_rule() || self.exactly >= NEARLY_HALF
     }
 }
 
@@ -216,6 +233,7 @@ impl Sample<'_> {
             sample: errors.len(),
             reproduced,
             closely: within(SAME),
+            exactly: within(LETTER),
             separated: match (rule.groups, self.bends.len()) {
                 (None, 1..) => separated as f64 / self.bends.len() as f64,
                 (None, 0) => 1.0,

@@ -27,6 +27,8 @@ pub(super) struct Facts<'a> {
     pub(super) topology: Topology,
     /// The stored normals, if there are any at all.
     pub(super) stored: Option<&'a Column<DVec3>>,
+    /// Those of the file, if these are what they are in the space of the mesh.
+    pub(super) written: Option<&'a Column<DVec3>>,
     /// How the stored normals were made, as far as they tell.
     pub(super) estimate: Option<Estimate>,
     /// What all stored normals were turned by, if the estimate is of them turned back.
@@ -63,7 +65,16 @@ pub(super) struct Facts<'a> {
 impl<'a> Facts<'a> {
     /// Of a part of a file.
     pub(super) fn new(around: &Around<'a>, part: usize, confidence: Confidence, gloss: Gloss) -> Self {
-        let mesh = around.mesh(part);
+        Self::of(around, (part, around.mesh(part)), confidence, gloss)
+    }
+
+    /// Of a part of a file with another mesh in place of its own, of the same shape.
+    pub(super) fn of(
+        around: &Around<'_>,
+        (part, mesh): (usize, &'a Mesh),
+        confidence: Confidence,
+        gloss: Gloss,
+    ) -> Self {
         let topology = Topology::build(mesh, Weld::Exact);
         let stored = mesh.columns().normals.as_ref().filter(|stored| !stored.values.is_empty());
         let field = compute_on(mesh, &topology, &NormalRecipe::default());
@@ -86,6 +97,7 @@ impl<'a> Facts<'a> {
             mesh,
             topology,
             stored,
+            written: None,
             estimate: None,
             turn: None,
             field,

@@ -33,7 +33,7 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
             }
         }
     });
-    let follows = estimate.is_rule() && estimate.separated >= RULE;
+    let follows = estimate.is_departed_from() && estimate.separated >= RULE;
     for kind in [Kind::AveragedCrease, Kind::SplitSeam] {
         let tally = edges.tally(kind);
         tally.remedy = Some(estimate.options());
@@ -65,12 +65,22 @@ fn mergeable(facts: &Facts<'_>, stored: &Column<DVec3>) -> usize {
 pub(super) fn is_averaged(facts: &Facts<'_>, corner: usize, from: f64) -> bool {
     let (Some(stored), Some(estimate)) = (facts.stored, facts.estimate) else { return false };
     let from = from.max(estimate.sharp_from());
-    let ways = [corner as u32, facts.topology.previous(corner as u32)];
-    facts.shares_vertices
-        && ways
-            .into_iter()
-            .filter_map(|half_edge| Edge::either_way(facts, stored, half_edge))
-            .any(|edge| edge.is_averaged(facts, from))
+    let edges = WAYS.into_iter().filter_map(|way| way.edge(facts, stored, corner as u32));
+    facts.shares_vertices && edges.into_iter().any(|(edge, _)| edge.is_averaged(facts, from))
+}
+
+/// Whether a corner has its normal together with others at its vertex, up to an edge that is averaged and told as such.
+pub(super) fn is_beside_averaged(facts: &Facts<'_>, corner: usize, thresholds: &Thresholds) -> bool {
+    let (Some(stored), Some(estimate)) = (facts.stored.filter(|_| facts.shares_vertices), facts.estimate)
+    else {
+        return false;
+    };
+    let told_from = estimate.sharp_from() + thresholds.crease.0;
+    WAYS.into_iter().any(|way| {
+        let mut shared =
+            way.edges(facts, stored, corner as u32).take_while(|(edge, end)| edge.gaps[*end] <= SAME);
+        shared.any(|(edge, _)| edge.is_averaged(facts, told_from))
+    })
 }
 
 /// Whether a corner has its normal together with others at its vertex, up to an edge that is a seam.
@@ -78,15 +88,9 @@ pub(super) fn is_beside_seam(facts: &Facts<'_>, corner: usize, thresholds: &Thre
     let Some(stored) = facts.stored.filter(|_| facts.shares_vertices) else { return false };
     let shares = |way: Way| way.shares(facts, stored, corner as u32);
     let ends_at_seam = |way: Way| {
-        let mut at = corner as u32;
-        for _ in 0..facts.topology.corners_at(facts.mesh.faces().corners()[corner]).len() {
-            let Some((edge, end)) = way.edge(facts, stored, at) else { return false };
-            if edge.gaps[end] > SAME {
-                return edge.is_seam(facts, stored, thresholds);
-            }
-            at = edge.ends[end][1] as u32;
-        }
-        false
+        let mut edges = way.edges(facts, stored, corner as u32);
+        let split = edges.find(|(edge, end)| edge.gaps[*end] > SAME);
+        split.is_some_and(|(edge, _)| edge.is_seam(facts, stored, thresholds))
     };
     WAYS.into_iter().any(shares) && WAYS.into_iter().any(ends_at_seam)
 }
@@ -109,6 +113,23 @@ impl Way {
             Way::Forward => Some((Edge::either_way(facts, stored, corner)?, 0)),
             Way::Back => Some((Edge::either_way(facts, stored, facts.topology.previous(corner))?, 1)),
         }
+    }
+
+    /// The edges from a corner on, up to a rim or once round the vertex.
+    fn edges<'a>(
+        self,
+        facts: &'a Facts<'a>,
+        stored: &'a Column<DVec3>,
+        corner: u32,
+    ) -> impl Iterator<Item = (Edge, usize)> {
+        let count = facts.topology.corners_at(facts.mesh.faces().corners()[corner as usize]).len();
+        let mut at = corner;
+        let next = move || {
+            let (edge, end) = self.edge(facts, stored, at)?;
+            at = edge.ends[end][1] as u32;
+            Some((edge, end))
+        };
+        std::iter::from_fn(next).take(count)
     }
 
     /// Whether a corner has one normal with the one beyond that edge.
@@ -234,7 +255,9 @@ impl Edge {
 
     /// Whether the edge is cut although nothing differs on its two sides.
     fn is_needless(&self, facts: &Facts<'_>) -> bool {
-        if facts.topology.link(self.half_edge) != Link::Welded(self.across) {
+        // Where the rule has two normals, that there is one is told, or passes.
+        let is_smooth = || self.goes_on(facts) || self.bend(facts) <= SAME;
+        if facts.topology.link(self.half_edge) != Link::Welded(self.across) || !is_smooth() {
             return false;
         }
         let columns = facts.mesh.columns();

@@ -47,7 +47,7 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
     }
     like_the_rest(facts, found);
     facets::find(facts, stored, thresholds, found);
-    quantisation::find(facts, stored, thresholds, found)
+    quantisation::find(facts, facts.written.unwrap_or(stored), thresholds, found)
 }
 
 /// Single normals are replaced by ones that are made as the rest is, or they would be strays.
@@ -141,6 +141,7 @@ fn direction(
         true => Some(Kind::AgainstFace),
         // An edge that should be sharp explains its corners, and so does one that should not be.
         false if smoothing::is_averaged(facts, corner, 0.0) => None,
+        false if smoothing::is_beside_averaged(facts, corner, thresholds) => None,
         false if smoothing::is_beside_seam(facts, corner, thresholds) => None,
         // The fan may be another one than that which the normal was made from.
         false if facts.has_two_fans(corner) => None,

@@ -6,8 +6,8 @@ use super::catalogue::Kind;
 use super::facts::{Facts, Worth, are_same};
 use super::rotation::{are_spread, closest_turn, outer, rotation_angle};
 use super::tally::{Spot, Tallies};
-use crate::mesh::normal_matrix;
-use crate::num::{Degrees, Radians, angle_between};
+use crate::mesh::{Mesh, normal_matrix};
+use crate::num::{Degrees, Radians, UnitVec3, angle_between};
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 use std::ops::Range;
@@ -194,10 +194,11 @@ fn describe(axes: DMat3) -> String {
     said.join(", ")
 }
 
-/// Whether a linear map, or its inverse, stands between the stored normals and the faces, and no other turn that explains them
-/// better.
-pub(super) fn explained_by(facts: &Facts<'_>, map: DMat3, thresholds: &Thresholds) -> bool {
-    [map, map.inverse()].into_iter().filter_map(normal_matrix).any(|matrix| {
+/// What takes the normals that a mesh should have to its stored ones, if a linear map or its inverse does and no other turn
+/// explains them better: a map of points whose normal matrix it is.
+pub(super) fn explained_by(facts: &Facts<'_>, map: DMat3, thresholds: &Thresholds) -> Option<DMat3> {
+    [map, map.inverse()].into_iter().find(|&map| {
+        let Some(matrix) = normal_matrix(map) else { return false };
         let (mut with, mut by_turn, mut either_way, mut weight) = (0.0, 0.0, 0.0, 0.0);
         for (face, range) in facts.mesh.faces().ranges().enumerate() {
             for corner in range.filter(|_| facts.worth[face] != Worth::Silent) {
@@ -213,6 +214,17 @@ pub(super) fn explained_by(facts: &Facts<'_>, map: DMat3, thresholds: &Threshold
         explains(with / weight, either_way / weight, thresholds)
             && (by_turn - with) / weight <= least(thresholds)
     })
+}
+
+/// A mesh with the stored normals that it had before a linear map of points took them along. Lengths stay as they are.
+pub(super) fn taken_back(mesh: &Mesh, map: DMat3) -> Mesh {
+    let mut normals = mesh.columns().normals.clone();
+    let back = normal_matrix(map.inverse());
+    for normal in normals.iter_mut().flat_map(|column| &mut column.values) {
+        let unit = UnitVec3::new(*normal).and_then(|unit| back.as_ref()?.apply(unit.get()));
+        *normal = unit.map_or(*normal, |unit| unit * normal.length());
+    }
+    mesh.clone().with_normals(normals)
 }
 
 /// How far a linear map turns normals at most, over the axes and the diagonals, in degrees.

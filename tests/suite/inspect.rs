@@ -3,6 +3,7 @@
 
 mod against;
 mod attributes;
+mod causes;
 mod cavities;
 mod clean;
 mod geometry;
