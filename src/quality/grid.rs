@@ -141,9 +141,10 @@ impl Grid {
             _ => {
                 let Some(codes) = self.codes_of(normal.normalize()) else { return 0.0 };
                 // The share of the circle, or the sphere, that is as near to a direction of codes.
+                let off = ROUNDED * scale;
                 let near = match codes.to_array().contains(&0.0) {
-                    true => 4.0 * REACH * ROUNDED * scale,
-                    false => std::f64::consts::TAU * REACH * (ROUNDED * scale).powi(2),
+                    true => 4.0 * REACH * off,
+                    false => std::f64::consts::TAU * REACH * off * off,
                 };
                 // A multiple of a vector of whole numbers has such a length.
                 let whole = libm::log2(primitive(codes).length() / (2.0 * REACH));

@@ -127,7 +127,7 @@ pub(super) fn form(scene: &Scene<'_>, side: u32) -> Vec<Lines> {
     let all: Vec<Vec<f64>> = lines.iter().map(lengths).collect();
     let ink: f64 =
         lines.iter().zip(&all).map(|(lines, all)| lines.style.width * all.iter().sum::<f64>()).sum();
-    if ink > MOST_INK * f64::from(side).powi(2) {
+    if ink > MOST_INK * f64::from(side) * f64::from(side) {
         for (lines, lengths) in lines.iter_mut().zip(&all) {
             let mut is_long = lengths.iter().map(|&length| length >= SHORT);
             match &mut lines.path {
