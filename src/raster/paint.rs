@@ -11,7 +11,7 @@ use super::light::{Corner, Lit, PointLight};
 use super::list::{Run, TileList};
 use super::records::{Record, Wanted, face_corners, mean_colour, piece_values, single, takes_mean};
 use super::scanline::ScanPolygon;
-use super::seen_point;
+use super::seen_point::seen_point;
 use super::settings::{Interpolation, Show};
 use super::show;
 use super::tile::Colours;
@@ -327,7 +327,7 @@ fn seen_exactly(job: &Job, object: usize, tile: &Tile, seen: Seen) -> DVec3 {
     let from_eye = match job.drawn.iter().find(|drawn| drawn.object == object) {
         Some(drawn) => {
             let triangle = tile.records[seen.record as usize].vertices;
-            seen_point::from_eye(drawn, triangle, seen_point::weights(job, drawn, triangle, at))
+            seen_point(job, drawn, triangle, at).from_eye
         }
         None => cast(job, object, at).map_or(DVec3::NAN, |(hit, _)| hit.position - job.view.eye),
     };

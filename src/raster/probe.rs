@@ -9,7 +9,7 @@ use super::records::{Record, face_corners};
 use super::render::bins;
 use super::scanline::ScanPolygon;
 use super::scene::{Paint, Scene};
-use super::seen_point::{self, shares};
+use super::seen_point::{SeenPoint, seen_point, shares};
 use super::settings::{FlatSample, Interpolation, RenderSettings, Shading};
 use super::tile::Worker;
 use super::triangles::DrawnObject;
@@ -152,8 +152,7 @@ fn on_face(job: &Job, drawn: &DrawnObject, record: &Record, at: [f64; 2]) -> Pro
     let object = &job.objects[drawn.object];
     let triangle = drawn.list.vertices(record.triangle);
     let corners = drawn.list.corners(record.triangle);
-    let in_scene = seen_point::weights(job, drawn, triangle, at);
-    let relative = seen_point::from_eye(drawn, triangle, in_scene);
+    let SeenPoint { weights: in_scene, from_eye: relative } = seen_point(job, drawn, triangle, at);
     let position = |vertex: u32| drawn.map.scene_point(drawn.points.get(vertex));
     let face: Vec<(u32, u32)> = face_corners(object, drawn, record).collect();
     let (corners, weights): (Vec<(u32, u32)>, Vec<f64>) = match job.settings.interpolation {

@@ -2,24 +2,39 @@
 
 use super::job::Job;
 use super::triangles::DrawnObject;
+use crate::num::{self, Split};
 use glam::DVec3;
 
-/// Barycentric coordinates in the scene of the point of a triangle's plane that a place of the picture sees, by edge
-/// functions in homogeneous coordinates, which hold behind the eye as well (Olano & Greer 1997).
-pub(super) fn weights(job: &Job, drawn: &DrawnObject, triangle: [u32; 3], at: [f64; 2]) -> [f64; 3] {
-    let [mx, my] = job.view.middle();
-    let ray = DVec3::new(at[0] - mx, at[1] - my, 1.0);
-    let [a, b, c] = triangle.map(|vertex| {
-        let point = drawn.map.view(drawn.points.get(vertex));
-        DVec3::new(point.x, point.y, point.h)
-    });
-    shares([ray.dot(b.cross(c)), ray.dot(c.cross(a)), ray.dot(a.cross(b))])
+/// A point of the plane of a triangle.
+pub(super) struct SeenPoint {
+    /// Its barycentric coordinates in the scene.
+    pub(super) weights: [f64; 3],
+    /// Where it is relative to the eye, in the scene's axes: on the ray, however far away corners are.
+    pub(super) from_eye: DVec3,
 }
 
-/// That point relative to the eye, in the scene's axes.
-pub(super) fn from_eye(drawn: &DrawnObject, triangle: [u32; 3], weights: [f64; 3]) -> DVec3 {
-    let corner = |vertex| drawn.map.scene_point(drawn.points.get(vertex));
-    triangle.into_iter().zip(weights).map(|(vertex, weight)| corner(vertex) * weight).sum()
+/// The point of a triangle's plane that a place of the picture sees, by edge functions in homogeneous coordinates, which
+/// hold behind the eye as well (Olano & Greer 1997).
+pub(super) fn seen_point(job: &Job, drawn: &DrawnObject, triangle: [u32; 3], at: [f64; 2]) -> SeenPoint {
+    let [mx, my] = job.view.middle();
+    let ray = DVec3::new(at[0] - mx, at[1] - my, 1.0);
+    let seen = triangle.map(|vertex| drawn.map.view(drawn.points.get(vertex)));
+    let corners = seen.map(|point| DVec3::new(point.x, point.y, point.h));
+    let normals = [0, 1, 2].map(|k| num::cross::<Split>(corners[(k + 1) % 3], corners[(k + 2) % 3]));
+    let parts = normals.map(|normal| ray.dot(normal));
+    let weights = shares(parts);
+    let distance = if job.view.perspective {
+        // The determinant of the corners, by that one of them whose products have the least to lose. Their mean would be
+        // what is left of distances in front of the eye and behind it.
+        let products = [0, 1, 2].map(|k| corners[k] * normals[k]);
+        let size = |product: &&DVec3| product.abs().element_sum();
+        let least = products.iter().min_by(|a, b| size(a).total_cmp(&size(b)));
+        least.map_or(f64::NAN, |product| product.element_sum()) / parts.iter().sum::<f64>()
+    } else {
+        (0..3).map(|k| seen[k].z * weights[k]).sum()
+    };
+    let (start, direction) = job.view.ray(at);
+    SeenPoint { weights, from_eye: start + direction * distance }
 }
 
 /// Parts as shares of their sum.

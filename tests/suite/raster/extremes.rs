@@ -6,7 +6,7 @@ use crease::mesh::Faces;
 use crease::num::{Degrees, LinearRgb};
 use crease::raster::{
     Camera, FlatSample, Image, Interpolation, Paint, Projection, RenderSettings, Scene, Shading, Show,
-    default_lights, render,
+    default_lights, probe, render,
 };
 use glam::{DVec2, DVec3};
 
@@ -319,6 +319,35 @@ fn extreme_corners_are_drawn_where_rays_meet_them() {
     let rounds = if crate::hostile::is_long() { 400 } else { 4 };
     let tally = sweep(1, rounds);
     assert!(tally.sure > 5000 * rounds && tally.weighed > 5000 * rounds, "{} {}", tally.sure, tally.weighed);
+}
+
+/// What is told of a sample is what the picture shows there.
+#[test]
+fn probes_tell_what_pictures_of_extreme_corners_show() {
+    let mut random = Random(3);
+    let mut probed = 0;
+    for round in 0..12 {
+        let model = wild(&mut random, [30.0, 6.0, 1.0][round % 3], [20, 3], false);
+        for projection in projections() {
+            let settings = linear(SIZE);
+            let camera = camera(projection);
+            let lights = default_lights(&camera).to_vec();
+            let scene = Scene { camera, lights, ..scene(vec![model.object()]) };
+            let image = render(&scene, &settings).unwrap();
+            for _ in 0..4 {
+                let pixel = [0, 1].map(|axis| random.below(SIZE[axis] as usize) as u32);
+                let Some(seen) = probe(&scene, &settings, pixel, 0).unwrap() else { continue };
+                let told = seen.colour(&scene, &settings).unwrap().to_array();
+                let shown = image.linear.as_ref().unwrap()[(pixel[1] * SIZE[0] + pixel[0]) as usize];
+                let error =
+                    shown.iter().zip(told).map(|(a, b)| (f64::from(*a) - b).abs()).fold(0.0, f64::max);
+                // A step of 8 bits.
+                assert!(error < 1.0 / 255.0, "round {round}, {projection:?}, {pixel:?}: {shown:?}, {seen:?}");
+                probed += 1;
+            }
+        }
+    }
+    assert!(probed > 200, "{probed}");
 }
 
 /// Of three corners so far apart every digit of 1/z is lost where depths are counted from the target.
