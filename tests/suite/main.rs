@@ -5,6 +5,7 @@
 mod artefact;
 mod artefact_sweep;
 mod cli;
+mod colours;
 mod convert;
 mod data;
 mod flat;

@@ -3,9 +3,10 @@
 use super::{Mark, Series};
 use std::fmt::Write;
 
-/// The colours of M. Okabe and K. Ito, *Color universal design*, 2002; their yellow, too light on white, is last.
+/// The colours of M. Okabe and K. Ito, *Color universal design*, 2002, but for their yellow, too light on white: a brown stands
+/// for it, which the others and the grey of guides differ from without full colour vision too.
 const COLOURS: [&str; 8] =
-    ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#000000", "#e69f00", "#56b4e9", "#b3a100"];
+    ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#000000", "#e69f00", "#56b4e9", "#663311"];
 const GREY: &str = "#767676";
 /// Lengths of dashes and gaps, in pixels. There are five and six signs, so that thirty series have none of both in common.
 const DASHES: [&str; 5] = ["none", "9 4", "2 3", "10 3 2 3", "6 3 2 3 2 3"];
