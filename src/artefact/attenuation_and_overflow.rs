@@ -3,8 +3,8 @@
 use super::body::{Body, Diagonal};
 use super::stage::{chalk, draw, front, settings};
 use super::{
-    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters, Role,
-    Scale, Setup, Shot, Text, Threshold, Verdict,
+    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters,
+    Scale, Setup, Text, Threshold, Verdict,
 };
 use crate::num::{LinearRgb, Radians, Srgb8};
 use crate::raster::{Camera, Image, Interpolation, Projection, RenderSettings, Shading};
@@ -101,7 +101,8 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let by_square = expected_contrast(|d| 1.0 / (d * d), pixel);
     let by_offset = expected_contrast(|d| 1.0 / (d + K), pixel);
     let peak = |image: &Image| values(image).fold(0.0, f64::max);
-    let [near, _, far] = [0, 1, 2].map(|plate| plate_value(&cued, plate));
+    let contrast_of = |image: &Image| plate_value(image, 0) / plate_value(image, 2);
+    let by_depth = (DEPTHS[2] + CUE.k) / (DEPTHS[0] + CUE.k);
     let [c, d] = [ToneRule::Clamp, ToneRule::DivideByMax].map(|rule| rule.apply([0.9, 1.1, 0.3]));
     // What a step of 8 bits is there, of linear light.
     let code = "the step of 8 bits at this colour";
@@ -184,10 +185,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 "depth cueing: placa mais próxima sobre a mais distante",
             ),
             "",
-            near / far,
+            contrast_of(&cued),
         )
         .expect(
-            (DEPTHS[2] + CUE.k) / (DEPTHS[0] + CUE.k),
+            by_depth,
             0.02,
             Text::new(
                 "(d₂ + k)/(d₁ + k) in the middle of each; the distance to a pixel is up to 0.5 % more",
@@ -197,6 +198,44 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         Measure::new(Text::new("1/d²: largest luminance", "1/d²: maior luminância"), "", peak(&square)),
     ];
     let charts = vec![chart()];
+    let moved = Moved {
+        name: Text::new("share of the floor that overflows", "parcela do chão que estoura"),
+        unit: "",
+        bad: overflow,
+        present: Threshold {
+            value: 0.5 / f64::from(size * size),
+            why: Text::new("half of one pixel", "metade de um pixel"),
+        },
+        cure: Text::new("1/(d + k) with k = 1", "1/(d + k) com k = 1"),
+        cured: share(&offset),
+        factor: 10.0,
+    };
+    let hue = Moved {
+        name: Text::new(
+            "green over red below the lamp, off the lamp's own",
+            "verde sobre vermelho sob a lâmpada, diferença ao da própria lâmpada",
+        ),
+        bad: (ratio(&clamped) - WARM.g / WARM.r).abs(),
+        present: Threshold {
+            value: 0.02,
+            why: Text::new("a hue that is seen to differ", "um tom que se vê diferir"),
+        },
+        cured: (ratio(&divided) - WARM.g / WARM.r).abs(),
+        ..moved.clone()
+    };
+    let fading = Moved {
+        name: Text::new(
+            "nearest plate over farthest plate, off the law's",
+            "placa mais próxima sobre a mais distante, diferença à lei",
+        ),
+        bad: (contrast_of(&plain) - by_depth).abs(),
+        present: Threshold {
+            value: 0.1,
+            why: Text::new("a tenth of a plate's light", "um décimo da luz de uma placa"),
+        },
+        cured: (contrast_of(&cued) - by_depth).abs(),
+        ..moved.clone()
+    };
     Ok(Outcome {
         verdict: Verdict::HoldsOnlyIf(Text::new(
             "colours are shown as they are computed. 1/d² is what geometry says of a small lamp (not the atmosphere, as the \
@@ -206,91 +245,94 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
              aulas); o que falha é o alcance da tela. 1/(d + k) com k ≥ I₀ − h cabe nele, ao preço de não ser a lei de lâmpada \
              alguma.",
         )),
-        moved: Moved {
-            name: Text::new("share of the floor that overflows", "parcela do chão que estoura"),
-            unit: "",
-            bad: overflow,
-            present: Threshold {
-                value: 0.5 / f64::from(size * size),
-                why: Text::new("half of one pixel", "metade de um pixel"),
-            },
-            cure: Text::new("1/(d + k) with k = 1", "1/(d + k) com k = 1"),
-            cured: share(&offset),
-            factor: 10.0,
-        },
-        measures,
         shots: vec![
-            Shot::new(
+            moved.bad_shot(
                 "inverse-square",
-                Role::Bad,
                 NAMES[0].clone(),
-                Text::new(
-                    "A white disc with a hard rim below the lamp, where light is more than 1, and darkness soon after.",
-                    "Um disco branco de borda dura sob a lâmpada, onde a luz passa de 1, e escuridão logo depois.",
-                ),
+                [
+                    Text::new("A floor under a lamp.", "Um chão sob uma lâmpada."),
+                    Text::new(
+                        "There is a white disc with a hard rim below the lamp, where light is more than 1, and darkness soon after.",
+                        "Há um disco branco de borda dura sob a lâmpada, onde a luz passa de 1, e escuridão logo depois.",
+                    ),
+                ],
                 square,
             ),
-            Shot::new(
+            Moved { cured: share(&quadratic), ..moved.clone() }.cured_shot(
                 "quadratic",
-                Role::Cured,
                 NAMES[1].clone(),
-                Text::new(
-                    "Constant, linear and quadratic term together: no disc, and still dark far away.",
-                    "Termos constante, linear e quadrático juntos: sem disco, e ainda escuro ao longe.",
-                ),
+                [
+                    Text::new(
+                        "Constant, linear and quadratic term together.",
+                        "Termos constante, linear e quadrático juntos.",
+                    ),
+                    Text::new("No disc, and still dark far away.", "Sem disco, e ainda escuro ao longe."),
+                ],
                 quadratic,
             ),
-            Shot::new(
+            moved.cured_shot(
                 "offset",
-                Role::Cured,
                 NAMES[2].clone(),
-                Text::new(
-                    "No disc, and the floor can be seen to its corners.",
-                    "Sem disco, e vê-se o chão até os cantos.",
-                ),
+                [
+                    Text::new("The same lamp.", "A mesma lâmpada."),
+                    Text::new(
+                        "No disc, and the floor can be seen to its corners.",
+                        "Sem disco, e vê-se o chão até os cantos.",
+                    ),
+                ],
                 offset,
             ),
-            Shot::new(
+            hue.bad_shot(
                 "clamped",
-                Role::Bad,
                 Text::new("warm lamp, clamped", "lâmpada quente, truncada"),
-                Text::new(
-                    "Red and green of an orange lamp are both cut at 1: towards the middle it turns yellow and then white.",
-                    "Vermelho e verde de uma lâmpada laranja são ambos cortados em 1: perto do meio ela fica amarela e depois branca.",
-                ),
+                [
+                    Text::new("An orange lamp.", "Uma lâmpada laranja."),
+                    Text::new(
+                        "Its red and green are both cut at 1: towards the middle it turns yellow and then white.",
+                        "O seu vermelho e o seu verde são ambos cortados em 1: perto do meio ela fica amarela e depois branca.",
+                    ),
+                ],
                 clamped,
             ),
-            Shot::new(
+            hue.cured_shot(
                 "divided",
-                Role::Cured,
                 Text::new("warm lamp, divided", "lâmpada quente, dividida"),
-                Text::new(
-                    "Divided by the largest component the hue is the lamp's everywhere; only brightness is lost.",
-                    "Dividida pela maior componente, o tom é o da lâmpada em toda parte; só se perde o brilho.",
-                ),
+                [
+                    Text::new("Divided by the largest component.", "Dividida pela maior componente."),
+                    Text::new(
+                        "The hue is the lamp's everywhere; only brightness is lost.",
+                        "O tom é o da lâmpada em toda parte; só se perde o brilho.",
+                    ),
+                ],
                 divided,
             ),
-            Shot::new(
+            fading.bad_shot(
                 "no-depth-cue",
-                Role::Bad,
                 Text::new("without depth cueing", "sem depth cueing"),
-                Text::new(
-                    "Three plates at different distances, all alike: which is the nearest?",
-                    "Três placas a distâncias diferentes, todas iguais: qual é a mais próxima?",
-                ),
+                [
+                    Text::new("Three plates at different distances.", "Três placas a distâncias diferentes."),
+                    Text::new("All are alike: which is the nearest?", "Todas são iguais: qual é a mais próxima?"),
+                ],
                 plain,
             ),
-            Shot::new(
+            fading.cured_shot(
                 "depth-cue",
-                Role::Cured,
                 Text::new("depth cueing", "com depth cueing"),
-                Text::new(
-                    "Divided by the distance to the viewer plus k, the near plate is bright and the far one is dark.",
-                    "Dividida pela distância ao observador mais k, a placa próxima é clara e a distante é escura.",
-                ),
+                [
+                    Text::new(
+                        "Divided by the distance to the viewer plus k.",
+                        "Divididas pela distância ao observador mais k.",
+                    ),
+                    Text::new(
+                        "The near plate is bright and the far one is dark.",
+                        "A placa próxima é clara e a distante é escura.",
+                    ),
+                ],
                 cued,
             ),
         ],
+        moved,
+        measures,
         charts,
         notes: vec![Text::new(
             "The lectures use the letter d twice: for the distance to the lamp in attenuation, and to the viewer in depth cueing. They \

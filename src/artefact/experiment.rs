@@ -1,6 +1,6 @@
 //! What an experiment is.
 
-use super::{ArtefactError, Knob, Language, Outcome, Parameters, Setup, Text, Verdict};
+use super::{ArtefactError, Knob, Language, Outcome, Parameters, Role, Setup, Text, Verdict};
 use crate::io::shell_word;
 use crate::raster::Image;
 use std::ops::RangeInclusive;
@@ -53,15 +53,17 @@ pub struct Formula {
 impl Experiment {
     /// Runs the experiment.
     ///
-    /// The same setup gives the same bits at any number of threads. Where nothing of the artefact is seen the claim is not put
-    /// to the test, and the verdict is [`Verdict::Absent`], with the experiment's own advice unless this run has better.
+    /// The same setup gives the same bits at any number of threads. Where nothing of the artefact is measured, or no picture shows
+    /// it, the claim is not put to the test, and the verdict is [`Verdict::Absent`], with the experiment's own advice unless this run has better.
     ///
     /// # Errors
     /// Parameters out of range, a mesh that does not suit, or what cannot be drawn.
     pub fn run(&self, setup: &Setup) -> Result<Outcome, ArtefactError> {
         self.check(setup)?;
         let mut outcome = (self.run)(setup)?;
-        if !outcome.moved.is_present() && !matches!(outcome.verdict, Verdict::Absent(_)) {
+        let is_shown = outcome.shots.iter().any(|shot| shot.role == Role::Bad);
+        let is_tested = outcome.moved.is_present() && is_shown;
+        if !is_tested && !matches!(outcome.verdict, Verdict::Absent(_)) {
             outcome.verdict = Verdict::Absent(self.shown_by.clone());
         }
         Ok(outcome)

@@ -2,7 +2,7 @@
 
 use super::stage::{chalk, draw, front, object, settings};
 use super::{
-    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters, Role,
+    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters,
     Scale, Setup, Shot, Text, Threshold, Verdict,
 };
 use crate::mesh::{Faces, Mesh, MeshBuilder};
@@ -150,7 +150,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         },
         measures,
         shots: shots(size, segments)?,
-        charts: vec![chart(diffuse, specular, exponent)],
+        charts: vec![chart(diffuse, specular, exponent, is_bounded)],
         notes: vec![Text::new(
             "What counts is the light's distance over the size of the face, not of the object: cutting faces smaller cures as moving \
              the lamp away does, the error falling as one over their number along a side. Shading every pixel costs nothing in \
@@ -316,64 +316,90 @@ fn shots(size: u32, segments: u32) -> Result<Vec<Shot>, ArtefactError> {
         let settings = settings([size; 2], shading, Interpolation::Perspective);
         draw(vec![object(&mesh, &normals, chalk())], &[light], camera, &settings)
     };
+    let near = paint(1, 1.0, Shading::Phong)?;
+    let [flat, cut_up] = [1, segments].map(|cells| paint(cells, 1.0, Shading::Flat));
+    let (flat, cut_up, far) = (flat?, cut_up?, paint(1, 100.0, Shading::Flat)?);
+    let off = |image: &Image, truth: &Image| {
+        Ok::<f64, ArtefactError>(image_error(image, truth, 0.5)?.linear.max / 255.0)
+    };
+    let small = Moved {
+        name: Text::new("largest error of a pixel's light", "maior erro da luz de um pixel"),
+        unit: "",
+        bad: off(&flat, &near)?,
+        present: Threshold::HALF_STEP,
+        cure: Text::new("smaller faces", "faces menores"),
+        cured: off(&cut_up, &near)?,
+        // Of faces a third as long already.
+        factor: 2.0,
+    };
+    let away = Moved { cured: off(&far, &paint(1, 100.0, Shading::Phong)?)?, factor: 10.0, ..small.clone() };
     Ok(vec![
-        Shot {
-            name: "flat",
-            role: Role::Bad,
-            label: Text::new("flat, lamp near", "plano, lâmpada próxima"),
-            caption: Text::new(
-                "A lamp stands near the corner of the box, but each side has one colour: nothing tells that the lamp is near.",
-                "Há uma lâmpada perto do canto da caixa, mas cada lado tem uma só cor: nada mostra que a lâmpada está próxima.",
-            ),
-            image: paint(1, 1.0, Shading::Flat)?,
-        },
-        Shot {
-            name: "every-pixel",
-            role: Role::Truth,
-            label: Text::new("every pixel, lamp near", "cada pixel, lâmpada próxima"),
-            caption: Text::new(
+        small.bad_shot(
+            "flat",
+            Text::new("flat, lamp near", "plano, lâmpada próxima"),
+            [
+                Text::new("A lamp stands near the corner of the box.", "Há uma lâmpada perto do canto da caixa."),
+                Text::new(
+                    "But each side has one colour: nothing tells that the lamp is near.",
+                    "Mas cada lado tem uma só cor: nada mostra que a lâmpada está próxima.",
+                ),
+            ],
+            flat,
+        ),
+        Shot::truth(
+            "every-pixel",
+            Text::new("every pixel, lamp near", "cada pixel, lâmpada próxima"),
+            Text::new(
                 "Lit at every pixel, the sides are bright near the lamp and fade away from it.",
                 "Iluminados pixel a pixel, os lados são claros perto da lâmpada e escurecem longe dela.",
             ),
-            image: paint(1, 1.0, Shading::Phong)?,
-        },
-        Shot {
-            name: "flat-small-faces",
-            role: Role::Cured,
-            label: Text::new("flat, small faces", "plano, faces pequenas"),
-            caption: Text::new(
-                "The same flat shading with each side cut into small squares: close to the truth, though squares can be seen.",
-                "O mesmo sombreamento plano com cada lado dividido em quadrados pequenos: perto da verdade, embora se vejam os \
-                 quadrados.",
-            ),
-            image: paint(segments, 1.0, Shading::Flat)?,
-        },
-        Shot {
-            name: "flat-lamp-far",
-            role: Role::Cured,
-            label: Text::new("flat, lamp far", "plano, lâmpada distante"),
-            caption: Text::new(
-                "The lamp moved a hundred times as far away: now one colour a side is right.",
-                "A lâmpada cem vezes mais longe: agora uma cor por lado está certa.",
-            ),
-            image: paint(1, 100.0, Shading::Flat)?,
-        },
+            near,
+        ),
+        small.cured_shot(
+            "flat-small-faces",
+            Text::new("flat, small faces", "plano, faces pequenas"),
+            [
+                Text::made(
+                    format!("The same flat shading with each side cut into {segments} × {segments} squares."),
+                    format!("O mesmo sombreamento plano com cada lado dividido em {segments} × {segments} quadrados."),
+                ),
+                Text::new("Closer to the truth.", "Mais perto da verdade."),
+            ],
+            cut_up,
+        ),
+        away.cured_shot(
+            "flat-lamp-far",
+            Text::new("flat, lamp far", "plano, lâmpada distante"),
+            [
+                Text::new("The lamp moved a hundred times as far away.", "A lâmpada cem vezes mais longe."),
+                Text::new("Now one colour a side is almost right.", "Agora uma cor por lado está quase certa."),
+            ],
+            far,
+        ),
     ])
 }
 
-fn chart(diffuse: Vec<[f64; 2]>, specular: Vec<[f64; 2]>, exponent: f64) -> Chart {
+fn chart(diffuse: Vec<[f64; 2]>, specular: Vec<[f64; 2]>, exponent: f64, is_bounded: bool) -> Chart {
     let angle = |ratio: f64| libm::asin(1.0 / ratio);
     let bound = |of: &dyn Fn(f64) -> f64| RATIOS.iter().map(|&ratio| [ratio, of(ratio)]).collect::<Vec<_>>();
     let curve = |name, drawn, points| Curve { name, drawn, points };
     Chart {
         name: "error-by-distance",
         title: Text::new("Error of flat shading by distance", "Erro do sombreamento plano pela distância"),
-        caption: Text::new(
-            "Both errors stay below their bounds, which fall as one over the distance. The level line with squares is half a step \
-             of 8 bits.",
-            "Ambos os erros ficam abaixo dos seus limites, que caem como um sobre a distância. A linha de nível com quadrados é meio \
-             passo de 8 bits.",
-        ),
+        caption: match is_bounded {
+            true => Text::new(
+                "Both errors stay below their bounds, which fall as one over the distance. The level line with squares is half a \
+                 step of 8 bits.",
+                "Ambos os erros ficam abaixo dos seus limites, que caem como um sobre a distância. A linha de nível com quadrados é \
+                 meio passo de 8 bits.",
+            ),
+            false => Text::new(
+                "The error of diffuse light stays below its bound, which falls as one over the distance; that of the highlight is \
+                 held against none for exponents below 1 and where light does not come from the front. The level line with squares is half a step of 8 bits.",
+                "O erro da luz difusa fica abaixo do seu limite, que cai como um sobre a distância; o do brilho não é comparado com \
+                 limite para expoentes menores que 1 nem onde a luz não vem da frente. A linha de nível com quadrados é meio passo de 8 bits.",
+            ),
+        },
         x: Scale::log(Text::new("distance in circumradii of the face", "distância em circunraios da face")),
         y: Scale::log(Text::new("largest error", "maior erro")),
         curves: vec![

@@ -4,7 +4,7 @@ use super::body::{Body, Diagonal};
 use super::stage::{GAP, draw, front, settings, tiles};
 use super::{
     ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Language, Measure, Moved, Outcome,
-    Parameters, Role, Scale, Setup, Shot, Text, Threshold, Verdict,
+    Parameters, Scale, Setup, Shot, Text, Threshold, Verdict,
 };
 use crate::metric::Highlight;
 use crate::num::{Degrees, LinearRgb, Radians};
@@ -70,12 +70,18 @@ const CLOSE: f64 = 1.1;
 /// Pictures of one turn by a segment.
 const FRAMES: u32 = 8;
 
+/// Whether a vertex so far from the highlight has less of it than where it is steepest, at e^(−1/2) of its height: a highlight
+/// narrower than that angle is lost there, a wider one dulled.
+fn is_lost(angle: f64, exponent: f64) -> bool {
+    libm::pow(libm::cos(angle), exponent) <= libm::exp(-0.5)
+}
+
 /// By whether the highlight is narrower than half a segment, where a vertex is at the farthest.
 fn verdict(segments: u32, exponent: f64) -> Verdict {
     let least = (f64::from(segments) / PI) * (f64::from(segments) / PI);
     let told = |language: Language| [language.number(exponent), language.number(least.round())];
     let (en, pt) = (told(Language::English), told(Language::Portuguese));
-    match exponent >= least {
+    match is_lost(PI / f64::from(segments), exponent) {
         true => Verdict::Holds(Text::made(
             format!(
                 "wherever the nearest vertex's normal is farther from the highlight than the highlight is wide: exponents from about \
@@ -133,7 +139,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     // What a peak may lose if it lies in the middle between four pixels, on the sphere and on the plate.
     let between = FRAC_1_SQRT_2 * WINDOW / f64::from(size);
     let lean = libm::tan(Radians::from(TILT).0) * FRAC_1_SQRT_2;
-    let [of_sphere, of_plate] =
+    let [lost_on_sphere, lost_on_plate] =
         [libm::asin(between), libm::atan(between * lean)].map(|angle| 1.0 - law(angle, exponent));
     // Where that is more than a fifth, the true peak falls between pixels.
     let held = |measure: Measure, lost: f64, law: f64, tolerance: f64, by: Text| match lost < 0.2 {
@@ -158,7 +164,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 "",
                 peak(&plate_gouraud)? / peak(&plate_phong)?,
             ),
-            of_plate,
+            lost_on_plate,
             law(Radians::from(TILT).0, exponent),
             2e-3,
             Text::new(
@@ -175,7 +181,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 "",
                 Highlight::change(&worst, &truth)?.peak_ratio,
             ),
-            of_sphere,
+            lost_on_sphere,
             of_nearest,
             tolerance,
             off_pixel.clone(),
@@ -208,86 +214,135 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             flicker_phong,
         ),
     ];
+    let moved = Moved {
+        name: Text::new(
+            "flicker of the highlight's peak, beyond that of diffuse light",
+            "cintilação do pico do brilho, além da da luz difusa",
+        ),
+        unit: "",
+        bad: beyond_diffuse(flicker_gouraud),
+        present: Threshold::HALF_STEP,
+        cure: Text::new("Phong's shading", "sombreamento de Phong"),
+        cured: beyond_diffuse(flicker_phong),
+        factor: 100.0,
+    };
+    // The light that the highlight has in its middle is 1.
+    let lacking = |[gouraud, phong]: [&Image; 2], angle: f64| -> Result<Moved, ArtefactError> {
+        let of_diffuse = DIFFUSE * (1.0 - libm::cos(angle));
+        Ok(Moved {
+            name: Text::new("what the highlight's peak lacks", "o que falta ao pico do brilho"),
+            bad: (1.0 - peak(gouraud)? - of_diffuse).max(0.0),
+            cured: (1.0 - peak(phong)?).max(0.0),
+            // The highlight's middle may lie between four pixels.
+            factor: 5.0,
+            ..moved.clone()
+        })
+    };
+    let of_plate = lacking([&plate_gouraud, &plate_phong], Radians::from(TILT).0)?;
+    let of_sphere = lacking([&worst, &cured], 0.5 * delta)?;
     Ok(Outcome {
         verdict: verdict(segments, exponent),
-        moved: Moved {
-            name: Text::new(
-                "flicker of the highlight's peak, beyond that of diffuse light",
-                "cintilação do pico do brilho, além da da luz difusa",
-            ),
-            unit: "",
-            bad: beyond_diffuse(flicker_gouraud),
-            present: Threshold::HALF_STEP,
-            cure: Text::new("Phong's shading", "sombreamento de Phong"),
-            cured: beyond_diffuse(flicker_phong),
-            factor: 100.0,
-        },
-        measures,
         shots: vec![
-            Shot {
-                name: "plate-gouraud",
-                role: Role::Bad,
-                label: Text::new("plate, Gouraud", "placa, Gouraud"),
-                caption: Text::new(
-                    "All four corners lean away from the light, so the whole plate is dark: the highlight in its middle is lost.",
-                    "Os quatro cantos estão inclinados para longe da luz, e a placa toda fica escura: o brilho no meio se perdeu.",
-                ),
-                image: plate_gouraud,
-            },
-            Shot {
-                name: "plate-phong",
-                role: Role::Cured,
-                label: Text::new("plate, Phong", "placa, Phong"),
-                caption: Text::new(
-                    "The same two triangles: interpolated normals face the light in the middle, and the highlight is there.",
-                    "Os mesmos dois triângulos: no meio as normais interpoladas olham para a luz, e o brilho está lá.",
-                ),
-                image: plate_phong,
-            },
-            Shot {
-                name: "sphere-gouraud",
-                role: Role::Bad,
-                label: Text::new("sphere, Gouraud", "esfera, Gouraud"),
-                caption: Text::new(
-                    "The highlight falls between two vertices: a dull bar between them is all that is left of it.",
-                    "O brilho cai entre dois vértices: uma barra fosca entre eles é tudo o que resta dele.",
-                ),
-                image: worst,
-            },
-            Shot {
-                name: "sphere-phong",
-                role: Role::Cured,
-                label: Text::new("sphere, Phong", "esfera, Phong"),
-                caption: Text::new(
-                    "The same sphere with Phong's shading: the highlight is round, bright and in its place.",
-                    "A mesma esfera com o sombreamento de Phong: o brilho é redondo, claro e está no lugar.",
-                ),
-                image: cured,
-            },
-            Shot {
-                name: "film",
-                role: Role::Bad,
-                label: Text::new("Gouraud above, Phong below", "Gouraud acima, Phong abaixo"),
-                caption: Text::new(
-                    "The highlight from close by while the sphere turns by one segment, from left to right: Gouraud's goes out and comes \
-                     back, Phong's stays. In an animation (--animate) it flickers.",
-                    "O brilho visto de perto enquanto a esfera gira de um segmento, da esquerda para a direita: o de Gouraud se apaga e \
-                     volta, o de Phong fica. Numa animação (--animate) ele cintila.",
-                ),
-                image: film(&setup.parameters)?,
-            },
-            Shot {
-                name: "sphere-exact",
-                role: Role::Truth,
-                label: Text::new("the sphere itself", "a própria esfera"),
-                caption: Text::new(
+            of_plate.bad_shot(
+                "plate-gouraud",
+                Text::new("plate, Gouraud", "placa, Gouraud"),
+                [
+                    Text::new(
+                        "All four corners of the plate lean away from the light.",
+                        "Os quatro cantos da placa estão inclinados para longe da luz.",
+                    ),
+                    match is_lost(Radians::from(TILT).0, exponent) {
+                        true => Text::new(
+                            "So the whole plate is dark: the highlight in its middle is lost.",
+                            "A placa toda fica escura: o brilho no meio se perdeu.",
+                        ),
+                        false => Text::new(
+                            "The highlight is so wide that they have much of it: in the middle it is dulled, not lost.",
+                            "O brilho é tão largo que eles têm muito dele: no meio ele fica embaçado, não perdido.",
+                        ),
+                    },
+                ],
+                plate_gouraud,
+            ),
+            of_plate.cured_shot(
+                "plate-phong",
+                Text::new("plate, Phong", "placa, Phong"),
+                [
+                    Text::new(
+                        "The same two triangles: interpolated normals face the light in the middle.",
+                        "Os mesmos dois triângulos: no meio as normais interpoladas olham para a luz.",
+                    ),
+                    Text::new("The highlight is there.", "O brilho está lá."),
+                ],
+                plate_phong,
+            ),
+            of_sphere.bad_shot(
+                "sphere-gouraud",
+                Text::new("sphere, Gouraud", "esfera, Gouraud"),
+                [
+                    Text::new("The highlight falls between two vertices.", "O brilho cai entre dois vértices."),
+                    match is_lost(0.5 * delta, exponent) {
+                        true => Text::new(
+                            "A dull bar between them is all that is left of it.",
+                            "Uma barra fosca entre eles é tudo o que resta dele.",
+                        ),
+                        false => Text::new(
+                            "It is wider than a facet: dulled, not lost.",
+                            "Ele é mais largo que uma faceta: embaçado, não perdido.",
+                        ),
+                    },
+                ],
+                worst,
+            ),
+            of_sphere.cured_shot(
+                "sphere-phong",
+                Text::new("sphere, Phong", "esfera, Phong"),
+                [
+                    Text::new("The same sphere with Phong's shading.", "A mesma esfera com o sombreamento de Phong."),
+                    Text::new(
+                        "The highlight is round and in its place.",
+                        "O brilho é redondo e está no lugar.",
+                    ),
+                ],
+                cured,
+            ),
+            moved.bad_shot(
+                "film",
+                Text::new("Gouraud above, Phong below", "Gouraud acima, Phong abaixo"),
+                [
+                    Text::new(
+                        "The highlight from close by while the sphere turns by one segment, from left to right, as in the animation \
+                         (--animate).",
+                        "O brilho visto de perto enquanto a esfera gira de um segmento, da esquerda para a direita, como na animação \
+                         (--animate).",
+                    ),
+                    match moved.is_cured() {
+                        true => Text::new(
+                            "Gouraud's gets dimmer and comes back, Phong's stays.",
+                            "O de Gouraud escurece e volta, o de Phong fica.",
+                        ),
+                        false => Text::new(
+                            "Both get dimmer and come back.",
+                            "Os dois escurecem e voltam.",
+                        ),
+                    },
+                ],
+                film(&setup.parameters)?,
+            ),
+            Shot::truth(
+                "sphere-exact",
+                Text::new("the sphere itself", "a própria esfera"),
+                Text::new(
                     "Every pixel with the normal of the true sphere.",
                     "Cada pixel com a normal da esfera verdadeira.",
                 ),
-                image: truth,
-            },
+                truth,
+            ),
         ],
-        charts: vec![chart(gouraud, phong, exponent, delta)],
+        charts: vec![chart([gouraud, phong], exponent, delta, &moved)],
+        // What is black throughout does not flicker, but is not cured either.
+        moved: if of_sphere.is_cured() { moved } else { of_sphere },
+        measures,
         notes: vec![Text::new(
             "Gouraud's shading mixes colours of vertices, and no mixture is brighter than the brightest vertex. When the sphere \
              turns, vertices pass under the highlight one by one and it pulses, once for each. Phong's shading mixes normals and \
@@ -323,7 +378,7 @@ fn film(parameters: &Parameters) -> Result<Image, ArtefactError> {
     Ok(tiles(&[row(Shading::Gouraud)?, row(Shading::Phong)?]))
 }
 
-fn chart(gouraud: Vec<[f64; 2]>, phong: Vec<[f64; 2]>, exponent: f64, delta: f64) -> Chart {
+fn chart([gouraud, phong]: [Vec<[f64; 2]>; 2], exponent: f64, delta: f64, moved: &Moved) -> Chart {
     let theory = (0..=64).map(|k| {
         let turn = delta * f64::from(k) / 64.0;
         [Degrees::from(Radians(turn)).0, law(turn.min(delta - turn), exponent)]
@@ -332,12 +387,18 @@ fn chart(gouraud: Vec<[f64; 2]>, phong: Vec<[f64; 2]>, exponent: f64, delta: f64
     Chart {
         name: "flicker",
         title: Text::new("The highlight of a turning sphere", "O brilho de uma esfera que gira"),
-        caption: Text::new(
-            "The brightest pixel against the turn: with Gouraud's shading it falls and rises again with every segment, as the \
-             closed form says; with Phong's it stays.",
-            "O pixel mais claro em função do giro: com Gouraud ele cai e sobe de novo a cada segmento, como diz a fórmula; com Phong \
-             fica como está.",
-        ),
+        caption: match moved.is_present() && moved.is_cured() {
+            true => Text::new(
+                "The brightest pixel against the turn: with Gouraud's shading it falls and rises again with every segment, as the \
+                 closed form says; with Phong's it stays.",
+                "O pixel mais claro em função do giro: com Gouraud ele cai e sobe de novo a cada segmento, como diz a fórmula; com \
+                 Phong fica como está.",
+            ),
+            false => Text::new(
+                "The brightest pixel against the turn, with Gouraud's shading and with Phong's, and the closed form of Gouraud's.",
+                "O pixel mais claro em função do giro, com Gouraud e com Phong, e a fórmula para Gouraud.",
+            ),
+        },
         x: Scale::linear(Text::new("turn in degrees", "giro em graus")),
         y: Scale::linear(Text::new("peak luminance", "luminância do pico")),
         curves: vec![

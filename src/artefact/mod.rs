@@ -22,13 +22,17 @@
 //! 2. `takes` lists the parameters that it heeds, `defaults` their values; all others are refused at the command line. If it
 //!    takes [`Knob::Mesh`], `setup.mesh` may hold a user's mesh: say in `own_mesh` what it is looked at for, and in
 //!    [`ArtefactError::Mesh`] what to do about one that does not suit. `frame` draws frame k of n of its animation, if it has one.
-//! 3. `run` gives at least one [`Shot`] with [`Role::Bad`] and one with [`Role::Cured`], drawn by `stage::draw` at
-//!    `parameters.size`, and [`Moved`] with the number before and after. Measure on linear samples (`stage::luminance`), with
+//! 3. `run` gives at least one picture of the artefact and one of its cure, drawn by `stage::draw` at `parameters.size`, and
+//!    [`Moved`] with the number before and after. Each [`Shot`] has such a number too (`Moved::bad_shot`, `Moved::cured_shot`):
+//!    its [`Role`] follows from it, and of its caption the part that tells what is seen, which must be true wherever the number
+//!    says that the artefact is there, or cured; the other part must be true with all parameters, as notes must. Measure on
+//!    linear samples (`stage::luminance`), with
 //!    the metrics of [`metric`](crate::metric) where there is one. A [`Measure`] has its closed form or independent check by
 //!    [`Measure::expect`], or its bound by [`Measure::at_most`], with the reason of the tolerance in its text.
 //! 4. Every word is a [`Text`] in both languages; numbers in it by [`Text::made`]. Claims name their lecture section.
-//! 5. [`Moved`] says from what size on the artefact is there and by what factor the cure has to reduce it. Where it is not there
-//!    [`Experiment::run`] makes the verdict [`Verdict::Absent`], with `shown_by`; else the verdict follows from what was measured.
+//! 5. [`Moved`] says from what size on the artefact is there and by what factor the cure has to reduce it. Where it is not there,
+//!    or in no picture, [`Experiment::run`] makes the verdict [`Verdict::Absent`], with `shown_by`; else the verdict follows from
+//!    what was measured.
 //! 6. Tests at small sizes: all measures agree, the artefact is present in the bad case, the cure reduces it by a stated
 //!    factor.
 
@@ -50,6 +54,7 @@ mod precision;
 mod reflection_models;
 mod shading_terminator;
 mod shared_vertices;
+mod shown;
 mod silhouette;
 mod stage;
 mod text;
@@ -59,7 +64,9 @@ mod vertex_average;
 pub use error::ArtefactError;
 pub use experiment::{Experiment, Formula};
 pub use moved::{Moved, Threshold};
-pub use outcome::{Chart, Curve, Drawn, Expected, Measure, Outcome, Range, Role, Scale, Shot, Verdict};
+pub use outcome::{
+    Amount, Chart, Curve, Drawn, Expected, Measure, Outcome, Range, Role, Scale, Shot, Verdict,
+};
 pub use parameters::{Changes, Knob, Parameters, Setup, Taken, UserMesh};
 pub use text::{Language, Text};
 

@@ -1,6 +1,6 @@
 //! What an experiment finds: data and linear pictures, no markup.
 
-use super::{Moved, Text};
+use super::{Moved, Text, Threshold};
 use crate::raster::Image;
 use serde::{Serialize, Serializer};
 
@@ -174,18 +174,35 @@ impl Serialize for Measure {
     }
 }
 
-/// What a picture is there for.
+/// What a picture shows. It follows from what was measured in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Role {
-    /// It shows the artefact.
+    /// The artefact.
     Bad,
-    /// The same without.
+    /// The same without, or with little of it.
     Cured,
+    /// A cure that does too little.
+    Attempt,
+    /// Nothing of the artefact: with these parameters it is not there, and there is nothing to cure.
+    Absent,
     /// What lies between two pictures, or a map of an error.
     Difference,
     /// The surface itself.
     Truth,
+}
+
+/// How much of the artefact a picture has, and from what size on it is seen.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Amount {
+    /// What it measures.
+    pub name: Text,
+    /// Its unit; empty for none.
+    pub unit: &'static str,
+    /// What was found.
+    pub value: f64,
+    /// From what size on it is seen.
+    pub present: Threshold,
 }
 
 /// A picture.
@@ -193,20 +210,29 @@ pub enum Role {
 pub struct Shot {
     /// Its name within the experiment: lower-case letters, digits and hyphens.
     pub name: &'static str,
-    /// What it is there for.
+    /// What it shows.
     pub role: Role,
     /// What stands below it, in a few words.
     pub label: Text,
     /// What there is to see in it, in a sentence: also for those who cannot see it.
     pub caption: Text,
+    /// What its role follows from; none of differences and of the surface itself.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub measured: Option<Amount>,
     /// The picture, with its linear samples.
     #[serde(rename = "size", serialize_with = "size")]
     pub image: Image,
 }
 
 impl Shot {
-    pub(super) fn new(name: &'static str, role: Role, label: Text, caption: Text, image: Image) -> Self {
-        Self { name, role, label, caption, image }
+    /// What lies between two pictures.
+    pub(super) fn difference(name: &'static str, label: Text, caption: Text, image: Image) -> Self {
+        Self { name, role: Role::Difference, label, caption, measured: None, image }
+    }
+
+    /// The surface itself.
+    pub(super) fn truth(name: &'static str, label: Text, caption: Text, image: Image) -> Self {
+        Self { name, role: Role::Truth, label, caption, measured: None, image }
     }
 }
 

@@ -77,7 +77,7 @@ pub struct Parameters {
     pub weight: Weight,
     /// The crease angle of the cure, 0° to 180°.
     pub crease: Degrees,
-    /// How values at corners spread over faces.
+    /// How values at corners spread over faces in the animation.
     pub interpolation: Interpolation,
 }
 

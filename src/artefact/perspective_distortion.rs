@@ -3,7 +3,7 @@
 use super::stage::{draw, linear, map, picture, settings};
 use super::{
     ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Language, Measure, Moved, Outcome,
-    Parameters, Role, Scale, Setup, Shot, Text, Threshold, Verdict,
+    Parameters, Scale, Setup, Shot, Text, Threshold, Verdict,
 };
 use crate::mesh::{Faces, Mesh, MeshBuilder};
 use crate::normals::Weight;
@@ -123,7 +123,18 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         ),
     );
     let bad = measured[3];
-    let shots = shots(&affine, &right, &cut);
+    let moved = Moved {
+        name: Text::new("largest error of place on the surface", "maior erro de lugar na superfície"),
+        unit: "",
+        bad,
+        present: Threshold::HALF_STEP,
+        cure: Text::new("perspective-correct interpolation", "interpolação correta em perspectiva"),
+        cured: corrected,
+        factor: 1000.0,
+    };
+    // In n pieces the error falls as their square: of three already to a fifth.
+    let cut_up = Moved { cured: in_pieces, factor: 4.0, ..moved.clone() };
+    let shots = shots([&moved, &cut_up], [&affine, &right, &cut]);
     Ok(Outcome {
         verdict: Verdict::HoldsOnlyIf(Text::new(
             "the depths of a triangle's corners differ under a central projection. In a parallel projection, or facing the viewer, \
@@ -133,15 +144,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
              observador, os dois modos são o mesmo; e um erro menor que meio passo de 255 não se vê: profundidades a menos de \
              0,8 % para cores de 0 a 1.",
         )),
-        moved: Moved {
-            name: Text::new("largest error of place on the surface", "maior erro de lugar na superfície"),
-            unit: "",
-            bad,
-            present: Threshold::HALF_STEP,
-            cure: Text::new("perspective-correct interpolation", "interpolação correta em perspectiva"),
-            cured: corrected,
-            factor: 1000.0,
-        },
+        moved,
         charts: vec![error_chart(&measured, law), place_chart(law_place)],
         measures,
         shots,
@@ -250,7 +253,7 @@ fn board(image: &Image) -> Image {
     picture(image.size, colours, image.coverage.clone())
 }
 
-fn shots(affine: &Image, right: &Image, cut: &Image) -> Vec<Shot> {
+fn shots([moved, cut_up]: [&Moved; 2], [affine, right, cut]: [&Image; 3]) -> Vec<Shot> {
     let across = |image: &Image| {
         let pairs = linear(image).iter().zip(linear(right)).zip(&image.coverage);
         let error = |((a, b), &covered): ((&[f32; 3], &[f32; 3]), &u8)| {
@@ -259,41 +262,47 @@ fn shots(affine: &Image, right: &Image, cut: &Image) -> Vec<Shot> {
         map(image.size, &pairs.map(error).collect::<Vec<_>>(), 0.35)
     };
     vec![
-        Shot::new(
+        moved.bad_shot(
             "affine",
-            Role::Bad,
             Text::new("affine", "afim"),
-            Text::new(
-                "A wall that runs away to the right, to four times the depth. Interpolated on the picture, squares bend at the \
-                 diagonal and are as wide far away as near.",
-                "Uma parede que se afasta para a direita, até quatro vezes a profundidade. Interpolados na imagem, os quadrados \
-                 quebram na diagonal e são tão largos longe quanto perto.",
-            ),
+            [
+                Text::new(
+                    "A wall that runs away to the right, to four times the depth.",
+                    "Uma parede que se afasta para a direita, até quatro vezes a profundidade.",
+                ),
+                Text::new(
+                    "Interpolated on the picture, squares bend at the diagonal and are as wide far away as near.",
+                    "Interpolados na imagem, os quadrados quebram na diagonal e são tão largos longe quanto perto.",
+                ),
+            ],
             board(affine),
         ),
-        Shot::new(
+        moved.cured_shot(
             "perspective",
-            Role::Cured,
             Text::new("perspective-correct", "correta em perspectiva"),
-            Text::new(
-                "The same face interpolated in the scene: squares become smaller with their distance.",
-                "A mesma face interpolada na cena: os quadrados diminuem com a distância.",
-            ),
+            [
+                Text::new("The same face interpolated in the scene.", "A mesma face interpolada na cena."),
+                Text::new(
+                    "Squares become smaller with their distance.",
+                    "Os quadrados diminuem com a distância.",
+                ),
+            ],
             board(right),
         ),
-        Shot::new(
+        cut_up.cured_shot(
             "pieces",
-            Role::Cured,
             Text::new("affine, in pieces", "afim, em pedaços"),
-            Text::new(
-                "Affine again, but the wall is cut into pieces: each errs less.",
-                "De novo afim, mas com a parede cortada em pedaços: cada um erra menos.",
-            ),
+            [
+                Text::new(
+                    "Affine again, but the wall is cut into pieces.",
+                    "De novo afim, mas com a parede cortada em pedaços.",
+                ),
+                Text::new("Each errs less.", "Cada um erra menos."),
+            ],
             board(cut),
         ),
-        Shot::new(
+        Shot::difference(
             "error",
-            Role::Difference,
             Text::new("error of the affine one", "erro da afim"),
             Text::new(
                 "How far the affine place across is from the true one: yellow is 0.35 of the wall's length.",
@@ -301,13 +310,13 @@ fn shots(affine: &Image, right: &Image, cut: &Image) -> Vec<Shot> {
             ),
             across(affine),
         ),
-        Shot::new(
+        Shot::difference(
             "error-pieces",
-            Role::Difference,
             Text::new("error in pieces", "erro em pedaços"),
-            Text::new(
-                "The same scale for the wall in pieces: dark all over.",
-                "A mesma escala para a parede em pedaços: escuro por toda parte.",
+            Text::with(
+                "The same scale for the wall in pieces: {} at most.",
+                "A mesma escala para a parede em pedaços: no máximo {}.",
+                &[cut_up.cured],
             ),
             across(cut),
         ),

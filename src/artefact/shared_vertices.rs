@@ -2,7 +2,7 @@
 
 use super::stage::{chalk, draw, front, light_at, linear, luminance, object, settings};
 use super::{
-    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters, Role,
+    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters,
     Scale, Setup, Shot, Text, Threshold, Verdict,
 };
 use crate::mesh::{Faces, Mesh, MeshBuilder, Weld};
@@ -84,11 +84,11 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     // How far the pixel to the left of the edge is from it: of an odd number of pixels the middle one has its centre on the edge.
     let beside = if size.is_multiple_of(2) { 0.5 } else { 1.0 };
 
-    let seam = Tube::new(segments)?;
-    let [open, welded] = [Weld::Off, Weld::Exact].map(|weld| seam.draw(size, light, weld));
+    let tube = Tube::new(segments)?;
+    let [open, welded] = [Weld::Off, Weld::Exact].map(|weld| tube.draw(size, light, weld));
     let (open, welded) = (open?, welded?);
-    let seam_law = seam.law(light);
-    let [seam_open, seam_welded] = [Weld::Off, Weld::Exact].map(|weld| seam.jump(light, weld));
+    let seam_law = tube.law(light);
+    let [seam_open, seam_welded] = [Weld::Off, Weld::Exact].map(|weld| tube.jump(light, weld));
     let (seam_open, seam_welded) = (seam_open?, seam_welded?);
 
     let measures = vec![
@@ -140,6 +140,31 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             Text::new("one normal a vertex; as above", "uma normal por vértice; como acima"),
         ),
     ];
+    let seam = Moved {
+        name: Text::new("jump of luminance across the seam", "salto de luminância através da emenda"),
+        unit: "",
+        bad: seam_open,
+        present: Threshold::HALF_STEP,
+        cure: Text::new("welded", "soldado"),
+        cured: seam_welded,
+        factor: 100.0,
+    };
+    let t_junction = Moved {
+        name: Text::new("largest jump across the edge", "maior salto através da aresta"),
+        bad: jump,
+        cured: mended,
+        // Beside the edge the large face has gone half a pixel towards its far edge: or a whole one: of the smallest picture a fourteenth.
+        factor: 10.0,
+        ..seam.clone()
+    };
+    let crack = Moved {
+        name: Text::new("area that is not covered", "área não coberta"),
+        unit: "px²",
+        bad: crack,
+        present: Threshold { value: 0.5, why: Text::new("half of one pixel", "metade de um pixel") },
+        cured: closed,
+        ..seam.clone()
+    };
     Ok(Outcome {
         verdict: Verdict::HoldsOnlyIf(Text::new(
             "the colour or normal that one side has at a vertex is not what the other side interpolates there. A T-junction in a \
@@ -147,17 +172,9 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             "a cor ou normal que um lado tem num vértice não é a que o outro lado interpola ali. Uma junção em T numa parede \
              plana e iluminada por igual não se vê, nem uma emenda cujos lados têm as mesmas normais.",
         )),
-        moved: Moved {
-            name: Text::new("jump of luminance across the seam", "salto de luminância através da emenda"),
-            unit: "",
-            bad: seam_open,
-            present: Threshold::HALF_STEP,
-            cure: Text::new("welded", "soldado"),
-            cured: seam_welded,
-            factor: 100.0,
-        },
         charts: vec![chart(&wall, &bad, &cured)],
-        shots: shots([bad, cured, cracked, whole, open, welded]),
+        shots: shots([&t_junction, &crack, &seam], [bad, cured, cracked, whole, open, welded]),
+        moved: seam,
         measures,
         notes: vec![
             Text::new(
@@ -320,69 +337,83 @@ impl Tube {
     }
 }
 
-fn shots([bad, cured, cracked, whole, open, welded]: [Image; 6]) -> Vec<Shot> {
+fn shots(
+    [t_junction, crack, seam]: [&Moved; 3],
+    [bad, cured, cracked, whole, open, welded]: [Image; 6],
+) -> Vec<Shot> {
     vec![
-        Shot::new(
+        t_junction.bad_shot(
             "t-junction",
-            Role::Bad,
             Text::new("T-junction", "junção em T"),
-            Text::new(
-                "Three faces whose colours depend on the height alone. The small ones at the right are brightest at their common \
-                 vertex, which the large one lacks: an edge is seen in the middle.",
-                "Três faces cujas cores só dependem da altura. As pequenas à direita são mais claras no vértice comum, que falta à \
-                 grande: vê-se uma aresta no meio.",
-            ),
+            [
+                Text::new(
+                    "Three faces whose colours depend on the height alone. The small ones at the right are brightest at their common \
+                     vertex, which the large one lacks.",
+                    "Três faces cujas cores só dependem da altura. As pequenas à direita são mais claras no vértice comum, que falta à \
+                     grande.",
+                ),
+                Text::new("An edge is seen in the middle.", "Vê-se uma aresta no meio."),
+            ],
             bad,
         ),
-        Shot::new(
+        t_junction.cured_shot(
             "t-junction-shared",
-            Role::Cured,
             Text::new("vertex in all faces", "vértice em todas as faces"),
-            Text::new(
-                "The vertex is a corner of the large face too: nothing is seen of the edge.",
-                "O vértice é também um canto da face grande: nada se vê da aresta.",
-            ),
+            [
+                Text::new(
+                    "The vertex is a corner of the large face too.",
+                    "O vértice é também um canto da face grande.",
+                ),
+                Text::new("Nothing is seen of the edge.", "Nada se vê da aresta."),
+            ],
             cured,
         ),
-        Shot::new(
+        crack.bad_shot(
             "crack",
-            Role::Bad,
             Text::new("crack", "fenda"),
-            Text::new(
-                "The vertex six pixels off the long edge: the background shows through a dark crack.",
-                "O vértice a seis pixels da aresta longa: o fundo aparece por uma fenda escura.",
-            ),
+            [
+                Text::new("The vertex six pixels off the long edge.", "O vértice a seis pixels da aresta longa."),
+                Text::new(
+                    "The background shows through a dark crack.",
+                    "O fundo aparece por uma fenda escura.",
+                ),
+            ],
             cracked,
         ),
-        Shot::new(
+        crack.cured_shot(
             "crack-closed",
-            Role::Cured,
             Text::new("crack closed", "fenda fechada"),
-            Text::new(
-                "The same vertex as a corner of all three faces: no sample is left open.",
-                "O mesmo vértice como canto das três faces: nenhuma amostra fica aberta.",
-            ),
+            [
+                Text::new(
+                    "The same vertex as a corner of all three faces.",
+                    "O mesmo vértice como canto das três faces.",
+                ),
+                Text::new("No sample is left open.", "Nenhuma amostra fica aberta."),
+            ],
             whole,
         ),
-        Shot::new(
+        seam.bad_shot(
             "seam",
-            Role::Bad,
             Text::new("seam", "emenda"),
-            Text::new(
-                "A tube whose first and last column of vertices are at the same places but not the same: a line down its middle.",
-                "Um tubo cujas primeira e última colunas de vértices estão nos mesmos lugares mas não são as mesmas: uma linha no \
-                 meio.",
-            ),
+            [
+                Text::new(
+                    "A tube whose first and last column of vertices are at the same places but not the same.",
+                    "Um tubo cujas primeira e última colunas de vértices estão nos mesmos lugares mas não são as mesmas.",
+                ),
+                Text::new("There is a line down its middle.", "Há uma linha no seu meio."),
+            ],
             open,
         ),
-        Shot::new(
+        seam.cured_shot(
             "seam-welded",
-            Role::Cured,
             Text::new("seam welded", "emenda soldada"),
-            Text::new(
-                "Welded: normals are means over the faces of both sides, and the line is gone.",
-                "Soldado: as normais são médias das faces dos dois lados, e a linha sumiu.",
-            ),
+            [
+                Text::new(
+                    "Welded, so that normals are means over the faces of both sides.",
+                    "Soldado, e as normais são médias das faces dos dois lados.",
+                ),
+                Text::new("The line is gone.", "A linha sumiu."),
+            ],
             welded,
         ),
     ]

@@ -33,29 +33,66 @@ impl Language {
         }
     }
 
-    /// A number to six significant digits, with an exponent where it would be long.
+    /// A number to six significant digits, with a power of ten where it would be long.
     ///
     /// ```
     /// use crease::artefact::Language;
     ///
     /// assert_eq!(Language::ALL.map(|language| language.number(70.528_779)), ["70.5288", "70,5288"]);
+    /// assert_eq!(Language::ALL.map(|language| language.number(-1e-5)), ["−1 × 10⁻⁵", "−1 × 10⁻⁵"]);
     /// ```
     pub fn number(self, x: f64) -> String {
+        self.rounded(x, 6)
+    }
+
+    /// A number to three significant digits with its unit, as captions have it.
+    pub(super) fn short(self, x: f64, unit: &str) -> String {
+        with_unit(&self.rounded(x, 3), unit)
+    }
+
+    /// A number to six significant digits with its unit.
+    pub fn quantity(self, x: f64, unit: &str) -> String {
+        with_unit(&self.number(x), unit)
+    }
+
+    /// A number to so many significant digits, but with all of those before the decimal mark.
+    fn rounded(self, x: f64, digits: i32) -> String {
+        let trimmed = |text: String| match text.contains('.') {
+            true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+            false => text,
+        };
         let text = match x.abs() {
             0.0 => "0".to_owned(),
-            _ if x.is_infinite() => if x > 0.0 { "∞" } else { "−∞" }.to_owned(),
+            magnitude if magnitude.is_infinite() => "∞".to_owned(),
             magnitude @ 1e-4..1e7 => {
-                let decimals = (5 - libm::floor(libm::log10(magnitude)) as i32).max(0) as usize;
-                let text = format!("{x:.decimals$}");
-                match text.contains('.') {
-                    true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-                    false => text,
-                }
+                let decimals = (digits - 1 - libm::floor(libm::log10(magnitude)) as i32).max(0) as usize;
+                trimmed(format!("{magnitude:.decimals$}"))
             }
-            _ => format!("{x:.2e}"),
+            magnitude => match format!("{magnitude:.2e}").split_once('e') {
+                Some((mantissa, power)) => {
+                    format!("{} × 10{}", trimmed(mantissa.to_owned()), superscript(power))
+                }
+                None => "NaN".to_owned(),
+            },
         };
-        text.replace('.', &self.decimal_mark().to_string())
+        let sign = if x < 0.0 { "−" } else { "" };
+        format!("{sign}{}", text.replace('.', &self.decimal_mark().to_string()))
     }
+}
+
+/// Degrees stand close to their number, and so does what it is divided by; other units stand apart.
+fn with_unit(number: &str, unit: &str) -> String {
+    if let Some(divisor) = unit.strip_prefix("1/") {
+        return format!("{number}/{divisor}");
+    }
+    let space = if unit.is_empty() || unit == "°" { "" } else { " " };
+    format!("{number}{space}{unit}")
+}
+
+/// A whole number as an exponent.
+fn superscript(number: &str) -> String {
+    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    number.chars().map(|c| c.to_digit(10).map_or('⁻', |digit| DIGITS[digit as usize])).collect()
 }
 
 /// A number with all its digits, as it would be given again, with an exponent where it would be long.
@@ -104,6 +141,15 @@ impl Text {
         Self { en: en.into(), pt: pt.into() }
     }
 
+    /// Both languages with numbers, to three digits, for each `{}` in them.
+    pub(super) fn with(en: &str, pt: &str, numbers: &[f64]) -> Self {
+        let filled = |text: &str, language: Language| {
+            let fill = |text: String, &x: &f64| text.replacen("{}", &language.short(x, ""), 1);
+            numbers.iter().fold(text.to_owned(), fill)
+        };
+        Self::made(filled(en, Language::English), filled(pt, Language::Portuguese))
+    }
+
     /// Both languages, each by itself.
     pub fn each(text: impl Fn(Language) -> String) -> Self {
         Self::made(text(Language::English), text(Language::Portuguese))
@@ -126,8 +172,18 @@ mod tests {
     fn numbers_are_short() {
         let numbers = [0.0, 70.528_779, -0.134_38, 1e-7, 0.1, 1_234_567.0, f64::INFINITY];
         let shown = numbers.map(|x| Language::English.number(x));
-        assert_eq!(shown, ["0", "70.5288", "-0.13438", "1.00e-7", "0.1", "1234567", "∞"]);
-        assert_eq!(Language::Portuguese.number(1e-7), "1,00e-7");
+        assert_eq!(shown, ["0", "70.5288", "−0.13438", "1 × 10⁻⁷", "0.1", "1234567", "∞"]);
+        assert_eq!(Language::Portuguese.number(-1.25e-17), "−1,25 × 10⁻¹⁷");
+        assert_eq!([f64::NAN, f64::NEG_INFINITY].map(|x| Language::English.number(x)), ["NaN", "−∞"]);
+        assert_eq!(
+            ["", "°", "px", "1/R"].map(|unit| Language::English.short(2.5, unit)),
+            ["2.5", "2.5°", "2.5 px", "2.5/R"]
+        );
+        let filled = Text::with("{} of {}", "{} de {}", &[-0.123_456, 1234.6]);
+        assert_eq!(
+            Language::ALL.map(|language| filled.get(language).to_owned()),
+            ["−0.123 of 1235", "−0,123 de 1235"]
+        );
         assert_eq!(
             [1e308, -0.0, 1e-300, 1e6, 1.0 / 3.0].map(given),
             ["1e308", "0", "1e-300", "1000000", "0.3333333333333333"]

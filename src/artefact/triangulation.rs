@@ -3,7 +3,7 @@
 use super::body::{Body, Diagonal};
 use super::stage::{chalk, differences, draw, front, linear, map, settings};
 use super::{
-    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters, Role,
+    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters,
     Scale, Setup, Shot, Text, Threshold, Verdict,
 };
 use crate::metric::image_error;
@@ -87,9 +87,9 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let Parameters { size, segments, light, .. } = setup.parameters;
     let [across, upright, fan] = [Cut::Across, Cut::Upright, Cut::Fan].map(|cut| diamond(cut, size));
     let (across, upright, fan) = (across?, upright?, fan?);
-    let waves = |cells, diagonal, shading| waves(cells, diagonal, shading, light, size);
+    let draw_waves = |cells, diagonal, shading| waves(cells, diagonal, shading, light, size);
     let pair = |cells, shading| -> Result<[Image; 2], ArtefactError> {
-        Ok([waves(cells, Diagonal::Rising, shading)?, waves(cells, Diagonal::Falling, shading)?])
+        Ok([draw_waves(cells, Diagonal::Rising, shading)?, draw_waves(cells, Diagonal::Falling, shading)?])
     };
     let [rising, falling] = pair(segments, Shading::Gouraud)?;
     let [fine, fine_falling] = pair(FINER * segments, Shading::Gouraud)?;
@@ -132,7 +132,9 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     }
     let middle = |image: &Image| centre(image);
     let blue = (middle(&across)[2] - middle(&upright)[2]).abs();
-    measures.extend(order(&orders, light, size));
+    let order = order(&orders, light, size);
+    let is_square = order.as_ref().is_some_and(|order| order.agrees() == Some(true));
+    measures.extend(order);
     measures.push(Measure::new(
         Text::new("diamond: largest difference of the middle", "losango: maior diferença do meio"),
         "",
@@ -156,6 +158,35 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     ));
     let full = 0.1;
     let difference = map([size; 2], &differences(&rising, &falling), full);
+    let waves = Moved {
+        name: Text::new(
+            "difference between both diagonals on the waves (rms)",
+            "diferença entre as duas diagonais nas ondas (rms)",
+        ),
+        unit: "",
+        bad: coarse_rms,
+        present: Threshold::HALF_STEP,
+        cure: Text::made(
+            format!("{FINER} times as many squares along a side"),
+            format!("{FINER} vezes mais quadrados por lado"),
+        ),
+        cured: fine_rms,
+        factor: 8.0,
+    };
+    let of_all = mean(&[0, 1, 2, 3]);
+    let from_mean = |image: &Image| (0..3).map(|k| (centre(image)[k] - of_all[k]).abs()).fold(0.0, f64::max);
+    let diamond = Moved {
+        name: Text::new(
+            "colour of the middle, off the mean of all corners",
+            "cor do meio, diferença à média de todos os cantos",
+        ),
+        bad: from_mean(&across),
+        cured: from_mean(&fan),
+        // From 0.2 to what half a pixel's diagonal makes of it, an eighth of that in the smallest picture.
+        factor: 5.0,
+        ..waves.clone()
+    };
+    let off = |image: &Image| Moved { bad: from_mean(image), ..diamond.clone() };
     Ok(Outcome {
         verdict: Verdict::Holds(Text::new(
             "wherever the corners' values do not lie in one plane. Triangles do not turn with the picture, but how a polygon is cut \
@@ -163,95 +194,96 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             "sempre que os valores dos cantos não estão num plano. Triângulos não giram com a imagem, mas o corte do polígono \
              aparece; em superfícies lisas a diferença cai com o quadrado do tamanho das facetas.",
         )),
-        moved: Moved {
-            name: Text::new(
-                "difference between both diagonals on the waves (rms)",
-                "diferença entre as duas diagonais nas ondas (rms)",
-            ),
-            unit: "",
-            bad: coarse_rms,
-            present: Threshold::HALF_STEP,
-            cure: Text::made(
-                format!("{FINER} times as many squares along a side"),
-                format!("{FINER} vezes mais quadrados por lado"),
-            ),
-            cured: fine_rms,
-            factor: 8.0,
-        },
-        measures,
         shots: vec![
-            Shot::new(
+            off(&across).bad_shot(
                 "diamond-1-3",
-                Role::Bad,
                 Text::new("diamond, cut 1–3", "losango, corte 1–3"),
-                Text::new(
-                    "Cut from the left to the right corner: a light band runs across.",
-                    "Cortado do canto esquerdo ao direito: uma faixa clara corre na horizontal.",
-                ),
+                [
+                    Text::new(
+                        "Cut from the left to the right corner.",
+                        "Cortado do canto esquerdo ao direito.",
+                    ),
+                    Text::new("A light band runs across.", "Uma faixa clara corre na horizontal."),
+                ],
                 across,
             ),
-            Shot::new(
+            off(&upright).bad_shot(
                 "diamond-2-4",
-                Role::Bad,
                 Text::new("diamond, cut 2–4", "losango, corte 2–4"),
-                Text::new(
-                    "Cut from the lower to the upper corner: a dark olive band runs upright, and the middle has another colour.",
-                    "Cortado do canto de baixo ao de cima: uma faixa oliva escura corre na vertical, e o meio tem outra cor.",
-                ),
+                [
+                    Text::new(
+                        "Cut from the lower to the upper corner.",
+                        "Cortado do canto de baixo ao de cima.",
+                    ),
+                    Text::new(
+                        "A dark olive band runs upright, and the middle has another colour.",
+                        "Uma faixa oliva escura corre na vertical, e o meio tem outra cor.",
+                    ),
+                ],
                 upright,
             ),
-            Shot::new(
+            diamond.cured_shot(
                 "diamond-fan",
-                Role::Cured,
                 Text::new("diamond, vertex in the middle", "losango, vértice no meio"),
-                Text::new(
-                    "Four triangles about a vertex with the mean of the corners: no diagonal is preferred.",
-                    "Quatro triângulos em torno de um vértice com a média dos cantos: nenhuma diagonal é preferida.",
-                ),
+                [
+                    Text::new(
+                        "Four triangles about a vertex with the mean of the corners.",
+                        "Quatro triângulos em torno de um vértice com a média dos cantos.",
+                    ),
+                    Text::new("No diagonal is preferred.", "Nenhuma diagonal é preferida."),
+                ],
                 fan,
             ),
-            Shot::new(
+            waves.bad_shot(
                 "waves-rising",
-                Role::Bad,
                 Text::new("waves, rising", "ondas, subindo"),
-                Text::new(
-                    "Waves with Gouraud's shading, squares cut from the lower left: ridges look frayed that way.",
-                    "Ondas com Gouraud, quadrados cortados a partir de baixo à esquerda: as cristas parecem desfiadas nesse sentido.",
-                ),
+                [
+                    Text::new(
+                        "Waves with Gouraud's shading, squares cut from the lower left.",
+                        "Ondas com Gouraud, quadrados cortados a partir de baixo à esquerda.",
+                    ),
+                    Text::new("Ridges look frayed that way.", "As cristas parecem desfiadas nesse sentido."),
+                ],
                 rising,
             ),
-            Shot::new(
+            waves.bad_shot(
                 "waves-falling",
-                Role::Bad,
                 Text::new("waves, falling", "ondas, descendo"),
-                Text::new(
-                    "The same waves, squares cut the other way: they are frayed the other way.",
-                    "As mesmas ondas, quadrados cortados no outro sentido: desfiam-se no outro sentido.",
-                ),
+                [
+                    Text::new(
+                        "The same waves, squares cut the other way.",
+                        "As mesmas ondas, quadrados cortados no outro sentido.",
+                    ),
+                    Text::new("They are frayed the other way.", "Desfiam-se no outro sentido."),
+                ],
                 falling,
             ),
-            Shot::new(
+            Shot::difference(
                 "waves-difference",
-                Role::Difference,
                 Text::new("difference", "diferença"),
-                Text::made(
-                    format!("How much both differ, from violet for 0 to yellow for {full} and more."),
-                    "Quanto as duas diferem, de violeta para 0 a amarelo para 0,1 ou mais.".to_owned(),
+                Text::with(
+                    "How much both differ, from violet for 0 to yellow for {} and more.",
+                    "Quanto as duas diferem, de violeta para 0 a amarelo para {} ou mais.",
+                    &[full],
                 ),
                 difference,
             ),
-            Shot::new(
+            waves.cured_shot(
                 "waves-fine",
-                Role::Cured,
                 Text::new("waves, finer", "ondas, mais finas"),
-                Text::new(
-                    "Four times the squares along a side: the cut is no longer seen.",
-                    "Quatro vezes mais quadrados por lado: já não se vê o corte.",
-                ),
+                [
+                    Text::new(
+                        "Four times the squares along a side.",
+                        "Quatro vezes mais quadrados por lado.",
+                    ),
+                    Text::new("The cut is seen much less.", "O corte se vê muito menos."),
+                ],
                 fine,
             ),
         ],
-        charts: vec![chart(orders)],
+        moved: waves,
+        measures,
+        charts: vec![chart(orders, is_square)],
         notes: vec![Text::new(
             "Two triangles know nothing of the fourth corner: along the diagonal only its two ends count. The scanline algorithm on \
              the whole polygon prefers no diagonal, but depends on how the polygon is turned (see the experiment on \
@@ -364,7 +396,7 @@ fn waves(
     draw(vec![body.object(chalk())], &[light], front(WINDOW), &settings)
 }
 
-fn chart(orders: Vec<[f64; 2]>) -> Chart {
+fn chart(orders: Vec<[f64; 2]>, is_square: bool) -> Chart {
     let square = orders
         .iter()
         .map(|&[cells, _]| [cells, orders[0][1] * (orders[0][0] / cells) * (orders[0][0] / cells)]);
@@ -372,10 +404,16 @@ fn chart(orders: Vec<[f64; 2]>) -> Chart {
     Chart {
         name: "difference-by-cells",
         title: Text::new("Difference of both diagonals", "Diferença das duas diagonais"),
-        caption: Text::new(
-            "The difference on the waves against the number of squares along a side: it falls as the square.",
-            "A diferença nas ondas em função do número de quadrados por lado: cai com o quadrado.",
-        ),
+        caption: match is_square {
+            true => Text::new(
+                "The difference on the waves against the number of squares along a side: it falls as the square.",
+                "A diferença nas ondas em função do número de quadrados por lado: cai com o quadrado.",
+            ),
+            false => Text::new(
+                "The difference on the waves against the number of squares along a side, beside its square.",
+                "A diferença nas ondas em função do número de quadrados por lado, junto ao seu quadrado.",
+            ),
+        },
         x: Scale::log(Text::new("squares along a side", "quadrados por lado")),
         y: Scale::log(Text::new("rms difference", "diferença rms")),
         curves: vec![

@@ -68,6 +68,18 @@ fn all_experiments_agree_with_their_checks_and_any_number_of_threads_writes_the_
 }
 
 #[test]
+fn what_acts_on_the_animation_alone_is_told() {
+    let args = ["orientation", "--size", "33", "--interpolation", "affine"];
+    let output = artefact(&args);
+    assert_eq!(code(&output), 0, "{}", text(&output.stderr));
+    assert!(text(&output.stderr).contains("note: --interpolation is that of the animation only"));
+    let out = folder(&[]);
+    let gif = path(out.path().join("turn.gif"));
+    let drawn = artefact(&[&args[..], &["--animate", &gif, "--frames", "2"]].concat());
+    assert!(!text(&drawn.stderr).contains("animation only"), "{}", text(&drawn.stderr));
+}
+
+#[test]
 fn pages_come_in_portuguese() {
     let out = folder(&[]);
     let output = artefact(&["orientation", "--size", "64", "--lang", "pt", "-q", "-o", &path(out.path())]);
@@ -90,14 +102,32 @@ fn an_animation_has_as_many_frames_as_asked_for() {
 fn a_polygon_of_ones_own_is_turned_and_what_does_not_suit_is_refused() {
     let square = "v -1 0 0\nv 0 -1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 4\n";
     let nan = "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-    let files = folder(&[("square.obj", square), ("empty.obj", "v 0 0 0\n"), ("nan.obj", nan)]);
-    let [square, empty, nan] =
-        ["square.obj", "empty.obj", "nan.obj"].map(|name| path(files.path().join(name)));
+    let twice = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3 2\n";
+    let crossed = "v 0 0 0\nv 3 3 0\nv 3 0 0\nv 0 1 0\nf 1 2 3 4\n";
+    let thin = "v 0 0 0\nv 9 0 0\nv 9 0.01 0\nv 0 0.01 0\nf 1 2 3 4\n";
+    let files = folder(&[
+        ("square.obj", square),
+        ("empty.obj", "v 0 0 0\n"),
+        ("nan.obj", nan),
+        ("twice.obj", twice),
+        ("crossed.obj", crossed),
+        ("thin.obj", thin),
+    ]);
+    let [square, empty, nan, twice, crossed, thin] =
+        ["square.obj", "empty.obj", "nan.obj", "twice.obj", "crossed.obj", "thin.obj"]
+            .map(|name| path(files.path().join(name)));
     let output = artefact(&["orientation", "--size", "64", "-q", "--json", "--mesh", &square]);
     assert_eq!(code(&output), 0, "{}", text(&output.stderr));
     assert_eq!(reports(&output)[0]["mesh"], square);
     for (args, exit, says) in [
         (&["orientation", "--mesh", &empty][..], 3, "empty.obj"),
+        (&["orientation", "--mesh", &twice], 3, "twice.obj` has its corners 2 and 4 in one place"),
+        (&["orientation", "--mesh", &crossed], 3, "crossed.obj` crosses itself: its edges 1 and 3 do"),
+        (
+            &["orientation", "--mesh", &thin],
+            3,
+            "pixels wide in a picture of 321 pixels; give a larger picture",
+        ),
         (&["mach-bands", "--mesh", &square], 2, "has no mesh"),
         (&["mach-bands", "--weight", "area"], 2, "it takes --size, --segments, --light"),
         (&["mach-bands", "--size", "5"], 2, "--size"),

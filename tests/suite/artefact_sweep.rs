@@ -1,9 +1,14 @@
 //! Every experiment over the whole range of each of its numbers: what is legal is measured right, or says why it is held
 //! against nothing.
 
-use crease::artefact::{EXPERIMENTS, Experiment, Knob, Language, Parameters, Setup, Verdict};
+use crease::artefact::{
+    EXPERIMENTS, Experiment, Knob, Language, Outcome, Parameters, Role, Setup, Shot, Verdict,
+};
+use crease::normals::Weight;
 use crease::num::Degrees;
+use crease::report::verdict_text;
 use rayon::prelude::*;
+use std::sync::LazyLock;
 
 /// Small pictures, so that numbers have to know what pixels leave open.
 const SIZE: u32 = 40;
@@ -27,7 +32,8 @@ fn cases(experiment: &'static Experiment) -> Vec<Parameters> {
             Knob::Crease => [0.0, 30.0, 45.0, 90.0, 180.0]
                 .map(|crease| Parameters { crease: Degrees(crease), ..usual })
                 .to_vec(),
-            Knob::Weight | Knob::Interpolation | Knob::Mesh => Vec::new(),
+            Knob::Weight => Weight::ALL.map(|weight| Parameters { weight, ..usual }).to_vec(),
+            Knob::Interpolation | Knob::Mesh => Vec::new(),
         }
     };
     experiment.takes.iter().flat_map(of).collect()
@@ -50,30 +56,187 @@ fn pairs() -> Vec<(&'static Experiment, Parameters)> {
     .collect()
 }
 
-#[test]
-fn no_legal_parameter_contradicts_a_closed_form() {
-    let mut all: Vec<_> = EXPERIMENTS
-        .iter()
-        .flat_map(|experiment| cases(experiment).into_iter().map(move |parameters| (experiment, parameters)))
-        .collect();
+/// A run and what came of it.
+type Run = (&'static Experiment, Parameters, Outcome);
+
+/// All of them, once for all tests.
+static RUNS: LazyLock<Vec<Run>> = LazyLock::new(|| {
+    let of = |experiment| cases(experiment).into_iter().map(move |parameters| (experiment, parameters));
+    let mut all: Vec<_> = EXPERIMENTS.iter().flat_map(of).collect();
     all.extend(pairs());
     assert!(all.len() > 100);
-    let wrong: Vec<String> = all
-        .par_iter()
-        .flat_map_iter(|&(experiment, parameters)| {
-            let outcome = experiment.run(&Setup { parameters, mesh: None }).unwrap();
-            let bad = outcome.measures.into_iter().filter(|measure| {
-                // What is not a number agrees with nothing.
-                measure.agrees() == Some(false) || !measure.value.is_finite()
-            });
-            let told = move |measure: crease::artefact::Measure| {
-                let name = measure.name.get(Language::English).to_owned();
-                format!("{} {parameters:?}: {name} {} {:?}", experiment.id, measure.value, measure.expected)
-            };
-            bad.map(told).collect::<Vec<_>>()
-        })
-        .collect();
+    let run = |(experiment, parameters): (&'static Experiment, Parameters)| {
+        (experiment, parameters, experiment.run(&Setup { parameters, mesh: None }).unwrap())
+    };
+    all.into_par_iter().map(run).collect()
+});
+
+#[test]
+fn no_legal_parameter_contradicts_a_closed_form() {
+    let wrong = |(experiment, parameters, outcome): &Run| {
+        let bad = outcome.measures.iter().filter(|measure| {
+            // What is not a number agrees with nothing.
+            measure.agrees() == Some(false) || !measure.value.is_finite()
+        });
+        let told = |measure: &crease::artefact::Measure| {
+            let name = measure.name.get(Language::English);
+            format!("{} {parameters:?}: {name} {} {:?}", experiment.id, measure.value, measure.expected)
+        };
+        bad.map(told).collect::<Vec<_>>()
+    };
+    let wrong: Vec<String> = RUNS.iter().flat_map(wrong).collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// What captions say where nothing of the artefact is seen, or the cure does too little, in both languages.
+const NOTHING: [[&str; 3]; 2] = [
+    ["Nothing of the artefact is measured here", "Nothing is lit here", "There was nothing to cure here"],
+    ["Nada do artefato se mede aqui", "Nada está iluminado aqui", "Não havia o que curar aqui"],
+];
+const TOO_LITTLE: [&str; 2] = ["It does too little here", "Aqui isso faz pouco"];
+
+/// A picture's role, its number and its caption say the same.
+fn disagreement(shot: &Shot) -> Option<String> {
+    let is_measured = !matches!(shot.role, Role::Difference | Role::Truth);
+    let Some(measured) = &shot.measured else {
+        return is_measured.then(|| "no number".into());
+    };
+    let is_seen = measured.value.abs() > measured.present.value;
+    for (language, (nothing, too_little)) in Language::ALL.into_iter().zip(NOTHING.iter().zip(TOO_LITTLE)) {
+        let caption = shot.caption.get(language);
+        let is_denied = nothing.iter().any(|said| caption.contains(said));
+        let is_small = caption.contains(too_little);
+        let fits = match shot.role {
+            Role::Bad => is_seen && !is_denied && !is_small,
+            Role::Cured => !is_denied && !is_small,
+            Role::Attempt => is_seen && is_small,
+            Role::Absent => is_denied && !is_small,
+            Role::Difference | Role::Truth => false,
+        };
+        let has_number = caption.ends_with(").") && caption.contains(measured.name.get(language));
+        if !fits || !has_number {
+            return Some(format!("{:?} of {} {:?}: {caption}", shot.role, measured.value, measured.present));
+        }
+    }
+    None
+}
+
+#[test]
+fn roles_captions_and_verdicts_agree_with_what_was_measured() {
+    let mut wrong = Vec::new();
+    for (experiment, parameters, outcome) in &*RUNS {
+        let told = |what: String| format!("{} {parameters:?}: {what}", experiment.id);
+        wrong.extend(outcome.shots.iter().filter_map(disagreement).map(told));
+        let has = |role| outcome.shots.iter().any(|shot| shot.role == role);
+        let (moved, is_absent) = (&outcome.moved, matches!(outcome.verdict, Verdict::Absent(_)));
+        let is_shown = moved.is_present() && has(Role::Bad);
+        if !is_absent && !is_shown {
+            wrong.push(told(format!("a verdict on nothing: {:?}", outcome.verdict)));
+        }
+        // What is black is told to be so, cured or not.
+        if !is_absent && moved.is_cured() && !has(Role::Cured) && !has(Role::Absent) {
+            wrong.push(told("a cure without a picture".into()));
+        }
+        for (language, fails) in Language::ALL.into_iter().zip(["The cure fails here", "A cura falha aqui"]) {
+            let [_, condition] = verdict_text(outcome, language);
+            if condition.contains(fails) != (!is_absent && !moved.is_cured()) {
+                wrong.push(told(condition));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// Settings at which captions and roles once said other than what was measured: what pictures show there, and what is no more
+/// said of them.
+#[test]
+fn pictures_are_told_as_they_are() {
+    type Change = fn(&mut Parameters);
+    /// A picture's name, its role, and what is not said of it.
+    type Told = (&'static str, Role, &'static str);
+    let told: &[(&str, Change, &[Told])] = &[
+        (
+            "vertex-average",
+            |p| p.weight = Weight::Angle,
+            &[
+                ("cube-1", Role::Absent, "lean to one side"),
+                ("cube-2", Role::Absent, "elsewhere"),
+                ("slivers", Role::Bad, "Nothing"),
+            ],
+        ),
+        (
+            "vertex-average",
+            |p| p.weight = Weight::Max,
+            &[
+                ("cube-1", Role::Absent, "lean to one side"),
+                ("slivers", Role::Absent, "bands"),
+                ("box-max", Role::Bad, "Nothing"),
+            ],
+        ),
+        (
+            "false-smoothing",
+            |p| p.crease = Degrees(180.0),
+            &[("gear-split", Role::Attempt, "flat"), ("cube-split", Role::Attempt, "one luminance")],
+        ),
+        ("false-smoothing", |p| p.crease = Degrees(0.0), &[("gear-split", Role::Cured, "stays round")]),
+        ("false-smoothing", |p| p.light = Degrees(180.0), &[("zigzag", Role::Absent, "outline")]),
+        (
+            "reflection-models",
+            |p| p.exponent = 1.0,
+            &[("blinn-4n", Role::Attempt, "much closer"), ("phong-grazing", Role::Absent, "drawn out")],
+        ),
+        ("reflection-models", |p| p.exponent = 3.0, &[("blinn-4n", Role::Cured, "not to be told")]),
+        (
+            "lost-highlight",
+            |p| p.exponent = 2.0,
+            &[("plate-gouraud", Role::Bad, "is lost"), ("sphere-gouraud", Role::Bad, "all that is left")],
+        ),
+        // The highlight is narrower than a pixel, and falls between them with Phong's shading too.
+        (
+            "lost-highlight",
+            |p| p.exponent = 1e6,
+            &[("plate-phong", Role::Attempt, "is there"), ("sphere-phong", Role::Attempt, "in its place")],
+        ),
+        (
+            "mach-bands",
+            |p| p.light = Degrees(180.0),
+            &[("flat", Role::Absent, "lighter"), ("gouraud", Role::Absent, "Bands stand")],
+        ),
+        ("precision", |p| p.exponent = 2.0, &[("eight-bits", Role::Absent, "blotchy")]),
+        (
+            "silhouette",
+            |p| p.segments = 200,
+            &[("ball", Role::Absent, "polygon."), ("ball-fine", Role::Absent, "round to the eye")],
+        ),
+        ("triangulation", |p| p.light = Degrees(180.0), &[("waves-rising", Role::Absent, "frayed")]),
+        ("shared-vertices", |p| p.light = Degrees(0.0), &[("seam", Role::Absent, "line down")]),
+    ];
+    for (id, change, pictures) in told {
+        let experiment = crease::artefact::experiment(id).unwrap();
+        let mut parameters = Parameters { size: SIZE, ..experiment.defaults };
+        change(&mut parameters);
+        let outcome = experiment.run(&Setup { parameters, mesh: None }).unwrap();
+        for (name, role, unsaid) in *pictures {
+            let shot = outcome.shots.iter().find(|shot| shot.name == *name).unwrap();
+            let caption = shot.caption.get(Language::English);
+            assert_eq!(shot.role, *role, "{id} {parameters:?} {name}: {caption}");
+            assert!(!caption.contains(unsaid), "{id} {parameters:?} {name}: {caption}");
+        }
+    }
+}
+
+/// The cure of an outline is finer than what it cures, whatever the size.
+#[test]
+fn outlines_are_cured_by_more_segments() {
+    let experiment = crease::artefact::experiment("silhouette").unwrap();
+    for (size, segments) in [(32, 12), (40, 200), (64, 16)] {
+        let parameters = Parameters { size, segments, ..experiment.defaults };
+        let outcome = experiment.run(&Setup { parameters, mesh: None }).unwrap();
+        let label = outcome.shots.iter().find(|shot| shot.name == "ball-fine").unwrap();
+        let label = label.label.get(Language::English);
+        let fine: u32 = label.trim_start_matches("ball, ").trim_end_matches(" segments").parse().unwrap();
+        assert!(fine >= 2 * segments, "{label}");
+    }
 }
 
 /// The verdicts of runs that show nothing, and of cures that do nothing.

@@ -176,6 +176,18 @@ fn of_bodies(parameters: &Parameters) -> Result<Outcome, ArtefactError> {
             gear_sharp.deviation.mean,
         ),
     ]);
+    let moved = Moved {
+        name: Text::new(
+            "gear: mean error of the pixels' normals",
+            "engrenagem: erro médio das normais dos pixels",
+        ),
+        unit: "°",
+        bad: gear_smooth.deviation.mean,
+        present: Threshold::HALF_STEP_OF_TILT,
+        cure: cure(crease),
+        cured: gear_sharp.deviation.mean,
+        factor: 100.0,
+    };
     Ok(Outcome {
         verdict: Verdict::Holds(Text::new(
             "wherever faces that share a vertex are not meant as one smooth surface. Where they are, the same means are right, so \
@@ -184,25 +196,17 @@ fn of_bodies(parameters: &Parameters) -> Result<Outcome, ArtefactError> {
              estão certas, e nenhuma regra sem ângulo de vinco, marcas ou grupos serve a ambas; faces mais finas não ajudam uma \
              aresta viva.",
         )),
-        moved: Moved {
-            name: Text::new(
-                "gear: mean error of the pixels' normals",
-                "engrenagem: erro médio das normais dos pixels",
-            ),
-            unit: "°",
-            bad: gear_smooth.deviation.mean,
-            present: Threshold::HALF_STEP_OF_TILT,
-            cure: cure(crease),
-            cured: gear_sharp.deviation.mean,
-            factor: 100.0,
-        },
         charts: vec![chart(&gear, weight)?],
-        shots: shots::all([
-            [cube_smooth, cube_sharp],
-            [gear_smooth, gear_sharp],
-            [roof_smooth, roof_sharp],
-            [zigzag_smooth, zigzag_sharp],
-        ]),
+        shots: shots::all(
+            &moved,
+            [
+                [cube_smooth, cube_sharp],
+                [gear_smooth, gear_sharp],
+                [roof_smooth, roof_sharp],
+                [zigzag_smooth, zigzag_sharp],
+            ],
+        ),
+        moved,
         measures,
         notes: notes(),
     })

@@ -2,9 +2,7 @@
 
 use super::super::own_mesh::{Room, camera, light_from};
 use super::super::stage::object;
-use super::super::{
-    ArtefactError, Measure, Moved, Outcome, Parameters, Role, Shot, Text, Threshold, UserMesh, Verdict,
-};
+use super::super::{ArtefactError, Measure, Moved, Outcome, Parameters, Text, Threshold, UserMesh, Verdict};
 use super::cure;
 use super::shots::{angle_map, labelled, light_map};
 use super::subject::{Subject, material};
@@ -21,29 +19,29 @@ pub(super) fn run(own: &UserMesh, parameters: &Parameters) -> Result<Outcome, Ar
     let measure = |en, pt, unit, value| Measure::new(Text::new(en, pt), unit, value);
     let [angles, light] = smooth.maps();
     let of = ["mesh", "malha"];
+    let moved = Moved {
+        name: Text::new(
+            "largest angle of a corner's normal to its face",
+            "maior ângulo da normal de um canto com a sua face",
+        ),
+        unit: "°",
+        bad: smooth.largest(),
+        present: Threshold {
+            value: crease.0,
+            why: Text::new(
+                "the crease angle; less may stand for something round",
+                "o ângulo de vinco; menos pode representar algo redondo",
+            ),
+        },
+        cure: cure(crease),
+        cured: sharp.largest(),
+        factor: 2.0,
+    };
     Ok(Outcome {
         verdict: Verdict::Holds(Text::new(
             "this mesh has corners whose mean is farther from their face than the crease angle.",
             "esta malha tem cantos cuja média está mais longe da sua face do que o ângulo de vinco.",
         )),
-        moved: Moved {
-            name: Text::new(
-                "largest angle of a corner's normal to its face",
-                "maior ângulo da normal de um canto com a sua face",
-            ),
-            unit: "°",
-            bad: smooth.largest(),
-            present: Threshold {
-                value: crease.0,
-                why: Text::new(
-                    "the crease angle; less may stand for something round",
-                    "o ângulo de vinco; menos pode representar algo redondo",
-                ),
-            },
-            cure: cure(crease),
-            cured: sharp.largest(),
-            factor: 2.0,
-        },
         measures: vec![
             measure(
                 "averaged: share of corners over the crease angle",
@@ -83,26 +81,31 @@ pub(super) fn run(own: &UserMesh, parameters: &Parameters) -> Result<Outcome, Ar
             ),
         ],
         shots: vec![
-            Shot::new(
+            moved.bad_shot(
                 "own",
-                Role::Bad,
                 labelled(of, ["averaged", "média"]),
-                Text::new("Normals averaged over every edge.", "Normais médias sobre todas as arestas."),
+                [
+                    Text::new("Normals averaged over every edge.", "Normais médias sobre todas as arestas."),
+                    Text::new("Sharp edges are smoothed as well.", "Arestas vivas também são alisadas."),
+                ],
                 smooth.lit,
             ),
-            Shot::new(
+            moved.cured_shot(
                 "own-split",
-                Role::Cured,
                 labelled(of, ["split", "separada"]),
-                Text::new(
-                    "Vertices split where edges are sharper than the crease angle.",
-                    "Vértices separados onde as arestas são mais vivas que o ângulo de vinco.",
-                ),
+                [
+                    Text::new(
+                        "Vertices split where edges are sharper than the crease angle.",
+                        "Vértices separados onde as arestas são mais vivas que o ângulo de vinco.",
+                    ),
+                    Text::new("They are sharp again.", "Elas voltam a ser vivas."),
+                ],
                 sharp.lit,
             ),
             angle_map("own-angles", of, angles),
             light_map("own-light", of, light),
         ],
+        moved,
         charts: Vec::new(),
         notes: vec![Text::new(
             "Faces that stand for something round are off their means as well, by half the angle between them; only more than that \

@@ -165,32 +165,60 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     measures.extend(duff::measures(segments)?);
     measures.extend(predicted::measures(&tube, &fine, light)?);
     let grazing = Tube::under(GRAZING, segments)?;
-    let mut charts = pictures::charts(&lines, is_gouraud_worse);
+    let moved = Moved {
+        name: Text::made(
+            format!("{}'s slope jump at the edge, up to 60° round, where it is largest", worse.name),
+            format!("o salto de inclinação de {} na aresta, até 60° de giro, em que ele é maior", worse.name),
+        ),
+        unit: "1/R",
+        bad: worse.found.measured.abs(),
+        present: threshold(&tube),
+        cure: Text::made(
+            format!("{FINER} times the segments, at the same edge"),
+            format!("{FINER} vezes mais segmentos, na mesma aresta"),
+        ),
+        cured: of_fine.abs(),
+        // Jumps are of first order in the width of a facet, and of more where tangents grow.
+        factor: 3.5,
+    };
+    let better = if is_gouraud_worse { of_phong } else { of_gouraud };
+    let [gouraud_at_80, phong_at_80] =
+        [Shading::Gouraud, Shading::Phong].map(|shading| -> Result<f64, ArtefactError> {
+            let line = grazing.profile(GRAZING, shading)?;
+            let law = if shading == Shading::Phong { phong_jump } else { gouraud_jump };
+            let jump = |theta| (line.slope_jump(&grazing, theta).0, law(theta, GRAZING, grazing.delta()));
+            Ok(grazing.largest(GRAZING, jump).measured.abs())
+        });
+    // What another shading does need not make bands vanish, but be seen to be less.
+    let other = |bad: f64, cured: f64, tube: &Tube| Moved {
+        name: Text::new("largest slope jump up to 60° round", "maior salto de inclinação até 60° de giro"),
+        bad,
+        cured,
+        present: threshold(tube),
+        factor: 1.5,
+        ..moved.clone()
+    };
+    let shown = Shown {
+        worse: &worse,
+        step: Moved {
+            name: Text::new("largest step up to 60° round", "maior degrau até 60° de giro"),
+            unit: "",
+            bad: step.measured.abs(),
+            present: Threshold::HALF_STEP,
+            ..moved.clone()
+        },
+        other: other(worse.found.measured.abs(), better.measured.abs(), &tube),
+        finer: moved.clone(),
+        at_80: other(phong_at_80?, gouraud_at_80?, &grazing),
+    };
+    let mut charts = pictures::charts(&lines, &shown);
     charts.extend(predicted::charts(&tube, light)?);
-    charts.extend(pictures::charts_of_grazing_light(&grazing)?);
+    charts.extend(pictures::charts_of_grazing_light(&grazing, &shown.at_80)?);
     Ok(Outcome {
         verdict: verdict(is_gouraud_worse, tube.edges(light).any(is_phong_worse_at), light),
-        moved: Moved {
-            name: Text::made(
-                format!("{}'s slope jump at the edge, up to 60° round, where it is largest", worse.name),
-                format!(
-                    "o salto de inclinação de {} na aresta, até 60° de giro, em que ele é maior",
-                    worse.name
-                ),
-            ),
-            unit: "1/R",
-            bad: worse.found.measured.abs(),
-            present: threshold(&tube),
-            cure: Text::made(
-                format!("{FINER} times the segments, at the same edge"),
-                format!("{FINER} vezes mais segmentos, na mesma aresta"),
-            ),
-            cured: of_fine.abs(),
-            // Jumps are of first order in the width of a facet, and of more where tangents grow.
-            factor: 3.5,
-        },
         measures,
-        shots: pictures::shots(size, light, [&tube, &fine, &grazing], &worse)?,
+        shots: pictures::shots(size, light, [&tube, &fine, &grazing], &shown)?,
+        moved,
         charts,
         notes: notes(),
     })
@@ -210,6 +238,19 @@ struct Worse {
     shading: Shading,
     law: Law,
     found: Found,
+}
+
+/// What the pictures are measured by.
+struct Shown<'a> {
+    worse: &'a Worse,
+    /// Of flat shading.
+    step: Moved,
+    /// The shading whose slope jumps more, and the other one.
+    other: Moved,
+    /// The former, and the same with more segments.
+    finer: Moved,
+    /// In light at 80°, Phong's and Gouraud's.
+    at_80: Moved,
 }
 
 /// Where cos θ_L = 1/3: from there on Phong's slope jump is the larger one at some edge.

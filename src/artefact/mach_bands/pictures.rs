@@ -1,143 +1,141 @@
 //! Pictures of the cylinder, and luminance across it with its derivatives.
 
-use super::super::{ArtefactError, Chart, Curve, Drawn, Role, Scale, Shot, Text};
+use super::super::{ArtefactError, Chart, Curve, Drawn, Language, Moved, Scale, Shot, Text};
 use super::tube::{Profile, Tube};
-use super::{GRAZING, Lines, Worse};
+use super::{GRAZING, Lines, Shown};
 use crate::num::Degrees;
-use crate::raster::{Image, Shading};
+use crate::raster::Shading;
 
 /// Of the tube, the finer one, and the one in grazing light.
 pub(super) fn shots(
     size: u32,
     light: Degrees,
     [tube, fine, grazing]: [&Tube; 3],
-    worse: &Worse,
+    shown: &Shown,
 ) -> Result<Vec<Shot>, ArtefactError> {
     let square = [size; 2];
-    let shot = |name, role, label, caption, image: Result<Image, ArtefactError>| {
-        Ok::<_, ArtefactError>(Shot { name, role, label, caption, image: image? })
+    let worse = shown.worse;
+    let drawn_gouraud = Text::new(
+        "Gouraud's shading of the same facets: luminance is continuous, its slope is not.",
+        "O sombreamento de Gouraud das mesmas facetas: a luminância é contínua, a inclinação não.",
+    );
+    let drawn_phong = Text::new(
+        "Phong's shading of the same facets: luminance is bent on each of them.",
+        "O sombreamento de Phong das mesmas facetas: a luminância é curva em cada uma.",
+    );
+    let bands = Text::new("Bands stand at the edges.", "Há bandas nas arestas.");
+    let less = Text::new(
+        "Slopes jump less under this light than with the other shading.",
+        "As inclinações saltam menos sob esta luz do que no outro sombreamento.",
+    );
+    let [gouraud, phong] =
+        [Shading::Gouraud, Shading::Phong].map(|shading| tube.draw(square, light, shading));
+    let (gouraud, phong) = (gouraud?, phong?);
+    let [of_gouraud, of_phong] = [Text::same("Gouraud"), Text::same("Phong")];
+    let other = &shown.other;
+    let both = match worse.shading {
+        Shading::Gouraud => [
+            other.bad_shot("gouraud", of_gouraud, [drawn_gouraud, bands], gouraud),
+            other.cured_shot("phong", of_phong, [drawn_phong, less], phong),
+        ],
+        _ => [
+            other.cured_shot("gouraud", of_gouraud, [drawn_gouraud, less], gouraud),
+            other.bad_shot("phong", of_phong, [drawn_phong, bands], phong),
+        ],
     };
-    let is_gouraud_worse = worse.shading == Shading::Gouraud;
-    let [(gouraud_role, in_gouraud), (phong_role, in_phong)] = match is_gouraud_worse {
-        true => [
-            (Role::Bad, Text::new("Bands stand at the edges.", "Há bandas nas arestas.")),
-            (
-                Role::Cured,
-                Text::new(
-                    "Phong's shading: slopes still jump, but less under this light.",
-                    "O sombreamento de Phong: as inclinações ainda saltam, mas menos sob esta luz.",
-                ),
+    let flat = shown.step.bad_shot(
+        "flat",
+        Text::new("flat", "plano"),
+        [
+            Text::new(
+                "Flat shading: one luminance a facet.",
+                "Sombreamento plano: uma luminância por faceta.",
+            ),
+            Text::new(
+                "Each seems lighter at the edge with a darker one, though it is even.",
+                "Cada uma parece mais clara na aresta com uma mais escura, embora seja uniforme.",
             ),
         ],
-        false => [
-            (Role::Cured, Text::new("Under this light it jumps little.", "Sob esta luz ela salta pouco.")),
-            (
-                Role::Bad,
-                Text::new(
-                    "Phong's shading: under this light slopes jump more than with Gouraud's.",
-                    "O sombreamento de Phong: sob esta luz as inclinações saltam mais do que no de Gouraud.",
-                ),
+        tube.draw(square, light, Shading::Flat)?,
+    );
+    let finer = shown.finer.cured_shot(
+        "fine",
+        Text::made(
+            format!("{}, {} segments", worse.name, fine.segments),
+            format!("{}, {} segmentos", worse.name, fine.segments),
+        ),
+        [
+            Text::made(
+                format!("{}'s shading with four times the segments.", worse.name),
+                format!("O sombreamento de {} com quatro vezes mais segmentos.", worse.name),
+            ),
+            Text::new(
+                "Jumps are about a quarter of what they were.",
+                "Os saltos são cerca de um quarto do que eram.",
             ),
         ],
-    };
-    Ok(vec![
-        shot(
-            "flat",
-            Role::Bad,
-            Text::new("flat", "plano"),
+        fine.draw(square, light, worse.shading)?,
+    );
+    let exact = Shot::truth(
+        "exact",
+        Text::new("the cylinder itself", "o próprio cilindro"),
+        Text::new(
+            "The cylinder lit at every pixel with its own normal: no bands but where the light ends.",
+            "O cilindro iluminado em cada pixel com a sua própria normal: sem bandas senão onde a luz acaba.",
+        ),
+        tube.draw(square, light, Shading::Exact)?,
+    );
+    let gouraud_80 = shown.at_80.cured_shot(
+        "gouraud-80",
+        Text::new("Gouraud, light at 80°", "Gouraud, luz a 80°"),
+        [
             Text::new(
-                "Flat shading: one luminance a facet. Each seems lighter at the edge with a darker one, though it is even.",
-                "Sombreamento plano: uma luminância por faceta. Cada uma parece mais clara na aresta com uma mais escura, \
-                 embora seja uniforme.",
+                "The light 80° off the direction of view: where facets are lit as a whole, luminance is nearly linear across the \
+                 picture.",
+                "A luz a 80° da direção de visão: onde as facetas estão iluminadas por inteiro, a luminância é quase linear ao longo da \
+                 imagem.",
             ),
-            tube.draw(square, light, Shading::Flat),
-        )?,
-        shot(
-            "gouraud",
-            gouraud_role,
-            Text::same("Gouraud"),
-            Text::each(|language| {
-                let same = Text::new(
-                    "Gouraud's shading of the same facets: luminance is continuous, its slope is not.",
-                    "O sombreamento de Gouraud das mesmas facetas: a luminância é contínua, a inclinação não.",
-                );
-                format!("{} {}", same.get(language), in_gouraud.get(language))
-            }),
-            tube.draw(square, light, Shading::Gouraud),
-        )?,
-        shot("phong", phong_role, Text::same("Phong"), in_phong, tube.draw(square, light, Shading::Phong))?,
-        shot(
-            "fine",
-            Role::Cured,
-            Text::made(
-                format!("{}, {} segments", worse.name, fine.segments),
-                format!("{}, {} segmentos", worse.name, fine.segments),
-            ),
-            Text::made(
-                format!(
-                    "{}'s shading with four times the segments: jumps are a quarter of what they were.",
-                    worse.name
-                ),
-                format!(
-                    "O sombreamento de {} com quatro vezes mais segmentos: os saltos são um quarto do que eram.",
-                    worse.name
-                ),
-            ),
-            fine.draw(square, light, worse.shading),
-        )?,
-        shot(
-            "exact",
-            Role::Truth,
-            Text::new("the cylinder itself", "o próprio cilindro"),
+            Text::new("Gouraud's shading has the smaller jumps here.", "O sombreamento de Gouraud tem aqui os saltos menores."),
+        ],
+        grazing.draw(square, GRAZING, Shading::Gouraud)?,
+    );
+    let phong_80 = shown.at_80.bad_shot(
+        "phong-80",
+        Text::new("Phong, light at 80°", "Phong, luz a 80°"),
+        [
+            Text::new("The same light with Phong's shading.", "A mesma luz com o sombreamento de Phong."),
             Text::new(
-                "The cylinder lit at every pixel with its own normal: no bands.",
-                "O cilindro iluminado em cada pixel com a sua própria normal: sem bandas.",
+                "It bends within each facet, and its slope jumps at the edges half-way between the viewer and the light.",
+                "Ele se curva dentro de cada faceta, e a sua inclinação salta nas arestas a meio caminho entre o observador e a luz.",
             ),
-            tube.draw(square, light, Shading::Exact),
-        )?,
-        shot(
-            "gouraud-80",
-            Role::Cured,
-            Text::new("Gouraud, light at 80°", "Gouraud, luz a 80°"),
-            Text::new(
-                "The light 80° off the direction of view: Gouraud's shading is almost exact, for luminance is nearly linear across \
-                 the picture. The one band is where the shadow begins, as on the cylinder itself.",
-                "A luz a 80° da direção de visão: o sombreamento de Gouraud é quase exato, pois a luminância é quase linear ao \
-                 longo da imagem. A única banda está onde começa a sombra, como no próprio cilindro.",
-            ),
-            grazing.draw(square, GRAZING, Shading::Gouraud),
-        )?,
-        shot(
-            "phong-80",
-            Role::Bad,
-            Text::new("Phong, light at 80°", "Phong, luz a 80°"),
-            Text::new(
-                "The same light with Phong's shading, whose slope jumps more at the edges half-way between the viewer and \
-                 the light: it bends within each facet.",
-                "A mesma luz com o sombreamento de Phong, cuja inclinação salta mais nas arestas a meio caminho entre o \
-                 observador e a luz: ele se curva dentro de cada faceta.",
-            ),
-            grazing.draw(square, GRAZING, Shading::Phong),
-        )?,
-    ])
+        ],
+        grazing.draw(square, GRAZING, Shading::Phong)?,
+    );
+    let [gouraud, phong] = both;
+    Ok(vec![flat, gouraud, phong, finer, exact, gouraud_80, phong_80])
 }
 
 /// Luminance, its slope and its curvature.
-pub(super) fn charts(lines: &Lines, is_gouraud_worse: bool) -> Vec<Chart> {
+pub(super) fn charts(lines: &Lines, shown: &Shown) -> Vec<Chart> {
     let Lines { flat, gouraud, phong, exact } = lines;
-    let slopes = match is_gouraud_worse {
-        true => Text::new(
-            "The slope of luminance: Gouraud's is constant on each facet and jumps at edges, Phong's jumps less.",
-            "A inclinação da luminância: a de Gouraud é constante em cada faceta e salta nas arestas, a de Phong salta menos.",
-        ),
-        false => Text::new(
-            "The slope of luminance: Gouraud's is constant on each facet and jumps at edges, Phong's jumps more.",
-            "A inclinação da luminância: a de Gouraud é constante em cada faceta e salta nas arestas, a de Phong salta mais.",
-        ),
-    };
+    let (moved, name) = (&shown.other, shown.worse.name);
+    let other = if shown.worse.shading == Shading::Gouraud { "Phong" } else { "Gouraud" };
+    let slopes = Text::each(|language| {
+        let [bad, cured] = [moved.bad, moved.cured].map(|jump| language.short(jump, ""));
+        match language {
+            Language::English => format!(
+                "The slope of luminance: Gouraud's is constant on each facet that is lit as a whole. {name}'s jumps at edges by up to \
+                 {bad}, {other}'s by up to {cured}."
+            ),
+            Language::Portuguese => format!(
+                "A inclinação da luminância: a de Gouraud é constante em cada faceta iluminada por inteiro. A de {name} salta nas arestas \
+                 até {bad}, a de {other} até {cured}."
+            ),
+        }
+    });
     let luminance = Text::new(
-        "Flat shading has steps, Gouraud's is a polygon, Phong's is bent on each facet.",
-        "O sombreamento plano tem degraus, o de Gouraud é uma poligonal, o de Phong é curvo em cada faceta.",
+        "Where there is light, flat shading has steps, Gouraud's is a polygon, Phong's is bent on each facet.",
+        "Onde há luz, o sombreamento plano tem degraus, o de Gouraud é uma poligonal, o de Phong é curvo em cada faceta.",
     );
     let three = [
         (Text::same("Gouraud"), gouraud),
@@ -152,7 +150,7 @@ pub(super) fn charts(lines: &Lines, is_gouraud_worse: bool) -> Vec<Chart> {
 }
 
 /// The same in grazing light, where Phong's jumps are the larger ones.
-pub(super) fn charts_of_grazing_light(grazing: &Tube) -> Result<Vec<Chart>, ArtefactError> {
+pub(super) fn charts_of_grazing_light(grazing: &Tube, at_80: &Moved) -> Result<Vec<Chart>, ArtefactError> {
     let line = |shading| grazing.profile(GRAZING, shading);
     let lines = [line(Shading::Gouraud)?, line(Shading::Phong)?, line(Shading::Exact)?];
     let [gouraud, phong, exact] = &lines;
@@ -161,10 +159,10 @@ pub(super) fn charts_of_grazing_light(grazing: &Tube) -> Result<Vec<Chart>, Arte
             "The light at 80°: the cylinder's luminance is nearly straight where it is lit, and so is Gouraud's. Phong's is bent.",
             "A luz a 80°: a luminância do cilindro é quase reta onde há luz, e a de Gouraud também. A de Phong é curva.",
         ),
-        Text::new(
-            "The slope of that: Phong's goes up and down on each facet and jumps back at edges, about twice as far as Gouraud's.",
-            "A inclinação disso: a de Phong sobe e desce em cada faceta e salta de volta nas arestas, cerca de duas vezes mais que a de \
-             Gouraud.",
+        Text::with(
+            "The slope of that: Phong's goes up and down on each facet and jumps back at edges, by up to {}; Gouraud's jumps by up to {}.",
+            "A inclinação disso: a de Phong sobe e desce em cada faceta e salta de volta nas arestas, até {}; a de Gouraud salta até {}.",
+            &[at_80.bad, at_80.cured],
         ),
     ];
     let three = [

@@ -144,9 +144,9 @@ pub(super) fn charts(tube: &Tube, light: Degrees) -> Result<Vec<Chart>, Artefact
             "predicted",
             Text::new("Predicted overshoot: slopes", "Excesso previsto: inclinações"),
             Text::new(
-                "What a difference of two Gaussians (σ of 1 and 1.6 pixels, 67 pixels per degree) predicts: a bright line at each edge, about \
-                 as high as the slope jumps there. It is a model: the eye does not follow it in strength.",
-                "O que prevê uma diferença de duas gaussianas (σ de 1 e 1,6 pixel, 67 pixels por grau): uma linha clara em cada aresta, \
+                "What a difference of two Gaussians (σ of 1 and 1.6 pixels, 67 pixels per degree) predicts: a line at each edge in the light, \
+                 about as high as the slope jumps there. It is a model: the eye does not follow it in strength.",
+                "O que prevê uma diferença de duas gaussianas (σ de 1 e 1,6 pixel, 67 pixels por grau): uma linha em cada aresta sob a luz, \
                  tão alta quanto a inclinação salta ali. É um modelo: o olho não o segue na intensidade.",
             ),
             vec![
@@ -159,9 +159,9 @@ pub(super) fn charts(tube: &Tube, light: Degrees) -> Result<Vec<Chart>, Artefact
             "predicted-flat",
             Text::new("Predicted overshoot: steps", "Excesso previsto: degraus"),
             Text::new(
-                "The same model on flat shading: a bright and a dark line beside every step. There the model is known to be wrong: the bands \
+                "The same model on flat shading: a bright and a dark line beside every step that there is. There the model is known to be wrong: the bands \
                  that it predicts beside steps are hardly seen (Wallis & Georgeson 2012).",
-                "O mesmo modelo no sombreamento plano: uma linha clara e uma escura junto a cada degrau. Ali se sabe que o modelo erra: \
+                "O mesmo modelo no sombreamento plano: uma linha clara e uma escura junto a cada degrau que houver. Ali se sabe que o modelo erra: \
                  as bandas que prevê junto a degraus quase não são vistas (Wallis & Georgeson 2012).",
             ),
             vec![curve(Text::new("flat", "plano"), Shading::Flat)?],

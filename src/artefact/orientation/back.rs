@@ -109,7 +109,7 @@ mod tests {
     #[test]
     fn a_picture_turned_back_a_quarter_is_the_same_pixels() {
         let size = 33;
-        let image = Polygon::of(None).unwrap().draw(size, Degrees(0.0), Interpolation::Affine).unwrap();
+        let image = Polygon::of(None, size).unwrap().draw(size, Degrees(0.0), Interpolation::Affine).unwrap();
         let mut back = image.clone();
         for _ in 0..4 {
             back = turned_back(&back, Degrees(90.0));

@@ -60,7 +60,7 @@ const TURNS: u32 = 72;
 fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     // An odd number of pixels has one in the middle, whose centre is the polygon's.
     let size = setup.parameters.size | 1;
-    let polygon = Polygon::of(setup.mesh.as_ref())?;
+    let polygon = Polygon::of(setup.mesh.as_ref(), size)?;
     let is_diamond = setup.mesh.is_none();
     let angle = |turn: u32| Degrees(360.0 * f64::from(turn) / f64::from(TURNS));
     let centres = |interpolation| -> Result<Vec<DVec3>, ArtefactError> {
@@ -141,6 +141,18 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let triangles_back =
         back::turned_back(&first.draw(size, Degrees(90.0), Interpolation::Affine)?, Degrees(90.0));
     let half = polygon.draw(size, Degrees(45.0), Interpolation::Scanline)?;
+    let moved = Moved {
+        name: Text::new(
+            "largest change of the centre's colour while it turns",
+            "maior mudança da cor do centro durante o giro",
+        ),
+        unit: "",
+        bad: most,
+        present: Threshold::HALF_STEP,
+        cure: Text::new("cut into triangles", "cortado em triângulos"),
+        cured: of_triangles,
+        factor: 50.0,
+    };
     Ok(Outcome {
         verdict: Verdict::Holds(Text::new(
             "for polygons of four corners and more, whose colours are not those of one plane. Triangles do not depend on \
@@ -148,20 +160,15 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             "para polígonos de quatro cantos ou mais, cujas cores não são as de um plano. Triângulos não dependem de \
              como são girados, mas as cores de um polígono passam a depender de como ele é cortado neles.",
         )),
-        moved: Moved {
-            name: Text::new(
-                "largest change of the centre's colour while it turns",
-                "maior mudança da cor do centro durante o giro",
-            ),
-            unit: "",
-            bad: most,
-            present: Threshold::HALF_STEP,
-            cure: Text::new("cut into triangles", "cortado em triângulos"),
-            cured: of_triangles,
-            factor: 50.0,
-        },
-        charts: vec![pictures::chart(&scanline, &laws, &triangles)],
-        shots: pictures::shots([upright, half, turned, back], &triangles_back, [one, other], is_diamond),
+        charts: vec![pictures::chart(&scanline, &laws, &triangles, &moved)],
+        shots: pictures::shots(
+            [upright, half, turned, back],
+            &triangles_back,
+            [one, other],
+            is_diamond,
+            &moved,
+        ),
+        moved,
         measures,
         notes: vec![
             Text::new(
@@ -258,9 +265,10 @@ fn of_the_diamond(scanline: &[DVec3], one: &Image, other: &Image, tolerance: f64
 }
 
 fn frame(setup: &Setup, number: u32, count: u32) -> Result<Image, ArtefactError> {
-    let polygon = Polygon::of(setup.mesh.as_ref())?;
+    let size = setup.parameters.size | 1;
+    let polygon = Polygon::of(setup.mesh.as_ref(), size)?;
     let angle = Degrees(360.0 * f64::from(number) / f64::from(count));
-    polygon.draw(setup.parameters.size | 1, angle, setup.parameters.interpolation)
+    polygon.draw(size, angle, setup.parameters.interpolation)
 }
 
 /// The colour of the pixel in the middle.
@@ -282,7 +290,7 @@ mod tests {
     /// c(θ) of the diamond at angles that were computed apart from this program.
     #[test]
     fn the_law_has_its_printed_values() {
-        let diamond = Polygon::of(None).unwrap();
+        let diamond = Polygon::of(None, 33).unwrap();
         for (angle, printed) in [
             (0.0, [0.1, 0.5, 0.5]),
             (15.0, [0.121_132, 0.457_735, 0.415_47]),
@@ -392,7 +400,8 @@ mod tests {
     #[test]
     fn frames_are_the_turned_pictures() {
         let image = EXPERIMENT.frame(&setup(33), 1, 4).unwrap();
-        let expected = Polygon::of(None).unwrap().draw(33, Degrees(90.0), Interpolation::Scanline).unwrap();
+        let expected =
+            Polygon::of(None, 33).unwrap().draw(33, Degrees(90.0), Interpolation::Scanline).unwrap();
         assert_eq!(linear(&image), linear(&expected));
         let mut setup = setup(33);
         setup.parameters.interpolation = Interpolation::Affine;

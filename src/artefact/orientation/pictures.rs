@@ -1,7 +1,7 @@
 //! The polygon in its positions, and its centre over a whole turn.
 
 use super::super::stage::{differences, linear, map, picture};
-use super::super::{Chart, Curve, Drawn, Role, Scale, Shot, Text};
+use super::super::{Chart, Curve, Drawn, Moved, Scale, Shot, Text, Threshold};
 use crate::raster::Image;
 use glam::DVec3;
 
@@ -26,84 +26,113 @@ pub(super) fn shots(
     triangles_back: &Image,
     [one, other]: [Image; 2],
     is_diamond: bool,
+    moved: &Moved,
 ) -> Vec<Shot> {
     let captioned = |diamond, any| either(is_diamond, diamond, any);
+    let largest = |a: &Image, b: &Image| differences(a, b).into_iter().flatten().fold(0.0, f64::max);
+    let seam = Moved {
+        name: Text::new(
+            "largest change of a pixel's colour by a quarter turn, turned back",
+            "maior mudança da cor de um pixel por um quarto de volta, girado de volta",
+        ),
+        bad: largest(&upright, &back),
+        cured: largest(&one, triangles_back),
+        factor: 10.0,
+        ..moved.clone()
+    };
     let difference = map(upright.size, &differences(&upright, &back), 0.4);
     let between = map(upright.size, &differences(&one, &other), 0.4);
+    let cuts_differ = largest(&one, &other) > Threshold::HALF_STEP.value;
+    let same_however_turned =
+        || Text::new("The same colours however it is turned.", "As mesmas cores como quer que seja girado.");
+    let but_not_the_other = match cuts_differ {
+        true => Text::new(
+            "Also the same however it is turned, but not the same as the other.",
+            "Também as mesmas como quer que seja girado, mas não as do outro.",
+        ),
+        false => same_however_turned(),
+    };
     vec![
-        Shot::new(
+        seam.bad_shot(
             "halves",
-            Role::Bad,
             Text::new("scanline: 0° above, 90° below", "varredura: 0° acima, 90° abaixo"),
-            Text::new(
-                "Above, the polygon as it stands; below, drawn turned by 90° and turned back. Were the colours its own, there would be \
-                 no seam.",
-                "Acima, o polígono como está; abaixo, desenhado girado de 90° e girado de volta. Se as cores fossem dele, não haveria \
-                 emenda.",
-            ),
+            [
+                Text::new(
+                    "Above, the polygon as it stands; below, drawn turned by 90° and turned back.",
+                    "Acima, o polígono como está; abaixo, desenhado girado de 90° e girado de volta.",
+                ),
+                Text::new(
+                    "Were the colours its own, there would be no seam.",
+                    "Se as cores fossem dele, não haveria emenda.",
+                ),
+            ],
             halves(&upright, &back),
         ),
-        Shot::new(
+        seam.cured_shot(
             "halves-triangles",
-            Role::Cured,
             Text::new("triangles: 0° above, 90° below", "triângulos: 0° acima, 90° abaixo"),
-            Text::new(
-                "The same in triangles: no seam, however it is turned.",
-                "O mesmo em triângulos: nenhuma emenda, como quer que seja girado.",
-            ),
+            [
+                Text::new("The same in triangles.", "O mesmo em triângulos."),
+                Text::new("There is no seam.", "Não há emenda."),
+            ],
             halves(&one, triangles_back),
         ),
-        Shot::new(
+        moved.bad_shot(
             "position-1",
-            Role::Bad,
             Text::new("scanline, 0°", "linha de varredura, 0°"),
-            captioned(
-                Text::new(
-                    "Position 1: the scanline through the centre runs from corner 3 to corner 1.",
-                    "Posição 1: a linha de varredura pelo centro vai do canto 3 ao canto 1.",
+            [
+                captioned(
+                    Text::new(
+                        "Position 1: the scanline through the centre runs from corner 3 to corner 1.",
+                        "Posição 1: a linha de varredura pelo centro vai do canto 3 ao canto 1.",
+                    ),
+                    Text::new(
+                        "As it stands: every pixel lies between the two edges that its scanline meets first.",
+                        "Como está: cada pixel fica entre as duas arestas que a sua linha de varredura encontra primeiro.",
+                    ),
                 ),
-                Text::new(
-                    "As it stands: every pixel lies between the two edges that its scanline meets first.",
-                    "Como está: cada pixel fica entre as duas arestas que a sua linha de varredura encontra primeiro.",
-                ),
-            ),
+                Text::new("Turned it has other colours.", "Girado ele tem outras cores."),
+            ],
             upright,
         ),
-        Shot::new(
+        moved.bad_shot(
             "turned-45",
-            Role::Bad,
             Text::new("scanline, 45°", "linha de varredura, 45°"),
-            captioned(
-                Text::new(
-                    "An eighth of a turn: the scanline cuts two edges in their middles, and the centre is the mean of all corners.",
-                    "Um oitavo de volta: a linha corta duas arestas nos seus meios, e o centro é a média de todos os cantos.",
+            [
+                captioned(
+                    Text::new(
+                        "An eighth of a turn: the scanline cuts two edges in their middles, and the centre is the mean of all corners.",
+                        "Um oitavo de volta: a linha corta duas arestas nos seus meios, e o centro é a média de todos os cantos.",
+                    ),
+                    Text::new(
+                        "An eighth of a turn: scanlines meet the edges elsewhere.",
+                        "Um oitavo de volta: as linhas encontram as arestas em outros lugares.",
+                    ),
                 ),
-                Text::new(
-                    "An eighth of a turn: scanlines meet the edges elsewhere.",
-                    "Um oitavo de volta: as linhas encontram as arestas em outros lugares.",
-                ),
-            ),
+                Text::new("Colours change with the turn.", "As cores mudam com o giro."),
+            ],
             half,
         ),
-        Shot::new(
+        moved.bad_shot(
             "position-2",
-            Role::Bad,
             Text::new("scanline, 90°", "linha de varredura, 90°"),
-            captioned(
-                Text::new(
-                    "Position 2: the scanline runs from corner 2 to corner 4, and the same polygon has other colours.",
-                    "Posição 2: a linha vai do canto 2 ao canto 4, e o mesmo polígono tem outras cores.",
+            [
+                captioned(
+                    Text::new(
+                        "Position 2: the scanline runs from corner 2 to corner 4.",
+                        "Posição 2: a linha vai do canto 2 ao canto 4.",
+                    ),
+                    Text::new(
+                        "A quarter turn: scanlines meet other edges.",
+                        "Um quarto de volta: as linhas encontram outras arestas.",
+                    ),
                 ),
-                Text::new(
-                    "A quarter turn: scanlines meet other edges, and the same polygon has other colours.",
-                    "Um quarto de volta: as linhas encontram outras arestas, e o mesmo polígono tem outras cores.",
-                ),
-            ),
+                Text::new("The same polygon has other colours.", "O mesmo polígono tem outras cores."),
+            ],
             turned,
         ),
-        Shot::new(
+        Shot::difference(
             "difference",
-            Role::Difference,
             Text::new("difference, 90° turned back", "diferença, 90° girado de volta"),
             Text::new(
                 "Position 2 turned back, less position 1: dark is none, yellow 0.4 of the full range in a component.",
@@ -111,47 +140,38 @@ pub(super) fn shots(
             ),
             difference,
         ),
-        Shot::new(
+        moved.cured_shot(
             "diagonal-13",
-            Role::Cured,
             captioned(
                 Text::new("triangles, diagonal 1–3", "triângulos, diagonal 1–3"),
                 Text::new("triangles, cut one way", "triângulos, um corte"),
             ),
-            captioned(
-                Text::new(
-                    "Cut from corner 1 to corner 3: the same colours however it is turned.",
-                    "Cortado do canto 1 ao canto 3: as mesmas cores como quer que seja girado.",
+            [
+                captioned(
+                    Text::new("Cut from corner 1 to corner 3.", "Cortado do canto 1 ao canto 3."),
+                    Text::new("Cut one way.", "Cortado de um modo."),
                 ),
-                Text::new(
-                    "Cut one way: the same colours however it is turned.",
-                    "Cortado de um modo: as mesmas cores como quer que seja girado.",
-                ),
-            ),
+                same_however_turned(),
+            ],
             one,
         ),
-        Shot::new(
+        moved.cured_shot(
             "diagonal-24",
-            Role::Cured,
             captioned(
                 Text::new("triangles, diagonal 2–4", "triângulos, diagonal 2–4"),
                 Text::new("triangles, cut another way", "triângulos, outro corte"),
             ),
-            captioned(
-                Text::new(
-                    "Cut from corner 2 to corner 4: also the same however it is turned, but not the same as the other.",
-                    "Cortado do canto 2 ao canto 4: também as mesmas como quer que seja girado, mas não as do outro.",
+            [
+                captioned(
+                    Text::new("Cut from corner 2 to corner 4.", "Cortado do canto 2 ao canto 4."),
+                    Text::new("Cut another way.", "Cortado de outro modo."),
                 ),
-                Text::new(
-                    "Cut another way: also the same however it is turned, but not the same as the other.",
-                    "Cortado de outro modo: também as mesmas como quer que seja girado, mas não as do primeiro.",
-                ),
-            ),
+                but_not_the_other,
+            ],
             other,
         ),
-        Shot::new(
+        Shot::difference(
             "diagonals",
-            Role::Difference,
             Text::new("difference of the diagonals", "diferença das diagonais"),
             Text::new(
                 "One diagonal less the other: what the cut decides. Yellow is 0.4 of the full range in a component.",
@@ -162,7 +182,7 @@ pub(super) fn shots(
     ]
 }
 
-pub(super) fn chart(scanline: &[DVec3], laws: &[DVec3], triangles: &[DVec3]) -> Chart {
+pub(super) fn chart(scanline: &[DVec3], laws: &[DVec3], triangles: &[DVec3], moved: &Moved) -> Chart {
     let angle = |turn: usize| 360.0 * turn as f64 / scanline.len() as f64;
     let curve = |name, drawn, colours: &[DVec3], axis: usize| Curve {
         name,
@@ -184,11 +204,10 @@ pub(super) fn chart(scanline: &[DVec3], laws: &[DVec3], triangles: &[DVec3]) -> 
     Chart {
         name: "centre",
         title: Text::new("Colour of the centre over a whole turn", "Cor do centro numa volta inteira"),
-        caption: Text::new(
-            "Under the scanline algorithm the centre's colour swings with every quarter turn, as the law says; in triangles \
-             it stays.",
-            "No algoritmo de linhas de varredura a cor do centro oscila a cada quarto de volta, como diz a lei; em \
-             triângulos ela fica.",
+        caption: Text::with(
+            "Under the scanline algorithm the centre's colour changes by up to {} over a turn, as the law says; in triangles by up to {}.",
+            "No algoritmo de linhas de varredura a cor do centro muda até {} numa volta, como diz a lei; em triângulos até {}.",
+            &[moved.bad, moved.cured],
         ),
         x: Scale::linear(Text::new("turned by, degrees", "giro, graus")),
         y: Scale::linear(Text::new("linear component", "componente linear")),

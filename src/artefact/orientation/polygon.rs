@@ -27,7 +27,11 @@ pub(super) struct Polygon {
 
 impl Polygon {
     /// The lectures' diamond, or the first face of a mesh that has four corners or more, or its first.
-    pub(super) fn of(own: Option<&UserMesh>) -> Result<Self, ArtefactError> {
+    ///
+    /// # Errors
+    /// A polygon that visits a place twice, crosses itself, or is thinner than two pixels of a picture of this size: scanlines
+    /// have no law there.
+    pub(super) fn of(own: Option<&UserMesh>, size: u32) -> Result<Self, ArtefactError> {
         let Some(own) = own else {
             let corners = vec![DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y];
             return Self::new(corners, COLOURS.map(LinearRgb::from).to_vec(), None);
@@ -45,6 +49,10 @@ impl Polygon {
                 advice: "give one of up to 1024 corners: of more, edges are shorter than pixels",
             });
         }
+        let unsuitable = |what: String, advice| ArtefactError::Mesh {
+            found: format!("the first polygon of `{}` {what}", own.name),
+            advice,
+        };
         let points: Vec<DVec3> = face.iter().map(|&vertex| own.mesh.positions()[vertex as usize]).collect();
         let colours = match &own.mesh.columns().colors {
             Some(colours) => {
@@ -56,7 +64,29 @@ impl Polygon {
             }
             None => (0..face.len()).map(|corner| COLOURS[corner % COLOURS.len()].into()).collect(),
         };
-        Self::new(centred(flattened(&points, own.name)?)?, colours, None)
+        const SIMPLE: &str =
+            "give a mesh whose first polygon has corners in different places and edges that do not cross";
+        if let Some([first, second]) = same_place(&points) {
+            return Err(unsuitable(
+                format!("has its corners {} and {} in one place", first + 1, second + 1),
+                SIMPLE,
+            ));
+        }
+        let flat = flattened(&points, own.name)?;
+        if let Some([first, second]) = crossing(&flat) {
+            return Err(unsuitable(
+                format!("crosses itself: its edges {} and {} do", first + 1, second + 1),
+                SIMPLE,
+            ));
+        }
+        let width = mean_width(&flat) * f64::from(size) / WINDOW;
+        if width < 2.0 {
+            return Err(unsuitable(
+                format!("is {width:.2} pixels wide in a picture of {size} pixels"),
+                "give a larger picture (--size), or a polygon less thin: of less than two pixels scanlines see hardly anything",
+            ));
+        }
+        Self::new(centred(flat)?, colours, None)
     }
 
     fn new(
@@ -222,6 +252,31 @@ fn flattened(points: &[DVec3], name: &str) -> Result<Vec<DVec2>, ArtefactError> 
     let x = across.try_normalize().unwrap_or_else(|| normal.any_orthonormal_vector());
     let y = normal.cross(x);
     Ok(points.iter().map(|&p| DVec2::new((p - mean).dot(x), (p - mean).dot(y)) / largest).collect())
+}
+
+/// The first two corners at one place.
+fn same_place(points: &[DVec3]) -> Option<[usize; 2]> {
+    let pairs = (0..points.len()).flat_map(|i| (i + 1..points.len()).map(move |j| [i, j]));
+    pairs.into_iter().find(|&[i, j]| points[i] == points[j])
+}
+
+/// The first two edges that cross.
+fn crossing(corners: &[DVec2]) -> Option<[usize; 2]> {
+    let count = corners.len();
+    let edge = |k: usize| [corners[k], corners[(k + 1) % count]];
+    let parts = |[a, b]: [DVec2; 2], [c, d]: [DVec2; 2]| {
+        let [one, other] = [c, d].map(|point| (b - a).perp_dot(point - a));
+        (one < 0.0 && other > 0.0) || (one > 0.0 && other < 0.0)
+    };
+    let mut pairs = (0..count).flat_map(|i| (i + 2..count).map(move |j| [i, j]));
+    pairs.find(|&[i, j]| parts(edge(i), edge(j)) && parts(edge(j), edge(i)))
+}
+
+/// The area of a polygon over the distance of its farthest corners from its mean, twice of which it is long.
+fn mean_width(corners: &[DVec2]) -> f64 {
+    let pairs = corners.iter().zip(corners.iter().cycle().skip(1));
+    let area = 0.5 * pairs.map(|(a, b)| a.perp_dot(*b)).sum::<f64>().abs();
+    area / (2.0 * corners.iter().map(|corner| corner.length()).fold(0.0, f64::max))
 }
 
 /// A polygon with the origin in it: its mean, or where that lies outside, the middle of the largest of its triangles. The

@@ -5,7 +5,7 @@ mod widths;
 
 use super::stage::{draw, front, light_at, settings};
 use super::{
-    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters, Role,
+    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters,
     Scale, Setup, Shot, Text, Threshold, Verdict,
 };
 use crate::metric::image_error;
@@ -123,22 +123,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             "o brilho mal é mais largo que um pixel",
         )),
     };
-    let measures = vec![
-        compared(
-            Measure::new(Text::new("same n: largest difference", "mesmo n: maior diferença"), "", same),
-            law(exponent),
-            0.5 * pixel,
-        ),
-        compared(
-            Measure::new(
-                Text::new("Blinn with 4n: largest difference", "Blinn com 4n: maior diferença"),
-                "",
-                fourfold,
-            ),
-            law(blinn_exponent(exponent)),
-            // Near its largest the difference is flat; where powers are steep it is not.
-            (0.1 * law(blinn_exponent(exponent)) + 1e-5).max(if exponent < 2.0 { 0.5 * pixel } else { 0.0 }),
-        ),
+    let [across_phong, across_blinn] = [
         widths::measure(
             Text::new(
                 "light at 120°: Phong's highlight, width across over width along",
@@ -160,13 +145,67 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             widths::of_blinn(blinn_exponent(exponent)),
             Text::new("round", "redondo"),
         ),
+    ];
+    // Where widths cannot be told nothing is said of them.
+    let stretch = |measure: &Measure| match measure.beyond {
+        None => (measure.value - 1.0).abs(),
+        Some(_) => 0.0,
+    };
+    let moved = Moved {
+        name: Text::new("largest difference from Phong's highlight", "maior diferença do brilho de Phong"),
+        unit: "",
+        bad: same,
+        present: Threshold::HALF_STEP,
+        cure: Text::new("four times the exponent", "expoente quatro vezes maior"),
+        cured: fourfold,
+        factor: FACTOR,
+    };
+    let stretched = Moved {
+        name: Text::new(
+            "width across over width along, less 1, where both can be told",
+            "largura transversal sobre a longitudinal, menos 1, onde ambas se podem medir",
+        ),
+        bad: stretch(&across_phong),
+        present: Threshold {
+            value: 0.1, why: Text::new("a tenth of its width", "um décimo da sua largura")
+        },
+        cured: stretch(&across_blinn),
+        ..moved.clone()
+    };
+    let behind = Moved {
+        name: Text::new(
+            "brightest pixel that faces away from the light",
+            "pixel mais claro voltado para longe da luz",
+        ),
+        bad: behind::brightest(&unguarded),
+        cured: behind::brightest(&guarded),
+        ..moved.clone()
+    };
+    let measures = vec![
+        compared(
+            Measure::new(Text::new("same n: largest difference", "mesmo n: maior diferença"), "", same),
+            law(exponent),
+            0.5 * pixel,
+        ),
+        compared(
+            Measure::new(
+                Text::new("Blinn with 4n: largest difference", "Blinn com 4n: maior diferença"),
+                "",
+                fourfold,
+            ),
+            law(blinn_exponent(exponent)),
+            // Near its largest the difference is flat; where powers are steep it is not.
+            (0.1 * law(blinn_exponent(exponent)) + 1e-5).max(if exponent < 2.0 { 0.5 * pixel } else { 0.0 }),
+        ),
+        across_phong,
+        across_blinn,
         Measure::new(
             Text::new(
                 "light at 150°, no guard: brightest pixel that faces away from the light",
                 "luz a 150°, sem guarda: pixel mais claro voltado para longe da luz",
             ),
             "",
-            behind::brightest(&unguarded),
+            behind.bad,
         )
         .expect(
             behind::law(exponent, size),
@@ -176,32 +215,17 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 "(N·H)^n nos centros desses pixels, no máximo sen(β/2)^n; precisão simples",
             ),
         ),
-        Measure::new(
-            Text::new("the same with the guard", "o mesmo com a guarda"),
-            "",
-            behind::brightest(&guarded),
-        )
-        .expect(0.0, 0.0, Text::new("nothing from behind", "nada por trás")),
+        Measure::new(Text::new("the same with the guard", "o mesmo com a guarda"), "", behind.cured).expect(
+            0.0,
+            0.0,
+            Text::new("nothing from behind", "nada por trás"),
+        ),
     ];
     Ok(Outcome {
-        verdict: verdict(same, fourfold),
-        moved: Moved {
-            name: Text::new(
-                "largest difference from Phong's highlight",
-                "maior diferença do brilho de Phong",
-            ),
-            unit: "",
-            bad: same,
-            present: Threshold::HALF_STEP,
-            cure: Text::new("four times the exponent", "expoente quatro vezes maior"),
-            cured: fourfold,
-            factor: FACTOR,
-        },
-        measures,
+        verdict: verdict(&moved),
         shots: vec![
-            Shot::new(
+            Shot::truth(
                 "phong",
-                Role::Truth,
                 Text::new("Phong, exponent n", "Phong, expoente n"),
                 Text::new(
                     "Phong's highlight on a sphere, light and viewer in front.",
@@ -209,68 +233,80 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
                 phong,
             ),
-            Shot::new(
+            moved.bad_shot(
                 "blinn-same-n",
-                Role::Bad,
                 Text::new("Blinn, exponent n", "Blinn, expoente n"),
-                Text::new(
-                    "Blinn's with the same exponent: twice as wide.",
-                    "O de Blinn com o mesmo expoente: duas vezes mais largo.",
-                ),
+                [
+                    Text::new("Blinn's with the same exponent.", "O de Blinn com o mesmo expoente."),
+                    Text::with(
+                        "It is wider: at half its height where the normal is {}° off the viewer, Phong's at {}°.",
+                        "É mais largo: à meia altura onde a normal está a {}° do observador, o de Phong a {}°.",
+                        &widths::in_front(exponent),
+                    ),
+                ],
                 blinn,
             ),
-            Shot::new(
+            moved.cured_shot(
                 "blinn-4n",
-                Role::Cured,
                 Text::new("Blinn, exponent 4n", "Blinn, expoente 4n"),
-                Text::new(
-                    "Blinn's with four times the exponent: not to be told from Phong's.",
-                    "O de Blinn com expoente quatro vezes maior: não se distingue do de Phong.",
-                ),
+                [
+                    Text::new(
+                        "Blinn's with four times the exponent.",
+                        "O de Blinn com expoente quatro vezes maior.",
+                    ),
+                    Text::new("It is much closer to Phong's.", "Fica muito mais perto do de Phong."),
+                ],
                 matched,
             ),
-            Shot::new(
+            stretched.bad_shot(
                 "phong-grazing",
-                Role::Bad,
                 Text::new("Phong, light at 120°", "Phong, luz a 120°"),
-                Text::new(
-                    "Light from far round: Phong's highlight is drawn out up and down, twice as high as it should be for its width.",
-                    "Luz vinda de trás do lado: o brilho de Phong se alonga para cima e para baixo, ao dobro.",
-                ),
+                [
+                    Text::new("Light from far round.", "Luz vinda de trás do lado."),
+                    Text::new(
+                        "Phong's highlight is drawn out up and down.",
+                        "O brilho de Phong se alonga para cima e para baixo.",
+                    ),
+                ],
                 grazing_phong,
             ),
-            Shot::new(
+            stretched.cured_shot(
                 "blinn-grazing",
-                Role::Cured,
                 Text::new("Blinn 4n, light at 120°", "Blinn 4n, luz a 120°"),
-                Text::new(
-                    "Blinn's under the same light is a circle on the sphere.",
-                    "O de Blinn sob a mesma luz é um círculo na esfera.",
-                ),
+                [
+                    Text::new("Blinn's under the same light.", "O de Blinn sob a mesma luz."),
+                    Text::new("It is a circle on the sphere.", "É um círculo na esfera."),
+                ],
                 grazing_blinn,
             ),
-            Shot::new(
+            behind.bad_shot(
                 "behind",
-                Role::Bad,
                 Text::new("light behind, no guard", "luz atrás, sem guarda"),
-                Text::new(
-                    "The light is almost behind the sphere, yet the highlight spreads over its dark side.",
-                    "A luz está quase atrás da esfera, mas o brilho se espalha pelo lado escuro.",
-                ),
+                [
+                    Text::new("The light is almost behind the sphere.", "A luz está quase atrás da esfera."),
+                    Text::new(
+                        "Yet the highlight spreads over its dark side.",
+                        "Mas o brilho se espalha pelo lado escuro.",
+                    ),
+                ],
                 unguarded,
             ),
-            Shot::new(
+            behind.cured_shot(
                 "behind-guarded",
-                Role::Cured,
                 Text::new("light behind, guard", "luz atrás, com guarda"),
-                Text::new(
-                    "With the guard N·L > 0 the highlight ends where the light does, at a hard edge.",
-                    "Com a guarda N·L > 0 o brilho termina onde a luz termina, numa borda dura.",
-                ),
+                [
+                    Text::new("With the guard N·L > 0.", "Com a guarda N·L > 0."),
+                    Text::new(
+                        "The highlight ends where the light does, at a hard edge.",
+                        "O brilho termina onde a luz termina, numa borda dura.",
+                    ),
+                ],
                 guarded,
             ),
         ],
-        charts: vec![chart(exponent)],
+        charts: vec![chart(exponent, moved.is_cured())],
+        moved,
+        measures,
         notes: vec![Text::new(
             "The lectures give one exponent for both models (exercise 1.6.19 differs most: 0 by Phong, 0.35 by Blinn). The guard \
              stops light from behind but leaves an edge, for neither model goes to 0 where N·L does.",
@@ -301,9 +337,9 @@ fn ball(
     draw(vec![sphere], &[light_at(light)], front(WINDOW), &settings)
 }
 
-/// By the largest differences from Phong's highlight with the same exponent and with four times it.
-fn verdict(same: f64, fourfold: f64) -> Verdict {
-    match fourfold * FACTOR <= same {
+/// By whether four times the exponent brings Blinn's highlight to Phong's.
+fn verdict(moved: &Moved) -> Verdict {
+    match moved.is_cured() {
         true => Verdict::HoldsOnlyIf(Text::new(
             "Blinn's exponent is 4n and the light is near the direction of view. With the same n his highlight is twice as wide; at \
              grazing light Phong's is stretched where Blinn's stays round. Both need a guard against light from behind.",
@@ -319,7 +355,7 @@ fn verdict(same: f64, fourfold: f64) -> Verdict {
     }
 }
 
-fn chart(exponent: f64) -> Chart {
+fn chart(exponent: f64, is_covered: bool) -> Chart {
     let curve = |name, drawn, value: &dyn Fn(f64) -> f64| Curve {
         name,
         drawn,
@@ -334,12 +370,20 @@ fn chart(exponent: f64) -> Chart {
     Chart {
         name: "highlights",
         title: Text::new("Height of the highlight", "Altura do brilho"),
-        caption: Text::new(
-            "Against the angle from mirrored ray to viewer: Blinn's with the same exponent is wide, with four times the exponent \
-             its curve covers Phong's.",
-            "Em função do ângulo do raio espelhado ao observador: o de Blinn com o mesmo expoente é largo; com expoente quatro vezes \
-             maior a curva cobre a de Phong.",
-        ),
+        caption: match is_covered {
+            true => Text::new(
+                "Against the angle from mirrored ray to viewer: Blinn's with the same exponent is wide, with four times the exponent \
+                 its curve comes close to Phong's.",
+                "Em função do ângulo do raio espelhado ao observador: o de Blinn com o mesmo expoente é largo; com expoente quatro \
+                 vezes maior a curva se aproxima da de Phong.",
+            ),
+            false => Text::new(
+                "Against the angle from mirrored ray to viewer: with so small an exponent Blinn's curve leaves Phong's, with four times \
+                 the exponent too.",
+                "Em função do ângulo do raio espelhado ao observador: com um expoente tão pequeno a curva de Blinn se afasta da de \
+                 Phong, também com expoente quatro vezes maior.",
+            ),
+        },
         x: Scale::linear(Text::new("φ in degrees", "φ em graus")),
         y: Scale::linear(Text::new("highlight", "brilho")),
         curves: vec![

@@ -3,7 +3,7 @@
 use super::super::stage::linear;
 use super::super::{Measure, Text};
 use super::{GRAZING, WINDOW};
-use crate::num::Radians;
+use crate::num::{Degrees, Radians};
 use crate::raster::Image;
 
 /// Half the width of a highlight at half height, as angles on the sphere: in the plane of light and view, towards the viewer, and
@@ -29,6 +29,12 @@ pub(super) fn of_phong(exponent: f64) -> HalfWidths {
 pub(super) fn of_blinn(exponent: f64) -> HalfWidths {
     let angle = libm::acos(libm::pow(2.0, -1.0 / exponent));
     HalfWidths { along: angle, across: angle }
+}
+
+/// Light and viewer in front: how far the normal is from them, in degrees, where Blinn's highlight and Phong's are at half height.
+pub(super) fn in_front(exponent: f64) -> [f64; 2] {
+    let blinn = Degrees::from(Radians(of_blinn(exponent).along)).0;
+    [blinn, 0.5 * blinn]
 }
 
 /// The width across the plane of light and view over that along it, against the closed form.

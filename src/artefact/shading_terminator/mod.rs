@@ -5,7 +5,7 @@ mod tube;
 use super::body::Body;
 use super::stage::{chalk, differences, draw, front, linear, map, settings};
 use super::{
-    ArtefactError, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters, Role, Setup, Shot, Text,
+    ArtefactError, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters, Setup, Shot, Text,
     Threshold, Verdict,
 };
 use crate::num::{Degrees, LinearRgb, Radians};
@@ -85,18 +85,52 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let hard = globe(segments, Terminator::Hard)?;
     let soft = globe(segments, Terminator::Soft)?;
     let smooth = globe(segments, Terminator::Smooth)?;
-    let finer = globe(FINER * segments, Terminator::Soft)?;
+    let [finer, finer_smooth] =
+        [Terminator::Soft, Terminator::Smooth].map(|terminator| globe(FINER * segments, terminator));
+    let (finer, finer_smooth) = (finer?, finer_smooth?);
     let concerned_globe = |segments| concerned(&Body::globe(segments, 0.0), towards(light, HEIGHT), size);
     let (coarse_map, fine_map) = (concerned_globe(segments)?, concerned_globe(FINER * segments)?);
     let on_tube = share(&concerned(&tube.body(), towards(light, LEVEL), size)?);
     let [pop_hard, pop_soft] = [Terminator::Hard, Terminator::Soft].map(|terminator| tube.pop(terminator));
     let (pop_hard, pop_soft) = (pop_hard?, pop_soft?);
-    // The prism has a light of its own. What it does there is seen on the sphere only if facets of that take light away in this.
-    let taken = differences(&hard, &smooth).into_iter().flatten().fold(0.0, f64::max);
-    let is_seen = taken > Threshold::HALF_STEP.value;
-    let popped = |change: f64| if is_seen { change } else { 0.0 };
-    // Where edges fall between pixel centres: one pixel for each facet that is seen.
-    let pixels = f64::from(segments) / 2.0 * WINDOW / (2.0 * f64::from(size));
+    let taken = |by: &Image, of: &Image| differences(by, of).into_iter().flatten().fold(0.0, f64::max);
+    let self_shadow = Moved {
+        name: Text::new(
+            "most light that facets' own shadow takes from a pixel",
+            "máximo de luz que a sombra própria das facetas tira de um pixel",
+        ),
+        unit: "",
+        bad: taken(&hard, &smooth),
+        present: Threshold::HALF_STEP,
+        cure: Text::new("no shadow of their own", "nenhuma sombra própria"),
+        cured: 0.0,
+        factor: 10.0,
+    };
+    let price = Moved {
+        name: Text::new(
+            "most light that the softening takes from a pixel",
+            "máximo de luz que a suavização tira de um pixel",
+        ),
+        bad: taken(&soft, &smooth),
+        cured: taken(&finer, &finer_smooth),
+        // As the size of facets, a quarter.
+        factor: 2.0,
+        ..self_shadow.clone()
+    };
+    let popping = Moved {
+        name: Text::new(
+            "largest change on a facet when the light turns by a 45th of its angle",
+            "maior mudança numa faceta quando a luz gira 1/45 do seu ângulo",
+        ),
+        bad: pop_hard,
+        cure: Text::new(
+            "Chiang, Li and Burley's softening term",
+            "o termo de suavização de Chiang, Li e Burley",
+        ),
+        cured: pop_soft,
+        ..self_shadow.clone()
+    };
+    let (share_law, share_open) = tube.share_law(light);
     let by_formula = Text::new(
         "the formula at every pixel's centre in double precision; edges snap to 1/256 pixel",
         "a fórmula no centro de cada pixel em precisão dupla; arestas ajustadas a 1/256 pixel",
@@ -108,11 +142,11 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             on_tube,
         )
         .expect(
-            tube.share_law(light),
-            pixels,
+            share_law,
+            share_open,
             Text::new(
-                "where the interpolated cosine changes its sign on facets turned away; a pixel for each facet",
-                "onde o cosseno interpolado muda de sinal nas facetas viradas; um pixel por faceta",
+                "the two cosines at every pixel's centre in double precision; pixels with an edge or a change of sign within 1/256 pixel",
+                "os dois cossenos no centro de cada pixel em precisão dupla; pixels com aresta ou mudança de sinal a menos de 1/256 pixel",
             ),
         ),
         Measure::new(
@@ -134,12 +168,12 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 "esfera: máximo de luz que a sombra própria das facetas tira de um pixel",
             ),
             "",
-            taken,
+            self_shadow.bad,
         ),
         Measure::new(
             Text::new(
-                "prism, light turned by 0.5°: largest change on a facet, hard",
-                "prisma, luz girada de 0,5°: maior mudança numa faceta, dura",
+                "prism, light turned by a 45th of a facet's angle: largest change on a facet, hard",
+                "prisma, luz girada de 1/45 do ângulo da faceta: maior mudança numa faceta, dura",
             ),
             "",
             pop_hard,
@@ -147,8 +181,8 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         .expect(tube.pop_law(Terminator::Hard), 2e-3, by_formula.clone()),
         Measure::new(
             Text::new(
-                "prism, light turned by 0.5°: largest change on a facet, softened",
-                "prisma, luz girada de 0,5°: maior mudança numa faceta, suavizada",
+                "prism, light turned by a 45th of a facet's angle: largest change on a facet, softened",
+                "prisma, luz girada de 1/45 do ângulo da faceta: maior mudança numa faceta, suavizada",
             ),
             "",
             pop_soft,
@@ -156,8 +190,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         .expect(tube.pop_law(Terminator::Soft), 2e-4, by_formula),
     ];
     let difference = map([size; 2], &coarse_map, 1.0);
-    Ok(Outcome {
-        verdict: Verdict::HoldsOnlyIf(Text::new(
+    // The prism has a light of its own. What it does there is seen on the sphere only if facets of that take light away in this.
+    let verdict = match self_shadow.is_present() {
+        false => Verdict::Absent(EXPERIMENT.shown_by.clone()),
+        true => Verdict::HoldsOnlyIf(Text::new(
             "facets shade themselves, as they do where shadows are cast. Without shadows, as in the lectures, light on facets that \
              face away is no fault that is seen. The softening term takes away the popping, not the corners of the border, \
              and darkens facets that are lit askew: both go with finer meshes, as their facets' size.",
@@ -165,46 +201,41 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
              não é defeito visível. O termo de suavização tira os saltos, não os cantos da fronteira, e escurece facetas \
              iluminadas de lado: ambos somem com malhas mais finas, com o tamanho das facetas.",
         )),
-        moved: Moved {
-            name: Text::new(
-                "largest change on a facet when the light turns by 0.5°",
-                "maior mudança numa faceta quando a luz gira 0,5°",
-            ),
-            unit: "",
-            bad: popped(pop_hard),
-            present: Threshold::HALF_STEP,
-            cure: Text::new(
-                "Chiang, Li and Burley's softening term",
-                "o termo de suavização de Chiang, Li e Burley",
-            ),
-            cured: popped(pop_soft),
-            factor: 10.0,
-        },
+    };
+    let Degrees(step) = tube.step();
+    Ok(Outcome {
+        verdict,
         measures,
         shots: vec![
-            Shot::new(
+            self_shadow.bad_shot(
                 "hard",
-                Role::Bad,
                 Text::new("facets shade themselves", "facetas se sombreiam"),
-                Text::new(
-                    "Light ends where facets turn away: the border is a saw of triangles, though the normals are smooth.",
-                    "A luz termina onde as facetas se viram: a fronteira é um serrote de triângulos, embora as normais sejam lisas.",
-                ),
+                [
+                    Text::new(
+                        "Smooth normals, but light ends where facets turn away.",
+                        "Normais lisas, mas a luz termina onde as facetas se viram.",
+                    ),
+                    Text::new("The border is a saw of triangles.", "A fronteira é um serrote de triângulos."),
+                ],
                 hard,
             ),
-            Shot::new(
+            self_shadow.cured_shot(
                 "smooth",
-                Role::Cured,
                 Text::new("no shadow of their own", "sem sombra própria"),
-                Text::new(
-                    "Interpolated normals alone decide, as in the lectures: smooth, with light on facets that face away.",
-                    "Só as normais interpoladas decidem, como nas aulas: liso, com luz em facetas viradas para longe.",
-                ),
+                [
+                    Text::new(
+                        "Interpolated normals alone decide, as in the lectures.",
+                        "Só as normais interpoladas decidem, como nas aulas.",
+                    ),
+                    Text::new(
+                        "Smooth, with light on facets that face away.",
+                        "Liso, com luz em facetas viradas para longe.",
+                    ),
+                ],
                 smooth,
             ),
-            Shot::new(
+            Shot::difference(
                 "concerned",
-                Role::Difference,
                 Text::new("pixels concerned", "pixels em questão"),
                 Text::new(
                     "Yellow where the interpolated normal faces the light and the facet does not.",
@@ -212,51 +243,61 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
                 difference,
             ),
-            Shot::new(
+            popping.bad_shot(
                 "film-hard",
-                Role::Bad,
                 Text::new("the light turns: it pops", "a luz gira: salta"),
-                Text::new(
-                    "A prism from picture to picture, downwards: the light turns by 2° each time. The facet left of the middle is bright \
-                     in the upper four and black in the lower four: it goes out at once.",
-                    "Um prisma de imagem em imagem, para baixo: a luz gira 2° de cada vez. A faceta à esquerda do meio é clara nas quatro \
-                     de cima e preta nas quatro de baixo: apaga-se de uma vez.",
-                ),
+                [
+                    Text::with(
+                        "A prism from picture to picture, downwards: the light turns by {}° each time.",
+                        "Um prisma de imagem em imagem, para baixo: a luz gira {}° de cada vez.",
+                        &[step],
+                    ),
+                    Text::new(
+                        "The facet left of the middle has light in the upper four and is black in the lower four: it goes out at once.",
+                        "A faceta à esquerda do meio tem luz nas quatro de cima e é preta nas quatro de baixo: apaga-se de uma vez.",
+                    ),
+                ],
                 tube.film(Terminator::Hard)?,
             ),
-            Shot::new(
+            popping.cured_shot(
                 "film-soft",
-                Role::Cured,
                 Text::new("softened: it fades", "suavizado: esmaece"),
-                Text::new(
-                    "The same with the softening term: that facet gets darker from picture to picture, and nothing pops.",
-                    "O mesmo com o termo de suavização: a faceta escurece de imagem em imagem, e nada salta.",
-                ),
+                [
+                    Text::new("The same with the softening term.", "O mesmo com o termo de suavização."),
+                    Text::new(
+                        "That facet gets darker from picture to picture, and nothing pops.",
+                        "A faceta escurece de imagem em imagem, e nada salta.",
+                    ),
+                ],
                 tube.film(Terminator::Soft)?,
             ),
-            Shot::new(
+            price.bad_shot(
                 "soft",
-                Role::Bad,
                 Text::new("softened, as coarse", "suavizado, tão grosso"),
-                Text::new(
-                    "What the softening term costs: facets that are about to turn away are dim already, and on a mesh as coarse as this \
-                     they show even in the light. A still picture is none the better for it.",
-                    "O que custa o termo de suavização: facetas que estão para se virar já são escuras, e numa malha grossa como esta \
-                     aparecem até na luz. Uma imagem parada nada ganha com ele.",
-                ),
+                [
+                    Text::new("What the softening term costs.", "O que custa o termo de suavização."),
+                    Text::new(
+                        "Facets that are about to turn away are dim already, and show even in the light. A still picture is none the better \
+                         for it.",
+                        "Facetas que estão para se virar já são escuras, e aparecem até na luz. Uma imagem parada nada ganha com ele.",
+                    ),
+                ],
                 soft,
             ),
-            Shot::new(
+            price.cured_shot(
                 "soft-fine",
-                Role::Cured,
                 Text::new("softened, finer", "suavizado, mais fino"),
-                Text::new(
-                    "Four times the segments and the softening term: the teeth are a quarter as large, and graded.",
-                    "Quatro vezes mais segmentos e o termo de suavização: os dentes têm um quarto do tamanho, e são graduados.",
-                ),
+                [
+                    Text::new(
+                        "Four times the segments and the softening term.",
+                        "Quatro vezes mais segmentos e o termo de suavização.",
+                    ),
+                    Text::new("The teeth are smaller, and graded.", "Os dentes são menores, e graduados."),
+                ],
                 finer,
             ),
         ],
+        moved: popping,
         charts: vec![tube.chart()?],
         notes: notes(),
     })

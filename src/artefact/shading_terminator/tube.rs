@@ -10,11 +10,8 @@ use crate::shade::Terminator;
 use glam::DVec3;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// How far the light turns between the two pictures that are measured.
-const TURN: Degrees = Degrees(0.5);
-/// Pictures of a film, and how far the light turns from each to the next.
+/// Pictures of a film.
 const PICTURES: u32 = 8;
-const STEP: Degrees = Degrees(2.0);
 
 /// A prism of radius 1 about the y axis with the cylinder's normals, an edge towards the viewer.
 pub(super) struct Tube {
@@ -34,26 +31,53 @@ impl Tube {
         TAU / f64::from(self.segments)
     }
 
-    /// The share of the prism's width where the cosine, which is linear between edges, is positive on facets turned away.
-    pub(super) fn share_law(&self, light: Degrees) -> f64 {
-        let light = Radians::from(light).0;
-        let (mut concerned, mut seen) = (0.0, 0.0);
-        for facet in 0..self.segments {
+    /// How far the light turns between the two pictures that are measured: a 45th of a facet's angle, for that angle is all that
+    /// it takes to light a facet softly.
+    fn turn(&self) -> Degrees {
+        Degrees(360.0 / f64::from(self.segments) / 45.0)
+    }
+
+    /// How far it turns from each picture of a film to the next.
+    pub(super) fn step(&self) -> Degrees {
+        Degrees(4.0 * self.turn().0)
+    }
+
+    /// Whether a place across the prism is concerned: the cosine, which is linear between edges, is positive on a facet turned
+    /// away. `None` beside the prism.
+    fn is_concerned(&self, x: f64, light: f64) -> Option<bool> {
+        let of_facet = |facet: u32| {
             let edge = |k: u32| f64::from(facet + k) * self.delta();
             let middle = 0.5 * (edge(0) + edge(1));
-            if libm::cos(middle) <= 0.0 {
-                continue;
+            let (low, high) = (libm::sin(edge(0)), libm::sin(edge(1)));
+            if libm::cos(middle) <= 0.0 || !(low..high).contains(&x) {
+                return None;
             }
-            let width = libm::sin(edge(1)) - libm::sin(edge(0));
-            seen += width;
             let [a, b] = [0, 1].map(|k| libm::cos(edge(k) - light));
-            if libm::cos(middle - light) <= 0.0 {
-                let largest = a.max(b);
-                // A facet turned away has one edge at most in the light.
-                concerned += if largest > 0.0 { width * largest / (a - b).abs() } else { 0.0 };
-            }
+            let own = a + (b - a) * (x - low) / (high - low);
+            Some(own > 0.0 && libm::cos(middle - light) <= 0.0)
+        };
+        (0..self.segments).find_map(of_facet)
+    }
+
+    /// The share of the prism's pixels that are concerned, by the formulas at their centres, and that of those which snapping to
+    /// 256ths of pixels and single precision leave open.
+    pub(super) fn share_law(&self, light: Degrees) -> (f64, f64) {
+        const SINGLE: f64 = 1e-6;
+        let light = Radians::from(light).0;
+        let pixel = WINDOW / f64::from(self.size);
+        let (mut concerned, mut open, mut seen) = (0.0, 0.0, 0.0);
+        for k in 0..self.size {
+            let x = (f64::from(k) + 0.5) * pixel - 0.5 * WINDOW;
+            let here = self.is_concerned(x, light);
+            let near = [(-1.0, 0.0), (1.0, 0.0), (0.0, -SINGLE), (0.0, SINGLE)];
+            let near =
+                near.map(|(aside, turned)| self.is_concerned(x + aside * pixel / 256.0, light + turned));
+            seen += if here.is_some() { 1.0 } else { 0.0 };
+            concerned += if here == Some(true) { 1.0 } else { 0.0 };
+            open += if near.iter().any(|&other| other != here) { 1.0 } else { 0.0 };
         }
-        concerned / seen
+        // And roundings of the quotient.
+        (concerned / seen, open / seen + 1e-12)
     }
 
     /// The light that makes the facet left of the middle turn away, and somewhat more.
@@ -80,7 +104,7 @@ impl Tube {
     pub(super) fn film(&self, terminator: Terminator) -> Result<Image, ArtefactError> {
         let height = self.size / PICTURES - GAP;
         let picture = |k: u32| {
-            let more = STEP.0 * (f64::from(k) - 0.5 * f64::from(PICTURES) - 0.5);
+            let more = self.step().0 * (f64::from(k) - 0.5 * f64::from(PICTURES) - 0.5);
             Ok(vec![paint(&self.body(), towards(self.light(more), LEVEL), terminator, [self.size, height])?])
         };
         Ok(tiles(&(1..=PICTURES).map(picture).collect::<Result<Vec<_>, ArtefactError>>()?))
@@ -88,7 +112,7 @@ impl Tube {
 
     /// The largest change on that facet when the light turns.
     pub(super) fn pop(&self, terminator: Terminator) -> Result<f64, ArtefactError> {
-        let half = 0.5 * TURN.0;
+        let half = 0.5 * self.turn().0;
         let [before, after] = [-half, half].map(|more| self.row(self.light(more), terminator));
         let (before, after) = (before?, after?);
         Ok(self.facet().map(|(k, _)| (before[k] - after[k]).abs()).fold(0.0, f64::max))
@@ -96,7 +120,7 @@ impl Tube {
 
     /// The same by the formulas.
     pub(super) fn pop_law(&self, terminator: Terminator) -> f64 {
-        let half = 0.5 * TURN.0;
+        let half = 0.5 * self.turn().0;
         let change = |(_, x): (usize, f64)| {
             let [before, after] = [-half, half].map(|more| self.law(x, self.light(more), terminator));
             (before - after).abs()
@@ -136,7 +160,7 @@ impl Tube {
         ] {
             let mut points = Vec::new();
             for k in -20..=10 {
-                let light = self.light(0.5 * f64::from(k) - 0.25);
+                let light = self.light(self.turn().0 * (f64::from(k) - 0.5));
                 points.push([light.0, self.row(light, terminator)?[pixel]]);
             }
             curves.push(Curve { name, drawn, points });
@@ -173,7 +197,7 @@ mod tests {
             let shown: Vec<f64> = (0..PICTURES)
                 .map(|k| {
                     let index = film.index(pixel as u32, k * (height + GAP) + height / 2).unwrap();
-                    let more = STEP.0 * (f64::from(k) - 3.5);
+                    let more = tube.step().0 * (f64::from(k) - 3.5);
                     let law = tube.law(x, tube.light(more), terminator);
                     // Edges snap to 1/256 pixel, and light changes by less than 2 over the width of a pixel.
                     assert!((f64::from(linear(&film)[index][0]) - law).abs() < 2e-3, "{more}: {law}");

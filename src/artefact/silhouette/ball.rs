@@ -3,8 +3,8 @@
 use super::super::body::{Body, Diagonal};
 use super::super::stage::{front, light_at};
 use super::super::{
-    ArtefactError, Chart, Curve, Drawn, Language, Measure, Moved, Outcome, Parameters, Role, Scale, Shot,
-    Text, Threshold, Verdict,
+    ArtefactError, Chart, Curve, Drawn, Language, Measure, Moved, Outcome, Parameters, Scale, Shot, Text,
+    Threshold, Verdict,
 };
 use super::{Outline, View, between, material};
 use crate::metric::ContourDistance;
@@ -31,8 +31,12 @@ pub(super) fn run(parameters: &Parameters) -> Result<Outcome, ArtefactError> {
     let outline = ball.outline(segments, Shading::Phong)?;
     let flat = ball.outline(segments, Shading::Flat)?;
     let of_coarse = outline.distance(&circle)?;
-    let of_fine = ball.error(enough, &circle)?;
-    let of_torus = torus.error(segments, &torus.outline_of_truth()?)?;
+    // Enough for half a pixel, and finer than what it cures.
+    let fine = enough.max(2 * segments);
+    let of_fine = ball.error(fine, &circle)?;
+    let true_torus = torus.outline_of_truth()?;
+    let [of_torus, of_fine_torus] = [segments, fine].map(|segments| torus.error(segments, &true_torus));
+    let (of_torus, of_fine_torus) = (of_torus?, of_fine_torus?);
     let open = ball.view.open();
     let found = ball.found_enough(enough, &circle)?;
     let measures = vec![
@@ -51,7 +55,7 @@ pub(super) fn run(parameters: &Parameters) -> Result<Outcome, ArtefactError> {
             ),
         ),
         area(Text::new("ball", "bola"), segments, &of_coarse, open * 2.0 / radius),
-        largest(Text::new("ball", "bola"), enough, &of_fine, radius, open),
+        largest(Text::new("ball", "bola"), fine, &of_fine, radius, open),
         Measure::new(
             Text::new(
                 "ball: fewest segments whose outline is right to half a pixel more than that of very many",
@@ -83,6 +87,22 @@ pub(super) fn run(parameters: &Parameters) -> Result<Outcome, ArtefactError> {
         )
         .expect(0.0, 0.0, Text::new("shading does not move edges", "o sombreamento não move arestas")),
     ];
+    let moved = Moved {
+        name: Text::new("largest distance of the outline", "maior distância do contorno"),
+        unit: "px",
+        bad: of_coarse.hausdorff,
+        present: Threshold {
+            value: Threshold::HALF_PIXEL.value + open,
+            why: Text::new(
+                "half a pixel, and what outlines of pixels leave open",
+                "meio pixel, e o que contornos de pixels deixam em aberto",
+            ),
+        },
+        cure: Text::made(format!("{fine} segments"), format!("{fine} segmentos")),
+        cured: of_fine.hausdorff,
+        factor: (sagitta(segments, radius) / (0.5 + open)).max(1.0),
+    };
+    let of_torus = Moved { bad: of_torus.hausdorff, cured: of_fine_torus.hausdorff, ..moved.clone() };
     Ok(Outcome {
         verdict: Verdict::Holds(Text::made(
             format!(
@@ -94,23 +114,9 @@ pub(super) fn run(parameters: &Parameters) -> Result<Outcome, ArtefactError> {
                  {radius:.0} pixels precisa de {enough} segmentos, uma de 200 pixels de 45.",
             ),
         )),
-        moved: Moved {
-            name: Text::new("largest distance of the outline", "maior distância do contorno"),
-            unit: "px",
-            bad: of_coarse.hausdorff,
-            present: Threshold {
-                value: Threshold::HALF_PIXEL.value + open,
-                why: Text::new(
-                    "half a pixel, and what outlines of pixels leave open",
-                    "meio pixel, e o que contornos de pixels deixam em aberto",
-                ),
-            },
-            cure: Text::made(format!("{enough} segments"), format!("{enough} segmentos")),
-            cured: of_fine.hausdorff,
-            factor: (sagitta(segments, radius) / (0.5 + open)).max(1.0),
-        },
         charts: vec![ball.chart(&circle, radius)?],
-        shots: shots(&ball, &torus, [segments, enough])?,
+        shots: shots([&ball, &torus], [segments, fine], [&moved, &of_torus])?,
+        moved,
         measures,
         notes: vec![
             Text::new(
@@ -260,9 +266,9 @@ impl Subject {
             title: Text::new("Error of the outline", "Erro do contorno"),
             caption: Text::new(
                 "How far the outline of the ball is from the circle against the number of segments: both the largest and the mean \
-                 distance fall as 1/n², as the closed forms say.",
+                 distance fall as 1/n², as the closed forms say, until the outlines' own pixels are all that is left.",
                 "Quanto o contorno da bola se afasta do círculo em função do número de segmentos: a maior distância e a média caem \
-                 como 1/n², como dizem as fórmulas.",
+                 como 1/n², como dizem as fórmulas, até que só restem os pixels dos próprios contornos.",
             ),
             x: Scale::log(Text::new("segments n", "segmentos n")),
             y: Scale::log(Text::new("distance in pixels", "distância em pixels")),
@@ -288,7 +294,11 @@ fn turned(body: &Body) -> Object<'_> {
     Object { transform: TOWARDS_VIEWER, ..body.object(material()) }
 }
 
-fn shots(ball: &Subject, torus: &Subject, [segments, enough]: [u32; 2]) -> Result<Vec<Shot>, ArtefactError> {
+fn shots(
+    [ball, torus]: [&Subject; 2],
+    [segments, fine]: [u32; 2],
+    [of_ball, of_torus]: [&Moved; 2],
+) -> Result<Vec<Shot>, ArtefactError> {
     let round = ball.view.draw(ball.itself(), Shading::Phong)?;
     let coarse = ball.picture(segments)?;
     let lacking = between(&coarse, &round);
@@ -296,65 +306,69 @@ fn shots(ball: &Subject, torus: &Subject, [segments, enough]: [u32; 2]) -> Resul
         Text::made(format!("{en}, {count} segments"), format!("{pt}, {count} segmentos"))
     };
     Ok(vec![
-        Shot::new(
+        of_ball.bad_shot(
             "ball",
-            Role::Bad,
             label("ball", "bola", segments),
-            Text::new(
-                "Phong's shading with the ball's own normals: within, all is round; its outline is a polygon.",
-                "O sombreamento de Phong com as normais da própria bola: por dentro tudo é redondo; o contorno é um polígono.",
-            ),
+            [
+                Text::new(
+                    "Phong's shading with the ball's own normals: within, all is round.",
+                    "O sombreamento de Phong com as normais da própria bola: por dentro tudo é redondo.",
+                ),
+                Text::new("Its outline is a polygon.", "O contorno é um polígono."),
+            ],
             coarse,
         ),
-        Shot::new(
+        Shot::difference(
             "lacking",
-            Role::Difference,
             Text::new("what is lacking", "o que falta"),
             Text::new(
-                "Yellow where the ball covers the picture and the polygons do not: a sickle over every side.",
-                "Amarelo onde a bola cobre a imagem e os polígonos não: uma foice sobre cada lado.",
+                "Yellow where the ball covers the picture and the polygons do not: a sickle over every side, as thin as the polygons \
+                 are fine.",
+                "Amarelo onde a bola cobre a imagem e os polígonos não: uma foice sobre cada lado, tão fina quanto os polígonos.",
             ),
             lacking,
         ),
-        Shot::new(
+        of_ball.cured_shot(
             "ball-fine",
-            Role::Cured,
-            label("ball", "bola", enough),
-            Text::new(
-                "As many segments as it takes for half a pixel: the outline is round to the eye.",
-                "Tantos segmentos quantos bastam para meio pixel: o contorno é redondo para o olho.",
-            ),
-            ball.picture(enough)?,
+            label("ball", "bola", fine),
+            [
+                Text::new(
+                    "At least as many segments as the closed form asks for half a pixel, and twice as many as before.",
+                    "Ao menos tantos segmentos quantos a fórmula pede para meio pixel, e o dobro de antes.",
+                ),
+                Text::new(
+                    "The outline is round to the eye; what is measured has the outlines' own pixels in it.",
+                    "O contorno é redondo para o olho; o que se mede contém os pixels dos próprios contornos.",
+                ),
+            ],
+            ball.picture(fine)?,
         ),
-        Shot::new(
+        Shot::truth(
             "ball-itself",
-            Role::Truth,
             Text::new("the ball itself", "a própria bola"),
-            Text::new(
-                "The ball by its equation, a ray a sample.",
-                "A bola pela sua equação, um raio por amostra.",
-            ),
+            Text::new("The ball by its equation, a ray a sample.", "A bola pela sua equação, um raio por amostra."),
             round,
         ),
-        Shot::new(
+        of_torus.bad_shot(
             "torus",
-            Role::Bad,
             label("torus", "toro", segments),
-            Text::new(
-                "A torus along its axis: outside as inside the outline is a polygon.",
-                "Um toro visto ao longo do eixo: por fora como por dentro o contorno é um polígono.",
-            ),
+            [
+                Text::new("A torus along its axis.", "Um toro visto ao longo do eixo."),
+                Text::new(
+                    "Outside as inside the outline is a polygon.",
+                    "Por fora como por dentro o contorno é um polígono.",
+                ),
+            ],
             torus.picture(segments)?,
         ),
-        Shot::new(
+        of_torus.cured_shot(
             "torus-fine",
-            Role::Cured,
-            label("torus", "toro", enough),
-            Text::new(
-                "The torus with enough segments for half a pixel.",
-                "O toro com segmentos bastantes para meio pixel.",
-            ),
-            torus.picture(enough)?,
+            label("torus", "toro", fine),
+            [
+                Text::new("The torus with as many segments as the finer ball.", "O toro com tantos segmentos quanto a bola mais fina."),
+                Text::new("It is round to the eye.", "É redondo para o olho."),
+            ],
+            torus.picture(fine)?,
         ),
     ])
 }

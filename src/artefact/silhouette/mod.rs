@@ -52,7 +52,7 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
     takes: &[Knob::Size, Knob::Segments, Knob::Light, Knob::Crease, Knob::Mesh],
     own_mesh: Some(Text::new(
         "its outline against that of --finer FILE, or of itself in curved triangles",
-        "o seu contorno contra o de --finer FILE, ou o dela mesma em triângulos curvos",
+        "o seu contorno contra o de --finer ARQUIVO, ou o dela mesma em triângulos curvos",
     )),
     // More would be hardly larger than pixels.
     segments: 3..=256,

@@ -2,12 +2,12 @@
 
 use super::super::own_mesh::{Room, camera, light_from};
 use super::super::{
-    ArtefactError, Language, Measure, Moved, Outcome, Parameters, Role, Shot, Text, Threshold, UserMesh,
-    Verdict,
+    ArtefactError, Language, Measure, Moved, Outcome, Parameters, Shot, Text, Threshold, UserMesh, Verdict,
 };
 use super::curved::curved;
 use super::{View, between, material};
 use crate::mesh::Mesh;
+use crate::metric::MetricError;
 use crate::normals::{Crease, NormalRecipe, compute};
 use crate::num::Degrees;
 use crate::raster::{Object, Shading, Shape};
@@ -19,6 +19,16 @@ const TRUTH: u32 = 8;
 const MOST_TRIANGLES: usize = 1 << 21;
 
 pub(super) fn run(own: &UserMesh, parameters: &Parameters) -> Result<Outcome, ArtefactError> {
+    measure(own, parameters).map_err(|error| match error {
+        ArtefactError::Metric(MetricError::Empty) => ArtefactError::Mesh {
+            found: format!("`{}` covers no pixel of a picture of {} pixels", own.name, parameters.size),
+            advice: "give a larger picture (--size), or a mesh that is not seen from its edge",
+        },
+        other => other,
+    })
+}
+
+fn measure(own: &UserMesh, parameters: &Parameters) -> Result<Outcome, ArtefactError> {
     let &Parameters { size, light, crease, .. } = parameters;
     let room = Room::of(own)?;
     let recipe = NormalRecipe { crease: Crease::Angle(crease), ..NormalRecipe::default() };
@@ -47,7 +57,28 @@ pub(super) fn run(own: &UserMesh, parameters: &Parameters) -> Result<Outcome, Ar
     let told = told(own, parts);
     let sharp = Sharp { edges: field.summary.edges.crease, crease };
     let is_off = of_coarse.hausdorff > Threshold::HALF_PIXEL.value;
-    let measure = |en, pt, unit, value| Measure::new(Text::new(en, pt), unit, value);
+    let number = |en, pt, unit, value| Measure::new(Text::new(en, pt), unit, value);
+    let moved = Moved {
+        name: Text::new("largest distance of the outline", "maior distância do contorno"),
+        unit: "px",
+        bad: of_coarse.hausdorff,
+        present: Threshold::HALF_PIXEL,
+        cure: Text::made(
+            format!("curved triangles, every edge cut into {CURE}"),
+            format!("triângulos curvos, cada aresta cortada em {CURE}"),
+        ),
+        cured: of_cured.hausdorff,
+        factor: 2.0,
+    };
+    let is_beside = own.finer.is_some() && moved.is_present() && !moved.is_cured();
+    let control_mesh = is_beside.then_some(Text::new(
+        "Curved triangles leave the mesh's vertices where they are. If this is the control mesh of a subdivision surface, they do \
+         not lie on that surface, so that no curve through them is its outline: what helps is to subdivide it, or to move its \
+         vertices to where the subdivision brings them.",
+        "Triângulos curvos deixam os vértices da malha onde estão. Se esta é a malha de controle de uma superfície de subdivisão, eles \
+         não estão nessa superfície, e nenhuma curva por eles é o seu contorno: o que ajuda é subdividi-la, ou mover os vértices para \
+         onde a subdivisão os leva.",
+    ));
     Ok(Outcome {
         verdict: match (is_off, own.finer) {
             (true, _) => Verdict::Holds(Text::each(|language| {
@@ -65,45 +96,33 @@ pub(super) fn run(own: &UserMesh, parameters: &Parameters) -> Result<Outcome, Ar
             )),
             (false, None) => Verdict::Absent(sharp.advice()),
         },
-        moved: Moved {
-            name: Text::new("largest distance of the outline", "maior distância do contorno"),
-            unit: "px",
-            bad: of_coarse.hausdorff,
-            present: Threshold::HALF_PIXEL,
-            cure: Text::made(
-                format!("curved triangles, every edge cut into {CURE}"),
-                format!("triângulos curvos, cada aresta cortada em {CURE}"),
-            ),
-            cured: of_cured.hausdorff,
-            factor: 2.0,
-        },
         measures: vec![
-            measure(
+            number(
                 "largest distance of the outline",
                 "maior distância do contorno",
                 "px",
                 of_coarse.hausdorff,
             ),
-            measure("mean distance of the outline", "distância média do contorno", "px", of_coarse.mean),
-            measure(
-                "area over that of the finer mesh",
-                "área sobre a da malha mais fina",
+            number("mean distance of the outline", "distância média do contorno", "px", of_coarse.mean),
+            number(
+                "area over that of what it is held against",
+                "área sobre a daquilo com que é comparada",
                 "",
                 of_coarse.area_ratio,
             ),
-            measure(
+            number(
                 "curved triangles: largest distance of the outline",
                 "triângulos curvos: maior distância do contorno",
                 "px",
                 of_cured.hausdorff,
             ),
-            measure(
+            number(
                 "curved triangles: mean distance of the outline",
                 "triângulos curvos: distância média do contorno",
                 "px",
                 of_cured.mean,
             ),
-            measure(
+            number(
                 "edges would have to be so many times shorter for half a pixel",
                 "as arestas teriam de ser tantas vezes mais curtas para meio pixel",
                 "",
@@ -111,40 +130,51 @@ pub(super) fn run(own: &UserMesh, parameters: &Parameters) -> Result<Outcome, Ar
             ),
         ],
         shots: vec![
-            Shot::new(
+            moved.bad_shot(
                 "own",
-                Role::Bad,
                 Text::new("the mesh", "a malha"),
-                Text::new(
-                    "The mesh as it is, with Phong's shading.",
-                    "A malha como ela é, com o sombreamento de Phong.",
-                ),
+                [
+                    Text::new(
+                        "The mesh as it is, with Phong's shading.",
+                        "A malha como ela é, com o sombreamento de Phong.",
+                    ),
+                    Text::new("Its outline is off.", "O seu contorno erra."),
+                ],
                 coarse,
             ),
-            Shot::new(
+            Shot::difference(
                 "lacking",
-                Role::Difference,
                 Text::new("between the outlines", "entre os contornos"),
-                Text::new(
-                    "Yellow where only one of the two covers the picture, the mesh or the finer one.",
-                    "Amarelo onde só uma das duas cobre a imagem, a malha ou a mais fina.",
-                ),
+                match own.finer {
+                    Some(_) => Text::new(
+                        "Yellow where only one of the two covers the picture, the mesh or the finer one.",
+                        "Amarelo onde só uma das duas cobre a imagem, a malha ou a mais fina.",
+                    ),
+                    None => Text::new(
+                        "Yellow where only one of the two covers the picture, the mesh or its own curved triangles.",
+                        "Amarelo onde só uma das duas cobre a imagem, a malha ou os seus próprios triângulos curvos.",
+                    ),
+                },
                 lacking,
             ),
-            Shot::new(
+            moved.cured_shot(
                 "own-curved",
-                Role::Cured,
                 Text::new("curved triangles", "triângulos curvos"),
-                Text::new(
-                    "The same mesh in curved triangles that its normals determine.",
-                    "A mesma malha em triângulos curvos que as suas normais determinam.",
-                ),
+                [
+                    Text::new(
+                        "The same mesh in curved triangles that its normals determine.",
+                        "A mesma malha em triângulos curvos que as suas normais determinam.",
+                    ),
+                    Text::new("Its outline comes closer.", "O seu contorno se aproxima."),
+                ],
                 cured,
             ),
-            Shot::new(
+            Shot::truth(
                 "finer",
-                Role::Truth,
-                Text::new("the finer mesh", "a malha mais fina"),
+                match own.finer {
+                    Some(_) => Text::new("the finer mesh", "a malha mais fina"),
+                    None => Text::new("what it is held against", "aquilo com que é comparada"),
+                },
                 Text::new(
                     "What the outlines are held against.",
                     "Aquilo com que os contornos são comparados.",
@@ -152,8 +182,9 @@ pub(super) fn run(own: &UserMesh, parameters: &Parameters) -> Result<Outcome, Ar
                 truth,
             ),
         ],
+        moved,
         charts: Vec::new(),
-        notes: vec![told],
+        notes: [Some(told), control_mesh].into_iter().flatten().collect(),
     })
 }
 

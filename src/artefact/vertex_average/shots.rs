@@ -2,10 +2,10 @@
 
 use super::super::own_mesh::{camera, light_from};
 use super::super::stage::{chalk, differences, draw, map, object, settings, smooth};
-use super::super::{ArtefactError, Language, Role, Shot, Text};
+use super::super::{ArtefactError, Language, Moved, Shot, Text};
 use super::cuts::{CUTS, cut_box};
 use super::specimen::{Look, Specimen};
-use super::{FLAT, LONG, MEANS, ROUND};
+use super::{FLAT, LONG, MEANS, ROUND, Shown};
 use crate::normals::Weight;
 use crate::raster::{Image, Interpolation, Shading, Show};
 use glam::DVec3;
@@ -17,12 +17,12 @@ const FULL_ANGLE: f64 = 5.0;
 pub(super) fn all(
     weight: Weight,
     look: &Look,
-    torus: &Specimen,
-    ball: &Specimen,
+    [torus, ball]: [&Specimen; 2],
+    shown: &Shown,
 ) -> Result<Vec<Shot>, ArtefactError> {
-    let mut shots = of_boxes(weight, look)?;
-    shots.extend(of_ball(weight, ball)?);
-    shots.extend(of_torus(weight, torus)?);
+    let mut shots = of_boxes(weight, look, shown)?;
+    shots.extend(of_ball(weight, ball, shown)?);
+    shots.extend(of_torus(weight, torus, &shown.torus)?);
     Ok(shots)
 }
 
@@ -36,139 +36,156 @@ fn label(what: [&str; 2], weight: Weight) -> Text {
     })
 }
 
-fn of_boxes(weight: Weight, look: &Look) -> Result<Vec<Shot>, ArtefactError> {
+fn of_boxes(weight: Weight, look: &Look, shown: &Shown) -> Result<Vec<Shot>, ArtefactError> {
+    let Shown { cube, long, .. } = shown;
     let (one, other) = (cut(DVec3::ONE, 0, weight, look)?, cut(DVec3::ONE, CUTS - 1, weight, look)?);
     let between = map(one.size, &differences(&one, &other), FULL_LIGHT);
     Ok(vec![
-        Shot::new(
+        cube.bad_shot(
             "cube-1",
-            Role::Bad,
             label(["cube cut one way", "cubo cortado de um modo"], weight),
-            Text::new(
-                "The cube smoothed, its faces cut along one diagonal: some corners lean to one side.",
-                "O cubo alisado, as faces cortadas por uma diagonal: alguns cantos se inclinam para um lado.",
-            ),
+            [
+                Text::new(
+                    "The cube smoothed, its faces cut along one diagonal.",
+                    "O cubo alisado, as faces cortadas por uma diagonal.",
+                ),
+                Text::new("Some corners lean to one side.", "Alguns cantos se inclinam para um lado."),
+            ],
             one,
         ),
-        Shot::new(
+        cube.bad_shot(
             "cube-2",
-            Role::Bad,
             label(["cut the other way", "cortado do outro modo"], weight),
-            Text::new(
-                "The same cube with all faces cut along the other diagonal: light and shadow are elsewhere.",
-                "O mesmo cubo com todas as faces cortadas pela outra diagonal: luz e sombra estão em outro lugar.",
-            ),
+            [
+                Text::new(
+                    "The same cube with all faces cut along the other diagonal.",
+                    "O mesmo cubo com todas as faces cortadas pela outra diagonal.",
+                ),
+                Text::new("Light and shadow are elsewhere.", "Luz e sombra estão em outro lugar."),
+            ],
             other,
         ),
-        Shot::new(
+        Shot::difference(
             "cube-difference",
-            Role::Difference,
             Text::new("between both", "entre os dois"),
-            Text::made(
-                format!(
-                    "How far both pictures differ: violet 0, yellow {FULL_LIGHT} of the full range and more."
-                ),
-                "Quanto as duas imagens diferem: violeta 0, amarelo 0,3 da faixa ou mais.".to_owned(),
+            Text::with(
+                "How far both pictures differ: violet 0, yellow {} of the full range and more.",
+                "Quanto as duas imagens diferem: violeta 0, amarelo {} da faixa ou mais.",
+                &[FULL_LIGHT],
             ),
             between,
         ),
-        Shot::new(
+        cube.cured_shot(
             "cube-angle",
-            Role::Cured,
             label(["cube", "cubo"], FLAT),
-            Text::new(
-                "Weights by the angle: every corner has the diagonal for its normal, however the faces are cut.",
-                "Pesos pelo ângulo: cada canto tem a diagonal como normal, sejam como forem cortadas as faces.",
-            ),
+            [
+                Text::new("Weights by the angle.", "Pesos pelo ângulo."),
+                Text::new(
+                    "Every corner has the diagonal for its normal, however the faces are cut.",
+                    "Cada canto tem a diagonal como normal, sejam como forem cortadas as faces.",
+                ),
+            ],
             cut(DVec3::ONE, 0, FLAT, look)?,
         ),
-        Shot::new(
+        long.bad_shot(
             "box-max",
-            Role::Bad,
             label(["box", "caixa"], ROUND),
-            Text::new(
-                "The box of 1 × 1 × 10 with Max' weights: normals lean towards the small faces at the ends, 46.7° off, and the long faces look \
-                 bent.",
-                "A caixa de 1 × 1 × 10 com os pesos de Max: as normais se inclinam para as faces pequenas das pontas, com erro de 46,7°, e \
-                 as faces longas parecem curvas.",
-            ),
+            [
+                Text::new("The box of 1 × 1 × 10 with Max' weights.", "A caixa de 1 × 1 × 10 com os pesos de Max."),
+                Text::new(
+                    "Normals lean towards the small faces at the ends, and the long faces look bent.",
+                    "As normais se inclinam para as faces pequenas das pontas, e as faces longas parecem curvas.",
+                ),
+            ],
             cut(LONG, 0, ROUND, look)?,
         ),
-        Shot::new(
+        long.cured_shot(
             "box-angle",
-            Role::Cured,
             label(["box", "caixa"], FLAT),
-            Text::new(
-                "The box with weights by the angle: each of the three faces at a corner counts alike.",
-                "A caixa com pesos pelo ângulo: cada uma das três faces num canto conta igual.",
-            ),
+            [
+                Text::new("The box with weights by the angle.", "A caixa com pesos pelo ângulo."),
+                Text::new(
+                    "Each of the three faces at a corner counts alike.",
+                    "Cada uma das três faces num canto conta igual.",
+                ),
+            ],
             cut(LONG, 0, FLAT, look)?,
         ),
     ])
 }
 
-fn of_ball(weight: Weight, ball: &Specimen) -> Result<Vec<Shot>, ArtefactError> {
+fn of_ball(weight: Weight, ball: &Specimen, shown: &Shown) -> Result<Vec<Shot>, ArtefactError> {
     let of = ["slivers", "lascas"];
+    let slivers = &shown.slivers;
+    let by_angle = Moved { bad: shown.slivers_by_angle, ..slivers.clone() };
     Ok(vec![
-        Shot::new(
+        slivers.bad_shot(
             "slivers",
-            Role::Bad,
             label(of, weight),
-            Text::new(
-                "A ball of which every other row of triangles is twelve times narrower: the rows show as bands, the highlight is torn.",
-                "Uma bola em que uma fileira de triângulos sim, outra não, é doze vezes mais estreita: as fileiras aparecem como faixas, o \
-                 brilho se rasga.",
-            ),
+            [
+                Text::new(
+                    "A ball of which every other row of triangles is twelve times narrower.",
+                    "Uma bola em que uma fileira de triângulos sim, outra não, é doze vezes mais estreita.",
+                ),
+                Text::new("The rows show as bands in the light.", "As fileiras aparecem como faixas na luz."),
+            ],
             ball.picture(weight)?,
         ),
-        Shot::new(
+        by_angle.bad_shot(
             "slivers-angle",
-            Role::Bad,
             label(of, FLAT),
-            Text::new(
-                "Weights by the angle do not help here: a sliver between two vertices has as large an angle as a wide triangle.",
-                "Pesos pelo ângulo não ajudam aqui: uma lasca entre dois vértices tem um ângulo tão grande quanto um triângulo largo.",
-            ),
+            [
+                Text::new("Weights by the angle do not help here.", "Pesos pelo ângulo não ajudam aqui."),
+                Text::new(
+                    "A sliver between two vertices has as large an angle as a wide triangle.",
+                    "Uma lasca entre dois vértices tem um ângulo tão grande quanto um triângulo largo.",
+                ),
+            ],
             ball.picture(FLAT)?,
         ),
-        Shot::new(
+        by_angle.cured_shot(
             "slivers-max",
-            Role::Cured,
             label(of, ROUND),
-            Text::new(
-                "Max' weights on the same triangles: exact at every vertex of a sphere, and round between them.",
-                "Os pesos de Max nos mesmos triângulos: exatos em cada vértice de uma esfera, e redondos entre eles.",
-            ),
+            [
+                Text::new("Max' weights on the same triangles.", "Os pesos de Max nos mesmos triângulos."),
+                Text::new(
+                    "They are exact at every vertex of a sphere, and round between them.",
+                    "São exatos em cada vértice de uma esfera, e redondos entre eles.",
+                ),
+            ],
             ball.picture(ROUND)?,
         ),
         error_map("slivers-error", of, ball, weight)?,
     ])
 }
 
-fn of_torus(weight: Weight, torus: &Specimen) -> Result<Vec<Shot>, ArtefactError> {
+fn of_torus(weight: Weight, torus: &Specimen, moved: &Moved) -> Result<Vec<Shot>, ArtefactError> {
     let of = ["irregular torus", "toro irregular"];
     Ok(vec![
-        Shot::new(
+        moved.bad_shot(
             "torus",
-            Role::Bad,
             label(of, weight),
-            Text::new(
-                "A torus of triangles cut at random: the highlights are blotchy.",
-                "Um toro de triângulos cortados ao acaso: os brilhos ficam manchados.",
-            ),
+            [
+                Text::new("A torus of triangles cut at random.", "Um toro de triângulos cortados ao acaso."),
+                Text::new("The light is uneven.", "A luz é irregular."),
+            ],
             torus.picture(weight)?,
         ),
-        Shot::new(
+        moved.cured_shot(
             "torus-max",
-            Role::Cured,
             label(of, ROUND),
-            Text::new("The same triangles with Max' weights.", "Os mesmos triângulos com os pesos de Max."),
+            [
+                Text::new(
+                    "The same triangles with Max' weights.",
+                    "Os mesmos triângulos com os pesos de Max.",
+                ),
+                Text::new("The light is more even.", "A luz é mais regular."),
+            ],
             torus.picture(ROUND)?,
         ),
         error_map("torus-error", of, torus, weight)?,
-        Shot::new(
+        Shot::truth(
             "torus-itself",
-            Role::Truth,
             Text::new("the torus itself", "o próprio toro"),
             Text::new(
                 "The torus with its own normal at every pixel.",
@@ -192,7 +209,7 @@ fn error_map(
         ),
     );
     let label = Text::made(format!("{en}, error"), format!("{pt}, erro"));
-    Ok(Shot::new(name, Role::Difference, label, caption, specimen.error_map(weight, FULL_ANGLE)?))
+    Ok(Shot::difference(name, label, caption, specimen.error_map(weight, FULL_ANGLE)?))
 }
 
 /// A box whose corners are smoothed.

@@ -109,7 +109,7 @@ pub struct ParameterArgs {
     #[arg(long, value_name = "DEG")]
     pub crease: Option<f64>,
 
-    /// How values at corners spread over faces
+    /// How values at corners spread over faces in the animation of `orientation`; its pictures show every way
     #[arg(long, value_name = "HOW", value_parser = Choices(INTERPOLATIONS))]
     pub interpolation: Option<Interpolation>,
 }

@@ -37,6 +37,12 @@ pub fn main(args: &ArtefactArgs, color: Color) -> Exit {
         return if console.has_reported() { Exit::Done } else { Exit::OutputFailed };
     }
     left_out.iter().for_each(|(experiment, why)| leave_out(args, experiment, why, &console));
+    if args.parameters.interpolation.is_some()
+        && args.animate.is_none()
+        && console.verbosity > Verbosity::Quiet
+    {
+        console.note("--interpolation is that of the animation only: pictures and numbers show every way; --animate FILE draws it");
+    }
     let result = guarded(|| work(args, &experiments, &console));
     match result {
         Err(failure) => {

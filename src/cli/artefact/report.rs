@@ -22,6 +22,10 @@
 //! A measure has `name`, `unit` and `value`; where something is known about it `expected`, which has `value` and `tolerance` or, of
 //! a bound, `at_most`, and `by`; with it `agrees`; where nothing is known with these parameters `beyond`, which says why.
 //!
+//! A shot has `name`, `role` (`bad`, `cured`, `attempt`: a cure that does too little, `absent`: no artefact is measured,
+//! `difference`, `truth`), `label`, `caption` and `size`; all but the last two roles have `measured`, which the role follows from:
+//! `name`, `unit`, `value`, and `present`, the value from which on the artefact is seen.
+//!
 //! Texts are objects with `en` and `pt`. Nothing but `seconds` differs from run to run. `list` has the members up to `own_mesh`,
 //! and `parameters` as they are by default.
 

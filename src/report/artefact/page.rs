@@ -37,7 +37,7 @@ pub fn experiment_page(
     page.heading(words::PICTURES.get(language));
     page.raw("<div class=\"shots\">\n");
     for shot in &outcome.shots {
-        page.raw(&figure(experiment, outcome, shot, language)?);
+        page.raw(&figure(experiment, shot, language)?);
     }
     page.raw("</div>\n");
     page.heading(words::MOVED.get(language));
@@ -51,13 +51,20 @@ pub fn experiment_page(
         let plot = chart_plot(chart, language);
         page.drawing(chart.name, chart.caption.get(language), |id| plot.svg(id));
     }
+    // On paper the command does not stand alone on a page.
+    page.raw("<div class=\"end\">\n");
     page.heading(words::EXPLAINED.get(language));
     outcome.notes.iter().for_each(|note| page.paragraph(note.get(language)));
     page.heading(words::REPRODUCE.get(language));
     page.paragraph(words::COMMAND.get(language));
-    page.raw(&format!("<pre><code>{}</code></pre>\n", escape_html(&experiment.command(setup, language))));
+    let command = escape_html(&experiment.command(setup, language)).into_owned();
+    page.raw(&format!("<pre><code>{command}</code></pre>\n</div>\n"));
     Ok(page.finish())
 }
+
+/// What thumbnails show: the first picture of each.
+const THUMBNAILS: [&[Role]; 3] =
+    [&[Role::Bad, Role::Absent], &[Role::Cured, Role::Attempt], &[Role::Difference]];
 
 /// The index of some experiments, with thumbnails: the artefact, its cure, and what lies between them where that is drawn.
 ///
@@ -67,8 +74,8 @@ pub fn index_page(found: &[(&Experiment, &Outcome)], language: Language) -> Resu
     let mut page = page(words::LABORATORY.get(language), words::LEAD.get(language), language);
     page.raw("<div class=\"cards\">\n");
     for (experiment, outcome) in found {
-        let thumbnails = [Role::Bad, Role::Cured, Role::Difference].into_iter().filter_map(|role| {
-            let shot = outcome.shots.iter().find(|shot| shot.role == role)?;
+        let thumbnails = THUMBNAILS.iter().filter_map(|roles| {
+            let shot = outcome.shots.iter().find(|shot| roles.contains(&shot.role))?;
             Some(super::super::html::image(&thumbnail(&shot.image), shot.caption.get(language)))
         });
         let thumbnails: Vec<String> = thumbnails.collect::<Result<_, _>>()?;
@@ -108,15 +115,10 @@ fn verdict(outcome: &Outcome, language: Language) -> String {
     format!("<p class=\"verdict\"><strong>{name}</strong>: {condition}</p>\n")
 }
 
-fn figure(
-    experiment: &Experiment,
-    outcome: &Outcome,
-    shot: &Shot,
-    language: Language,
-) -> Result<String, ReportError> {
+fn figure(experiment: &Experiment, shot: &Shot, language: Language) -> Result<String, ReportError> {
     let picture = Picture::from(shot.image.clone());
     let image = super::super::html::image(&picture, shot.caption.get(language))?;
-    let role = words::role(shot.role, &outcome.moved);
+    let role = words::role(shot.role);
     let [role, label, caption] = [&role, &shot.label, &shot.caption].map(|text| running(text.get(language)));
     let file = picture_name(experiment, shot.name);
     Ok(format!(

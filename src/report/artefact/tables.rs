@@ -1,6 +1,6 @@
 //! Tables and sentences.
 
-use super::words::{self, quantity};
+use super::words;
 use crate::artefact::{EXPERIMENTS, Expected, Language, Measure, Outcome, Range, Verdict};
 use crate::report::Table;
 
@@ -12,12 +12,12 @@ pub fn measure_table(outcome: &Outcome, language: Language) -> Table {
     for measure in &outcome.measures {
         let Measure { name, unit, value, expected, beyond } = measure;
         let nothing = || words::NOTHING.get(language).to_owned();
-        let mut row = vec![name.get(language).to_owned(), quantity(*value, unit, language)];
+        let mut row = vec![name.get(language).to_owned(), language.quantity(*value, unit)];
         if let Some(expected) = expected {
             let agrees = if measure.agrees() == Some(true) { words::YES } else { words::NO };
             let (wanted, within) = match expected.range {
                 Range::Near { value, tolerance } => {
-                    (quantity(value, unit, language), language.number(tolerance))
+                    (language.quantity(value, unit), language.number(tolerance))
                 }
                 Range::AtMost { .. } => (words::wanted(expected.range, unit, language), nothing()),
             };
@@ -40,7 +40,7 @@ pub fn misses(outcome: &Outcome, language: Language) -> Vec<String> {
     let missed = outcome.measures.iter().filter(|measure| measure.agrees() == Some(false));
     let sentence = |Measure { name, unit, value, expected, .. }: &Measure| {
         let Expected { range, by } = expected.as_ref()?;
-        let (found, wanted) = (quantity(*value, unit, language), words::wanted(*range, unit, language));
+        let (found, wanted) = (language.quantity(*value, unit), words::wanted(*range, unit, language));
         Some(words::miss([name.get(language), &found, &wanted, by.get(language)], language))
     };
     missed.filter_map(sentence).collect()
@@ -72,7 +72,7 @@ pub fn verdict_text(outcome: &Outcome, language: Language) -> [String; 2] {
     };
     let condition = outcome.verdict.condition().get(language);
     let condition = match &outcome.verdict {
-        Verdict::Absent(_) => words::absent(&outcome.moved, condition, language),
+        Verdict::Absent(_) => words::absent(outcome, condition, language),
         _ if !outcome.moved.is_cured() => format!("{condition} {}", words::uncured(&outcome.moved, language)),
         _ => condition.to_owned(),
     };

@@ -1,6 +1,6 @@
 //! What pages say beside what experiments say.
 
-use crate::artefact::{Language, Moved, Range, Role, Text};
+use crate::artefact::{Language, Moved, Outcome, Range, Role, Text};
 
 pub(super) const LABORATORY: Text = Text::new("The artefact laboratory", "O laboratório de artefatos");
 pub(super) const LEAD: Text = Text::new(
@@ -42,12 +42,13 @@ pub(super) const OPTIONS: Text = Text::new("options", "opções");
 pub(super) const OWN_MESH: Text = Text::new("of a mesh of your own (--mesh)", "de uma malha sua (--mesh)");
 pub(super) const EXPERIMENTS: Text = Text::new("Experiments", "Experimentos");
 
-/// What a picture is there for. Where the cure fails its pictures are but attempts.
-pub(super) fn role(role: Role, moved: &Moved) -> Text {
+/// What a picture shows.
+pub(super) fn role(role: Role) -> Text {
     match role {
         Role::Bad => Text::new("artefact", "artefato"),
-        Role::Cured if !moved.is_cured() => Text::new("attempted cure", "tentativa de cura"),
         Role::Cured => Text::new("cured", "curado"),
+        Role::Attempt => Text::new("attempted cure", "tentativa de cura"),
+        Role::Absent => Text::new("no artefact measured", "nenhum artefato medido"),
         Role::Difference => Text::new("difference", "diferença"),
         Role::Truth => Text::new("truth", "verdade"),
     }
@@ -84,17 +85,33 @@ fn capitalised(text: &str) -> String {
     signs.next().map_or(String::new(), |first| first.to_uppercase().chain(signs).collect())
 }
 
-/// Why nothing is seen, and what would show it.
-pub(super) fn absent(moved: &Moved, shown_by: &str, language: Language) -> String {
-    let Told { name, bad, from, why, .. } = told(moved, language);
-    match language {
-        Language::English => {
+/// Why nothing is seen, what would show it, and which pictures show it all the same, being of conditions of their own.
+pub(super) fn absent(outcome: &Outcome, shown_by: &str, language: Language) -> String {
+    let Told { name, bad, from, why, .. } = told(&outcome.moved, language);
+    let mut said = match (language, outcome.moved.is_present()) {
+        (Language::English, false) => {
             format!("{name} is {bad}, and from {from} on it would be seen ({why}); {shown_by}")
         }
-        Language::Portuguese => {
+        (Language::Portuguese, false) => {
             format!("{name} é {bad}, e a partir de {from} isso se veria ({why}); {shown_by}")
         }
+        (Language::English, true) => {
+            format!("with these parameters the pictures do not show it ({name}: {bad}); {shown_by}")
+        }
+        (Language::Portuguese, true) => {
+            format!("com estes parâmetros as imagens não o mostram ({name}: {bad}); {shown_by}")
+        }
+    };
+    let shown = outcome.shots.iter().filter(|shot| shot.role == Role::Bad);
+    let shown: Vec<&str> = shown.map(|shot| shot.label.get(language)).collect();
+    if !shown.is_empty() {
+        let all_the_same = match language {
+            Language::English => "These pictures show something of it all the same",
+            Language::Portuguese => "Estas imagens mostram algo dele mesmo assim",
+        };
+        said.push_str(&format!(" {all_the_same}: {}.", shown.join("; ")));
     }
+    said
 }
 
 /// That the cure did too little.
@@ -124,7 +141,7 @@ struct Told<'a> {
 }
 
 fn told(moved: &Moved, language: Language) -> Told<'_> {
-    let of = |x| quantity(x, moved.unit, language);
+    let of = |x| language.quantity(x, moved.unit);
     Told {
         name: moved.name.get(language),
         bad: of(moved.bad),
@@ -146,13 +163,13 @@ fn told(moved: &Moved, language: Language) -> Told<'_> {
 pub(super) fn wanted(range: Range, unit: &str, language: Language) -> String {
     match (range, language) {
         (Range::Near { value, tolerance }, _) => {
-            format!("{} ± {}", quantity(value, unit, language), quantity(tolerance, unit, language))
+            format!("{} ± {}", language.quantity(value, unit), language.quantity(tolerance, unit))
         }
         (Range::AtMost { at_most }, Language::English) => {
-            format!("at most {}", quantity(at_most, unit, language))
+            format!("at most {}", language.quantity(at_most, unit))
         }
         (Range::AtMost { at_most }, Language::Portuguese) => {
-            format!("no máximo {}", quantity(at_most, unit, language))
+            format!("no máximo {}", language.quantity(at_most, unit))
         }
     }
 }
@@ -165,16 +182,10 @@ pub(super) fn miss([name, found, wanted, by]: [&str; 4], language: Language) -> 
     }
 }
 
-/// A number with its unit.
-pub(super) fn quantity(x: f64, unit: &str, language: Language) -> String {
-    let space = if unit.is_empty() || unit == "°" { "" } else { " " };
-    format!("{}{space}{unit}", language.number(x))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::artefact::{Measure, Outcome, Threshold, Verdict};
+    use crate::artefact::{Measure, Threshold, Verdict};
     use crate::report::{measure_table, misses};
 
     fn vanished() -> Moved {
@@ -236,7 +247,7 @@ mod tests {
 
     #[test]
     fn units_stand_apart_from_numbers() {
-        assert_eq!(quantity(70.5, "°", Language::Portuguese), "70,5°");
-        assert_eq!(quantity(3.0, "px", Language::English), "3 px");
+        assert_eq!(Language::Portuguese.quantity(70.5, "°"), "70,5°");
+        assert_eq!(Language::English.quantity(3.0, "px"), "3 px");
     }
 }

@@ -1,14 +1,15 @@
 //! What rounding of positions and normals does to a highlight.
 
+mod needles;
+
 use super::body::{Body, Diagonal};
 use super::stage::{draw, front, settings};
 use super::{
-    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters, Role,
-    Scale, Setup, Shot, Text, Threshold, Verdict,
+    ArtefactError, Experiment, Formula, Knob, Language, Measure, Moved, Outcome, Parameters, Setup, Text,
+    Threshold, Verdict,
 };
 use crate::metric::{NormalDeviation, image_error, normal_deviation};
 use crate::normals::encoding::{Encoding, Snorm};
-use crate::normals::{Scratch, face_normals};
 use crate::num::{Degrees, LinearRgb, Radians, steepest_slope};
 use crate::raster::{Image, Interpolation, Object, RenderSettings, Shading, Shape, Show};
 use crate::shade::{Light, Material, Reflectance};
@@ -20,10 +21,10 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
     id: "precision",
     title: Text::new("Normals of too few digits", "Normais com poucos dígitos"),
     claim: Text::new(
-        "Rounding shows in highlights first: a normal that is off by δ changes diffuse light by δ at most, but a highlight by up to \
-         √(n/e) δ.",
-        "O arredondamento aparece primeiro nos brilhos: uma normal com erro δ muda a luz difusa no máximo por δ, mas um brilho por \
-         até √(n/e) δ.",
+        "Rounding shows in highlights first: a normal that is off by δ changes diffuse light by k_d δ at most, but Blinn's highlight \
+         by up to about k_s √(n/e) δ, and Phong's by twice that, for the mirrored ray turns twice as far as the normal.",
+        "O arredondamento aparece primeiro nos brilhos: uma normal com erro δ muda a luz difusa no máximo por k_d δ, mas o brilho de \
+         Blinn por até cerca de k_s √(n/e) δ, e o de Phong pelo dobro, pois o raio espelhado gira o dobro da normal.",
     ),
     sources: &[
         Text::new(
@@ -71,8 +72,6 @@ const WINDOW: f64 = 0.25;
 const REACH: f64 = 0.16;
 /// How far from the origin the sphere is modelled, in radii.
 const AWAY: f64 = 3e3;
-/// Heights of needles over their lengths.
-const NEEDLES: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 
 fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let Parameters { size, segments, exponent, .. } = setup.parameters;
@@ -109,7 +108,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     // Δ_d ≤ δ and Δ_s ≤ M(n) δ.
     let bound =
         |degrees: f64| (DIFFUSE + SPECULAR * steepest_slope(exponent)) * Radians::from(Degrees(degrees)).0;
-    let [naive, careful] = [0, 1].map(|way| NEEDLES.map(|ratio| [ratio, needle(ratio)[way]]).to_vec());
+    let [naive, careful] = needles::errors();
     let measures = vec![
         Measure::new(
             Text::new("three times 8 bits: mean error at vertices", "três vezes 8 bits: erro médio nos vértices"),
@@ -160,7 +159,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         )
         .at_most(
             // Cosines of two pictures, each rounded to single precision, times n.
-            bound(0.0037) + 1e-5 + 1.2e-7 * exponent,
+            bound(SIXTEEN) + 1e-5 + 1.2e-7 * exponent,
             Text::new(
                 "bound for 0.0037°, the largest error of this code; and single precision, n times as large",
                 "limite para 0,0037°, o maior erro deste código; e precisão simples, n vezes maior",
@@ -183,65 +182,82 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         Measure::new(Text::new("pixels, single precision: mean error", "pixels, precisão simples: erro médio"), "°", of_single.mean),
         Measure::new(Text::new("pixels, far from the origin: mean error", "pixels, longe da origem: erro médio"), "°", of_far.mean),
     ];
+    let moved = Moved {
+        name: Text::new("largest change of the highlight", "maior mudança do brilho"),
+        unit: "",
+        bad: worst_eight,
+        present: Threshold::HALF_STEP,
+        cure: Text::new("normals as twice 16 bits", "normais como duas vezes 16 bits"),
+        cured: worst_sixteen,
+        factor: 20.0,
+    };
+    let far_off = Moved {
+        name: Text::new(
+            "largest change of the light from that of centred positions",
+            "maior mudança da luz em relação à das posições centradas",
+        ),
+        bad: error(&lit_far)?,
+        cured: 0.0,
+        ..moved.clone()
+    };
     Ok(Outcome {
-        verdict: verdict(of_diffuse, of_highlight),
-        moved: Moved {
-            name: Text::new("largest change of the highlight", "maior mudança do brilho"),
-            unit: "",
-            bad: worst_eight,
-            present: Threshold::HALF_STEP,
-            cure: Text::new("normals as twice 16 bits", "normais como duas vezes 16 bits"),
-            cured: worst_sixteen,
-            factor: 20.0,
-        },
-        measures,
+        verdict: verdict([of_diffuse, of_highlight], exponent, [largest, SIXTEEN]),
         shots: vec![
-            Shot::new(
+            moved.bad_shot(
                 "eight-bits",
-                Role::Bad,
                 Text::new("3 × 8 bits a normal", "3 × 8 bits por normal"),
-                Text::new(
-                    "A close look at a sharp highlight, normals rounded to 8 bits a component: it is dented and blotchy.",
-                    "Um brilho nítido visto de perto, normais arredondadas a 8 bits por componente: ele fica amassado e manchado.",
-                ),
+                [
+                    Text::new(
+                        "A highlight seen from close by, normals rounded to 8 bits a component.",
+                        "Um brilho visto de perto, normais arredondadas a 8 bits por componente.",
+                    ),
+                    Text::new("It is dented and blotchy.", "Ele fica amassado e manchado."),
+                ],
                 lit_eight,
             ),
-            Shot::new(
+            moved.cured_shot(
                 "sixteen-bits",
-                Role::Cured,
                 Text::new("2 × 16 bits a normal", "2 × 16 bits por normal"),
-                Text::new(
-                    "The same normals on an octahedron with twice 16 bits, in a byte more: round and smooth.",
-                    "As mesmas normais num octaedro com duas vezes 16 bits, com um byte a mais: redondo e liso.",
-                ),
+                [
+                    Text::new(
+                        "The same normals on an octahedron with twice 16 bits, in a byte more.",
+                        "As mesmas normais num octaedro com duas vezes 16 bits, com um byte a mais.",
+                    ),
+                    Text::new("The dents are all but gone.", "Os amassados quase sumiram."),
+                ],
                 lit_sixteen,
             ),
-            Shot::new(
+            far_off.bad_shot(
                 "far-away",
-                Role::Bad,
                 Text::new("positions far away", "posições distantes"),
-                Text::made(
-                    format!(
-                        "Positions stored in single precision {AWAY} radii from the origin: normals computed from them make the highlight rough."
+                [
+                    Text::made(
+                        format!("Positions stored in single precision {AWAY} radii from the origin."),
+                        format!("Posições guardadas em precisão simples a {AWAY} raios da origem."),
                     ),
-                    format!(
-                        "Posições guardadas em precisão simples a {AWAY} raios da origem: as normais calculadas delas tornam o brilho áspero."
+                    Text::new(
+                        "Normals computed from them make the light rough.",
+                        "As normais calculadas delas tornam a luz áspera.",
                     ),
-                ),
+                ],
                 lit_far,
             ),
-            Shot::new(
+            far_off.cured_shot(
                 "centred",
-                Role::Cured,
                 Text::new("positions centred", "posições centradas"),
-                Text::new(
-                    "The same sphere with positions centred before they were rounded.",
-                    "A mesma esfera com as posições centradas antes de arredondar.",
-                ),
+                [
+                    Text::new(
+                        "The same sphere with positions centred before they were rounded.",
+                        "A mesma esfera com as posições centradas antes de arredondar.",
+                    ),
+                    Text::new("Nothing is rough.", "Nada é áspero."),
+                ],
                 reference,
             ),
         ],
-        charts: vec![chart(naive, careful)],
+        moved,
+        measures,
+        charts: vec![needles::chart(naive, careful)],
         notes: vec![Text::new(
             "Far from the origin no better arithmetic helps: differences of rounded positions are exact, what was lost was lost \
              when they were stored. For needles it does: with plain products the cross product of two nearly parallel edges \
@@ -253,21 +269,42 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     })
 }
 
-/// By the largest changes of diffuse light and of the highlight.
-fn verdict(of_diffuse: f64, of_highlight: f64) -> Verdict {
-    match of_highlight > of_diffuse {
-        true => Verdict::Holds(Text::new(
-            "for small errors. For half a step of 8 bits a highlight with n = 1000 needs normals right to 0.006°: 8 bits a component \
-             miss that by a factor of 65, twice 16 bits keep it.",
-            "para erros pequenos. Para meio passo de 8 bits um brilho com n = 1000 precisa de normais certas até 0,006°: 8 bits por \
-             componente erram isso por um fator de 65, duas vezes 16 bits o cumprem.",
-        )),
-        false => Verdict::Fails(Text::new(
+/// The largest error of a normal on an octahedron with twice 16 bits, in degrees.
+const SIXTEEN: f64 = 0.0037;
+
+/// By the largest changes of diffuse light and of the highlight, and the largest errors of normals of 8 bits and of twice 16, in
+/// degrees.
+fn verdict([of_diffuse, of_highlight]: [f64; 2], exponent: f64, errors: [f64; 2]) -> Verdict {
+    if of_highlight <= of_diffuse {
+        return Verdict::Fails(Text::new(
             "diffuse light changes more here: √(n/e) is the slope where cos^n is steepest, which is out of sight for a highlight so \
              wide.",
             "a luz difusa muda mais aqui: √(n/e) é a inclinação onde cos^n é mais íngreme, o que está fora de vista num brilho tão largo.",
-        )),
+        ));
     }
+    let needed = needed(exponent);
+    Verdict::Holds(Text::each(|language| {
+        let [n, strength] = [exponent, SPECULAR].map(|x| language.number(x));
+        let [eight_times, sixteen_times] = errors.map(|error| language.short(error / needed, ""));
+        let [needed, eight, sixteen] = [needed, errors[0], errors[1]].map(|x| language.short(x, "°"));
+        match language {
+            Language::English => format!(
+                "for small errors. Half a step of 8 bits of this highlight (Blinn's, n = {n}, k_s = {strength}) takes normals right to \
+                 {needed}. 8 bits a component are off by up to {eight} here, {eight_times} times that, twice 16 bits by up to \
+                 {sixteen}, {sixteen_times} times."
+            ),
+            Language::Portuguese => format!(
+                "para erros pequenos. Meio passo de 8 bits deste brilho (de Blinn, n = {n}, k_s = {strength}) pede normais certas até \
+                 {needed}. 8 bits por componente erram aqui até {eight}, {eight_times} vezes isso, duas vezes 16 bits até {sixteen}, \
+                 {sixteen_times} vezes."
+            ),
+        }
+    }))
+}
+
+/// How far a normal may be off, in degrees, for this highlight to change by half a step of 8 bits where it is steepest.
+fn needed(exponent: f64) -> f64 {
+    Degrees::from(Radians(Threshold::HALF_STEP.value / (SPECULAR * steepest_slope(exponent)))).0
 }
 
 /// A unit vector of components of 8 bits: the nearest multiples of 1/127.
@@ -418,75 +455,6 @@ fn angle(a: [f32; 3], b: [f32; 3]) -> f64 {
     Degrees::from(Radians(libm::atan2(a.cross(b).length(), a.dot(b)))).0
 }
 
-/// The error of the normal of a triangle that is so much lower than long, over some positions: by plain single precision, and
-/// as this library computes it; NaN if it refused.
-fn needle(ratio: f64) -> [f64; 2] {
-    let mut worst = [0.0_f64; 2];
-    for k in 0..400 {
-        // Directions that share no digits with the axes.
-        let t = f64::from(k) * 0.618_033_988_749_895;
-        let along = DVec3::new(libm::cos(t), libm::sin(t) * 0.8, libm::sin(t) * 0.6);
-        let aside = along.cross(DVec3::new(0.3, -0.5, 0.81)).normalize();
-        let base = DVec3::new(0.4, -0.7, 0.3) * libm::cos(3.0 * t);
-        let corners = [DVec3::ZERO, along, along * 0.37 + aside * ratio];
-        let positions = corners.map(|p| (base + p).as_vec3().to_array());
-        let [p, q, r] = positions.map(Vec3::from);
-        let truth = {
-            let [p, q, r] = [p, q, r].map(|v| v.as_dvec3());
-            // Differences of single numbers and their products are exact in double precision.
-            (q - p).cross(r - p)
-        };
-        let plain = (q - p).cross(r - p);
-        let mut own = [[0.0_f32; 3]];
-        if face_normals(&positions, &[[0, 1, 2]], &mut Scratch::new(), &mut own).is_err() {
-            return [f64::NAN; 2];
-        }
-        for (worst, found) in worst.iter_mut().zip([plain.as_dvec3(), Vec3::from(own[0]).as_dvec3()]) {
-            let off = libm::atan2(found.cross(truth).length(), found.dot(truth));
-            *worst = worst.max(Degrees::from(Radians(off)).0);
-        }
-    }
-    worst
-}
-
-/// One rounding of a product over the height of the triangle, in degrees: the size of the error of plain arithmetic.
-fn rounding(ratio: f64) -> f64 {
-    Degrees::from(Radians(0.5 * f64::from(f32::EPSILON) / ratio)).0
-}
-
-fn chart(naive: Vec<[f64; 2]>, careful: Vec<[f64; 2]>) -> Chart {
-    let guide = NEEDLES.iter().map(|&ratio| [ratio, rounding(ratio)]).collect();
-    Chart {
-        name: "needles",
-        title: Text::new("Normals of needles", "Normais de agulhas"),
-        caption: Text::new(
-            "Largest error of a triangle's normal against its height over its length, positions in single precision: plain products \
-             lose a digit with each digit of slimness, exact differences of products none.",
-            "Maior erro da normal de um triângulo em função da altura sobre o comprimento, posições em precisão simples: produtos \
-             simples perdem um dígito a cada dígito de finura, diferenças exatas de produtos nenhum.",
-        ),
-        x: Scale::log(Text::new("height over length", "altura sobre comprimento")),
-        y: Scale::log(Text::new("largest error in degrees", "maior erro em graus")),
-        curves: vec![
-            Curve {
-                name: Text::new("plain products", "produtos simples"),
-                drawn: Drawn::Points,
-                points: naive,
-            },
-            Curve {
-                name: Text::new("exact differences of products", "diferenças exatas de produtos"),
-                drawn: Drawn::Points,
-                points: careful,
-            },
-            Curve {
-                name: Text::new("one rounding over r: 2⁻²⁴/r", "um arredondamento sobre r: 2⁻²⁴/r"),
-                drawn: Drawn::Guide,
-                points: guide,
-            },
-        ],
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -518,17 +486,6 @@ mod tests {
         let parameters = Parameters { size: 64, exponent: 1.0, ..EXPERIMENT.defaults };
         let outcome = EXPERIMENT.run(&Setup { parameters, mesh: None }).unwrap();
         assert!(matches!(outcome.verdict, Verdict::Absent(_)), "{:?}", outcome.moved);
-        assert!(matches!(verdict(0.002, 0.001), Verdict::Fails(_)));
-    }
-
-    /// Six products are rounded; the largest error over some hundred directions is of the size of one rounding.
-    #[test]
-    fn needles_cancel_in_plain_arithmetic() {
-        for ratio in [1e-3, 1e-4, 1e-5] {
-            let [naive, careful] = needle(ratio);
-            let size = naive / rounding(ratio);
-            assert!((0.2..6.0).contains(&size), "{ratio}: {naive}");
-            assert!(careful < 6e-6, "{ratio}: {careful}");
-        }
+        assert!(matches!(verdict([0.002, 0.001], 1.0, [0.4, SIXTEEN]), Verdict::Fails(_)));
     }
 }
