@@ -5,7 +5,7 @@ use super::catalogue::{Kind, entries};
 use super::facts::Facts;
 use super::finding::{Element, Finding, Severity, Site};
 use super::gloss::{self, Gloss};
-use super::tally::{Spot, Tallies, Tally, least};
+use super::tally::{Milder, Spot, Tallies, Tally, least};
 use super::turned::{explained_by, largest_turn, taken_back};
 use super::{
     Estimate, Precision, Thresholds, attributes, geometry, key_light_steps, shading, smoothing, stored,
@@ -231,6 +231,8 @@ struct Merged {
     most: u64,
     remark: Option<String>,
     components: u64,
+    /// Components of a lower severity, which are not counted.
+    milder: Milder,
     remedy: Option<String>,
     /// In one of the parts it may be meant.
     may_be_meant: bool,
@@ -248,9 +250,19 @@ impl Merged {
         if tally.count == 0 {
             return;
         }
+        let severity = tally.severity.unwrap_or(Severity::Error);
+        if self.components > 0 && self.severity > Some(severity) {
+            self.milder.add(tally.components, tally.count);
+            return;
+        }
+        if self.components > 0 && self.severity < Some(severity) {
+            self.milder.add(self.components, self.count);
+            *self = Self { of: self.of, all_area: self.all_area, milder: self.milder, ..Self::default() };
+        }
+        self.milder.add(tally.milder.components, tally.milder.count);
         self.count += tally.count;
         self.area += tally.area / (facts.scale * facts.scale);
-        self.severity = self.severity.max(tally.severity.or(Some(Severity::Error)));
+        self.severity = self.severity.max(Some(severity));
         if tally.count > self.most {
             self.most = tally.count;
             (self.remark, self.remedy) = (tally.remark, tally.remedy);
@@ -274,6 +286,16 @@ impl Merged {
             1 => Some(format!("in 1 {what} component")),
             many => Some(format!("in {many} {what} components")),
         };
+        let of_components = of_components.map(|told| match self.milder {
+            Milder { components: 0, .. } => told,
+            Milder { components, count } => {
+                let plural = if components == 1 { "" } else { "s" };
+                format!(
+                    "{told}, against the stored normals; not counted: {components} other{plural} of {count} faces, which no stored \
+                     normals contradict"
+                )
+            }
+        });
         let cause = match self.remark.or(of_components) {
             Some(remark) => format!("{}: {remark}", entry.title),
             None => entry.title.to_owned(),

@@ -1,7 +1,9 @@
 //! What all findings about a part are made from, worked out once.
 
 use super::around::Around;
+use super::catalogue::Kind;
 use super::estimate::{Estimate, estimate};
+use super::finding::Severity;
 use super::gloss::Gloss;
 use crate::mesh::{Column, Confidence, Link, Mesh, Orientation, Orientations, Topology, Weld, place_key};
 use crate::normals::{Crease, FaultReason, Groups, NormalField, NormalRecipe, compute_on};
@@ -229,6 +231,20 @@ impl InsideOut {
             Self { is_opposed: is_opposed(&faces), is_open, faces }
         };
         all.map(told).collect()
+    }
+
+    /// What it is told as.
+    pub(super) fn kind(&self) -> Kind {
+        if self.is_open { Kind::OpenInsideOut } else { Kind::InsideOut }
+    }
+
+    /// How grave it is: less where no stored normals contradict its faces.
+    pub(super) fn severity(&self) -> Severity {
+        match (self.is_open, self.is_opposed == Some(true)) {
+            (_, true) => self.kind().entry().severity,
+            (false, false) => Severity::Warning,
+            (true, false) => Severity::Note,
+        }
     }
 
     /// Whether its faces are to be taken for the opposite of what they are. Rooms, skies and bowls are seen from within, and

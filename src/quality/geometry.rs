@@ -2,7 +2,7 @@
 
 use super::Thresholds;
 use super::catalogue::Kind;
-use super::facts::Facts;
+use super::facts::{Facts, InsideOut};
 use super::finding::Severity;
 use super::limit::Limit;
 use super::tally::{Spot, Tallies, scan};
@@ -71,24 +71,24 @@ fn winding(facts: &Facts<'_>, doubled: &[u32], found: &mut Tallies) {
     }
 }
 
-/// Components that face the wrong way as a whole: closed ones by their volume, those with a rim by what is seen of them.
+/// Components that face the wrong way as a whole: closed ones by their volume, those with a rim by what is seen of them. Only
+/// those of the gravest severity are counted, which a finding has one of.
 fn inside_out(facts: &Facts<'_>, found: &mut Tallies) {
     for component in &facts.inside_out {
-        let kind = if component.is_open { Kind::OpenInsideOut } else { Kind::InsideOut };
-        let is_opposed = component.is_opposed == Some(true);
-        for &face in &component.faces {
-            let weight = f64::from(u8::from(is_opposed));
-            found.add(kind, Spot::face(face as usize, weight), facts.area[face as usize]);
+        let kind = component.kind();
+        let severity = component.severity();
+        let alike = facts.inside_out.iter().filter(|other| other.kind() == kind);
+        if alike.map(InsideOut::severity).max() > Some(severity) {
+            found.tally(kind).milder.add(1, component.faces.len() as u64);
+            continue;
         }
-        let severity = match (component.is_open, is_opposed) {
-            (_, true) => kind.entry().severity,
-            (false, false) => Severity::Warning,
-            (true, false) => Severity::Note,
-        };
+        for &face in &component.faces {
+            found.add(kind, Spot::face(face as usize, 0.0), facts.area[face as usize]);
+        }
         let tally = found.tally(kind);
         tally.components += 1;
         tally.confidence = Some(if component.is_open { facts.outward.confidence } else { 1.0 });
-        tally.severity = tally.severity.max(Some(severity));
+        tally.severity = Some(severity);
     }
 }
 

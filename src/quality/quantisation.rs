@@ -2,11 +2,12 @@
 
 use super::Thresholds;
 use super::catalogue::Kind;
-use super::facts::Facts;
+use super::facts::{Facts, Worth};
 use super::grid::Grid;
-use super::tally::{Spot, Tallies};
+use super::stored::FEW;
+use super::tally::{Spot, Tallies, scan};
 use crate::mesh::Column;
-use crate::num::{Degrees, largest_exponent, three_digits};
+use crate::num::{Degrees, angle_between, largest_exponent, three_digits};
 use glam::DVec3;
 
 /// Values looked at.
@@ -23,7 +24,7 @@ const FINER: &str = "--normal-format i16";
 pub struct Precision {
     /// The grid, in words.
     pub grid: String,
-    /// An angle that no normal is farther from what was stored of it.
+    /// An angle that no normal is farther from what was stored of it, if it was rounded to the nearest: a bound, not measured.
     pub error: Degrees,
     /// The largest exponent of a highlight that it shows in by half a step of 8 bits at most; `None` if it may show by more
     /// on a matte surface.
@@ -52,23 +53,81 @@ pub(super) fn find(
     if precision.error <= thresholds.quantisation {
         return Some(precision);
     }
-    found.add(Kind::Quantised, Spot::mesh().by(precision.error.0), facts.total_area);
+    let measured = Measured::new(facts, precision.error, thresholds.places);
+    match &measured {
+        Some(measured) => {
+            measured.worst.iter().for_each(|&spot| found.add(Kind::Quantised, spot, 0.0));
+            let tally = found.tally(Kind::Quantised);
+            // Many places, one mesh.
+            (tally.count, tally.area) = (1, facts.total_area);
+        }
+        None => found.add(Kind::Quantised, Spot::mesh(), facts.total_area),
+    }
     if facts.has_normal_formats {
         found.tally(Kind::Quantised).remedy = Some(FINER.into());
     }
     let serves = match precision.exponent {
         Some(exponent) => format!("good for exponents up to {exponent}"),
-        None => "which a matte surface may show in half a step of 8 bits".into(),
+        None => "which even a matte surface may show by more than half a step of 8 bits".into(),
     };
     let exponent = facts.gloss.largest_exponent(facts.mesh);
     let bits = needed_bits(exponent);
+    let off = match measured {
+        Some(Measured { largest, rms, .. }) => format!(
+            "off what their rule gives by up to {}°, {}° in the root mean square; ",
+            three_digits(largest.0),
+            three_digits(rms.0)
+        ),
+        None => String::new(),
+    };
     found.tally(Kind::Quantised).remark = Some(format!(
-        "{}, off by up to {}°, {serves}; the material's exponent of {} needs {bits} bits a component",
+        "{}, {off}rounding to the nearest makes at most {}°, {serves}; the material's exponent of {} needs {bits} bits a component",
         precision.grid,
         three_digits(precision.error.0),
         three_digits(exponent)
     ));
     Some(precision)
+}
+
+/// What rounding did, where a rule tells what was rounded.
+struct Measured {
+    largest: Degrees,
+    rms: Degrees,
+    /// The corners that are farthest off.
+    worst: Vec<Spot>,
+}
+
+impl Measured {
+    /// Over the corners that rounding explains: those no farther from their rule than its bound. `None` if no rule is known, or
+    /// more are farther than strays may be: then what the normals were before they were rounded is not known.
+    fn new(facts: &Facts<'_>, bound: Degrees, places: usize) -> Option<Self> {
+        // What was taken back to another space is not as it was rounded.
+        if facts.written.is_some() || !facts.estimate.is_some_and(|estimate| estimate.is_rule()) {
+            return None;
+        }
+        // A finding of each: corners that are compared, and those within the bound with their squares for areas.
+        let (compared, explained) = (Kind::Custom, Kind::Quantised);
+        let all = scan(facts.mesh.face_count(), places.max(1), |faces, found| {
+            for face in faces.filter(|&face| facts.worth[face] == Worth::Sound) {
+                for corner in facts.mesh.faces().range(face).filter(|&corner| facts.is_judged(corner)) {
+                    let Some(unit) = facts.stored_unit(corner) else { continue };
+                    let off = Degrees::from(angle_between(unit, facts.expected(corner))).0;
+                    found.tally(compared).count += 1;
+                    if off <= bound.0 {
+                        found.add(explained, Spot::corner(face, corner, off), off * off);
+                    }
+                }
+            }
+        });
+        let (compared, explained) = (all.get(compared).count as f64, all.get(explained));
+        let count = explained.count as f64;
+        let worst = explained.worst.first().filter(|_| count >= (1.0 - FEW) * compared)?;
+        Some(Self {
+            largest: Degrees(worst.weight),
+            rms: Degrees((explained.area / count).sqrt()),
+            worst: explained.worst.clone(),
+        })
+    }
 }
 
 /// Bits of a signed component with which a highlight of this exponent is off by half a step of 8 bits at most.

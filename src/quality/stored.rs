@@ -18,7 +18,7 @@ const OPPOSITE: f64 = 135.0;
 const ALL: f64 = 0.9;
 
 /// The share of corners up to which strays are exceptions.
-const FEW: f64 = 0.15;
+pub(super) const FEW: f64 = 0.15;
 
 /// Everything about the normals that a part has in its file; gives the precision that they were stored with.
 pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Tallies) -> Option<Precision> {

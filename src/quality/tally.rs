@@ -52,6 +52,20 @@ impl Spot {
     }
 }
 
+/// What is milder than what a finding counts, and is told beside it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Milder {
+    pub(super) components: u64,
+    pub(super) count: u64,
+}
+
+impl Milder {
+    pub(super) fn add(&mut self, components: u64, count: u64) {
+        self.components += components;
+        self.count += count;
+    }
+}
+
 /// How often something was found, and the worst places.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Tally {
@@ -63,6 +77,8 @@ pub(super) struct Tally {
     pub(super) remark: Option<String>,
     /// Components that it is of, where they are told in place of a remark.
     pub(super) components: u64,
+    /// Components of a lower severity, which are not counted.
+    pub(super) milder: Milder,
     /// Where it is not the catalogue's.
     pub(super) severity: Option<Severity>,
     /// Where it is not the catalogue's.
@@ -94,6 +110,7 @@ impl Tally {
         other.worst.into_iter().for_each(|spot| self.keep(spot, most));
         self.remark = self.remark.take().or(other.remark);
         self.components += other.components;
+        self.milder.add(other.milder.components, other.milder.count);
         self.severity = self.severity.max(other.severity);
         self.remedy = self.remedy.take().or(other.remedy);
         self.may_be_meant |= other.may_be_meant;

@@ -55,7 +55,7 @@ pub fn block(report: &InspectReport, style: Style, verbose: bool, places: usize)
         };
         let rounded = match &part.precision {
             Some(PrecisionReport { grid, degrees, .. }) => {
-                format!("; rounded to {grid}: by up to {}°", three_digits(*degrees))
+                format!("; rounded to {grid}: by at most {}°", three_digits(*degrees))
             }
             None => String::new(),
         };

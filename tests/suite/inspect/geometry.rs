@@ -3,11 +3,12 @@
 use super::{inspect, loaded, rebuilt, surface};
 use crease::io::{Format, ReadOptions, read_bytes};
 use crease::mesh::{Column, Columns, FaceLabels, Faces, Mesh, MeshBuilder};
-use crease::num::{Degrees, angle_between};
+use crease::normals::{NormalRecipe, compute};
+use crease::num::{Degrees, angle_between, three_digits};
 use crease::quality::catalogue::Kind;
 use crease::quality::{Diagnosis, Severity, Thresholds, diagnose};
 use crease::surface::{Surface, Torus};
-use glam::{DVec2, DVec3};
+use glam::{DMat3, DVec2, DVec3};
 
 fn polygon(corners: &[[f64; 3]]) -> Mesh {
     let mut faces = Faces::new();
@@ -77,6 +78,93 @@ fn components_are_counted_over_all_parts() {
     let diagnosis = diagnose(&loaded, &Thresholds::default(), &|_| {});
     let found = diagnosis.get(Kind::InsideOut).unwrap();
     assert!(found.count == 8 && found.cause.ends_with("in 2 closed components"), "{found:?}");
+}
+
+/// Two tetrahedra that face inwards, one with normals that do so too: each is told as what it is, whichever is larger, in one
+/// part or in two, and only the one that is an error is counted as one.
+#[test]
+fn rooms_are_not_counted_with_what_is_inside_out() {
+    let solids = |solids: &[(f64, f64)]| {
+        let mut text = String::new();
+        for (at, &(x, sign)) in solids.iter().enumerate() {
+            for [a, b, c] in [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] {
+                let outward = [a, b, c].map(|it: f64| sign * (it - 0.25));
+                text += &format!("v {} {b} {c}\nvn {} {} {}\n", a + x, outward[0], outward[1], outward[2]);
+            }
+            for facet in [[1, 2, 3], [1, 4, 2], [1, 3, 4], [2, 4, 3]] {
+                let corners = facet.map(|corner| format!("{0}//{0}", corner + 4 * at));
+                text += &format!("f {}\n", corners.join(" "));
+            }
+        }
+        read_bytes(text.into_bytes(), Some(Format::Obj), None, &ReadOptions::default()).unwrap()
+    };
+    let (room, fault) = (-1.0, 1.0);
+    let in_parts = |signs: &[f64]| {
+        let mut parts = signs.iter().map(|&sign| solids(&[(0.0, sign)]));
+        let mut all = parts.next().unwrap();
+        parts.for_each(|loaded| all.parts.extend(loaded.parts));
+        all
+    };
+    for (loaded, first_fault) in [
+        (solids(&[(0.0, room), (5.0, fault)]), (0, 4)),
+        (solids(&[(0.0, fault), (5.0, room)]), (0, 0)),
+        (solids(&[(0.0, room), (5.0, fault), (9.0, room)]), (0, 4)),
+        (in_parts(&[room, fault]), (1, 0)),
+        (in_parts(&[fault, room]), (0, 0)),
+    ] {
+        let diagnosis = diagnose(&loaded, &Thresholds::default(), &|_| {});
+        let found = diagnosis.get(Kind::InsideOut).unwrap();
+        assert_eq!((found.severity, found.count), (Severity::Error, 4), "{found:?}");
+        assert!(found.cause.contains("in 1 closed component, against"), "{}", found.cause);
+        let rooms = found.of / 4 - 1;
+        let others = format!("{rooms} other{} of {} faces", if rooms == 1 { "" } else { "s" }, 4 * rooms);
+        assert!(found.cause.contains(&others), "{}", found.cause);
+        let first = &found.places[0];
+        assert_eq!((first.part, first.face), (first_fault.0, Some(first_fault.1)));
+        assert_eq!(found.area_share, 1.0 / (rooms + 1) as f64, "{found:?}");
+    }
+    let rooms = diagnose(&solids(&[(0.0, room), (5.0, room)]), &Thresholds::default(), &|_| {});
+    let found = rooms.get(Kind::InsideOut).unwrap();
+    assert_eq!((found.severity, found.count), (Severity::Warning, 8));
+    assert!(found.cause.ends_with("in 2 closed components"), "{}", found.cause);
+}
+
+/// Of rounded normals it is told what they are off, and where, and not what they might be at most.
+#[test]
+fn rounded_normals_are_measured() {
+    let torus = surface(&Surface::from(Torus::default()), [60, 30]);
+    let ruled = compute(&torus, &NormalRecipe::default()).normals;
+    let rounded =
+        |normals: &[DVec3]| -> Vec<DVec3> { normals.iter().map(|n| (*n * 127.0).round() / 127.0).collect() };
+    let with = |normals: Vec<DVec3>| {
+        let entries = ruled.corner_index(torus.faces().corners());
+        let columns =
+            Columns { normals: Some(Column::per_corner(normals, entries)), ..torus.columns().clone() };
+        let builder = MeshBuilder { positions: torus.positions().to_vec(), ..MeshBuilder::default() };
+        MeshBuilder { faces: torus.faces().clone(), columns, ..builder }.build().unwrap()
+    };
+    let stored = rounded(&ruled.values);
+    let off = |(a, b): (&DVec3, &DVec3)| Degrees::from(angle_between(*a, *b)).0;
+    let mut all: Vec<f64> = ruled
+        .corner_index(torus.faces().corners())
+        .into_iter()
+        .map(|entry| off((&ruled.values[entry as usize], &stored[entry as usize])))
+        .collect();
+    let rms = (all.iter().map(|it| it * it).sum::<f64>() / all.len() as f64).sqrt();
+    all.sort_by(|a, b| b.total_cmp(a));
+    let diagnosis = inspect(&with(stored), 10);
+    let found = diagnosis.get(Kind::Quantised).unwrap();
+    assert_eq!((found.count, found.of), (1, 1));
+    let told: Vec<f64> = found.places.iter().map(|site| site.degrees.unwrap()).collect();
+    assert!(told.len() == 10 && told.iter().zip(&all).all(|(a, b)| (a - b).abs() < 1e-9), "{told:?}");
+    let words = format!("by up to {}°, {}° in the root mean square", three_digits(all[0]), three_digits(rms));
+    assert!(found.cause.contains(&words) && found.cause.contains("at most 0.391°"), "{}", found.cause);
+    // Without a rule nothing is known of what they were.
+    let turned = |n: &DVec3| DMat3::from_axis_angle(n.any_orthonormal_vector(), 0.1) * *n;
+    let diagnosis = inspect(&with(rounded(&ruled.values.iter().map(turned).collect::<Vec<_>>())), 10);
+    let found = diagnosis.get(Kind::Quantised).unwrap();
+    assert!(found.degrees.is_none() && !found.cause.contains("by up to"), "{found:?}");
+    assert!(found.cause.contains("at most 0.391°"), "{}", found.cause);
 }
 
 /// A strip of two squares, the second with two vertices of its own where it meets the first.
