@@ -72,8 +72,8 @@ pub struct PictureArgs {
     #[arg(long, value_name = "FILE")]
     pub html: Option<PathBuf>,
 
-    /// Write the mesh coloured by the deviation of its stored normals, as PNG, with rings round the worst places and a
-    /// legend; `-` likewise
+    /// Write the mesh coloured by the deviation of its stored normals, as PNG, with a ring round the worst place of each
+    /// error and warning, and a legend; `-` likewise
     #[arg(long, value_name = "FILE")]
     pub heatmap: Option<PathBuf>,
 

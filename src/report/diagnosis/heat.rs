@@ -1,7 +1,7 @@
 //! The colours of a heat map, its lines and marks, and the legend that explains them.
 
 use super::pictures::ring;
-use crate::num::{Degrees, LinearRgb, Srgb8};
+use crate::num::{Degrees, LinearRgb, Srgb8, three_digits};
 use crate::quality::Survey;
 use crate::raster::{Camera, LinePath, LineStyle, Lines, Projection, Scene};
 use crate::report::label::{draw_text, text_width};
@@ -31,8 +31,8 @@ const MARKED: [f64; 5] = [0.5, 0.625, 0.75, 0.875, 1.0];
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct HeatScale {
     full: Degrees,
-    /// Some deviations are larger.
-    is_clipped: bool,
+    /// The largest deviation, if it is above that.
+    beyond: Option<Degrees>,
     /// Some corners have a deviation.
     is_used: bool,
     /// Some corners have none.
@@ -53,7 +53,7 @@ impl HeatScale {
         let full = Self::ENDS.into_iter().find(|&end| end >= nearly_all).unwrap_or(180.0);
         Self {
             full: Degrees(full),
-            is_clipped: all.last().is_some_and(|&largest| largest > full),
+            beyond: all.last().filter(|&&largest| largest > full).map(|&largest| Degrees(largest)),
             is_used: !all.is_empty(),
             is_absent: all.len() < corners.len(),
         }
@@ -66,8 +66,11 @@ impl HeatScale {
 
     /// What stands at the light end, and in the middle.
     fn labels(self) -> [String; 2] {
-        let more = if self.is_clipped { " and more" } else { "" };
-        [format!("{}°{more}", self.full.0), format!("{}°", self.full.0 / 2.0)]
+        let more = |it: Degrees| format!(" and more, up to {}°", three_digits(it.0));
+        [
+            format!("{}°{}", self.full.0, self.beyond.map_or(String::new(), more)),
+            format!("{}°", self.full.0 / 2.0),
+        ]
     }
 
     /// The same for those who do not see it.
@@ -259,10 +262,18 @@ fn draw_scale(picture: &mut Picture, scale: HeatScale, [left, top]: [i64; 2], (b
         (below..below + bar).for_each(|y| picture.blend([x, y], colour, 1.0));
     }
     let [full, half] = scale.labels();
-    for (label, at) in [("0°", left), (&half, (left + right) / 2), (&full, right)] {
-        let wide = text_width(label, text) as i64;
-        let x = (at - wide / 2).clamp(0, (width - wide).max(0));
-        draw_text(picture, label, [x, top], text, INK);
+    let mut free = width;
+    // From the right: the middle gives way to a long label at the end.
+    for (label, at) in [(&*full, right), ("0°", left), (&half, (left + right) / 2)] {
+        let wide = text_width(label, text).ceil() as i64;
+        let edge = left / 2;
+        let x = (at - wide / 2).clamp(edge, (width - edge - wide).max(edge));
+        if x + wide <= free {
+            draw_text(picture, label, [x, top], text, INK);
+        }
+        if at == right {
+            free = x - edge;
+        }
     }
 }
 
@@ -302,7 +313,7 @@ mod tests {
         assert_eq!(scale(vec![30.0; 7]).labels(), ["30°", "15°"]);
         // One in two hundred is left out, two are not.
         let with = |count: usize| [vec![0.0; 200 - count], vec![180.0; count]].concat();
-        assert_eq!(scale(with(1)).words(), "from violet, 0°, to yellow, 1° and more");
+        assert_eq!(scale(with(1)).words(), "from violet, 0°, to yellow, 1° and more, up to 180°");
         assert_eq!(scale(with(2)).words(), "from violet, 0°, to yellow, 180°");
     }
 
@@ -329,6 +340,24 @@ mod tests {
             assert_eq!(marks(Some(f64::from(degrees))), usize::from(degrees >= 45), "{degrees}°");
         }
         assert_eq!(marks(None), 1);
+    }
+
+    /// The longest label, in pictures of few pixels and many, ends before the picture does, and lies on no other.
+    #[test]
+    fn labels_stay_inside() {
+        let deviations: Vec<Option<f64>> =
+            [vec![0.0; 400], vec![123.4]].concat().into_iter().map(Some).collect();
+        let scale = HeatScale::of([Survey { deviations, ..Survey::default() }].iter());
+        assert_eq!(scale.labels()[0], "1° and more, up to 123°");
+        for side in [240, 320, 480, 1024] {
+            let sheet = with_legend(&Picture::filled([side; 2], false, [1.0; 3]), scale, false, false);
+            let crate::raster::Pixels::Eight(pixels) = &sheet.pixels else { panic!("8 bits") };
+            let at = |i: usize| i % side as usize;
+            let ink = (0..pixels.len()).filter(|&i| pixels[i] != [255; 3]).map(at);
+            let margin = side as usize / 32;
+            assert!(ink.clone().min() >= Some(margin - 2), "{side}");
+            assert!(ink.max() <= Some(side as usize - margin + 1), "{side}");
+        }
     }
 
     #[test]

@@ -224,8 +224,8 @@ pub(super) fn worst_places(diagnosis: &Diagnosis) -> Vec<&Site> {
     grave.filter_map(|finding| finding.places.first()).collect()
 }
 
-/// The heat map of a file alone: how far stored normals are from those that the rule of their mesh gives, with rings round
-/// the worst places and a legend below; as many pixels wide as it is asked for, and higher by the legend. Corners whose
+/// The heat map of a file alone: how far stored normals are from those that the rule of their mesh gives, with a ring round
+/// the worst place of each error and warning, and a legend below; as many pixels wide as it is asked for, and higher by the legend. Corners whose
 /// faces are too small to be seen are marked with dots, the worst uppermost; those without a stored normal that has a
 /// direction have a colour of their own.
 ///
