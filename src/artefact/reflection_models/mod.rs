@@ -131,6 +131,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             ),
             &grazing_phong,
             widths::of_phong(exponent),
+            widths::phong_at(exponent),
             Text::new(
                 "half-widths at half height in closed form; 2 for narrow highlights",
                 "meias larguras à meia altura em forma fechada; 2 para brilhos estreitos",
@@ -143,6 +144,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             ),
             &grazing_blinn,
             widths::of_blinn(blinn_exponent(exponent)),
+            widths::blinn_at(blinn_exponent(exponent)),
             Text::new("round", "redondo"),
         ),
     ];
@@ -444,6 +446,20 @@ mod tests {
                 "{exponent}: {:?}",
                 outcome.moved
             );
+        }
+    }
+
+    /// Highlights of small exponents come so near to the outline that straight lines between pixels reach beyond it.
+    #[test]
+    fn widths_agree_near_the_outline() {
+        for size in [46, 50, 58, 65, 70, 85, 86, 128] {
+            for exponent in [2.0, 3.0, 8.0] {
+                let parameters = Parameters { size, exponent, ..EXPERIMENT.defaults };
+                let outcome = EXPERIMENT.run(&Setup { parameters, mesh: None }).unwrap();
+                for measure in &outcome.measures {
+                    assert_ne!(measure.agrees(), Some(false), "{size} {exponent}: {measure:?}");
+                }
+            }
         }
     }
 }
