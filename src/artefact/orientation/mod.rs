@@ -165,6 +165,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             [upright, half, turned, back],
             &triangles_back,
             [one, other],
+            first.is_cut_as(&second),
             is_diamond,
             &moved,
         ),
@@ -406,5 +407,25 @@ mod tests {
         let mut setup = setup(33);
         setup.parameters.interpolation = Interpolation::Affine;
         assert_ne!(linear(&EXPERIMENT.frame(&setup, 1, 4).unwrap()), linear(&expected));
+    }
+
+    /// A dart has one diagonal inside, a convex quadrilateral two.
+    #[test]
+    fn a_second_cut_is_told_only_where_there_is_one() {
+        for (notch, has_one_cut) in [([0.5, 0.5, 0.0], true), ([3.0, 3.0, 0.0], false)] {
+            let positions = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], notch, [0.0, 4.0, 0.0]];
+            let builder = MeshBuilder {
+                positions: positions.map(DVec3::from).to_vec(),
+                faces: Faces::polygons((0..4).collect(), vec![0, 4]),
+                ..MeshBuilder::default()
+            };
+            let mesh = builder.build().unwrap();
+            let mesh = Some(UserMesh { name: "dart", mesh: &mesh, finer: None });
+            let outcome = EXPERIMENT.run(&Setup { mesh, ..setup(65) }).unwrap();
+            let second = outcome.shots.iter().find(|shot| shot.name == "diagonal-24").unwrap();
+            let caption = second.caption.get(crate::artefact::Language::English);
+            assert_eq!(caption.starts_with("No other cut"), has_one_cut, "{caption}");
+            assert_eq!(caption.starts_with("Cut another way"), !has_one_cut, "{caption}");
+        }
     }
 }

@@ -14,17 +14,18 @@ fn halves(upper: &Image, lower: &Image) -> Image {
     picture(upper.size, colours, coverage)
 }
 
-/// What is to be said of the lectures' diamond, or of any polygon.
-fn either(is_diamond: bool, diamond: Text, any: Text) -> Text {
-    if is_diamond { diamond } else { any }
+/// What is to be said of a special case (the lectures' diamond), or of any polygon.
+fn either(is_special: bool, special: Text, any: Text) -> Text {
+    if is_special { special } else { any }
 }
 
 /// The pictures of what was drawn under scanlines (unturned, turned by 45° and 90°, and turned back), under triangles turned
-/// back, and cut one way and the other.
+/// back, and cut one way and the other, which are the same where it has one cut only.
 pub(super) fn shots(
     [upright, half, turned, back]: [Image; 4],
     triangles_back: &Image,
     [one, other]: [Image; 2],
+    has_one_cut: bool,
     is_diamond: bool,
     moved: &Moved,
 ) -> Vec<Shot> {
@@ -159,12 +160,23 @@ pub(super) fn shots(
             "diagonal-24",
             captioned(
                 Text::new("triangles, diagonal 2–4", "triângulos, diagonal 2–4"),
-                Text::new("triangles, cut another way", "triângulos, outro corte"),
+                either(
+                    has_one_cut,
+                    Text::new("triangles, the same cut", "triângulos, o mesmo corte"),
+                    Text::new("triangles, cut another way", "triângulos, outro corte"),
+                ),
             ),
             [
                 captioned(
                     Text::new("Cut from corner 2 to corner 4.", "Cortado do canto 2 ao canto 4."),
-                    Text::new("Cut another way.", "Cortado de outro modo."),
+                    either(
+                        has_one_cut,
+                        Text::new(
+                            "No other cut lies inside this polygon: the same once more.",
+                            "Nenhum outro corte fica dentro deste polígono: o mesmo mais uma vez.",
+                        ),
+                        Text::new("Cut another way.", "Cortado de outro modo."),
+                    ),
                 ),
                 but_not_the_other,
             ],

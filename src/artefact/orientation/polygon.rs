@@ -122,6 +122,17 @@ impl Polygon {
         Self::new(self.corners.clone(), self.colours.clone(), Some(triangles.concat()))
     }
 
+    /// Whether another cut is into the same triangles, as where no diagonal can be turned.
+    pub(super) fn is_cut_as(&self, other: &Self) -> bool {
+        let triangles = |cut: &Self| {
+            let mut triangles: Vec<Vec<u32>> = cut.mesh.faces().iter().map(|face| face.to_vec()).collect();
+            triangles.iter_mut().for_each(|triangle| triangle.sort_unstable());
+            triangles.sort_unstable();
+            triangles
+        };
+        triangles(self) == triangles(other)
+    }
+
     /// Whether three corners run counter-clockwise.
     fn turns_left(&self, [a, b, c]: [u32; 3]) -> bool {
         let [a, b, c] = [a, b, c].map(|corner| self.corners[corner as usize]);
