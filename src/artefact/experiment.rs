@@ -61,7 +61,9 @@ impl Experiment {
     pub fn run(&self, setup: &Setup) -> Result<Outcome, ArtefactError> {
         self.check(setup)?;
         let mut outcome = (self.run)(setup)?;
-        let is_shown = outcome.shots.iter().any(|shot| shot.role == Role::Bad);
+        let shows = |roles: &[Role]| outcome.shots.iter().any(|shot| roles.contains(&shot.role));
+        // A cure of which no picture shows anything is none that is seen.
+        let is_shown = shows(&[Role::Bad]) && shows(&[Role::Cured, Role::Attempt]);
         let is_tested = outcome.moved.is_present() && is_shown;
         if !is_tested && !matches!(outcome.verdict, Verdict::Absent(_)) {
             outcome.verdict = Verdict::Absent(self.shown_by.clone());

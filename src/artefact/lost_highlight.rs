@@ -51,8 +51,10 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
     // More would be hardly larger than pixels.
     segments: 3..=256,
     shown_by: Text::new(
-        "a highlight of some pixels on facets that are wider than it (exponents from 16 to 1000) would show it.",
-        "um brilho de alguns pixels em facetas mais largas que ele (expoentes de 16 a 1000) o mostraria.",
+        "a highlight of some pixels on facets that are wider than it (exponents from 16 to 1000, in a picture large enough) \
+         would show it.",
+        "um brilho de alguns pixels em facetas mais largas que ele (expoentes de 16 a 1000, numa imagem bastante grande) o \
+         mostraria.",
     ),
     defaults: Parameters { segments: 16, exponent: 32.0, ..Parameters::USUAL },
     run,
@@ -141,8 +143,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let lean = libm::tan(Radians::from(TILT).0) * FRAC_1_SQRT_2;
     let [lost_on_sphere, lost_on_plate] =
         [libm::asin(between), libm::atan(between * lean)].map(|angle| 1.0 - law(angle, exponent));
-    // Where that is more than a fifth, the true peak falls between pixels.
-    let held = |measure: Measure, lost: f64, law: f64, tolerance: f64, by: Text| match lost < 0.2 {
+    // Where that is more than a fifth, the true peak falls between pixels, and nothing is told of what others lack.
+    let is_seen = |lost: f64| lost < 0.2;
+    let told = |lost: f64, value: f64| if is_seen(lost) { value } else { 0.0 };
+    let held = |measure: Measure, lost: f64, law: f64, tolerance: f64, by: Text| match is_seen(lost) {
         true => measure.expect(law, tolerance + lost * law, by),
         false => measure.beyond(Text::new(
             "the true highlight is narrower than a pixel",
@@ -215,31 +219,43 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         ),
     ];
     let moved = Moved {
-        name: Text::new(
-            "flicker of the highlight's peak, beyond that of diffuse light",
-            "cintilação do pico do brilho, além da da luz difusa",
-        ),
+        name: match is_seen(lost_on_sphere) {
+            true => Text::new(
+                "flicker of the highlight's peak, beyond that of diffuse light",
+                "cintilação do pico do brilho, além da da luz difusa",
+            ),
+            false => Text::new(
+                "flicker of the highlight's peak, as far as pixels hold it",
+                "cintilação do pico do brilho, até onde os pixels o contêm",
+            ),
+        },
         unit: "",
-        bad: beyond_diffuse(flicker_gouraud),
+        bad: told(lost_on_sphere, beyond_diffuse(flicker_gouraud)),
         present: Threshold::HALF_STEP,
         cure: Text::new("Phong's shading", "sombreamento de Phong"),
-        cured: beyond_diffuse(flicker_phong),
+        cured: told(lost_on_sphere, beyond_diffuse(flicker_phong)),
         factor: 100.0,
     };
     // The light that the highlight has in its middle is 1.
-    let lacking = |[gouraud, phong]: [&Image; 2], angle: f64| -> Result<Moved, ArtefactError> {
+    let lacking = |[gouraud, phong]: [&Image; 2], lost: f64, angle: f64| -> Result<Moved, ArtefactError> {
         let of_diffuse = DIFFUSE * (1.0 - libm::cos(angle));
         Ok(Moved {
-            name: Text::new("what the highlight's peak lacks", "o que falta ao pico do brilho"),
-            bad: (1.0 - peak(gouraud)? - of_diffuse).max(0.0),
-            cured: (1.0 - peak(phong)?).max(0.0),
+            name: match is_seen(lost) {
+                true => Text::new("what the highlight's peak lacks", "o que falta ao pico do brilho"),
+                false => Text::new(
+                    "what the highlight's peak lacks, as far as pixels hold it",
+                    "o que falta ao pico do brilho, até onde os pixels o contêm",
+                ),
+            },
+            bad: told(lost, (1.0 - peak(gouraud)? - of_diffuse).max(0.0)),
+            cured: told(lost, (1.0 - peak(phong)?).max(0.0)),
             // The highlight's middle may lie between four pixels.
             factor: 5.0,
             ..moved.clone()
         })
     };
-    let of_plate = lacking([&plate_gouraud, &plate_phong], Radians::from(TILT).0)?;
-    let of_sphere = lacking([&worst, &cured], 0.5 * delta)?;
+    let of_plate = lacking([&plate_gouraud, &plate_phong], lost_on_plate, Radians::from(TILT).0)?;
+    let of_sphere = lacking([&worst, &cured], lost_on_sphere, 0.5 * delta)?;
     Ok(Outcome {
         verdict: verdict(segments, exponent),
         shots: vec![

@@ -31,7 +31,7 @@
 //!    [`Measure::expect`], or its bound by [`Measure::at_most`], with the reason of the tolerance in its text.
 //! 4. Every word is a [`Text`] in both languages; numbers in it by [`Text::made`]. Claims name their lecture section.
 //! 5. [`Moved`] says from what size on the artefact is there and by what factor the cure has to reduce it. Where it is not there,
-//!    or in no picture, [`Experiment::run`] makes the verdict [`Verdict::Absent`], with `shown_by`; else the verdict follows from
+//!    or no picture shows it, or none its cure, [`Experiment::run`] makes the verdict [`Verdict::Absent`], with `shown_by`; else the verdict follows from
 //!    what was measured.
 //! 6. Tests at small sizes: all measures agree, the artefact is present in the bad case, the cure reduces it by a stated
 //!    factor.
@@ -104,6 +104,7 @@ pub fn experiment(id: &str) -> Result<&'static Experiment, ArtefactError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::num::Degrees;
     use std::collections::BTreeSet;
 
     #[test]
@@ -150,5 +151,35 @@ mod tests {
         assert_eq!(command, "crease artefact mach-bands --segments 24 -o out");
         let command = experiment.command(&setup, Language::Portuguese);
         assert_eq!(command, "crease artefact mach-bands --segments 24 --lang pt -o out");
+    }
+
+    #[test]
+    fn what_no_picture_shows_is_not_put_to_the_test() {
+        let small = |id| Parameters { size: 64, ..experiment(id).unwrap().defaults };
+        let terminator = Parameters { segments: 3, ..small("shading-terminator") };
+        let away = Parameters {
+            size: 32,
+            light: Degrees(-170.0),
+            crease: Degrees(59.0),
+            ..small("false-smoothing")
+        };
+        for (id, parameters, is_tested) in [
+            ("reflection-models", small("reflection-models"), true),
+            ("reflection-models", Parameters { exponent: 1e4, ..small("reflection-models") }, false),
+            ("false-smoothing", small("false-smoothing"), true),
+            ("false-smoothing", away, false),
+            ("lost-highlight", Parameters { exponent: 2000.0, ..small("lost-highlight") }, false),
+            ("lost-highlight", Parameters { exponent: 1e6, ..small("lost-highlight") }, false),
+            ("lost-highlight", Parameters { exponent: 200.0, ..small("lost-highlight") }, true),
+            // What is advised there can be done, and helps.
+            ("shading-terminator", Parameters { light: Degrees(-10.0), ..terminator }, false),
+            ("shading-terminator", terminator, true),
+        ] {
+            let outcome = experiment(id).unwrap().run(&Setup { parameters, mesh: None }).unwrap();
+            let found = !matches!(outcome.verdict, Verdict::Absent(_));
+            assert_eq!(found, is_tested, "{id} {parameters:?}: {:?}", outcome.verdict);
+            let advice = outcome.verdict.condition().get(Language::English);
+            assert!(!advice.contains("fewer segments"), "{advice}");
+        }
     }
 }

@@ -69,8 +69,8 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
     )),
     segments: Parameters::SEGMENTS,
     shown_by: Text::new(
-        "faces that meet at more than the crease angle would show it.",
-        "faces que se encontram com mais que o ângulo de vinco o mostrariam.",
+        "faces that meet at more than the crease angle, in light from the viewer's side, would show it.",
+        "faces que se encontram com mais que o ângulo de vinco, sob luz do lado do observador, o mostrariam.",
     ),
     defaults: Parameters { light: Degrees(35.0), ..Parameters::USUAL },
     run,

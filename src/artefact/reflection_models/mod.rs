@@ -64,8 +64,8 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
     own_mesh: None,
     segments: Parameters::SEGMENTS,
     shown_by: Text::new(
-        "a highlight of some pixels (exponents from 1 to 100) would show it.",
-        "um brilho de alguns pixels (expoentes de 1 a 100) o mostraria.",
+        "a highlight of some pixels (exponents from 1 to 100, or a larger picture) would show it.",
+        "um brilho de alguns pixels (expoentes de 1 a 100, ou uma imagem maior) o mostraria.",
     ),
     defaults: Parameters { exponent: 10.0, ..Parameters::USUAL },
     run,

@@ -61,8 +61,8 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
     // More, and four times as many in the cured picture, would be hardly larger than pixels.
     segments: 3..=256,
     shown_by: Text::new(
-        "fewer segments, and light from the side (--light 80), would show it.",
-        "menos segmentos, e luz de lado (--light 80), o mostrariam.",
+        "light from the side (--light 80), on no more than 16 segments, would show it.",
+        "luz de lado (--light 80), em não mais que 16 segmentos, o mostraria.",
     ),
     defaults: Parameters { segments: 16, light: Degrees(80.0), ..Parameters::USUAL },
     run,
