@@ -74,11 +74,14 @@ fn winding(facts: &Facts<'_>, doubled: &[u32], found: &mut Tallies) {
 /// Components that face the wrong way as a whole: closed ones by their volume, those with a rim by what is seen of them. Only
 /// those of the gravest severity are counted, which a finding has one of.
 fn inside_out(facts: &Facts<'_>, found: &mut Tallies) {
+    let gravest = [false, true].map(|is_open| {
+        let alike = facts.inside_out.iter().filter(|component| component.is_open == is_open);
+        alike.map(InsideOut::severity).max()
+    });
     for component in &facts.inside_out {
         let kind = component.kind();
         let severity = component.severity();
-        let alike = facts.inside_out.iter().filter(|other| other.kind() == kind);
-        if alike.map(InsideOut::severity).max() > Some(severity) {
+        if gravest[usize::from(component.is_open)] > Some(severity) {
             found.tally(kind).milder.add(1, component.faces.len() as u64);
             continue;
         }
