@@ -73,11 +73,18 @@ pub(super) fn find(
     let exponent = facts.gloss.largest_exponent(facts.mesh);
     let bits = needed_bits(exponent);
     let off = match measured {
-        Some(Measured { largest, rms, .. }) => format!(
-            "off what their rule gives by up to {}°, {}° in the root mean square; ",
-            three_digits(largest.0),
-            three_digits(rms.0)
-        ),
+        Some(Measured { largest, rms, corners, .. }) => {
+            let where_so = match corners {
+                [explained, compared] if explained == compared => String::new(),
+                [explained, compared] => {
+                    format!(" at the {explained} of {compared} corners that rounding explains")
+                }
+            };
+            let [largest, rms] = [largest, rms].map(|it| three_digits(it.0));
+            format!(
+                "off what their rule gives by up to {largest}°, {rms}° in the root mean square{where_so}; "
+            )
+        }
         None => String::new(),
     };
     found.tally(Kind::Quantised).remark = Some(format!(
@@ -93,6 +100,8 @@ pub(super) fn find(
 struct Measured {
     largest: Degrees,
     rms: Degrees,
+    /// How many corners rounding explains, and how many were compared: the others are off by more.
+    corners: [u64; 2],
     /// The corners that are farthest off.
     worst: Vec<Spot>,
 }
@@ -119,12 +128,13 @@ impl Measured {
                 }
             }
         });
-        let (compared, explained) = (all.get(compared).count as f64, all.get(explained));
+        let (compared, explained) = (all.get(compared).count, all.get(explained));
         let count = explained.count as f64;
-        let worst = explained.worst.first().filter(|_| count >= (1.0 - FEW) * compared)?;
+        let worst = explained.worst.first().filter(|_| count >= (1.0 - FEW) * compared as f64)?;
         Some(Self {
             largest: Degrees(worst.weight),
             rms: Degrees((explained.area / count).sqrt()),
+            corners: [explained.count, compared],
             worst: explained.worst.clone(),
         })
     }
