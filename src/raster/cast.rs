@@ -15,7 +15,7 @@ pub(super) struct Hits {
 /// A point of an analytic surface.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct CastHit {
-    /// Relative to the eye, in units of the frame.
+    /// Relative to the view's origin, in units of the frame.
     pub(super) position: Vec3,
     /// Of the side that is seen, if both are lit.
     pub(super) normal: Vec3,
@@ -80,7 +80,7 @@ impl Hits {
                 visible.depth[pixel] = depth;
                 visible.owner[pixel] = owner;
                 let turned = job.settings.two_sided && !hit.front;
-                let position: DVec3 = (hit.position - job.view.eye) / job.frame.unit;
+                let position: DVec3 = (hit.position - job.view.origin) / job.frame.unit;
                 self.at[pixel] = CastHit {
                     position: position.as_vec3(),
                     normal: hit.normal.get().as_vec3() * if turned { -1.0 } else { 1.0 },

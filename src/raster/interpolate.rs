@@ -87,12 +87,12 @@ impl Kernel for Interpolate<'_> {
     }
 }
 
-/// Positions of samples relative to the eye, from their depths.
+/// Positions of samples relative to the view's origin, from their depths.
 pub(super) struct Positions<'a> {
     pub(super) rays: &'a Rays,
     pub(super) seen: &'a [Seen],
     pub(super) depth: &'a [f32],
-    /// What is seen, where depths are not what [`Rays::distance`] takes.
+    /// What is seen, where depth is not nearness.
     pub(super) records: Option<&'a [Record]>,
     pub(super) origin: [i32; 2],
     pub(super) out: &'a mut [Row; 3],
@@ -104,14 +104,15 @@ impl Kernel for Positions<'_> {
     #[inline(always)]
     fn run<A: Lanes>(self, _: A) {
         let Self { rays, seen, depth, records, origin, out } = self;
-        let mut rows = [[0.0_f32; BATCH]; 3];
-        let [xs, ys, depths] = &mut rows;
+        let mut rows = [[0.0_f32; BATCH]; 4];
+        let [xs, ys, depths, nearness] = &mut rows;
         for (lane, seen) in seen.iter().enumerate().take(BATCH) {
             let [column, row] = place(usize::from(seen.pixel)).map(|n| n as i32);
             let at = [origin[0] + (column << BITS), origin[1] + (row << BITS)];
             [xs[lane], ys[lane]] = at.map(|n| n as f32);
-            depths[lane] = match records {
-                None => depth[usize::from(seen.pixel)],
+            depths[lane] = depth[usize::from(seen.pixel)];
+            nearness[lane] = match records {
+                None => depths[lane],
                 Some(records) => records[seen.record as usize].nearness_at(at),
             };
         }
@@ -122,7 +123,7 @@ impl Kernel for Positions<'_> {
             for lane in 0..count {
                 let (x, y) = (xs[lane] * per_pixel, ys[lane] * per_pixel);
                 let at = |v: &[[f32; 3]; 3]| v[0][axis] + (v[1][axis] * x + v[2][axis] * y);
-                out[lane] = at(&start) + at(&direction) * rays.distance(depths[lane]);
+                out[lane] = at(&start) + at(&direction) * rays.distance(depths[lane], nearness[lane]);
             }
         }
     }

@@ -97,12 +97,15 @@ impl<'a> Job<'a> {
     }
 }
 
-/// Positions are given to shaders relative to the eye, in a power of two near the camera's distance from its target:
-/// single precision then serves scenes of any size at any place.
+/// Positions are given to shaders relative to the view's origin, in a power of two near the camera's distance from its
+/// target or, if it is far from it, near the size of what it shows: single precision then serves scenes of any size at any
+/// place.
 pub(super) fn frame(scene: &Scene, view: &View) -> Frame {
     let distance = (scene.camera.target - scene.camera.eye).length();
-    let unit = 1.0 / unit_scale(distance.clamp(f64::MIN_POSITIVE, f64::MAX));
-    Frame { origin: view.eye, unit: unit.clamp(f64::MIN_POSITIVE, f64::MAX) }
+    // The viewer stays within the 2³¹ units that shaders take in single precision.
+    let size = if view.away == 0.0 { distance } else { view.shown().max(distance / f64::from(1 << 29)) };
+    let unit = 1.0 / unit_scale(size.clamp(f64::MIN_POSITIVE, f64::MAX));
+    Frame { origin: view.origin, unit: unit.clamp(f64::MIN_POSITIVE, f64::MAX) }
 }
 
 impl RenderSettings {

@@ -144,11 +144,11 @@ impl PointLight {
             let out = self.positions.each_mut().map(|row| &mut row[..]);
             let per_unit = 1.0 / lit.job.frame.unit;
             let DrawnObject { points, map, .. } = lit.drawn;
-            num::dispatch(FromEye { points: *points, map, per_unit, vertices: &self.vertices, out });
+            num::dispatch(FromOrigin { points: *points, map, per_unit, vertices: &self.vertices, out });
         }
     }
 
-    /// Brings points farther away than [`REACH`] nearer to the eye, on the way to it.
+    /// Brings points farther away than [`REACH`] nearer to the view's origin, on the way to it.
     fn bring_into_reach(&mut self) {
         let is_far = |row: &Vec<f32>| row.iter().any(|x| x.abs() > REACH);
         if !self.positions.iter().any(is_far) {
@@ -195,8 +195,8 @@ fn exactly(lit: &Lit, vertices: &[u32]) -> DVec3 {
     vertices.iter().map(place).sum::<DVec3>() / vertices.len() as f64
 }
 
-/// Positions of vertices relative to the eye, as shaders take them.
-struct FromEye<'a> {
+/// Positions of vertices relative to the view's origin, as shaders take them.
+struct FromOrigin<'a> {
     points: Points<'a>,
     map: &'a ObjectMap,
     per_unit: f64,
@@ -214,7 +214,7 @@ pub(super) const REACH: f32 = (1_u64 << 50) as f32;
 /// The largest coordinate in single precision that leaves room for sums over the corners of a face.
 const LARGEST: f64 = 1e30;
 
-impl Kernel for FromEye<'_> {
+impl Kernel for FromOrigin<'_> {
     type Output = ();
 
     #[inline(always)]
@@ -229,12 +229,12 @@ impl Kernel for FromEye<'_> {
             let mut single = [[0.0; LANES]; 3];
             for lane in 0..LANES {
                 let point = DVec3::new(rows[0][lane], rows[1][lane], rows[2][lane]);
-                let from_eye = map.scene_point(point) * per_unit;
-                let largest = from_eye.abs().max_element();
-                let from_eye = from_eye * if largest > LARGEST { LARGEST / largest } else { 1.0 };
-                single[0][lane] = from_eye.x as f32;
-                single[1][lane] = from_eye.y as f32;
-                single[2][lane] = from_eye.z as f32;
+                let from_origin = map.scene_point(point) * per_unit;
+                let largest = from_origin.abs().max_element();
+                let from_origin = from_origin * if largest > LARGEST { LARGEST / largest } else { 1.0 };
+                single[0][lane] = from_origin.x as f32;
+                single[1][lane] = from_origin.y as f32;
+                single[2][lane] = from_origin.z as f32;
             }
             let range = block * LANES..block * LANES + vertices.len();
             out_x[range.clone()].copy_from_slice(&single[0][..vertices.len()]);

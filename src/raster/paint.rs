@@ -324,12 +324,12 @@ impl Tile<'_> {
 /// Where a sample sees an object, in the frame of the shaders, before depth and corners are rounded.
 fn seen_exactly(job: &Job, object: usize, tile: &Tile, seen: Seen) -> DVec3 {
     let at = tile.place(seen).map(|n| f64::from(n) / f64::from(ONE));
-    let from_eye = match job.drawn.iter().find(|drawn| drawn.object == object) {
+    let position = match job.drawn.iter().find(|drawn| drawn.object == object) {
         Some(drawn) => {
             let triangle = tile.records[seen.record as usize].vertices;
-            seen_point(job, drawn, triangle, at).from_eye
+            seen_point(job, drawn, triangle, at).from_eye + (job.view.eye - job.view.origin)
         }
-        None => cast(job, object, at).map_or(DVec3::NAN, |(hit, _)| hit.position - job.view.eye),
+        None => cast(job, object, at).map_or(DVec3::NAN, |(hit, _)| hit.position - job.view.origin),
     };
-    from_eye / job.frame.unit
+    position / job.frame.unit
 }

@@ -179,7 +179,7 @@ fn on_face(job: &Job, drawn: &DrawnObject, record: &Record, at: [f64; 2]) -> Pro
     };
     let at_corner = |corner: &(u32, u32), share: f64| LitPoint {
         share,
-        position: position(corner.1) + job.view.eye,
+        position: position(corner.1) + job.view.origin,
         normal: normal_at(corner),
         given: given(corner.1),
     };
@@ -193,7 +193,7 @@ fn on_face(job: &Job, drawn: &DrawnObject, record: &Record, at: [f64; 2]) -> Pro
             let sum: DVec3 = face.iter().map(|&(_, vertex)| position(vertex)).sum();
             vec![LitPoint {
                 share: 1.0,
-                position: sum / count + job.view.eye,
+                position: sum / count + job.view.origin,
                 normal: face_normal,
                 given: None,
             }]

@@ -14,7 +14,7 @@ pub(super) struct Sample<'a> {
     pub(super) hit: Option<&'a CastHit>,
     /// Its normal, of any length.
     pub(super) value: Vec3,
-    /// Relative to the eye, in units of the frame; only for deviations from an analytic surface.
+    /// Relative to the view's origin, in units of the frame; only for deviations from an analytic surface.
     pub(super) position: Vec3,
     pub(super) depth: f32,
     /// Its place on the picture, in 256ths of a pixel.
@@ -30,10 +30,13 @@ impl Sample<'_> {
     fn distance(&self, job: &Job) -> f64 {
         let distance = match self.hit {
             Some(hit) => hit.position.as_dvec3().dot(job.view.axes[2]),
-            None if job.view.has_level() => f64::from(job.rays.distance(self.record.nearness_at(self.at))),
-            None => f64::from(job.rays.distance(self.depth)),
+            None => {
+                let has_level = job.view.has_level();
+                let nearness = if has_level { self.record.nearness_at(self.at) } else { self.depth };
+                f64::from(job.rays.distance(self.depth, nearness))
+            }
         };
-        distance * job.frame.unit
+        distance * job.frame.unit + job.view.away
     }
 }
 

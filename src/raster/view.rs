@@ -28,6 +28,11 @@ const MOST_RATIO: f64 = 1e30;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct View {
     pub(super) eye: DVec3,
+    /// What points that are lit are told relative to: the eye, or the target if the camera is [`FAR`] from it, since a step
+    /// of single precision from the eye would be no longer little beside what is shown.
+    pub(super) origin: DVec3,
+    /// How far along the axis the origin is.
+    pub(super) away: f64,
     /// Right, up, forward: unit vectors.
     pub(super) axes: [DVec3; 3],
     /// Pixels per unit of length: at distance 1 in perspective, anywhere in a parallel projection.
@@ -78,8 +83,11 @@ impl View {
             false => near,
         };
         let level = if is_far && perspective { 1.0 } else { 0.0 };
+        let (origin, away) = if is_far { (camera.target, distance) } else { (camera.eye, 0.0) };
         Ok(Self {
             eye: camera.eye,
+            origin,
+            away,
             axes,
             scale,
             near,
@@ -90,6 +98,11 @@ impl View {
             perspective,
             size,
         })
+    }
+
+    /// How high what is shown is at the target.
+    pub(super) fn shown(&self) -> f64 {
+        self.reach / FAR
     }
 
     /// The middle of the picture, in pixels.
@@ -169,7 +182,7 @@ impl Camera {
 /// How many times farther away than the target a pivot may be: it takes 10 of the 53 bits of what is there.
 const FAR_PIVOT: f64 = 1024.0;
 
-/// The way from an object's own space to view space and to the scene's axes about the eye.
+/// The way from an object's own space to view space and to the scene's axes about the view's origin.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ObjectMap {
     /// A point of the object that is subtracted before anything else, so that an object far from its origin keeps its
@@ -193,13 +206,12 @@ impl ObjectMap {
         let part = sum - turned;
         let lost = (turned - (sum - part)) + (place - part);
         let lost = if lost.is_finite() { lost } else { DVec3::ZERO };
-        let scene_offset = (sum - view.eye) + lost;
         Self {
             pivot,
             to_view: rows * to_scene,
-            view_offset: rows * scene_offset,
+            view_offset: rows * ((sum - view.eye) + lost),
             to_scene,
-            scene_offset,
+            scene_offset: (sum - view.origin) + lost,
             perspective: view.perspective,
         }
     }
@@ -230,7 +242,7 @@ impl ObjectMap {
         }
     }
 
-    /// A point of the object relative to the eye, in the scene's axes.
+    /// A point of the object relative to the view's origin, in the scene's axes.
     #[inline(always)]
     pub(super) fn scene_point(&self, point: DVec3) -> DVec3 {
         self.to_scene * (point - self.pivot) + self.scene_offset
@@ -238,13 +250,15 @@ impl ObjectMap {
 }
 
 /// The same rays as [`View::ray`], in single precision for rows of pixels and in a unit of length of their own: a point
-/// at a distance is `start + distance · direction`, each linear on the picture.
+/// at a distance is `start + distance · direction`, each linear on the picture. Points are relative to the view's origin, and
+/// so are distances, along the axis.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rays {
     /// At the picture's upper left corner, and per pixel to the right and down.
     pub(super) start: [Vec3; 3],
     pub(super) direction: [Vec3; 3],
     depth_from: f32,
+    has_level: bool,
     /// Units of length per unit of depth, in a parallel projection.
     per_depth: f32,
     perspective: bool,
@@ -252,23 +266,34 @@ pub(super) struct Rays {
 
 impl Rays {
     pub(super) fn new(view: &View, unit: f64) -> Self {
-        let [corner, right, below] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(|place| view.ray(place));
+        let from_origin = |place| {
+            let (start, direction) = view.ray(place);
+            // In perspective rays are as far apart there as what is across in their directions has become.
+            let across = direction - view.axes[2];
+            (if view.away == 0.0 { start } else { start + across * view.away }, direction)
+        };
+        let [corner, right, below] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(from_origin);
+        let depth_from = if view.perspective { view.depth_from } else { view.depth_from - view.away };
         let rows = |a: DVec3, b: DVec3, c: DVec3| [a, b - a, c - a].map(|v| v.as_vec3());
         Self {
             start: rows(corner.0 / unit, right.0 / unit, below.0 / unit),
             direction: rows(corner.1, right.1, below.1),
-            depth_from: (view.depth_from / unit) as f32,
+            depth_from: (depth_from / unit) as f32,
+            has_level: view.has_level(),
             per_depth: (1.0 / (view.scale * unit)) as f32,
             perspective: view.perspective,
         }
     }
 
-    /// Distance along the axis of a point of this [nearness](View::nearness) or, in a parallel projection, depth.
+    /// Distance along the axis, from the view's origin, of a point of this [depth](View::depth) and, in perspective, this
+    /// [nearness](View::nearness). With z₀ the distance of depth 1, nearness is n = z₀/z, so that z = z₀/n, and from the
+    /// target, where depth d is n − 1, z − z₀ = −z₀ d/n.
     #[inline(always)]
-    pub(super) fn distance(&self, depth: f32) -> f32 {
+    pub(super) fn distance(&self, depth: f32, nearness: f32) -> f32 {
+        let share = if self.has_level { -depth } else { 1.0 };
         // Beyond its reach single precision has no squares of distances.
         match self.perspective {
-            true => (self.depth_from / depth).min(REACH),
+            true => (self.depth_from * share / nearness).min(REACH),
             false => self.depth_from - depth * self.per_depth,
         }
     }
@@ -303,7 +328,7 @@ mod tests {
                 assert!(back.distance(map.scene_point(point)) < 1e-13, "{back} {point}");
                 assert!((map.scene_point(point) + view.eye).distance(point) < 1e-14);
                 let rays = Rays::new(&view, 4.0);
-                let distance = 4.0 * rays.distance(view.depth(seen.z) as f32);
+                let distance = 4.0 * rays.distance(view.depth(seen.z) as f32, view.nearness(seen.z) as f32);
                 assert!((f64::from(distance) / seen.z - 1.0).abs() < 3e-7);
             }
         }

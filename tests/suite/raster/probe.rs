@@ -2,11 +2,12 @@
 
 use super::shapes::{Model, bumpy, icosphere, linear, scene};
 use crate::random::Random;
-use crease::num::{LinearRgb, Transfer};
+use crease::num::{LinearRgb, Radians, Transfer};
 use crease::raster::{
-    FlatSample, Interpolation, Paint, RenderSettings, Samples, Scene, Shading, probe, render,
+    Camera, FlatSample, Interpolation, Paint, Projection, RenderSettings, Samples, Scene, Shading, probe,
+    render,
 };
-use crease::shade::{Attenuation, Light};
+use crease::shade::{AreaShape, Attenuation, Cone, Light, Material};
 use crease::surface::Sphere;
 use glam::DVec3;
 
@@ -121,4 +122,55 @@ fn explanations_are_in_the_scene() {
     assert!(probe(&scene, &settings, [0, 0], 0).unwrap().is_none());
     assert!(probe(&scene, &settings, [101, 0], 0).is_err());
     assert!(probe(&scene, &settings, [0, 0], 1).is_err());
+}
+
+/// Lamps at a place light what a camera far from its target shows as they light it from near by.
+#[test]
+fn distant_cameras_see_the_same_light() {
+    let ball = icosphere(2);
+    let position = DVec3::new(0.5, 0.2, 1.6);
+    let colour = LinearRgb::grey(0.4);
+    let attenuation = Attenuation::InverseSquare;
+    let lamps = [
+        Light::Point { position, colour, attenuation },
+        Light::Spot { position, colour, attenuation, cone: Cone::of_lectures(-position) },
+        Light::Area {
+            shape: AreaShape::Disc { centre: position, normal: -position, radius: 0.2 },
+            colour: colour * 20.0,
+        },
+    ];
+    for (lamp, shading) in
+        lamps.iter().flat_map(|&lamp| [Shading::Flat, Shading::Gouraud, Shading::Phong].map(|s| (lamp, s)))
+    {
+        let settings = RenderSettings { shading, transfer: Transfer::Direct, ..linear([48, 48]) };
+        let seen_from = |distance: f64, parallel: bool| {
+            let mut object = ball.object();
+            object.paint = Paint::Lit(Material::matte(LinearRgb::grey(0.9)));
+            let camera = Camera {
+                eye: DVec3::Z * distance,
+                target: DVec3::ZERO,
+                up: DVec3::Y,
+                projection: match parallel {
+                    true => Projection::Orthographic(3.0),
+                    false => Projection::Perspective(Radians(2.0 * libm::atan(1.5 / distance))),
+                },
+                near: 0.1,
+            };
+            Scene { camera, lights: vec![lamp], ..scene(vec![object]) }
+        };
+        let near = render(&seen_from(10.0, true), &settings).unwrap();
+        for distance in [1e3, 1e5, 1e7, 1e9, 1e11] {
+            for parallel in [true, false] {
+                let far = seen_from(distance, parallel);
+                assert!(compare(&far, &settings) > 10);
+                let image = render(&far, &settings).unwrap();
+                // Inside the rim: from 1e3 perspective moves points by a hundredth of a pixel.
+                for (x, y) in [(24, 24), (20, 27), (30, 18), (33, 25), (28, 33)] {
+                    let (a, b) = (image.pixel(x, y).unwrap(), near.pixel(x, y).unwrap());
+                    let is_like = a.into_iter().zip(b).all(|(a, b)| a.abs_diff(b) <= 1);
+                    assert!(is_like, "{lamp:?} {shading:?} {parallel} {distance:e} ({x}, {y}): {a:?} {b:?}");
+                }
+            }
+        }
+    }
 }
