@@ -5,7 +5,7 @@ use super::facts::Facts;
 use super::tally::{Spot, Tallies};
 use crate::mesh::{ColumnIndex, FaceLabels, place_key};
 use rayon::prelude::*;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Finds faces with the same places for corners as an earlier one, by the way that they go round. Gives all faces that
 /// stand twice the same way, ascending.
@@ -85,32 +85,26 @@ pub(super) fn vertices(facts: &Facts<'_>, found: &mut Tallies) {
     let mut keys: Vec<([u64; 3], u32)> = used.map(|vertex| (place(vertex), vertex)).collect();
     keys.par_sort_unstable();
     for at_one_place in keys.chunk_by(|a, b| a.0 == b.0).filter(|chunk| chunk.len() > 1) {
-        let mut different: Vec<u32> = Vec::new();
+        let mut different: FxHashSet<Vec<u64>> = FxHashSet::default();
         for &(_, vertex) in at_one_place {
-            if different.iter().any(|&other| are_alike(facts, vertex, other)) {
+            if !different.insert(said_of(facts, vertex)) {
                 found.add(Kind::DuplicateVertices, Spot::vertex(vertex as usize, 0.0), 0.0);
-            } else {
-                different.push(vertex);
             }
         }
     }
 }
 
-/// Whether two vertices have the same of all that a file may say of a vertex, and faces of one material and object.
-fn are_alike(facts: &Facts<'_>, a: u32, b: u32) -> bool {
+/// All that a file may say of a vertex beside its place, by its bits, and the material and object of its first face.
+fn said_of(facts: &Facts<'_>, vertex: u32) -> Vec<u64> {
     let columns = facts.mesh.columns();
-    let face = |vertex: u32| facts.topology.face_of(facts.topology.corners_at(vertex)[0]) as usize;
-    let (faces, ends) = ([face(a), face(b)], [a as usize, b as usize]);
-    let same_label = |labels: &Option<FaceLabels>| {
-        labels.as_ref().is_none_or(|labels| labels.of_face[faces[0]] == labels.of_face[faces[1]])
-    };
-    let same_uv = columns.uvs.as_ref().is_none_or(|uvs| match uvs.index {
-        ColumnIndex::PerVertex => uvs.values[ends[0]] == uvs.values[ends[1]],
-        ColumnIndex::PerCorner(_) => true,
-    });
-    same_uv
-        && columns.colors.as_ref().is_none_or(|colours| colours[ends[0]] == colours[ends[1]])
-        && columns.morph_targets.iter().all(|target| target[ends[0]] == target[ends[1]])
-        && same_label(&columns.materials)
-        && same_label(&columns.objects)
+    let face = facts.topology.face_of(facts.topology.corners_at(vertex)[0]) as usize;
+    let vertex = vertex as usize;
+    let label = |labels: &Option<FaceLabels>| labels.as_ref().map(|labels| u64::from(labels.of_face[face]));
+    let uv = columns.uvs.iter().filter(|uvs| matches!(uvs.index, ColumnIndex::PerVertex));
+    let uv = uv.flat_map(|uvs| uvs.values[vertex].to_array().map(f64::from));
+    let colour = columns.colors.iter().flat_map(|colours| colours[vertex].map(f64::from));
+    let morphed = columns.morph_targets.iter().flat_map(|target| target[vertex].to_array());
+    // Zero has two signs and is one number.
+    let bits = uv.chain(colour).chain(morphed).map(|x| (x + 0.0).to_bits());
+    bits.chain([&columns.materials, &columns.objects].into_iter().filter_map(label)).collect()
 }
