@@ -2,6 +2,8 @@
 
 use super::bends::{Bend, separating_angle};
 use super::facts::{Facts, Worth};
+use super::means::{MEANS, Smoothness, Sums, sums};
+use super::orbits::Orbits;
 use super::rotation::{are_spread, rotation_angle, steady_turn};
 use crate::mesh::Column;
 use crate::normals::{Crease, Groups, NormalRecipe, Weight};
@@ -31,10 +33,6 @@ const NEARLY_HALF: f64 = 0.4;
 /// For how many edges that look smooth beyond the crease angle one that looks sharp below it counts, where those may all be
 /// the only sharp ones at their vertices.
 const LONE: usize = 16;
-
-/// Means of faces that were tried: all but the quadric, which is a fit.
-const MEANS: [Weight; 6] =
-    [Weight::Angle, Weight::Area, Weight::Uniform, Weight::AngleArea, Weight::Max, Weight::Edge];
 
 /// How the stored normals of a part were made, as far as they tell.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -144,9 +142,6 @@ struct Sample<'a> {
     bends: Vec<Bend>,
 }
 
-/// Sums of the faces round a corner, by each weighting.
-type Sums = [DVec3; MEANS.len()];
-
 /// What a rule about edges makes of a sample, with the weighting that does best with it.
 struct Fit {
     estimate: Estimate,
@@ -208,7 +203,9 @@ impl Sample<'_> {
 
     fn by_rule(&self, rule: Smoothness<'_>, turned_back: bool) -> Fit {
         let crease = rule.crease;
-        let sums: Vec<Sums> = self.corners.par_iter().map(|&corner| sums(self.facts, corner, rule)).collect();
+        let poles = Orbits::default();
+        let sums = |&corner: &u32| sums(self.facts, corner, rule, &poles);
+        let sums: Vec<Sums> = self.corners.par_iter().map(sums).collect();
         let turn = |weight| if turned_back { steady_turn(&self.pairs(&sums, weight)) } else { None };
         // Weightings differ by little and to all sides: any of them tells what all are turned by.
         let about = turn(0);
@@ -283,78 +280,4 @@ fn mixed(seed: u64) -> u64 {
     let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     z ^ (z >> 31)
-}
-
-/// Which edges are smooth.
-#[derive(Clone, Copy)]
-struct Smoothness<'a> {
-    /// Those that bend by no more.
-    crease: Degrees,
-    /// Of those, the ones whose two faces have one of these numbers, and not 0.
-    groups: Option<&'a [u32]>,
-}
-
-impl Smoothness<'_> {
-    /// Whether an edge between two faces is smooth.
-    fn joins(self, facts: &Facts<'_>, [a, b]: [usize; 2]) -> bool {
-        let in_one_group = |groups: &[u32]| groups[a] == groups[b] && groups[a] != 0;
-        self.groups.is_none_or(in_one_group)
-            && (self.crease.0 >= 180.0
-                || Degrees::from(angle_between(facts.face_normal(a), facts.face_normal(b))) <= self.crease)
-    }
-}
-
-/// The sum by each weighting over the faces that are reached from a corner without crossing a sharp edge.
-fn sums(facts: &Facts<'_>, corner: u32, rule: Smoothness<'_>) -> Sums {
-    let mut sums = [DVec3::ZERO; MEANS.len()];
-    let mut add = |corner: u32| {
-        let face = facts.topology.face_of(corner) as usize;
-        if facts.worth[face] == Worth::Silent {
-            return;
-        }
-        let normal = facts.face_normal(face);
-        let here = facts.place(corner as usize);
-        let ahead = facts.place(facts.topology.next(corner) as usize) - here;
-        let behind = facts.place(facts.topology.previous(corner) as usize) - here;
-        let angle = angle_between(ahead, behind).0;
-        let area = facts.area[face];
-        let edges = ahead.length() * behind.length();
-        let weights = [angle, area, 1.0, angle * area, libm::sin(angle) / edges, 1.0 / edges];
-        for (sum, weight) in sums.iter_mut().zip(weights) {
-            *sum += normal * weight;
-        }
-    };
-    walk(facts, corner, rule, &mut add);
-    sums
-}
-
-/// The longest way from a corner that is walked: poles of more faces are judged by these.
-const LONGEST: usize = 512;
-
-/// Visits the corners of the smooth group of a corner.
-fn walk(facts: &Facts<'_>, start: u32, rule: Smoothness<'_>, visit: &mut impl FnMut(u32)) {
-    let topology = &facts.topology;
-    let is_smooth =
-        |a: u32, b: u32| rule.joins(facts, [a, b].map(|corner| topology.face_of(corner) as usize));
-    visit(start);
-    let mut corner = start;
-    for _ in 0..LONGEST {
-        let Some(across) = topology.across(corner) else { break };
-        let next = topology.next(across);
-        if next == start {
-            return;
-        }
-        if !is_smooth(corner, next) {
-            break;
-        }
-        visit(next);
-        corner = next;
-    }
-    corner = start;
-    for _ in 0..LONGEST {
-        let before = topology.across(topology.previous(corner));
-        let Some(next) = before.filter(|&next| is_smooth(corner, next)) else { break };
-        visit(next);
-        corner = next;
-    }
 }

@@ -10,7 +10,7 @@ use crate::num::{Degrees, angle_between};
 use glam::DVec3;
 
 /// Two stored normals closer than this, in degrees, are one as far as pictures go.
-const SAME: f64 = 1.0;
+pub(super) const SAME: f64 = 1.0;
 
 /// The share of bent edges that the estimated crease angle has to put on the right side before the others are faults.
 const RULE: f64 = 0.98;
@@ -69,42 +69,16 @@ pub(super) fn is_averaged(facts: &Facts<'_>, corner: usize, from: f64) -> bool {
     facts.shares_vertices && edges.into_iter().any(|(edge, _)| edge.is_averaged(facts, from))
 }
 
-/// Whether a corner has its normal together with others at its vertex, up to an edge that is averaged and told as such.
-pub(super) fn is_beside_averaged(facts: &Facts<'_>, corner: usize, thresholds: &Thresholds) -> bool {
-    let (Some(stored), Some(estimate)) = (facts.stored.filter(|_| facts.shares_vertices), facts.estimate)
-    else {
-        return false;
-    };
-    let told_from = estimate.sharp_from() + thresholds.crease.0;
-    WAYS.into_iter().any(|way| {
-        let mut shared =
-            way.edges(facts, stored, corner as u32).take_while(|(edge, end)| edge.gaps[*end] <= SAME);
-        shared.any(|(edge, _)| edge.is_averaged(facts, told_from))
-    })
-}
-
-/// Whether a corner has its normal together with others at its vertex, up to an edge that is a seam.
-pub(super) fn is_beside_seam(facts: &Facts<'_>, corner: usize, thresholds: &Thresholds) -> bool {
-    let Some(stored) = facts.stored.filter(|_| facts.shares_vertices) else { return false };
-    let shares = |way: Way| way.shares(facts, stored, corner as u32);
-    let ends_at_seam = |way: Way| {
-        let mut edges = way.edges(facts, stored, corner as u32);
-        let split = edges.find(|(edge, end)| edge.gaps[*end] > SAME);
-        split.is_some_and(|(edge, _)| edge.is_seam(facts, stored, thresholds))
-    };
-    WAYS.into_iter().any(shares) && WAYS.into_iter().any(ends_at_seam)
-}
-
 /// A way round a vertex.
 #[derive(Clone, Copy)]
-enum Way {
+pub(super) enum Way {
     /// Over the edge that leaves a corner.
     Forward,
     /// Over the edge that comes in to it.
     Back,
 }
 
-const WAYS: [Way; 2] = [Way::Forward, Way::Back];
+pub(super) const WAYS: [Way; 2] = [Way::Forward, Way::Back];
 
 impl Way {
     /// The next edge from a corner, and which of its ends the vertex is.
@@ -115,21 +89,19 @@ impl Way {
         }
     }
 
-    /// The edges from a corner on, up to a rim or once round the vertex.
-    fn edges<'a>(
+    /// The edges from a corner on, up to a rim; without end where there is none.
+    pub(super) fn edges<'a>(
         self,
-        facts: &'a Facts<'a>,
+        facts: &'a Facts<'_>,
         stored: &'a Column<DVec3>,
         corner: u32,
     ) -> impl Iterator<Item = (Edge, usize)> {
-        let count = facts.topology.corners_at(facts.mesh.faces().corners()[corner as usize]).len();
         let mut at = corner;
-        let next = move || {
+        std::iter::from_fn(move || {
             let (edge, end) = self.edge(facts, stored, at)?;
             at = edge.ends[end][1] as u32;
             Some((edge, end))
-        };
-        std::iter::from_fn(next).take(count)
+        })
     }
 
     /// Whether a corner has one normal with the one beyond that edge.
@@ -149,9 +121,9 @@ pub(super) struct Edge {
     across: u32,
     faces: [usize; 2],
     /// How far the stored normals of the two sides are apart at each end, in degrees.
-    gaps: [f64; 2],
+    pub(super) gaps: [f64; 2],
     /// Corners of the two faces at each end.
-    ends: [[usize; 2]; 2],
+    pub(super) ends: [[usize; 2]; 2],
 }
 
 impl Edge {
@@ -231,7 +203,7 @@ impl Edge {
 
     /// Whether it splits the normals of a surface that goes on: not where single corners stray or are turned round, which is
     /// told as that.
-    fn is_seam(&self, facts: &Facts<'_>, stored: &Column<DVec3>, thresholds: &Thresholds) -> bool {
+    pub(super) fn is_seam(&self, facts: &Facts<'_>, stored: &Column<DVec3>, thresholds: &Thresholds) -> bool {
         let is_told = |&corner: &usize| {
             let off = facts.stored_unit(corner).map_or(0.0, |unit| degrees(unit, facts.expected(corner)));
             off > thresholds.deviation.0
@@ -244,7 +216,7 @@ impl Edge {
     }
 
     /// Whether both sides have one normal where the rule of the mesh has two.
-    fn is_averaged(&self, facts: &Facts<'_>, from: f64) -> bool {
+    pub(super) fn is_averaged(&self, facts: &Facts<'_>, from: f64) -> bool {
         self.is_shared() && !self.goes_on(facts) && self.bend(facts) > from
     }
 

@@ -4,6 +4,7 @@ use super::catalogue::Kind;
 use super::facts::{Facts, Worth};
 use super::finding::Severity;
 use super::limit::Limit;
+use super::runs::{Run, Runs};
 use super::tally::{Spot, Tallies, scan};
 use super::{Estimate, Precision, Thresholds};
 use super::{facets, quantisation, smoothing, turned};
@@ -27,8 +28,9 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
         return None;
     };
     let deviation = Limit::new(thresholds.deviation.0);
+    let runs = Runs::new(facts, thresholds);
     let corners = scan(facts.mesh.face_count(), thresholds.places, |faces, found| {
-        faces.for_each(|face| look_at(facts, stored, face, deviation, thresholds, found));
+        faces.for_each(|face| look_at((facts, runs.as_ref()), stored, face, deviation, thresholds, found));
     });
     let judged = Judged::new(facts, &corners);
     found.merge(corners);
@@ -84,7 +86,7 @@ impl Judged {
 }
 
 fn look_at(
-    facts: &Facts<'_>,
+    (facts, runs): (&Facts<'_>, Option<&Runs<'_>>),
     stored: &Column<DVec3>,
     face: usize,
     deviation: Limit,
@@ -118,7 +120,7 @@ fn look_at(
             && facts.is_judged(corner)
             && let Some(unit) = facts.stored_unit(corner)
             && let Some(off) = deviation.exceeded(unit, facts.expected(corner))
-            && let Some(kind) = direction(facts, face, corner, (unit, off), thresholds)
+            && let Some(kind) = direction((facts, runs), face, corner, (unit, off), thresholds)
         {
             found.add(kind, spot.by(off), area);
         }
@@ -127,7 +129,7 @@ fn look_at(
 
 /// What is wrong with the direction of a normal that is off by so many degrees; `None` if an edge explains it.
 fn direction(
-    facts: &Facts<'_>,
+    (facts, runs): (&Facts<'_>, Option<&Runs<'_>>),
     face: usize,
     corner: usize,
     (normal, off): (DVec3, f64),
@@ -141,8 +143,7 @@ fn direction(
         true => Some(Kind::AgainstFace),
         // An edge that should be sharp explains its corners, and so does one that should not be.
         false if smoothing::is_averaged(facts, corner, 0.0) => None,
-        false if smoothing::is_beside_averaged(facts, corner, thresholds) => None,
-        false if smoothing::is_beside_seam(facts, corner, thresholds) => None,
+        false if runs.is_some_and(|runs| runs.of(corner as u32) != Run::default()) => None,
         // The fan may be another one than that which the normal was made from.
         false if facts.has_two_fans(corner) => None,
         false => Some(Kind::Stray),

@@ -2,6 +2,7 @@
 //!
 //! `CREASE_LONG=1` tries many times as much.
 
+mod crowded;
 mod large;
 
 use crate::random::Random;

@@ -5,7 +5,7 @@ use super::planted::{averaged_crease, everywhere, per_corner, turned, unshared};
 use super::{grave, inspect, loaded};
 use crate::meshes::path;
 use crease::io::{FileNode, ReadOptions, read};
-use crease::mesh::{Mesh, Topology, Weld, normal_matrix};
+use crease::mesh::{Column, Columns, Faces, Mesh, MeshBuilder, Topology, Weld, normal_matrix};
 use crease::num::{Degrees, angle_between};
 use crease::quality::catalogue::{Family, Kind};
 use crease::quality::{Diagnosis, Severity, Thresholds, diagnose};
@@ -114,6 +114,35 @@ fn averaged_creases_of_parts_are_told_once() {
         }
     }
     assert!(misses.is_empty(), "{}", misses.join("\n"));
+}
+
+/// The same mesh with a vertex for each corner.
+fn with_own_vertices(mesh: &Mesh) -> Mesh {
+    let positions = mesh.faces().corners().iter().map(|&vertex| mesh.positions()[vertex as usize]).collect();
+    let mut faces = Faces::new();
+    mesh.faces()
+        .ranges()
+        .for_each(|range| faces.push(&range.map(|corner| corner as u32).collect::<Vec<_>>()));
+    let columns = Columns {
+        normals: Some(Column::per_vertex(unshared(mesh))),
+        smoothing: mesh.columns().smoothing.clone(),
+        ..Columns::default()
+    };
+    MeshBuilder { positions, faces, columns, ..MeshBuilder::default() }.build().unwrap()
+}
+
+/// Which corners an averaged edge explains does not depend on how corners share vertices.
+#[test]
+fn averaged_creases_explain_as_much_where_no_vertex_is_shared() {
+    for clean in meshes() {
+        let (averaged, _) = averaged_beyond(&clean.mesh, 0.8);
+        let strays = |mesh: &Mesh| {
+            let diagnosis = inspect(mesh, 1);
+            [Kind::AveragedCrease, Kind::Stray, Kind::Custom]
+                .map(|kind| diagnosis.get(kind).map(|finding| finding.count))
+        };
+        assert_eq!(strays(&with_own_vertices(&averaged)), strays(&averaged), "{}", clean.name);
+    }
 }
 
 /// Normals of the world below a node that stretches follow their rule in the space of the mesh, and what else is wrong with

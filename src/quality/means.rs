@@ -1,0 +1,109 @@
+//! Sums of the faces round a corner by each weighting, for a rule about which edges are smooth.
+
+use super::facts::{Facts, Worth};
+use super::orbits::{Orbits, SHORT};
+use crate::normals::Weight;
+use crate::num::{Degrees, angle_between};
+use glam::DVec3;
+
+/// Means of faces that were tried: all but the quadric, which is a fit.
+pub(super) const MEANS: [Weight; 6] =
+    [Weight::Angle, Weight::Area, Weight::Uniform, Weight::AngleArea, Weight::Max, Weight::Edge];
+
+/// Sums of the faces round a corner, by each weighting.
+pub(super) type Sums = [DVec3; MEANS.len()];
+
+/// Which edges are smooth.
+#[derive(Clone, Copy)]
+pub(super) struct Smoothness<'a> {
+    /// Those that bend by no more.
+    pub(super) crease: Degrees,
+    /// Of those, the ones whose two faces have one of these numbers, and not 0.
+    pub(super) groups: Option<&'a [u32]>,
+}
+
+impl Smoothness<'_> {
+    /// Whether an edge between two faces is smooth.
+    fn joins(self, facts: &Facts<'_>, [a, b]: [usize; 2]) -> bool {
+        let in_one_group = |groups: &[u32]| groups[a] == groups[b] && groups[a] != 0;
+        self.groups.is_none_or(in_one_group)
+            && (self.crease.0 >= 180.0
+                || Degrees::from(angle_between(facts.face_normal(a), facts.face_normal(b))) <= self.crease)
+    }
+}
+
+/// The sum by each weighting over the faces that are reached from a corner without crossing a sharp edge.
+pub(super) fn sums(facts: &Facts<'_>, corner: u32, rule: Smoothness<'_>, poles: &Orbits<Sums>) -> Sums {
+    let add = |sums: &mut Sums, corner| {
+        sums.iter_mut().zip(pulls(facts, corner)).for_each(|(sum, pull)| *sum += pull);
+    };
+    let short = || {
+        let mut sums = Sums::default();
+        walk(facts, corner, rule, SHORT, |corner| add(&mut sums, corner)).then_some(sums)
+    };
+    let whole = || {
+        let (mut sums, mut corners) = (Sums::default(), Vec::new());
+        walk(facts, corner, rule, usize::MAX, |corner| corners.push(corner));
+        // Whichever of them it began at, the order is the same.
+        corners.sort_unstable();
+        corners.iter().for_each(|&corner| add(&mut sums, corner));
+        (sums, corners)
+    };
+    poles.of(corner, short, whole)
+}
+
+/// What the face of a corner adds to the sum there, by each weighting.
+fn pulls(facts: &Facts<'_>, corner: u32) -> Sums {
+    let face = facts.topology.face_of(corner) as usize;
+    if facts.worth[face] == Worth::Silent {
+        return Sums::default();
+    }
+    let normal = facts.face_normal(face);
+    let here = facts.place(corner as usize);
+    let ahead = facts.place(facts.topology.next(corner) as usize) - here;
+    let behind = facts.place(facts.topology.previous(corner) as usize) - here;
+    let angle = angle_between(ahead, behind).0;
+    let area = facts.area[face];
+    let edges = ahead.length() * behind.length();
+    [angle, area, 1.0, angle * area, libm::sin(angle) / edges, 1.0 / edges].map(|weight| normal * weight)
+}
+
+/// Visits the corners of the smooth group of a corner, no more than so many to either side of it; gives whether those are all.
+fn walk(
+    facts: &Facts<'_>,
+    start: u32,
+    rule: Smoothness<'_>,
+    most: usize,
+    mut visit: impl FnMut(u32),
+) -> bool {
+    let topology = &facts.topology;
+    let is_smooth =
+        |a: u32, b: u32| rule.joins(facts, [a, b].map(|corner| topology.face_of(corner) as usize));
+    let ahead = |corner: u32| topology.across(corner).map(|across| topology.next(across));
+    let behind = |corner: u32| topology.across(topology.previous(corner));
+    visit(start);
+    let mut corner = start;
+    let mut steps = 0;
+    while let Some(next) = ahead(corner) {
+        if next == start {
+            return true;
+        }
+        if !is_smooth(corner, next) {
+            break;
+        }
+        if steps == most {
+            return false;
+        }
+        visit(next);
+        (corner, steps) = (next, steps + 1);
+    }
+    (corner, steps) = (start, 0);
+    while let Some(next) = behind(corner).filter(|&next| is_smooth(corner, next)) {
+        if steps == most {
+            return false;
+        }
+        visit(next);
+        (corner, steps) = (next, steps + 1);
+    }
+    true
+}
