@@ -38,8 +38,8 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
         Formula {
             notation: Text::same("max |t − s| = \\frac{\\sqrt{ρ} − 1}{\\sqrt{ρ} + 1}"),
             says: Text::new(
-                "the largest error of even interpolation; ½ step of 255 as soon as ρ > 1.0158 for colours from 0 to 1",
-                "o maior erro da interpolação uniforme; ½ passo de 255 assim que ρ > 1,0158 para cores de 0 a 1",
+                "the largest error of even interpolation; ½ step of 255 as soon as ρ > 1.0079 for colours from 0 to 1",
+                "o maior erro da interpolação uniforme; ½ passo de 255 assim que ρ > 1,0079 para cores de 0 a 1",
             ),
         },
     ],
@@ -75,6 +75,8 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let corrected = error(RATIO, 1, Interpolation::Perspective)?;
     let scanline = error(RATIO, 1, Interpolation::Scanline)?;
     let in_pieces = error(RATIO, segments, Interpolation::Affine)?;
+    let up = Wall::new(RATIO, 1)?.error_up(Interpolation::Affine)?;
+    let up_in_pieces = Wall::new(RATIO, segments)?.error_up(Interpolation::Affine)?;
     let by = || {
         Text::new(
             "(√ρ − 1)/(√ρ + 1); the nearest pixel of 4096, and single precision",
@@ -109,7 +111,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     );
     measures.push(
         Measure::new(
-            Text::made(format!("affine, {segments} pieces"), format!("afim, {segments} pedaços")),
+            Text::made(
+                format!("affine, {segments} × {segments} pieces"),
+                format!("afim, {segments} × {segments} pedaços"),
+            ),
             "",
             in_pieces,
         )
@@ -122,9 +127,28 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             ),
         ),
     );
+    for (pieces, found) in [(1, up), (segments, up_in_pieces)] {
+        measures.push(
+            Measure::new(
+                Text::made(
+                    format!("affine, {pieces} × {pieces} pieces: place up"),
+                    format!("afim, {pieces} × {pieces} pedaços: lugar na altura"),
+                ),
+                "",
+                found,
+            )
+            .at_most(
+                pieces_law(RATIO, pieces) + TOLERANCE,
+                Text::new(
+                    "as much as across, on the diagonal of a piece; pixels lie beside it",
+                    "tanto quanto na largura, na diagonal de um pedaço; os pixels ficam ao lado dela",
+                ),
+            ),
+        );
+    }
     let bad = measured[3];
     let moved = Moved {
-        name: Text::new("largest error of place on the surface", "maior erro de lugar na superfície"),
+        name: Text::new("largest error of the place across", "maior erro do lugar na largura"),
         unit: "",
         bad,
         present: Threshold::HALF_STEP,
@@ -158,10 +182,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                  normais, erra do mesmo modo.",
             ),
             Text::new(
-                "Cut into more pieces, each has a smaller depth ratio, and the error falls with the square of their number; dividing \
-                 by depth makes it vanish.",
-                "Cortada em mais pedaços, cada um tem razão de profundidades menor, e o erro cai com o quadrado do seu número; \
-                 dividir pela profundidade o faz sumir.",
+                "Cut into more pieces both ways, each is smaller and has a smaller depth ratio: the error falls with the square of \
+                 their number along a side. Dividing by depth makes it vanish.",
+                "Cortada em mais pedaços nos dois sentidos, cada um é menor e tem razão de profundidades menor: o erro cai com o \
+                 quadrado do número deles ao longo de um lado. Dividir pela profundidade o faz sumir.",
             ),
         ],
     })
@@ -170,6 +194,12 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
 /// The error's derivative by the place is up to ρ: half a pixel of 4096·0.9 is 10/7400 at ρ = 10 beside the largest error, where it
 /// is 0 to first order; vertices snap to 256ths of pixels; single precision, 6·10⁻⁸, is far below.
 const TOLERANCE: f64 = 2e-5;
+
+/// The place t of the middle of a pixel: from 0 at the wall's left end on the picture to 1 at its right end.
+fn across(pixel: u32, width: u32) -> f64 {
+    let x = (f64::from(pixel) + 0.5) / f64::from(width) * 2.0 - 1.0;
+    (x / REACH + 1.0) / 2.0
+}
 
 /// Where on the surface the place t of the picture is.
 fn law_place(ratio: f64, t: f64) -> f64 {
@@ -182,8 +212,8 @@ fn pieces_law(ratio: f64, pieces: u32) -> f64 {
     (nearest.sqrt() - 1.0) / (nearest.sqrt() + 1.0) / f64::from(pieces)
 }
 
-/// A wall that runs away from the viewer, from the left at depth 1 to the right at depth ρ, in equal pieces. Its colours are places:
-/// red across, green up.
+/// A wall that runs away from the viewer, from the left at depth 1 to the right at depth ρ, in as many equal pieces across as
+/// up. Its colours are places: red across, green up.
 struct Wall {
     mesh: Mesh,
     colours: Vec<LinearRgb>,
@@ -194,15 +224,18 @@ impl Wall {
     fn new(ratio: f64, pieces: u32) -> Result<Self, ArtefactError> {
         let (near, far) = (DVec3::new(-REACH, 0.0, -1.0), DVec3::new(REACH * ratio, 0.0, -ratio));
         let (mut positions, mut colours) = (Vec::new(), Vec::new());
-        for k in 0..=pieces {
-            let s = f64::from(k) / f64::from(pieces);
-            for (v, y) in [(0.0, -REACH), (1.0, REACH)] {
-                positions.push(near.lerp(far, s) + DVec3::Y * y);
-                colours.push(LinearRgb::new(s, v, 0.0));
-            }
+        let row = pieces + 1;
+        let share = |k: u32| f64::from(k) / f64::from(pieces);
+        for (s, v) in (0..row * row).map(|k| (share(k / row), share(k % row))) {
+            positions.push(near.lerp(far, s) + DVec3::Y * REACH * (2.0 * v - 1.0));
+            colours.push(LinearRgb::new(s, v, 0.0));
         }
-        let corners: Vec<u32> = (0..pieces).flat_map(|k| [0, 2, 3, 1].map(|corner| 2 * k + corner)).collect();
-        let faces = Faces::polygons(corners, (0..=pieces).map(|k| 4 * k).collect());
+        let piece = |k: u32| {
+            let first = k / pieces * row + k % pieces;
+            [0, row, row + 1, 1].map(|corner| first + corner)
+        };
+        let corners: Vec<u32> = (0..pieces * pieces).flat_map(piece).collect();
+        let faces = Faces::polygons(corners, (0..=pieces * pieces).map(|k| 4 * k).collect());
         let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build()?;
         Ok(Self { mesh, colours, ratio })
     }
@@ -231,11 +264,24 @@ impl Wall {
         let image = self.draw([LINE, 3], interpolation)?;
         let error = |pixel: u32| {
             let index = image.index(pixel, 1)?;
-            let x = (f64::from(pixel) + 0.5) / f64::from(LINE) * 2.0 - 1.0;
-            let place = law_place(self.ratio, (x / REACH + 1.0) / 2.0);
+            let place = law_place(self.ratio, across(pixel, LINE));
             (image.coverage[index] > 0).then(|| (f64::from(linear(&image)[index][0]) - place).abs())
         };
         Ok((0..LINE).filter_map(error).fold(0.0, f64::max))
+    }
+
+    /// The largest error of the place up, of all pixels of a picture of 1024 by 1024. Its supremum is where the diagonals of
+    /// pieces are, which pixels come close to and do not meet.
+    fn error_up(&self, interpolation: Interpolation) -> Result<f64, ArtefactError> {
+        const SIDE: u32 = 1024;
+        let image = self.draw([SIDE; 2], interpolation)?;
+        let error = |(index, colour): (usize, &[f32; 3])| {
+            let [x, y] = [index as u32 % SIDE, index as u32 / SIDE];
+            let depth = 1.0 + (self.ratio - 1.0) * law_place(self.ratio, across(x, SIDE));
+            let up = 0.5 - (f64::from(y) + 0.5 - 0.5 * f64::from(SIDE)) / f64::from(SIDE) * depth / REACH;
+            (image.coverage[index] > 0).then(|| (f64::from(colour[1]) - up).abs())
+        };
+        Ok(linear(&image).iter().enumerate().filter_map(error).fold(0.0, f64::max))
     }
 }
 
@@ -254,10 +300,10 @@ fn board(image: &Image) -> Image {
 }
 
 fn shots([moved, cut_up]: [&Moved; 2], [affine, right, cut]: [&Image; 3]) -> Vec<Shot> {
-    let across = |image: &Image| {
+    let off = |image: &Image| {
         let pairs = linear(image).iter().zip(linear(right)).zip(&image.coverage);
         let error = |((a, b), &covered): ((&[f32; 3], &[f32; 3]), &u8)| {
-            (covered > 0).then(|| f64::from((a[0] - b[0]).abs()))
+            (covered > 0).then(|| f64::from((a[0] - b[0]).abs().max((a[1] - b[1]).abs())))
         };
         map(image.size, &pairs.map(error).collect::<Vec<_>>(), 0.35)
     };
@@ -294,8 +340,8 @@ fn shots([moved, cut_up]: [&Moved; 2], [affine, right, cut]: [&Image; 3]) -> Vec
             Text::new("affine, in pieces", "afim, em pedaços"),
             [
                 Text::new(
-                    "Affine again, but the wall is cut into pieces.",
-                    "De novo afim, mas com a parede cortada em pedaços.",
+                    "Affine again, but the wall is cut into pieces both ways.",
+                    "De novo afim, mas com a parede cortada em pedaços nos dois sentidos.",
                 ),
                 Text::new("Each errs less.", "Cada um erra menos."),
             ],
@@ -305,10 +351,10 @@ fn shots([moved, cut_up]: [&Moved; 2], [affine, right, cut]: [&Image; 3]) -> Vec
             "error",
             Text::new("error of the affine one", "erro da afim"),
             Text::new(
-                "How far the affine place across is from the true one: yellow is 0.35 of the wall's length.",
-                "Quanto o lugar afim na largura dista do verdadeiro: amarelo é 0,35 do comprimento da parede.",
+                "How far the affine place is from the true one, across or up, whichever is more: yellow is 0.35 of the wall.",
+                "Quanto o lugar afim dista do verdadeiro, na largura ou na altura, o que for maior: amarelo é 0,35 da parede.",
             ),
-            across(affine),
+            off(affine),
         ),
         Shot::difference(
             "error-pieces",
@@ -318,7 +364,7 @@ fn shots([moved, cut_up]: [&Moved; 2], [affine, right, cut]: [&Image; 3]) -> Vec
                 "A mesma escala para a parede em pedaços: no máximo {}.",
                 &[cut_up.cured],
             ),
-            across(cut),
+            off(cut),
         ),
     ]
 }
