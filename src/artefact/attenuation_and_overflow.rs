@@ -346,12 +346,22 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         moved,
         measures,
         charts,
-        notes: vec![Text::new(
+        notes: vec![
+            Text::new(
+                "Under 1/d² light quadruples with each halving of the distance: what is just right far away is beyond the screen's white \
+                 close by, and is cut off there. A term added to d keeps the sum below white at the lamp, and falls more slowly far \
+                 away. Where a coloured light is cut off, it is cut off channel by channel, and its hue moves towards white.",
+                "Sob 1/d² a luz quadruplica a cada metade da distância: o que está certo ao longe passa do branco da tela de perto, e ali é \
+                 cortado. Um termo somado a d mantém a soma abaixo do branco junto à lâmpada, e cai mais devagar ao longe. Onde se corta \
+                 uma luz colorida, corta-se canal por canal, e o tom vai para o branco.",
+            ),
+            Text::new(
             "The lectures use the letter d twice: for the distance to the lamp in attenuation, and to the viewer in depth cueing. They \
              are two options here.",
             "As aulas usam a letra d duas vezes: para a distância à lâmpada na atenuação, e ao observador no depth cueing. Aqui são \
              duas opções.",
-        )],
+            ),
+        ],
     })
 }
 

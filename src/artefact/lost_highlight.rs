@@ -217,12 +217,20 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             "",
             flicker_phong,
         ),
+        Measure::new(
+            Text::new(
+                "Gouraud: the same, beyond the flicker of diffuse light",
+                "Gouraud: o mesmo, além da cintilação da luz difusa",
+            ),
+            "",
+            beyond_diffuse(flicker_gouraud),
+        ),
     ];
     let moved = Moved {
         name: match is_seen(lost_on_sphere) {
             true => Text::new(
                 "flicker of the highlight's peak, beyond that of diffuse light",
-                "cintilação do pico do brilho, além da da luz difusa",
+                "cintilação do pico do brilho, além da cintilação da luz difusa",
             ),
             false => Text::new(
                 "flicker of the highlight's peak, as far as pixels hold it",
@@ -269,8 +277,8 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                     ),
                     match is_lost(Radians::from(TILT).0, exponent) {
                         true => Text::new(
-                            "So the whole plate is dark: the highlight in its middle is lost.",
-                            "A placa toda fica escura: o brilho no meio se perdeu.",
+                            "So the whole plate is evenly dull: the highlight in its middle is lost.",
+                            "A placa toda fica por igual opaca: o brilho no meio se perdeu.",
                         ),
                         false => Text::new(
                             "The highlight is so wide that they have much of it: in the middle it is dulled, not lost.",

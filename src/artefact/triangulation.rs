@@ -33,7 +33,7 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
     ],
     formulas: &[
         Formula {
-            notation: Text::same("c_{13} = \\frac{c_1 + c_3}{2}, c_{24} = \\frac{c_2 + c_4}{2}"),
+            notation: Text::same("c_{13} = \\frac{c_1 + c_3}{2}, \\quad c_{24} = \\frac{c_2 + c_4}{2}"),
             says: Text::new(
                 "the colour in the middle of the diamond, cut from corner 1 to 3 or from 2 to 4",
                 "a cor no meio do losango, cortado do canto 1 ao 3 ou do 2 ao 4",

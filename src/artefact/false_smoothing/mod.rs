@@ -48,7 +48,10 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
             ),
         },
         Formula {
-            notation: Text::new("δ_{zigzag} = s, δ_{roof} = s/2", "δ_{zigue} = s, δ_{telhado} = s/2"),
+            notation: Text::new(
+                "δ_{zigzag} = s, \\quad δ_{roof} = s/2",
+                "δ_{zigue} = s, \\quad δ_{telhado} = s/2",
+            ),
             says: Text::new(
                 "for strips that lean by s to either side, and for strips of which every other leans by s",
                 "para faixas inclinadas de s para um lado e para o outro, e para faixas das quais uma sim, outra não, se inclina de s",

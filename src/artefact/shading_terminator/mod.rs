@@ -42,7 +42,7 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
             ),
         },
         Formula {
-            notation: Text::same("G = −g^3 + g^2 + g, g = \\frac{N_g·L}{(N·L) (N_g·N)}"),
+            notation: Text::same("G = −g^3 + g^2 + g, \\quad g = \\frac{N_g·L}{(N·L) (N_g·N)}"),
             says: Text::new(
                 "Chiang, Li and Burley's factor for g < 1: light goes out gradually as the facet turns away",
                 "o fator de Chiang, Li e Burley para g < 1: a luz se apaga aos poucos quando a faceta se vira",

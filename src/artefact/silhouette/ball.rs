@@ -333,8 +333,8 @@ fn shots(
             label("ball", "bola", fine),
             [
                 Text::new(
-                    "At least as many segments as the closed form asks for half a pixel, and twice as many as before.",
-                    "Ao menos tantos segmentos quantos a fórmula pede para meio pixel, e o dobro de antes.",
+                    "At least as many segments as the closed form asks for half a pixel, and at least twice as many as before.",
+                    "Ao menos tantos segmentos quantos a fórmula pede para meio pixel, e ao menos o dobro de antes.",
                 ),
                 Text::new(
                     "The outline is round to the eye; what is measured has the outlines' own pixels in it.",

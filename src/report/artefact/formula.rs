@@ -19,7 +19,8 @@ pub fn mathml(notation: &str) -> String {
         row.push_str(&terms(&mut signs));
         signs.next();
     }
-    let alternative = escape_html(notation);
+    let alternative = notation.replace("\\quad ", "");
+    let alternative = escape_html(&alternative);
     format!("<math display=\"block\" alttext=\"{alternative}\"><mrow>{row}</mrow></math>")
 }
 
@@ -69,6 +70,8 @@ fn atom(signs: &mut Signs) -> Option<String> {
         '\\' => match taken(signs, |c| c.is_ascii_alphabetic()).as_str() {
             "frac" => format!("<mfrac>{}{}</mfrac>", argument(signs), argument(signs)),
             "sqrt" => format!("<msqrt>{}</msqrt>", argument(signs)),
+            // Between two formulas on one line.
+            "quad" => "<mspace width=\"1em\"></mspace>".to_owned(),
             name => format!("<mi>{name}</mi>"),
         },
         c if c.is_ascii_digit() => format!("<mn>{c}{}</mn>", number(signs)),
