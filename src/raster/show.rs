@@ -26,6 +26,11 @@ impl Sample<'_> {
         self.hit.map_or(self.record.front, |hit| hit.front)
     }
 
+    /// Whether its normal is that of the other side.
+    fn turned(&self, job: &Job) -> bool {
+        self.hit.map_or(self.record.turned, |hit| job.settings.two_sided && !hit.front)
+    }
+
     /// Distance along the camera's axis.
     fn distance(&self, job: &Job) -> f64 {
         let distance = match self.hit {
@@ -65,7 +70,7 @@ pub(super) fn colour(job: &Job, object: &Prepared, sample: &Sample) -> Vec3 {
 
 /// The angle between a sample's normal and the true one.
 fn deviation(job: &Job, object: &Prepared, sample: &Sample) -> Radians {
-    let turned = if sample.record.turned { -1.0 } else { 1.0 };
+    let turned = if sample.turned(job) { -1.0 } else { 1.0 };
     let truth = match &object.truth {
         Some(surface) => {
             let point = job.frame.to_world(sample.position.as_dvec3());
