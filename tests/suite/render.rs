@@ -8,6 +8,7 @@ mod notes;
 mod options;
 mod probe;
 mod scenes;
+mod unused;
 mod usage;
 
 use crate::cli::{crease, path, text};

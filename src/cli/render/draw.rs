@@ -176,7 +176,8 @@ fn turntable(
 }
 
 impl Variant {
-    fn settings(self, settings: &RenderSettings) -> RenderSettings {
+    /// The settings of its panel.
+    pub fn settings(self, settings: &RenderSettings) -> RenderSettings {
         match self {
             Variant::Shading(shading) => RenderSettings { shading, ..*settings },
             Variant::Interpolation(interpolation) => RenderSettings { interpolation, ..*settings },

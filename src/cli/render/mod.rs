@@ -1,8 +1,10 @@
 //! The verb `render`: load a scene, change it as asked, draw it, store the picture, tell about it.
 
 mod args;
+mod contrast;
 mod draw;
 mod fields;
+mod reads;
 mod report;
 mod request;
 mod text;
@@ -22,9 +24,10 @@ use super::progress::CountProgress;
 use super::report::{ErrorReport, NoteReport, json_line};
 use super::{Exit, notes, usage_error, use_threads};
 use crease::io::{self, ReadError, Written};
-use crease::raster::{Image, Object, SceneFile, Shading, Shape, Unseen, load};
+use crease::raster::{Image, Object, SceneFile, SceneObject, Shading, Shape, Unseen, load};
 use crease::report::{PixelReport, probe_pixel};
 use draw::{DrawError, Drawn, Made};
+use reads::Case;
 use report::{DrawingReport, OutputReport, Report, SceneReport, SettingsReport};
 use request::{Request, Subject};
 use std::time::Instant;
@@ -57,9 +60,10 @@ fn work(request: &Request, console: &Console, report: &mut Report) -> Result<(),
         file.notes.extend(moved);
     }
     report.notes.extend(file.notes.iter().map(NoteReport::new));
+    let own = file.settings.shading;
     request.change(&mut file)?;
-    report.notes.extend(unused::notes(request, &file));
-    report.notes.extend(gains(&file));
+    report.notes.extend(unused::notes(request, &file, own));
+    report.notes.extend(gains(request, &file));
     report.scene = Some(SceneReport::new(&file, &file.scene()));
     report.settings = Some(SettingsReport::new(&file.settings));
     report.seconds.load = start.elapsed().as_secs_f64();
@@ -110,13 +114,16 @@ fn read(request: &Request) -> Result<SceneFile, ReadError> {
     }
 }
 
-/// A warning for each object that reflects more light than it gets.
-fn gains(file: &SceneFile) -> impl Iterator<Item = NoteReport> {
-    let lit = file.objects.iter().enumerate().filter(|(_, object)| !object.given);
-    lit.filter_map(|(number, object)| {
+/// A warning for each object that reflects more light than it gets, where light is shown.
+fn gains(request: &Request, file: &SceneFile) -> Vec<NoteReport> {
+    let cases = Case::all(request.args, file);
+    let is_lit = |object| cases.iter().any(|case| std::ptr::eq(case.object(), object) && case.is_lit());
+    let lit = file.objects.iter().enumerate().filter(|&(_, object)| is_lit(object));
+    let warn = |(number, object): (usize, &SceneObject)| {
         let gain = object.material.gain()?;
         Some(NoteReport::warning(format!("object {}: {gain}", number + 1)))
-    })
+    };
+    lit.filter_map(warn).collect()
 }
 
 /// What is not seen, and why: an empty picture may be what was asked for, so it is no error.

@@ -1,6 +1,7 @@
 //! What was typed after `render`, made into what shall be done.
 
 use super::args::{HiddenLines, ReflectionChoice, RenderArgs, Variant};
+use super::contrast::contrast;
 use super::turn;
 use crate::cli::inputs::Source;
 use crate::cli::normals::Failure;
@@ -47,10 +48,6 @@ pub enum Subject<'a> {
 
 /// Most pixels of all frames or panels together, as many as the largest single picture has: what is more was hardly meant.
 const MOST_PIXELS: u64 = 1 << 28;
-
-/// The luminance of a background on which black is told better than white: where (1 + 0.05)/(Y + 0.05) is
-/// (Y + 0.05)/0.05, the contrast ratios of WCAG 2.
-const BRIGHT: f64 = 0.179;
 
 impl<'a> Request<'a> {
     /// Checks what was typed against itself.
@@ -148,13 +145,14 @@ impl<'a> Request<'a> {
         self.change_materials(file).map_err(Failure::Draw)?;
         let scene = &self.args.scene;
         file.background = scene.background.unwrap_or(file.background);
-        if !self.has_settings() && file.background.luminance() > BRIGHT {
-            file.settings.wire.colour = LinearRgb::BLACK;
-        }
         let is_typed = self.args.colour.transfer.is_some();
         if !is_typed && (transfer, file.settings.transfer) == (Transfer::Srgb, Transfer::Direct) {
             // The same codes as behind the lit picture.
             file.background = file.background.to_array().map(|light| Transfer::Srgb.encode(light)).into();
+        }
+        let told = |wire| contrast(wire, file.background, file.settings.transfer);
+        if !self.has_settings() && told(LinearRgb::BLACK) > told(LinearRgb::WHITE) {
+            file.settings.wire.colour = LinearRgb::BLACK;
         }
         if let Some(degrees) = scene.rotate {
             let pivot = turn::pivot(file);

@@ -1,53 +1,51 @@
 //! Options that change nothing in what is drawn: an expectation that is not met is told.
 
 use super::args::Variant;
-use super::request::{Request, Subject};
+use super::contrast::{LEAST, code, contrast};
+use super::reads::{Case, INTERPOLATION, READERS, is_solid, shows_no_values};
+use super::request::Request;
 use crate::cli::report::NoteReport;
 use crease::io::Note;
-use crease::num::LinearRgb;
-use crease::raster::{RenderSettings, SceneFile, SceneObject, SceneShape, Shading, Show};
+use crease::raster::{SceneFile, Shading, Show};
 
-/// A note for each option, or group of them, that was typed for nothing.
-pub fn notes(request: &Request, file: &SceneFile) -> Vec<NoteReport> {
-    let drawn = drawn(request, &file.settings);
-    let texts = [
-        normals(request, file),
-        exact(request, file, &drawn),
-        flat_sample(request, &drawn),
-        interpolation(request, file, &drawn),
-        hidden_lines(request, &drawn),
-        light(request, &file.settings, &drawn),
-        wire_colour(file, &drawn),
-    ];
-    texts.into_iter().flatten().map(|text| NoteReport::new(&Note::remark(text))).collect()
-}
-
-/// The shadings of what is drawn: of the picture, or of each panel.
-fn drawn(request: &Request, settings: &RenderSettings) -> Vec<Shading> {
-    let of_panel = |variant: &Variant| match variant {
-        Variant::Shading(shading) => *shading,
-        Variant::Interpolation(_) => settings.shading,
-    };
-    match request.subject {
-        Subject::Panels(variants) => variants.iter().map(of_panel).collect(),
-        _ => vec![settings.shading],
+/// A note for each option, or group of them, that was typed for nothing. `own` is the shading that the scene had before
+/// any option changed it.
+pub fn notes(request: &Request, file: &SceneFile, own: Shading) -> Vec<NoteReport> {
+    let cases = Case::all(request.args, file);
+    // Where there is nothing, that is told alone.
+    if cases.is_empty() {
+        return Vec::new();
     }
+    let mut texts = unread(request, &cases);
+    texts.extend(exact(request, file, &cases));
+    texts.extend(shading(request, file.settings.show, own));
+    texts.extend(interpolations(request, &cases));
+    texts.extend(wire_colour(file, &cases));
+    texts.into_iter().map(|text| NoteReport::new(&Note::remark(text))).collect()
 }
 
-fn is_solid(object: &SceneObject) -> bool {
-    matches!(object.shape, SceneShape::Surface(_))
-}
-
-fn normals(request: &Request, file: &SceneFile) -> Option<String> {
-    let text = "there are no meshes, whose normals --weight, --crease and --when would change";
-    (request.args.normals.are_typed() && file.meshes.is_empty()).then(|| text.to_owned())
+/// Options that nothing reads, those together that have the same reason.
+fn unread(request: &Request, cases: &[Case]) -> Vec<String> {
+    let mut groups: Vec<(&str, Vec<&str>)> = Vec::new();
+    for reader in READERS {
+        let Some(why) = reader.unread(request.args, cases) else { continue };
+        match groups.iter_mut().find(|(reason, _)| *reason == why) {
+            Some((_, names)) => names.push(reader.name),
+            None => groups.push((why, vec![reader.name])),
+        }
+    }
+    let text = |(why, names): (&str, Vec<&str>)| {
+        let verb = if names.len() == 1 { "changes" } else { "change" };
+        format!("{} {verb} nothing: {why}", names.join(", "))
+    };
+    groups.into_iter().map(text).collect()
 }
 
 /// Surfaces without a tessellation have neither faces nor corners that light could be computed at.
-fn exact(request: &Request, file: &SceneFile, drawn: &[Shading]) -> Option<String> {
+fn exact(request: &Request, file: &SceneFile, cases: &[Case]) -> Option<String> {
     let number = file.objects.iter().position(is_solid)?;
-    let is_asked = request.args.shading.shading.is_some() || drawn.len() > 1;
-    let is_other = |shading: &Shading| match shading {
+    let is_asked = request.args.shading.shading.is_some() || request.args.output.compare.len() > 1;
+    let is_other = |case: &Case| match case.shading() {
         Shading::Flat | Shading::Gouraud => true,
         Shading::Phong => is_asked,
         Shading::Wireframe | Shading::Exact => false,
@@ -55,80 +53,56 @@ fn exact(request: &Request, file: &SceneFile, drawn: &[Shading]) -> Option<Strin
     let is_all = file.objects.iter().all(is_solid);
     let which = if is_all { "the objects are".into() } else { format!("object {} is", number + 1) };
     let kind = if is_all { "analytic surfaces" } else { "an analytic surface" };
-    drawn.iter().any(is_other).then(|| {
+    cases.iter().any(is_other).then(|| {
         format!("{which} {kind} without a tessellation: whatever the shading, drawn exactly, by casting rays")
     })
 }
 
-fn flat_sample(request: &Request, drawn: &[Shading]) -> Option<String> {
-    let is_unused = request.args.shading.flat_sample.is_some() && !drawn.contains(&Shading::Flat);
-    is_unused.then(|| "--flat-sample changes nothing without flat shading".into())
+/// Shadings between which what `--show` shows does not tell.
+fn shading(request: &Request, show: Show, own: Shading) -> Option<String> {
+    let of_panel = |variant: &Variant| match variant {
+        Variant::Shading(shading) => Some(*shading),
+        Variant::Interpolation(_) => None,
+    };
+    let (what, compared) = match request.args.shading.shading {
+        Some(typed) => ("--shading changes nothing", vec![own, typed]),
+        None => (
+            "comparing shadings shows no difference",
+            request.args.output.compare.iter().filter_map(of_panel).collect(),
+        ),
+    };
+    let (alike, names): (&[Shading], _) = match show {
+        Show::Shaded => return None,
+        _ if shows_no_values(show) => {
+            (&[Shading::Flat, Shading::Gouraud, Shading::Phong], "flat, Gouraud and Phong")
+        }
+        _ if compared.iter().all(|&shading| shading == own) => return None,
+        _ => (&[Shading::Gouraud, Shading::Phong], "Gouraud and Phong"),
+    };
+    let is_told = compared.len() > 1 && compared.iter().all(|shading| alike.contains(shading));
+    is_told.then(|| format!("{what}: what --show shows is the same under {names} shading"))
 }
 
-fn interpolation(request: &Request, file: &SceneFile, drawn: &[Shading]) -> Option<String> {
-    let compares =
-        request.args.output.compare.iter().any(|variant| matches!(variant, Variant::Interpolation(_)));
-    if request.args.shading.interpolation.is_none() && !compares {
+fn interpolations(request: &Request, cases: &[Case]) -> Option<String> {
+    let mut variants = request.args.output.compare.iter();
+    let why =
+        INTERPOLATION.lack(cases).filter(|_| variants.any(|it| matches!(it, Variant::Interpolation(_))));
+    why.map(|why| format!("comparing interpolations shows no difference: {why}"))
+}
+
+fn wire_colour(file: &SceneFile, cases: &[Case]) -> Option<String> {
+    let (wire, background, transfer) = (file.settings.wire.colour, file.background, file.settings.transfer);
+    let is_drawn = file.settings.show == Show::Shaded
+        && cases.iter().any(|case| case.shading() == Shading::Wireframe && !is_solid(case.object()));
+    let found = contrast(wire, background, transfer);
+    if !is_drawn || found >= LEAST {
         return None;
     }
-    let what = if compares {
-        "comparing interpolations shows no difference"
-    } else {
-        "--interpolation changes nothing"
+    let what = match code(wire, transfer) == code(background, transfer) {
+        true => "has the colour of the background".into(),
+        false => format!(
+            "is hard to tell from the background: their contrast is {found:.1}:1, and WCAG 2.1 asks for {LEAST}:1"
+        ),
     };
-    if file.objects.iter().all(is_solid) {
-        return Some(format!("{what}: analytic surfaces without a tessellation have no corners"));
-    }
-    let show = file.settings.show;
-    if matches!(show, Show::Facing | Show::Depth | Show::FaceId) {
-        return Some(format!("{what}: what --show shows is not interpolated"));
-    }
-    let varies = |shading: &Shading| match shading {
-        Shading::Gouraud | Shading::Phong => true,
-        // What is shown in place of light are normals, which a wireframe interpolates as well.
-        Shading::Wireframe => show != Show::Shaded,
-        Shading::Flat | Shading::Exact => false,
-    };
-    (!drawn.iter().any(varies)).then(|| format!("{what}: only Gouraud and Phong shading interpolate"))
-}
-
-fn hidden_lines(request: &Request, drawn: &[Shading]) -> Option<String> {
-    let shading = &request.args.shading;
-    let has_lines = drawn.contains(&Shading::Wireframe) || !shading.overlay.is_empty();
-    (shading.hidden_lines.is_some() && !has_lines).then(|| {
-        "--hidden-lines changes nothing: there are no lines without --shading wireframe or --overlay".into()
-    })
-}
-
-/// Options of light where none is shown.
-fn light(request: &Request, settings: &RenderSettings, drawn: &[Shading]) -> Option<String> {
-    let (scene, shading, colour) = (&request.args.scene, &request.args.shading, &request.args.colour);
-    let why = match settings.show {
-        Show::Shaded if drawn.iter().all(|&shading| shading == Shading::Wireframe) => {
-            "a wireframe is not lit"
-        }
-        Show::Shaded => return None,
-        _ => "--show shows something in place of light",
-    };
-    let typed = [
-        (!scene.light.is_empty(), "--light"),
-        (scene.ambient.is_some(), "--ambient"),
-        (scene.material.is_some(), "--material"),
-        (shading.reflection.is_some(), "--reflection"),
-        (shading.exponent.is_some(), "--exponent"),
-        (!colour.guard.is_empty(), "--guard"),
-        (colour.literal, "--literal"),
-        (colour.terminator.is_some(), "--terminator"),
-    ];
-    let typed: Vec<&str> = typed.iter().filter(|(is_typed, _)| *is_typed).map(|&(_, name)| name).collect();
-    let verb = if typed.len() == 1 { "changes" } else { "change" };
-    (!typed.is_empty()).then(|| format!("{} {verb} nothing: {why}", typed.join(", ")))
-}
-
-fn wire_colour(file: &SceneFile, drawn: &[Shading]) -> Option<String> {
-    let code = |colour: LinearRgb| colour.to_array().map(|light| file.settings.transfer.to_u8(light));
-    let is_lost = drawn.contains(&Shading::Wireframe)
-        && file.settings.show == Show::Shaded
-        && code(file.settings.wire.colour) == code(file.background);
-    is_lost.then(|| "the wireframe has the colour of the background: choose another --background".into())
+    Some(format!("the wireframe {what}; choose another --background"))
 }

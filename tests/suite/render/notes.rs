@@ -4,7 +4,7 @@ use super::{BEFORE, SQUARE, gear, picture, pixels_unlike, report, square, with};
 use crate::cli::{code, folder, path, text};
 
 /// The texts of all notes.
-fn notes(args: &[impl AsRef<str>]) -> String {
+pub(super) fn notes(args: &[impl AsRef<str>]) -> String {
     let report = report(args);
     report["notes"].as_array().unwrap().iter().map(|note| format!("{}\n", note["text"])).collect()
 }
@@ -110,65 +110,6 @@ fn options_override_normals_that_a_scene_calls_given() {
     let ball = with(&[at("ball.toml")], &["--size", "20x20"]);
     assert!(notes(&with(&ball, &["--weight", "area"])).contains("no meshes"));
     assert!(!notes(&ball).contains("no meshes"));
-}
-
-/// Options that were typed for nothing are told, and none that do something.
-#[test]
-fn options_that_change_nothing_are_told() {
-    let ball = "[[object]]\nsurface.sphere.radius = 1\n";
-    let white = "[settings]\nshading = \"wireframe\"\nbackground = 1\n[[object]]\nmesh = \"square.obj\"\n";
-    let work = folder(&[("ball.toml", ball), ("white.toml", white), ("square.obj", SQUARE)]);
-    let at = |name: &str| path(work.path().join(name));
-    let [ball, white, square] = ["ball.toml", "white.toml", "square.obj"].map(at);
-    let small = |args: &[&str]| notes(&with(args, &["--size", "40x30"]));
-    let table: &[(&[&str], &str)] = &[
-        (&[&square, "--flat-sample", "centroid"], "--flat-sample changes nothing"),
-        (
-            &[&square, "--interpolation", "affine", "--shading", "flat"],
-            "--interpolation changes nothing: only",
-        ),
-        (&[&square, "--interpolation", "affine", "--show", "depth"], "not interpolated"),
-        (&[&ball, "--interpolation", "scanline"], "--interpolation changes nothing: analytic"),
-        (&[&ball, "--compare", "scanline,affine"], "no difference: analytic"),
-        (&[&ball, "--shading", "flat"], "drawn exactly"),
-        (&[&ball, "--shading", "phong"], "drawn exactly"),
-        (&[&ball, "--compare", "flat,exact"], "drawn exactly"),
-        (&[&square, "--hidden-lines", "show"], "--hidden-lines changes nothing"),
-        (&[&square, "--show", "depth", "--light", "directional towards=0,0,1"], "--light changes nothing"),
-        (
-            &[&square, "--show", "normals", "--ambient", "1", "--exponent", "3"],
-            "--ambient, --exponent change",
-        ),
-        (
-            &[&square, "--shading", "wireframe", "--material", "kd=1"],
-            "--material changes nothing: a wireframe",
-        ),
-        (&[&white], "the colour of the background"),
-    ];
-    for (args, expected) in table {
-        let found = small(args);
-        assert!(found.contains(expected), "{args:?}: no {expected:?} in {found:?}");
-    }
-    let silent: &[&[&str]] = &[
-        &[&square, "--flat-sample", "centroid", "--shading", "flat"],
-        &[&square, "--flat-sample", "centroid", "--compare", "flat,phong"],
-        &[&square, "--interpolation", "affine"],
-        &[&square, "--interpolation", "affine", "--show", "normals"],
-        &[&square, "--compare", "affine,perspective"],
-        &[&ball],
-        &[&ball, "--shading", "exact"],
-        &[&square, "--hidden-lines", "show", "--overlay", "wire"],
-        &[&square, "--light", "directional towards=0,0,1"],
-        &[&square, "--show", "deviation", "--weight", "area"],
-        &[&white, "--background", "0.5"],
-        &[&square, "--shading", "wireframe", "--background", "1"],
-    ];
-    for args in silent {
-        let found = small(args);
-        let is_told =
-            ["nothing", "no difference", "drawn exactly", "background"].iter().any(|it| found.contains(it));
-        assert!(!is_told, "{args:?}: {found}");
-    }
 }
 
 /// A wireframe shows on a background of any brightness.

@@ -1,0 +1,314 @@
+//! Options that change nothing are told, and only they: each claim is held against the bytes of the picture.
+
+use super::notes::notes;
+use super::{bytes, render, with};
+use crate::cli::{folder, path, text};
+
+/// A bent strip of two unlike faces, one face that turns its back, and colours at all corners.
+const STRIP: &str = "\
+v -1 -1 0 1 0 0\nv 0 -1 0.4 0 1 0\nv 0 1 0.4 0 0 1\nv -1 1 0 1 1 0\nv 2 -1 0 0 1 1\nv 2 0.5 0 1 0 1\n
+v -2 -1 0 1 1 1\nv -1.2 -1 0 0 0 0\nv -1.2 1 -0.5 1 0 0\nf 1 2 3 4\nf 2 5 6 3\nf 7 9 8\n";
+const BALL: &str = "[[object]]\nsurface.sphere.radius = 1\n";
+
+/// The strip and a ball, as files.
+struct Stage {
+    folder: tempfile::TempDir,
+}
+
+impl Stage {
+    fn new() -> Self {
+        let strip = "[[object]]\nmesh = \"strip.obj\"\n";
+        let files = [
+            ("strip.obj", STRIP.to_owned()),
+            ("ball.toml", BALL.to_owned()),
+            ("given.toml", format!("[settings]\nreflection = \"given\"\n{strip}")),
+            ("net.toml", format!("{BALL}tessellation = {{ segments = [8, 6] }}\n")),
+            (
+                "exact.toml",
+                format!("[settings]\nshading = \"exact\"\n{BALL}tessellation = {{ segments = [8, 6] }}\n"),
+            ),
+            ("bright.toml", format!("[settings]\nbackground = [2, 1, 0.5]\n{strip}")),
+        ];
+        Self { folder: folder(&files.each_ref().map(|(name, text)| (*name, &**text))) }
+    }
+
+    /// Words of a command line, whose first is the name of a file, at a low light.
+    fn args(&self, words: &str) -> Vec<String> {
+        let (name, words) = words.split_once(' ').unwrap_or((words, ""));
+        let words: Vec<&str> = words.split(' ').filter(|word| !word.is_empty()).collect();
+        let size = ["--size", "48x36", "--samples", "1"];
+        with(&with(&[path(self.folder.path().join(name))], &size), &words.map_quoted())
+    }
+}
+
+/// Words with `_` for the spaces within them.
+trait Quoted {
+    fn map_quoted(&self) -> Vec<String>;
+}
+
+impl Quoted for Vec<&str> {
+    fn map_quoted(&self) -> Vec<String> {
+        self.iter().map(|word| word.replace('_', " ")).collect()
+    }
+}
+
+/// What was drawn, options that change nothing there, and why they do not.
+const UNREAD: &[(&str, &[&str], &str)] = &[
+    ("strip.obj --show depth", LIGHT, "change nothing: --show shows something in place of light"),
+    ("strip.obj --show normals", LIGHT, "change nothing: --show shows something in place of light"),
+    ("strip.obj --shading wireframe", LIGHT, "change nothing: a wireframe is not lit"),
+    ("strip.obj --reflection given", LIGHT_ALONE, "change nothing: the colours of vertices are shown unlit"),
+    ("given.toml", LIGHT_ALONE, "change nothing: the colours of vertices are shown unlit"),
+    ("given.toml", &["--two-sided"], "changes nothing: the colours of vertices are shown unlit"),
+    ("strip.obj --show face-id", &["--reflection", "given"], "changes nothing: --show shows"),
+    ("strip.obj --shading wireframe", &["--reflection", "given"], "changes nothing: a wireframe"),
+    ("strip.obj --shading gouraud", &["--terminator", "hard"], "--terminator changes nothing: only Phong"),
+    ("strip.obj --shading flat", &["--terminator", "soft"], "--terminator changes nothing: only Phong"),
+    ("exact.toml", &["--terminator", "hard"], "--terminator changes nothing: only Phong"),
+    ("ball.toml", &["--terminator", "hard"], "have neither faces nor corners"),
+    ("strip.obj --shading flat", NORMALS, "change nothing: only Gouraud and Phong shading take the normals"),
+    ("strip.obj --shading wireframe", NORMALS, "change nothing: only Gouraud and Phong shading take"),
+    ("strip.obj --shading flat --show normals", NORMALS, "change nothing: only Gouraud and Phong"),
+    ("exact.toml", NORMALS, "change nothing: only Gouraud and Phong"),
+    ("strip.obj --show depth", NORMALS, "change nothing: what --show shows is not interpolated"),
+    ("strip.obj --show face-id", NORMALS, "change nothing: what --show shows is not interpolated"),
+    ("strip.obj --show facing", NORMALS, "change nothing: what --show shows is not interpolated"),
+    ("strip.obj --reflection given", NORMALS, "change nothing: the colours of vertices are shown unlit"),
+    ("ball.toml", NORMALS, "change nothing: there are no meshes"),
+    ("strip.obj --shading wireframe", &["--two-sided"], "--two-sided changes nothing: a wireframe"),
+    ("strip.obj --show depth", &["--two-sided"], "--show shows neither light nor normals"),
+    ("strip.obj --show facing", &["--two-sided"], "--show shows neither light nor normals"),
+    ("strip.obj --show face-id", &["--two-sided"], "--show shows neither light nor normals"),
+    ("strip.obj --show deviation", &["--two-sided"], "--show shows neither light nor normals"),
+    ("net.toml --show deviation --cull front", &["--two-sided"], "--show shows neither light nor normals"),
+    ("ball.toml --show deviation --cull front", &["--two-sided"], "--show shows neither light nor normals"),
+    ("strip.obj --cull back", &["--two-sided"], "--two-sided changes nothing: faces seen from behind"),
+    ("strip.obj --shading wireframe", &["--tone", "max"], "--tone changes nothing: no colour is over 1"),
+    ("strip.obj --show normals", &["--tone", "max"], "--tone changes nothing: no colour is over 1"),
+    ("strip.obj --show depth", &["--tone", "max"], "--tone changes nothing: no colour is over 1"),
+    ("strip.obj", FLAT_SAMPLE, "--flat-sample changes nothing: there is no flat shading"),
+    ("strip.obj --shading flat --show normals", FLAT_SAMPLE, "--flat-sample changes nothing: --show"),
+    (
+        "strip.obj --shading flat --reflection given",
+        FLAT_SAMPLE,
+        "--flat-sample changes nothing: the colours",
+    ),
+    ("ball.toml --shading flat", FLAT_SAMPLE, "have neither faces nor corners"),
+    ("strip.obj --shading flat", AFFINE, "--interpolation changes nothing: only"),
+    ("strip.obj --shading wireframe", AFFINE, "--interpolation changes nothing: only"),
+    ("exact.toml", AFFINE, "--interpolation changes nothing: only"),
+    ("strip.obj --show depth", AFFINE, "--interpolation changes nothing: what --show shows is not"),
+    ("ball.toml", AFFINE, "--interpolation changes nothing: analytic"),
+    ("strip.obj", &["--hidden-lines", "show"], "--hidden-lines changes nothing"),
+    ("strip.obj --show face-id", &["--shading", "flat"], "same under flat, Gouraud and Phong shading"),
+    ("strip.obj --show depth", &["--shading", "gouraud"], "same under flat, Gouraud and Phong shading"),
+    ("strip.obj --show facing", &["--shading", "phong"], "same under flat, Gouraud and Phong shading"),
+    ("strip.obj --show normals", &["--shading", "gouraud"], "same under Gouraud and Phong shading"),
+    ("net.toml --show deviation", &["--shading", "gouraud"], "same under Gouraud and Phong shading"),
+    ("ball.toml", &["--shading", "flat"], "drawn exactly"),
+    ("ball.toml", &["--shading", "phong"], "drawn exactly"),
+];
+
+/// What was drawn, and options that change it.
+const READ: &[(&str, &[&str])] = &[
+    ("strip.obj", &["--light", "directional_towards=1,0,0.2"]),
+    ("strip.obj --shading flat", &["--ambient", "1"]),
+    ("strip.obj --shading gouraud", &["--material", "kd=1"]),
+    ("strip.obj", &["--reflection", "given"]),
+    ("given.toml", &["--reflection", "blinn"]),
+    ("strip.obj --light directional_towards=-1,0,0.6", &["--exponent", "1"]),
+    ("ball.toml", &["--literal"]),
+    ("ball.toml", &["--guard", "diffuse=off"]),
+    ("net.toml --light directional_towards=1,0.4,-0.3", &["--terminator", "hard"]),
+    ("strip.obj", &["--weight", "area"]),
+    ("strip.obj", &["--crease", "5"]),
+    ("net.toml", &["--when", "always"]),
+    ("strip.obj --shading flat --flat-sample vertex-mean", &["--weight", "area"]),
+    ("strip.obj --shading wireframe --show normals", &["--weight", "area"]),
+    ("given.toml --show normals", &["--crease", "5"]),
+    ("strip.obj --show depth --overlay vertex-normals", &["--weight", "area"]),
+    ("strip.obj --reflection given --overlay creases", &["--crease", "5"]),
+    ("strip.obj", &["--two-sided"]),
+    ("strip.obj --shading flat --show normals", &["--two-sided"]),
+    ("strip.obj --light directional_towards=0,0,1_colour=3,2,1", &["--tone", "max"]),
+    ("bright.toml --show depth", &["--tone", "max"]),
+    ("bright.toml --shading wireframe", &["--tone", "max"]),
+    ("strip.obj --shading flat --light point_position=0,0,1", FLAT_SAMPLE),
+    ("strip.obj --compare flat,phong --light point_position=0,0,1", FLAT_SAMPLE),
+    ("strip.obj", AFFINE),
+    ("strip.obj --show normals", AFFINE),
+    ("strip.obj --shading wireframe --show normals", AFFINE),
+    ("strip.obj --shading wireframe --camera eye=3,0,1", &["--hidden-lines", "show"]),
+    ("strip.obj --overlay wire --camera eye=3,0,1", &["--hidden-lines", "show"]),
+    ("strip.obj", &["--shading", "gouraud"]),
+    ("strip.obj --show normals", &["--shading", "flat"]),
+    ("strip.obj --show depth", &["--shading", "wireframe"]),
+    ("net.toml --show depth", &["--shading", "exact"]),
+    ("exact.toml --show depth", &["--shading", "flat"]),
+];
+
+const LIGHT: &[&str] = &[
+    "--light",
+    "directional_towards=1,0,0",
+    "--ambient",
+    "1",
+    "--material",
+    "kd=0.2",
+    "--reflection",
+    "phong",
+    "--exponent",
+    "3",
+    "--guard",
+    "highlight=off",
+    "--literal",
+    "--terminator",
+    "hard",
+];
+/// Without the option that makes it light.
+const LIGHT_ALONE: &[&str] = &[
+    "--light",
+    "directional_towards=1,0,0",
+    "--ambient",
+    "1",
+    "--material",
+    "kd=0.2",
+    "--exponent",
+    "3",
+    "--guard",
+    "highlight=off",
+    "--literal",
+    "--terminator",
+    "hard",
+];
+const NORMALS: &[&str] = &["--weight", "area", "--crease", "5", "--when", "always"];
+const FLAT_SAMPLE: &[&str] = &["--flat-sample", "vertex-mean"];
+const AFFINE: &[&str] = &["--interpolation", "affine"];
+
+fn is_told(found: &str) -> bool {
+    ["nothing", "no difference", "drawn exactly"].iter().any(|word| found.contains(word))
+}
+
+#[test]
+fn options_that_change_nothing_are_told() {
+    let stage = Stage::new();
+    for (words, options, reason) in UNREAD {
+        let plain = stage.args(words);
+        let typed = with(&plain, &options.to_vec().map_quoted());
+        let found = notes(&typed);
+        let told: Vec<&str> = found.lines().filter(|line| line.contains(reason)).collect();
+        assert!(!told.is_empty(), "{words} {options:?}: no {reason:?} in {found:?}");
+        let names = options.iter().filter(|word| word.starts_with("--"));
+        if !reason.contains("drawn exactly") {
+            names.for_each(|name| assert!(found.contains(name), "{words}: nothing of {name} in {found:?}"));
+        }
+        assert!(
+            bytes(&plain) == bytes(&typed),
+            "{words} {options:?} changes the picture, but is told not to"
+        );
+    }
+}
+
+#[test]
+fn options_that_change_something_are_not_told() {
+    let stage = Stage::new();
+    for (words, options) in READ {
+        let plain = stage.args(words);
+        let typed = with(&plain, &options.to_vec().map_quoted());
+        assert!(bytes(&plain) != bytes(&typed), "{words} {options:?} changes nothing");
+        let found = notes(&typed);
+        assert!(!is_told(&found), "{words} {options:?}: {found}");
+    }
+}
+
+/// A probe tells weights and normals of corners also where they make no colour.
+#[test]
+fn options_that_change_what_a_probe_tells_are_not_told() {
+    let stage = Stage::new();
+    let flat = stage.args("strip.obj --shading flat --probe 26,18");
+    let said = |args: &[String]| text(&render(args).stdout).to_string();
+    for options in [["--weight", "area"], ["--interpolation", "affine"]] {
+        let typed = with(&flat, &options);
+        assert_ne!(said(&flat), said(&typed), "{options:?}");
+        assert!(!is_told(&notes(&typed)), "{options:?}: {}", notes(&typed));
+    }
+}
+
+#[test]
+fn panels_without_a_difference_are_told() {
+    let stage = Stage::new();
+    let told: &[(&str, &str, &str)] = &[
+        ("ball.toml", "scanline,affine", "no difference: analytic"),
+        ("strip.obj --show depth", "affine,perspective", "no difference: what --show shows is not"),
+        ("strip.obj --show depth", "flat,phong", "no difference: what --show shows is the same"),
+        ("strip.obj --show normals", "gouraud,phong", "no difference: what --show shows is the same"),
+    ];
+    for (words, panels, reason) in told {
+        let args = stage.args(words);
+        let found = notes(&with(&args, &["--compare", panels]));
+        assert!(found.contains(reason), "{words} {panels}: no {reason:?} in {found:?}");
+        let option = if reason.contains("same") { "--shading" } else { "--interpolation" };
+        let of_panel: Vec<_> = panels.split(',').map(|panel| bytes(&with(&args, &[option, panel]))).collect();
+        assert!(of_panel[0] == of_panel[1], "{words} {panels}");
+    }
+    assert!(notes(&stage.args("ball.toml --compare flat,exact")).contains("drawn exactly"));
+    for (words, panels) in [
+        ("strip.obj", "affine,perspective"),
+        ("strip.obj --show normals", "flat,phong"),
+        ("strip.obj --show depth", "phong,wireframe"),
+        ("strip.obj", "gouraud,phong"),
+    ] {
+        let found = notes(&with(&stage.args(words), &["--compare", panels]));
+        assert!(!is_told(&found), "{words} {panels}: {found}");
+    }
+}
+
+/// A material that reflects too much matters only where it is lit.
+#[test]
+fn materials_are_judged_where_they_are_lit() {
+    let stage = Stage::new();
+    let bright = ["--material", "kd=0.9 ks=0.9"];
+    let found = |words: &str| notes(&with(&stage.args(words), &bright));
+    assert!(found("strip.obj").contains("object 1: "), "{}", found("strip.obj"));
+    for words in ["strip.obj --show depth", "strip.obj --shading wireframe", "strip.obj --reflection given"] {
+        assert!(!found(words).contains("object 1: "), "{words}: {}", found(words));
+    }
+}
+
+/// Lines that hardly differ from what is behind them are told, by the contrast ratio of WCAG 2.1.
+#[test]
+fn wireframes_of_little_contrast_are_told() {
+    let on = |wire: &str, background: &str, more: &str| {
+        let scene = format!(
+            "[settings]\nshading = \"wireframe\"\nbackground = {background}\nwire = {{ colour = {wire} }}\n{more}[[object]]\nmesh = \"strip.obj\"\n"
+        );
+        let folder = folder(&[("a.toml", &scene), ("strip.obj", STRIP)]);
+        notes(&[path(folder.path().join("a.toml")), "--size".into(), "40x30".into()])
+    };
+    assert!(on("1", "1", "").contains("has the colour of the background; choose another"));
+    // (1 + 0.05)/(0.9 + 0.05), about.
+    assert!(on("1", "0.9", "").contains("contrast is 1.1:1"), "{}", on("1", "0.9", ""));
+    // Red on green of the same luminance, which eyes that do not tell hues do not tell at all.
+    assert!(on("[1, 0, 0]", "[0, 0.297, 0]", "").contains("contrast is 1.0:1"));
+    // Either side of 3:1, which is light of 0.3 on white, and as a code of its own 0.586.
+    assert!(on("0.31", "1", "").contains("contrast is") && !on("0.29", "1", "").contains("background"));
+    let direct = "transfer = \"direct\"\n";
+    assert!(
+        on("0.6", "1", direct).contains("contrast is") && !on("0.57", "1", direct).contains("background")
+    );
+    let ball = folder(&[("a.toml", &format!("[settings]\nshading = \"wireframe\"\nbackground = 1\n{BALL}"))]);
+    let found = notes(&[path(ball.path().join("a.toml")), "--size".into(), "40x30".into()]);
+    assert!(!found.contains("choose another"), "no line is drawn: {found}");
+}
+
+/// What is black or white by itself is told from any background, however light becomes codes.
+#[test]
+fn wireframes_of_bare_meshes_have_contrast() {
+    let stage = Stage::new();
+    for background in ["0", "0.1", "0.179", "0.18", "0.3", "0.45", "0.6", "1"] {
+        for transfer in ["srgb", "direct"] {
+            let args = stage.args(&format!("strip.obj --shading wireframe --transfer {transfer}"));
+            let found = notes(&with(&args, &["--background", background]));
+            assert!(!found.contains("wireframe"), "{background} {transfer}: {found}");
+        }
+    }
+}
