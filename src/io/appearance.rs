@@ -64,12 +64,14 @@ pub struct FileCamera {
     pub name: String,
     /// Where the file describes it.
     pub place: Place,
-    /// From its own space, where it looks along −z with +y up, to the world's.
+    /// From its own space, where it looks along −z with +y up, to the world's: a rotation and a translation.
     pub world_from_camera: DMat4,
     /// How it maps.
     pub projection: FileProjection,
     /// Distance before which nothing is drawn.
     pub near: f64,
+    /// Distance beyond which nothing is to be drawn, if there is one.
+    pub far: Option<f64>,
 }
 
 /// How a camera maps.

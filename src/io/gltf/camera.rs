@@ -3,9 +3,12 @@
 use super::fields::{At, Fields, dangling};
 use super::nodes::Placed;
 use crate::io::{FileCamera, FileProjection, Problem, ReadError};
+use glam::DMat4;
 use std::f64::consts::PI;
 
-/// The camera of a node that has one; `None` of others.
+/// The camera of a node that has one; `None` of others. It looks along its node's −z with +y up: "The view matrix is derived
+/// from the global transform of the node containing the camera with the scaling ignored" (§3.10.2). So it stands where the
+/// node stands, which the scales above it have a part in, and looks as the rotations turn it, one after the other.
 ///
 /// # Errors
 /// Whatever makes it no camera, with the place and, if it has one, its name.
@@ -20,14 +23,15 @@ pub(super) fn at_node(node: &Placed<'_>) -> Result<Option<FileCamera>, ReadError
     };
     let camera = Fields::new(json, object, At::new("cameras", number))?;
     let name = camera.string("name")?.unwrap_or_default().into_owned();
-    let read = projection(&camera).and_then(|(projection, near)| {
+    let read = projection(&camera).and_then(|(projection, [near, far])| {
         check_rotation(node)?;
         Ok(FileCamera {
             name: name.clone(),
             place: camera.at.place(),
-            world_from_camera: node.world,
+            world_from_camera: DMat4::from_rotation_translation(node.turn, node.world.w_axis.truncate()),
             projection,
             near,
+            far: far.is_finite().then_some(far),
         })
     });
     match read {
@@ -38,8 +42,8 @@ pub(super) fn at_node(node: &Placed<'_>) -> Result<Option<FileCamera>, ReadError
     }
 }
 
-/// How a camera maps, and its near distance.
-fn projection(camera: &Fields<'_>) -> Result<(FileProjection, f64), ReadError> {
+/// How a camera maps, and its near and far distances, the latter infinite if there is none.
+fn projection(camera: &Fields<'_>) -> Result<(FileProjection, [f64; 2]), ReadError> {
     let kind = camera.string("type")?.ok_or_else(|| camera.missing("type"))?;
     match &*kind {
         "perspective" => {
@@ -55,8 +59,9 @@ fn projection(camera: &Fields<'_>) -> Result<(FileProjection, f64), ReadError> {
             if near <= 0.0 {
                 return Err(wrong(&lens, "znear", near, "a distance above 0"));
             }
-            check_far(&lens, near, lens.number("zfar")?)?;
-            Ok((FileProjection::Perspective(angle), near))
+            let far = lens.number("zfar")?.unwrap_or(f64::INFINITY);
+            check_far(&lens, near, far)?;
+            Ok((FileProjection::Perspective(angle), [near, far]))
         }
         "orthographic" => {
             let lens = lens(camera, "orthographic")?;
@@ -69,8 +74,9 @@ fn projection(camera: &Fields<'_>) -> Result<(FileProjection, f64), ReadError> {
             if near < 0.0 {
                 return Err(wrong(&lens, "znear", near, "a distance of 0 or more"));
             }
-            check_far(&lens, near, Some(needed(&lens, "zfar")?))?;
-            Ok((FileProjection::Orthographic { width, height }, near))
+            let far = needed(&lens, "zfar")?;
+            check_far(&lens, near, far)?;
+            Ok((FileProjection::Orthographic { width, height }, [near, far]))
         }
         kind => {
             let found = format!("`type` is `{kind}`");
@@ -89,20 +95,23 @@ fn needed(lens: &Fields<'_>, name: &str) -> Result<f64, ReadError> {
     lens.number(name)?.ok_or_else(|| lens.missing(name))
 }
 
-fn check_far(lens: &Fields<'_>, near: f64, far: Option<f64>) -> Result<(), ReadError> {
-    match far {
-        Some(far) if far <= near => {
-            Err(wrong(lens, "zfar", far, &format!("a distance above `znear`, which is {near}")))
-        }
-        _ => Ok(()),
+fn check_far(lens: &Fields<'_>, near: f64, far: f64) -> Result<(), ReadError> {
+    match far > near {
+        true => Ok(()),
+        false => Err(wrong(lens, "zfar", far, &format!("a distance above `znear`, which is {near}"))),
     }
 }
 
 fn check_rotation(node: &Placed<'_>) -> Result<(), ReadError> {
-    let Some(at) = node.without_rotation else { return Ok(()) };
-    let found = "a camera stands here or below, and a rotation of zeros turns it nowhere";
-    let advice = "give a quaternion of length 1, such as 0, 0, 0, 1";
-    Err(ReadError::new(Problem::Range, At::new("nodes", at).member("rotation"), found, advice))
+    let Some((at, member)) = node.without_rotation else { return Ok(()) };
+    let (what, advice) = match member {
+        "matrix" => {
+            ("a matrix without an inverse", "give `rotation`, `translation` and `scale` in its place")
+        }
+        _ => ("a rotation of zeros", "give a quaternion of length 1, such as 0, 0, 0, 1"),
+    };
+    let found = format!("a camera stands here or below, and {what} turns it nowhere");
+    Err(ReadError::new(Problem::Range, At::new("nodes", at).member(member), found, advice))
 }
 
 fn wrong(lens: &Fields<'_>, name: &str, number: f64, wanted: &str) -> ReadError {

@@ -4,14 +4,15 @@ use super::document::list;
 use super::fields::{At, Fields, dangling};
 use super::json::Json;
 use crate::io::{FileNode, Note, Problem, ReadError, Severity};
-use glam::{DMat4, DQuat, DVec3};
+use crate::num::UnitVec3;
+use glam::{DMat3, DMat4, DQuat, DVec3, DVec4};
 
 /// The meshes of the default scene (of all root nodes, where there is none), in the order of the tree.
 pub(super) fn read(json: &Json, meshes: usize, notes: &mut Vec<Note>) -> Result<Vec<FileNode>, ReadError> {
     let mut placed = Vec::new();
     let (mut unturned, mut skinned_elsewhere) = (Vec::new(), None);
     each(json, |node| {
-        if node.without_rotation == Some(node.number) {
+        if node.without_rotation == Some((node.number, "rotation")) {
             unturned.push(node.number);
         }
         let Some(part) = node.fields.index("mesh")? else { return Ok(()) };
@@ -65,8 +66,11 @@ pub(super) struct Placed<'a> {
     pub(super) fields: Fields<'a>,
     /// From its own space to the world's.
     pub(super) world: DMat4,
-    /// The nearest node at or above it whose rotation is a quaternion of length 0, which is none.
-    pub(super) without_rotation: Option<usize>,
+    /// The rotations of the node and of all above it, one after the other: how it stands with all scaling ignored.
+    pub(super) turn: DQuat,
+    /// The nearest node at or above it that has no rotation, and the member that should give it: a quaternion of length 0,
+    /// or a matrix without an inverse.
+    pub(super) without_rotation: Option<(usize, &'static str)>,
     /// Whether the default scene has it.
     pub(super) shown: bool,
 }
@@ -82,25 +86,40 @@ pub(super) fn each<'a>(
     let tree = Tree::new((0..nodes.len()).map(fields), nodes.len())?;
     let shown = tree.shown(&root)?;
     // The way from a root to the node at hand, with the place of each node in the world.
-    let mut path: Vec<(u32, DMat4, Option<usize>)> = Vec::new();
+    let mut path: Vec<(u32, Above)> = Vec::new();
     for node in tree.order()? {
         let number = node as usize;
         while path.last().is_some_and(|&(above, ..)| above != tree.parent[number]) {
             path.pop();
         }
         let fields = fields(number);
-        let (local, is_turned) = local_matrix(&fields)?;
-        let (_, above, without_rotation) = path.last().copied().unwrap_or((NOBODY, DMat4::IDENTITY, None));
-        let world = above * local;
-        let without_rotation = if is_turned { without_rotation } else { Some(number) };
+        let Local { matrix, rotation, told_by } = Local::new(&fields)?;
+        let above = path.last().map_or(Above::ROOT, |&(_, above)| above);
+        let world = above.world * matrix;
+        let turn = above.turn * rotation.unwrap_or(DQuat::IDENTITY);
+        let without_rotation =
+            if rotation.is_some() { above.without_rotation } else { Some((number, told_by)) };
         if !world.is_finite() {
             let found = "a node whose place in the world is beyond what numbers can hold";
             return Err(ReadError::new(Problem::NonFinite, fields.at.place(), found, "check its scale"));
         }
-        path.push((node, world, without_rotation));
-        visit(Placed { number, fields, world, without_rotation, shown: shown[number] })?;
+        path.push((node, Above { world, turn, without_rotation }));
+        visit(Placed { number, fields, world, turn, without_rotation, shown: shown[number] })?;
     }
     Ok(())
+}
+
+/// What a node hands down to its children; as in [`Placed`].
+#[derive(Clone, Copy)]
+struct Above {
+    world: DMat4,
+    turn: DQuat,
+    without_rotation: Option<(usize, &'static str)>,
+}
+
+impl Above {
+    /// Above the roots.
+    const ROOT: Self = Self { world: DMat4::IDENTITY, turn: DQuat::IDENTITY, without_rotation: None };
 }
 
 /// No node.
@@ -193,18 +212,39 @@ fn no_tree(node: usize, found: String) -> ReadError {
     ReadError::new(Problem::Range, place, found, "nodes must form trees; export the file again")
 }
 
-/// Where a node stands in its parent, and whether its rotation is one.
-fn local_matrix(node: &Fields<'_>) -> Result<(DMat4, bool), ReadError> {
-    if let Some(columns) = node.numbers::<16>("matrix")? {
-        return Ok((DMat4::from_cols_array(&columns), true));
+/// Where a node stands in its parent.
+struct Local {
+    matrix: DMat4,
+    rotation: Option<DQuat>,
+    /// The member that tells the rotation.
+    told_by: &'static str,
+}
+
+impl Local {
+    fn new(node: &Fields<'_>) -> Result<Self, ReadError> {
+        if let Some(columns) = node.numbers::<16>("matrix")? {
+            let matrix = DMat4::from_cols_array(&columns);
+            return Ok(Self { matrix, rotation: rotation_of(matrix), told_by: "matrix" });
+        }
+        let vector = |name, default| Ok(node.numbers::<3>(name)?.map_or(default, DVec3::from_array));
+        let (translation, scale) = (vector("translation", DVec3::ZERO)?, vector("scale", DVec3::ONE)?);
+        let rotation = node.numbers::<4>("rotation")?.map_or(DQuat::IDENTITY, DQuat::from_array);
+        // Quaternions come rounded to a few digits.
+        let rotation = (rotation.length_squared() > 0.0).then(|| rotation.normalize());
+        let turned = rotation.unwrap_or(DQuat::IDENTITY);
+        let matrix = DMat4::from_scale_rotation_translation(scale, turned, translation);
+        Ok(Self { matrix, rotation, told_by: "rotation" })
     }
-    let vector = |name, default| Ok(node.numbers::<3>(name)?.map_or(default, DVec3::from_array));
-    let (translation, scale) = (vector("translation", DVec3::ZERO)?, vector("scale", DVec3::ONE)?);
-    let rotation = node.numbers::<4>("rotation")?.map_or(DQuat::IDENTITY, DQuat::from_array);
-    // Quaternions come rounded to a few digits.
-    let is_turned = rotation.length_squared() > 0.0;
-    let rotation = if is_turned { rotation.normalize() } else { DQuat::IDENTITY };
-    Ok((DMat4::from_scale_rotation_translation(scale, rotation, translation), is_turned))
+}
+
+/// The rotation of a matrix that is a translation times a rotation times a scaling, as the standard wants each to be. A
+/// mirror is taken for a negative scale of x, as is usual: the matrix alone does not tell of which axis it is.
+fn rotation_of(matrix: DMat4) -> Option<DQuat> {
+    let axis = |axis: DVec4| UnitVec3::new(axis.truncate()).map(UnitVec3::get);
+    let (x, y, z) = (axis(matrix.x_axis)?, axis(matrix.y_axis)?, axis(matrix.z_axis)?);
+    let volume = x.cross(y).dot(z);
+    let turned = DMat3::from_cols(if volume < 0.0 { -x } else { x }, y, z);
+    (volume != 0.0).then(|| DQuat::from_mat3(&turned).normalize())
 }
 
 fn warn(placed: &[FileNode], unturned: &[usize], skinned_elsewhere: Option<usize>, notes: &mut Vec<Note>) {

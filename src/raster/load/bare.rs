@@ -3,7 +3,7 @@
 use super::lights::plain_material;
 use super::{LoadOptions, SceneFile, SceneMesh, SceneObject, SceneShape, looks, split};
 use crate::io::{Appearance, FileMaterial, FileNode, FileReflection, Format, Loaded, Note, Part};
-use crate::io::{Place, Problem, ReadError};
+use crate::io::{FileCamera, Place, Problem, ReadError, Severity};
 use crate::mesh::{NONE, normal_matrix};
 use crate::num::LinearRgb;
 use crate::raster::{Camera, RenderSettings};
@@ -31,7 +31,8 @@ impl SceneFile {
     ///   K_d = base colour · (1 − metallic (2 − α)/4), since metals have nothing here to mirror, and less where K_d + K_s
     ///   would be above 1; K_a = base colour. Intensities in lux or candela are divided by π, as that standard has it.
     ///
-    /// Images, transparency and vertex colours under light are not drawn, which a note tells.
+    /// Images, transparency and vertex colours under light are not drawn, and nothing is cut off at the far distance of a
+    /// camera, which notes tell where it matters.
     ///
     /// [`default_lights`]: super::default_lights
     ///
@@ -100,7 +101,26 @@ impl SceneFile {
             distance if distance > 0.0 && distance.is_finite() => distance,
             _ => 1.0,
         };
-        looks::view(looks, distance, options.from_elsewhere, notes)
+        let (camera, lights) = looks::view(looks, distance, options.from_elsewhere, notes)?;
+        if let Some((camera, file)) = camera.as_ref().filter(|_| !options.from_elsewhere) {
+            notes.extend(self.beyond(camera, file));
+        }
+        Ok((camera.map(|(camera, _)| camera), lights))
+    }
+
+    /// A note if something lies beyond the far distance of a file's camera, where it is drawn all the same.
+    fn beyond(&self, camera: &Camera, file: &FileCamera) -> Option<Note> {
+        let far = file.far?;
+        let forward = (camera.target - camera.eye).normalize_or_zero();
+        let mut farthest = f64::NEG_INFINITY;
+        self.scene().each_point(|point| farthest = farthest.max((point - camera.eye).dot(forward)));
+        // Positions are stored in single precision.
+        (farthest > far * (1.0 + f64::from(f32::EPSILON))).then(|| {
+            let text = format!(
+                "nothing is cut off at the camera's `zfar` of {far}: all is drawn, up to a distance of {farthest}"
+            );
+            Note::new(Severity::Note, file.place.clone(), text)
+        })
     }
 }
 

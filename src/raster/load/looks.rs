@@ -122,8 +122,8 @@ fn looked_through(file: &FileCamera, distance: impl Fn(DVec3) -> f64) -> Result<
     camera.check().map_err(cannot).map(|()| camera)
 }
 
-/// The first camera of a file, `distance` away from its target, and its lights, `None` if it has none. What makes no
-/// sense is left out with a note.
+/// The first camera of a file, `distance` away from its target, with what the file says of it; and its lights, `None` if it
+/// has none. What makes no sense is left out with a note.
 ///
 /// # Errors
 /// A first camera that is none, unless pictures are seen from elsewhere.
@@ -132,10 +132,10 @@ pub(super) fn view(
     distance: impl Fn(DVec3) -> f64,
     from_elsewhere: bool,
     notes: &mut Vec<Note>,
-) -> Result<(Option<Camera>, Option<Vec<Light>>), ReadError> {
+) -> Result<(Option<(Camera, FileCamera)>, Option<Vec<Light>>), ReadError> {
     let mut cameras = Vec::new();
     for file in &looks.cameras {
-        match file.clone().and_then(|file| looked_through(&file, &distance)) {
+        match file.clone().and_then(|file| Ok((looked_through(&file, &distance)?, file))) {
             Ok(camera) => cameras.push(camera),
             Err(error) if cameras.is_empty() && !from_elsewhere => {
                 let advice = format!("{}, or take the camera out of the file", error.advice);
@@ -157,7 +157,7 @@ pub(super) fn view(
             Err(error) => notes.push(light_left_out(number, &file.name, &error)),
         }
     }
-    Ok((cameras.first().copied(), (!lights.is_empty()).then_some(lights)))
+    Ok((cameras.into_iter().next(), (!lights.is_empty()).then_some(lights)))
 }
 
 fn light_left_out(number: usize, name: &str, error: &dyn std::error::Error) -> Note {

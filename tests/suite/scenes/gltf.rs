@@ -251,9 +251,84 @@ fn cameras_that_are_none_are_refused_with_their_place() {
         assert!(file.camera.is_some() && is_told(&file), "{:?}", file.notes);
     }
     // No zero of a number, but a place that nothing can be seen from.
-    let flat = square_text("", MATTE, "").replace("[0, 0, 3]", r#"[0, 0, 3], "scale": [1, 1, 0]"#);
-    let error = from_text(flat).unwrap_err().to_string();
+    let far = square_text("", MATTE, "").replace("[0, 0, 3]", "[0, 0, 1e200]");
+    let error = from_text(far).unwrap_err().to_string();
     assert!(error.contains("/cameras/0") && error.contains("cannot be looked through"), "{error}");
+}
+
+/// "The view matrix is derived from the global transform of the node containing the camera with the scaling ignored"
+/// (glTF 2.0, §3.10.2): neither a mirror nor a scale of zero turns a camera or changes what it shows.
+#[test]
+fn a_cameras_scale_is_ignored() {
+    let text = square_text("", MATTE, "");
+    let seen = |nodes: &str| {
+        let text = text.replace(r#"{"camera": 0, "translation": [0, 0, 3]}"#, nodes);
+        from_text(text).map(|file| file.camera.unwrap())
+    };
+    let (place, turn) = (r#""translation": [0, 0, 3]"#, r#""rotation": [0, 0.6, 0, 0.8]"#);
+    let of_node = |members: &str| seen(&format!(r#"{{"camera": 0, {place}{members}}}"#)).unwrap();
+    let (plain, turned) = (of_node(""), of_node(&format!(", {turn}")));
+    let forward = DVec3::new(-0.96, 0.0, -0.28);
+    assert!(turned.axes().unwrap()[2].distance(forward) < 1e-15, "{turned:?}");
+    for scale in
+        [[2.0, 2.0, 2.0], [1.0, 1.0, -1.0], [-1.0, 1.0, 1.0], [1.0, -1.0, 1.0], [0.0; 3], [1.0, 1.0, 0.0]]
+    {
+        assert_eq!(of_node(&format!(r#", "scale": {scale:?}"#)), plain, "{scale:?}");
+        assert_eq!(of_node(&format!(r#", "scale": {scale:?}, {turn}"#)), turned, "{scale:?}");
+        // That of a node above moves the camera, as all that stands below, and does not turn it.
+        let below = format!(
+            r#"{{{place}, "scale": {scale:?}, "children": [2]}}, {{"camera": 0, "translation": [1, 0, 0], {turn}}}"#
+        );
+        let below = seen(&below).unwrap();
+        assert_eq!(below.eye, DVec3::new(scale[0], 0.0, 3.0));
+        assert!(below.axes().unwrap()[2].distance(forward) < 1e-15, "{scale:?}: {below:?}");
+        assert_eq!(below.projection, plain.projection);
+    }
+}
+
+/// A matrix tells its rotation, unless it has no inverse.
+#[test]
+fn a_cameras_matrix_is_taken_apart() {
+    let text = square_text("", MATTE, "");
+    let seen = |columns: [[f64; 3]; 3]| {
+        let [[a, b, c], [d, e, f], [g, h, i]] = columns;
+        let matrix = format!("{:?}", [a, b, c, 0.0, d, e, f, 0.0, g, h, i, 0.0, 0.0, 0.0, 3.0, 1.0]);
+        let text = text.replace(r#""translation": [0, 0, 3]"#, &format!(r#""matrix": {matrix}"#));
+        from_text(text).map(|file| file.camera.unwrap().axes().unwrap())
+    };
+    let turn = [[-0.28, 0.0, -0.96], [0.0, 1.0, 0.0], [0.96, 0.0, -0.28]];
+    for scale in [[1.0, 1.0, 1.0], [2.0, 3.0, 0.5], [1e-200, 1.0, 1.0], [-1.0, 1.0, 1.0]] {
+        let scaled = [0, 1, 2].map(|k| turn[k].map(|component| component * scale[k]));
+        let [right, up, forward] = seen(scaled).unwrap();
+        assert!(right.distance(DVec3::from(turn[0])) < 1e-15, "{scale:?}: {right}");
+        assert!(up.distance(DVec3::Y) < 1e-15 && forward.distance(-DVec3::from(turn[2])) < 1e-15);
+    }
+    for flat in
+        [[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0; 3]], [[1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 0.0, 1.0]]]
+    {
+        let error = seen(flat).unwrap_err().to_string();
+        assert!(error.contains("/nodes/1/matrix") && error.contains("without an inverse"), "{error}");
+    }
+}
+
+/// Nothing is cut off far away, which is told where the file wants something cut off.
+#[test]
+fn a_far_distance_that_would_cut_is_told() {
+    let notes = |far: &str, options: &LoadOptions| {
+        let text = square_text("", MATTE, "").replace("\"zfar\": 9", &format!("\"zfar\": {far}"));
+        let loaded = read_bytes(text.into_bytes(), Some(Format::Gltf), None, &ReadOptions::default());
+        let file = SceneFile::from_loaded(loaded.unwrap(), options).unwrap();
+        file.notes.iter().map(ToString::to_string).filter(|note| note.contains("zfar")).collect::<Vec<_>>()
+    };
+    let own = LoadOptions::default();
+    let found = notes("2.5", &own);
+    let [note] = &found[..] else { panic!("{found:?}") };
+    assert!(
+        note.contains("/cameras/0") && note.contains("`zfar` of 2.5") && note.contains("distance of 3"),
+        "{note}"
+    );
+    assert!(notes("3", &own).is_empty() && notes("9", &own).is_empty());
+    assert!(notes("2.5", &LoadOptions { from_elsewhere: true, ..own }).is_empty());
 }
 
 /// A library of meshes that no node shows is drawn all the same, and says why it stands where it does.
