@@ -53,8 +53,9 @@ pub struct Formula {
 impl Experiment {
     /// Runs the experiment.
     ///
-    /// The same setup gives the same bits at any number of threads. Where nothing of the artefact is measured, or no picture shows
-    /// it, the claim is not put to the test, and the verdict is [`Verdict::Absent`], with the experiment's own advice unless this run has better.
+    /// The same setup gives the same bits at any number of threads. Where nothing of the artefact is measured, or no
+    /// picture shows it, the claim is not put to the test, and the verdict is [`Verdict::Absent`], with the experiment's own
+    /// advice unless this run has better.
     ///
     /// # Errors
     /// Parameters out of range, a mesh that does not suit, or what cannot be drawn.

@@ -23,6 +23,14 @@ pub(super) fn light_from(camera: &Camera, Degrees(angle): Degrees) -> Result<Lig
     Ok(Light::Directional { towards: right * sine - forward * cosine, colour: LinearRgb::WHITE })
 }
 
+/// That a picture of so many pixels shows nothing of a mesh.
+pub(super) fn unseen(own: &UserMesh, size: u32) -> ArtefactError {
+    ArtefactError::Mesh {
+        found: format!("`{}` covers no pixel of a picture of {size} pixels", own.name),
+        advice: "give a larger picture (--size), or a mesh whose faces have an area and are not seen from their edge",
+    }
+}
+
 /// The box of what is looked at, which is moved to the origin and made 2 wide, so that single precision will do for it.
 pub(super) struct Room {
     centre: DVec3,

@@ -1,5 +1,6 @@
 //! What is said, in both languages at once.
 
+use crate::num::superscript;
 use serde::{Serialize, Serializer};
 use std::borrow::Cow;
 
@@ -87,12 +88,6 @@ fn with_unit(number: &str, unit: &str) -> String {
     }
     let space = if unit.is_empty() || unit == "°" { "" } else { " " };
     format!("{number}{space}{unit}")
-}
-
-/// A whole number as an exponent.
-fn superscript(number: &str) -> String {
-    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    number.chars().map(|c| c.to_digit(10).map_or('⁻', |digit| DIGITS[digit as usize])).collect()
 }
 
 /// A number with all its digits, as it would be given again, with an exponent where it would be long.

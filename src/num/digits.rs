@@ -29,6 +29,12 @@ pub fn significant_digits(x: f64, digits: usize) -> String {
     }
 }
 
+/// A whole number as an exponent, above the line.
+pub(crate) fn superscript(number: &str) -> String {
+    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    number.chars().map(|c| c.to_digit(10).map_or('⁻', |digit| DIGITS[digit as usize])).collect()
+}
+
 /// A number with nine decimals, which tell every printed figure of the lectures; without the sign that a zero may have, or
 /// that rounding leaves in front of one.
 pub(crate) struct Nine(pub(crate) f64);

@@ -105,7 +105,14 @@ fn a_polygon_of_ones_own_is_turned_and_what_does_not_suit_is_refused() {
     let twice = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3 2\n";
     let crossed = "v 0 0 0\nv 3 3 0\nv 3 0 0\nv 0 1 0\nf 1 2 3 4\n";
     let thin = "v 0 0 0\nv 9 0 0\nv 9 0.01 0\nv 0 0.01 0\nf 1 2 3 4\n";
+    // Bow ties whose halves are the same: their areas cancel, in the second but for rounding.
+    let tie = "v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 4\n";
+    let tilted = "v 0.1 0.2 0.3\nv 0.8 1.3 1.1\nv 0.8 0.2 0.7\nv 0.1 1.3 0.7\nf 1 2 3 4\n";
+    let needle = "v 0 0 0\nv 0.1 0.3 0.2\nv 0.2 0.6 0.4\nv 0.3 0.9 0.6\nf 1 2 3 4\n";
     let files = folder(&[
+        ("tie.obj", tie),
+        ("tilted.obj", tilted),
+        ("needle.obj", needle),
         ("square.obj", square),
         ("empty.obj", "v 0 0 0\n"),
         ("nan.obj", nan),
@@ -116,6 +123,8 @@ fn a_polygon_of_ones_own_is_turned_and_what_does_not_suit_is_refused() {
     let [square, empty, nan, twice, crossed, thin] =
         ["square.obj", "empty.obj", "nan.obj", "twice.obj", "crossed.obj", "thin.obj"]
             .map(|name| path(files.path().join(name)));
+    let [tie, tilted, needle] =
+        ["tie.obj", "tilted.obj", "needle.obj"].map(|name| path(files.path().join(name)));
     let output = artefact(&["orientation", "--size", "64", "-q", "--json", "--mesh", &square]);
     assert_eq!(code(&output), 0, "{}", text(&output.stderr));
     assert_eq!(reports(&output)[0]["mesh"], square);
@@ -123,6 +132,11 @@ fn a_polygon_of_ones_own_is_turned_and_what_does_not_suit_is_refused() {
         (&["orientation", "--mesh", &empty][..], 3, "empty.obj"),
         (&["orientation", "--mesh", &twice], 3, "twice.obj` has its corners 2 and 4 in one place"),
         (&["orientation", "--mesh", &crossed], 3, "crossed.obj` crosses itself: its edges 1 and 3 do"),
+        (&["orientation", "--mesh", &tie], 3, "tie.obj` crosses itself: its edges 1 and 3 do"),
+        (&["orientation", "--mesh", &tilted], 3, "tilted.obj` crosses itself: its edges 1 and 3 do"),
+        (&["orientation", "--mesh", &needle], 3, "needle.obj` has no area; give a mesh whose first polygon"),
+        (&["false-smoothing", "--mesh", &needle], 3, "needle.obj` covers no pixel of a picture of"),
+        (&["silhouette", "--mesh", &needle], 3, "or a mesh whose faces have an area"),
         (
             &["orientation", "--mesh", &thin],
             3,

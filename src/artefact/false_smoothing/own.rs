@@ -1,6 +1,6 @@
 //! Somebody's own mesh, averaged over every edge and not over creases.
 
-use super::super::own_mesh::{Room, camera, light_from};
+use super::super::own_mesh::{Room, camera, light_from, unseen};
 use super::super::stage::object;
 use super::super::{ArtefactError, Measure, Moved, Outcome, Parameters, Text, Threshold, UserMesh, Verdict};
 use super::cure;
@@ -16,6 +16,9 @@ pub(super) fn run(own: &UserMesh, parameters: &Parameters) -> Result<Outcome, Ar
     let subject = Subject { light: light_from(&camera, light)?, mesh, camera, size };
     let [smooth, sharp] = [Crease::OFF, Crease::Angle(crease)].map(|crease| subject.case(weight, crease));
     let (smooth, sharp) = (smooth?, sharp?);
+    if smooth.lit.coverage.iter().all(|&covered| covered == 0) {
+        return Err(unseen(own, size));
+    }
     let measure = |en, pt, unit, value| Measure::new(Text::new(en, pt), unit, value);
     let [angles, light] = smooth.maps();
     let of = ["mesh", "malha"];

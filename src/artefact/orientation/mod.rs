@@ -426,6 +426,14 @@ mod tests {
             let caption = second.caption.get(crate::artefact::Language::English);
             assert_eq!(caption.starts_with("No other cut"), has_one_cut, "{caption}");
             assert_eq!(caption.starts_with("Cut another way"), !has_one_cut, "{caption}");
+            // Of one cut only there is no difference to show.
+            assert_eq!(outcome.shots.iter().any(|shot| shot.name == "diagonals"), !has_one_cut);
+            for shot in &outcome.shots {
+                use crate::artefact::Language;
+                let [en, pt] = Language::ALL.map(|language| shot.caption.get(language).to_lowercase());
+                assert!(!en.contains("position") && !en.contains("diagonal"), "{en}");
+                assert!(!pt.contains("posição") && !pt.contains("diagonal"), "{pt}");
+            }
         }
     }
 }

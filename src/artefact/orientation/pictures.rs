@@ -20,7 +20,7 @@ fn either(is_special: bool, special: Text, any: Text) -> Text {
 }
 
 /// The pictures of what was drawn under scanlines (unturned, turned by 45° and 90°, and turned back), under triangles turned
-/// back, and cut one way and the other, which are the same where it has one cut only.
+/// back, and cut one way and the other, which are the same where it has one cut only: then they have no difference to show.
 pub(super) fn shots(
     [upright, half, turned, back]: [Image; 4],
     triangles_back: &Image,
@@ -53,7 +53,7 @@ pub(super) fn shots(
         ),
         false => same_however_turned(),
     };
-    vec![
+    let mut shots = vec![
         seam.bad_shot(
             "halves",
             Text::new("scanline: 0° above, 90° below", "varredura: 0° acima, 90° abaixo"),
@@ -135,9 +135,15 @@ pub(super) fn shots(
         Shot::difference(
             "difference",
             Text::new("difference, 90° turned back", "diferença, 90° girado de volta"),
-            Text::new(
-                "Position 2 turned back, less position 1: dark is none, yellow 0.4 of the full range in a component.",
-                "A posição 2 girada de volta, menos a posição 1: escuro é nenhuma, amarelo 0,4 da faixa numa componente.",
+            captioned(
+                Text::new(
+                    "Position 2 turned back, less position 1: dark is none, yellow 0.4 of the full range in a component.",
+                    "A posição 2 girada de volta, menos a posição 1: escuro é nenhuma, amarelo 0,4 da faixa numa componente.",
+                ),
+                Text::new(
+                    "Drawn turned and turned back, less as it stands: dark is none, yellow 0.4 of the full range in a component.",
+                    "Desenhado girado e girado de volta, menos como está: escuro é nenhuma, amarelo 0,4 da faixa numa componente.",
+                ),
             ),
             difference,
         ),
@@ -182,16 +188,28 @@ pub(super) fn shots(
             ],
             other,
         ),
-        Shot::difference(
+    ];
+    if !has_one_cut {
+        shots.push(Shot::difference(
             "diagonals",
-            Text::new("difference of the diagonals", "diferença das diagonais"),
-            Text::new(
-                "One diagonal less the other: what the cut decides. Yellow is 0.4 of the full range in a component.",
-                "Uma diagonal menos a outra: o que o corte decide. Amarelo é 0,4 da faixa numa componente.",
+            captioned(
+                Text::new("difference of the diagonals", "diferença das diagonais"),
+                Text::new("difference of the cuts", "diferença dos cortes"),
+            ),
+            captioned(
+                Text::new(
+                    "One diagonal less the other: what the cut decides. Yellow is 0.4 of the full range in a component.",
+                    "Uma diagonal menos a outra: o que o corte decide. Amarelo é 0,4 da faixa numa componente.",
+                ),
+                Text::new(
+                    "One cut less the other: what the cut decides. Yellow is 0.4 of the full range in a component.",
+                    "Um corte menos o outro: o que o corte decide. Amarelo é 0,4 da faixa numa componente.",
+                ),
             ),
             between,
-        ),
-    ]
+        ));
+    }
+    shots
 }
 
 pub(super) fn chart(scanline: &[DVec3], laws: &[DVec3], triangles: &[DVec3], moved: &Moved) -> Chart {

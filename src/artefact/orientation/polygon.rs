@@ -72,7 +72,8 @@ impl Polygon {
                 SIMPLE,
             ));
         }
-        let flat = flattened(&points, own.name)?;
+        let no_area = || unsuitable("has no area".into(), "give a mesh whose first polygon has one");
+        let flat = flattened(&points).ok_or_else(no_area)?;
         if let Some([first, second]) = crossing(&flat) {
             return Err(unsuitable(
                 format!("crosses itself: its edges {} and {} do", first + 1, second + 1),
@@ -80,6 +81,9 @@ impl Polygon {
             ));
         }
         let width = mean_width(&flat) * f64::from(size) / WINDOW;
+        if width <= ROUNDING * f64::from(size) {
+            return Err(no_area());
+        }
         if width < 2.0 {
             return Err(unsuitable(
                 format!("is {width:.2} pixels wide in a picture of {size} pixels"),
@@ -247,22 +251,24 @@ fn rotations([a, b, c]: [u32; 3]) -> impl Iterator<Item = [u32; 3]> {
     [[a, b, c], [b, c, a], [c, a, b]].into_iter()
 }
 
-/// The corners of a polygon in its own plane, about their mean, with the farthest at 1.
-fn flattened(points: &[DVec3], name: &str) -> Result<Vec<DVec2>, ArtefactError> {
+/// Shares of a polygon's size below which a length, and of its square below which an area, is rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// The corners of a polygon in its own plane, about their mean, with the farthest at 1; `None` if they lie on a line.
+fn flattened(points: &[DVec3]) -> Option<Vec<DVec2>> {
     let mean = points.iter().sum::<DVec3>() / points.len() as f64;
-    let pairs = points.iter().zip(points.iter().cycle().skip(1));
-    let normal: DVec3 = pairs.map(|(&a, &b)| (a - mean).cross(b - mean)).sum();
     let largest = points.iter().map(|&point| (point - mean).length()).fold(0.0, f64::max);
-    let (Some(normal), true) = (normal.try_normalize(), largest > 0.0) else {
-        return Err(ArtefactError::Mesh {
-            found: format!("the first polygon of `{name}` has no area"),
-            advice: "give a mesh whose first polygon has one",
-        });
-    };
+    let from_mean: Vec<DVec3> = points.iter().map(|&point| (point - mean) / largest).collect();
+    let pairs = from_mean.iter().zip(from_mean.iter().cycle().skip(1));
+    let crosses = pairs.map(|(&a, &b)| a.cross(b));
+    let whole: DVec3 = crosses.clone().sum();
+    // Parts that turn opposite ways may leave nothing, as in a bow tie, but lie in a plane all the same.
+    let widest = crosses.max_by(|a, b| a.length().total_cmp(&b.length()))?;
+    let normal = [whole, widest].into_iter().find(|area| area.length() > ROUNDING)?.normalize();
     let across = (points[0] - mean).reject_from(normal);
     let x = across.try_normalize().unwrap_or_else(|| normal.any_orthonormal_vector());
     let y = normal.cross(x);
-    Ok(points.iter().map(|&p| DVec2::new((p - mean).dot(x), (p - mean).dot(y)) / largest).collect())
+    Some(from_mean.iter().map(|p| DVec2::new(p.dot(x), p.dot(y))).collect())
 }
 
 /// The first two corners at one place.

@@ -1,6 +1,6 @@
 //! The outline of somebody's own mesh, against that of a finer one.
 
-use super::super::own_mesh::{Room, camera, light_from};
+use super::super::own_mesh::{Room, camera, light_from, unseen};
 use super::super::{
     ArtefactError, Language, Measure, Moved, Outcome, Parameters, Shot, Text, Threshold, UserMesh, Verdict,
 };
@@ -20,10 +20,7 @@ const MOST_TRIANGLES: usize = 1 << 21;
 
 pub(super) fn run(own: &UserMesh, parameters: &Parameters) -> Result<Outcome, ArtefactError> {
     measure(own, parameters).map_err(|error| match error {
-        ArtefactError::Metric(MetricError::Empty) => ArtefactError::Mesh {
-            found: format!("`{}` covers no pixel of a picture of {} pixels", own.name, parameters.size),
-            advice: "give a larger picture (--size), or a mesh that is not seen from its edge",
-        },
+        ArtefactError::Metric(MetricError::Empty) => unseen(own, parameters.size),
         other => other,
     })
 }

@@ -4,7 +4,7 @@ use crate::report::escape_html;
 use crate::report::html::with_code_in;
 
 /// Running text as HTML: `θ_L`, `c_{13}`, `cosⁿ` and `sin(α)^n` with their scripts below and above the line, names between
-/// backticks as code.
+/// backticks as code. A number stays on one line with its unit and its power of ten.
 ///
 /// What stands below belongs to a single letter, so that names of files and of options are left as they are. A script is a
 /// group in braces or parentheses, which are not shown, or the letters and digits that follow.
@@ -32,10 +32,34 @@ fn scripts(text: &str, out: &mut String) {
                 before = [before[1], script.chars().last()];
             }
             None => {
-                out.push_str(&escape_html(&text[place..place + c.len_utf8()]));
+                let after = &text[place + c.len_utf8()..];
+                match c {
+                    ' ' if is_in_number(before[1], after) => out.push(NO_BREAK),
+                    _ => out.push_str(&escape_html(&text[place..place + c.len_utf8()])),
+                }
+                if c == '/' && after.starts_with('°') {
+                    out.push(JOINER);
+                }
                 before = [before[1], Some(c)];
             }
         }
+    }
+}
+
+/// A space at which no line ends, and nothing at which one does.
+const NO_BREAK: char = '\u{a0}';
+const JOINER: char = '\u{2060}';
+
+/// Whether a space after a sign is within `3 px`, `11 %` or `2 × 10⁻⁵`.
+fn is_in_number(before: Option<char>, after: &str) -> bool {
+    let is_unit =
+        |unit: &str| after.strip_prefix(unit).is_some_and(|rest| !rest.starts_with(char::is_alphanumeric));
+    match before {
+        Some('×') => after.starts_with("10"),
+        Some(digit) if digit.is_numeric() => {
+            after.starts_with("× 10") || ["px", "%"].into_iter().any(is_unit)
+        }
+        _ => false,
     }
 }
 
@@ -69,6 +93,17 @@ mod tests {
             ("(I₀h)^(2/3) − h²", "(I₀h)<sup>2/3</sup> − h²"),
             ("w_{trás}^2", "w<sub>trás</sub><sup>2</sup>"),
             ("|e_1| |e_2|", "|e<sub>1</sub>| |e<sub>2</sub>|"),
+        ] {
+            assert_eq!(running(text), html);
+        }
+    }
+
+    #[test]
+    fn numbers_stay_with_their_units() {
+        for (text, html) in [
+            ("σ 1.5 px, 3 px; 67 px/° (8 %)", "σ 1.5\u{a0}px, 3\u{a0}px; 67\u{a0}px/\u{2060}° (8\u{a0}%)"),
+            ("1,25 × 10⁻¹⁷ px", "1,25\u{a0}×\u{a0}10⁻¹⁷\u{a0}px"),
+            ("2 pxs, 640 × 480, n × 10, a/b", "2 pxs, 640 × 480, n ×\u{a0}10, a/b"),
         ] {
             assert_eq!(running(text), html);
         }

@@ -8,7 +8,7 @@ use crate::report::Table;
 pub fn measure_table(outcome: &Outcome, language: Language) -> Table {
     let columns = [words::QUANTITY, words::FOUND, words::EXPECTED, words::WITHIN, words::AGREES, words::BY];
     let columns: Vec<&str> = columns.iter().map(|column| column.get(language)).collect();
-    let mut table = Table::new(words::MEASURED.get(language), &columns);
+    let mut table = Table::new(words::NUMBERS.get(language), &columns);
     for measure in &outcome.measures {
         let Measure { name, unit, value, expected, beyond } = measure;
         let nothing = || words::NOTHING.get(language).to_owned();

@@ -58,6 +58,17 @@ fn pages_stand_by_themselves() {
             labels.for_each(|id| assert!(known.contains(id), "{name}: no {id}"));
             let clips = page.split("url(#").skip(1).map(|rest| rest.split(')').next().unwrap());
             clips.for_each(|id| assert!(known.contains(id), "{name}: no {id}"));
+            let between = |start: &str, end: &str| -> Vec<String> {
+                let parts = page.split(start).skip(1);
+                parts.filter_map(|part| Some(part.split_once(end)?.0.to_owned())).collect()
+            };
+            let headings: Vec<String> = between("<h2 ", "</h2>")
+                .iter()
+                .filter_map(|h| Some(h.split_once('>')?.1.to_owned()))
+                .collect();
+            for caption in between("<caption>", "</caption>") {
+                assert!(!headings.contains(&caption), "{name}: `{caption}` is a heading and a caption");
+            }
             assert_eq!(page.matches("<img ").count(), values(page, "alt").len(), "{name}");
             assert!(values(page, "alt").iter().all(|alt| alt.len() > 10), "{name}: a picture without words");
             assert!(

@@ -20,6 +20,10 @@ pub(super) const ABSENT: Text = Text::new("Not put to the test here", "Não post
 pub(super) const PICTURES: Text = Text::new("Pictures", "Imagens");
 pub(super) const MOVED: Text = Text::new("The number that moved", "O número que mudou");
 pub(super) const MEASURED: Text = Text::new("Measured", "Medido");
+pub(super) const NUMBERS: Text = Text::new(
+    "Every quantity, and what it should be where that is known",
+    "Cada grandeza, e o que deveria ser onde isso se sabe",
+);
 pub(super) const PLOTS: Text = Text::new("Plots", "Gráficos");
 pub(super) const EXPLAINED: Text = Text::new("What is seen", "O que se vê");
 pub(super) const REPRODUCE: Text = Text::new("Do it again", "Refazer");

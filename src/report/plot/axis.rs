@@ -1,5 +1,7 @@
 //! Axes: where numbers lie, and which are written.
 
+use crate::num::superscript;
+
 /// How numbers are spread along an axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Scale {
@@ -104,12 +106,15 @@ impl Fitted {
         let step = step.into_iter().find(|step| length / step <= 8.0).unwrap_or(length);
         let decimals = (-libm::floor(libm::log10(step))).max(0.0) as usize;
         let (first, last) = (libm::ceil(self.low / step) as i64, libm::floor(self.high / step) as i64);
+        // All in one form: that of the largest.
+        let largest = step * first.abs().max(last.abs()) as f64;
+        let has_powers = decimals > 4 && largest < SMALL;
         (first..=last)
             .map(|k| {
                 let x = k as f64 * step;
                 let text = format!("{x:.decimals$}");
                 // From the decimal text, as products of a step have digits of their own.
-                (x, if decimals > 4 { short(text.parse().unwrap_or(x)) } else { text })
+                (x, if has_powers { short(text.parse().unwrap_or(x)) } else { text })
             })
             .collect()
     }
@@ -135,12 +140,22 @@ impl Fitted {
     }
 }
 
-/// A number in few characters.
+/// Where powers of ten are written below.
+const SMALL: f64 = 0.001;
+
+/// A number in few characters, with a power of ten where it would be long.
 fn short(x: f64) -> String {
     match x.abs() {
-        0.0 => "0".into(),
-        magnitude if (0.001..100_000.0).contains(&magnitude) => format!("{x}"),
-        _ => format!("{x:e}"),
+        0.0 => return "0".into(),
+        magnitude if (SMALL..100_000.0).contains(&magnitude) => return format!("{x}"),
+        _ => {}
+    }
+    let text = format!("{x:e}");
+    match text.split_once('e') {
+        Some(("1", power)) => format!("10{}", superscript(power)),
+        Some(("-1", power)) => format!("−10{}", superscript(power)),
+        Some((digits, power)) => format!("{} × 10{}", digits.replace('-', "−"), superscript(power)),
+        None => text,
     }
 }
 
@@ -157,8 +172,13 @@ mod tests {
     fn ticks_are_round_numbers() {
         assert_eq!(written(&Axis::linear(""), &[0.0, 1.0]), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
         assert_eq!(written(&Axis::linear(""), &[-3.0, 40.0]), ["0", "10", "20", "30", "40"]);
-        let decades = ["1e-8", "1e-6", "1e-4", "0.01", "1"];
+        let decades = ["10⁻⁸", "10⁻⁶", "10⁻⁴", "0.01", "1"];
         assert_eq!(written(&Axis::log(""), &[1e-9, 1.0]), decades);
+        let around = ["−2 × 10⁻⁵", "−10⁻⁵", "0", "10⁻⁵", "2 × 10⁻⁵"];
+        assert_eq!(written(&Axis::linear(""), &[-2e-5, 2e-5]), around);
+        let thousandths = ["0.00096", "0.00098", "0.00100", "0.00102", "0.00104"];
+        assert_eq!(written(&Axis::linear(""), &[0.000_96, 0.001_04]), thousandths);
+        assert_eq!(written(&Axis::log(""), &[1e5, 1e7])[..3], ["10⁵", "2 × 10⁵", "5 × 10⁵"]);
         assert_eq!(written(&Axis::log(""), &[1.0, 60.0]), ["1", "2", "5", "10", "20", "50"]);
         assert_eq!(written(&Axis::log(""), &[2.0, 4.0]), ["2.0", "2.5", "3.0", "3.5", "4.0"]);
     }
