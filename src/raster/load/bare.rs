@@ -101,7 +101,7 @@ impl SceneFile {
             distance if distance > 0.0 && distance.is_finite() => distance,
             _ => 1.0,
         };
-        let (camera, lights) = looks::view(looks, distance, options.from_elsewhere, notes)?;
+        let looks::Seen { camera, lights } = looks::view(looks, distance, options.from_elsewhere, notes)?;
         if let Some((camera, file)) = camera.as_ref().filter(|_| !options.from_elsewhere) {
             notes.extend(self.beyond(camera, file));
         }

@@ -122,8 +122,16 @@ fn looked_through(file: &FileCamera, distance: impl Fn(DVec3) -> f64) -> Result<
     camera.check().map_err(cannot).map(|()| camera)
 }
 
-/// The first camera of a file, `distance` away from its target, with what the file says of it; and its lights, `None` if it
-/// has none. What makes no sense is left out with a note.
+/// What a file says of how it is seen.
+pub(super) struct Seen {
+    /// Its first camera, and what the file says of it.
+    pub(super) camera: Option<(Camera, FileCamera)>,
+    /// Its lights, `None` if it has none.
+    pub(super) lights: Option<Vec<Light>>,
+}
+
+/// The first camera of a file, `distance` away from its target, and its lights. What makes no sense is left out with a
+/// note.
 ///
 /// # Errors
 /// A first camera that is none, unless pictures are seen from elsewhere.
@@ -132,7 +140,7 @@ pub(super) fn view(
     distance: impl Fn(DVec3) -> f64,
     from_elsewhere: bool,
     notes: &mut Vec<Note>,
-) -> Result<(Option<(Camera, FileCamera)>, Option<Vec<Light>>), ReadError> {
+) -> Result<Seen, ReadError> {
     let mut cameras = Vec::new();
     for file in &looks.cameras {
         match file.clone().and_then(|file| Ok((looked_through(&file, &distance)?, file))) {
@@ -157,7 +165,7 @@ pub(super) fn view(
             Err(error) => notes.push(light_left_out(number, &file.name, &error)),
         }
     }
-    Ok((cameras.into_iter().next(), (!lights.is_empty()).then_some(lights)))
+    Ok(Seen { camera: cameras.into_iter().next(), lights: (!lights.is_empty()).then_some(lights) })
 }
 
 fn light_left_out(number: usize, name: &str, error: &dyn std::error::Error) -> Note {
