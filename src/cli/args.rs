@@ -339,7 +339,7 @@ const ORIENTS: &[Choice<Orient>] = &[
     (
         "outward",
         Orient::Outward,
-        "closed components face outward, cavities inward; open ones the way that sees more, if that is sure",
+        "closed components face outward, cavities inward, and rooms if stored normals tell them; open ones the way that sees more, if that is sure",
     ),
 ];
 

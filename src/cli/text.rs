@@ -111,7 +111,7 @@ struct Total {
 }
 
 /// What is told of orientation, in the order of [`Total::orientation`].
-const ORIENTATION: [&str; 8] = [
+const ORIENTATION: [&str; 9] = [
     "closed",
     "open, outer side told",
     "open, left",
@@ -119,6 +119,7 @@ const ORIENTATION: [&str; 8] = [
     "flat, left",
     "undecided, left",
     "cavities",
+    "rooms, left",
     "open, turned",
 ];
 
@@ -168,6 +169,7 @@ impl Total {
                 found.flat,
                 found.undecided,
                 found.cavities,
+                found.rooms,
                 found.open_inside_out,
             ];
             let sure = found.confidence.into_iter().chain(self.confidence);

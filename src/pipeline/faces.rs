@@ -26,6 +26,7 @@ impl<'a> Turned<'a> {
             let numbers = as_read(&faces, count);
             let reversed = std::mem::take(&mut found.reversed);
             found.reversed_open.clear();
+            found.room_faces.clear();
             faces.reversed = reversed.into_iter().map(|face| numbers[face as usize]).collect();
         }
         if task.flip {

@@ -40,7 +40,7 @@ pub struct Task {
     /// Which stored normals are replaced.
     pub when: When,
     /// How faces are turned. What faces inwards within what another part encloses, wherever the file stands them, is a cavity
-    /// of it. Stored normals that [`when`](Self::when) keeps stay as they are.
+    /// of it. The stored normals of the file tell rooms. Stored normals that [`when`](Self::when) keeps stay as they are.
     pub orient: Orient,
     /// How sure [`Orient::Outward`] has to be of components with a rim.
     pub confidence: Confidence,

@@ -20,7 +20,7 @@ pub(super) fn find(loaded: &Loaded, task: &Task) -> Vec<Option<Orientation>> {
     let alone =
         |mesh: &Cow<'_, Mesh>| orient(mesh, &Topology::build(mesh, weld), task.orient, task.confidence);
     let mut found: Vec<Orientation> = present.par_iter().map(alone).collect();
-    if found.iter().any(|found| found.inside_out > 0) {
+    if found.iter().any(|found| found.inside_out + found.rooms > 0) {
         let parts = present.iter().zip(loaded.places());
         let parts: Vec<Placed<'_>> = parts.map(|(mesh, places)| Placed { mesh, places }).collect();
         for ((found, mesh), hollows) in found.iter_mut().zip(&present).zip(hollows(&parts, weld)) {

@@ -5,9 +5,12 @@ use super::catalogue::Kind;
 use super::estimate::{Estimate, estimate};
 use super::finding::Severity;
 use super::gloss::Gloss;
-use crate::mesh::{Column, Confidence, Link, Mesh, Orientation, Orientations, Topology, Weld, place_key};
+use crate::mesh::{
+    Column, Confidence, Link, Mesh, Orientation, Orientations, Topology, Weld, normals_oppose, place_key,
+    stored_unit, vector_area,
+};
 use crate::normals::{Crease, FaultReason, Groups, NormalField, NormalRecipe, compute_on};
-use crate::num::{UnitVec3, unit_scale};
+use crate::num::unit_scale;
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 use rustc_hash::FxHashSet;
@@ -83,11 +86,12 @@ impl<'a> Facts<'a> {
         let orientations = Orientations::new(mesh, &topology);
         let minority = orientations.consistent().reversed;
         let mut outward = orientations.outward(mesh, confidence, &[]);
-        if outward.inside_out > 0 && !around.hollows(part).is_empty() {
+        if outward.inside_out + outward.rooms > 0 && !around.hollows(part).is_empty() {
             outward = orientations.outward(mesh, confidence, around.hollows(part));
         }
-        let inside_out =
-            InsideOut::all(&orientations, &outward, |faces| opposed(mesh, stored, &field, faces));
+        let inside_out = InsideOut::all(&orientations, &outward, |faces| {
+            normals_oppose(mesh, faces.iter().map(|&face| (face, false)))
+        });
         let worth = worth(mesh, &field, &minority, &inside_out);
         let extent = mesh.bounds().map_or(0.0, |(low, high)| (high - low).max_element());
         let scale = unit_scale(extent);
@@ -254,27 +258,6 @@ impl InsideOut {
     }
 }
 
-/// Whether more than half of the stored normals at some faces point against their face; `None` if there are none, or all are
-/// the same and say nothing of any side.
-fn opposed(mesh: &Mesh, stored: Option<&Column<DVec3>>, field: &NormalField, faces: &[u32]) -> Option<bool> {
-    let stored = stored?;
-    let (mut opposed, mut all, mut first, mut is_constant) = (0usize, 0usize, None, true);
-    for &face in faces {
-        let normal = field.face_normals[face as usize];
-        for unit in mesh.faces().range(face as usize).filter_map(|corner| stored_unit(stored, mesh, corner)) {
-            is_constant &= are_same(*first.get_or_insert(unit), unit);
-            all += 1;
-            opposed += usize::from(unit.dot(normal) < 0.0);
-        }
-    }
-    (!is_constant).then_some(2 * opposed > all)
-}
-
-/// Whether two unit vectors are one, as far as a mesh whose normals are all the same goes.
-pub(super) fn are_same(a: DVec3, b: DVec3) -> bool {
-    a.dot(b) > 0.9999
-}
-
 fn worth(mesh: &Mesh, field: &NormalField, minority: &[u32], inside_out: &[InsideOut]) -> Vec<Worth> {
     let mut worth = vec![Worth::Sound; mesh.face_count()];
     let wholes = inside_out.iter().filter(|component| component.is_fault());
@@ -287,21 +270,4 @@ fn worth(mesh: &Mesh, field: &NormalField, minority: &[u32], inside_out: &[Insid
         worth[fault.index as usize] = Worth::Silent;
     }
     worth
-}
-
-/// The direction of the value that a corner has in a column of normals.
-pub(super) fn stored_unit(stored: &Column<DVec3>, mesh: &Mesh, corner: usize) -> Option<DVec3> {
-    let normal = *stored.get(corner, mesh.faces().corners()[corner])?;
-    UnitVec3::new(normal).map(UnitVec3::get)
-}
-
-/// The vector area of a face: half the sum of the cross products of its edges, from its first corner.
-pub(super) fn vector_area(mesh: &Mesh, face: usize, scale: f64) -> DVec3 {
-    let corners = mesh.faces().face(face);
-    let place = |vertex: u32| mesh.positions()[vertex as usize];
-    let first = place(corners[0]);
-    let spokes = corners[1..]
-        .windows(2)
-        .map(|pair| ((place(pair[0]) - first) * scale).cross((place(pair[1]) - first) * scale));
-    spokes.sum::<DVec3>() * 0.5
 }

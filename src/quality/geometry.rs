@@ -58,6 +58,12 @@ fn winding(facts: &Facts<'_>, doubled: &[u32], found: &mut Tallies) {
         found.tally(Kind::InconsistentWinding).severity = Some(Severity::Warning);
     }
     inside_out(facts, found);
+    for &face in &facts.outward.room_faces {
+        found.add(Kind::Room, Spot::face(face as usize, 0.0), facts.area[face as usize]);
+    }
+    if facts.outward.rooms > 0 {
+        found.tally(Kind::Room).components = facts.outward.rooms as u64;
+    }
     if facts.outward.non_orientable > 0 {
         let half_edges = 0..facts.mesh.faces().corner_count() as u32;
         let turned =

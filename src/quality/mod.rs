@@ -10,8 +10,8 @@
 //! once a rotation or reflection of all of them is taken off, that is what is told. Normals on fewer than three lines, as of
 //! a flat sheet or two, leave open what they were turned by, and so do normals of which no rule gives half. Faces that run
 //! against their neighbours, that are inside out or without direction have no say about normals: their cause is told of
-//! them, not of the normals. A closed surface that faces inwards and whose normals do so too is a room: these are judged
-//! by its faces as they are.
+//! them, not of the normals. The normals of a closed surface that faces inwards and whose normals do so too are judged by
+//! its faces as they are; with things in it that face outwards, as most of their normals do, it is a room, and right.
 //!
 //! Findings about shading are notes: they are what even right normals will show.
 //!

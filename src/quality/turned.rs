@@ -3,10 +3,10 @@
 
 use super::Thresholds;
 use super::catalogue::Kind;
-use super::facts::{Facts, Worth, are_same};
+use super::facts::{Facts, Worth};
 use super::rotation::{are_spread, closest_turn, outer, rotation_angle};
 use super::tally::{Spot, Tallies};
-use crate::mesh::{Mesh, normal_matrix};
+use crate::mesh::{Mesh, are_same, normal_matrix};
 use crate::num::{Degrees, Radians, UnitVec3, angle_between};
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;

@@ -12,6 +12,7 @@ mod page;
 mod planted;
 mod real;
 mod recall;
+mod rooms;
 mod rotated;
 mod seams;
 mod wholes;

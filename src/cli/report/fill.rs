@@ -254,6 +254,7 @@ impl OrientationReport {
             inside_out: found.inside_out,
             open_inside_out: found.open_inside_out,
             cavities: found.cavities,
+            rooms: found.rooms,
         }
     }
 }

@@ -28,7 +28,7 @@
 //! and `vertex`, or `vertex`, all from 0 as in the file, and `reason`; at most 100 of each kind, absent if there are none), `reversed_faces`,
 //! `dropped_faces` (without area), `non_finite_faces` (dropped under `--force`), `orientation` (absent unless
 //! asked for: counts of `components`, `closed`, `open_told`, `open_left`, `non_orientable`, `flat`, `undecided`,
-//! `inside_out`, `open_inside_out`, `cavities`, and `confidence`, the least of those of `open_told`, or null), `quadric_fallbacks`, `cone_declined` (fans too large for the cone rule), `wide_clusters`, `faces_before_groups`, `fast_declined`; and under
+//! `inside_out`, `open_inside_out`, `cavities`, `rooms`, and `confidence`, the least of those of `open_told`, or null), `quadric_fallbacks`, `cone_declined` (fans too large for the cone rule), `wide_clusters`, `faces_before_groups`, `fast_declined`; and under
 //! `--emit face --json` without an output `face_normals`: `[x, y, z]` for each face, null for a dropped one.
 
 mod fill;
@@ -204,6 +204,7 @@ pub struct OrientationReport {
     pub inside_out: usize,
     pub open_inside_out: usize,
     pub cavities: usize,
+    pub rooms: usize,
 }
 
 #[derive(Debug, Serialize)]

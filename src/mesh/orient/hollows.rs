@@ -7,10 +7,14 @@
 //! A point of such a surface goes through the world into the space of whatever mesh stands there, and its ray is cast in
 //! that space, with a bound on what the way has rounded. So no mesh is ever copied, and maps that mirror are no matter:
 //! inside stays inside.
+//!
+//! Within a cavity of this kind, as in a [room](super::rooms), there is air: what stands there in the same mesh is deeper
+//! by one than its mesh alone tells.
 
+use super::Orientations;
 use super::nesting::{Place, Walls};
 use super::probe::{Probe, probes};
-use super::{Orientations, Shell};
+use super::rooms::{Role, Shell, roles};
 use crate::mesh::box_tree::{Bounds, BoxTree};
 use crate::mesh::{Mesh, Topology, Weld, normal_matrix};
 use glam::{DMat3, DMat4, DVec3};
@@ -28,8 +32,7 @@ pub(crate) struct Placed<'a> {
     pub(crate) places: Vec<DMat4>,
 }
 
-/// For each mesh the components that face inwards, although they lie in an even number of others of their own mesh, and are
-/// right so: everywhere that the mesh stands they lie inside of what the meshes that stand elsewhere enclose. Places that
+/// For each mesh the components that face inwards, although their own mesh gives no reason for it, and are right so: everywhere that the mesh stands they lie inside of what the meshes that stand elsewhere enclose. Places that
 /// flatten a mesh do not count.
 ///
 /// Surfaces that would be turned round are taken to be turned, from the outermost to the innermost: a cavity of what is
@@ -40,20 +43,27 @@ pub(crate) fn hollows(parts: &[Placed<'_>], weld: Weld) -> Vec<Vec<usize>> {
     }
     let solids: Vec<Solid> = parts.par_iter().map(|part| Solid::new(part.mesh, weld)).collect();
     let stands = stands(parts);
-    let mut signs: Vec<Vec<i32>> = solids.iter().map(Solid::signs).collect();
+    let mut states: Vec<State<'_>> = solids.iter().map(|solid| State::new(&solid.shells)).collect();
     let mut enclosed = enclosed(parts, &solids, &stands);
-    // What lies round another at one place has less round itself there.
-    enclosed.sort_by_key(|it| (it.places.iter().map(Vec::len).max(), it.part, it.shell));
+    // What lies round another at one place has less round itself there, in its own mesh or in others.
+    enclosed.sort_by_key(|it| (it.places.iter().map(Vec::len).max(), it.depth, it.part, it.shell));
     let mut hollows = vec![Vec::new(); parts.len()];
-    for Enclosed { part, shell, places } in enclosed {
-        let is_matter = |round: &Vec<(usize, usize)>| {
-            round.iter().map(|&(part, shell)| signs[part][shell]).sum::<i32>() > 0
-        };
-        if !places.is_empty() && places.iter().all(is_matter) {
-            hollows[part].push(solids[part].shells[shell].component);
-        } else {
-            signs[part][shell] = 1;
+    for Enclosed { part, shell, places, .. } in enclosed {
+        let own = &solids[part].shells[shell];
+        if own.is_in_matter(&states[part].is_air) == Some(true) {
+            continue;
         }
+        // Solids and cavities round it in its own mesh are as many; what else is air there takes away from what others add.
+        let air = own.air_round(&states[part].is_air) as i32;
+        let is_matter = |round: &Vec<(usize, usize)>| {
+            round.iter().map(|&(part, shell)| states[part].sign(shell)).sum::<i32>() > air
+        };
+        let is_hollow = !places.is_empty() && places.iter().all(is_matter);
+        if is_hollow {
+            hollows[part].push(own.component);
+        }
+        states[part].is_air[shell] = is_hollow || own.seems_room;
+        states[part].is_turned[shell] = !states[part].is_air[shell];
     }
     hollows.iter_mut().for_each(|components| components.sort_unstable());
     hollows
@@ -76,31 +86,36 @@ impl Solid {
         self.orientations.components.faces(self.shells[shell].component)
     }
 
-    /// Whether a shell faces inwards, by most of its faces.
-    fn is_inward(&self, shell: &Shell) -> bool {
-        let turned = self.orientations.faces(shell.component, shell.outward).count();
-        self.orientations.is_inside_out(shell.component, turned)
-    }
-
-    /// Whether its own mesh gives a shell no reason to face inwards, as it does.
-    fn is_in_question(&self, shell: &Shell) -> bool {
-        shell.depth.is_some_and(|depth| depth % 2 == 0) && self.is_inward(shell)
-    }
-
-    /// What each shell adds to the winding number inside of it once its own mesh is mended; what is in question adds what
-    /// it does as it is.
-    fn signs(&self) -> Vec<i32> {
-        let faces_outward = |shell: &Shell| match shell.depth {
-            Some(depth) if depth % 2 == 1 => false,
-            _ => !self.is_inward(shell),
-        };
-        self.shells.iter().map(|shell| if faces_outward(shell) { 1 } else { -1 }).collect()
-    }
-
     fn walls<'a>(&self, mesh: &'a Mesh) -> Walls<'a> {
         let faces: Vec<&[u32]> = (0..self.shells.len()).map(|shell| self.faces(shell)).collect();
         let all: Vec<u32> = (0..faces.len() as u32).collect();
         Walls::new(mesh, self.orientations.components.against(), &faces, &all)
+    }
+}
+
+/// What is known of the shells of a mesh so far.
+struct State<'a> {
+    shells: &'a [Shell],
+    /// Whether there is air within, although it lies in an even number of others of its mesh that have none.
+    is_air: Vec<bool>,
+    /// Whether it is inside out.
+    is_turned: Vec<bool>,
+}
+
+impl<'a> State<'a> {
+    fn new(shells: &'a [Shell]) -> Self {
+        let is_air = roles(shells, &[]).into_iter().map(|role| role == Role::Room).collect();
+        Self { shells, is_air, is_turned: vec![false; shells.len()] }
+    }
+
+    /// What a shell adds to the winding number inside of it once its mesh is mended; what is in question adds what it
+    /// does as it is.
+    fn sign(&self, shell: usize) -> i32 {
+        let is_inward = match &self.shells[shell] {
+            it if it.is_inward => !self.is_turned[shell],
+            it => it.is_in_matter(&self.is_air) == Some(true),
+        };
+        if is_inward { -1 } else { 1 }
     }
 }
 
@@ -161,6 +176,8 @@ impl Stand {
 struct Enclosed {
     part: usize,
     shell: usize,
+    /// In how many others of its mesh it lies.
+    depth: Option<u32>,
     places: Vec<Vec<(usize, usize)>>,
 }
 
@@ -170,9 +187,7 @@ type Boxes = Vec<(usize, Vec<u32>)>;
 fn enclosed(parts: &[Placed<'_>], solids: &[Solid], stands: &[Stand]) -> Vec<Enclosed> {
     let in_question = |part: usize| {
         let shells = solids[part].shells.iter().enumerate();
-        shells
-            .filter(move |(_, shell)| solids[part].is_in_question(shell))
-            .map(move |(shell, _)| (part, shell))
+        shells.filter(|(_, shell)| shell.is_in_question()).map(move |(shell, _)| (part, shell))
     };
     let questions: Vec<(usize, usize)> = (0..parts.len()).flat_map(in_question).collect();
     let mut stands_of = vec![Vec::new(); parts.len()];
@@ -218,7 +233,8 @@ fn enclosed(parts: &[Placed<'_>], solids: &[Solid], stands: &[Stand]) -> Vec<Enc
             Some(found)
         };
         let places = boxes.iter().map(round).collect::<Option<Vec<_>>>().unwrap_or_default();
-        Enclosed { part, shell, places }
+        let depth = solids[part].shells[shell].nest.as_ref().map(|nest| nest.depth);
+        Enclosed { part, shell, depth, places }
     };
     questions.par_iter().zip(&boxes).map(places).collect()
 }

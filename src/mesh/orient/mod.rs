@@ -4,16 +4,16 @@ mod components;
 mod hollows;
 mod nesting;
 mod probe;
+mod rooms;
 mod visibility;
 mod volume;
 
 use super::{Mesh, Topology};
 use components::Components;
 pub(crate) use hollows::{Placed, hollows};
-use nesting::{depths, face_bounds};
 use rayon::prelude::*;
+use rooms::{Role, Shell, roles};
 use visibility::votes;
-use volume::faces_outward;
 
 /// Which faces are turned round.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -25,9 +25,10 @@ pub enum Orient {
     /// that run against the lowest face.
     Consistent,
     /// In each closed component the ones that do not face outwards, where it lies in an even number of other
-    /// closed components, or inwards, as a cavity, where it lies in an odd number. In each component with a rim those
-    /// that do not face the side from which more is seen of the world, if that is sure enough ([`Confidence`]). Others
-    /// stay as they are.
+    /// closed components, or inwards, as a cavity, where it lies in an odd number. A room faces inwards, and for what stands
+    /// in it does not count: it is what faces inwards with most of its stored normals, round things of which at
+    /// least half face outwards by theirs. In each component with a rim those that do not face the side from which more is
+    /// seen of the world, if that is sure enough ([`Confidence`]). Others stay as they are.
     Outward,
 }
 
@@ -86,13 +87,18 @@ pub struct Orientation {
     pub open_inside_out: usize,
     /// Closed components that lie in an odd number of others and now face inwards ([`Orient::Outward`] only).
     pub cavities: usize,
+    /// Closed components that face inwards and stay so, as rooms ([`Orient::Outward`] only).
+    pub rooms: usize,
+    /// The faces of these, ascending.
+    pub room_faces: Vec<u32>,
 }
 
 /// Finds the faces to turn round so that neighbours agree and, if asked for, closed surfaces face outwards.
 ///
 /// Welded edges count as connections, whatever else they separate. Outward is decided by signed volume, nesting
 /// by rays from points of the inner surface; both hold at any size and any distance from the origin. Surfaces
-/// that cut through each other are not nested.
+/// that cut through each other are not nested. Stored normals, if there are any, tell rooms from what is inside out
+/// ([`Orient::Outward`]); without them all is taken for solid.
 ///
 /// Components with a rim are turned, by a vote of visibility, if its outcome is at least as sure as `confidence`.
 ///
@@ -133,15 +139,6 @@ pub(crate) struct Orientations {
     /// Those that are orientable, ascending: the closed ones, and the others.
     closed: Vec<usize>,
     open: Vec<usize>,
-}
-
-/// A closed component with a volume.
-struct Shell {
-    component: usize,
-    /// Whether the faces that run with its lowest one face outwards.
-    outward: bool,
-    /// In how many others of its mesh it lies; `None` if that cannot be told.
-    depth: Option<u32>,
 }
 
 impl Orientations {
@@ -218,39 +215,29 @@ impl Orientations {
         2 * turned > self.components.faces(component).len()
     }
 
-    /// The closed components with a volume, ascending.
-    fn shells(&self, mesh: &Mesh) -> Vec<Shell> {
-        let against = self.components.against();
-        let solid: Vec<(usize, bool)> = self
-            .closed
-            .par_iter()
-            .filter_map(|&component| {
-                let faces = self.components.faces(component);
-                Some((component, faces_outward(mesh, faces, against, face_bounds(mesh, faces))?))
-            })
-            .collect();
-        let faces: Vec<&[u32]> =
-            solid.iter().map(|&(component, _)| self.components.faces(component)).collect();
-        let depths = depths(mesh, against, &faces);
-        let shell = |((component, outward), depth)| Shell { component, outward, depth };
-        solid.into_iter().zip(depths).map(shell).collect()
-    }
-
     fn turn_closed(&self, mesh: &Mesh, hollows: &[usize], found: &mut Orientation) {
         let shells = self.shells(mesh);
         found.flat = self.closed.len() - shells.len();
-        for Shell { component, outward, depth } in shells {
-            let Some(depth) = depth else {
-                found.undecided += 1;
-                continue;
-            };
-            let cavity = depth % 2 == 1 || hollows.binary_search(&component).is_ok();
+        for (&Shell { component, outward, .. }, role) in shells.iter().zip(roles(&shells, hollows)) {
+            match role {
+                Role::Unknown => {
+                    found.undecided += 1;
+                    continue;
+                }
+                Role::Cavity => found.cavities += 1,
+                Role::Room => {
+                    found.rooms += 1;
+                    found.room_faces.extend_from_slice(self.components.faces(component));
+                }
+                Role::Solid => {}
+            }
+            let is_inward = role != Role::Solid;
             let before = found.reversed.len();
             // Faces that run with the lowest one are right as they are if they face outwards and should.
-            found.reversed.extend(self.faces(component, outward != cavity));
-            found.cavities += usize::from(cavity);
+            found.reversed.extend(self.faces(component, outward != is_inward));
             found.inside_out += usize::from(self.is_inside_out(component, found.reversed.len() - before));
         }
+        found.room_faces.par_sort_unstable();
     }
 
     fn turn_open(&self, mesh: &Mesh, confidence: Confidence, found: &mut Orientation) {

@@ -22,9 +22,23 @@ const BOX_BUDGET: usize = 512;
 /// a million triangles of well-shaped shells costs some hundreds.
 const RAY_BUDGET: (usize, usize) = (1 << 26, 256);
 
-/// In how many other shells each shell lies; `None` where that cannot be told. Shells are closed components, as
-/// lists of faces; `against` tells which faces run against the others of their shell.
-pub(super) fn depths(mesh: &Mesh, against: &[bool], shells: &[&[u32]]) -> Vec<Option<u32>> {
+/// What a shell lies in.
+#[derive(Clone, Default)]
+pub(super) struct Nest {
+    /// In how many others of its mesh.
+    pub(super) depth: u32,
+    /// Those among them that are marked, ascending.
+    pub(super) marked: Vec<u32>,
+}
+
+/// What each shell lies in; `None` where that cannot be told. Shells are closed components, as lists of faces, some
+/// of them marked; `against` tells which faces run against the others of their shell.
+pub(super) fn depths(
+    mesh: &Mesh,
+    against: &[bool],
+    shells: &[&[u32]],
+    is_marked: &[bool],
+) -> Vec<Option<Nest>> {
     let bounds: Vec<Bounds> = shells.par_iter().map(|faces| face_bounds(mesh, faces)).collect();
     let boxes = BoxTree::build(shells.len(), |shell| bounds[shell as usize]);
     let inner: Vec<bool> = (0..shells.len() as u32)
@@ -37,7 +51,7 @@ pub(super) fn depths(mesh: &Mesh, against: &[bool], shells: &[&[u32]]) -> Vec<Op
         .collect();
     let rays: usize = (0..shells.len()).filter(|&s| inner[s]).map(|s| 2 * shells[s].len().min(12)).sum();
     if rays == 0 {
-        return vec![Some(0); shells.len()];
+        return vec![Some(Nest::default()); shells.len()];
     }
     // Only shells that have a box in their own need to be searched for crossings.
     let outer: Vec<u32> = (0..shells.len() as u32)
@@ -50,10 +64,15 @@ pub(super) fn depths(mesh: &Mesh, against: &[bool], shells: &[&[u32]]) -> Vec<Op
         .collect();
     let walls = Walls::new(mesh, against, shells, &outer);
     let budget = Walls::budget(std::iter::once(&walls), rays);
-    (0..shells.len())
-        .into_par_iter()
-        .map(|s| if inner[s] { walls.depth(s as u32, shells[s], &bounds, budget) } else { Some(0) })
-        .collect()
+    let nest = |shell: usize| {
+        if !inner[shell] {
+            return Some(Nest::default());
+        }
+        let round = walls.shells_round(shell as u32, shells[shell], &bounds, budget)?;
+        let marked = round.iter().copied().filter(|&other| is_marked[other as usize]).collect();
+        Some(Nest { depth: round.len() as u32, marked })
+    };
+    (0..shells.len()).into_par_iter().map(nest).collect()
 }
 
 /// The box of some faces.
@@ -123,13 +142,13 @@ impl<'a> Walls<'a> {
         (RAY_BUDGET.0 + RAY_BUDGET.1 * triangles) / rays.max(1)
     }
 
-    /// In how many others a shell lies.
-    fn depth(&self, shell: u32, faces: &[u32], bounds: &[Bounds], budget: usize) -> Option<u32> {
+    /// The others that a shell lies in, ascending.
+    fn shells_round(&self, shell: u32, faces: &[u32], bounds: &[Bounds], budget: usize) -> Option<Vec<u32>> {
         let probes = probes(self.mesh, faces, self.scale);
         let own = bounds[shell as usize];
         let round =
             self.round_all(Some(shell), &probes, budget, |other| bounds[other as usize].contains(own))?;
-        round.iter().all(|&(_, place)| place == Place::Inside).then_some(round.len() as u32)
+        round.into_iter().map(|(other, place)| (place == Place::Inside).then_some(other)).collect()
     }
 
     /// The wanted shells that all points of a surface lie in, or that all of them lie too close to, other than the one

@@ -42,6 +42,7 @@ pub enum Kind {
     NonOrientable,
     InsideOut,
     OpenInsideOut,
+    Room,
     ZeroArea,
     BelowStorage,
     Needles,

@@ -4,11 +4,10 @@ mod matching;
 
 use super::catalogue::Kind;
 use super::diagnosis::{Diagnosis, locate, site};
-use super::facts::stored_unit;
 use super::tally::Spot;
 use super::{Site, key_light_steps};
 use crate::io::Loaded;
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, stored_unit};
 use crate::num::{CompensatedSum, Degrees, angle_between};
 use glam::DVec3;
 use matching::{Matching, Side};
