@@ -36,7 +36,7 @@ impl Model {
             projection: Projection::Orthographic(EDGES * size),
             near: 0.0,
         };
-        let mut scene = self.scene(camera, false);
+        let mut scene = self.scene(camera);
         scene.lines = overlay(&scene, [side; 2], Overlay::Wire);
         let mut picture = draw(&scene, side, Show::Shaded)?;
         ring(&mut picture, [f64::from(side) / 2.0; 2], f64::from(side) / 16.0);

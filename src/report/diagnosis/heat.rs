@@ -51,15 +51,17 @@ impl HeatScale {
         all.sort_unstable_by(f64::total_cmp);
         let nearly_all = all.iter().rev().nth(all.len() / 200).copied().unwrap_or_default();
         let full = Self::ENDS.into_iter().find(|&end| end >= nearly_all).unwrap_or(180.0);
+        // What is told is told in three digits: 90.0004° is no more than 90°.
+        let is_beyond = |largest: &&f64| **largest > full && three_digits(**largest) != three_digits(full);
         Self {
             full: Degrees(full),
-            beyond: all.last().filter(|&&largest| largest > full).map(|&largest| Degrees(largest)),
+            beyond: all.last().filter(is_beyond).map(|&largest| Degrees(largest)),
             is_used: !all.is_empty(),
             is_absent: all.len() < corners.len(),
         }
     }
 
-    /// The colour of a corner.
+    /// The colour of a deviation.
     pub(super) fn colour(self, deviation: Option<f64>) -> LinearRgb {
         deviation.map_or(LinearRgb::from(ABSENT), |degrees| viridis(degrees / self.full.0))
     }
@@ -314,6 +316,8 @@ mod tests {
         // One in two hundred is left out, two are not.
         let with = |count: usize| [vec![0.0; 200 - count], vec![180.0; count]].concat();
         assert_eq!(scale(with(1)).words(), "from violet, 0°, to yellow, 1° and more, up to 180°");
+        let rounded = [vec![90.0; 400], vec![90.0 + 1e-9]].concat();
+        assert_eq!(scale(rounded).words(), "from violet, 0°, to yellow, 90°");
         assert_eq!(scale(with(2)).words(), "from violet, 0°, to yellow, 180°");
     }
 

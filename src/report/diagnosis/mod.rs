@@ -2,6 +2,7 @@
 
 mod change;
 mod close_up;
+mod deviation;
 mod heat;
 mod page;
 mod pictures;

@@ -1,6 +1,7 @@
 //! Pictures of what was found: deviation as colours, facing, creases, and the worst places close up.
 
-use super::heat::{Corner, HeatScale, dots, form, longest_edge, with_legend};
+use super::deviation::measure;
+use super::heat::HeatScale;
 use super::sight::{self, Sight};
 use crate::io::Loaded;
 use crate::mesh::{Column, Faces, Mesh, MeshBuilder, normal_matrix};
@@ -8,7 +9,8 @@ use crate::normals::{NormalField, Summary};
 use crate::num::LinearRgb;
 use crate::quality::{Diagnosis, Severity, Site, Survey, survey};
 use crate::raster::{
-    Camera, Object, Paint, Recentring, RenderSettings, Samples, Scene, Shape, Show, default_lights, render,
+    Camera, Image, Object, Paint, Recentring, RenderSettings, Samples, Scene, Shape, Show, default_lights,
+    render,
 };
 use crate::report::{Overlay, Picture, ReportError, overlay};
 use crate::shade::Material;
@@ -29,16 +31,16 @@ struct PartModel {
     /// The normals that the rule of the mesh gives: edges that are sharp by it show its form, whatever is wrong.
     ruled: NormalField,
     deviations: Vec<Option<f64>>,
-    colours: Vec<LinearRgb>,
+    /// The same, to be drawn.
+    measures: Vec<LinearRgb>,
 }
 
 impl Model {
     /// The file with what was measured of each part, in colours of a scale.
     pub(super) fn new(loaded: &Loaded, surveys: &[Survey], scale: HeatScale) -> Result<Self, ReportError> {
         let parts = loaded.parts.iter().zip(surveys);
-        let parts: Vec<PartModel> = parts
-            .map(|(part, survey)| PartModel::new(&part.mesh, survey, scale))
-            .collect::<Result<_, _>>()?;
+        let parts: Vec<PartModel> =
+            parts.map(|(part, survey)| PartModel::new(&part.mesh, survey)).collect::<Result<_, _>>()?;
         let has_faces = |part: usize| parts[part].mesh.face_count() > 0;
         let mut places: Vec<(usize, DMat4)> =
             loaded.nodes.iter().map(|node| (node.part, node.world_from_part)).collect();
@@ -104,14 +106,33 @@ impl Model {
         self.places.iter().flat_map(of)
     }
 
-    /// The scene from a camera, as it is lit, or coloured by deviation.
-    pub(super) fn scene(&self, camera: Camera, is_coloured: bool) -> Scene<'_> {
+    /// The mesh of a part, every corner a vertex of its own, and how far the normals of these are off.
+    pub(super) fn deviations(&self, part: usize) -> (&Mesh, &[Option<f64>]) {
+        let PartModel { mesh, deviations, .. } = &self.parts[part];
+        (mesh, deviations)
+    }
+
+    /// The scene from a camera, as it is lit.
+    pub(super) fn scene(&self, camera: Camera) -> Scene<'_> {
+        let paint = |_: &PartModel| Paint::Lit(Material::default());
+        self.painted(camera, |part| &part.field, paint)
+    }
+
+    /// The scene from a camera, with the [measure] of each corner for its colour.
+    pub(super) fn measured(&self, camera: Camera) -> Scene<'_> {
+        self.painted(camera, |part| &part.ruled, |part| Paint::Given(Cow::Borrowed(&part.measures)))
+    }
+
+    fn painted<'a>(
+        &'a self,
+        camera: Camera,
+        normals: impl Fn(&'a PartModel) -> &'a NormalField,
+        paint: impl Fn(&'a PartModel) -> Paint<'a>,
+    ) -> Scene<'a> {
         let object = |&(part, transform): &(usize, DMat4)| {
-            let PartModel { mesh, field, ruled, colours, .. } = &self.parts[part];
-            let normals = if is_coloured { ruled } else { field };
-            let plain = Object::new(Shape::Mesh { mesh, normals }, Material::default());
-            let paint = if is_coloured { Paint::Given(Cow::Borrowed(colours)) } else { plain.paint };
-            Object { paint, transform, ..plain }
+            let part = &self.parts[part];
+            let shape = Shape::Mesh { mesh: &part.mesh, normals: normals(part) };
+            Object { paint: paint(part), transform, ..Object::new(shape, Material::default()) }
         };
         Scene {
             objects: self.places.iter().map(object).collect(),
@@ -125,72 +146,29 @@ impl Model {
     /// The box round all of it, in the world; `None` if there is nothing.
     pub(super) fn bounds(&self) -> Option<(DVec3, DVec3)> {
         let any = Camera::framing((DVec3::ZERO, DVec3::ONE), 1.0);
-        self.scene(any, false).bounds()
-    }
-
-    /// Coloured by deviation, with rings round some places and a legend below.
-    pub(super) fn deviation(
-        &self,
-        camera: Camera,
-        side: u32,
-        sites: &[&Site],
-    ) -> Result<Picture, ReportError> {
-        let mut scene = self.scene(camera, true);
-        // Colours alone show no form.
-        scene.lines = form(&scene, side);
-        let has_lines = !scene.lines.is_empty();
-        scene.lines.extend(dots(self.corners(), self.scale, &camera, side));
-        let mut picture = draw(&scene, side, Show::Shaded)?;
-        let mut has_rings = false;
-        for site in sites {
-            if let Some((_, position, _)) = self.stand(site)
-                && let Ok(Some(at)) = camera.on_picture([side; 2], position)
-            {
-                ring(&mut picture, at, f64::from(side) / 40.0);
-                has_rings = true;
-            }
-        }
-        Ok(with_legend(&picture, self.scale, has_lines, has_rings))
-    }
-
-    /// All corners, in the world.
-    fn corners(&self) -> impl Iterator<Item = Corner> {
-        self.places.iter().flat_map(|&(part, place)| {
-            let PartModel { mesh, deviations, .. } = &self.parts[part];
-            let point = |vertex: u32| mesh.positions()[vertex as usize];
-            let of_face = move |face: &[u32]| -> Vec<Corner> {
-                let count = face.len();
-                let corner = |at: usize| Corner {
-                    position: place.transform_point3(point(face[at])),
-                    deviation: deviations[face[at] as usize],
-                    edge: longest_edge(place, [at + count - 1, at, at + 1].map(|at| point(face[at % count]))),
-                };
-                (0..count).map(corner).collect()
-            };
-            mesh.faces().iter().flat_map(of_face)
-        })
+        self.scene(any).bounds()
     }
 
     /// Lit with the normals that it has.
     pub(super) fn lit(&self, camera: Camera, side: u32) -> Result<Picture, ReportError> {
-        draw(&self.scene(camera, false), side, Show::Shaded)
+        draw(&self.scene(camera), side, Show::Shaded)
     }
 
     /// Front faces green, back faces red.
     pub(super) fn facing(&self, camera: Camera, side: u32) -> Result<Picture, ReportError> {
-        draw(&self.scene(camera, false), side, Show::Facing)
+        draw(&self.scene(camera), side, Show::Facing)
     }
 
     /// Lit, with the edges whose two sides have different normals as lines.
     pub(super) fn creases(&self, camera: Camera, side: u32) -> Result<Picture, ReportError> {
-        let mut scene = self.scene(camera, false);
+        let mut scene = self.scene(camera);
         scene.lines = overlay(&scene, [side; 2], Overlay::Creases);
         draw(&scene, side, Show::Shaded)
     }
 }
 
 impl PartModel {
-    fn new(mesh: &Mesh, survey: &Survey, scale: HeatScale) -> Result<Self, ReportError> {
+    fn new(mesh: &Mesh, survey: &Survey) -> Result<Self, ReportError> {
         let corners = mesh.faces().corners();
         let mut faces = Faces::with_capacity(corners.len());
         for range in mesh.faces().ranges() {
@@ -212,7 +190,7 @@ impl PartModel {
             mesh: apart,
             field: field(&survey.shaded),
             ruled: field(&survey.expected),
-            colours: survey.deviations.iter().map(|&deviation| scale.colour(deviation)).collect(),
+            measures: survey.deviations.iter().copied().map(measure).collect(),
             deviations: survey.deviations.clone(),
         })
     }
@@ -225,9 +203,10 @@ pub(super) fn worst_places(diagnosis: &Diagnosis) -> Vec<&Site> {
 }
 
 /// The heat map of a file alone: how far stored normals are from those that the rule of their mesh gives, with a ring round
-/// the worst place of each error and warning, and a legend below; as many pixels wide as it is asked for, and higher by the legend. Corners whose
-/// faces are too small to be seen are marked with dots, the worst uppermost; those without a stored normal that has a
-/// direction have a colour of their own.
+/// the worst place of each error and warning, and a legend below; as many pixels wide as it is asked for, and higher by the
+/// legend. The deviation spreads over faces from corner to corner, and each pixel has the colour of the mean of what it
+/// shows. Corners whose faces are too small to be seen are marked with dots, the worst uppermost; where corners have no stored
+/// normal that has a direction, the surface has a colour of its own.
 ///
 /// # Errors
 /// If there is nothing to draw, or it cannot be drawn.
@@ -244,14 +223,17 @@ pub fn deviation_picture(
 }
 
 pub(super) fn draw(scene: &Scene<'_>, side: u32, show: Show) -> Result<Picture, ReportError> {
-    let settings = RenderSettings {
-        size: [side; 2],
-        samples: Samples::Four,
-        two_sided: true,
-        show,
-        ..RenderSettings::default()
-    };
-    Ok(render(scene, &settings).map_err(|error| ReportError::Encoder(error.to_string()))?.into())
+    Ok(render_at(scene, side, RenderSettings { show, ..RenderSettings::default() })?.into())
+}
+
+/// As all pictures of a report are drawn, with other settings as they are given.
+pub(super) fn render_at(
+    scene: &Scene<'_>,
+    side: u32,
+    settings: RenderSettings,
+) -> Result<Image, ReportError> {
+    let settings = RenderSettings { size: [side; 2], samples: Samples::Four, two_sided: true, ..settings };
+    render(scene, &settings).map_err(|error| ReportError::Encoder(error.to_string()))
 }
 
 /// A red ring round a point of a picture.

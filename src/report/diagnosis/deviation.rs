@@ -1,0 +1,247 @@
+//! Deviations as colours.
+//!
+//! A mean of colours is no colour of the legend. So what is drawn are numbers: the deviation spreads over faces from corner
+//! to corner, each pixel has the mean of those that it shows, and that has its colour on the scale. Where most of
+//! what a pixel shows has no deviation it has the colour of that. Only on the rim of the mesh, and of lines and dots on
+//! it, are colours mixed.
+
+use super::heat::{Corner, HeatScale, dots, form, longest_edge, with_legend};
+use super::pictures::{Model, render_at, ring};
+use crate::num::{LinearRgb, Srgb8};
+use crate::quality::Site;
+use crate::raster::{Camera, Lines, Paint, Pixels, RenderSettings, Scene};
+use crate::report::{Picture, ReportError};
+use std::borrow::Cow;
+
+/// What is drawn of a corner in place of a colour: its deviation in degrees, and whether it has one or none.
+pub(super) fn measure(deviation: Option<f64>) -> LinearRgb {
+    deviation.map_or(LinearRgb::new(0.0, 0.0, 1.0), |degrees| LinearRgb::new(degrees, 1.0, 0.0))
+}
+
+impl Model {
+    /// Coloured by deviation, with rings round some places and a legend below.
+    pub(super) fn deviation(
+        &self,
+        camera: Camera,
+        side: u32,
+        sites: &[&Site],
+    ) -> Result<Picture, ReportError> {
+        let scene = self.measured(camera);
+        // Colours alone show no form.
+        let mut lines = form(&scene, side);
+        let has_lines = !lines.is_empty();
+        lines.extend(dots(self.corners(), self.scale, &camera, side));
+        let mut picture = coloured(scene, lines, self.scale, side)?;
+        let mut has_rings = false;
+        for site in sites {
+            if let Some((_, position, _)) = self.stand(site)
+                && let Ok(Some(at)) = camera.on_picture([side; 2], position)
+            {
+                ring(&mut picture, at, f64::from(side) / 40.0);
+                has_rings = true;
+            }
+        }
+        Ok(with_legend(&picture, self.scale, has_lines, has_rings))
+    }
+
+    /// All corners, in the world.
+    fn corners(&self) -> impl Iterator<Item = Corner> {
+        self.objects().flat_map(|(part, place)| {
+            let (mesh, deviations) = self.deviations(part);
+            let point = |vertex: u32| mesh.positions()[vertex as usize];
+            let of_face = move |face: &[u32]| -> Vec<Corner> {
+                let count = face.len();
+                let corner = |at: usize| Corner {
+                    position: place.transform_point3(point(face[at])),
+                    deviation: deviations[face[at] as usize],
+                    edge: longest_edge(place, [at + count - 1, at, at + 1].map(|at| point(face[at % count]))),
+                };
+                (0..count).map(corner).collect()
+            };
+            mesh.faces().iter().flat_map(of_face)
+        })
+    }
+}
+
+/// A scene of [measures](measure) in colours of a scale, with lines.
+fn coloured(
+    mut scene: Scene<'_>,
+    lines: Vec<Lines>,
+    scale: HeatScale,
+    side: u32,
+) -> Result<Picture, ReportError> {
+    let background = scene.background;
+    let linear = |scene: &Scene<'_>| -> Result<Vec<[f32; 3]>, ReportError> {
+        let image =
+            render_at(scene, side, RenderSettings { keep_linear: true, ..RenderSettings::default() })?;
+        Ok(image.linear.unwrap_or_default())
+    };
+    // Every sample counts in one of two pictures: in this one those of surfaces,
+    scene.background = LinearRgb::BLACK;
+    scene.lines = lines;
+    let colours: Vec<LinearRgb> = scene.lines.iter().map(|lines| lines.style.colour).collect();
+    scene.lines.iter_mut().for_each(|lines| lines.style.colour = LinearRgb::BLACK);
+    let measures = linear(&scene)?;
+    // in this one those of lines, and of what is behind all.
+    scene.background = background;
+    scene.lines.iter_mut().zip(colours).for_each(|(lines, colour)| lines.style.colour = colour);
+    for object in &mut scene.objects {
+        if let Paint::Given(measures) = &object.paint {
+            object.paint = Paint::Given(Cow::Owned(vec![LinearRgb::BLACK; measures.len()]));
+        }
+    }
+    let rest = linear(&scene)?;
+    let pixel = |(measures, rest): (&[f32; 3], &[f32; 3])| {
+        let [sum, present, absent] = measures.map(f64::from);
+        let mean = (present > absent).then(|| sum / present);
+        let surface = scale.colour(mean) * (present + absent);
+        Srgb8::from(LinearRgb::from(rest.map(f64::from)) + surface).0
+    };
+    let pixels = measures.iter().zip(&rest).map(pixel).collect();
+    Ok(Picture { size: [side; 2], pixels: Pixels::Eight(pixels) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{Column, Faces, MeshBuilder};
+    use crate::normals::NormalField;
+    use crate::quality::Survey;
+    use crate::raster::{LinePath, LineStyle, Object, Projection, Shape};
+    use crate::report::viridis::viridis;
+    use crate::shade::Material;
+    use glam::DVec3;
+
+    const SIDE: u32 = 60;
+
+    /// Triangles with their corners apart, in the plane of the picture, and what they look like at each pixel: its colour, how
+    /// many of its four samples are covered, and its middle.
+    fn drawn(
+        corners: &[([f64; 2], Option<f64>)],
+        full: f64,
+        lines: Vec<Lines>,
+    ) -> Vec<([u8; 3], u8, [f64; 2])> {
+        let positions: Vec<DVec3> = corners.iter().map(|&([x, y], _)| DVec3::new(x, y, 0.0)).collect();
+        let count = positions.len() as u32;
+        let faces = Faces::triangles((0..count).collect());
+        let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap();
+        let vertices: Vec<u32> = (0..count).collect();
+        let normals = NormalField {
+            normals: Column::per_corner(vec![DVec3::Z; corners.len()], vertices.clone()),
+            entry_vertex: vertices,
+            face_normals: vec![DVec3::Z; corners.len() / 3],
+            morph_normals: Vec::new(),
+            faults: Default::default(),
+            summary: Default::default(),
+        };
+        let camera = Camera {
+            eye: DVec3::new(0.5, 0.5, 5.0),
+            target: DVec3::new(0.5, 0.5, 0.0),
+            up: DVec3::Y,
+            projection: Projection::Orthographic(1.2),
+            near: 0.0,
+        };
+        let measures: Vec<LinearRgb> = corners.iter().map(|&(_, deviation)| measure(deviation)).collect();
+        let object = Object {
+            paint: Paint::Given(Cow::Owned(measures)),
+            ..Object::new(Shape::Mesh { mesh: &mesh, normals: &normals }, Material::default())
+        };
+        let scene = Scene {
+            objects: vec![object],
+            lines: Vec::new(),
+            lights: Vec::new(),
+            camera,
+            background: LinearRgb::WHITE,
+        };
+        let deviations = vec![Some(full)];
+        let scale = HeatScale::of([Survey { deviations, ..Survey::default() }].iter());
+        let coverage = render_at(&scene, SIDE, RenderSettings::default()).unwrap().coverage;
+        let picture = coloured(scene, lines, scale, SIDE).unwrap();
+        let Pixels::Eight(pixels) = picture.pixels else { panic!("8 bits") };
+        let middle = |pixel: usize| {
+            let [x, y] = [pixel % SIDE as usize, pixel / SIDE as usize]
+                .map(|at| (at as f64 + 0.5) * 1.2 / f64::from(SIDE) - 0.1);
+            [x, 1.0 - y]
+        };
+        let pixels = pixels.into_iter().zip(coverage).enumerate();
+        pixels.map(|(number, (colour, covered))| (colour, covered, middle(number))).collect()
+    }
+
+    fn distance(a: [u8; 3], b: [u8; 3]) -> u8 {
+        a.into_iter().zip(b).map(|(a, b)| a.abs_diff(b)).max().unwrap()
+    }
+
+    fn on_scale(share: f64) -> [u8; 3] {
+        Srgb8::from(viridis(share)).0
+    }
+
+    /// Samples lie round the middles of pixels, so the mean over one is what the triangle has in its middle. Corners are
+    /// snapped to 256ths of a pixel, which is 2⁻⁸/50 of the scale; one code is rounding.
+    #[test]
+    fn each_pixel_has_the_colour_of_its_own_deviation() {
+        let triangle = [([0.0, 0.0], Some(0.0)), ([1.0, 0.0], Some(0.0)), ([0.0, 1.0], Some(30.0))];
+        let mut inside = 0;
+        for (colour, covered, [x, y]) in drawn(&triangle, 30.0, Vec::new()) {
+            match covered {
+                0 => assert_eq!(colour, [255; 3]),
+                4 => {
+                    inside += 1;
+                    assert!(distance(colour, on_scale(y)) <= 1, "{colour:?} at {x}, {y}");
+                }
+                _ => {}
+            }
+        }
+        assert!(inside > 1100, "{inside}");
+        // Beyond the scale the deviation spreads as it is, and only its colour ends.
+        let beyond = [triangle[0], triangle[1], ([0.0, 1.0], Some(120.0))];
+        for (colour, _, [x, y]) in
+            drawn(&beyond, 30.0, Vec::new()).into_iter().filter(|(_, covered, _)| *covered == 4)
+        {
+            assert!(distance(colour, on_scale(4.0 * y)) <= 1, "{colour:?} at {x}, {y}");
+        }
+    }
+
+    /// Where faces of different deviations meet, and where a corner has none, no colour is mixed.
+    #[test]
+    fn all_colours_are_those_of_the_legend() {
+        let scale = HeatScale::of([Survey { deviations: vec![Some(30.0)], ..Survey::default() }].iter());
+        let absent = Srgb8::from(scale.colour(None)).0;
+        let corners = [
+            ([0.0, 0.0], Some(0.0)),
+            ([1.0, 0.0], Some(0.0)),
+            ([0.0, 1.0], Some(0.0)),
+            ([1.0, 0.0], Some(30.0)),
+            ([1.0, 1.0], None),
+            ([0.0, 1.0], Some(30.0)),
+        ];
+        let pixels = drawn(&corners, 30.0, Vec::new());
+        let inside = pixels.into_iter().filter(|(_, covered, _)| *covered == 4);
+        let (mut without, mut between) = (0, 0);
+        for (colour, _, at) in inside {
+            without += u32::from(colour == absent);
+            let nearest = (0..=600).map(|i| distance(colour, on_scale(f64::from(i) / 600.0))).min().unwrap();
+            assert!(colour == absent || nearest <= 1, "{colour:?} at {at:?}");
+            between += u32::from(colour != absent && ![0.0, 1.0].map(on_scale).contains(&colour));
+        }
+        // A quarter of the one triangle, half of its height; and the edge between both.
+        assert!((280..330).contains(&without) && (40..60).contains(&between), "{without} {between}");
+    }
+
+    #[test]
+    fn lines_keep_their_colour() {
+        let triangle = [([0.0, 0.0], Some(30.0)), ([1.0, 0.0], Some(30.0)), ([0.0, 1.0], Some(30.0))];
+        let points = vec![DVec3::new(-0.05, 0.3, 0.1), DVec3::new(0.9, 0.3, 0.1)];
+        let style = LineStyle { colour: LinearRgb::grey(0.3), width: 4.0, hide: true };
+        let line = Lines { path: LinePath::Points { points, segments: vec![[0, 1]] }, style };
+        let pixels = drawn(&triangle, 30.0, vec![line]);
+        let grey = Srgb8::from(LinearRgb::grey(0.3)).0;
+        for (colour, covered, [x, y]) in pixels {
+            let off = (y - 0.3).abs();
+            if off < 0.02 && (-0.02..0.86).contains(&x) {
+                assert_eq!(colour, grey, "{x}, {y}");
+            } else if off > 0.08 && covered == 4 {
+                assert_eq!(colour, on_scale(1.0), "{x}, {y}");
+            }
+        }
+    }
+}
