@@ -119,7 +119,7 @@ const ORIENTATION: [&str; 9] = [
     "flat, left",
     "undecided, left",
     "cavities",
-    "rooms, left",
+    "as rooms, left",
     "open, turned",
 ];
 
