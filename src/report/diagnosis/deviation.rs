@@ -65,11 +65,15 @@ impl Model {
 
 /// A scene of [measures](measure) in colours of a scale, with lines.
 fn coloured(
-    mut scene: Scene<'_>,
+    scene: Scene<'_>,
     lines: Vec<Lines>,
     scale: HeatScale,
     side: u32,
 ) -> Result<Picture, ReportError> {
+    let vertices = scene.objects.iter().map(|object| count(&object.paint)).max();
+    // One for all: a file may have a mesh stand at many places.
+    let black = vec![LinearRgb::BLACK; vertices.unwrap_or(0)];
+    let mut scene: Scene<'_> = scene;
     let background = scene.background;
     let linear = |scene: &Scene<'_>| -> Result<Vec<[f32; 3]>, ReportError> {
         let image =
@@ -86,9 +90,7 @@ fn coloured(
     scene.background = background;
     scene.lines.iter_mut().zip(colours).for_each(|(lines, colour)| lines.style.colour = colour);
     for object in &mut scene.objects {
-        if let Paint::Given(measures) = &object.paint {
-            object.paint = Paint::Given(Cow::Owned(vec![LinearRgb::BLACK; measures.len()]));
-        }
+        object.paint = Paint::Given(Cow::Borrowed(&black[..count(&object.paint)]));
     }
     let rest = linear(&scene)?;
     let pixel = |(measures, rest): (&[f32; 3], &[f32; 3])| {
@@ -99,6 +101,11 @@ fn coloured(
     };
     let pixels = measures.iter().zip(&rest).map(pixel).collect();
     Ok(Picture { size: [side; 2], pixels: Pixels::Eight(pixels) })
+}
+
+/// How many colours are given.
+fn count(paint: &Paint<'_>) -> usize {
+    if let Paint::Given(colours) = paint { colours.len() } else { 0 }
 }
 
 #[cfg(test)]
