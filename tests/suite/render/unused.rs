@@ -1,8 +1,9 @@
 //! Options that change nothing are told, and only they: each claim is held against the bytes of the picture.
 
 use super::notes::notes;
-use super::{bytes, render, with};
+use super::{bytes, picture, render, with};
 use crate::cli::{folder, path, text};
+use crease::num::{LinearRgb, Srgb8};
 
 /// A bent strip of two unlike faces, one face that turns its back, and colours at all corners.
 const STRIP: &str = "\
@@ -300,14 +301,23 @@ fn wireframes_of_little_contrast_are_told() {
     assert!(!found.contains("choose another"), "no line is drawn: {found}");
 }
 
-/// What is black or white by itself is told from any background, however light becomes codes.
+/// What is black or white by itself is told from any background, however light becomes codes: the better of the two has
+/// a contrast of √(1.05 · 0.05)/0.05 or more, which is 4.58, as a screen shows it.
 #[test]
 fn wireframes_of_bare_meshes_have_contrast() {
     let stage = Stage::new();
+    let luminance = |code: [u8; 3]| LinearRgb::from(Srgb8(code)).luminance() + 0.05;
     for background in ["0", "0.1", "0.179", "0.18", "0.3", "0.45", "0.6", "1"] {
         for transfer in ["srgb", "direct"] {
             let args = stage.args(&format!("strip.obj --shading wireframe --transfer {transfer}"));
-            let found = notes(&with(&args, &["--background", background]));
+            let args = with(&args, &["--background", background]);
+            let picture = picture(&args);
+            let behind = picture.get_pixel(0, 0).0;
+            let wire = picture.pixels().map(|pixel| pixel.0).find(|code| *code != behind).unwrap();
+            let (wire, behind) = (luminance(wire), luminance(behind));
+            // Codes are rounded.
+            assert!(wire.max(behind) / wire.min(behind) > 4.5, "{background} {transfer}: {wire} on {behind}");
+            let found = notes(&args);
             assert!(!found.contains("wireframe"), "{background} {transfer}: {found}");
         }
     }
