@@ -6,9 +6,9 @@ use crate::io::{FileCamera, FileProjection, Problem, ReadError};
 use glam::DMat4;
 use std::f64::consts::PI;
 
-/// The camera of a node that has one; `None` of others. It looks along its node's −z with +y up: "The view matrix is derived
-/// from the global transform of the node containing the camera with the scaling ignored" (§3.10.2). So it stands where the
-/// node stands, which the scales above it have a part in, and looks as the rotations turn it, one after the other.
+/// The camera of a node that has one; `None` of others. It looks along its node's −z with +y up. Its view comes from where
+/// that node is in the world, with all scaling left out (glTF 2.0, §3.10.2): it stands where the node stands, which the
+/// scales above it have a part in, and looks as the rotations turn it, one after the other.
 ///
 /// # Errors
 /// Whatever makes it no camera, with the place and, if it has one, its name.

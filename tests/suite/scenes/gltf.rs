@@ -256,8 +256,8 @@ fn cameras_that_are_none_are_refused_with_their_place() {
     assert!(error.contains("/cameras/0") && error.contains("cannot be looked through"), "{error}");
 }
 
-/// "The view matrix is derived from the global transform of the node containing the camera with the scaling ignored"
-/// (glTF 2.0, §3.10.2): neither a mirror nor a scale of zero turns a camera or changes what it shows.
+/// What a camera shows has nothing of the scale of its node (glTF 2.0, §3.10.2): neither a mirror nor a scale of zero turns
+/// it.
 #[test]
 fn a_cameras_scale_is_ignored() {
     let text = square_text("", MATTE, "");
