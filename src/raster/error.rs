@@ -35,6 +35,9 @@ pub enum RenderError {
     /// [`Shading::Exact`](super::Shading::Exact) of an object without an analytic surface.
     #[error("object {}: exact shading needs an analytic surface; choose another shading or say which surface it is", .0 + 1)]
     NoSurface(usize),
+    /// Colours of vertices where none are: of an analytic surface that rays are cast at.
+    #[error("object {}: rays are cast at it, and nothing there has the colours of vertices; give it a material, or draw a mesh under another shading", .0 + 1)]
+    Uncoloured(usize),
     /// A list of an object that is not as long as it must be.
     #[error("object {}: {found} {what}, but {expected} {per}", .object + 1)]
     Count {

@@ -162,6 +162,9 @@ impl<'a> Prepared<'a> {
             return Err(RenderError::NoSurface(number));
         }
         let is_cast = settings.shading == Shading::Exact || matches!(object.shape, Shape::Surface(_));
+        if is_cast && settings.show == Show::Shaded && matches!(ink, Ink::Given(_)) {
+            return Err(RenderError::Uncoloured(number));
+        }
         Ok(Self { shape: &object.shape, normals, ink, truth, is_cast })
     }
 

@@ -9,7 +9,7 @@ use crease::normals::{NormalRecipe, compute};
 use crease::num::{Degrees, LinearRgb};
 use crease::raster::{
     Camera, CameraError, Interpolation, LinePath, LineStyle, Lines, Object, Paint, Projection, RenderError,
-    RenderSettings, Samples, Scene, Shading, Shape, Triangles, default_lights, probe, render,
+    RenderSettings, Samples, Scene, Shading, Shape, Show, Triangles, default_lights, probe, render,
 };
 use crease::shade::{Attenuation, Light, Material};
 use crease::surface::{Primitive, Sphere};
@@ -204,6 +204,12 @@ fn bad_scenes_are_told_apart() {
         &settings,
         "0 vertex colours, but 12",
     );
+    // Rays meet no vertex that could have a colour.
+    let ball = || Object::new(Shape::Surface(Sphere::default().into()), Material::default());
+    let coloured = Object { paint: Paint::Given(vec![LinearRgb::WHITE; 3].into()), ..ball() };
+    fails(&scene(vec![ball(), coloured.clone()]), &settings, "object 2: rays are cast at it");
+    let shown = RenderSettings { show: Show::Normals, ..settings };
+    assert!(render(&scene(vec![coloured]), &shown).is_ok(), "no colour is asked for");
     let negative = Material { exponent: -2.0, ..Material::default() };
     fails(&with(&|s| s.objects[0].paint = Paint::Lit(negative)), &settings, "exponent");
     let mut thin = settings;
