@@ -21,10 +21,10 @@ pub(super) const SAME: f64 = 1.0;
 const NEARLY_ALL: f64 = 0.98;
 
 /// A corner counts as reproduced within this many degrees.
-const REPRODUCED: f64 = 5.0;
+pub(super) const REPRODUCED: f64 = 5.0;
 
 /// The same to the letter: above what 32 bits and four decimals do, below what differs between programs.
-const LETTER: f64 = 0.1;
+pub(super) const LETTER: f64 = 0.1;
 
 /// The share of corners to the letter from which on the others depart from a rule, rather than that there is none: what is
 /// not all of them may be half, less what a border between two halves takes.

@@ -68,6 +68,12 @@ fn pulls(facts: &Facts<'_>, corner: u32) -> Sums {
     [angle, area, 1.0, angle * area, libm::sin(angle) / edges, 1.0 / edges].map(|weight| normal * weight)
 }
 
+/// The same by one of the means.
+pub(super) fn pull(facts: &Facts<'_>, corner: u32, weight: Weight) -> DVec3 {
+    let at = MEANS.iter().position(|&mean| mean == weight).unwrap_or(0);
+    pulls(facts, corner)[at]
+}
+
 /// Visits the corners of the smooth group of a corner, no more than so many to either side of it; gives whether those are all.
 fn walk(
     facts: &Facts<'_>,

@@ -6,7 +6,10 @@
 //! # How a normal is judged
 //! Stored normals are compared with those that *this* mesh's own normals were most likely made by: the weighting and the
 //! crease angle that reproduce them best ([`Estimate`]). So a mesh made by another rule than our default is not wrong,
-//! and where no rule fits, the normals were made by hand and are only noted. Where none fits them as they are but one does
+//! and where no rule fits, the normals were made by hand and are only noted. Single corners are faults whatever made the
+//! others if nothing at their vertex explains them: no run of the faces there has such a mean, as marks on edges make, and no
+//! other corner there has the same normal, or one has what the best rule gives both. What all corners of a vertex share can
+//! be told to stray only where a rule made the rest. Where none fits them as they are but one does
 //! once a rotation or reflection of all of them is taken off, that is what is told. Normals on fewer than three lines, as of
 //! a flat sheet or two, leave open what they were turned by, and so do normals of which no rule gives half. Faces that run
 //! against their neighbours, that are inside out or without direction have no say about normals: their cause is told of
@@ -14,6 +17,14 @@
 //! its faces as they are; with things in it that face outwards, as most of their normals do, it is a room, and right.
 //!
 //! Findings about shading are notes: they are what even right normals will show.
+//!
+//! # What cannot be told
+//! - All corners of a vertex with one wrong normal, where the others follow no rule: an artist may have made it so.
+//! - More than half of all sharp edges averaged: what most edges have is then the rule, and the rest is custom.
+//! - Which node's matrix normals were left in: that of the part in the world and its inverse are tried, so that what a parent
+//!   alone turned is told as a rotation of all normals. A stretch that turns normals by less than they are off their rule,
+//!   as on normals made by hand, passes.
+//! - Whether facets are meant: a ball stored flat gets a note.
 //!
 //! # How good that is
 //! Faults planted into clean meshes at known places, of twice the threshold or more: the lowest recall and precision over
@@ -57,6 +68,7 @@ mod runs;
 mod shading;
 mod smoothing;
 mod stored;
+mod strays;
 mod survey;
 mod tally;
 mod thresholds;

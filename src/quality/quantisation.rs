@@ -4,11 +4,13 @@ use super::Thresholds;
 use super::catalogue::Kind;
 use super::facts::{Facts, Worth};
 use super::grid::Grid;
-use super::stored::FEW;
 use super::tally::{Spot, Tallies, scan};
 use crate::mesh::Column;
 use crate::num::{Degrees, angle_between, largest_exponent, three_digits};
 use glam::DVec3;
+
+/// The share of corners up to which those that are farther off than rounding makes them are exceptions.
+const FEW: f64 = 0.15;
 
 /// Values looked at.
 const SAMPLE: usize = 10_000;

@@ -1,10 +1,12 @@
 //! Findings about stored normals, corner by corner.
 
 use super::catalogue::Kind;
+use super::estimate::LETTER;
 use super::facts::{Facts, Worth};
 use super::finding::Severity;
 use super::limit::Limit;
 use super::runs::{Run, Runs};
+use super::strays::Ground;
 use super::tally::{Spot, Tallies, scan};
 use super::{Estimate, Precision, Thresholds};
 use super::{facets, quantisation, smoothing, turned};
@@ -18,8 +20,19 @@ const OPPOSITE: f64 = 135.0;
 /// The share of corners against their faces from which on it is all of them.
 const ALL: f64 = 0.9;
 
-/// The share of corners up to which strays are exceptions.
-pub(super) const FEW: f64 = 0.15;
+/// Normals that are turned round, more or less.
+const AGAINST: [Kind; 2] = [Kind::Flipped, Kind::AgainstFace];
+
+/// Normals whose direction is a fault.
+const FAULTS: [Kind; 3] = [Kind::Flipped, Kind::AgainstFace, Kind::Stray];
+
+/// As what normals wait that only the rest of the mesh can tell to be strays, those that are shared and those of a run of
+/// faces: what these kinds are for is looked at later.
+const SHARED: Kind = Kind::Faceted;
+const RUN: Kind = Kind::Soft;
+
+/// All that may come of strays.
+const STRAYS: [Kind; 4] = [Kind::Stray, SHARED, RUN, Kind::Custom];
 
 /// Everything about the normals that a part has in its file; gives the precision that they were stored with.
 pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Tallies) -> Option<Precision> {
@@ -37,11 +50,11 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
     let is_turned_as_a_whole = turned::find(facts, thresholds, found);
     if is_turned_as_a_whole {
         // One cause explains them all.
-        for kind in [Kind::Flipped, Kind::AgainstFace, Kind::Stray] {
+        for kind in AGAINST.into_iter().chain(STRAYS) {
             found.take(kind);
         }
     } else if judged.against >= ALL * judged.sound {
-        for kind in [Kind::AgainstFace, Kind::Stray, Kind::Flipped] {
+        for kind in AGAINST.into_iter().chain(STRAYS) {
             found.rename(kind, Kind::Inverted);
         }
     } else {
@@ -80,9 +93,13 @@ impl Judged {
         let corners = (0..facts.mesh.face_count())
             .filter(|&face| facts.worth[face] == Worth::Sound)
             .map(|face| facts.mesh.faces().range(face).len());
-        let against = found.get(Kind::Flipped).count + found.get(Kind::AgainstFace).count;
-        Self { sound: corners.sum::<usize>() as f64, against: against as f64 }
+        Self { sound: corners.sum::<usize>() as f64, against: count(found, AGAINST) }
     }
+}
+
+/// How many corners are of some kinds.
+fn count(found: &Tallies, kinds: impl IntoIterator<Item = Kind>) -> f64 {
+    kinds.into_iter().map(|kind| found.get(kind).count).sum::<u64>() as f64
 }
 
 fn look_at(
@@ -122,7 +139,19 @@ fn look_at(
             && let Some(off) = deviation.exceeded(unit, facts.expected(corner))
             && let Some(kind) = direction((facts, runs), face, corner, (unit, off), thresholds)
         {
-            found.add(kind, spot.by(off), area);
+            let ground = Ground::of(facts, corner, unit);
+            let told = match ground {
+                _ if kind != Kind::Stray => kind,
+                Ground::None => Kind::Stray,
+                _ if off <= LETTER => Kind::Custom,
+                Ground::Shared => SHARED,
+                Ground::Run => RUN,
+            };
+            found.add(told, spot.by(off), area);
+            if kind == Kind::AgainstFace && ground == Ground::None {
+                // A fault whatever made the others.
+                found.tally(kind).severity = Some(kind.entry().severity);
+            }
         }
     }
 }
@@ -155,20 +184,27 @@ fn is_folded_over(facts: &Facts<'_>, face: usize) -> bool {
     facts.mesh.faces().range(face).any(|corner| smoothing::is_averaged(facts, corner, OPPOSITE))
 }
 
-/// Strays are faults where all others follow a rule; where none does, or many follow it loosely, the normals are of another
-/// making.
+/// Where the fan does not tell, strays are faults if they are most of what a rule leaves unexplained, be it followed closely or
+/// to the letter; else the normals are of another making. That edges were marked by hand explains runs of faces, unless nearly
+/// all of the mesh follows the rule.
 fn grade_strays(facts: &Facts<'_>, found: &mut Tallies, sound: f64) {
-    let strays = found.get(Kind::Stray).count as f64;
-    let far = [Kind::Stray, Kind::Flipped, Kind::AgainstFace].map(|kind| found.get(kind).count as f64);
-    let is_tight = |reproduced: f64| far.iter().sum::<f64>() >= 0.5 * (1.0 - reproduced) * sound;
-    match facts.estimate {
-        Some(estimate) if estimate.is_rule() && is_tight(estimate.reproduced) && strays <= FEW * sound => {
-            found.tally(Kind::Stray).remedy = Some(estimate.options());
-        }
-        _ => found.rename(Kind::Stray, Kind::Custom),
+    let is_rule = facts.estimate.is_some_and(|estimate| estimate.is_rule());
+    let is_departed_from = facts.estimate.is_some_and(|estimate| estimate.is_departed_from());
+    let unexplained = (1.0 - facts.estimate.map_or(0.0, |estimate| estimate.reproduced)) * sound;
+    let left = unexplained - count(found, FAULTS);
+    let are_most = |kinds: &[Kind]| count(found, kinds.iter().copied()) >= 0.5 * left;
+    let are_both = is_rule && are_most(&[SHARED, RUN]);
+    let is_shared = are_both || (is_departed_from && are_most(&[SHARED]));
+    for (kind, is_fault) in [(SHARED, is_shared), (RUN, are_both)] {
+        found.rename(kind, if is_fault { Kind::Stray } else { Kind::Custom });
     }
-    if facts.estimate.is_none_or(|estimate| !estimate.is_rule()) {
-        let against = found.tally(Kind::AgainstFace);
+    let faults = count(found, FAULTS);
+    let strays = found.tally(Kind::Stray);
+    strays.remedy = facts.estimate.map(|estimate| estimate.options());
+    // To compute all again is no remedy where others were made in another way.
+    strays.may_be_meant = !is_departed_from || faults < 0.5 * unexplained;
+    let against = found.tally(Kind::AgainstFace);
+    if !is_departed_from && against.severity.is_none() {
         against.severity = Some(Severity::Note);
         against.may_be_meant = true;
     }

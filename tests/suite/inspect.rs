@@ -15,6 +15,7 @@ mod recall;
 mod rooms;
 mod rotated;
 mod seams;
+mod strays;
 mod wholes;
 
 use crease::io::{Document, FileNode, Format, Loaded, Part};

@@ -126,8 +126,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         "stray-normals",
         Severity::Warning,
         "single normals disagree with all the others",
-        "One weighting and one crease angle reproduce nearly all normals of this mesh; these few differ by more than the threshold. A dent or a bump is seen where the surface has none.",
-        "Compute them with the weighting and the crease angle that the rest was made with.",
+        "They differ from the rule that fits the mesh best by more than the threshold, and either the others follow that rule, or nothing at their vertex gives them, whatever made the others: no run of the faces there has such a mean, and no other corner there has the same normal, or one has what the rule gives. A dent or a bump is seen where the surface has none.",
+        "Compute them with the weighting and the crease angle that the rest was made with; where the rest follows no rule, mend them one by one, for computing all normals would change the others.",
         Some(""),
     ),
     entry(

@@ -136,6 +136,10 @@ fn copied(row: &Row, folder: &Path) -> PathBuf {
     folder.join(row.path.file_name().unwrap())
 }
 
+/// What shows only once other things are mended: the normals that the box has lie in the plane of their face, at odds with
+/// those that its other faces get.
+const UNCOVERED: [(&str, &str); 1] = [("obj/box-incomplete-normals.obj", "stray-normals")];
+
 /// What is suggested for a real file removes what it is suggested for, and brings no error or warning of another kind.
 fn check_real(row: &Row) -> Vec<String> {
     let folder = tempfile::tempdir().unwrap();
@@ -154,6 +158,7 @@ fn check_real(row: &Row) -> Vec<String> {
         failures.extend(left.map(|id| format!("{}: {command} leaves {id}", row.name())));
         let new = after.iter().filter(|it| it["severity"] != "note");
         let new = new.map(|it| it["id"].as_str().unwrap()).filter(|id| named(&before, id).is_none());
+        let new = new.filter(|id| !UNCOVERED.contains(&(row.name(), *id)));
         failures.extend(new.map(|id| format!("{}: {command} brings {id}", row.name())));
     }
     failures

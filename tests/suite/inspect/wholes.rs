@@ -14,6 +14,7 @@ use std::collections::BTreeSet;
 /// Those that can be told on a clean mesh.
 pub(super) fn faults(clean: &Clean) -> Vec<Planted> {
     let mut all = vec![missing(clean), perturbed(clean)];
+    all.extend(clean.is_round.then(|| made_otherwise(clean)));
     all.extend(clean.is_round.then(|| rounded(clean)).into_iter().flatten());
     all.extend(clean.is_closed.then(|| reversed_component(clean)));
     match clean.name {
@@ -33,7 +34,7 @@ fn missing(clean: &Clean) -> Planted {
     Planted { mesh: planted.mesh.clone().with_normals(Some(normals)), ..planted }
 }
 
-/// Every second normal, by chance, turned any way by 30° to 60°: no rule is left.
+/// Every second normal, by chance, turned any way by 30° to 60°.
 fn perturbed(clean: &Clean) -> Planted {
     let mut random = Random(17);
     let mut normals = unshared(&clean.mesh);
@@ -45,7 +46,21 @@ fn perturbed(clean: &Clean) -> Planted {
         }
     }
     let mesh = per_corner(&clean.mesh, normals);
-    Planted::new("every second corner perturbed by 30° to 60°", Kind::Custom, mesh, places)
+    Planted::new("every second corner perturbed by 30° to 60°", Kind::Stray, mesh, places)
+}
+
+/// All normals turned any way by 30° to 60°, each for all corners that have it: no rule is left. On a shape with edges
+/// that would be noise corner by corner.
+fn made_otherwise(clean: &Clean) -> Planted {
+    let mut random = Random(19);
+    let mut normals = clean.mesh.columns().normals.clone().unwrap();
+    let turn = |normal: &mut DVec3| {
+        *normal = turned_any_way(*normal, 30.0 + 30.0 * random.unit(), &mut random);
+    };
+    normals.values.iter_mut().for_each(turn);
+    let places = (0..clean.mesh.faces().corner_count() as u32).collect();
+    let mesh = clean.mesh.clone().with_normals(Some(normals));
+    Planted::new("each normal perturbed by 30° to 60°", Kind::Custom, mesh, places)
 }
 
 /// A direction at an angle from another, on a side that chance picks.

@@ -1,0 +1,104 @@
+//! What stands behind a normal that is far from its rule: what the fan of faces at its vertex tells, whatever made the others.
+
+use super::estimate::{REPRODUCED, SAME};
+use super::facts::Facts;
+use super::means::pull;
+use crate::normals::Weight;
+use crate::num::{Degrees, angle_between};
+use glam::DVec3;
+
+/// The longest way from a corner that is looked along: round poles of more faces what is close by has its say.
+const LONGEST: usize = 32;
+
+/// Where a normal that is far from what the rule of its mesh gives may come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Ground {
+    /// From nowhere: no run of the faces round the vertex has it for its mean, and the other corners of the fan have what the
+    /// rule gives, or none of them has it as well.
+    None,
+    /// From a run of these faces: edges may have been marked sharp or smooth by hand.
+    Run,
+    /// It goes round the vertex, or there is no fan: only the rest of the mesh can tell.
+    Shared,
+}
+
+impl Ground {
+    /// Of a corner with this stored unit normal.
+    pub(super) fn of(facts: &Facts<'_>, corner: usize, normal: DVec3) -> Self {
+        let fan = Fan::new(facts, corner);
+        let from_run = fan.nearest_run(facts, normal);
+        let expected = facts.expected(corner);
+        let others = || fan.others().filter_map(|corner| Some((corner, facts.stored_unit(corner)?)));
+        let mates = || others().filter(|&(corner, _)| facts.expected(corner) == expected);
+        let has = |normal: DVec3| move |(_, unit)| degrees(unit, normal) <= SAME;
+        // Beside what follows the rule a run has to fit as closely.
+        if from_run <= SAME {
+            Self::Run
+        } else if mates().any(has(expected)) {
+            Self::None
+        } else if from_run <= REPRODUCED {
+            Self::Run
+        } else if mates().next().is_some() && !others().any(has(normal)) {
+            Self::None
+        } else {
+            Self::Shared
+        }
+    }
+}
+
+/// The angle between two directions, in degrees; a right one for a sum that cancels.
+fn degrees(a: DVec3, b: DVec3) -> f64 {
+    if a == DVec3::ZERO { 90.0 } else { Degrees::from(angle_between(a, b)).0 }
+}
+
+/// The other corners round the vertex of a corner, in their order each way, up to a rim or once round.
+struct Fan {
+    corner: u32,
+    ahead: Vec<u32>,
+    behind: Vec<u32>,
+    is_closed: bool,
+}
+
+impl Fan {
+    fn new(facts: &Facts<'_>, corner: usize) -> Self {
+        let (topology, corner) = (&facts.topology, corner as u32);
+        let next = |&at: &u32| topology.across(at).map(|across| topology.next(across));
+        let previous = |&at: &u32| topology.across(topology.previous(at));
+        let is_other = |at: &u32| *at != corner;
+        let ahead = std::iter::successors(next(&corner), next).take_while(is_other).take(LONGEST);
+        let behind = std::iter::successors(previous(&corner), previous).take_while(is_other).take(LONGEST);
+        let [ahead, behind] = [ahead.collect::<Vec<_>>(), behind.collect()];
+        let is_closed = next(ahead.last().unwrap_or(&corner)) == Some(corner);
+        Self { corner, ahead, behind, is_closed }
+    }
+
+    /// The other corners.
+    fn others(&self) -> impl Iterator<Item = usize> {
+        // Once round, those behind are those ahead again.
+        let behind = if self.is_closed { &[] } else { &self.behind[..] };
+        self.ahead.iter().chain(behind).map(|&corner| corner as usize)
+    }
+
+    /// How far a normal is, in degrees, from the nearest mean of neighbouring faces, the corner's own among them, by the
+    /// weighting of the mesh.
+    fn nearest_run(&self, facts: &Facts<'_>, normal: DVec3) -> f64 {
+        let weight = facts.estimate.map_or(Weight::Angle, |estimate| estimate.weight);
+        let pulls = |way: &[u32]| way.iter().map(|&at| pull(facts, at, weight)).collect::<Vec<_>>();
+        let (ahead, behind) = (pulls(&self.ahead), pulls(&self.behind));
+        let mut nearest = 180.0_f64;
+        let mut from = pull(facts, self.corner, weight);
+        for reach in 0..=behind.len() {
+            if reach > 0 {
+                from += behind[reach - 1];
+            }
+            nearest = nearest.min(degrees(from, normal));
+            let most = ahead.len() - if self.is_closed { reach } else { 0 };
+            let mut sum = from;
+            for &next in &ahead[..most] {
+                sum += next;
+                nearest = nearest.min(degrees(sum, normal));
+            }
+        }
+        nearest
+    }
+}

@@ -1,0 +1,193 @@
+//! Single normals at odds with the rest, whatever made the rest: by a rule, from a surface, by hand.
+
+use super::clean::meshes;
+use super::planted::{per_corner, unshared};
+use super::wholes::turned_any_way;
+use super::{loaded, surface};
+use crate::meshes::{path, rows};
+use crate::random::Random;
+use crease::io::{ReadOptions, read};
+use crease::mesh::Mesh;
+use crease::num::Degrees;
+use crease::quality::catalogue::{Family, Kind};
+use crease::quality::{Diagnosis, Severity, Thresholds, diagnose};
+use crease::surface::Surface;
+use rayon::prelude::*;
+use std::collections::BTreeSet;
+
+/// Shares of all corners.
+const SHARES: [f64; 6] = [0.001, 0.01, 0.1, 0.15, 0.2, 0.5];
+
+/// Degrees by which they are tilted.
+const TILTS: [f64; 5] = [10.0, 20.0, 30.0, 60.0, 90.0];
+
+/// Meshes whose normals follow no rule, or not all of it: marks on edges, a finer mesh, an analytic surface; and the recall
+/// there. Corners beside faces that run against their neighbours are not judged, 7 % of all of the pirate and 6 % of the
+/// spider; measured is 0.923 and 0.944. On the head of 500 faces a normal tilted by 30° may be a mean of some of them: 0.973.
+const LOOSE: [(&str, f64); 4] = [
+    ("obj/suzanne.obj", 0.97),
+    ("obj/pirate.obj", 0.92),
+    ("obj/spider.obj", 0.94),
+    ("ply/suzanne_vn.ply", 0.99),
+];
+
+fn teapot() -> Mesh {
+    surface(&Surface::Teapot, [8, 8])
+}
+
+fn loose() -> Vec<(String, Mesh)> {
+    let read = |name: &str| read(&path(name)?, None, &ReadOptions::default()).ok()?.parts.into_iter().next();
+    let files = LOOSE.iter().filter_map(|(name, _)| Some(((*name).to_owned(), read(name)?.mesh)));
+    std::iter::once(("teapot".to_owned(), teapot())).chain(files).collect()
+}
+
+fn by_rule() -> Vec<(String, Mesh)> {
+    let clean = meshes().into_iter().filter(|clean| !clean.is_room && clean.name != "fandisk");
+    clean.map(|clean| (clean.name.to_owned(), clean.mesh)).collect()
+}
+
+/// What chance gives each corner: those under a share are in every larger share as well.
+fn lots(count: usize) -> Vec<f64> {
+    let mut random = Random(53);
+    (0..count).map(|_| random.unit()).collect()
+}
+
+/// Corners by chance tilted any way, and which.
+fn tilted(mesh: &Mesh, share: f64, degrees: f64) -> (Mesh, BTreeSet<u32>) {
+    let mut normals = unshared(mesh);
+    let mut random = Random(59);
+    let mut places = BTreeSet::new();
+    for (corner, lot) in lots(normals.len()).into_iter().enumerate() {
+        let turned = turned_any_way(normals[corner].normalize(), degrees, &mut random);
+        if lot < share {
+            normals[corner] = turned;
+            places.insert(corner as u32);
+        }
+    }
+    (per_corner(mesh, normals), places)
+}
+
+fn diagnosis(mesh: &Mesh, deviation: f64) -> Diagnosis {
+    let thresholds = Thresholds { places: 1 << 16, deviation: Degrees(deviation), ..Thresholds::default() };
+    diagnose(&loaded(mesh.clone()), &thresholds, &|_| {})
+}
+
+/// How grave the gravest finding about stored normals is; whether some were turned round altogether is another question.
+fn worst(diagnosis: &Diagnosis) -> Option<Severity> {
+    let stored = diagnosis.findings.iter().filter(|it| it.kind.entry().family == Family::Stored);
+    stored.map(|it| it.severity.min(Severity::Warning)).max()
+}
+
+/// The corners that are told to stray, and those that are told to be at fault in any way.
+fn told(mesh: &Mesh, diagnosis: &Diagnosis) -> [BTreeSet<u32>; 2] {
+    let start = |face: u32| mesh.faces().range(face as usize).start as u32;
+    let places = |kinds: &[Kind]| {
+        let found = kinds.iter().filter_map(|&kind| diagnosis.get(kind));
+        let grave = found.filter(|it| it.severity > Severity::Note).flat_map(|it| &it.places);
+        grave.map(|site| start(site.face.unwrap()) + site.corner.unwrap()).collect()
+    };
+    [places(&[Kind::Stray]), places(&[Kind::Stray, Kind::AgainstFace, Kind::Flipped])]
+}
+
+#[test]
+fn severity_does_not_fall_as_more_corners_stray_or_further() {
+    let misses = |(name, mesh): (String, Mesh)| {
+        let graveness = |share: f64, tilt: f64| worst(&diagnosis(&tilted(&mesh, share, tilt).0, 15.0));
+        let all: Vec<Vec<Option<Severity>>> =
+            SHARES.map(|share| TILTS.map(|tilt| graveness(share, tilt)).to_vec()).to_vec();
+        let by_tilt = all.iter().all(|tilts| tilts.is_sorted());
+        let by_share = (0..TILTS.len()).all(|tilt| all.iter().map(|tilts| tilts[tilt]).is_sorted());
+        // From twice the threshold on it is a fault, and told as one.
+        let are_told =
+            all[1..].iter().all(|tilts| tilts[2..].iter().all(|it| *it >= Some(Severity::Warning)));
+        (!by_tilt || !by_share || !are_told).then(|| format!("{name}: {all:?}"))
+    };
+    let all: Vec<String> =
+        loose().into_iter().chain(by_rule()).collect::<Vec<_>>().into_par_iter().filter_map(misses).collect();
+    assert!(all.is_empty(), "{}", all.join("\n"));
+}
+
+#[test]
+fn severity_does_not_fall_as_the_threshold_gets_stricter() {
+    for (name, mesh) in loose().into_iter().chain(by_rule()) {
+        for (share, tilt) in [(0.01, 60.0), (0.15, 45.0)] {
+            let (mesh, _) = tilted(&mesh, share, tilt);
+            let all = [60.0, 40.0, 15.0, 1.0, 0.0].map(|it| worst(&diagnosis(&mesh, it)));
+            assert!(all.is_sorted(), "{name}, {share} by {tilt}°: {all:?}");
+            assert!(all[2] >= Some(Severity::Warning), "{name}, {share} by {tilt}°: {all:?}");
+        }
+    }
+}
+
+/// Where nothing but the strays departs from a rule up to half of all; on loose normals as long as most corners of each fan are
+/// right. What points behind its face besides is told as that.
+#[test]
+fn strays_are_told_where_they_are() {
+    let misses = |(name, mesh, shares, least): (String, Mesh, &[f64], f64)| {
+        let mut misses = Vec::new();
+        for (share, tilt) in shares.iter().flat_map(|&share| [30.0, 60.0, 90.0].map(|tilt| (share, tilt))) {
+            let (planted, places) = tilted(&mesh, share, tilt);
+            let [strays, faults] = told(&planted, &diagnosis(&planted, 15.0));
+            let hits = |told: &BTreeSet<u32>| told.intersection(&places).count() as f64;
+            let recall = hits(&faults) / places.len() as f64;
+            let precision = hits(&strays) / strays.len().max(1) as f64;
+            // With half of all tilted by 30° some edges of a gear look averaged: 0.988.
+            let least = if share < 0.5 { least } else { 0.98 };
+            if recall < least || precision < 0.99 {
+                misses.push(format!("{name}, {share} by {tilt}°: {recall:.3}, {precision:.3}"));
+            }
+        }
+        misses
+    };
+    let least = |name: &str| LOOSE.iter().find(|it| it.0 == name).map_or(0.99, |it| it.1);
+    let loose = loose().into_iter().map(|(name, mesh)| {
+        let least = least(&name);
+        (name, mesh, &SHARES[1..3], least)
+    });
+    let by_rule = by_rule().into_iter().map(|(name, mesh)| (name, mesh, &SHARES[1..], 0.99));
+    let all: Vec<String> =
+        loose.chain(by_rule).collect::<Vec<_>>().into_par_iter().flat_map(misses).collect();
+    assert!(all.is_empty(), "{}", all.join("\n"));
+}
+
+/// All corners of a vertex with one wrong normal: where the rest follows a rule to the letter, half may.
+#[test]
+fn strays_that_are_shared_by_a_vertex_are_told_where_a_rule_made_the_rest() {
+    for (name, mesh) in by_rule() {
+        let lots = lots(mesh.columns().normals.as_ref().unwrap().values.len());
+        let all = SHARES[1..].iter().map(|&share| {
+            let mut normals = mesh.columns().normals.clone().unwrap();
+            let mut random = Random(61);
+            for (normal, &lot) in normals.values.iter_mut().zip(&lots) {
+                let turned = turned_any_way(*normal, 40.0, &mut random);
+                *normal = if lot < share { turned } else { *normal };
+            }
+            worst(&diagnosis(&mesh.clone().with_normals(Some(normals)), 15.0))
+        });
+        let all: Vec<Option<Severity>> = all.collect();
+        assert!(all.iter().all(|it| *it >= Some(Severity::Warning)), "{name}: {all:?}");
+    }
+}
+
+/// Tests of readers, whose normals stand for nothing.
+const NUMBERS: [&str; 1] = ["ply/magnum-per-face-normals-objectid.ply"];
+
+/// What artists make is no fault, however far it is from any rule.
+#[test]
+fn normals_of_good_files_do_not_stray() {
+    let long = std::env::var_os("CREASE_LONG").is_some();
+    let files = [("obj", &["obj"][..]), ("ply", &["ply"]), ("gltf", &["gltf", "glb"]), ("ref", &["ply"])];
+    for row in files.into_iter().flat_map(|(folder, extensions)| rows(folder, extensions)) {
+        let Ok(file) = read(&row.path, None, &ReadOptions::default()) else { continue };
+        let faces: usize = file.parts.iter().map(|part| part.mesh.face_count()).sum();
+        let has_normals = file.parts.iter().any(|part| part.mesh.columns().normals.is_some());
+        if !has_normals || (faces > 6_000 && !long) || NUMBERS.contains(&row.name()) {
+            continue;
+        }
+        let found = diagnose(&file, &Thresholds::default(), &|_| {});
+        let stray = found.get(Kind::Stray);
+        assert!(stray.is_none(), "{}: {stray:?}", row.name());
+        let against = found.get(Kind::AgainstFace).filter(|it| it.severity > Severity::Note);
+        assert!(against.is_none(), "{}: {against:?}", row.name());
+    }
+}
