@@ -143,7 +143,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         ),
         Measure::new(
             Text::new(
-                "1/d²: light below the lamp over that at its edge",
+                "1/d²: light below the lamp over that at the floor's edge",
                 "1/d²: luz sob a lâmpada sobre a da borda",
             ),
             "",
@@ -152,7 +152,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         .expect(by_square, 2e-4 * by_square, formula_at_pixels()),
         Measure::new(
             Text::new(
-                "1/(d + k): light below the lamp over that at its edge",
+                "1/(d + k): light below the lamp over that at the floor's edge",
                 "1/(d + k): luz sob a lâmpada sobre a da borda",
             ),
             "",

@@ -159,10 +159,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         charts: vec![chart(diffuse, specular, exponent, is_bounded)],
         notes: vec![Text::new(
             "What counts is the light's distance over the size of the face, not of the object: cutting faces smaller cures as moving \
-             the lamp away does, the error falling as one over their number along a side. Shading every pixel costs nothing in \
+             the lamp away does, the error falling in the end as one over their number along a side. Shading every pixel costs nothing in \
              accuracy here: on a plane face the normal is known everywhere.",
             "O que conta é a distância da luz sobre o tamanho da face, não do objeto: dividir as faces cura tanto quanto afastar a \
-             lâmpada, e o erro cai como um sobre o número delas ao longo de um lado. Iluminar cada pixel é exato aqui: numa face \
+             lâmpada, e o erro cai por fim como um sobre o número delas ao longo de um lado. Iluminar cada pixel é exato aqui: numa face \
              plana a normal é conhecida em toda parte.",
         )],
     })

@@ -249,7 +249,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         let of_diffuse = DIFFUSE * (1.0 - libm::cos(angle));
         Ok(Moved {
             name: match is_seen(lost) {
-                true => Text::new("what the highlight's peak lacks", "o que falta ao pico do brilho"),
+                true => Text::new(
+                    "what the highlight's peak lacks, beyond what diffuse light does",
+                    "o que falta ao pico do brilho, além do que falta à luz difusa",
+                ),
                 false => Text::new(
                     "what the highlight's peak lacks, as far as pixels hold it",
                     "o que falta ao pico do brilho, até onde os pixels o contêm",

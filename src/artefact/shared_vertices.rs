@@ -113,8 +113,8 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             0.5 * edge * OFF,
             edge / 16.0 + 2.0,
             Text::new(
-                "Lδ/2; a sixteenth of a pixel for every pixel of its length",
-                "Lδ/2; um dezesseis avos de pixel por pixel do comprimento",
+                "Lδ/2; a sixteenth of a pixel for every pixel of its length, and one at either end",
+                "Lδ/2; um dezesseis avos de pixel por pixel do comprimento, e um em cada ponta",
             ),
         ),
         Measure::new(

@@ -49,9 +49,9 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
         Formula {
             notation: Text::same("|ΔI| = O(h^2)"),
             says: Text::new(
-                "on a smooth surface the two diagonals of a square of side h differ in the middle by h²/4 times the mixed second \
+                "on a smooth surface the two diagonals of a square of side h differ in the middle by h²/2 times the mixed second \
                  derivative, and less elsewhere",
-                "numa superfície lisa as duas diagonais de um quadrado de lado h diferem no meio por h²/4 vezes a derivada segunda \
+                "numa superfície lisa as duas diagonais de um quadrado de lado h diferem no meio por h²/2 vezes a derivada segunda \
                  mista, e menos no resto",
             ),
         },

@@ -194,10 +194,11 @@ fn of_bodies(parameters: &Parameters) -> Result<Outcome, ArtefactError> {
     Ok(Outcome {
         verdict: Verdict::Holds(Text::new(
             "wherever faces that share a vertex are not meant as one smooth surface. Where they are, the same means are right, so \
-             no rule without a crease angle, marks or groups can serve both; finer faces do not help a sharp edge.",
+             no rule without a crease angle, marks or groups can serve both. Finer faces make the smeared strip beside a sharp edge narrower, and leave the normals on the \
+             edge as wrong as they were.",
             "sempre que faces que partilham um vértice não representam uma só superfície lisa. Onde representam, as mesmas médias \
-             estão certas, e nenhuma regra sem ângulo de vinco, marcas ou grupos serve a ambas; faces mais finas não ajudam uma \
-             aresta viva.",
+             estão certas, e nenhuma regra sem ângulo de vinco, marcas ou grupos serve a ambas. Faces mais finas estreitam a \
+             faixa borrada ao lado de uma aresta viva, e deixam as normais na aresta tão erradas quanto antes.",
         )),
         charts: vec![chart(&gear, weight)?],
         shots: shots::all(

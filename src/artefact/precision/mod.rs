@@ -149,12 +149,12 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             worst_eight,
         ),
         Measure::new(
-            Text::new("8 bits: largest change of diffuse light alone", "8 bits: maior mudança só da luz difusa"),
+            Text::new("8 bits: largest change of diffuse light alone, k_d = 1", "8 bits: maior mudança só da luz difusa, k_d = 1"),
             "",
             of_diffuse,
         ),
         Measure::new(
-            Text::new("8 bits: largest change of the highlight alone", "8 bits: maior mudança só do brilho"),
+            Text::new("8 bits: largest change of the highlight alone, k_s = 1", "8 bits: maior mudança só do brilho, k_s = 1"),
             "",
             of_highlight,
         ),

@@ -164,8 +164,8 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     };
     let stretched = Moved {
         name: Text::new(
-            "width across over width along, less 1, where both can be told",
-            "largura transversal sobre a longitudinal, menos 1, onde ambas se podem medir",
+            "how far the width across over that along is from 1, where both can be told",
+            "quanto a largura transversal sobre a longitudinal dista de 1, onde ambas se podem medir",
         ),
         bad: stretch(&across_phong),
         present: Threshold {

@@ -84,7 +84,7 @@ static MEANS: [(Weight, Text); 6] = [
     (Weight::Area, Text::new("area weights", "pesos pela área")),
     (Weight::Angle, Text::new("angle weights", "pesos pelo ângulo")),
     (Weight::AngleArea, Text::new("weights angle × area", "pesos ângulo × área")),
-    (Weight::Max, Text::new("Max' weights", "pesos de Max")),
+    (Weight::Max, Text::new("Max's weights", "pesos de Max")),
     (Weight::Edge, Text::new("weights 1/(|a| |b|) of edges", "pesos 1/(|a| |b|) das arestas")),
 ];
 /// The weights that do not change when flat faces are cut, and those that are exact on spheres.
@@ -115,7 +115,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         unit: "°",
         bad: ball.at_vertices(weight).rms,
         present: Threshold::HALF_STEP_OF_TILT,
-        cure: Text::new("Max' weights", "pesos de Max"),
+        cure: Text::new("Max's weights", "pesos de Max"),
         cured: ball.at_vertices(ROUND).rms,
         factor: 1000.0,
     };
@@ -162,7 +162,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
              média se inclina. O ângulo no vértice se divide entre os dois, e os seus votos voltam a somar um.",
             ),
             Text::new(
-                "Not to depend on the cut is not yet to be right: on the box of 1 × 1 × 10 Max' weights give the same normal for all 64 \
+                "Not to depend on the cut is not yet to be right: on the box of 1 × 1 × 10 Max's weights give the same normal for all 64 \
              cuts, 46.7° off, for they favour small faces. On a ball, where the mean is meant to stand for something round, they \
              are exact, and angles are not.",
                 "Não depender do corte ainda não é estar certo: na caixa de 1 × 1 × 10 os pesos de Max dão a mesma normal para os 64 \
@@ -176,7 +176,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
 /// What the pictures are measured by.
 struct Shown {
     cube: Moved,
-    /// The box, with Max' weights.
+    /// The box, with Max's weights.
     long: Moved,
     torus: Moved,
     slivers: Moved,
@@ -189,7 +189,7 @@ fn verdict(cube: f64) -> Verdict {
     match cube > 1e-6 {
         true => Verdict::Holds(Text::new(
             "with weights that change where a face is cut through the vertex, as these do. Weights by the angle do not see how flat \
-             faces are cut, and Max' are exact on spheres; none is right everywhere.",
+             faces are cut, and Max's are exact on spheres; none is right everywhere.",
             "com pesos que mudam onde uma face é cortada através do vértice, como estes. Pesos pelo ângulo não veem como faces planas são cortadas, e os de Max são exatos em esferas; nenhum \
              está certo em toda parte.",
         )),
@@ -324,7 +324,7 @@ fn chart(look: &Look) -> Result<Chart, ArtefactError> {
         title: Text::new("Weights on a ball of slivers", "Pesos numa bola de lascas"),
         caption: Text::new(
             "The error of normals at vertices (rms) when every other row of triangles is so many times narrower: it grows with most \
-             weights, and stays 0 with Max'.",
+             weights, and stays 0 with Max's.",
             "O erro das normais nos vértices (rms) quando uma fileira de triângulos sim, outra não, é tantas vezes mais estreita: \
              cresce com quase todos os pesos, e fica 0 com os de Max.",
         ),
@@ -353,12 +353,12 @@ mod tests {
             for measure in &outcome.measures {
                 assert_ne!(measure.agrees(), Some(false), "{measure:?}");
             }
-            // Present: degrees. Cured: Max' weights are exact on a sphere but for roundings.
+            // Present: degrees. Cured: Max's weights are exact on a sphere but for roundings.
             assert!(outcome.moved.bad > 1.5 && outcome.moved.reduction() > 1000.0, "{:?}", outcome.moved);
             assert!(matches!(outcome.verdict, Verdict::Holds(_)));
         }
         assert!(matches!(run(Weight::Angle).verdict, Verdict::Fails(_)));
-        // Neither the cube's cuts nor the ball's slivers show with Max' weights, but the box leans.
+        // Neither the cube's cuts nor the ball's slivers show with Max's weights, but the box leans.
         let round = run(ROUND);
         assert!(matches!(round.verdict, Verdict::Fails(_)), "{:?}", round.verdict);
         assert!(round.moved.bad > 40.0 && round.moved.is_cured(), "{:?}", round.moved);

@@ -91,7 +91,7 @@ fn of_boxes(weight: Weight, look: &Look, shown: &Shown) -> Result<Vec<Shot>, Art
             "box-max",
             label(["box", "caixa"], ROUND),
             [
-                Text::new("The box of 1 × 1 × 10 with Max' weights.", "A caixa de 1 × 1 × 10 com os pesos de Max."),
+                Text::new("The box of 1 × 1 × 10 with Max's weights.", "A caixa de 1 × 1 × 10 com os pesos de Max."),
                 Text::new(
                     "Normals lean towards the small faces at the ends, and the long faces look bent.",
                     "As normais se inclinam para as faces pequenas das pontas, e as faces longas parecem curvas.",
@@ -147,7 +147,7 @@ fn of_ball(weight: Weight, ball: &Specimen, shown: &Shown) -> Result<Vec<Shot>, 
             "slivers-max",
             label(of, ROUND),
             [
-                Text::new("Max' weights on the same triangles.", "Os pesos de Max nos mesmos triângulos."),
+                Text::new("Max's weights on the same triangles.", "Os pesos de Max nos mesmos triângulos."),
                 Text::new(
                     "They are exact at every vertex of a sphere, and round between them.",
                     "São exatos em cada vértice de uma esfera, e redondos entre eles.",
@@ -176,7 +176,7 @@ fn of_torus(weight: Weight, torus: &Specimen, moved: &Moved) -> Result<Vec<Shot>
             label(of, ROUND),
             [
                 Text::new(
-                    "The same triangles with Max' weights.",
+                    "The same triangles with Max's weights.",
                     "Os mesmos triângulos com os pesos de Max.",
                 ),
                 Text::new("The light is more even.", "A luz é mais regular."),

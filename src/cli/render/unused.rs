@@ -98,10 +98,12 @@ fn wire_colour(file: &SceneFile, cases: &[Case]) -> Option<String> {
     if !is_drawn || found >= LEAST {
         return None;
     }
+    // Not up to what is asked for.
+    let told = (found * 100.0).floor() / 100.0;
     let what = match code(wire, transfer) == code(background, transfer) {
         true => "has the colour of the background".into(),
         false => format!(
-            "is hard to tell from the background: their contrast is {found:.1}:1, and WCAG 2.1 asks for {LEAST}:1"
+            "is hard to tell from the background: their contrast is {told:.2}:1, and WCAG 2.1 asks for {LEAST}:1"
         ),
     };
     Some(format!("the wireframe {what}; choose another --background"))
