@@ -29,6 +29,17 @@ pub fn significant_digits(x: f64, digits: usize) -> String {
     }
 }
 
+/// A number as [`three_digits`] writes it, for pages: with a power of ten in place of an exponent, and a true minus sign.
+pub(crate) fn powers_of_ten(number: &str) -> String {
+    let signed = |digits: &str| digits.replace('-', "−");
+    match number.split_once('e') {
+        Some(("1", power)) => format!("10{}", superscript(power)),
+        Some(("-1", power)) => format!("−10{}", superscript(power)),
+        Some((digits, power)) => format!("{} × 10{}", signed(digits), superscript(power)),
+        None => signed(number),
+    }
+}
+
 /// A whole number as an exponent, above the line.
 pub(crate) fn superscript(number: &str) -> String {
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
@@ -60,6 +71,12 @@ impl fmt::Display for NineEach {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn exponents_become_powers() {
+        let texts = ["2.38e-5", "-1.5e12", "1e7", "-1e-5", "-0.25", "12"].map(powers_of_ten);
+        assert_eq!(texts, ["2.38 × 10⁻⁵", "−1.5 × 10¹²", "10⁷", "−10⁻⁵", "−0.25", "12"]);
+    }
 
     #[test]
     fn three_digits_are_kept() {

@@ -29,7 +29,7 @@ pub use sum::CompensatedSum;
 pub use unit::UnitVec3;
 
 pub(crate) use corner_angle::{corner_angle, triangle_angles};
-pub(crate) use digits::{Nine, NineEach, superscript};
+pub(crate) use digits::{Nine, NineEach, powers_of_ten, superscript};
 pub(crate) use dispatch::{Kernel, dispatch};
 pub(crate) use exact::ExactSum;
 pub(crate) use lanes::{Arithmetic, LANES, Lanes, OneLane, Rows, Scalars, Truth, Vectors};

@@ -239,7 +239,7 @@ pub(super) fn image(picture: &Picture, alternative: &str) -> Result<String, Repo
 }
 
 /// Rows under columns, the first of which names the row.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Table {
     caption: String,
     columns: Vec<String>,
@@ -268,6 +268,17 @@ impl Table {
         let mut row: Vec<String> = cells.into_iter().map(Into::into).collect();
         row.resize(self.columns.len(), String::new());
         self.rows.push(row);
+    }
+
+    /// Leaves out the columns in which no row has anything.
+    pub fn drop_empty_columns(&mut self) {
+        let keep: Vec<bool> = (0..self.columns.len())
+            .map(|column| self.rows.iter().any(|row| !row[column].is_empty()))
+            .collect();
+        for row in self.rows.iter_mut().chain([&mut self.columns]) {
+            let mut kept = keep.iter();
+            row.retain(|_| kept.next() == Some(&true));
+        }
     }
 
     /// Whether there are no rows.
@@ -351,6 +362,14 @@ mod tests {
         let markdown = "| weight | rms |\n|---|---:|\n| max | 0.5 |\n| a\\|b | 11.25 |\n| – |  |\n";
         assert_eq!(table.to_markdown(), markdown);
         assert!(!table.is_empty());
+    }
+
+    #[test]
+    fn columns_in_which_nothing_stands_go() {
+        let mut table =
+            Table::new("t", &["face", "corner", "degrees"]).row(["1", "", ""]).row(["2", "", "30"]);
+        table.drop_empty_columns();
+        assert_eq!(table, Table::new("t", &["face", "degrees"]).row(["1", ""]).row(["2", "30"]));
     }
 
     /// What begins with a digit may be words all the same.

@@ -196,8 +196,9 @@ fn inspect(
     report.seconds.inspect = start.elapsed().as_secs_f64();
     report.against = after.as_ref().map(|after| AgainstReport::new(&after.path, &after.comparison));
     report.hidden = keep_wanted(&mut diagnosis, &args.findings);
-    report.fill(&diagnosis, &mended(job, loaded.format.extension()));
-    draw(&loaded, &diagnosis, after.as_ref(), &report.input.path, args)?;
+    let output = mended(job, loaded.format.extension());
+    report.fill(&diagnosis, &output);
+    draw(&loaded, &diagnosis, after.as_ref(), [&report.input.path, &output], args)?;
     let is_grave = args.findings.fail_on.is_some_and(|least| diagnosis.worst() >= Some(least));
     let has_pictures = args.pictures.html.is_some() || args.pictures.heatmap.is_some();
     Ok(Outcome { is_grave, lacks_normals: has_pictures && !has_normals(&loaded) })
@@ -244,12 +245,12 @@ impl Later {
     }
 }
 
-/// Makes and stores the pictures that were asked for.
+/// Makes and stores the pictures that were asked for. `names` are those of the file and of what mends it.
 fn draw(
     loaded: &Loaded,
     diagnosis: &Diagnosis,
     after: Option<&Later>,
-    name: &str,
+    names: [&str; 2],
     args: &InspectArgs,
 ) -> Result<(), Failure> {
     /// Pixels along the sides of a heat map of its own.
@@ -264,9 +265,8 @@ fn draw(
         stored.map(drop).map_err(|error| Failure::Write(format!("{error:#}")))
     };
     if let Some(path) = html {
-        let output = format!("mended.{}", loaded.format.extension());
         let after = after.map(|it| After { name: &it.path, loaded: &it.loaded, comparison: &it.comparison });
-        let page = diagnosis_page(loaded, diagnosis, after, [name, &output], *view);
+        let page = diagnosis_page(loaded, diagnosis, after, names, *view);
         put(page.map_err(drawn)?.into_bytes(), path)?;
     }
     if let Some(path) = heatmap {

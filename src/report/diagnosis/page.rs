@@ -6,7 +6,7 @@ use super::pictures::{Model, worst_places};
 use super::plots::histograms;
 use super::sight::{self, Sight};
 use crate::io::Loaded;
-use crate::num::three_digits;
+use crate::num::{powers_of_ten, three_digits};
 use crate::quality::{Diagnosis, Finding, Severity, survey};
 use crate::raster::Camera;
 use crate::report::html::with_code;
@@ -91,7 +91,7 @@ fn overview(
         &pictures,
         "Left: how far stored normals are from those that the rule of their mesh gives, with dots on what is far off and too \
          small to be seen, and grey lines where that rule has two normals at an edge; red rings mark the worst place of each \
-         error and warning, also where it lies behind. Middle: front faces green, back faces red. Right: lit, with red lines \
+         error and warning, also where it lies behind. Middle: front faces green, back faces red. Right: lit, with orange lines \
          where the normals of two sides differ.",
     )?;
     let mut links = String::from("<ul>\n");
@@ -123,7 +123,7 @@ fn rules(page: &mut Page, diagnosis: &Diagnosis) {
                 three_digits(100.0 * estimate.reproduced),
                 if estimate.turned { ", turned back" } else { "" }
             ),
-            format!("{}°", three_digits(estimate.median.0)),
+            format!("{}°", powers_of_ten(&three_digits(estimate.median.0))),
         ]);
     }
     if !table.is_empty() {
@@ -147,8 +147,8 @@ fn section(
         let _ = write!(
             said,
             "; up to {}°, {} of 255 grey steps under a key light",
-            three_digits(degrees),
-            three_digits(steps)
+            powers_of_ten(&three_digits(degrees)),
+            powers_of_ten(&three_digits(steps))
         );
     }
     if let Some(confidence) = finding.confidence {
@@ -179,10 +179,12 @@ fn section(
             (None, Some(node)) if !node.is_empty() => node.clone(),
             _ => format!("part {}", site.part),
         };
-        let position = site.position.map(|p| p.to_array().map(three_digits).join(", ")).unwrap_or_default();
-        let degrees = site.degrees.map(three_digits).unwrap_or_default();
+        let shown = |x: f64| powers_of_ten(&three_digits(x));
+        let position = site.position.map(|p| p.to_array().map(shown).join(", ")).unwrap_or_default();
+        let degrees = site.degrees.map(shown).unwrap_or_default();
         table.push([place, number(site.face), number(site.corner), number(site.vertex), position, degrees]);
     }
+    table.drop_empty_columns();
     if !table.is_empty() {
         page.table(&table);
     }

@@ -1,6 +1,6 @@
 //! Axes: where numbers lie, and which are written.
 
-use crate::num::superscript;
+use crate::num::powers_of_ten;
 
 /// How numbers are spread along an axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -150,13 +150,7 @@ fn short(x: f64) -> String {
         magnitude if (SMALL..100_000.0).contains(&magnitude) => return format!("{x}"),
         _ => {}
     }
-    let text = format!("{x:e}");
-    match text.split_once('e') {
-        Some(("1", power)) => format!("10{}", superscript(power)),
-        Some(("-1", power)) => format!("−10{}", superscript(power)),
-        Some((digits, power)) => format!("{} × 10{}", digits.replace('-', "−"), superscript(power)),
-        None => text,
-    }
+    powers_of_ten(&format!("{x:e}"))
 }
 
 #[cfg(test)]
