@@ -43,8 +43,9 @@ mod view;
 
 pub use camera::{Camera, CameraError, Projection};
 pub use error::RenderError;
-pub(crate) use load::Recentring;
-pub use load::{LoadOptions, SceneFile, SceneMesh, SceneObject, SceneShape, default_lights, load, rotation};
+pub use load::{
+    LoadOptions, Recentring, SceneFile, SceneMesh, SceneObject, SceneShape, default_lights, load, rotation,
+};
 pub use picture::{Image, Pixels, Statistics, Times};
 pub use probe::{LitPoint, ProbePoint, probe};
 pub use render::render;

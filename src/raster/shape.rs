@@ -54,8 +54,11 @@ impl<'a> Shape<'a> {
         }
     }
 
-    /// Where a vertex is, in the object's own space.
-    pub(crate) fn point(&self, vertex: u32) -> DVec3 {
+    /// Where a vertex is, in the object's own space; the origin for an analytic surface, which has none.
+    ///
+    /// # Panics
+    /// If there is no vertex of this number.
+    pub fn point(&self, vertex: u32) -> DVec3 {
         self.points().map_or(DVec3::ZERO, |points| points.get(vertex))
     }
 
@@ -77,8 +80,17 @@ impl<'a> Shape<'a> {
         }
     }
 
-    /// The vertices with the numbers of their normals: several where smooth groups meet.
-    pub(crate) fn vertex_normals(&self) -> Vec<[u32; 2]> {
+    /// The vertices with the numbers of their normals, in ascending order, each pair once: several for a vertex where smooth
+    /// groups meet, of a mesh none for one that no face uses. What [`LinePath::VertexNormals`](super::LinePath::VertexNormals) takes.
+    ///
+    /// ```
+    /// use crease::raster::{Shape, Triangles};
+    ///
+    /// let positions = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    /// let triangles = Triangles { positions: &positions, triangles: &[[0, 1, 2]], normals: &[[0.0, 0.0, 1.0]; 3], face_normals: &[] };
+    /// assert_eq!(Shape::Triangles(triangles).vertex_normals(), [[0, 0], [1, 1], [2, 2]]);
+    /// ```
+    pub fn vertex_normals(&self) -> Vec<[u32; 2]> {
         match *self {
             Shape::Mesh { mesh, normals } => normals_in_use(mesh, normals),
             Shape::Triangles(Triangles { normals, .. }) => {

@@ -11,7 +11,7 @@
 
 use super::components::Components;
 use crate::mesh::Mesh;
-use crate::mesh::obstacles::Obstacles;
+use crate::mesh::Obstacles;
 use glam::DVec3;
 use rayon::prelude::*;
 

@@ -11,7 +11,7 @@ mod split;
 mod toml;
 
 pub use lights::default_lights;
-pub(crate) use recentre::Recentring;
+pub use recentre::Recentring;
 pub use rotation::rotation;
 pub use scene_file::{SceneFile, SceneMesh, SceneObject, SceneShape};
 

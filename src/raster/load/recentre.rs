@@ -17,8 +17,23 @@ const LARGEST: f64 = (1_u128 << 100) as f64;
 const MOST: i32 = 1000;
 
 /// A space in which a scene has a size that pictures can be computed at, and its middle at the origin.
+///
+/// For scenes that are put together from a caller's own meshes; [`SceneFile::recentre`] does it with those from files.
+///
+/// ```
+/// use crease::raster::Recentring;
+/// use glam::{DMat4, DVec3};
+///
+/// // A part of a millimetre in the middle of a map.
+/// let (low, high) = (DVec3::splat(5e6), DVec3::splat(5e6 + 1e-3));
+/// let recentring = Recentring::of((low, high)).expect("5 000 km from the origin");
+/// let mut transform = DMat4::IDENTITY;
+/// recentring.apply(&mut transform);
+/// assert!(transform.transform_point3(low).length() < 1e-3);
+/// assert_eq!(Recentring::of((DVec3::ZERO, DVec3::ONE)), None);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Recentring {
+pub struct Recentring {
     centre: DVec3,
     /// A power of two.
     scale: f64,
@@ -26,8 +41,9 @@ pub(crate) struct Recentring {
 
 impl Recentring {
     /// For what has these bounds; `None`, as nearly always, if it can stay as it is: it has a size from 2⁻¹⁰⁰ to 2¹⁰⁰ and is
-    /// no farther from the origin than 2²⁴ times that.
-    pub(crate) fn of((low, high): (DVec3, DVec3)) -> Option<Self> {
+    /// no farther from the origin than 2²⁴ times that; or if it is a single point. The scale is a power of two, from 2⁻¹⁰⁰⁰ to
+    /// 2¹⁰⁰⁰ and 1 where the size may stay: it rounds nothing.
+    pub fn of((low, high): (DVec3, DVec3)) -> Option<Self> {
         // Halved before they are added: the bounds may reach the largest numbers there are.
         let (centre, half) = (low * 0.5 + high * 0.5, high * 0.5 - low * 0.5);
         let (size, place) = (half.max_element(), centre.abs().max_element());
@@ -39,8 +55,8 @@ impl Recentring {
         Some(Self { centre, scale: scale.clamp(libm::ldexp(1.0, -MOST), libm::ldexp(1.0, MOST)) })
     }
 
-    /// What took a part to the old space, so that it takes it to the new one.
-    pub(crate) fn apply(self, map: &mut DMat4) {
+    /// Changes what takes a part to the old space so that it takes it to the new one: x ↦ (x − centre)·scale after the map.
+    pub fn apply(self, map: &mut DMat4) {
         for axis in [&mut map.x_axis, &mut map.y_axis, &mut map.z_axis] {
             *axis *= self.scale;
         }
