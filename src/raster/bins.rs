@@ -209,7 +209,7 @@ impl Binning<'_> {
         let area = double_area(v);
         // Counter-clockwise in the scene is clockwise with y down, where the area is negative.
         let is_front = (area < 0.0) != mirrored;
-        let is_kept = (is_front & (self.cull != Cull::Front)) | (!is_front & (self.cull != Cull::Back));
+        let is_kept = self.cull.keeps(is_front);
         let pixels = |a: i32, b: i32, c: i32, axis: usize| {
             let [low, high] = self.samples[axis];
             let first = first_pixel(a.min(b).min(c), high).max(0);

@@ -3,7 +3,6 @@
 use super::coverage::{PIXELS, Visible, place};
 use super::fixed::ONE;
 use super::job::Job;
-use super::settings::Cull;
 use crate::surface::{Hit, Ray};
 use glam::{DVec3, Vec3};
 
@@ -34,12 +33,7 @@ pub(super) fn cast(job: &Job, object: usize, on_picture: [f64; 2]) -> Option<(Hi
     for _ in 0..PASSES {
         let hit = surface.intersect(&Ray::new(start + direction * from, direction)?)?;
         let distance = from + hit.t;
-        let is_culled = match job.settings.cull {
-            Cull::None => false,
-            Cull::Back => !hit.front,
-            Cull::Front => hit.front,
-        };
-        if !is_culled {
+        if job.settings.cull.keeps(hit.front) {
             return Some((hit, distance));
         }
         // A little behind the hit, as far as rounding could have put it in front.

@@ -9,7 +9,7 @@ use super::triangles::DrawnObject;
 use super::view::{Rays, View};
 use crate::mesh::{ColumnIndex, NONE, NormalMatrix, normal_matrix};
 use crate::num::unit_scale;
-use crate::shade::{Frame, ShadeSettings, Terminator, Viewer};
+use crate::shade::{Frame, Guards, ShadeSettings, Terminator, Viewer};
 use crate::surface::Placed;
 use glam::{DMat3, DVec3, Vec3};
 use rayon::prelude::*;
@@ -109,19 +109,30 @@ pub(super) fn frame(scene: &Scene, view: &View) -> Frame {
 }
 
 impl RenderSettings {
+    /// The guards of what is lit where rays are cast, or of faces: only normals that are interpolated are made unit vectors again.
+    fn guards(&self, is_cast: bool) -> Guards {
+        let interpolates = self.shading == Shading::Phong && !is_cast;
+        Guards { renormalise: self.guards.renormalise || !interpolates, ..self.guards }
+    }
+
     /// Whether what lights a sample depends on the normal of its face as well.
     pub(super) fn asks_faces(&self) -> bool {
         self.shading == Shading::Phong && self.terminator != Terminator::Smooth
     }
 }
 
-/// What shaders are made with.
-pub(super) fn shade_settings(settings: &RenderSettings, view: &View, frame: Frame) -> ShadeSettings {
+/// What shaders are made with, of objects that rays are cast at or of faces.
+pub(super) fn shade_settings(
+    settings: &RenderSettings,
+    view: &View,
+    frame: Frame,
+    is_cast: bool,
+) -> ShadeSettings {
     let is_far = !view.perspective || settings.infinite_viewer;
     ShadeSettings {
         viewer: if is_far { Viewer::Towards(-view.axes[2]) } else { Viewer::At(view.eye) },
         frame,
-        guards: settings.guards,
+        guards: settings.guards(is_cast),
         terminator: settings.terminator,
         depth_cue: settings.depth_cue,
         // Faces know which side is seen: see `Prepared::corner_normal`.
@@ -144,9 +155,10 @@ impl<'a> Prepared<'a> {
         let singular = RenderError::Singular(number);
         let matrix = normal_matrix(linear).filter(|_| object.transform.is_finite());
         let normals = Some(matrix.ok_or(singular.clone())?).filter(|_| linear != DMat3::IDENTITY);
+        let is_cast = settings.shading == Shading::Exact || matches!(object.shape, Shape::Surface(_));
         let ink = match &object.paint {
             Paint::Lit(material) => {
-                let shade = shade_settings(settings, view, frame);
+                let shade = shade_settings(settings, view, frame, is_cast);
                 let ink = LitInk::new(&scene.lights, material, &shade);
                 Ink::Lit(Box::new(ink.map_err(|error| RenderError::Shade { object: number, error })?))
             }
@@ -161,7 +173,6 @@ impl<'a> Prepared<'a> {
         if settings.shading == Shading::Exact && truth.is_none() {
             return Err(RenderError::NoSurface(number));
         }
-        let is_cast = settings.shading == Shading::Exact || matches!(object.shape, Shape::Surface(_));
         if is_cast && settings.show == Show::Shaded && matches!(ink, Ink::Given(_)) {
             return Err(RenderError::Uncoloured(number));
         }

@@ -4,6 +4,8 @@
 use super::error::RenderError;
 use super::project::Points;
 use super::scene::{LinePath, Object, Scene, Shape};
+use super::settings::Cull;
+use super::triangles::DrawnObject;
 use crate::mesh::{NormalMatrix, normal_matrix};
 use glam::{DMat3, DMat4, DVec3};
 use std::borrow::Cow;
@@ -33,10 +35,17 @@ struct Along<'a> {
 }
 
 impl<'a> Ends<'a> {
-    /// The edges of an object's faces; none of an analytic surface, which has none.
-    pub(super) fn edges(object: &'a Object<'a>) -> Option<Self> {
-        let edges = Course::Between(Cow::Owned(object.shape.edges()));
-        Some(Self { points: object.shape.points()?, transform: object.transform, course: edges })
+    /// The edges of an object's faces but those that are left out.
+    pub(super) fn edges(object: &'a Object<'a>, drawn: &DrawnObject<'a>, cull: Cull) -> Self {
+        let edges = match cull {
+            Cull::None => object.shape.edges(),
+            Cull::Back | Cull::Front => {
+                let is_kept = drawn.kept_faces(object.shape.face_count(), cull);
+                object.shape.edges_of(|face| is_kept[face])
+            }
+        };
+        let course = Course::Between(Cow::Owned(edges));
+        Self { points: drawn.points, transform: object.transform, course }
     }
 
     /// The ends of the scene's `number`-th set of lines, checked.
@@ -149,7 +158,8 @@ mod tests {
     use crate::mesh::{Faces, Mesh, MeshBuilder};
     use crate::normals::{Crease, NormalField, NormalRecipe, compute};
     use crate::num::LinearRgb;
-    use crate::raster::Camera;
+    use crate::raster::job::Job;
+    use crate::raster::{Camera, Projection, RenderSettings};
     use crate::shade::Material;
     use crate::surface::Sphere;
 
@@ -197,10 +207,56 @@ mod tests {
     fn an_edge_is_there_once() {
         let (mesh, normals) = octahedron();
         let scene = scene(Shape::Mesh { mesh: &mesh, normals: &normals }, DMat4::IDENTITY);
-        let ends = Ends::edges(&scene.objects[0]).unwrap();
+        let settings = RenderSettings::default();
+        let job = Job::new(&scene, &settings).unwrap();
+        let ends = Ends::edges(&scene.objects[0], &job.drawn[0], Cull::None);
         assert_eq!(ends.len(), 12);
         let long = (0..12).map(|line| ends.get(line).unwrap()).filter(|[a, b]| a.distance_squared(*b) != 2.0);
         assert_eq!(long.count(), 0);
+    }
+
+    /// Faces that are left out take with them the edges that only they have, on either side of a mirror and of the eye, at
+    /// any size. All faces of the octahedron look away from its middle.
+    #[test]
+    fn faces_that_are_left_out_have_no_edges() {
+        let (mesh, normals) = octahedron();
+        for (across, size, inside) in
+            [(1.0, 1.0, 0.0), (-1.0, 1.0, 0.0), (1.0, 1e100, 0.0), (-1.0, 1e-100, 0.0), (1.0, 1.0, 0.9)]
+        {
+            let transform = DMat4::from_scale(DVec3::new(across, 1.0, 1.0) * size);
+            let mut scene = scene(Shape::Mesh { mesh: &mesh, normals: &normals }, transform);
+            let corner = DVec3::splat(size);
+            let framing = Camera::framing((-corner, corner), 1.0);
+            let eye = framing.eye.lerp(DVec3::new(0.1, 0.2, 0.3) * size, inside);
+            for projection in [framing.projection, Projection::Orthographic(3.0 * size)] {
+                scene.camera = Camera { eye, projection, ..framing };
+                let place =
+                    |vertex: u32| transform.transform_point3(mesh.positions()[vertex as usize]) / size;
+                let is_front = |face: &[u32]| {
+                    let middle = face.iter().map(|&vertex| place(vertex)).sum::<DVec3>();
+                    let towards = match projection {
+                        Projection::Perspective(_) => eye / size - place(face[0]),
+                        Projection::Orthographic(_) => eye / size,
+                    };
+                    middle.dot(towards) > 0.0
+                };
+                for (cull, kept) in [(Cull::Back, true), (Cull::Front, false)] {
+                    let settings = RenderSettings { cull, ..RenderSettings::default() };
+                    let job = Job::new(&scene, &settings).unwrap();
+                    let ends = Ends::edges(&scene.objects[0], &job.drawn[0], cull);
+                    let mut expected: Vec<[u32; 2]> = (0..8)
+                        .map(|face| mesh.faces().face(face))
+                        .filter(|face| is_front(face) == kept)
+                        .flat_map(|face| [[0, 1], [1, 2], [0, 2]].map(|ends| ends.map(|end| face[end])))
+                        .map(|[a, b]| [a.min(b), a.max(b)])
+                        .collect();
+                    expected.sort_unstable();
+                    expected.dedup();
+                    let Course::Between(found) = &ends.course else { panic!("edges") };
+                    assert_eq!(**found, *expected, "{across} {size} {inside} {projection:?} {cull:?}");
+                }
+            }
+        }
     }
 
     #[test]

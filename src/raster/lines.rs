@@ -45,7 +45,8 @@ impl<'a> LineJob<'a> {
         let mut sets = Vec::new();
         if job.settings.shading == Shading::Wireframe {
             check_style(&job.settings.wire)?;
-            let edges = scene.objects.iter().filter_map(Ends::edges);
+            let cull = job.settings.cull;
+            let edges = job.drawn.iter().map(|drawn| Ends::edges(&scene.objects[drawn.object], drawn, cull));
             sets.extend(edges.map(|ends| LineSet::new(job, ends, &job.settings.wire, true)));
         }
         for (number, lines) in scene.lines.iter().enumerate() {

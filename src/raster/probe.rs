@@ -101,7 +101,8 @@ impl ProbePoint {
         let object = self.object;
         let Paint::Lit(material) = &scene.objects[object].paint else { return Ok(Vec::new()) };
         let view = View::new(&scene.camera, settings.size)?;
-        let shade = shade_settings(settings, &view, super::job::frame(scene, &view));
+        let frame = super::job::frame(scene, &view);
+        let shade = shade_settings(settings, &view, frame, self.face.is_none());
         let probe = Probe::new(&scene.lights, material, &shade);
         let probe = probe.map_err(|error| RenderError::Shade { object, error })?;
         let explain = |lit: &LitPoint| {

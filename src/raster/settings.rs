@@ -47,7 +47,7 @@ pub enum FlatSample {
     VertexMean,
 }
 
-/// Which faces are left out.
+/// Which faces are left out; wireframes go without the edges that only these have.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Cull {
     /// None.
@@ -57,6 +57,14 @@ pub enum Cull {
     Back,
     /// Those seen from the front.
     Front,
+}
+
+impl Cull {
+    /// Whether a face stays that is seen from the front, or else from behind.
+    #[inline(always)]
+    pub(super) fn keeps(self, is_front: bool) -> bool {
+        is_front & (self != Cull::Front) | !is_front & (self != Cull::Back)
+    }
 }
 
 /// What is shown of a surface.

@@ -33,9 +33,15 @@ impl<'a> Shape<'a> {
 
     /// The edges of the faces, each once: two vertices, the lower one first, in ascending order.
     pub fn edges(&self) -> Vec<[u32; 2]> {
+        self.edges_of(|_| true)
+    }
+
+    /// The edges of those faces that are wanted, by their numbers; likewise.
+    pub(super) fn edges_of(&self, wanted: impl Fn(usize) -> bool) -> Vec<[u32; 2]> {
+        let faces = || self.faces().enumerate().filter(|&(number, _)| wanted(number)).map(|(_, face)| face);
         // As many as there are corners, before each is left once: no room is taken twice.
-        let mut edges = Vec::with_capacity(self.faces().map(<[u32]>::len).sum());
-        for face in self.faces() {
+        let mut edges = Vec::with_capacity(faces().map(<[u32]>::len).sum());
+        for face in faces() {
             let next = face.iter().cycle().skip(1);
             edges.extend(face.iter().zip(next).map(|(&a, &b)| [a.min(b), a.max(b)]));
         }

@@ -2,9 +2,12 @@
 
 use super::project::{Points, ScreenVertex, project};
 use super::scene::Shape;
-use super::view::{ObjectMap, View};
+use super::settings::Cull;
+use super::view::{ObjectMap, View, ViewPoint};
 use crate::mesh::{Triangulation, triangulate};
-use glam::DMat4;
+use crate::num::unit_scale;
+use glam::{DMat4, DVec3};
+use rayon::prelude::*;
 
 /// The triangles of an object and where its vertices are on the picture.
 pub(super) struct DrawnObject<'a> {
@@ -47,6 +50,27 @@ impl<'a> DrawnObject<'a> {
         let map = ObjectMap::about(view, transform, near);
         let (vertices, outside) = project(points, &map, view);
         Some(Self { object, first, list, points, vertices, outside, map, mirrored })
+    }
+
+    /// Whether each of so many faces shows the side that is kept, or one of the triangles that it is cut into does. Told from
+    /// vertices that are not snapped, which small triangles need, and also behind the eye.
+    pub(super) fn kept_faces(&self, count: usize, cull: Cull) -> Vec<bool> {
+        let is_kept = |triangle: u32| {
+            let [a, b, c] = self.list.vertices(triangle).map(|vertex| {
+                let ViewPoint { x, y, h, .. } = self.map.view(self.points.get(vertex));
+                DVec3::new(x, y, h)
+            });
+            // Twice the area on the picture, times all three h: which side of its plane the eye is on. No product overflows.
+            let [a, b, c] = [a, b - a, c - a].map(|v| v * unit_scale(v.abs().max_element()));
+            let volume = b.cross(c).dot(a);
+            volume != 0.0 && cull.keeps((volume < 0.0) != self.mirrored)
+        };
+        let of_triangles: Vec<bool> = (0..self.list.len() as u32).into_par_iter().map(is_kept).collect();
+        let mut of_faces = vec![false; count];
+        for (triangle, is_kept) in of_triangles.into_iter().enumerate() {
+            of_faces[self.list.face(triangle as u32) as usize] |= is_kept;
+        }
+        of_faces
     }
 
     /// The corners of a triangle on the picture.

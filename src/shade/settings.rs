@@ -102,7 +102,8 @@ pub struct Guards {
     pub diffuse: bool,
     /// A spot does not shine where D·L ≤ 0, nor with less than nothing (F12). Off, cosᵉ keeps the sign of cos.
     pub spot: bool,
-    /// Interpolated normals are made unit vectors again (F22).
+    /// Interpolated normals are made unit vectors again (F22). Shaders hold it of all normals that they are given; pictures lift
+    /// it only under Phong's shading of faces, where normals are interpolated.
     pub renormalise: bool,
     /// cosⁿ below the smallest normal number is 0.
     pub underflow: bool,

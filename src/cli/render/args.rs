@@ -154,7 +154,7 @@ pub struct ShadingArgs {
     #[arg(long, value_name = "HOW", value_parser = Choices(HIDDEN_LINES))]
     pub hidden_lines: Option<HiddenLines>,
 
-    /// Leave out faces by the side that is seen [default: none]
+    /// Leave out faces by the side that is seen; wireframes go without their edges, overlays keep all lines [default: none]
     #[arg(long, value_name = "WHICH", value_parser = Choices(CULLS))]
     pub cull: Option<Cull>,
 
@@ -241,6 +241,13 @@ pub struct ColourArgs {
     /// How linear light becomes codes [default: srgb; for --show normals and depth, direct]
     #[arg(long, value_name = "CURVE", value_parser = Choices(TRANSFERS))]
     pub transfer: Option<Transfer>,
+}
+
+impl ColourArgs {
+    /// Whether a guard of this name was typed.
+    pub fn switches(&self, name: &str) -> bool {
+        self.guard.iter().any(|switch| switch.name == name)
+    }
 }
 
 /// What becomes of lines behind surfaces.

@@ -1,6 +1,7 @@
 //! The verb `render`: load a scene, change it as asked, draw it, store the picture, tell about it.
 
 mod args;
+mod case;
 mod contrast;
 mod draw;
 mod fields;
@@ -23,11 +24,11 @@ use super::output::Store;
 use super::progress::CountProgress;
 use super::report::{ErrorReport, NoteReport, json_line};
 use super::{Exit, notes, usage_error, use_threads};
+use case::{Before, Stage};
 use crease::io::{self, ReadError, Written};
 use crease::raster::{Image, Object, SceneFile, SceneObject, Shading, Shape, Unseen, load};
 use crease::report::{PixelReport, probe_pixel};
 use draw::{DrawError, Drawn, Made};
-use reads::Case;
 use report::{DrawingReport, OutputReport, Report, SceneReport, SettingsReport};
 use request::{Request, Subject};
 use std::time::Instant;
@@ -60,10 +61,11 @@ fn work(request: &Request, console: &Console, report: &mut Report) -> Result<(),
         file.notes.extend(moved);
     }
     report.notes.extend(file.notes.iter().map(NoteReport::new));
-    let own = file.settings.shading;
+    let before = Before::of(&file);
     request.change(&mut file)?;
-    report.notes.extend(unused::notes(request, &file, own));
-    report.notes.extend(gains(request, &file));
+    let stage = Stage::new(request.args, &file, &before);
+    report.notes.extend(unused::notes(request, &stage));
+    report.notes.extend(gains(&stage));
     report.scene = Some(SceneReport::new(&file, &file.scene()));
     report.settings = Some(SettingsReport::new(&file.settings));
     report.seconds.load = start.elapsed().as_secs_f64();
@@ -115,10 +117,13 @@ fn read(request: &Request) -> Result<SceneFile, ReadError> {
 }
 
 /// A warning for each object that reflects more light than it gets, where light is shown.
-fn gains(request: &Request, file: &SceneFile) -> Vec<NoteReport> {
-    let cases = Case::all(request.args, file);
-    let is_lit = |object| cases.iter().any(|case| std::ptr::eq(case.object(), object) && case.is_lit());
-    let lit = file.objects.iter().enumerate().filter(|&(_, object)| is_lit(object));
+fn gains(stage: &Stage) -> Vec<NoteReport> {
+    let objects = &stage.file.objects;
+    let mut is_lit = vec![false; objects.len()];
+    for (case, number) in stage.cases().iter().zip((0..objects.len()).cycle()) {
+        is_lit[number] |= case.is_lit();
+    }
+    let lit = objects.iter().enumerate().filter(|&(number, _)| is_lit[number]);
     let warn = |(number, object): (usize, &SceneObject)| {
         let gain = object.material.gain()?;
         Some(NoteReport::warning(format!("object {}: {gain}", number + 1)))

@@ -1,21 +1,14 @@
 //! What a drawing reads: which options can change it, and why others cannot.
 
-use super::args::{RenderArgs, Variant};
+use super::args::{ReflectionChoice, RenderArgs};
+use super::case::Case;
 use crease::num::LinearRgb;
-use crease::raster::{Cull, FlatSample, RenderSettings, SceneFile, SceneObject, SceneShape, Shading, Show};
-use crease::report::Overlay;
-
-/// One object in the picture, or in one of its panels: what decides which options are read.
-pub struct Case<'a> {
-    args: &'a RenderArgs,
-    settings: RenderSettings,
-    background: LinearRgb,
-    object: &'a SceneObject,
-}
+use crease::raster::{Cull, FlatSample, Interpolation, Projection, Shading, Show};
+use crease::shade::{Attenuation, Cone, Light};
 
 /// What must hold for an option to be read, and what is said where it holds nowhere.
-struct Condition {
-    holds: fn(&Case) -> bool,
+pub struct Condition {
+    pub holds: fn(&Case) -> bool,
     lacks: &'static str,
 }
 
@@ -23,7 +16,7 @@ struct Condition {
 pub struct Reader {
     pub name: &'static str,
     is_typed: fn(&RenderArgs) -> bool,
-    conditions: &'static [Condition],
+    conditions: &'static [&'static [Condition]],
 }
 
 const SHADED: Condition = Condition {
@@ -35,43 +28,50 @@ const LIT: Condition =
 const UNGIVEN: Condition =
     Condition { holds: |case| !case.object.given, lacks: "the colours of vertices are shown unlit" };
 const FACES: Condition = Condition {
-    holds: |case| !is_solid(case.object),
+    holds: |case| !case.is_solid(),
     lacks: "analytic surfaces without a tessellation have neither faces nor corners",
 };
 const SPREAD: Condition = Condition {
-    holds: |case| case.probes() || !shows_no_values(case.settings.show),
+    holds: |case| case.probes() || !case.shows_no_values(),
     lacks: "what --show shows is not interpolated",
+};
+const PHONG: Condition =
+    Condition { holds: |case| case.settings.shading == Shading::Phong, lacks: "only Phong shading heeds it" };
+
+/// Where there is light, some of it depends on the place or the normal.
+const LAMPS: Condition = Condition {
+    holds: |case| case.probes() || !case.is_lit() || case.has_light(|light| is_returned(case, light)),
+    lacks: "nothing returns any light but ambient light; --light and the kd and ks of --material bring more",
+};
+const HIGHLIGHT: Condition = Condition {
+    holds: |case| case.has_light(|light| !is_ambient(light) && case.shines(light)),
+    lacks: "there is no highlight; it takes a --light and a --material whose ks is over 0",
 };
 
 /// What light on a material reads.
-const LIGHT: &[Condition] = &[SHADED, LIT, UNGIVEN];
+pub const LIGHT: &[Condition] = &[SHADED, LIT, UNGIVEN];
 
-const TERMINATOR: &[Condition] = &[
-    SHADED,
-    LIT,
-    UNGIVEN,
-    Condition { holds: |case| case.settings.shading == Shading::Phong, lacks: "only Phong shading heeds it" },
+const INTERPOLATION_CONDITIONS: &[Condition] = &[
     FACES,
-];
-
-const FLAT_SAMPLE: &[Condition] = &[
-    SHADED,
-    Condition { holds: |case| case.settings.shading == Shading::Flat, lacks: "there is no flat shading" },
-    UNGIVEN,
-    FACES,
+    SPREAD,
+    Condition {
+        holds: |case| case.probes() || case.interpolates(),
+        lacks: "only Gouraud and Phong shading interpolate",
+    },
+    LAMPS,
+    Condition {
+        holds: |case| {
+            let is_perspective = matches!(case.camera.projection, Projection::Perspective(_));
+            case.probes() || is_perspective || case.interpolations().contains(&Interpolation::Scanline)
+        },
+        lacks: "affine and perspective are the same under a parallel projection",
+    },
 ];
 
 pub const INTERPOLATION: Reader = Reader {
     name: "--interpolation",
     is_typed: |args| args.shading.interpolation.is_some(),
-    conditions: &[
-        FACES,
-        SPREAD,
-        Condition {
-            holds: |case| case.probes() || case.interpolates(),
-            lacks: "only Gouraud and Phong shading interpolate",
-        },
-    ],
+    conditions: &[INTERPOLATION_CONDITIONS],
 };
 
 /// What normals of corners are read for. Lines along them, and probes, tell them whatever else is drawn.
@@ -92,7 +92,11 @@ const NORMALS: &[Condition] = &[
         holds: |case| case.tells_normals() || case.settings.show != Show::Shaded || !case.object.given,
         lacks: UNGIVEN.lacks,
     },
+    Condition { holds: |case| case.tells_normals() || (LAMPS.holds)(case), lacks: LAMPS.lacks },
 ];
+
+const FLAT: Condition =
+    Condition { holds: |case| case.settings.shading == Shading::Flat, lacks: "there is no flat shading" };
 
 /// Normals are turned to the side that is seen, for light and where they are shown.
 const SIDES: &[Condition] = &[
@@ -109,57 +113,152 @@ const SIDES: &[Condition] = &[
         holds: |case| case.settings.cull != Cull::Back,
         lacks: "faces seen from behind are left out",
     },
+    LAMPS,
 ];
 
-const TONE: &[Condition] = &[Condition {
+const TONE: Condition = Condition {
     holds: |case| {
         let is_shaded = (SHADED.holds)(case) && (LIT.holds)(case);
         let is_wire = case.settings.shading == Shading::Wireframe;
         is_shaded || case.background.largest() > 1.0 || is_wire && case.settings.wire.colour.largest() > 1.0
     },
     lacks: "no colour is over 1 without light",
-}];
+};
 
-const LINES: &[Condition] = &[Condition {
+const LINES: Condition = Condition {
     holds: |case| case.settings.shading == Shading::Wireframe || !case.args.shading.overlay.is_empty(),
     lacks: "there are no lines without --shading wireframe or --overlay",
-}];
+};
+
+const RETURNED: Condition = Condition {
+    holds: |case| case.probes() || !(is_black(case.material().diffuse) && is_black(case.material().specular)),
+    lacks: "both kd and ks of --material are 0",
+};
+const AMBIENT: Condition = Condition {
+    holds: |case| case.probes() || !is_black(case.material().ambient),
+    lacks: "ka of --material is 0",
+};
+const SOME_LIGHT: Condition = Condition {
+    holds: |case| case.probes() || case.has_light(|light| light.colour() != LinearRgb::BLACK),
+    lacks: "all light is black",
+};
+
+/// Every option that some drawings do not read, but for [`GUARDS`].
+const OPTIONS: &[Reader] = &[
+    reader("--weight", |args| args.normals.weight.is_some(), &[NORMALS]),
+    reader("--crease", |args| args.normals.crease.is_some(), &[NORMALS]),
+    reader("--when", |args| args.normals.when.is_some(), &[NORMALS]),
+    reader(
+        "--flat-sample",
+        |args| args.shading.flat_sample.is_some(),
+        &[&[SHADED, FLAT, UNGIVEN, FACES, LAMPS]],
+    ),
+    INTERPOLATION,
+    reader("--hidden-lines", |args| args.shading.hidden_lines.is_some(), &[&[LINES, FACES]]),
+    reader("--light", |args| !args.scene.light.is_empty(), &[LIGHT, &[RETURNED]]),
+    reader("--ambient", |args| args.scene.ambient.is_some(), &[LIGHT, &[AMBIENT]]),
+    reader("--material", |args| args.scene.material.is_some(), &[LIGHT, &[SOME_LIGHT]]),
+    reader(
+        "--reflection",
+        |args| args.shading.reflection.is_some(),
+        &[&[
+            SHADED,
+            LIT,
+            Condition {
+                holds: |case| {
+                    let is_given = case.args.shading.reflection == Some(ReflectionChoice::Given);
+                    is_given || case.was_given || (HIGHLIGHT.holds)(case)
+                },
+                lacks: HIGHLIGHT.lacks,
+            },
+        ]],
+    ),
+    reader("--exponent", |args| args.shading.exponent.is_some(), &[LIGHT, &[HIGHLIGHT]]),
+    reader(
+        "--literal",
+        |args| args.colour.literal,
+        &[
+            LIGHT,
+            &[Condition {
+                holds: |case| GUARDS.iter().any(|guard| guard.reads(case)),
+                lacks: "there is nothing to guard",
+            }],
+        ],
+    ),
+    reader("--terminator", |args| args.colour.terminator.is_some(), &[LIGHT, &[PHONG, FACES, LAMPS]]),
+    reader("--two-sided", |args| args.shading.two_sided, &[SIDES]),
+    reader("--tone", |args| args.colour.tone.is_some(), &[&[TONE]]),
+];
+
+/// Each guard.
+const GUARDS: &[Reader] = &[
+    reader("--guard highlight", |args| args.colour.switches("highlight"), &[LIGHT, &[HIGHLIGHT]]),
+    reader(
+        "--guard diffuse",
+        |args| args.colour.switches("diffuse"),
+        &[
+            LIGHT,
+            &[Condition {
+                holds: |case| {
+                    case.has_light(|light| !is_ambient(light) && !is_area(light) && case.scatters(light))
+                },
+                lacks: "there is no N·L to guard: kd is 0, or all light is ambient or of areas",
+            }],
+        ],
+    ),
+    reader(
+        "--guard spot",
+        |args| args.colour.switches("spot"),
+        &[
+            LIGHT,
+            &[
+                Condition {
+                    holds: |case| case.has_light(|light| cone(light).is_some() && is_returned(case, light)),
+                    lacks: "there is no spot",
+                },
+                Condition {
+                    // Half a turn is none; what cuts off does so at a right angle or before.
+                    holds: |case| {
+                        case.has_light(|light| cone(light).is_some_and(|cone| cone.cut_off.0 > 2.0))
+                    },
+                    lacks: "a spot with a cut-off shines on nothing behind it anyway",
+                },
+            ],
+        ],
+    ),
+    reader(
+        "--guard renormalise",
+        |args| args.colour.switches("renormalise"),
+        &[LIGHT, &[PHONG, FACES, LAMPS]],
+    ),
+    reader(
+        "--guard underflow",
+        |args| args.colour.switches("underflow"),
+        &[
+            LIGHT,
+            &[
+                HIGHLIGHT,
+                Condition {
+                    holds: |case| case.probes() || case.has_light(may_be_vast),
+                    lacks: "no light is so bright that 1e-38 of it could be seen",
+                },
+            ],
+        ],
+    ),
+];
+
+const fn reader(
+    name: &'static str,
+    is_typed: fn(&RenderArgs) -> bool,
+    conditions: &'static [&'static [Condition]],
+) -> Reader {
+    Reader { name, is_typed, conditions }
+}
 
 /// Every option that some drawings do not read.
-pub const READERS: &[Reader] = &[
-    Reader { name: "--weight", is_typed: |args| args.normals.weight.is_some(), conditions: NORMALS },
-    Reader { name: "--crease", is_typed: |args| args.normals.crease.is_some(), conditions: NORMALS },
-    Reader { name: "--when", is_typed: |args| args.normals.when.is_some(), conditions: NORMALS },
-    Reader {
-        name: "--flat-sample",
-        is_typed: |args| args.shading.flat_sample.is_some(),
-        conditions: FLAT_SAMPLE,
-    },
-    INTERPOLATION,
-    Reader {
-        name: "--hidden-lines",
-        is_typed: |args| args.shading.hidden_lines.is_some(),
-        conditions: LINES,
-    },
-    Reader { name: "--light", is_typed: |args| !args.scene.light.is_empty(), conditions: LIGHT },
-    Reader { name: "--ambient", is_typed: |args| args.scene.ambient.is_some(), conditions: LIGHT },
-    Reader { name: "--material", is_typed: |args| args.scene.material.is_some(), conditions: LIGHT },
-    Reader {
-        name: "--reflection",
-        is_typed: |args| args.shading.reflection.is_some(),
-        conditions: &[SHADED, LIT],
-    },
-    Reader { name: "--exponent", is_typed: |args| args.shading.exponent.is_some(), conditions: LIGHT },
-    Reader { name: "--guard", is_typed: |args| !args.colour.guard.is_empty(), conditions: LIGHT },
-    Reader { name: "--literal", is_typed: |args| args.colour.literal, conditions: LIGHT },
-    Reader {
-        name: "--terminator",
-        is_typed: |args| args.colour.terminator.is_some(),
-        conditions: TERMINATOR,
-    },
-    Reader { name: "--two-sided", is_typed: |args| args.shading.two_sided, conditions: SIDES },
-    Reader { name: "--tone", is_typed: |args| args.colour.tone.is_some(), conditions: TONE },
-];
+pub fn readers() -> impl Iterator<Item = &'static Reader> {
+    OPTIONS.iter().chain(GUARDS)
+}
 
 impl Reader {
     /// Why the option changes nothing, if it is typed for nothing.
@@ -170,68 +269,51 @@ impl Reader {
     /// Why the option changes nothing: the first condition that no case is left to meet.
     pub fn lack(&self, cases: &[Case]) -> Option<&'static str> {
         let mut left: Vec<&Case> = cases.iter().collect();
-        let unmet = self.conditions.iter().find(|condition| {
+        let unmet = self.conditions.iter().copied().flatten().find(|condition| {
             left.retain(|case| (condition.holds)(case));
             left.is_empty()
         });
         unmet.map(|condition| condition.lacks)
     }
-}
 
-impl<'a> Case<'a> {
-    /// The objects of a scene, in each panel if there are several.
-    pub fn all(args: &'a RenderArgs, file: &'a SceneFile) -> Vec<Self> {
-        let panels = match &args.output.compare[..] {
-            [] => vec![file.settings],
-            variants => variants.iter().map(|variant: &Variant| variant.settings(&file.settings)).collect(),
-        };
-        let case = |(settings, object)| Self { args, settings, background: file.background, object };
-        let of_panel = |settings| file.objects.iter().map(move |object| (settings, object));
-        panels.into_iter().flat_map(of_panel).map(case).collect()
-    }
-
-    /// The object that it is of.
-    pub fn object(&self) -> &'a SceneObject {
-        self.object
-    }
-
-    /// Where its colours are computed.
-    pub fn shading(&self) -> Shading {
-        self.settings.shading
-    }
-
-    /// Whether light falls on it.
-    pub fn is_lit(&self) -> bool {
-        LIGHT.iter().all(|condition| (condition.holds)(self))
-    }
-
-    fn probes(&self) -> bool {
-        self.args.output.probe.is_some()
-    }
-
-    /// Whether values of corners are spread over faces.
-    fn interpolates(&self) -> bool {
-        match self.settings.shading {
-            Shading::Gouraud | Shading::Phong => true,
-            // What is shown in place of light are normals, which a wireframe interpolates as well.
-            Shading::Wireframe => self.settings.show != Show::Shaded,
-            Shading::Flat | Shading::Exact => false,
-        }
-    }
-
-    /// Whether normals of corners are told, or drawn as lines.
-    fn tells_normals(&self) -> bool {
-        let draws = |overlay: &Overlay| matches!(overlay, Overlay::VertexNormals | Overlay::Creases);
-        self.probes() || self.args.shading.overlay.iter().any(draws)
+    /// Whether it is read in a case.
+    fn reads(&self, case: &Case) -> bool {
+        self.conditions.iter().copied().flatten().all(|condition| (condition.holds)(case))
     }
 }
 
-/// Whether what is shown is nothing that corners carry.
-pub fn shows_no_values(show: Show) -> bool {
-    matches!(show, Show::Facing | Show::Depth | Show::FaceId)
+/// Whether anything comes back of a light that is not the same everywhere.
+fn is_returned(case: &Case, light: &Light) -> bool {
+    !is_ambient(light) && (case.scatters(light) || case.shines(light))
 }
 
-/// Whether an object is drawn by casting rays, whatever the shading.
-pub fn is_solid(object: &SceneObject) -> bool {
-    matches!(object.shape, SceneShape::Surface(_))
+fn is_ambient(light: &Light) -> bool {
+    matches!(light, Light::Ambient { .. })
+}
+
+fn is_area(light: &Light) -> bool {
+    matches!(light, Light::Area { .. })
+}
+
+/// Where a spot shines.
+fn cone(light: &Light) -> Option<&Cone> {
+    match light {
+        Light::Spot { cone, .. } => Some(cone),
+        _ => None,
+    }
+}
+
+/// Whether a light is so bright, or becomes so near to it, that it could be seen of it what is below all normal numbers.
+fn may_be_vast(light: &Light) -> bool {
+    let (Light::Point { attenuation, .. } | Light::Spot { attenuation, .. }) = light else {
+        return light.colour().largest() > VAST;
+    };
+    *attenuation != Attenuation::None || light.colour().largest() > VAST
+}
+
+/// Far below 1e38, for materials may return more than they get.
+const VAST: f64 = 1e20;
+
+fn is_black(reflectance: crease::shade::Reflectance) -> bool {
+    reflectance.merged() == LinearRgb::BLACK
 }

@@ -31,8 +31,8 @@ impl SceneFile {
     ///   K_d = base colour · (1 − metallic (2 − α)/4), since metals have nothing here to mirror, and less where K_d + K_s
     ///   would be above 1; K_a = base colour. Intensities in lux or candela are divided by π, as that standard has it.
     ///
-    /// Images, transparency and vertex colours under light are not drawn, and nothing is cut off at the far distance of a
-    /// camera, which notes tell where it matters.
+    /// Images and transparency are not drawn, and nothing is cut off at the far distance of a camera, which notes tell where it
+    /// matters. Colours of vertices show where they are [given](SceneObject::given), which of materials only unlit ones are.
     ///
     /// [`default_lights`]: super::default_lights
     ///
@@ -187,7 +187,7 @@ fn pieces(
         let mut of_part = Vec::with_capacity(split.len());
         for (file_material, mesh) in split {
             let (material, given) = file_material.map_or((plain_material(), false), looks::material);
-            plain.look(file_material, &mesh, given);
+            plain.look(file_material);
             of_part.push(Piece { mesh: meshes.len(), material, given });
             meshes.push(mesh);
         }
@@ -234,18 +234,16 @@ fn in_materials<'a>(
 struct Plain<'a> {
     images: Option<&'a str>,
     transparent: Option<&'a str>,
-    colours: bool,
 }
 
 impl<'a> Plain<'a> {
-    fn look(&mut self, material: Option<&'a FileMaterial>, mesh: &SceneMesh, given: bool) {
+    fn look(&mut self, material: Option<&'a FileMaterial>) {
         if let Some(material) = material {
             self.images = self.images.or((material.textures > 0).then_some(&*material.name));
             self.transparent = self
                 .transparent
                 .or(material.opacity.is_some_and(|opacity| opacity < 1.0).then_some(&*material.name));
         }
-        self.colours |= mesh.colours.is_some() && !given;
     }
 
     fn tell(self, notes: &mut Vec<Note>) {
@@ -254,11 +252,6 @@ impl<'a> Plain<'a> {
         }
         if let Some(name) = self.transparent {
             notes.push(Note::remark(format!("nothing shines through: `{name}` is drawn opaque")));
-        }
-        if self.colours {
-            let text =
-                "vertices have colours: they are shown unlit where reflection is given, else not at all";
-            notes.push(Note::remark(text));
         }
     }
 }

@@ -23,6 +23,7 @@ impl Stage {
             ("strip.obj", STRIP.to_owned()),
             ("ball.toml", BALL.to_owned()),
             ("given.toml", format!("[settings]\nreflection = \"given\"\n{strip}")),
+            ("dark.toml", format!("{strip}material = {{ diffuse = 0, specular = 0 }}\n")),
             ("net.toml", format!("{BALL}tessellation = {{ segments = [8, 6] }}\n")),
             (
                 "exact.toml",
@@ -100,7 +101,67 @@ const UNREAD: &[(&str, &[&str], &str)] = &[
     ("exact.toml", AFFINE, "--interpolation changes nothing: only"),
     ("strip.obj --show depth", AFFINE, "--interpolation changes nothing: what --show shows is not"),
     ("ball.toml", AFFINE, "--interpolation changes nothing: analytic"),
+    (
+        "strip.obj --camera height=3",
+        AFFINE,
+        "affine and perspective are the same under a parallel projection",
+    ),
+    (
+        "strip.obj --camera height=3 --shading gouraud --bits 16",
+        AFFINE,
+        "are the same under a parallel projection",
+    ),
     ("strip.obj", &["--hidden-lines", "show"], "--hidden-lines changes nothing"),
+    ("ball.toml --overlay wire", &["--hidden-lines", "show"], "--hidden-lines changes nothing: analytic"),
+    (
+        "ball.toml --shading wireframe",
+        &["--hidden-lines", "show"],
+        "--hidden-lines changes nothing: analytic",
+    ),
+    ("strip.obj --material ks=0", HIGHLIGHT, "change nothing: there is no highlight"),
+    (
+        "strip.obj --light directional_towards=0,0,1_colour=0",
+        HIGHLIGHT,
+        "change nothing: there is no highlight",
+    ),
+    ("strip.obj --material ks=0", &["--guard", "underflow=off"], "changes nothing: there is no highlight"),
+    ("strip.obj --bits 16", &["--guard", "underflow=off"], "no light is so bright that 1e-38 of it"),
+    ("strip.obj --material ka=0", &["--ambient", "0.5"], "--ambient changes nothing: ka of --material is 0"),
+    ("strip.obj --material kd=0", &["--guard", "diffuse=off"], "there is no N·L to guard"),
+    (
+        "strip.obj --light disc_centre=0,0,2_normal=0,0,-1_radius=1",
+        &["--guard", "diffuse=off"],
+        "there is no N·L to guard",
+    ),
+    ("strip.obj --material kd=0_ks=0", SUN, "--light changes nothing: both kd and ks of --material are 0"),
+    (
+        "strip.obj --material kd=0_ks=0",
+        &["--literal"],
+        "--literal changes nothing: there is nothing to guard",
+    ),
+    ("strip.obj --material kd=0_ks=0", NORMALS, "nothing returns any light but ambient light"),
+    ("strip.obj --material kd=0_ks=0", SPREAD, "nothing returns any light but ambient light"),
+    (
+        "strip.obj --shading flat --light directional_towards=0,0,1_colour=0",
+        FLAT_SAMPLE,
+        "--flat-sample changes nothing: nothing returns any light but ambient light",
+    ),
+    (
+        "strip.obj --ambient 0 --light directional_towards=0,0,1_colour=0",
+        &["--material", "kd=0.1"],
+        "--material changes nothing: all light is black",
+    ),
+    ("strip.obj", &["--guard", "spot=off"], "--guard spot changes nothing: there is no spot"),
+    (
+        "strip.obj --light spot_position=0,0,1_axis=1,0,1_cut-off=90",
+        &["--guard", "spot=off"],
+        "--guard spot changes nothing: a spot with a cut-off shines on nothing behind it anyway",
+    ),
+    ("strip.obj --shading flat --bits 16", RENORMALISE, "--guard renormalise changes nothing: only Phong"),
+    ("strip.obj --shading gouraud --bits 16", RENORMALISE, "--guard renormalise changes nothing: only Phong"),
+    ("exact.toml --bits 16", RENORMALISE, "--guard renormalise changes nothing: only Phong"),
+    ("ball.toml --bits 16", RENORMALISE, "--guard renormalise changes nothing: analytic"),
+    ("strip.obj --reflection given", &["--shading", "gouraud"], "the colours of vertices are the same under"),
     ("strip.obj --show face-id", &["--shading", "flat"], "same under flat, Gouraud and Phong shading"),
     ("strip.obj --show depth", &["--shading", "gouraud"], "same under flat, Gouraud and Phong shading"),
     ("strip.obj --show facing", &["--shading", "phong"], "same under flat, Gouraud and Phong shading"),
@@ -141,6 +202,16 @@ const READ: &[(&str, &[&str])] = &[
     ("strip.obj --shading wireframe --show normals", AFFINE),
     ("strip.obj --shading wireframe --camera eye=3,0,1", &["--hidden-lines", "show"]),
     ("strip.obj --overlay wire --camera eye=3,0,1", &["--hidden-lines", "show"]),
+    ("strip.obj --camera height=3", &["--interpolation", "scanline"]),
+    ("strip.obj --shading wireframe --hidden-lines show", &["--cull", "back"]),
+    ("strip.obj --shading wireframe --hidden-lines show", &["--cull", "front"]),
+    ("strip.obj", RENORMALISE),
+    ("strip.obj --light spot_position=0,0,1_axis=1,0,1", &["--guard", "spot=off"]),
+    ("given.toml --material ks=0", &["--reflection", "blinn"]),
+    ("strip.obj --reflection given", &["--shading", "flat"]),
+    ("strip.obj --material kd=0_ks=0", &["--ambient", "0.5"]),
+    ("strip.obj --ambient 0", &["--material", "kd=0.1"]),
+    ("dark.toml --show normals", &["--weight", "area"]),
     ("strip.obj", &["--shading", "gouraud"]),
     ("strip.obj --show normals", &["--shading", "flat"]),
     ("strip.obj --show depth", &["--shading", "wireframe"]),
@@ -181,6 +252,12 @@ const LIGHT_ALONE: &[&str] = &[
     "--terminator",
     "hard",
 ];
+const SUN: &[&str] = &["--light", "directional_towards=1,0,0"];
+const HIGHLIGHT: &[&str] = &["--exponent", "3", "--reflection", "phong", "--guard", "highlight=off"];
+const RENORMALISE: &[&str] = &["--guard", "renormalise=off"];
+/// What matters only where light differs from place to place.
+const SPREAD: &[&str] =
+    &["--interpolation", "affine", "--terminator", "hard", "--two-sided", "--guard", "renormalise=off"];
 const NORMALS: &[&str] = &["--weight", "area", "--crease", "5", "--when", "always"];
 const FLAT_SAMPLE: &[&str] = &["--flat-sample", "vertex-mean"];
 const AFFINE: &[&str] = &["--interpolation", "affine"];
@@ -218,6 +295,61 @@ fn options_that_change_something_are_not_told() {
         assert!(bytes(&plain) != bytes(&typed), "{words} {options:?} changes nothing");
         let found = notes(&typed);
         assert!(!is_told(&found), "{words} {options:?}: {found}");
+    }
+}
+
+/// One fact is told once.
+#[test]
+fn analytic_surfaces_are_told_once() {
+    let stage = Stage::new();
+    for words in ["ball.toml --show normals --shading gouraud", "ball.toml --show depth --compare flat,phong"]
+    {
+        let found = notes(&stage.args(words));
+        assert!(found.lines().count() == 1 && found.contains("drawn exactly"), "{words}: {found}");
+    }
+}
+
+/// Colours that a file gives its vertices are told where light hides them, whatever the format.
+#[test]
+fn colours_of_vertices_are_told_where_they_are_lost() {
+    let stage = Stage::new();
+    let glb = path(stage.folder.path().join("strip.glb"));
+    let strip = path(stage.folder.path().join("strip.obj"));
+    assert!(
+        crate::cli::crease().args(["normals", "-q", &strip, "-o", &glb]).output().unwrap().status.success()
+    );
+    for file in ["strip.obj", "strip.glb"] {
+        for (more, is_told) in [
+            ("", true),
+            (" --shading flat", true),
+            (" --compare flat,wireframe", true),
+            (" --reflection given", false),
+            (" --shading wireframe", false),
+            (" --show depth", false),
+        ] {
+            let found = notes(&stage.args(&format!("{file}{more}")));
+            let said = found.contains(
+                "vertices have colours, which light on materials does not show; --reflection given",
+            );
+            assert_eq!(said, is_told, "{file}{more}: {found}");
+        }
+    }
+    assert!(!notes(&stage.args("given.toml")).contains("have colours"));
+}
+
+/// Faces that are left out have no edges in a wireframe, and the report counts what is drawn.
+#[test]
+fn wireframes_leave_out_the_edges_of_faces_that_are_left_out() {
+    let (_folder, square) = super::square();
+    let args = with(&with(&[square.as_str()], &super::BEFORE), &["--shading", "wireframe"]);
+    for lines in ["remove", "show"] {
+        let args = with(&args, &["--hidden-lines", lines]);
+        let (kept, left_out) = (with(&args, &["--cull", "back"]), with(&args, &["--cull", "front"]));
+        assert!(bytes(&kept) == bytes(&args), "{lines}");
+        assert_eq!(super::pixels_unlike(&picture(&left_out), [0; 3]), 0, "{lines}");
+        let drawing = super::report(&left_out)["drawings"][0].clone();
+        assert_eq!((&drawing["triangles_drawn"], &drawing["covered_pixels"]), (&0.into(), &0.into()));
+        assert!(notes(&left_out).contains("the side that is left out"));
     }
 }
 
