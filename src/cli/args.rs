@@ -128,7 +128,8 @@ pub struct OutputArgs {
     #[arg(short, long)]
     pub recursive: bool,
 
-    /// Companion files (MTL, glTF buffers) may be read from this folder and below [default: the input's folder]
+    /// Companion files (MTL, glTF buffers) may be read from this folder too and below, those of standard input from here alone
+    /// [default: the input's folder]
     #[arg(long, value_name = "DIR")]
     pub root: Option<PathBuf>,
 

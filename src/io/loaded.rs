@@ -9,8 +9,8 @@ use std::path::PathBuf;
 /// What a reader may do and how much it may take.
 #[derive(Clone, Debug, Default)]
 pub struct ReadOptions {
-    /// Companion files (MTL, glTF buffers) may be read from this folder and below; `None`: from the folder of
-    /// the input itself. Nothing is ever read from a network.
+    /// Companion files (MTL, glTF buffers) may be read from this folder and below, beside the folder of the input itself; those
+    /// of a stream are looked for here. Nothing is ever read from a network.
     pub root: Option<PathBuf>,
     /// What to do with positions that are infinite or not a number.
     pub non_finite: NonFinite,

@@ -114,7 +114,7 @@ fn io_error(error: &std::io::Error) -> ReadError {
 }
 
 /// Reads a file that is in memory. Without a format its content tells it. `base` is the folder that companion files
-/// are looked for in; `None` for a stream, which has none.
+/// are looked for in; `None` for a stream, which has none: then it is the root of the options.
 ///
 /// # Errors
 /// If the content tells no format, or what the format's reader says.

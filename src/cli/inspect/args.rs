@@ -43,7 +43,8 @@ pub struct InspectArgs {
     #[arg(long, value_name = "FORMAT", value_parser = Choices(FORMATS))]
     pub format: Option<Format>,
 
-    /// Companion files (MTL, glTF buffers) may be read from this folder and below [default: the input's folder]
+    /// Companion files (MTL, glTF buffers) may be read from this folder too and below, those of standard input from here alone
+    /// [default: the input's folder]
     #[arg(long, value_name = "DIR")]
     pub root: Option<PathBuf>,
 

@@ -103,11 +103,13 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
     let merged = file.finish(&bytes, options.non_finite).map_err(place)?;
     let mut notes = merged.remarks.notes(&bytes);
     notes.extend(merged.notes);
-    let materials = base.map(|base| {
-        let used = merged.mesh.columns().materials.as_ref();
-        mtl::find(&bytes, &merged.libraries, used, base, options)
-    });
-    let materials = materials.unwrap_or_default();
+    let materials = match base.or(options.root.as_deref()) {
+        Some(base) => {
+            let used = merged.mesh.columns().materials.as_ref();
+            mtl::find(&bytes, &merged.libraries, used, base, options)
+        }
+        None => mtl::out_of_reach(&bytes, &merged.libraries),
+    };
     notes.extend(materials.notes);
     let name = match &merged.mesh.columns().objects {
         Some(objects) if objects.names.len() == 1 => objects.names[0].clone(),

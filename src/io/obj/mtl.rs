@@ -51,6 +51,17 @@ pub(super) fn find(
     search.finish(used)
 }
 
+/// What is said of libraries that a stream names, which has no folder that they could be in.
+pub(super) fn out_of_reach(text: &[u8], statements: &[Range<usize>]) -> Materials {
+    let note = |first: &Range<usize>| {
+        let name = name_text(&text[first.clone()]);
+        let found =
+            format!("`{}` was not read: a stream has no folder (--root names one)", shown(name.as_bytes()));
+        Note { more: statements.len() as u64 - 1, ..Note::warning(Place::File, found) }
+    };
+    Materials { notes: statements.first().map(note).into_iter().collect(), ..Materials::default() }
+}
+
 struct Search {
     companions: Companions,
     looked_for: usize,

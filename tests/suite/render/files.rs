@@ -51,6 +51,25 @@ fn a_mesh_may_come_from_standard_input() {
     assert_eq!(output.stdout, bytes(&with(&[square.as_str()], &BEFORE)));
 }
 
+/// Standard input has no folder for its materials to be in; `--root` gives it one, and without it that is told.
+#[test]
+fn materials_of_standard_input_come_from_the_root() {
+    let [file, size, pixels] = gear();
+    let text = std::fs::read(&file).unwrap();
+    let root = path(crate::cli::data(""));
+    let streamed = |more: &[&str]| {
+        let mut command = crease();
+        command.args(["render", "-", "--format", "obj", "-o", "-", &size, &pixels]).args(more);
+        command.write_stdin(text.clone()).output().unwrap()
+    };
+    let told = streamed(&[]);
+    let said = crate::cli::text(&told.stderr);
+    assert!(said.contains("`gear.mtl` was not read: a stream has no folder (--root names one)"), "{said}");
+    let rooted = streamed(&["--root", &root]);
+    assert!(!crate::cli::text(&rooted.stderr).contains("gear.mtl"));
+    assert!(rooted.stdout == bytes(&[file, size, pixels]) && rooted.stdout != told.stdout);
+}
+
 #[test]
 fn sixteen_bits_hold_the_eight() {
     let gear = gear();
