@@ -255,7 +255,7 @@ impl AreaShape {
                 check.direction("side v", v)?;
                 let (length_u, length_v) = (u.length(), v.length());
                 if (u / length_u).dot(v / length_v).abs() > RIGHT_ANGLE {
-                    return Err(check.text("sides", format!("{u} and {v}"), "at a right angle"));
+                    return Err(check.text("pair of sides", format!("{u} and {v}"), "at a right angle"));
                 }
                 Ok(())
             }

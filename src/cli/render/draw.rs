@@ -184,7 +184,7 @@ impl Variant {
         }
     }
 
-    fn name(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Variant::Shading(shading) => name_of(SHADINGS, &shading),
             Variant::Interpolation(interpolation) => name_of(INTERPOLATIONS, &interpolation),

@@ -13,6 +13,14 @@ struct Fields<'a> {
 }
 
 impl<'a> Fields<'a> {
+    /// Those of a text that has some: an empty one is hardly meant.
+    fn some(text: &'a str, such_as: &str) -> Result<Self, String> {
+        match text.trim().is_empty() {
+            true => Err(format!("words KEY=VALUE were expected, such as {such_as}")),
+            false => Self::new(text.split_whitespace()),
+        }
+    }
+
     fn new(words: impl Iterator<Item = &'a str>) -> Result<Self, String> {
         let mut pairs: Vec<(&str, &str)> = Vec::new();
         for word in words {
@@ -113,7 +121,7 @@ impl CameraChange {
 }
 
 pub fn camera(text: &str) -> Result<CameraChange, String> {
-    let mut fields = Fields::new(text.split_whitespace())?;
+    let mut fields = Fields::some(text, "eye=3,2,5 target=0,0,0 angle=40")?;
     let change = CameraChange {
         eye: fields.take("eye", vector)?,
         target: fields.take("target", vector)?,
@@ -218,7 +226,7 @@ fn attenuation(text: &str) -> Result<Attenuation, String> {
 }
 
 pub fn material(text: &str) -> Result<Material, String> {
-    let mut fields = Fields::new(text.split_whitespace())?;
+    let mut fields = Fields::some(text, "colour=#c08040 ks=0.3 exponent=60")?;
     let own = fields.take("colour", colour)?.unwrap_or(LinearRgb::grey(0.8));
     let plastic = Material::plastic(own);
     let highlight = fields.take("highlight", colour)?.unwrap_or(LinearRgb::WHITE);
@@ -285,7 +293,7 @@ mod tests {
     fn cameras_change_what_is_given() {
         let base = Camera::framing((DVec3::ZERO, DVec3::ONE), 1.0);
         let bounds = Some((DVec3::NEG_ONE, DVec3::ONE));
-        assert_eq!(camera("").unwrap().apply(&base, bounds), base);
+        assert_eq!(CameraChange::default().apply(&base, bounds), base);
         let moved = camera("eye=0,0,4096 target=0,0,0 height=3").unwrap();
         let framed = moved.apply(&base, bounds);
         assert_eq!((framed.near, framed.projection), (1.0, Projection::Orthographic(3.0)));

@@ -138,13 +138,25 @@ fn unseen(file: &SceneFile, drawn: &Drawn, request: &Request) -> Option<NoteRepo
     let is_empty = drawn.drawings.iter().all(|drawing| drawing.statistics.covered_pixels == 0);
     let wants_edges = file.settings.shading == Shading::Wireframe || !request.args.shading.overlay.is_empty();
     let text = match scene.unseen(&file.settings) {
-        Some(cause) if is_empty || cause == Unseen::NoEdges => format!("nothing is seen: {cause}"),
+        Some(cause) if is_empty || cause == Unseen::NoEdges => {
+            format!("nothing is seen: {cause}{}", advice(cause))
+        }
         _ if wants_edges && scene.objects.iter().any(is_solid) => {
             format!("lines of some objects are missing: {}", Unseen::NoEdges)
         }
         _ => return None,
     };
     Some(NoteReport::warning(text))
+}
+
+/// What brings something into the picture, where the cause does not say so itself.
+fn advice(cause: Unseen) -> &'static str {
+    match cause {
+        Unseen::NoEdges => "",
+        Unseen::Behind | Unseen::Beside | Unseen::Small => "; --camera looks elsewhere",
+        Unseen::Culled => "; --cull none leaves out nothing",
+        Unseen::NoArea => "; `crease inspect` tells what is wrong with them",
+    }
 }
 
 fn probe(file: &SceneFile, image: &Image, pixel: [u32; 2]) -> Result<PixelReport, String> {

@@ -298,7 +298,7 @@ impl<'a> Request<'a> {
         let wants_given = shading.reflection == Some(ReflectionChoice::Given);
         let lacks = |object| file.mesh_of(object).is_none_or(|mesh| mesh.colours.is_none());
         if let Some(object) = (0..file.objects.len()).find(|&object| wants_given && lacks(object)) {
-            let lack = "its vertices have no colours, which --reflection given shows";
+            let lack = "its vertices have no colours, which --reflection given shows; give it another, or the file colours";
             return Err(format!("object {}: {lack}", object + 1));
         }
         for object in &mut file.objects {

@@ -20,6 +20,7 @@ pub fn notes(request: &Request, stage: &Stage) -> Vec<NoteReport> {
     texts.extend(exact(request, file, &cases));
     texts.extend(shading(request, stage, &cases));
     texts.extend(interpolations(request, &cases));
+    texts.extend(repeated(request));
     texts.extend(wire_colour(file, &cases));
     texts.extend(colours(request, file, &cases));
     texts.into_iter().map(|text| NoteReport::new(&Note::remark(text))).collect()
@@ -93,6 +94,15 @@ fn interpolations(request: &Request, cases: &[Case]) -> Option<String> {
     let why =
         INTERPOLATION.lack(cases).filter(|_| variants.any(|it| matches!(it, Variant::Interpolation(_))));
     why.map(|why| format!("comparing interpolations shows no difference: {why}"))
+}
+
+/// Panels that are the same because they are asked for twice.
+fn repeated(request: &Request) -> Option<String> {
+    let variants = &request.args.output.compare[..];
+    let twice = variants.iter().enumerate().find(|&(at, variant)| variants[..at].contains(variant));
+    twice.map(|(_, variant)| {
+        format!("--compare names {} more than once: its panels are the same", variant.name())
+    })
 }
 
 fn wire_colour(file: &SceneFile, cases: &[Case]) -> Option<String> {

@@ -263,7 +263,7 @@ const FLAT_SAMPLE: &[&str] = &["--flat-sample", "vertex-mean"];
 const AFFINE: &[&str] = &["--interpolation", "affine"];
 
 fn is_told(found: &str) -> bool {
-    ["nothing", "no difference", "drawn exactly"].iter().any(|word| found.contains(word))
+    ["nothing", "no difference", "drawn exactly", "more than once"].iter().any(|word| found.contains(word))
 }
 
 #[test]
@@ -384,6 +384,8 @@ fn panels_without_a_difference_are_told() {
         assert!(of_panel[0] == of_panel[1], "{words} {panels}");
     }
     assert!(notes(&stage.args("ball.toml --compare flat,exact")).contains("drawn exactly"));
+    let twice = notes(&stage.args("strip.obj --compare flat,phong,flat"));
+    assert!(twice.contains("--compare names flat more than once: its panels are the same"), "{twice}");
     for (words, panels) in [
         ("strip.obj", "affine,perspective"),
         ("strip.obj --show normals", "flat,phong"),

@@ -113,6 +113,8 @@ fn wrong_command_lines_are_refused_with_a_reason() {
         (&[&a, "--probe", "3"], "column and row"),
         (&[&a, "-o", &out, "--rotate", "1,2"], "three numbers"),
         (&[&a, "-o", &out, "--rotate", "1,2,inf"], "finite"),
+        (&[&a, "-o", &out, "--camera", ""], "such as eye=3,2,5"),
+        (&[&a, "-o", &out, "--material", " "], "such as colour="),
         (&[&a, "-o", &out, "--camera", "eye=1,2"], "eye: "),
         (&[&a, "-o", &out, "--camera", "zoom=2"], "there is no zoom"),
         (&[&a, "-o", &out, "--light", "sun"], "directional, point, spot"),
@@ -268,4 +270,34 @@ fn errors_and_warnings_are_data_too() {
     // What is compared are products: coefficients above 1 in dark colours reflect no more than there is.
     let dark = report(&with(&gear, &["--material", "colour=0.5 kd=1.2 ks=0.7 highlight=0.5"]));
     assert_eq!(dark["notes"].as_array().unwrap().len(), 0, "{}", dark["notes"]);
+}
+
+/// Every member that a report can have stands in the table of the schema; those of probes are documented fields of the
+/// library's `PixelReport`.
+#[test]
+fn the_schema_lists_every_member() {
+    let source = std::fs::read_to_string("src/cli/render/report.rs").unwrap();
+    let table: String = source.lines().filter(|line| line.starts_with("//! |")).collect();
+    let gear = gear();
+    let spin = folder(&[]);
+    let out = path(spin.path().join("spin.gif"));
+    let reports = [
+        report(&with(&gear, &["--probe", "48,36"])),
+        report(&with(&gear, &["--camera", "height=3", "--turntable", "2", "-o", &out])),
+        report(&with(&gear, &["--shading", "exact"])),
+    ];
+    let mut found = std::collections::BTreeSet::new();
+    let mut left: Vec<&serde_json::Value> = reports.iter().collect();
+    while let Some(value) = left.pop() {
+        let of_object = value.as_object().into_iter().flatten();
+        for (name, value) in of_object.filter(|(name, _)| !["error", "notes"].contains(&name.as_str())) {
+            found.insert(name.as_str());
+            left.extend((!["probe", "guards"].contains(&name.as_str())).then_some(value));
+        }
+        left.extend(value.as_array().into_iter().flatten());
+    }
+    assert!(found.len() > 40, "{found:?}");
+    for name in found {
+        assert!(table.contains(&format!("`{name}`")), "{name} is not in the table");
+    }
 }

@@ -95,7 +95,7 @@ fn area_lights() {
     let area = |shape| Light::Area { shape, colour: WHITE };
     light(
         area(AreaShape::Rectangle { centre: DVec3::Z, u: DVec3::X, v: DVec3::new(1.0, 1.0, 0.0) }),
-        "sides is [1, 0, 0] and [1, 1, 0]; it must be at a right angle",
+        "pair of sides is [1, 0, 0] and [1, 1, 0]; it must be at a right angle",
     );
     light(
         area(AreaShape::Disc { centre: DVec3::Z, normal: DVec3::Z, radius: -2.0 }),

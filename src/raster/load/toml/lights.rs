@@ -55,7 +55,7 @@ pub(super) fn wrong(source: Source, span: &Range<usize>, error: &ShadeError) -> 
         "soft edge" => &["soft-edge"],
         "spot exponent" => &["exponent"],
         "side u" => &["u"],
-        "side v" | "sides" => &["v"],
+        "side v" | "pair of sides" => &["v"],
         "ambient reflection" => &["ambient"],
         "diffuse reflection" => &["diffuse"],
         "specular reflection" => &["specular"],
