@@ -6,8 +6,8 @@ use super::facts::{Facts, Worth};
 use super::finding::Severity;
 use super::limit::Limit;
 use super::runs::{Run, Runs};
-use super::strays::Ground;
-use super::tally::{Spot, Tallies, scan};
+use super::strays::{Ground, Waiting};
+use super::tally::{Gathered, Spot, Tallies, gather};
 use super::{Estimate, Precision, Thresholds};
 use super::{facets, quantisation, smoothing, turned};
 use crate::mesh::Column;
@@ -26,13 +26,8 @@ const AGAINST: [Kind; 2] = [Kind::Flipped, Kind::AgainstFace];
 /// Normals whose direction is a fault.
 const FAULTS: [Kind; 3] = [Kind::Flipped, Kind::AgainstFace, Kind::Stray];
 
-/// As what normals wait that only the rest of the mesh can tell to be strays, those that are shared and those of a run of
-/// faces: what these kinds are for is looked at later.
-const SHARED: Kind = Kind::Faceted;
-const RUN: Kind = Kind::Soft;
-
-/// All that may come of strays.
-const STRAYS: [Kind; 4] = [Kind::Stray, SHARED, RUN, Kind::Custom];
+/// What strays are told as, once it is known.
+const STRAYS: [Kind; 2] = [Kind::Stray, Kind::Custom];
 
 /// Everything about the normals that a part has in its file; gives the precision that they were stored with.
 pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Tallies) -> Option<Precision> {
@@ -42,11 +37,12 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
     };
     let deviation = Limit::new(thresholds.deviation.0);
     let runs = Runs::new(facts, thresholds);
-    let corners = scan(facts.mesh.face_count(), thresholds.places, |faces, found| {
-        faces.for_each(|face| look_at((facts, runs.as_ref()), stored, face, deviation, thresholds, found));
+    let corners: Corners = gather(facts.mesh.face_count(), thresholds.places, |faces, corners| {
+        faces.for_each(|face| look_at((facts, runs.as_ref()), stored, face, deviation, thresholds, corners));
     });
-    let judged = Judged::new(facts, &corners);
-    found.merge(corners);
+    let judged = Judged::new(facts, &corners.found);
+    found.merge(corners.found);
+    let waiting = corners.waiting;
     let is_turned_as_a_whole = turned::find(facts, thresholds, found);
     if is_turned_as_a_whole {
         // One cause explains them all.
@@ -57,8 +53,9 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
         for kind in AGAINST.into_iter().chain(STRAYS) {
             found.rename(kind, Kind::Inverted);
         }
+        waiting.into_tallies().for_each(|tally| found.absorb(Kind::Inverted, tally));
     } else {
-        grade_strays(facts, found, judged.sound);
+        grade_strays(facts, waiting, found, judged.sound);
     }
     like_the_rest(facts, found);
     facets::find(facts, stored, thresholds, found);
@@ -102,13 +99,30 @@ fn count(found: &Tallies, kinds: impl IntoIterator<Item = Kind>) -> f64 {
     kinds.into_iter().map(|kind| found.get(kind).count).sum::<u64>() as f64
 }
 
+/// What looking at one corner after the other tells.
+struct Corners {
+    found: Tallies,
+    waiting: Waiting,
+}
+
+impl Gathered for Corners {
+    fn new(most: usize) -> Self {
+        Self { found: Tallies::new(most), waiting: Waiting::new(most) }
+    }
+
+    fn merge(&mut self, other: Self) {
+        self.found.merge(other.found);
+        self.waiting.merge(other.waiting);
+    }
+}
+
 fn look_at(
     (facts, runs): (&Facts<'_>, Option<&Runs<'_>>),
     stored: &Column<DVec3>,
     face: usize,
     deviation: Limit,
     thresholds: &Thresholds,
-    found: &mut Tallies,
+    Corners { found, waiting }: &mut Corners,
 ) {
     let range = facts.mesh.faces().range(face);
     let corners = facts.mesh.faces().corners();
@@ -139,18 +153,18 @@ fn look_at(
             && let Some(off) = deviation.exceeded(unit, facts.expected(corner))
             && let Some(kind) = direction((facts, runs), face, corner, (unit, off), thresholds)
         {
-            let ground = Ground::of(facts, corner, unit);
-            let told = match ground {
-                _ if kind != Kind::Stray => kind,
-                Ground::None => Kind::Stray,
-                _ if off <= LETTER => Kind::Custom,
-                Ground::Shared => SHARED,
-                Ground::Run => RUN,
-            };
-            found.add(told, spot.by(off), area);
-            if kind == Kind::AgainstFace && ground == Ground::None {
-                // A fault whatever made the others.
-                found.tally(kind).severity = Some(kind.entry().severity);
+            let spot = spot.by(off);
+            match (kind, Ground::of(facts, corner, unit)) {
+                (Kind::Stray, Some(_)) if off <= LETTER => found.add(Kind::Custom, spot, area),
+                (Kind::Stray, Some(ground)) => waiting.add(ground, spot, area),
+                (_, Some(_)) => found.add(kind, spot, area),
+                (_, None) => {
+                    found.add(kind, spot, area);
+                    if kind == Kind::AgainstFace {
+                        // A fault whatever made the others.
+                        found.tally(kind).severity = Some(kind.entry().severity);
+                    }
+                }
             }
         }
     }
@@ -187,16 +201,16 @@ fn is_folded_over(facts: &Facts<'_>, face: usize) -> bool {
 /// Where the fan does not tell, strays are faults if they are most of what a rule leaves unexplained, be it followed closely or
 /// to the letter; else the normals are of another making. That edges were marked by hand explains runs of faces, unless nearly
 /// all of the mesh follows the rule.
-fn grade_strays(facts: &Facts<'_>, found: &mut Tallies, sound: f64) {
+fn grade_strays(facts: &Facts<'_>, waiting: Waiting, found: &mut Tallies, sound: f64) {
     let is_rule = facts.estimate.is_some_and(|estimate| estimate.is_rule());
     let is_departed_from = facts.estimate.is_some_and(|estimate| estimate.is_departed_from());
     let unexplained = (1.0 - facts.estimate.map_or(0.0, |estimate| estimate.reproduced)) * sound;
     let left = unexplained - count(found, FAULTS);
-    let are_most = |kinds: &[Kind]| count(found, kinds.iter().copied()) >= 0.5 * left;
-    let are_both = is_rule && are_most(&[SHARED, RUN]);
-    let is_shared = are_both || (is_departed_from && are_most(&[SHARED]));
-    for (kind, is_fault) in [(SHARED, is_shared), (RUN, are_both)] {
-        found.rename(kind, if is_fault { Kind::Stray } else { Kind::Custom });
+    let are_most = |grounds: &[Ground]| waiting.count(grounds) as f64 >= 0.5 * left;
+    let are_both = is_rule && are_most(&Ground::ALL);
+    let is_shared = are_both || (is_departed_from && are_most(&[Ground::Shared]));
+    for (tally, is_fault) in waiting.into_tallies().zip([is_shared, are_both]) {
+        found.absorb(if is_fault { Kind::Stray } else { Kind::Custom }, tally);
     }
     let faults = count(found, FAULTS);
     let strays = found.tally(Kind::Stray);

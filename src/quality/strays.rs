@@ -3,6 +3,7 @@
 use super::estimate::{REPRODUCED, SAME};
 use super::facts::Facts;
 use super::means::pull;
+use super::tally::{Gathered, Spot, Tally};
 use crate::normals::Weight;
 use crate::num::{Degrees, angle_between};
 use glam::DVec3;
@@ -13,18 +14,18 @@ const LONGEST: usize = 32;
 /// Where a normal that is far from what the rule of its mesh gives may come from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Ground {
-    /// From nowhere: no run of the faces round the vertex has it for its mean, and the other corners of the fan have what the
-    /// rule gives, or none of them has it as well.
-    None,
-    /// From a run of these faces: edges may have been marked sharp or smooth by hand.
-    Run,
     /// It goes round the vertex, or there is no fan: only the rest of the mesh can tell.
     Shared,
+    /// From a run of these faces: edges may have been marked sharp or smooth by hand.
+    Run,
 }
 
 impl Ground {
-    /// Of a corner with this stored unit normal.
-    pub(super) fn of(facts: &Facts<'_>, corner: usize, normal: DVec3) -> Self {
+    pub(super) const ALL: [Self; 2] = [Self::Shared, Self::Run];
+
+    /// Of a corner with this stored unit normal; `None` if it comes from nowhere: no run of the faces round the vertex has it
+    /// for its mean, and the other corners of the fan have what the rule gives, or none of them has it as well.
+    pub(super) fn of(facts: &Facts<'_>, corner: usize, normal: DVec3) -> Option<Self> {
         let fan = Fan::new(facts, corner);
         let from_run = fan.nearest_run(facts, normal);
         let expected = facts.expected(corner);
@@ -33,16 +34,50 @@ impl Ground {
         let has = |normal: DVec3| move |(_, unit)| degrees(unit, normal) <= SAME;
         // Beside what follows the rule a run has to fit as closely.
         if from_run <= SAME {
-            Self::Run
+            Some(Self::Run)
         } else if mates().any(has(expected)) {
-            Self::None
+            None
         } else if from_run <= REPRODUCED {
-            Self::Run
+            Some(Self::Run)
         } else if mates().next().is_some() && !others().any(has(normal)) {
-            Self::None
+            None
         } else {
-            Self::Shared
+            Some(Self::Shared)
         }
+    }
+}
+
+/// Normals far from the rule that wait for what the rest of the mesh tells of them, by their ground.
+pub(super) struct Waiting {
+    tallies: [Tally; Ground::ALL.len()],
+    /// How many places of each are kept.
+    most: usize,
+}
+
+impl Waiting {
+    pub(super) fn add(&mut self, ground: Ground, spot: Spot, area: f64) {
+        self.tallies[ground as usize].add(spot, area, self.most);
+    }
+
+    /// How many there are of some grounds.
+    pub(super) fn count(&self, grounds: &[Ground]) -> u64 {
+        grounds.iter().map(|&ground| self.tallies[ground as usize].count).sum()
+    }
+
+    /// Those of each ground, in the order of [`Ground::ALL`].
+    pub(super) fn into_tallies(self) -> impl Iterator<Item = Tally> {
+        self.tallies.into_iter()
+    }
+}
+
+impl Gathered for Waiting {
+    fn new(most: usize) -> Self {
+        Self { tallies: Default::default(), most }
+    }
+
+    fn merge(&mut self, other: Self) {
+        let most = self.most;
+        self.tallies.iter_mut().zip(other.tallies).for_each(|(own, other)| own.merge(other, most));
     }
 }
 

@@ -95,6 +95,13 @@ pub(super) fn least(a: Option<f64>, b: Option<f64>) -> Option<f64> {
 }
 
 impl Tally {
+    /// Counts an occurrence that covers so much area.
+    pub(super) fn add(&mut self, spot: Spot, area: f64, most: usize) {
+        self.count += 1;
+        self.area += area;
+        self.keep(spot, most);
+    }
+
     fn keep(&mut self, spot: Spot, most: usize) {
         if self.worst.len() >= most && self.worst.last().is_none_or(|last| last.order(&spot).is_lt()) {
             return;
@@ -104,7 +111,7 @@ impl Tally {
         self.worst.truncate(most);
     }
 
-    fn merge(&mut self, other: Tally, most: usize) {
+    pub(super) fn merge(&mut self, other: Tally, most: usize) {
         self.count += other.count;
         self.area += other.area;
         other.worst.into_iter().for_each(|spot| self.keep(spot, most));
@@ -126,9 +133,33 @@ pub(super) struct Tallies {
     most: usize,
 }
 
+/// What is gathered block by block.
+pub(super) trait Gathered: Send {
+    /// Nothing yet, with room for so many places of each finding.
+    fn new(most: usize) -> Self;
+
+    /// Adds what a later block has.
+    fn merge(&mut self, other: Self);
+}
+
+impl Gathered for Tallies {
+    fn new(most: usize) -> Self {
+        Tallies::new(most)
+    }
+
+    fn merge(&mut self, other: Self) {
+        self.merge(other);
+    }
+}
+
 impl Tallies {
     pub(super) fn new(most: usize) -> Self {
         Self { tallies: vec![Tally::default(); Kind::COUNT], most }
+    }
+
+    pub(super) fn merge(&mut self, other: Self) {
+        let most = self.most;
+        self.tallies.iter_mut().zip(other.tallies).for_each(|(own, other)| own.merge(other, most));
     }
 
     pub(super) fn get(&self, kind: Kind) -> &Tally {
@@ -146,37 +177,44 @@ impl Tallies {
     /// Counts an occurrence that covers so much area.
     pub(super) fn add(&mut self, kind: Kind, spot: Spot, area: f64) {
         let most = self.most;
-        let tally = self.tally(kind);
-        tally.count += 1;
-        tally.area += area;
-        tally.keep(spot, most);
+        self.tally(kind).add(spot, area, most);
     }
 
     /// What one kind has goes over to another.
     pub(super) fn rename(&mut self, from: Kind, to: Kind) {
-        let (tally, most) = (self.take(from), self.most);
-        self.tally(to).merge(tally, most);
+        let tally = self.take(from);
+        self.absorb(to, tally);
     }
 
-    pub(super) fn merge(&mut self, other: Tallies) {
+    /// What was counted elsewhere turns out to be of a kind.
+    pub(super) fn absorb(&mut self, kind: Kind, tally: Tally) {
         let most = self.most;
-        self.tallies.iter_mut().zip(other.tallies).for_each(|(own, other)| own.merge(other, most));
+        self.tally(kind).merge(tally, most);
     }
+}
+
+/// Looks at all of so many things, in parallel, and counts what is found.
+pub(super) fn scan(count: usize, most: usize, look: impl Fn(Range<usize>, &mut Tallies) + Sync) -> Tallies {
+    gather(count, most, look)
 }
 
 /// Looks at all of so many things, in parallel, block by block. Blocks have a fixed length and are added up in their
 /// order, so that sums do not depend on the number of threads.
-pub(super) fn scan(count: usize, most: usize, look: impl Fn(Range<usize>, &mut Tallies) + Sync) -> Tallies {
+pub(super) fn gather<T: Gathered>(
+    count: usize,
+    most: usize,
+    look: impl Fn(Range<usize>, &mut T) + Sync,
+) -> T {
     const BLOCK: usize = 1 << 14;
-    let blocks: Vec<Tallies> = (0..count.div_ceil(BLOCK))
+    let blocks: Vec<T> = (0..count.div_ceil(BLOCK))
         .into_par_iter()
         .map(|block| {
-            let mut found = Tallies::new(most);
+            let mut found = T::new(most);
             look(block * BLOCK..((block + 1) * BLOCK).min(count), &mut found);
             found
         })
         .collect();
-    let mut all = Tallies::new(most);
+    let mut all = T::new(most);
     blocks.into_iter().for_each(|found| all.merge(found));
     all
 }
