@@ -33,6 +33,7 @@ pub(crate) use companion::companion;
 pub use convert::{write, write_new};
 pub use error::{Note, Place, Problem, ReadError, Severity, WriteError};
 pub use format::Format;
+pub(crate) use gltf::NodeTree;
 pub use loaded::{
     Document, Emit, FileNode, Limits, Loaded, NonFinite, NormalFormat, OutputContent, OutputFile, Part,
     PartEdit,

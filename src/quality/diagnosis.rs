@@ -5,8 +5,8 @@ use super::catalogue::{Kind, entries};
 use super::facts::Facts;
 use super::finding::{Element, Finding, Severity, Site};
 use super::gloss::{self, Gloss};
+use super::spaces::Spaces;
 use super::tally::{Milder, Spot, Tallies, Tally, least};
-use super::turned::{explained_by, largest_turn, taken_back};
 use super::{
     Estimate, Precision, Thresholds, attributes, geometry, key_light_steps, shading, smoothing, stored,
 };
@@ -78,6 +78,7 @@ pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) 
     let mut merged: Vec<Merged> = entries().map(|_| Merged::default()).collect();
     let nodes_of_parts = nodes_of_parts(loaded);
     let around = Around::new(loaded);
+    let spaces = Spaces::new(loaded);
     let materials = gloss::materials(loaded, thresholds.exponent);
     for (number, part) in loaded.parts.iter().enumerate() {
         let mut own = PartDiagnosis { name: part.name.clone(), ..PartDiagnosis::default() };
@@ -87,13 +88,17 @@ pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) 
             let mut facts = Facts::new(&around, number, thresholds.confidence, gloss);
             let mut found = Tallies::new(thresholds.places);
             // What is told of normals of another space is of what they are in that of the mesh.
-            let taken_back = untransformed(&facts, nodes, thresholds, &mut found);
-            if let Some(mesh) = &taken_back {
+            let mistaken = spaces.mistaken(&facts, nodes, thresholds);
+            if let Some(mistaken) = &mistaken {
+                let mesh = &mistaken.taken_back;
                 let gloss = Gloss::new(mesh, &materials, thresholds.exponent);
-                let written = facts.stored;
-                facts = Facts::of(&around, (number, mesh), thresholds.confidence, gloss);
-                facts.written = written;
-                facts.estimate.iter_mut().for_each(|estimate| estimate.turned = true);
+                let mut back = Facts::of(&around, (number, mesh), thresholds.confidence, gloss);
+                if mistaken.is_proved(facts.estimate, back.estimate) {
+                    mistaken.tell(facts.total_area, &mut found);
+                    back.written = facts.stored;
+                    back.estimate.iter_mut().for_each(|estimate| estimate.turned = true);
+                    facts = back;
+                }
             }
             own.precision = look(&facts, nodes, thresholds, &mut found);
             attributes::find(&facts, loaded, number, thresholds, &mut found);
@@ -163,26 +168,6 @@ fn look(
         place(node, found);
     }
     precision
-}
-
-/// The mesh with its stored normals in its own space, if the matrix of a node or its inverse stands between the two.
-fn untransformed(
-    facts: &Facts<'_>,
-    nodes: &[&FileNode],
-    thresholds: &Thresholds,
-    found: &mut Tallies,
-) -> Option<Mesh> {
-    facts.stored?;
-    nodes.iter().find_map(|node| {
-        let linear = DMat3::from_mat4(node.world_from_part);
-        let turn = largest_turn(linear);
-        if turn <= thresholds.rotation.0 {
-            return None;
-        }
-        let map = explained_by(facts, linear, thresholds)?;
-        found.add(Kind::Untransformed, Spot::mesh().by(turn), facts.total_area);
-        Some(taken_back(facts.mesh, map))
-    })
 }
 
 /// What the places of a part in the world mean for its normals.

@@ -106,6 +106,13 @@ impl Estimate {
     }
 }
 
+impl Estimate {
+    /// Whether the normals that this is of are what others, that no rule made, were before something was done to all of them.
+    pub(super) fn clears_up(&self, before: &Estimate) -> bool {
+        !before.is_rule() && self.reproduced >= MOST && self.median.0 < LEFT * before.median.0
+    }
+}
+
 /// The share of corners that a rule reproduces at least once they are turned back, if a turn explains them.
 const MOST: f64 = 0.5;
 

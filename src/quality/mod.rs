@@ -21,9 +21,9 @@
 //! # What cannot be told
 //! - All corners of a vertex with one wrong normal, where the others follow no rule: an artist may have made it so.
 //! - More than half of all sharp edges averaged: what most edges have is then the rule, and the rest is custom.
-//! - Which node's matrix normals were left in: that of the part in the world and its inverse are tried, so that what a parent
-//!   alone turned is told as a rotation of all normals. A stretch that turns normals by less than they are off their rule,
-//!   as on normals made by hand, passes.
+//! - Which of several nodes' matrices stands in normals where these do the same to them, as a turn and the one that takes it
+//!   back: one is named, and that there are others. A stretch shows in normals that lean between its axes only, and passes on
+//!   ones made by hand unless it is more than they are off their rule.
 //! - Whether facets are meant: a ball stored flat gets a note.
 //!
 //! # How good that is
@@ -67,6 +67,7 @@ mod rotation;
 mod runs;
 mod shading;
 mod smoothing;
+mod spaces;
 mod stored;
 mod strays;
 mod survey;

@@ -1,13 +1,12 @@
-//! Whether one rotation, reflection or matrix stands between the stored normals and the faces, and normals that are all
-//! the same.
+//! Whether one rotation or reflection stands between the stored normals and the faces, and normals that are all the same.
 
 use super::Thresholds;
 use super::catalogue::Kind;
 use super::facts::{Facts, Worth};
 use super::rotation::{are_spread, closest_turn, outer, rotation_angle};
 use super::tally::{Spot, Tallies};
-use crate::mesh::{Mesh, are_same, normal_matrix};
-use crate::num::{Degrees, Radians, UnitVec3, angle_between};
+use crate::mesh::are_same;
+use crate::num::Radians;
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 use std::ops::Range;
@@ -90,13 +89,13 @@ fn smallest_of_the_best(changes: &[(DMat3, f64)], is_closest: impl Fn(DMat3) -> 
 
 /// Whether there is something to explain, by mean cosines, and a turn of all normals explains it. What turning single ones
 /// round explains as well is no turn of all: on a box with some sides' normals reversed half a turn does.
-fn explains(turned: f64, either_way: f64, thresholds: &Thresholds) -> bool {
+pub(super) fn explains(turned: f64, either_way: f64, thresholds: &Thresholds) -> bool {
     let wrong = 1.0 - either_way;
     wrong > least(thresholds) && turned >= AGREES && 1.0 - turned <= (1.0 - EXPLAINED) * wrong
 }
 
 /// The least disagreement that is worth a word. Normals about the axis of a rotation turn by less than it does.
-fn least(thresholds: &Thresholds) -> f64 {
+pub(super) fn least(thresholds: &Thresholds) -> f64 {
     0.25 * (1.0 - libm::cos(Radians::from(thresholds.rotation).0))
 }
 
@@ -192,46 +191,4 @@ fn describe(axes: DMat3) -> String {
     let changed = changes.map(|(from, to)| (from, name(to))).filter(|(from, to)| from != to);
     let said: Vec<String> = changed.map(|(from, to)| format!("{from} stands as {to}")).collect();
     said.join(", ")
-}
-
-/// What takes the normals that a mesh should have to its stored ones, if a linear map or its inverse does and no other turn
-/// explains them better: a map of points whose normal matrix it is.
-pub(super) fn explained_by(facts: &Facts<'_>, map: DMat3, thresholds: &Thresholds) -> Option<DMat3> {
-    [map, map.inverse()].into_iter().find(|&map| {
-        let Some(matrix) = normal_matrix(map) else { return false };
-        let (mut with, mut by_turn, mut either_way, mut weight) = (0.0, 0.0, 0.0, 0.0);
-        for (face, range) in facts.mesh.faces().ranges().enumerate() {
-            for corner in range.filter(|_| facts.worth[face] != Worth::Silent) {
-                let Some(stored) = facts.stored_unit(corner) else { continue };
-                let expected = facts.right_way(face, corner);
-                let turned = matrix.apply(expected).unwrap_or(expected);
-                with += facts.area[face] * stored.dot(turned);
-                by_turn += facts.area[face] * stored.dot(facts.turn.unwrap_or_default() * expected);
-                either_way += facts.area[face] * stored.dot(expected).abs();
-                weight += facts.area[face];
-            }
-        }
-        explains(with / weight, either_way / weight, thresholds)
-            && (by_turn - with) / weight <= least(thresholds)
-    })
-}
-
-/// A mesh with the stored normals that it had before a linear map of points took them along. Lengths stay as they are.
-pub(super) fn taken_back(mesh: &Mesh, map: DMat3) -> Mesh {
-    let mut normals = mesh.columns().normals.clone();
-    let back = normal_matrix(map.inverse());
-    for normal in normals.iter_mut().flat_map(|column| &mut column.values) {
-        let unit = UnitVec3::new(*normal).and_then(|unit| back.as_ref()?.apply(unit.get()));
-        *normal = unit.map_or(*normal, |unit| unit * normal.length());
-    }
-    mesh.clone().with_normals(normals)
-}
-
-/// How far a linear map turns normals at most, over the axes and the diagonals, in degrees.
-pub(super) fn largest_turn(map: DMat3) -> f64 {
-    let [across, up] = [DVec3::new(1.0, -1.0, 1.0), DVec3::new(1.0, 1.0, -1.0)];
-    let directions = [DVec3::X, DVec3::Y, DVec3::Z, DVec3::ONE, across, up];
-    let Some(matrix) = normal_matrix(map) else { return 0.0 };
-    let turn = |d: DVec3| matrix.apply(d).map_or(0.0, |turned| Degrees::from(angle_between(d, turned)).0);
-    directions.into_iter().map(turn).fold(0.0, f64::max)
 }

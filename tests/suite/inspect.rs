@@ -15,6 +15,7 @@ mod recall;
 mod rooms;
 mod rotated;
 mod seams;
+mod spaces;
 mod strays;
 mod wholes;
 

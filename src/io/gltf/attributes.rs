@@ -3,7 +3,7 @@
 use super::GltfDocument;
 use super::accessor::Source;
 use super::mesh::VertexSource;
-use super::nodes;
+use super::nodes::NodeTree;
 use crate::io::{Document, Limits, Loaded};
 use glam::{DVec3, DVec4};
 use std::cell::Cell;
@@ -55,11 +55,16 @@ impl Loaded {
     /// The names of some nodes with those of all above them, from the root on, as `body/arm/hand`; nodes without a name are
     /// told by their number, as `#7`. Empty strings for formats without nodes (all but glTF).
     pub fn node_paths(&self, numbers: &[usize]) -> Vec<String> {
-        let paths = match &self.document {
-            Document::Gltf(document) => nodes::paths(&document.records.json, numbers).ok(),
+        let tree = self.node_tree();
+        numbers.iter().map(|&node| tree.as_ref().map_or(String::new(), |tree| tree.path(node))).collect()
+    }
+
+    /// The nodes of the file; `None` for formats without nodes (all but glTF).
+    pub(crate) fn node_tree(&self) -> Option<NodeTree<'_>> {
+        match &self.document {
+            Document::Gltf(document) => NodeTree::new(&document.records.json).ok(),
             _ => None,
-        };
-        paths.unwrap_or_else(|| vec![String::new(); numbers.len()])
+        }
     }
 
     /// The tangents of a part's vertices with their handedness, where they have one; empty if no vertex has, and for

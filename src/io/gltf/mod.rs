@@ -36,6 +36,7 @@ pub(super) use appearance::appearance;
 pub use edit::edit;
 pub use fresh::write;
 pub(super) use fresh::write_with_materials;
+pub(crate) use nodes::NodeTree;
 
 use super::text::counted;
 use super::{Document, Format, Loaded, Note, Place, Problem, ReadError, ReadOptions};

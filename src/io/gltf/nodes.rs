@@ -2,7 +2,7 @@
 
 use super::document::list;
 use super::fields::{At, Fields, dangling};
-use super::json::Json;
+use super::json::{Json, Value};
 use crate::io::{FileNode, Note, Problem, ReadError, Severity};
 use crate::num::UnitVec3;
 use glam::{DMat3, DMat4, DQuat, DVec3, DVec4};
@@ -36,30 +36,6 @@ pub(super) fn read(json: &Json, meshes: usize, notes: &mut Vec<Note>) -> Result<
     Ok(placed)
 }
 
-/// The names of some nodes with those of all above them, from the root on, as `body/arm/hand`; a node without a name is told
-/// by its number, as `#7`. Of very deep ones the names nearest to the node are told.
-pub(super) fn paths(json: &Json, numbers: &[usize]) -> Result<Vec<String>, ReadError> {
-    const DEEPEST: usize = 32;
-    let root = Fields { json, object: json.root(), at: At::default() };
-    let nodes = list(&root, "nodes")?;
-    let fields = |node: usize| Fields { json, object: nodes[node], at: At::new("nodes", node) };
-    let tree = Tree::new((0..nodes.len()).map(fields), nodes.len())?;
-    let name = |node: usize| -> Result<String, ReadError> {
-        let name = fields(node).string("name")?.unwrap_or_default();
-        Ok(if name.is_empty() { format!("#{node}") } else { name.into_owned() })
-    };
-    let above =
-        |&node: &usize| Some(tree.parent[node]).filter(|&parent| parent != NOBODY).map(|it| it as usize);
-    let path = |&number: &usize| {
-        let mut way: Vec<usize> = std::iter::successors(Some(number), above).take(DEEPEST + 1).collect();
-        let is_cut = way.len() > DEEPEST;
-        way.truncate(DEEPEST);
-        let names: Vec<String> = way.into_iter().rev().map(name).collect::<Result<_, _>>()?;
-        Ok(format!("{}{}", if is_cut { "…/" } else { "" }, names.join("/")))
-    };
-    numbers.iter().map(path).collect()
-}
-
 /// A node at its place.
 pub(super) struct Placed<'a> {
     pub(super) number: usize,
@@ -73,6 +49,67 @@ pub(super) struct Placed<'a> {
     pub(super) without_rotation: Option<(usize, &'static str)>,
     /// Whether the default scene has it.
     pub(super) shown: bool,
+}
+
+/// The nodes of a file, for questions about single ones.
+pub(crate) struct NodeTree<'a> {
+    json: &'a Json,
+    nodes: Vec<Value>,
+    tree: Tree,
+}
+
+impl<'a> NodeTree<'a> {
+    /// The most nodes of a way that are told: those nearest to its end.
+    const DEEPEST: usize = 32;
+
+    pub(super) fn new(json: &'a Json) -> Result<Self, ReadError> {
+        let nodes = list(&Fields { json, object: json.root(), at: At::default() }, "nodes")?;
+        let fields = |node: usize| Fields { json, object: nodes[node], at: At::new("nodes", node) };
+        let tree = Tree::new((0..nodes.len()).map(fields), nodes.len())?;
+        Ok(Self { json, nodes, tree })
+    }
+
+    fn fields(&self, node: usize) -> Fields<'a> {
+        Fields { json: self.json, object: self.nodes[node], at: At::new("nodes", node) }
+    }
+
+    /// A node with those above it, from the root on, or from the most that are told, and whether there are more.
+    fn way(&self, node: usize) -> (Vec<usize>, bool) {
+        let parent = |&node: &usize| Some(self.tree.parent[node] as usize).filter(|_| !self.is_root(node));
+        let mut way: Vec<usize> = std::iter::successors(Some(node), parent).take(Self::DEEPEST + 1).collect();
+        let is_cut = way.len() > Self::DEEPEST;
+        way.truncate(Self::DEEPEST);
+        way.reverse();
+        (way, is_cut)
+    }
+
+    fn is_root(&self, node: usize) -> bool {
+        self.tree.parent[node] == NOBODY
+    }
+
+    /// The name of a node, or its number, as `#7`, if it has none.
+    pub(crate) fn name(&self, node: usize) -> String {
+        let name = self.fields(node).string("name").ok().flatten().unwrap_or_default();
+        if name.is_empty() { format!("#{node}") } else { name.into_owned() }
+    }
+
+    /// The names of a node and of all above it, from the root on, as `body/arm/hand`. Of very deep ones the names nearest to
+    /// the node are told.
+    pub(super) fn path(&self, node: usize) -> String {
+        let (way, is_cut) = self.way(node);
+        let names: Vec<String> = way.into_iter().map(|node| self.name(node)).collect();
+        format!("{}{}", if is_cut { "…/" } else { "" }, names.join("/"))
+    }
+
+    /// The matrices that place a mesh: of each node above it and of its own, from the root on, from the node's space to its
+    /// parent's, beside the node's number. Of very deep ones those nearest to the mesh; none for a skinned mesh, which only its
+    /// joints move.
+    pub(crate) fn chain(&self, node: usize) -> Vec<(usize, DMat4)> {
+        let is_skinned = self.fields(node).index("skin").is_ok_and(|skin| skin.is_some());
+        let way = if is_skinned { Vec::new() } else { self.way(node).0 };
+        let local = |node: usize| Some((node, Local::new(&self.fields(node)).ok()?.matrix));
+        way.into_iter().filter_map(local).collect()
+    }
 }
 
 /// Visits all nodes, each after its parent and before its next sibling.
@@ -274,12 +311,27 @@ mod tests {
     fn ways_to_nodes_are_told_by_names() {
         let text = r#"{"nodes":[{"name":"a","children":[1]},{"children":[2]},{"name":"c"}]}"#;
         let json = Json::parse(text.as_bytes().to_vec(), 0, 32).unwrap();
-        assert_eq!(paths(&json, &[2, 0]).unwrap(), ["a/#1/c", "a"]);
+        let tree = NodeTree::new(&json).unwrap();
+        assert_eq!([2, 0].map(|node| tree.path(node)), ["a/#1/c", "a"]);
         let chain: Vec<String> = (0..100).map(|i| format!("{{\"children\":[{}]}}", i + 1)).collect();
         let text = format!("{{\"nodes\":[{},{{}}]}}", chain.join(","));
         let json = Json::parse(text.into_bytes(), 0, 32).unwrap();
-        let path = paths(&json, &[100]).unwrap().remove(0);
+        let path = NodeTree::new(&json).unwrap().path(100);
         assert!(path.starts_with("…/#69/#70/") && path.ends_with("/#99/#100"), "{path}");
+    }
+
+    #[test]
+    fn chains_multiply_to_places_in_the_world() {
+        let text = r#"{"nodes":[{"children":[1],"rotation":[0,1,0,0]},{"children":[2,3],"scale":[1,2,3]},
+            {"mesh":0,"translation":[1,2,3]},{"mesh":0,"skin":0}],"skins":[{"joints":[0]}]}"#;
+        let json = Json::parse(text.as_bytes().to_vec(), 0, 32).unwrap();
+        let tree = NodeTree::new(&json).unwrap();
+        let chain = tree.chain(2);
+        assert_eq!(chain.iter().map(|link| link.0).collect::<Vec<_>>(), [0, 1, 2]);
+        let product = chain.iter().fold(DMat4::IDENTITY, |above, link| above * link.1);
+        let placed = read(&json, 1, &mut Vec::new()).unwrap();
+        assert_eq!(placed[0].world_from_part, product);
+        assert!(tree.chain(3).is_empty(), "only its joints move it");
     }
 
     #[test]

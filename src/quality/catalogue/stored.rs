@@ -117,7 +117,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         "untransformed-normals",
         Severity::Error,
         "the normals are in another space than the positions",
-        "The matrix of the node, or its inverse, brings all normals into agreement with the faces: they are stored in world space, and a viewer turns them once more. What else is told of them is of what they are in the space of the mesh. Light seems to come from another side, or slides over a scaled shape.",
+        "The matrix of the node that places the mesh, of one above it, or of several together, or its inverse, brings all normals into agreement with the faces, or with a rule that they follow nowhere else: they are stored in the space of the world or of another node and a viewer turns them once more, or they undo what it does. The cause names the nodes. What else is told of them is of what they are in the space of the mesh. Light seems to come from another side, or slides over a scaled shape.",
         "Compute them: they are then those of the mesh's own space.",
         Some(""),
     ),
