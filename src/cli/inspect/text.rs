@@ -138,8 +138,13 @@ fn place(site: &SiteReport, report: &InspectReport) -> String {
 /// What the catalogue says of one finding.
 pub fn explanation(entry: &Entry, style: Style) -> String {
     let mend = match entry.remedy {
-        Some("") => "crease normals INPUT -o OUTPUT".to_owned(),
-        Some(options) => format!("crease normals INPUT -o OUTPUT {options}"),
+        Some(options) => {
+            let command = format!("crease normals INPUT -o OUTPUT {options}");
+            format!(
+                "{}, and what a file needs besides; inspect tells no command where it may be meant",
+                command.trim_end()
+            )
+        }
         None => "no command does; see above".to_owned(),
     };
     format!(
