@@ -54,24 +54,56 @@ pub(super) fn sums(facts: &Facts<'_>, corner: u32, rule: Smoothness<'_>, poles: 
 
 /// What the face of a corner adds to the sum there, by each weighting.
 fn pulls(facts: &Facts<'_>, corner: u32) -> Sums {
-    let face = facts.topology.face_of(corner) as usize;
-    if facts.worth[face] == Worth::Silent {
-        return Sums::default();
-    }
-    let normal = facts.face_normal(face);
-    let here = facts.place(corner as usize);
-    let ahead = facts.place(facts.topology.next(corner) as usize) - here;
-    let behind = facts.place(facts.topology.previous(corner) as usize) - here;
-    let angle = angle_between(ahead, behind).0;
-    let area = facts.area[face];
-    let edges = ahead.length() * behind.length();
-    [angle, area, 1.0, angle * area, libm::sin(angle) / edges, 1.0 / edges].map(|weight| normal * weight)
+    let Some(pull) = Pull::at(facts, corner) else { return Sums::default() };
+    let angle = pull.angle();
+    MEANS.map(|weight| pull.by(weight, || angle))
 }
 
 /// The same by one of the means.
 pub(super) fn pull(facts: &Facts<'_>, corner: u32, weight: Weight) -> DVec3 {
-    let at = MEANS.iter().position(|&mean| mean == weight).unwrap_or(0);
-    pulls(facts, corner)[at]
+    Pull::at(facts, corner).map_or(DVec3::ZERO, |pull| pull.by(weight, || pull.angle()))
+}
+
+/// What weightings look at: a corner of a face that has a direction.
+struct Pull {
+    normal: DVec3,
+    ahead: DVec3,
+    behind: DVec3,
+    area: f64,
+}
+
+impl Pull {
+    fn at(facts: &Facts<'_>, corner: u32) -> Option<Self> {
+        let face = facts.topology.face_of(corner) as usize;
+        let here = facts.place(corner as usize);
+        let to = |other: u32| facts.place(other as usize) - here;
+        let [ahead, behind] = [facts.topology.next(corner), facts.topology.previous(corner)].map(to);
+        (facts.worth[face] != Worth::Silent).then(|| Self {
+            normal: facts.face_normal(face),
+            ahead,
+            behind,
+            area: facts.area[face],
+        })
+    }
+
+    fn angle(&self) -> f64 {
+        angle_between(self.ahead, self.behind).0
+    }
+
+    /// The normal of the face by its weight; the angle costs most and is asked for where it counts.
+    fn by(&self, weight: Weight, angle: impl FnOnce() -> f64) -> DVec3 {
+        let edges = || self.ahead.length() * self.behind.length();
+        self.normal
+            * match weight {
+                Weight::Area => self.area,
+                Weight::Uniform => 1.0,
+                Weight::AngleArea => angle() * self.area,
+                Weight::Max => libm::sin(angle()) / edges(),
+                Weight::Edge => 1.0 / edges(),
+                // No other is among the means.
+                _ => angle(),
+            }
+    }
 }
 
 /// Visits the corners of the smooth group of a corner, no more than so many to either side of it; gives whether those are all.

@@ -7,7 +7,7 @@ use super::finding::Severity;
 use super::limit::Limit;
 use super::runs::{Run, Runs};
 use super::strays::{Ground, Waiting};
-use super::tally::{Gathered, Spot, Tallies, gather};
+use super::tally::{Gathered, Spot, Tallies, Tally, gather};
 use super::{Estimate, Precision, Thresholds};
 use super::{facets, quantisation, smoothing, turned};
 use crate::mesh::Column;
@@ -40,7 +40,7 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
     let corners: Corners = gather(facts.mesh.face_count(), thresholds.places, |faces, corners| {
         faces.for_each(|face| look_at((facts, runs.as_ref()), stored, face, deviation, thresholds, corners));
     });
-    let judged = Judged::new(facts, &corners.found);
+    let judged = Judged::new(facts, &corners);
     found.merge(corners.found);
     let waiting = corners.waiting;
     let is_turned_as_a_whole = turned::find(facts, thresholds, found);
@@ -86,11 +86,12 @@ struct Judged {
 }
 
 impl Judged {
-    fn new(facts: &Facts<'_>, found: &Tallies) -> Self {
-        let corners = (0..facts.mesh.face_count())
+    fn new(facts: &Facts<'_>, corners: &Corners) -> Self {
+        let sound = (0..facts.mesh.face_count())
             .filter(|&face| facts.worth[face] == Worth::Sound)
             .map(|face| facts.mesh.faces().range(face).len());
-        Self { sound: corners.sum::<usize>() as f64, against: count(found, AGAINST) }
+        let against = count(&corners.found, AGAINST) + corners.waiting.against_face() as f64;
+        Self { sound: sound.sum::<usize>() as f64, against }
     }
 }
 
@@ -157,14 +158,8 @@ fn look_at(
             match (kind, Ground::of(facts, corner, unit)) {
                 (Kind::Stray, Some(_)) if off <= LETTER => found.add(Kind::Custom, spot, area),
                 (Kind::Stray, Some(ground)) => waiting.add(ground, spot, area),
-                (_, Some(_)) => found.add(kind, spot, area),
-                (_, None) => {
-                    found.add(kind, spot, area);
-                    if kind == Kind::AgainstFace {
-                        // A fault whatever made the others.
-                        found.tally(kind).severity = Some(kind.entry().severity);
-                    }
-                }
+                (Kind::AgainstFace, Some(_)) => waiting.add_against_face(spot, area),
+                _ => found.add(kind, spot, area),
             }
         }
     }
@@ -201,11 +196,12 @@ fn is_folded_over(facts: &Facts<'_>, face: usize) -> bool {
 /// Where the fan does not tell, strays are faults if they are most of what a rule leaves unexplained, be it followed closely or
 /// to the letter; else the normals are of another making. That edges were marked by hand explains runs of faces, unless nearly
 /// all of the mesh follows the rule.
-fn grade_strays(facts: &Facts<'_>, waiting: Waiting, found: &mut Tallies, sound: f64) {
+fn grade_strays(facts: &Facts<'_>, mut waiting: Waiting, found: &mut Tallies, sound: f64) {
     let is_rule = facts.estimate.is_some_and(|estimate| estimate.is_rule());
     let is_departed_from = facts.estimate.is_some_and(|estimate| estimate.is_departed_from());
     let unexplained = (1.0 - facts.estimate.map_or(0.0, |estimate| estimate.reproduced)) * sound;
-    let left = unexplained - count(found, FAULTS);
+    let left = unexplained - count(found, FAULTS) - waiting.against_face() as f64;
+    grade_against_face(waiting.take_against_face(), is_departed_from, found);
     let are_most = |grounds: &[Ground]| waiting.count(grounds) as f64 >= 0.5 * left;
     let are_both = is_rule && are_most(&Ground::ALL);
     let is_shared = are_both || (is_departed_from && are_most(&[Ground::Shared]));
@@ -217,8 +213,15 @@ fn grade_strays(facts: &Facts<'_>, waiting: Waiting, found: &mut Tallies, sound:
     strays.remedy = facts.estimate.map(|estimate| estimate.options());
     // To compute all again is no remedy where others were made in another way.
     strays.may_be_meant = !is_departed_from || faults < 0.5 * unexplained;
-    let against = found.tally(Kind::AgainstFace);
-    if !is_departed_from && against.severity.is_none() {
+}
+
+/// Normals that point behind their face and have a ground are faults where a rule made the rest. Else they may be meant, and beside
+/// ones without a ground, which are faults whatever made the others, they are no more than what no rule derives.
+fn grade_against_face(grounded: Tally, is_departed_from: bool, found: &mut Tallies) {
+    let is_alone = found.get(Kind::AgainstFace).count == 0;
+    found.absorb(if is_departed_from || is_alone { Kind::AgainstFace } else { Kind::Custom }, grounded);
+    if !is_departed_from && is_alone {
+        let against = found.tally(Kind::AgainstFace);
         against.severity = Some(Severity::Note);
         against.may_be_meant = true;
     }

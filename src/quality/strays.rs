@@ -50,6 +50,8 @@ impl Ground {
 /// Normals far from the rule that wait for what the rest of the mesh tells of them, by their ground.
 pub(super) struct Waiting {
     tallies: [Tally; Ground::ALL.len()],
+    /// Those that point behind their face, on either ground.
+    against_face: Tally,
     /// How many places of each are kept.
     most: usize,
 }
@@ -59,25 +61,39 @@ impl Waiting {
         self.tallies[ground as usize].add(spot, area, self.most);
     }
 
+    pub(super) fn add_against_face(&mut self, spot: Spot, area: f64) {
+        self.against_face.add(spot, area, self.most);
+    }
+
+    /// How many point behind their face.
+    pub(super) fn against_face(&self) -> u64 {
+        self.against_face.count
+    }
+
+    pub(super) fn take_against_face(&mut self) -> Tally {
+        std::mem::take(&mut self.against_face)
+    }
+
     /// How many there are of some grounds.
     pub(super) fn count(&self, grounds: &[Ground]) -> u64 {
         grounds.iter().map(|&ground| self.tallies[ground as usize].count).sum()
     }
 
-    /// Those of each ground, in the order of [`Ground::ALL`].
+    /// Those of each ground, in the order of [`Ground::ALL`], and what points behind its face.
     pub(super) fn into_tallies(self) -> impl Iterator<Item = Tally> {
-        self.tallies.into_iter()
+        self.tallies.into_iter().chain([self.against_face])
     }
 }
 
 impl Gathered for Waiting {
     fn new(most: usize) -> Self {
-        Self { tallies: Default::default(), most }
+        Self { tallies: Default::default(), against_face: Tally::default(), most }
     }
 
     fn merge(&mut self, other: Self) {
         let most = self.most;
         self.tallies.iter_mut().zip(other.tallies).for_each(|(own, other)| own.merge(other, most));
+        self.against_face.merge(other.against_face, most);
     }
 }
 
@@ -120,20 +136,39 @@ impl Fan {
         let weight = facts.estimate.map_or(Weight::Angle, |estimate| estimate.weight);
         let pulls = |way: &[u32]| way.iter().map(|&at| pull(facts, at, weight)).collect::<Vec<_>>();
         let (ahead, behind) = (pulls(&self.ahead), pulls(&self.behind));
-        let mut nearest = 180.0_f64;
+        let mut nearest = Nearest { sum: DVec3::ZERO, closeness: f64::NEG_INFINITY, to: normal };
         let mut from = pull(facts, self.corner, weight);
         for reach in 0..=behind.len() {
             if reach > 0 {
                 from += behind[reach - 1];
             }
-            nearest = nearest.min(degrees(from, normal));
+            nearest.offer(from);
             let most = ahead.len() - if self.is_closed { reach } else { 0 };
             let mut sum = from;
             for &next in &ahead[..most] {
                 sum += next;
-                nearest = nearest.min(degrees(sum, normal));
+                nearest.offer(sum);
             }
         }
-        nearest
+        degrees(nearest.sum, normal)
+    }
+}
+
+/// The sum that is nearest to a direction, of very many: one arc tangent at the end tells how near.
+struct Nearest {
+    to: DVec3,
+    sum: DVec3,
+    /// The square of the cosine, with its sign.
+    closeness: f64,
+}
+
+impl Nearest {
+    fn offer(&mut self, sum: DVec3) {
+        let cosine = self.to.dot(sum);
+        let closeness = cosine * cosine.abs() / sum.length_squared();
+        // A sum that cancels is no direction: nothing compares with it.
+        if closeness > self.closeness {
+            (self.sum, self.closeness) = (sum, closeness);
+        }
     }
 }
