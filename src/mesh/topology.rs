@@ -148,17 +148,36 @@ impl Topology {
         topology
     }
 
-    /// Joins boundary edges whose ends coincide.
-    pub(crate) fn weld(&mut self, faces: &Faces, positions: &[DVec3], shapes: &[&[DVec3]], weld: Weld) {
+    /// As [`build`](Self::build) with edges at equal positions joined, and then those that this leaves open and whose ends are
+    /// closer than a fraction of the diagonal; gives how many half-edges these are.
+    pub(crate) fn build_near(mesh: &Mesh, fraction: f64) -> (Self, usize) {
+        let mut topology = Self::build(mesh, Weld::Exact);
+        if fraction <= 0.0 {
+            return (topology, 0);
+        }
+        let shapes: Vec<&[DVec3]> = mesh.columns().morph_targets.iter().map(Vec::as_slice).collect();
+        let near = topology.weld(mesh.faces(), mesh.positions(), &shapes, Weld::Relative(fraction));
+        (topology, near)
+    }
+
+    /// Joins boundary edges whose ends coincide; gives how many half-edges these are.
+    pub(crate) fn weld(
+        &mut self,
+        faces: &Faces,
+        positions: &[DVec3],
+        shapes: &[&[DVec3]],
+        weld: Weld,
+    ) -> usize {
         let open: Vec<u32> = (0..faces.corner_count() as u32)
             .into_par_iter()
             .filter(|&h| self.links.get(h) == PackedLink::BOUNDARY.bits())
             .collect();
         if open.is_empty() {
-            return;
+            return 0;
         }
         let joined = weld::join(faces, &self.owners, &open, positions, shapes, weld);
-        (self.wide_clusters, self.ambiguous) = (joined.wide_clusters, joined.ambiguous);
+        self.wide_clusters += joined.wide_clusters;
+        self.ambiguous += joined.ambiguous;
         for &(half_edge, link) in &joined.links {
             self.links.set(half_edge, PackedLink::new(link).bits());
             if let Link::Welded(_) = link {
@@ -170,6 +189,7 @@ impl Topology {
                 self.welded_vertices[head as usize] = true;
             }
         }
+        joined.links.len()
     }
 
     /// What a half-edge meets.

@@ -7,12 +7,19 @@ use std::cell::OnceCell;
 /// The file round its parts, looked at when a part first asks.
 pub(super) struct Around<'a> {
     loaded: &'a Loaded,
+    /// The distance, as a share of the diagonal, below which open edges are taken for one.
+    near: f64,
     hollows: OnceCell<Vec<Vec<usize>>>,
 }
 
 impl<'a> Around<'a> {
-    pub(super) fn new(loaded: &'a Loaded) -> Self {
-        Self { loaded, hollows: OnceCell::new() }
+    pub(super) fn new(loaded: &'a Loaded, near: f64) -> Self {
+        Self { loaded, near, hollows: OnceCell::new() }
+    }
+
+    /// The distance, as a share of the diagonal, below which open edges are taken for one.
+    pub(super) fn near(&self) -> f64 {
+        self.near
     }
 
     /// The mesh of a part.

@@ -77,7 +77,7 @@ pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) 
     let mut diagnosis = Diagnosis::default();
     let mut merged: Vec<Merged> = entries().map(|_| Merged::default()).collect();
     let nodes_of_parts = nodes_of_parts(loaded);
-    let around = Around::new(loaded);
+    let around = Around::new(loaded, thresholds.weld);
     let spaces = Spaces::new(loaded);
     let materials = gloss::materials(loaded, thresholds.exponent);
     for (number, part) in loaded.parts.iter().enumerate() {
@@ -102,6 +102,9 @@ pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) 
             }
             own.precision = look(&facts, nodes, thresholds, &mut found);
             attributes::find(&facts, loaded, number, thresholds, &mut found);
+            if let Some(near) = facts.near {
+                found.add_to_remedies(&format!("--weld {near:e}"));
+            }
             own.estimate = facts.estimate;
             own.vertices = facts.field.summary.referenced_vertices;
             own.faces = part.mesh.face_count();

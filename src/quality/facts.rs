@@ -6,7 +6,7 @@ use super::estimate::{Estimate, estimate};
 use super::finding::Severity;
 use super::gloss::Gloss;
 use crate::mesh::{
-    Column, Confidence, Link, Mesh, Orientation, Orientations, Topology, Weld, normals_oppose, place_key,
+    Column, Confidence, Link, Mesh, Orientation, Orientations, Topology, normals_oppose, place_key,
     stored_unit, vector_area,
 };
 use crate::normals::{Crease, FaultReason, Groups, NormalField, NormalRecipe, compute_on};
@@ -30,6 +30,8 @@ pub(super) enum Worth {
 pub(super) struct Facts<'a> {
     pub(super) mesh: &'a Mesh,
     pub(super) topology: Topology,
+    /// The distance, as a share of the diagonal, below which open edges were joined that nothing else joins, if any were.
+    pub(super) near: Option<f64>,
     /// The stored normals, if there are any at all.
     pub(super) stored: Option<&'a Column<DVec3>>,
     /// Those of the file, if these are what they are in the space of the mesh.
@@ -80,7 +82,7 @@ impl<'a> Facts<'a> {
         confidence: Confidence,
         gloss: Gloss,
     ) -> Self {
-        let topology = Topology::build(mesh, Weld::Exact);
+        let (topology, near) = Topology::build_near(mesh, around.near());
         let stored = mesh.columns().normals.as_ref().filter(|stored| !stored.values.is_empty());
         let field = compute_on(mesh, &topology, &NormalRecipe::default());
         let orientations = Orientations::new(mesh, &topology);
@@ -102,6 +104,7 @@ impl<'a> Facts<'a> {
         let mut facts = Self {
             mesh,
             topology,
+            near: (near > 0).then(|| around.near()),
             stored,
             written: None,
             estimate: None,
@@ -174,6 +177,18 @@ impl<'a> Facts<'a> {
     pub(super) fn has_two_fans(&self, corner: usize) -> bool {
         let vertex = self.mesh.faces().corners()[corner] as usize;
         !self.collapsed.is_empty() && self.collapsed.contains(&place_key(self.mesh.positions()[vertex]))
+    }
+
+    /// Whether the edge of a half-edge is one of two that only nearly coincide.
+    pub(super) fn is_cracked(&self, half_edge: u32) -> bool {
+        let Some(Link::Welded(across)) = self.near.map(|_| self.topology.link(half_edge)) else {
+            return false;
+        };
+        let corners = self.mesh.faces().corners();
+        let place = |vertex: u32| place_key(self.mesh.positions()[vertex as usize]);
+        let (tail, head) = self.topology.ends(corners, half_edge);
+        let (other_head, other_tail) = self.topology.ends(corners, across);
+        place(tail) != place(other_tail) || place(head) != place(other_head)
     }
 
     /// Whether the faces round a corner's vertex agree, so that their mean says something.

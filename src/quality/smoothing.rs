@@ -4,10 +4,12 @@ use super::Thresholds;
 use super::catalogue::Kind;
 use super::facts::{Facts, Worth};
 use super::finding::Severity;
+use super::strays::Ground;
 use super::tally::{Spot, Tallies, scan};
 use crate::mesh::{Column, DisjointSets, Link, SmoothingGroups};
 use crate::num::{Degrees, angle_between};
 use glam::DVec3;
+use rayon::prelude::*;
 
 /// Two stored normals closer than this, in degrees, are one as far as pictures go.
 pub(super) const SAME: f64 = 1.0;
@@ -17,6 +19,9 @@ const RULE: f64 = 0.98;
 
 /// Everything about which edges stored normals are smooth over.
 pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Tallies) {
+    if facts.stored.is_none() {
+        return cracks(facts, found);
+    }
     let (Some(stored), Some(estimate)) = (facts.stored, facts.estimate) else { return };
     // Facets have one normal each.
     if !facts.shares_vertices {
@@ -34,10 +39,13 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
         }
     });
     let follows = estimate.is_departed_from() && estimate.separated >= RULE;
-    for kind in [Kind::AveragedCrease, Kind::SplitSeam] {
+    for kind in [Kind::AveragedCrease, Kind::SplitSeam, Kind::CrackedSeam] {
+        let is_any_seam = || kind != Kind::AveragedCrease && are_anywhere(facts, stored, thresholds);
+        let is_meant =
+            edges.get(kind).count > 0 && !follows && !(estimate.is_departed_from() && is_any_seam());
         let tally = edges.tally(kind);
         tally.remedy = Some(estimate.options());
-        if !follows {
+        if is_meant {
             tally.severity = Some(Severity::Note);
         }
     }
@@ -47,6 +55,49 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
         edges.tally(Kind::NeedlessSeam).remark = Some(format!("{vertices} {are} could be merged away"));
     }
     found.merge(edges);
+}
+
+/// Edges that computing normals will split because they only nearly coincide.
+fn cracks(facts: &Facts<'_>, found: &mut Tallies) {
+    if facts.near.is_none() {
+        return;
+    }
+    for half_edge in (0..facts.mesh.faces().corner_count() as u32).filter(|&it| facts.is_cracked(it)) {
+        let topology = &facts.topology;
+        let Some(across) = topology.across(half_edge).filter(|&across| half_edge < across) else { continue };
+        let goes_on = [[half_edge, topology.next(across)], [topology.next(half_edge), across]]
+            .map(|ends| ends.map(|corner| facts.expected(corner as usize)))
+            .iter()
+            .all(|[a, b]| a == b);
+        if goes_on {
+            let face = topology.face_of(half_edge) as usize;
+            let spot = Spot { is_angle: false, ..Spot::corner(face, half_edge as usize, 0.0) };
+            found.add(Kind::CrackedSeam, spot, 0.0);
+        }
+    }
+    found.tally(Kind::CrackedSeam).severity = Some(Severity::Note);
+}
+
+/// Whether edges that split normals bend no more than those that do not: a cut through a smooth surface goes where it may, while
+/// edges that were marked as sharp by hand are where a surface bends.
+fn are_anywhere(facts: &Facts<'_>, stored: &Column<DVec3>, thresholds: &Thresholds) -> bool {
+    /// How much further than three in four of the smooth edges the middle one of the split edges may bend: cuts through balls,
+    /// tori and teapots, coarse and fine, have 1.02 at most; marked edges of lanterns, spiders and pirates 1.6 at least.
+    const FURTHER: f64 = 1.25;
+    let edges = (0..facts.mesh.faces().corner_count() as u32).into_par_iter();
+    let edges = edges.filter_map(|half_edge| Edge::at(facts, stored, half_edge));
+    let bends = edges.map(|edge| (edge.bend(facts), edge.is_shared(), edge.gaps[0].min(edge.gaps[1])));
+    let bends: Vec<_> = bends.filter(|&(bend, ..)| bend > SAME).collect();
+    let ascending = |is: &dyn Fn(bool, f64) -> bool| {
+        let wanted = bends.iter().filter(|&&(_, is_shared, gap)| is(is_shared, gap));
+        let mut wanted: Vec<f64> = wanted.map(|&(bend, ..)| bend).collect();
+        wanted.sort_unstable_by(f64::total_cmp);
+        wanted
+    };
+    let smooth = ascending(&|is_shared, _| is_shared);
+    let split = ascending(&|_, gap| gap > thresholds.seam.0);
+    let [upper, middle] = [smooth.get(smooth.len() * 3 / 4), split.get(split.len() / 2)];
+    upper.zip(middle).is_some_and(|(upper, middle)| *middle <= FURTHER * upper)
 }
 
 /// How many vertices fewer there would be without needless seams.
@@ -185,7 +236,8 @@ impl Edge {
         if self.is_averaged(facts, crease + thresholds.crease.0) {
             found.add(Kind::AveragedCrease, spot.by(self.leaning(facts)), 0.0);
         } else if low > thresholds.seam.0 && self.is_seam(facts, stored, thresholds) {
-            found.add(Kind::SplitSeam, spot.by(high), 0.0);
+            let is_cracked = facts.is_cracked(self.half_edge);
+            found.add(if is_cracked { Kind::CrackedSeam } else { Kind::SplitSeam }, spot.by(high), 0.0);
         } else if high == 0.0 && facts.shares_vertices && self.is_needless(facts) {
             found.add(Kind::NeedlessSeam, Spot { is_angle: false, weight: 0.0, ..spot }, 0.0);
         }
@@ -205,10 +257,14 @@ impl Edge {
     /// told as that.
     pub(super) fn is_seam(&self, facts: &Facts<'_>, stored: &Column<DVec3>, thresholds: &Thresholds) -> bool {
         let is_told = |&corner: &usize| {
-            let off = facts.stored_unit(corner).map_or(0.0, |unit| degrees(unit, facts.expected(corner)));
-            off > thresholds.deviation.0
-                && (facts.leaning(corner) > 90.0 + thresholds.against.0
-                    || !WAYS.into_iter().any(|way| way.shares(facts, stored, corner as u32)))
+            let Some(unit) = facts.stored_unit(corner) else { return false };
+            // Between two seams a face may stand alone, with its own normal.
+            let strays = || {
+                !WAYS.into_iter().any(|way| way.shares(facts, stored, corner as u32))
+                    && Ground::of(facts, corner, unit) != Some(Ground::Run)
+            };
+            degrees(unit, facts.expected(corner)) > thresholds.deviation.0
+                && (facts.leaning(corner) > 90.0 + thresholds.against.0 || strays())
         };
         self.gaps[0].min(self.gaps[1]) > thresholds.seam.0
             && self.goes_on(facts)
@@ -229,7 +285,10 @@ impl Edge {
     fn is_needless(&self, facts: &Facts<'_>) -> bool {
         // Where the rule has two normals, that there is one is told, or passes.
         let is_smooth = || self.goes_on(facts) || self.bend(facts) <= SAME;
-        if facts.topology.link(self.half_edge) != Link::Welded(self.across) || !is_smooth() {
+        if facts.topology.link(self.half_edge) != Link::Welded(self.across)
+            || facts.is_cracked(self.half_edge)
+            || !is_smooth()
+        {
             return false;
         }
         let columns = facts.mesh.columns();

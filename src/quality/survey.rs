@@ -1,5 +1,6 @@
 //! What pictures and histograms of a report are made of.
 
+use super::Thresholds;
 use super::around::Around;
 use super::facts::Facts;
 use super::gloss::Gloss;
@@ -32,7 +33,7 @@ pub struct Survey {
 
 /// Measures each part of a file.
 pub fn survey(loaded: &Loaded) -> Vec<Survey> {
-    let around = Around::new(loaded);
+    let around = Around::new(loaded, Thresholds::default().weld);
     let facts = |part: usize| {
         let gloss = Gloss::new(around.mesh(part), &[], None);
         Facts::new(&around, part, Confidence::default(), gloss)

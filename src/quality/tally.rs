@@ -1,6 +1,6 @@
 //! Counting findings, in parallel and with the same result at any number of threads.
 
-use super::catalogue::Kind;
+use super::catalogue::{Kind, entries};
 use super::finding::Severity;
 use crate::mesh::NONE;
 use rayon::prelude::*;
@@ -160,6 +160,16 @@ impl Tallies {
     pub(super) fn merge(&mut self, other: Self) {
         let most = self.most;
         self.tallies.iter_mut().zip(other.tallies).for_each(|(own, other)| own.merge(other, most));
+    }
+
+    /// An option that every command needs here.
+    pub(super) fn add_to_remedies(&mut self, option: &str) {
+        for entry in entries() {
+            let tally = self.tally(entry.kind);
+            let own = tally.remedy.take().or_else(|| entry.remedy.map(str::to_owned));
+            tally.remedy =
+                own.map(|own| if own.is_empty() { option.to_owned() } else { format!("{own} {option}") });
+        }
     }
 
     pub(super) fn get(&self, kind: Kind) -> &Tally {

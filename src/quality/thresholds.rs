@@ -25,6 +25,9 @@ pub struct Thresholds {
     pub crease: Degrees,
     /// How far the stored normals on the two sides of a smooth edge may be apart.
     pub seam: Degrees,
+    /// The distance between the ends of open edges, over the diagonal of the bounding box, below which two are taken for one:
+    /// what rounding coordinates to six digits or to 32 bits leaves. 0 for those that coincide alone.
+    pub weld: f64,
     /// Height over longest edge below which a face is a needle.
     pub needle: f64,
     /// How far the corners of a polygon may leave its plane, as the angle between the normals at its corners.
@@ -64,6 +67,7 @@ impl Default for Thresholds {
             tangent: Degrees(5.0),
             crease: Degrees(10.0),
             seam: Degrees(2.0),
+            weld: 1e-6,
             needle: 0.001,
             planarity: Degrees(10.0),
             fold: Degrees(170.0),

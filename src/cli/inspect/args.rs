@@ -163,6 +163,10 @@ pub struct ThresholdArgs {
     #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     pub planarity: Option<f64>,
 
+    /// How close the ends of open edges are that are taken for one, over the bounding box's diagonal [default: 1e-6]
+    #[arg(long, value_name = "REL", allow_negative_numbers = true)]
+    pub weld: Option<f64>,
+
     /// Height over longest edge below which a face is a needle [default: 0.001]
     #[arg(long, value_name = "RATIO", allow_negative_numbers = true)]
     pub needle: Option<f64>,
@@ -241,6 +245,7 @@ impl ThresholdArgs {
         };
         number(self.length, "length", 0.0, &mut thresholds.length)?;
         number(self.strict_length, "strict-length", 0.0, &mut thresholds.strict_length)?;
+        number(self.weld, "weld", 0.0, &mut thresholds.weld)?;
         number(self.needle, "needle", 0.0, &mut thresholds.needle)?;
         let mut exponent = f64::NAN;
         number(self.exponent, "exponent", 1.0, &mut exponent)?;

@@ -36,6 +36,7 @@ pub enum Kind {
     AveragedCrease,
     SplitSeam,
     NeedlessSeam,
+    CrackedSeam,
     GroupMismatch,
     NoFaces,
     InconsistentWinding,
@@ -164,6 +165,7 @@ impl Kind {
             | Kind::AveragedCrease
             | Kind::SplitSeam
             | Kind::NeedlessSeam
+            | Kind::CrackedSeam
             | Kind::GroupMismatch
             | Kind::NonManifold
             | Kind::Folded

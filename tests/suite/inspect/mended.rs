@@ -84,12 +84,15 @@ fn carried_out(command: &str) -> PathBuf {
 fn others(ball: &Mesh) -> Vec<Faulty> {
     let bare = ball.clone().with_normals(None);
     let flat = with_normals(bare.clone(), &recipe(Weight::Angle, 0.0));
+    let cut = super::seams::cut(&bare, glam::DVec3::X, 1e-9);
     let corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\n";
     let attributes = super::attributes::faulty();
     let attributes = attributes.map(|(kind, bytes)| Faulty { kind, format: Format::Gltf, bytes });
     let mut all = vec![
         Faulty::mesh(Kind::NoNormals, bare),
         Faulty::mesh(Kind::Faceted, flat),
+        Faulty::mesh(Kind::CrackedSeam, with_normals(cut.clone(), &recipe(Weight::Angle, 40.0))),
+        Faulty::mesh(Kind::CrackedSeam, cut),
         Faulty::text(Kind::MissingNormals, &format!("{corners}f 1//1 2//1 3//1\nf 1 3 4\n")),
         Faulty::text(Kind::ZeroArea, &format!("{corners}f 1//1 2//1 3//1 4//1\nf 1//1 2//1 2//1\n")),
     ];

@@ -288,6 +288,7 @@ pub(super) fn faults(clean: &Clean) -> Vec<Planted> {
     }
     all.extend(averaged_crease(&clean.mesh));
     all.extend(split_seam(clean, 10.0));
+    all.extend(super::seams::cracked(clean));
     let neg = |n: DVec3, _: &mut Random| -n;
     let tilt = |n, random: &mut Random| turned_any_way(n, 30.0, random);
     all.push(by_chance(clean, ("1 % of corners negated, by chance", Kind::Flipped, 0.01), neg));

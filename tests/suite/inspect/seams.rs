@@ -1,14 +1,18 @@
-//! Seams where one surface is made of several primitives of a mesh.
+//! Seams where one surface is made of several primitives of a mesh, where smooth meshes were cut, and where vertices nearly meet.
 
 use super::cavities::one_mesh;
-use super::{rebuilt, recipe, surface, with_normals};
+use super::clean::{Clean, meshes};
+use super::planted::{Planted, per_corner, unshared};
+use super::{grave, inspect, rebuilt, recipe, surface, with_normals};
 use crease::io::{Format, Loaded, Part, ReadOptions, WriteOptions, read_bytes, write_new};
-use crease::mesh::{Faces, Mesh, Topology, Weld};
+use crease::mesh::{Column, Faces, Mesh, Topology, Weld};
 use crease::normals::Weight;
+use crease::num::{Degrees, angle_between};
 use crease::quality::catalogue::Kind;
-use crease::quality::{Thresholds, diagnose};
-use crease::surface::{Sphere, Surface};
+use crease::quality::{Severity, Thresholds, diagnose};
+use crease::surface::{Pattern, Sphere, Surface, Tessellation, Torus};
 use glam::DVec3;
+use std::collections::BTreeSet;
 
 /// Whether a face lies on the half of a ball towards +x.
 fn is_right(mesh: &Mesh, face: usize) -> bool {
@@ -58,7 +62,154 @@ fn seams_between_primitives_are_told() {
             corner.map_or(DVec3::Z, |corner| *whole.get(corner, vertex).unwrap())
         };
         let values = (0..half.vertex_count() as u32).map(of_vertex).collect();
-        half.with_normals(Some(crease::mesh::Column::per_vertex(values)))
+        half.with_normals(Some(Column::per_vertex(values)))
     };
     assert_eq!(seams(&halves(&ball, as_whole)), (0, 0), "computed as one");
+}
+
+/// The faces beyond a plane with vertices of their own, which lie so far from those that they were, over the diagonal.
+pub(super) fn cut(mesh: &Mesh, across: DVec3, apart: f64) -> Mesh {
+    let (low, high) = mesh.bounds().unwrap();
+    let middle = low.midpoint(high) + (high - low) * 0.013;
+    let aside = DVec3::new(0.6, 0.0, 0.8) * apart * (high - low).length();
+    let positions = mesh.positions();
+    let is_beyond =
+        |face: &[u32]| face.iter().map(|&v| (positions[v as usize] - middle).dot(across)).sum::<f64>() > 0.0;
+    let count = positions.len() as u32;
+    let mut faces = Faces::new();
+    for face in mesh.faces().iter() {
+        let offset = if is_beyond(face) { count } else { 0 };
+        faces.push(&face.iter().map(|v| v + offset).collect::<Vec<_>>());
+    }
+    let all = [DVec3::ZERO, aside].into_iter().flat_map(|by| positions.iter().map(move |&p| p + by));
+    rebuilt(all.collect(), faces)
+}
+
+/// Edges that the recipe is smooth over and whose two sides have normals so far apart at both ends, in degrees.
+fn split_by(mesh: &Mesh, smooth: &[DVec3], split: &[DVec3], degrees: f64) -> BTreeSet<u32> {
+    let topology = Topology::build(mesh, Weld::Exact);
+    let is_split = |half_edge: &u32| {
+        let Some(across) = topology.across(*half_edge).filter(|across| half_edge < across) else {
+            return false;
+        };
+        let ends = [[*half_edge, topology.next(across)], [topology.next(*half_edge), across]];
+        ends.iter().all(|ends| {
+            let [a, b] = ends.map(|corner| split[corner as usize]);
+            let [c, d] = ends.map(|corner| smooth[corner as usize]);
+            c == d && Degrees::from(angle_between(a, b)).0 > degrees
+        })
+    };
+    (0..mesh.faces().corner_count() as u32).filter(is_split).collect()
+}
+
+/// A clean mesh cut so that the vertices of the two sides nearly meet, and the normals of each side made for themselves.
+pub(super) fn cracked(clean: &Clean) -> Option<Planted> {
+    let mesh = with_normals(cut(&clean.mesh, CUTS[1], 1e-9), &clean.recipe);
+    let whole = with_normals(clean.mesh.clone().with_normals(None), &clean.recipe);
+    let places = split_by(&clean.mesh, &unshared(&whole), &unshared(&mesh), 2.0);
+    let what = "cut, with the two sides 1e-9 of the diagonal apart";
+    // Cut along flat sides nothing shows.
+    (places.len() > 2).then(|| Planted::new(what, Kind::CrackedSeam, mesh, places))
+}
+
+/// Meshes without creases, coarse and fine, with our own normals.
+fn smooth() -> Vec<(String, Mesh)> {
+    let sphere = Surface::from(Sphere::default());
+    let mut all: Vec<(String, Mesh)> = Vec::new();
+    for level in 1..=4 {
+        let ball = Tessellation { pattern: Pattern::Icosphere(level), ..Tessellation::default() };
+        all.push((format!("icosphere {level}"), sphere.tessellate(&ball).unwrap()));
+    }
+    for segments in [[24, 12], [32, 16], [64, 32]] {
+        all.push((format!("torus {segments:?}"), surface(&Surface::from(Torus::default()), segments)));
+    }
+    all.push(("teapot".to_owned(), surface(&Surface::Teapot, [8, 8])));
+    all.extend(meshes().into_iter().filter(|it| it.name == "bowl").map(|it| ("bowl".to_owned(), it.mesh)));
+    let bunny = crate::meshes::path("obj/stanford_bunny.obj").filter(|_| !cfg!(debug_assertions));
+    let read = |path: &std::path::Path| crease::io::read(path, None, &ReadOptions::default()).unwrap();
+    all.extend(bunny.map(|path| ("bunny".to_owned(), read(&path).parts.remove(0).mesh)));
+    let made = |(name, mesh): (String, Mesh)| {
+        (name, with_normals(mesh.with_normals(None), &recipe(Weight::Angle, 60.0)))
+    };
+    all.into_iter().map(made).collect()
+}
+
+/// The corners that a finding begins its edges at.
+fn told(mesh: &Mesh, found: Option<&crease::quality::Finding>) -> BTreeSet<u32> {
+    let corner = |face: u32, corner: u32| mesh.faces().range(face as usize).start as u32 + corner;
+    let places = found.iter().flat_map(|it| &it.places);
+    places.map(|at| corner(at.face.unwrap(), at.corner.unwrap())).collect()
+}
+
+const CUTS: [DVec3; 2] = [DVec3::X, DVec3::new(1.0, 2.0, 3.0)];
+
+/// Each side of a cut averaged for itself: by 5° on fine meshes, by 30° on coarse ones. Where the cut is more than one in fifty of
+/// all edges, no crease angle is followed, and that it runs where the surface bends as elsewhere tells it.
+#[test]
+fn cuts_through_smooth_meshes_are_told() {
+    let mut misses = Vec::new();
+    for (name, mesh) in smooth() {
+        let smooth = unshared(&mesh);
+        for across in CUTS {
+            let apart = with_normals(cut(&mesh, across, 1e-9), &recipe(Weight::Angle, 60.0));
+            let split = unshared(&apart);
+            let [all, sure] = [2.0, 4.0].map(|degrees| split_by(&mesh, &smooth, &split, degrees));
+            let diagnosis = inspect(&per_corner(&mesh, split), 1 << 16);
+            let found = diagnosis.get(Kind::SplitSeam);
+            let places = told(&mesh, found);
+            let hits = |of: &BTreeSet<u32>| places.intersection(of).count() as f64;
+            let recall = hits(&sure) / sure.len() as f64;
+            let precision = hits(&all) / places.len().max(1) as f64;
+            let severity = found.map(|it| it.severity);
+            let others = grave(&diagnosis);
+            if severity != Some(Severity::Warning) || recall < 0.99 || precision < 0.99 || others.len() > 1 {
+                let of = (sure.len(), all.len());
+                misses.push(format!(
+                    "{name} across {across}, {of:?}: {severity:?}, {recall:.3}, {precision:.3}, {others:?}"
+                ));
+            }
+        }
+    }
+    assert!(misses.is_empty(), "{} misses:\n{}", misses.len(), misses.join("\n"));
+}
+
+/// The same where the vertices of the two sides only nearly meet, so that equal places join nothing.
+#[test]
+fn edges_that_nearly_meet_are_told() {
+    let mut misses = Vec::new();
+    for (name, mesh) in smooth() {
+        let smooth = unshared(&mesh);
+        for (across, apart, is_near) in
+            [(CUTS[0], 1e-12, true), (CUTS[1], 1e-9, true), (CUTS[0], 9e-7, true), (CUTS[0], 3e-6, false)]
+        {
+            let bare = cut(&mesh, across, apart);
+            let cracked = with_normals(bare.clone(), &recipe(Weight::Angle, 60.0));
+            let split = unshared(&cracked);
+            let [all, sure] = [2.0, 4.0].map(|degrees| split_by(&mesh, &smooth, &split, degrees));
+            let diagnosis = inspect(&cracked, 1 << 16);
+            let found = diagnosis.get(Kind::CrackedSeam);
+            let places = told(&cracked, found);
+            let hits = |of: &BTreeSet<u32>| places.intersection(of).count();
+            let is_right = hits(&sure) == sure.len() && hits(&all) == places.len();
+            let severity = found.map(|it| it.severity);
+            let others = grave(&diagnosis).len();
+            // Without normals all edges of the cut that computing them would smooth over are noted.
+            let of_bare = inspect(&bare, 1);
+            let noted =
+                of_bare.get(Kind::CrackedSeam).map(|it| (it.severity, it.count as usize >= all.len()));
+            let expected = if is_near {
+                (is_right, Some(Severity::Warning), 1, Some((Severity::Note, true)))
+            } else {
+                (places.is_empty(), None, 0, None)
+            };
+            if (is_right || !is_near, severity, others, noted) != expected {
+                misses.push(format!(
+                    "{name} cut by {apart}: {is_right}, {severity:?}, {:?}, {noted:?}",
+                    grave(&diagnosis)
+                ));
+            }
+        }
+        assert!(inspect(&mesh, 1).get(Kind::CrackedSeam).is_none(), "{name}");
+    }
+    assert!(misses.is_empty(), "{} misses:\n{}", misses.len(), misses.join("\n"));
 }
