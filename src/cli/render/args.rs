@@ -93,7 +93,7 @@ pub struct PictureArgs {
     pub size: Option<[u32; 2]>,
 
     /// Places looked at in each pixel, each shaded by itself; 4, 8 and 16 are the patterns of Direct3D [default: 4;
-    /// of scenes 1]
+    /// of scenes in TOML what they say, or 1]
     #[arg(long, value_name = "N", value_parser = Choices(SAMPLES))]
     pub samples: Option<Samples>,
 
