@@ -3,7 +3,7 @@
 use super::ArtefactError;
 use crate::mesh::Mesh;
 use crate::normals::{Crease, NormalField, NormalRecipe, Weight, compute};
-use crate::num::{Degrees, LinearRgb, Radians, Transfer};
+use crate::num::{Degrees, LinearRgb, Radians, Transfer, viridis};
 use crate::raster::{
     Camera, Image, Interpolation, Object, Pixels, Projection, RenderSettings, Scene, Shading, Shape,
     Statistics, render,
@@ -94,21 +94,7 @@ pub(super) fn picture(size: [u32; 2], linear: Vec<[f32; 3]>, coverage: Vec<u8>) 
 /// Numbers from 0 to `full` as colours from dark violet over green to yellow, which get lighter all the way: they can be
 /// told apart without colour vision and in black and white (the map *viridis* at five places). `None` is background.
 pub(super) fn map(size: [u32; 2], values: &[Option<f64>], full: f64) -> Image {
-    const PLACES: [[f64; 3]; 5] = [
-        [68.0, 1.0, 84.0],
-        [59.0, 82.0, 139.0],
-        [33.0, 145.0, 140.0],
-        [94.0, 201.0, 98.0],
-        [253.0, 231.0, 37.0],
-    ];
-    let colour = |value: f64| {
-        let place = (value / full).clamp(0.0, 1.0) * (PLACES.len() - 1) as f64;
-        let first = (place as usize).min(PLACES.len() - 2);
-        let share = place - first as f64;
-        let code =
-            |axis: usize| PLACES[first][axis] + share * (PLACES[first + 1][axis] - PLACES[first][axis]);
-        [0, 1, 2].map(|axis| Transfer::Srgb.decode(code(axis) / 255.0) as f32)
-    };
+    let colour = |value: f64| viridis(value / full).to_array().map(|component| component as f32);
     let background = BACKGROUND.to_array().map(|component| component as f32);
     let linear = values.iter().map(|value| value.map_or(background, colour)).collect();
     picture(size, linear, values.iter().map(|value| u8::from(value.is_some())).collect())

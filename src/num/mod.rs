@@ -17,6 +17,7 @@ mod scale;
 mod steepness;
 mod sum;
 mod unit;
+mod viridis;
 
 pub use angle::{Degrees, Radians, angle_between};
 pub use colour::{LinearRgb, Srgb8, Transfer};
@@ -41,3 +42,4 @@ pub(crate) use product::difference_of_products;
 pub(crate) use product::{Product, Split, cross};
 pub(crate) use sum::two_difference;
 pub(crate) use unit::{PLAIN_SQUARES, direction, exponent, power_of_two, scale, squared_length};
+pub(crate) use viridis::viridis;

@@ -27,7 +27,6 @@ mod png;
 mod probe;
 mod seams;
 mod trade;
-mod viridis;
 
 pub use animation::Animation;
 pub use artefact::{

@@ -113,9 +113,9 @@ mod tests {
     use super::*;
     use crate::mesh::{Column, Faces, MeshBuilder};
     use crate::normals::NormalField;
+    use crate::num::viridis;
     use crate::quality::Survey;
     use crate::raster::{LinePath, LineStyle, Object, Projection, Shape};
-    use crate::report::viridis::viridis;
     use crate::shade::Material;
     use glam::DVec3;
 

@@ -1,11 +1,11 @@
 //! The colours of a heat map, its lines and marks, and the legend that explains them.
 
 use super::pictures::ring;
+use crate::num::viridis;
 use crate::num::{Degrees, LinearRgb, Srgb8, three_digits};
 use crate::quality::Survey;
 use crate::raster::{Camera, LinePath, LineStyle, Lines, Projection, Scene};
 use crate::report::label::{draw_text, text_width};
-use crate::report::viridis::viridis;
 use crate::report::{Overlay, Picture, overlay};
 use glam::{DMat4, DVec3};
 

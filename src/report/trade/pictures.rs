@@ -2,9 +2,9 @@
 
 use crate::mesh::Mesh;
 use crate::normals::{NormalField, NormalRecipe, Weight};
+use crate::num::viridis;
 use crate::num::{Degrees, LinearRgb, Radians, unit_scale};
 use crate::raster::{Camera, Object, Paint, RenderSettings, Samples, Scene, Shape, render};
-use crate::report::viridis::viridis;
 use crate::report::{Picture, ReportError};
 use crate::shade::Material;
 use crate::trade::{Subject, Tiling, error_map, estimate_map};
