@@ -1,7 +1,7 @@
 //! One polygon, cut in two ways.
 
 use super::body::{Body, Diagonal};
-use super::stage::{chalk, differences, draw, front, linear, map, settings};
+use super::stage::{BACKGROUND, chalk, differences, draw, front, light_at, linear, map, picture, settings};
 use super::{
     ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters,
     Scale, Setup, Shot, Text, Threshold, Verdict,
@@ -9,7 +9,6 @@ use super::{
 use crate::metric::image_error;
 use crate::num::{Degrees, LinearRgb, Radians};
 use crate::raster::{Image, Interpolation, Object, Paint, Shading};
-use crate::shade::Light;
 use glam::DVec3;
 use std::borrow::Cow;
 use std::f64::consts::TAU;
@@ -69,7 +68,7 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
     frame: None,
 };
 
-/// The corners' colours, from the left one counter-clockwise as the exercise counts them.
+/// The corners' colours, from the right one counter-clockwise as the exercise counts them.
 const CORNERS: [LinearRgb; 4] = [
     LinearRgb::new(0.0, 0.4, 0.4),
     LinearRgb::new(0.0, 0.2, 0.2),
@@ -82,6 +81,8 @@ const FINER: u32 = 4;
 const WINDOW: f64 = 2.2;
 /// Height of the waves.
 const HEIGHT: f64 = 0.12;
+/// How many waves lie along a side: few squares to each, so that it shows how these are cut.
+const WAVES: f64 = 2.0;
 
 fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let Parameters { size, segments, light, .. } = setup.parameters;
@@ -92,10 +93,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         Ok([draw_waves(cells, Diagonal::Rising, shading)?, draw_waves(cells, Diagonal::Falling, shading)?])
     };
     let [rising, falling] = pair(segments, Shading::Gouraud)?;
-    let [fine, fine_falling] = pair(FINER * segments, Shading::Gouraud)?;
+    let fine = draw_waves(FINER * segments, Diagonal::Rising, Shading::Gouraud)?;
     let [phong, phong_falling] = pair(segments, Shading::Phong)?;
+    let exact = waves_themselves(light, size);
     let apart = |a: &Image, b: &Image| image_error(a, b, 0.5).map(|error| error.linear.rms / 255.0);
-    let (coarse_rms, fine_rms) = (apart(&rising, &falling)?, apart(&fine, &fine_falling)?);
     let mut orders = Vec::new();
     for cells in [segments, 2 * segments, FINER * segments] {
         let [a, b] = pair(cells, Shading::Gouraud)?;
@@ -146,7 +147,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             "ondas, Gouraud: diferença das diagonais (rms)",
         ),
         "",
-        coarse_rms,
+        apart(&rising, &falling)?,
     ));
     measures.push(Measure::new(
         Text::new(
@@ -156,23 +157,24 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         "",
         apart(&phong, &phong_falling)?,
     ));
-    let full = 0.1;
+    let full = 0.5;
     let difference = map([size; 2], &differences(&rising, &falling), full);
     let waves = Moved {
         name: Text::new(
-            "difference between both diagonals on the waves (rms)",
-            "diferença entre as duas diagonais nas ondas (rms)",
+            "light on the waves, off that of the surface itself (rms)",
+            "luz nas ondas, diferença à da própria superfície (rms)",
         ),
         unit: "",
-        bad: coarse_rms,
+        bad: apart(&rising, &exact)?,
         present: Threshold::HALF_STEP,
         cure: Text::made(
             format!("{FINER} times as many squares along a side"),
             format!("{FINER} vezes mais quadrados por lado"),
         ),
-        cured: fine_rms,
+        cured: apart(&fine, &exact)?,
         factor: 8.0,
     };
+    let along = Moved { cured: apart(&falling, &exact)?, factor: 1.5, ..waves.clone() };
     let of_all = mean(&[0, 1, 2, 3]);
     let from_mean = |image: &Image| (0..3).map(|k| (centre(image)[k] - of_all[k]).abs()).fold(0.0, f64::max);
     let diamond = Moved {
@@ -195,13 +197,68 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
              aparece; em superfícies lisas a diferença cai com o quadrado do tamanho das facetas.",
         )),
         shots: vec![
+            waves.bad_shot(
+                "waves-rising",
+                Text::new("waves, cut across", "ondas, cortadas de través"),
+                [
+                    Text::new(
+                        "Slanting waves with Gouraud's shading; each square is cut across them, from the lower left to the upper right.",
+                        "Ondas oblíquas com Gouraud; cada quadrado é cortado de través, do canto inferior esquerdo ao superior direito.",
+                    ),
+                    Text::new("They fall into beads.", "Elas se desfazem em contas."),
+                ],
+                rising,
+            ),
+            along.cured_shot(
+                "waves-falling",
+                Text::new("waves, cut along", "ondas, cortadas ao longo"),
+                [
+                    Text::new(
+                        "The same vertices and normals; only the diagonals run the other way, along the waves.",
+                        "Os mesmos vértices e normais; só as diagonais vão no outro sentido, ao longo das ondas.",
+                    ),
+                    Text::new("Their crests are straight.", "As cristas são retas."),
+                ],
+                falling,
+            ),
+            Shot::difference(
+                "waves-difference",
+                Text::new("difference", "diferença"),
+                Text::with(
+                    "How much both differ, from violet for 0 to yellow for {} and more.",
+                    "Quanto as duas diferem, de violeta para 0 a amarelo para {} ou mais.",
+                    &[full],
+                ),
+                difference,
+            ),
+            waves.cured_shot(
+                "waves-fine",
+                Text::new("waves, finer", "ondas, mais finas"),
+                [
+                    Text::new(
+                        "Cut across as the first, with four times the squares along a side.",
+                        "Cortadas de través como as primeiras, com quatro vezes mais quadrados por lado.",
+                    ),
+                    Text::new("The cut is hardly seen any more.", "O corte quase não se vê mais."),
+                ],
+                fine,
+            ),
+            Shot::truth(
+                "waves-themselves",
+                Text::new("the waves themselves", "as próprias ondas"),
+                Text::new(
+                    "The surface with its own normal at every pixel.",
+                    "A superfície com a sua própria normal em cada pixel.",
+                ),
+                exact,
+            ),
             off(&across).bad_shot(
                 "diamond-1-3",
                 Text::new("diamond, cut 1–3", "losango, corte 1–3"),
                 [
                     Text::new(
-                        "Cut from the left to the right corner.",
-                        "Cortado do canto esquerdo ao direito.",
+                        "Cut from the right to the left corner.",
+                        "Cortado do canto direito ao esquerdo.",
                     ),
                     Text::new("A light band runs across.", "Uma faixa clara corre na horizontal."),
                 ],
@@ -212,8 +269,8 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 Text::new("diamond, cut 2–4", "losango, corte 2–4"),
                 [
                     Text::new(
-                        "Cut from the lower to the upper corner.",
-                        "Cortado do canto de baixo ao de cima.",
+                        "Cut from the upper to the lower corner.",
+                        "Cortado do canto de cima ao de baixo.",
                     ),
                     Text::new(
                         "A dark olive band runs upright, and the middle has another colour.",
@@ -234,52 +291,6 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ],
                 fan,
             ),
-            waves.bad_shot(
-                "waves-rising",
-                Text::new("waves, rising", "ondas, subindo"),
-                [
-                    Text::new(
-                        "Waves with Gouraud's shading, squares cut from the lower left.",
-                        "Ondas com Gouraud, quadrados cortados a partir de baixo à esquerda.",
-                    ),
-                    Text::new("Ridges look frayed that way.", "As cristas parecem desfiadas nesse sentido."),
-                ],
-                rising,
-            ),
-            waves.bad_shot(
-                "waves-falling",
-                Text::new("waves, falling", "ondas, descendo"),
-                [
-                    Text::new(
-                        "The same waves, squares cut the other way.",
-                        "As mesmas ondas, quadrados cortados no outro sentido.",
-                    ),
-                    Text::new("They are frayed the other way.", "Desfiam-se no outro sentido."),
-                ],
-                falling,
-            ),
-            Shot::difference(
-                "waves-difference",
-                Text::new("difference", "diferença"),
-                Text::with(
-                    "How much both differ, from violet for 0 to yellow for {} and more.",
-                    "Quanto as duas diferem, de violeta para 0 a amarelo para {} ou mais.",
-                    &[full],
-                ),
-                difference,
-            ),
-            waves.cured_shot(
-                "waves-fine",
-                Text::new("waves, finer", "ondas, mais finas"),
-                [
-                    Text::new(
-                        "Four times the squares along a side.",
-                        "Quatro vezes mais quadrados por lado.",
-                    ),
-                    Text::new("The cut is seen much less.", "O corte se vê muito menos."),
-                ],
-                fine,
-            ),
         ],
         moved: waves,
         measures,
@@ -297,17 +308,18 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
 
 /// By which power of h both diagonals differ on the waves; none where there is no light on them.
 fn order(by_cells: &[[f64; 2]], light: Degrees, size: u32) -> Option<Measure> {
-    let [[cells, coarse], .., [most, fine]] = by_cells else { return None };
+    // Of both finer ones: those of the coarsest mesh are far from small.
+    let [[cells, _], [half, coarse], [most, fine]] = by_cells else { return None };
     if *coarse == 0.0 || *fine == 0.0 {
         return None;
     }
     let order = Measure::new(
         Text::new("waves: order of the difference in h", "ondas: ordem da diferença em h"),
         "",
-        libm::log2(coarse / fine) / libm::log2(f64::from(FINER)),
+        libm::log2(coarse / fine) / libm::log2(most / half),
     );
-    // The steepest slope towards the light is 2π HEIGHT.
-    let is_lit = light.0.abs() < 90.0 && libm::tan(Radians::from(light).0.abs()) * TAU * HEIGHT < 1.0;
+    let steepest = 0.5 * TAU * WAVES * HEIGHT;
+    let is_lit = light.0.abs() < 90.0 && libm::tan(Radians::from(light).0.abs()) * steepest < 1.0;
     Some(if !is_lit {
         order.beyond(Text::new(
             "not held against O(h²): slopes turned away from the light are black, and light has a kink at their borders",
@@ -323,7 +335,7 @@ fn order(by_cells: &[[f64; 2]], light: Degrees, size: u32) -> Option<Measure> {
             "not held against O(h²): the finest squares are smaller than two pixels",
             "não comparado com O(h²): os quadrados mais finos são menores que dois pixels",
         ))
-    } else if *cells < 6.0 {
+    } else if *cells < 5.0 * WAVES {
         order.beyond(Text::new(
             "not held against O(h²): so few squares to a wave are not small",
             "não comparado com O(h²): tão poucos quadrados por onda não são pequenos",
@@ -353,7 +365,7 @@ enum Cut {
 
 /// The diamond of exercise 1.6.25 with its corners' colours, unlit.
 fn diamond(cut: Cut, size: u32) -> Result<Image, ArtefactError> {
-    let places = [DVec3::NEG_X, DVec3::NEG_Y, DVec3::X, DVec3::Y, DVec3::ZERO];
+    let places = [DVec3::X, DVec3::Y, DVec3::NEG_X, DVec3::NEG_Y, DVec3::ZERO];
     let triangles = match cut {
         Cut::Across => vec![[0, 1, 2], [0, 2, 3]],
         Cut::Upright => vec![[0, 1, 3], [1, 2, 3]],
@@ -373,7 +385,7 @@ fn centre(image: &Image) -> [f64; 3] {
     index.map_or([f64::NAN; 3], |index| linear(image)[index].map(f64::from))
 }
 
-/// A surface of waves that run both ways, with its own normals.
+/// A surface of waves that run aslant, with its own normals.
 fn waves(
     cells: u32,
     diagonal: Diagonal,
@@ -382,18 +394,33 @@ fn waves(
     size: u32,
 ) -> Result<Image, ArtefactError> {
     let body = Body::grid([cells; 2], diagonal, |u, v| {
-        let (s, t) = (TAU * (u + v), TAU * (u - v));
-        let place = DVec3::new(2.0 * u - 1.0, 2.0 * v - 1.0, HEIGHT * (libm::sin(s) + libm::sin(t)));
-        // Slopes in x = 2u − 1 and y = 2v − 1.
-        let slope = |sign: f64| HEIGHT * 0.5 * TAU * (libm::cos(s) + sign * libm::cos(t));
-        (place, DVec3::new(-slope(1.0), -slope(-1.0), 1.0).normalize())
+        let height = HEIGHT * libm::sin(TAU * WAVES * (u + v));
+        (DVec3::new(2.0 * u - 1.0, 2.0 * v - 1.0, height), wave_normal(u, v))
     });
-    let (sine, cosine) = libm::sincos(Radians::from(light).0);
-    // Between both directions of the waves.
-    let towards = DVec3::new(sine, 0.0, cosine);
-    let light = Light::Directional { towards, colour: LinearRgb::WHITE };
     let settings = settings([size; 2], shading, Interpolation::Perspective);
-    draw(vec![body.object(chalk())], &[light], front(WINDOW), &settings)
+    draw(vec![body.object(chalk())], &[light_at(light)], front(WINDOW), &settings)
+}
+
+/// The normal of the waves; they rise by 2π HEIGHT WAVES / 2 at the most, in x = 2u − 1 as in y = 2v − 1.
+fn wave_normal(u: f64, v: f64) -> DVec3 {
+    let slope = 0.5 * TAU * WAVES * HEIGHT * libm::cos(TAU * WAVES * (u + v));
+    DVec3::new(-slope, -slope, 1.0).normalize()
+}
+
+/// The waves without triangles: every pixel has the light of its own normal.
+fn waves_themselves(light: Degrees, size: u32) -> Image {
+    let (sine, cosine) = libm::sincos(Radians::from(light).0);
+    let at = |pixel: u32| WINDOW * ((f64::from(pixel) + 0.5) / f64::from(size) - 0.5);
+    let places = (0..size).flat_map(|y| (0..size).map(move |x| [at(x), -at(y)]));
+    let shown = places.map(|[x, y]| {
+        if x.abs() > 1.0 || y.abs() > 1.0 {
+            return (BACKGROUND.to_array().map(|component| component as f32), 0);
+        }
+        let cosine = wave_normal(0.5 * (x + 1.0), 0.5 * (y + 1.0)).dot(DVec3::new(sine, 0.0, cosine));
+        ([cosine.max(0.0) as f32; 3], 1)
+    });
+    let (colours, coverage) = shown.unzip();
+    picture([size; 2], colours, coverage)
 }
 
 fn chart(orders: Vec<[f64; 2]>, is_square: bool) -> Chart {

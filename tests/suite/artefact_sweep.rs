@@ -208,7 +208,7 @@ fn pictures_are_told_as_they_are() {
             |p| p.segments = 200,
             &[("ball", Role::Absent, "polygon."), ("ball-fine", Role::Absent, "round to the eye")],
         ),
-        ("triangulation", |p| p.light = Degrees(180.0), &[("waves-rising", Role::Absent, "frayed")]),
+        ("triangulation", |p| p.light = Degrees(180.0), &[("waves-rising", Role::Absent, "beads")]),
         ("shared-vertices", |p| p.light = Degrees(0.0), &[("seam", Role::Absent, "line down")]),
     ];
     for (id, change, pictures) in told {
