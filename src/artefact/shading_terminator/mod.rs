@@ -75,8 +75,10 @@ const WINDOW: f64 = 2.2;
 const HEIGHT: Degrees = Degrees(25.0);
 /// No height at all: light at right angles to the prism.
 const LEVEL: Degrees = Degrees(0.0);
-/// How many times more segments the finest sphere has.
-const FINER: u32 = 4;
+/// Segments of the finest sphere: so many that its teeth are hardly larger than pixels, and four times as many at least.
+fn finest(segments: u32) -> u32 {
+    (16 * segments).min(256).max(4 * segments)
+}
 
 fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let Parameters { size, segments, light, .. } = setup.parameters;
@@ -86,10 +88,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let soft = globe(segments, Terminator::Soft)?;
     let smooth = globe(segments, Terminator::Smooth)?;
     let [finer, finer_smooth] =
-        [Terminator::Soft, Terminator::Smooth].map(|terminator| globe(FINER * segments, terminator));
+        [Terminator::Soft, Terminator::Smooth].map(|terminator| globe(finest(segments), terminator));
     let (finer, finer_smooth) = (finer?, finer_smooth?);
     let concerned_globe = |segments| concerned(&Body::globe(segments, 0.0), towards(light, HEIGHT), size);
-    let (coarse_map, fine_map) = (concerned_globe(segments)?, concerned_globe(FINER * segments)?);
+    let (coarse_map, fine_map) = (concerned_globe(segments)?, concerned_globe(finest(segments))?);
     let on_tube = share(&concerned(&tube.body(), towards(light, LEVEL), size)?);
     let [pop_hard, pop_soft] = [Terminator::Hard, Terminator::Soft].map(|terminator| tube.pop(terminator));
     let (pop_hard, pop_soft) = (pop_hard?, pop_soft?);
@@ -113,8 +115,8 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         ),
         bad: taken(&soft, &smooth),
         cured: taken(&finer, &finer_smooth),
-        // As the size of facets, a quarter.
-        factor: 2.0,
+        // Of a quarter the teeth are still seen.
+        factor: 10.0,
         ..self_shadow.clone()
     };
     let popping = Moved {
@@ -156,8 +158,8 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         ),
         Measure::new(
             Text::made(
-                format!("sphere with {} segments: share of pixels concerned", FINER * segments),
-                format!("esfera com {} segmentos: parcela dos pixels em questão", FINER * segments),
+                format!("sphere with {} segments: share of pixels concerned", finest(segments)),
+                format!("esfera com {} segmentos: parcela dos pixels em questão", finest(segments)),
             ),
             "",
             share(&fine_map),
@@ -288,11 +290,14 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 "soft-fine",
                 Text::new("softened, finer", "suavizado, mais fino"),
                 [
-                    Text::new(
-                        "Four times the segments and the softening term.",
-                        "Quatro vezes mais segmentos e o termo de suavização.",
+                    Text::made(
+                        format!("{} segments and the softening term.", finest(segments)),
+                        format!("{} segmentos e o termo de suavização.", finest(segments)),
                     ),
-                    Text::new("The teeth are smaller, and graded.", "Os dentes são menores, e graduados."),
+                    Text::new(
+                        "Facets are hardly larger than pixels, and the border is smooth.",
+                        "As facetas quase não são maiores que pixels, e a fronteira é lisa.",
+                    ),
                 ],
                 finer,
             ),
