@@ -20,8 +20,9 @@ pub(super) fn all(
     [torus, ball]: [&Specimen; 2],
     shown: &Shown,
 ) -> Result<Vec<Shot>, ArtefactError> {
-    let mut shots = of_boxes(weight, look, shown)?;
-    shots.extend(of_ball(weight, ball, shown)?);
+    // The ball first: of these pictures the index shows the first of each kind, and bands are plain even when they are small.
+    let mut shots = of_ball(weight, ball, shown)?;
+    shots.extend(of_boxes(weight, look, shown)?);
     shots.extend(of_torus(weight, torus, &shown.torus)?);
     Ok(shots)
 }
