@@ -1,10 +1,11 @@
 //! Pictures of the cylinder, and luminance across it with its derivatives.
 
+use super::super::stage::{differences, map};
 use super::super::{ArtefactError, Chart, Curve, Drawn, Language, Moved, Scale, Shot, Text};
 use super::tube::{Profile, Tube};
 use super::{GRAZING, Lines, Shown};
 use crate::num::Degrees;
-use crate::raster::Shading;
+use crate::raster::{Image, Shading};
 
 /// Of the tube, the finer one, and the one in grazing light.
 pub(super) fn shots(
@@ -85,34 +86,68 @@ pub(super) fn shots(
         ),
         tube.draw(square, light, Shading::Exact)?,
     );
-    let gouraud_80 = shown.at_80.cured_shot(
-        "gouraud-80",
-        Text::new("Gouraud, light at 80°", "Gouraud, luz a 80°"),
-        [
-            Text::new(
-                "The light 80° off the direction of view: where facets are lit as a whole, luminance is nearly linear across the \
-                 picture.",
-                "A luz a 80° da direção de visão: onde as facetas estão iluminadas por inteiro, a luminância é quase linear ao longo da \
-                 imagem.",
-            ),
-            Text::new("Gouraud's shading has the smaller jumps here.", "O sombreamento de Gouraud tem aqui os saltos menores."),
-        ],
-        grazing.draw(square, GRAZING, Shading::Gouraud)?,
-    );
-    let phong_80 = shown.at_80.bad_shot(
-        "phong-80",
-        Text::new("Phong, light at 80°", "Phong, luz a 80°"),
-        [
-            Text::new("The same light with Phong's shading.", "A mesma luz com o sombreamento de Phong."),
-            Text::new(
-                "It bends within each facet, and its slope jumps at the edges half-way between the viewer and the light.",
-                "Ele se curva dentro de cada faceta, e a sua inclinação salta nas arestas a meio caminho entre o observador e a luz.",
-            ),
-        ],
-        grazing.draw(square, GRAZING, Shading::Phong)?,
-    );
+    let [gouraud_80, phong_80, exact_80] = [Shading::Gouraud, Shading::Phong, Shading::Exact]
+        .map(|shading| grazing.draw(square, GRAZING, shading));
+    let (gouraud_80, phong_80, exact_80) = (gouraud_80?, phong_80?, exact_80?);
+    let off = |image: &Image| map(square, &differences(image, &exact_80), FULL);
+    let (off_gouraud, off_phong) = (off(&gouraud_80), off(&phong_80));
+    let of_80 = vec![
+        shown.at_80.bad_shot(
+            "phong-80",
+            Text::new("Phong, light at 80°", "Phong, luz a 80°"),
+            [
+                Text::new(
+                    "The light 80° off the direction of view, Phong's shading.",
+                    "A luz a 80° da direção de visão, sombreamento de Phong.",
+                ),
+                Text::new(
+                    "It bends within each facet, and its slope jumps at the edges half-way between the viewer and the light; next to \
+                     Gouraud's it is the larger jump, but hardly seen: the maps beside it show where.",
+                    "Ele se curva dentro de cada faceta, e a sua inclinação salta nas arestas a meio caminho entre o observador e a luz; \
+                     ao lado do de Gouraud é o salto maior, mas quase não se vê: os mapas ao lado mostram onde.",
+                ),
+            ],
+            phong_80,
+        ),
+        shown.at_80.cured_shot(
+            "gouraud-80",
+            Text::new("Gouraud, light at 80°", "Gouraud, luz a 80°"),
+            [
+                Text::new(
+                    "The same light: where facets are lit as a whole, luminance is nearly linear across the picture.",
+                    "A mesma luz: onde as facetas estão iluminadas por inteiro, a luminância é quase linear ao longo da imagem.",
+                ),
+                Text::new(
+                    "Gouraud's shading has the smaller jumps here.",
+                    "O sombreamento de Gouraud tem aqui os saltos menores.",
+                ),
+            ],
+            gouraud_80,
+        ),
+        off_cylinder("phong-80-error", "Phong", off_phong),
+        off_cylinder("gouraud-80-error", "Gouraud", off_gouraud),
+    ];
     let [gouraud, phong] = both;
-    Ok(vec![flat, gouraud, phong, finer, exact, gouraud_80, phong_80])
+    let mut shots = vec![flat, gouraud, phong, finer, exact];
+    shots.extend(of_80);
+    Ok(shots)
+}
+
+/// Full scale of the maps.
+const FULL: f64 = 0.05;
+
+/// How far light at 80° on the facets is off that on the cylinder.
+fn off_cylinder(name: &'static str, shading: &'static str, image: Image) -> Shot {
+    let label = Text::made(
+        format!("{shading} at 80° off the cylinder"),
+        format!("{shading} a 80°, fora do cilindro"),
+    );
+    let caption = Text::with(
+        "How far this is off the cylinder itself: violet 0, yellow {} of the full range and more.",
+        "Quanto isto difere do próprio cilindro: violeta 0, amarelo {} da faixa ou mais.",
+        &[FULL],
+    );
+    Shot::difference(name, label, caption, image)
 }
 
 /// Luminance, its slope and its curvature.
@@ -160,8 +195,10 @@ pub(super) fn charts_of_grazing_light(grazing: &Tube, at_80: &Moved) -> Result<V
             "A luz a 80°: a luminância do cilindro é quase reta onde há luz, e a de Gouraud também. A de Phong é curva.",
         ),
         Text::with(
-            "The slope of that: Phong's goes up and down on each facet and jumps back at edges, by up to {}; Gouraud's jumps by up to {}.",
-            "A inclinação disso: a de Phong sobe e desce em cada faceta e salta de volta nas arestas, até {}; a de Gouraud salta até {}.",
+            "The slope of that, on the facets beside the edges that are measured: Phong's goes up and down on each facet and jumps back \
+             at edges, by up to {}; Gouraud's jumps by up to {}.",
+            "A inclinação disso, nas facetas junto às arestas medidas: a de Phong sobe e desce em cada faceta e salta de volta nas \
+             arestas, até {}; a de Gouraud salta até {}.",
             &[at_80.bad, at_80.cured],
         ),
     ];
@@ -171,7 +208,12 @@ pub(super) fn charts_of_grazing_light(grazing: &Tube, at_80: &Moved) -> Result<V
         (Text::new("exact", "exato"), exact),
     ];
     let of = Text::new("light at 80°", "luz a 80°");
-    Ok(derivatives(["luminance-80", "slope-80", "curvature-80"], Some(of), captions, &three))
+    let mut charts = derivatives(["luminance-80", "slope-80", "curvature-80"], Some(of), captions, &three);
+    // Where the light ends, and far round, slopes jump more, but there it is no matter of the shading.
+    let (from, to) = grazing.beside_edges(GRAZING);
+    let curves = charts.iter_mut().skip(1).flat_map(|chart| &mut chart.curves);
+    curves.for_each(|curve| curve.points.retain(|[x, _]| (from..to).contains(x)));
+    Ok(charts)
 }
 
 /// Pixels between the samples that differences are taken of.
@@ -205,8 +247,8 @@ fn derivatives(
     lines: &[(Text, &Profile)],
 ) -> Vec<Chart> {
     let spike = Text::new(
-        "A jump of the slope is a spike here, as high as it is sharp: 32 pixels of 16 384 wide.",
-        "Um salto da inclinação é aqui um pico, tão alto quanto é agudo: 32 pixels de 16 384 de largura.",
+        "The slope of the slope: where the slope jumps there is a narrow spike, and the larger the jump the higher the spike.",
+        "A inclinação da inclinação: onde a inclinação salta há um pico estreito, tanto mais alto quanto maior é o salto.",
     );
     let all = [
         (

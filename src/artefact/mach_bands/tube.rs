@@ -101,6 +101,18 @@ impl Tube {
         (0..self.segments).map(turned).filter(is_lit)
     }
 
+    /// From where to where across the picture, in radii, the facets beside those edges lie, but for a little at both ends, where
+    /// differences would reach beyond; everywhere if there is no such edge.
+    pub(super) fn beside_edges(&self, light: Degrees) -> (f64, f64) {
+        let edges: Vec<f64> = self.edges(light).collect();
+        let from = edges.iter().copied().fold(f64::INFINITY, f64::min) - self.delta();
+        let to = edges.iter().copied().fold(f64::NEG_INFINITY, f64::max) + self.delta();
+        match edges.is_empty() {
+            true => (-1.0, 1.0),
+            false => (libm::sin(from) + 0.01, libm::sin(to.min(PI / 2.0)) - 0.01),
+        }
+    }
+
     /// The width across the picture of the narrowest facet beside one of those edges, in radii.
     pub(super) fn narrowest(&self) -> f64 {
         let Radians(farthest) = FARTHEST.into();
