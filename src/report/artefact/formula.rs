@@ -12,19 +12,24 @@ use std::str::Chars;
 /// assert!(root.contains("<msqrt><mrow><msub><mi>x</mi><mn>1</mn></msub></mrow></msqrt>"));
 /// ```
 pub fn mathml(notation: &str) -> String {
-    let mut signs = notation.chars().peekable();
-    let mut row = String::new();
-    // A brace that closes nothing is left out.
-    while signs.peek().is_some() {
-        row.push_str(&terms(&mut signs));
-        signs.next();
-    }
+    let row = all_terms(notation);
     let alternative = notation.replace("\\quad ", "");
     let alternative = escape_html(&alternative);
     format!("<math display=\"block\" alttext=\"{alternative}\"><mrow>{row}</mrow></math>")
 }
 
 type Signs<'a> = Peekable<Chars<'a>>;
+
+/// A whole notation. A brace that closes nothing is left out.
+fn all_terms(notation: &str) -> String {
+    let mut signs = notation.chars().peekable();
+    let mut row = String::new();
+    while signs.peek().is_some() {
+        row.push_str(&terms(&mut signs));
+        signs.next();
+    }
+    row
+}
 
 /// Everything up to the brace that closes the group, or the end.
 fn terms(signs: &mut Signs) -> String {
@@ -81,10 +86,29 @@ fn atom(signs: &mut Signs) -> Option<String> {
         c if c.is_alphabetic() => format!("<mi>{c}</mi>"),
         // Which of a pair of bars closes is not told, so they neither stretch nor keep a distance.
         '|' => "<mo stretchy=\"false\" lspace=\"0\" rspace=\"0\">|</mo>".to_owned(),
+        '(' if let Some(inner) = tall(signs) => {
+            signs.nth(inner.chars().count());
+            // A row of its own, so that the brackets are as tall as what is between them, and scripts stand at its end.
+            format!("<mrow><mo>(</mo>{}<mo>)</mo></mrow>", all_terms(&inner))
+        }
         // Stretched by itself, as scripts have their bases, a bracket would sink below its line.
         c @ ('(' | ')' | '[' | ']') => format!("<mo stretchy=\"false\">{c}</mo>"),
+        '/' => "<mo lspace=\"0\" rspace=\"0\">/</mo>".to_owned(),
         c => format!("<mo>{}</mo>", escape_html(&c.to_string())),
     })
+}
+
+/// What stands between the bracket that was taken and the one that closes it, if there is a fraction in it.
+fn tall(signs: &Signs) -> Option<String> {
+    let (mut inner, mut open) = (String::new(), 1);
+    for c in signs.clone() {
+        open += i32::from(c == '(') - i32::from(c == ')');
+        if open == 0 {
+            return inner.contains("\\frac").then_some(inner);
+        }
+        inner.push(c);
+    }
+    None
 }
 
 /// Letters of words: those of English and Portuguese. Greek ones stand for quantities, each for one.
@@ -153,12 +177,30 @@ mod tests {
         );
         let half = "<mfrac><mrow><mn>1</mn></mrow><mrow><mn>2</mn></mrow></mfrac>";
         assert_eq!(row("\\frac{1}{2} < 1"), format!("{half}<mo>&lt;</mo><mn>1</mn>"));
+        // As tall as the fraction, and the script at the end of all of it.
+        assert_eq!(
+            row("(\\frac{1}{2})^2"),
+            format!("<msup><mrow><mo>(</mo>{half}<mo>)</mo></mrow><mn>2</mn></msup>")
+        );
+        assert_eq!(row("π/2"), "<mi>π</mi><mo lspace=\"0\" rspace=\"0\">/</mo><mn>2</mn>");
     }
 
     /// Whatever comes, tags are closed in the order in which they were opened.
     #[test]
     fn broken_notation_gives_sound_markup() {
-        for notation in ["{", "}", "a}b", "\\frac{1}", "\\frac", "x_", "^", "\\sqrt{\\frac{a}{b_", "_{^{"] {
+        for notation in [
+            "{",
+            "}",
+            "a}b",
+            "\\frac{1}",
+            "\\frac",
+            "x_",
+            "^",
+            "(\\frac}",
+            "(\\frac{)}",
+            "\\sqrt{\\frac{a}{b_",
+            "_{^{",
+        ] {
             let all = mathml(notation);
             let mut open = Vec::new();
             for tag in all.split('<').skip(1).map(|tag| tag.split_once('>').unwrap().0) {
