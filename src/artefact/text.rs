@@ -47,7 +47,7 @@ impl Language {
     }
 
     /// A number to three significant digits with its unit, as captions have it.
-    pub(super) fn short(self, x: f64, unit: &str) -> String {
+    pub fn short(self, x: f64, unit: &str) -> String {
         with_unit(&self.rounded(x, 3), unit)
     }
 

@@ -17,7 +17,7 @@ pub fn measure_table(outcome: &Outcome, language: Language) -> Table {
             let agrees = if measure.agrees() == Some(true) { words::YES } else { words::NO };
             let (wanted, within) = match expected.range {
                 Range::Near { value, tolerance } => {
-                    (language.quantity(value, unit), language.number(tolerance))
+                    (language.quantity(value, unit), language.short(tolerance, ""))
                 }
                 Range::AtMost { .. } => (words::wanted(expected.range, unit, language), nothing()),
             };
@@ -27,8 +27,9 @@ pub fn measure_table(outcome: &Outcome, language: Language) -> Table {
                 agrees.get(language).to_owned(),
                 expected.by.get(language).to_owned(),
             ]);
-        } else if let Some(why) = beyond {
-            row.extend([nothing(), nothing(), nothing(), why.get(language).to_owned()]);
+        } else {
+            let why = beyond.as_ref().map_or_else(nothing, |why| why.get(language).to_owned());
+            row.extend([nothing(), nothing(), nothing(), why]);
         }
         table.push(row);
     }

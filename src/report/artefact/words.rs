@@ -145,7 +145,7 @@ struct Told<'a> {
 }
 
 fn told(moved: &Moved, language: Language) -> Told<'_> {
-    let of = |x| language.quantity(x, moved.unit);
+    let of = |x| language.short(x, moved.unit);
     Told {
         name: moved.name.get(language),
         bad: of(moved.bad),
@@ -156,10 +156,10 @@ fn told(moved: &Moved, language: Language) -> Told<'_> {
         less: match (moved.reduction(), language) {
             (f64::INFINITY, Language::English) => "gone".into(),
             (f64::INFINITY, Language::Portuguese) => "sumiu".into(),
-            (times, Language::English) => format!("{} times less", language.number(times)),
-            (times, Language::Portuguese) => format!("{} vezes menos", language.number(times)),
+            (times, Language::English) => format!("{} times less", language.short(times, "")),
+            (times, Language::Portuguese) => format!("{} vezes menos", language.short(times, "")),
         },
-        factor: language.number(moved.factor),
+        factor: language.short(moved.factor, ""),
     }
 }
 
