@@ -333,6 +333,15 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ],
                 cured,
             ),
+            Shot::truth(
+                "sphere-exact",
+                Text::new("the sphere itself", "a própria esfera"),
+                Text::new(
+                    "Every pixel with the normal of the true sphere.",
+                    "Cada pixel com a normal da esfera verdadeira.",
+                ),
+                truth,
+            ),
             moved.bad_shot(
                 "film",
                 Text::new("Gouraud above, Phong below", "Gouraud acima, Phong abaixo"),
@@ -355,15 +364,6 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                     },
                 ],
                 film(&setup.parameters)?,
-            ),
-            Shot::truth(
-                "sphere-exact",
-                Text::new("the sphere itself", "a própria esfera"),
-                Text::new(
-                    "Every pixel with the normal of the true sphere.",
-                    "Cada pixel com a normal da esfera verdadeira.",
-                ),
-                truth,
             ),
         ],
         charts: vec![chart([gouraud, phong], exponent, delta, &moved)],

@@ -21,6 +21,22 @@ pub struct Outcome {
     pub notes: Vec<Text>,
 }
 
+impl Outcome {
+    /// The pictures in series, each of an artefact and what is done about it: another one begins with a picture of an artefact
+    /// after one of a cure.
+    pub fn series(&self) -> impl Iterator<Item = &[Shot]> {
+        let mut rest = &self.shots[..];
+        std::iter::from_fn(move || {
+            let is_cure = |shot: &Shot| matches!(shot.role, Role::Cured | Role::Attempt);
+            let cure = rest.iter().position(is_cure).unwrap_or(rest.len());
+            let next = rest.iter().skip(cure).position(|shot| shot.role == Role::Bad);
+            let (series, others) = rest.split_at(next.map_or(rest.len(), |next| cure + next));
+            rest = others;
+            (!series.is_empty()).then_some(series)
+        })
+    }
+}
+
 #[cfg(test)]
 impl Outcome {
     /// What every experiment's own tests start from: numbers agree with their closed forms, the artefact is there, and the cure
@@ -328,5 +344,44 @@ mod tests {
         }
         let json = serde_json::to_value(measure(1.0)).unwrap();
         assert_eq!(json.as_object().unwrap().len(), 3, "{json}");
+    }
+
+    #[test]
+    fn a_series_begins_with_an_artefact_after_a_cure() {
+        use Role::{Absent, Attempt, Bad, Cured, Difference, Truth};
+        let lengths = |roles: &[Role]| -> Vec<usize> {
+            let image = crate::artefact::stage::picture([1, 1], vec![[0.0; 3]], vec![1]);
+            let shot = |&role: &Role| Shot {
+                role,
+                ..Shot::truth("x", Text::same("x"), Text::same("y"), image.clone())
+            };
+            let outcome = Outcome {
+                verdict: Verdict::Holds(Text::same("z")),
+                moved: Moved {
+                    name: Text::same("x"),
+                    unit: "",
+                    bad: 1.0,
+                    present: Threshold::HALF_PIXEL,
+                    cure: Text::same("y"),
+                    cured: 0.0,
+                    factor: 2.0,
+                },
+                measures: Vec::new(),
+                shots: roles.iter().map(shot).collect(),
+                charts: Vec::new(),
+                notes: Vec::new(),
+            };
+            outcome.series().map(<[Shot]>::len).collect()
+        };
+        for (roles, expected) in [
+            (&[][..], &[][..]),
+            (&[Bad, Bad, Cured], &[3]),
+            (&[Truth, Bad, Cured, Bad, Attempt, Difference], &[3, 3]),
+            (&[Bad, Difference, Cured, Truth, Bad, Cured], &[4, 2]),
+            (&[Bad, Truth, Cured, Cured], &[4]),
+            (&[Absent; 4], &[4]),
+        ] {
+            assert_eq!(lengths(roles), expected, "{roles:?}");
+        }
     }
 }

@@ -35,10 +35,10 @@ pub fn experiment_page(
     page.heading(words::VERDICT.get(language));
     page.raw(&verdict(outcome, language));
     page.heading(words::PICTURES.get(language));
-    // On paper an artefact and its cures stay in one row.
-    for row in outcome.shots.chunk_by(|before, next| is_artefact(before) || !is_artefact(next)) {
+    // An artefact and its cures stay in one row.
+    for series in outcome.series() {
         page.raw("<div class=\"shots\">\n");
-        for shot in row {
+        for shot in series {
             page.raw(&figure(experiment, shot, language)?);
         }
         page.raw("</div>\n");
@@ -65,16 +65,9 @@ pub fn experiment_page(
     Ok(page.finish())
 }
 
-fn is_artefact(shot: &Shot) -> bool {
-    shot.role == Role::Bad
-}
-
-/// What thumbnails show: the first picture of each.
+/// What thumbnails show: the first picture of each in the first series.
 const THUMBNAILS: [&[Role]; 3] =
     [&[Role::Bad, Role::Absent], &[Role::Cured, Role::Attempt], &[Role::Difference]];
-
-/// Of how many pictures: a difference farther down is one of other pictures.
-const LOOKED_AT: usize = 4;
 
 /// The index of some experiments, with thumbnails: the artefact, its cure, and what lies between them where that is drawn.
 ///
@@ -85,7 +78,7 @@ pub fn index_page(found: &[(&Experiment, &Outcome)], language: Language) -> Resu
     page.raw("<div class=\"cards\">\n");
     for (experiment, outcome) in found {
         let thumbnails = THUMBNAILS.iter().filter_map(|roles| {
-            let shot = outcome.shots.iter().take(LOOKED_AT).find(|shot| roles.contains(&shot.role))?;
+            let shot = outcome.series().next()?.iter().find(|shot| roles.contains(&shot.role))?;
             Some(super::super::html::image(&thumbnail(&shot.image), shot.caption.get(language)))
         });
         let thumbnails: Vec<String> = thumbnails.collect::<Result<_, _>>()?;
