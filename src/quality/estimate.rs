@@ -258,7 +258,11 @@ impl Sample<'_> {
     /// The angle in degrees between each stored normal and the mean by a weighting, turned.
     fn errors(&self, sums: &[Sums], weight: usize, turn: Option<DMat3>) -> Vec<f64> {
         let mean = |sums: &Sums| turn.map_or(sums[weight], |turn| turn * sums[weight]);
-        let error = |(&normal, sums): (&DVec3, &Sums)| Degrees::from(angle_between(normal, mean(sums))).0;
+        // A sum that cancels is no direction, and reproduces nothing.
+        let error = |(&normal, sums): (&DVec3, &Sums)| match mean(sums) {
+            DVec3::ZERO => 180.0,
+            mean => Degrees::from(angle_between(normal, mean)).0,
+        };
         self.normals.par_iter().zip(sums).map(error).collect()
     }
 }

@@ -59,6 +59,8 @@ pub(super) struct Facts<'a> {
     pub(super) minority: Vec<u32>,
     /// Of each vertex whether a turned face is at it, so that the mean there says nothing; empty if there are none.
     beside_turned: Vec<bool>,
+    /// The corners whose faces cancel: nothing is known of what normal they should have. Ascending.
+    cancelling: Vec<u32>,
     /// The ends of edges without length, by their bits.
     collapsed: FxHashSet<[u64; 3]>,
     /// How sharp the highlights of faces are.
@@ -119,6 +121,7 @@ impl<'a> Facts<'a> {
             inside_out,
             minority,
             beside_turned: Vec::new(),
+            cancelling: Vec::new(),
             collapsed: FxHashSet::default(),
             gloss,
             shares_vertices: around.shares_vertices(),
@@ -137,6 +140,10 @@ impl<'a> Facts<'a> {
                 NormalRecipe { groups: Groups::Ignore, crease: Crease::Default, ..NormalRecipe::default() };
             facts.field = compute_on(mesh, &facts.topology, &recipe);
         }
+        let cancelling = facts.field.faults.corners.iter();
+        let cancelling = cancelling.filter(|fault| fault.reason == FaultReason::CancellingFan);
+        facts.cancelling = cancelling.map(|fault| fault.index).collect();
+        facts.cancelling.sort_unstable();
         facts
     }
 
@@ -193,7 +200,9 @@ impl<'a> Facts<'a> {
 
     /// Whether the faces round a corner's vertex agree, so that their mean says something.
     pub(super) fn is_judged(&self, corner: usize) -> bool {
-        self.beside_turned.is_empty() || !self.beside_turned[self.mesh.faces().corners()[corner] as usize]
+        let vertex = self.mesh.faces().corners()[corner] as usize;
+        !self.beside_turned.get(vertex).is_some_and(|&is| is)
+            && (self.cancelling.is_empty() || self.cancelling.binary_search(&(corner as u32)).is_err())
     }
 
     /// The face's own unit normal.

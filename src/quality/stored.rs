@@ -6,7 +6,7 @@ use super::facts::{Facts, Worth};
 use super::finding::Severity;
 use super::limit::Limit;
 use super::runs::{Run, Runs};
-use super::strays::{Ground, Waiting};
+use super::strays::{AGAINST, Ground, Waiting};
 use super::tally::{Gathered, Spot, Tallies, Tally, gather};
 use super::{Estimate, Precision, Thresholds};
 use super::{facets, quantisation, smoothing, turned};
@@ -19,9 +19,6 @@ const OPPOSITE: f64 = 135.0;
 
 /// The share of corners against their faces from which on it is all of them.
 const ALL: f64 = 0.9;
-
-/// Normals that are turned round, more or less.
-const AGAINST: [Kind; 2] = [Kind::Flipped, Kind::AgainstFace];
 
 /// Normals whose direction is a fault.
 const FAULTS: [Kind; 3] = [Kind::Flipped, Kind::AgainstFace, Kind::Stray];
@@ -90,7 +87,7 @@ impl Judged {
         let sound = (0..facts.mesh.face_count())
             .filter(|&face| facts.worth[face] == Worth::Sound)
             .map(|face| facts.mesh.faces().range(face).len());
-        let against = count(&corners.found, AGAINST) + corners.waiting.against_face() as f64;
+        let against = count(&corners.found, AGAINST) + corners.waiting.against() as f64;
         Self { sound: sound.sum::<usize>() as f64, against }
     }
 }
@@ -158,11 +155,21 @@ fn look_at(
             match (kind, Ground::of(facts, corner, unit)) {
                 (Kind::Stray, Some(_)) if off <= LETTER => found.add(Kind::Custom, spot, area),
                 (Kind::Stray, Some(ground)) => waiting.add(ground, spot, area),
-                (Kind::AgainstFace, Some(_)) => waiting.add_against_face(spot, area),
+                (Kind::Flipped, Some(_)) if is_alone(facts, face, corner) => found.add(kind, spot, area),
+                (_, Some(_)) => waiting.add_against(kind, spot, area),
                 _ => found.add(kind, spot, area),
             }
         }
     }
+}
+
+/// Whether at least half of the other normals of a face are on its front.
+fn is_alone(facts: &Facts<'_>, face: usize, corner: usize) -> bool {
+    let others = || facts.mesh.faces().range(face).filter(|&other| other != corner);
+    let is_in_front = |&other: &usize| {
+        facts.stored_unit(other).is_some_and(|normal| normal.dot(facts.face_normal(face)) > 0.0)
+    };
+    2 * others().filter(is_in_front).count() >= others().count()
 }
 
 /// What is wrong with the direction of a normal that is off by so many degrees; `None` if an edge explains it.
@@ -200,8 +207,8 @@ fn grade_strays(facts: &Facts<'_>, mut waiting: Waiting, found: &mut Tallies, so
     let is_rule = facts.estimate.is_some_and(|estimate| estimate.is_rule());
     let is_departed_from = facts.estimate.is_some_and(|estimate| estimate.is_departed_from());
     let unexplained = (1.0 - facts.estimate.map_or(0.0, |estimate| estimate.reproduced)) * sound;
-    let left = unexplained - count(found, FAULTS) - waiting.against_face() as f64;
-    grade_against_face(waiting.take_against_face(), is_departed_from, found);
+    let left = unexplained - count(found, FAULTS) - waiting.against() as f64;
+    grade_against(waiting.take_against(), is_departed_from, found);
     let are_most = |grounds: &[Ground]| waiting.count(grounds) as f64 >= 0.5 * left;
     let are_both = is_rule && are_most(&Ground::ALL);
     let is_shared = are_both || (is_departed_from && are_most(&[Ground::Shared]));
@@ -215,12 +222,20 @@ fn grade_strays(facts: &Facts<'_>, mut waiting: Waiting, found: &mut Tallies, so
     strays.may_be_meant = !is_departed_from || faults < 0.5 * unexplained;
 }
 
-/// Normals that point behind their face and have a ground are faults where a rule made the rest. Else they may be meant, and beside
-/// ones without a ground, which are faults whatever made the others, they are no more than what no rule derives.
-fn grade_against_face(grounded: Tally, is_departed_from: bool, found: &mut Tallies) {
-    let is_alone = found.get(Kind::AgainstFace).count == 0;
-    found.absorb(if is_departed_from || is_alone { Kind::AgainstFace } else { Kind::Custom }, grounded);
-    if !is_departed_from && is_alone {
+/// Normals that point behind their face and have a ground are faults where a rule made the rest. Else they may be meant, as on
+/// leaves that are lit like a ball, and beside ones without a ground, which are faults whatever made the others, they are no
+/// more than what no rule derives.
+fn grade_against(grounded: [Tally; AGAINST.len()], is_departed_from: bool, found: &mut Tallies) {
+    let are_alone = found.get(Kind::AgainstFace).count == 0;
+    for (kind, tally) in AGAINST.into_iter().zip(grounded) {
+        let told = match (is_departed_from, are_alone) {
+            (true, _) => kind,
+            (false, true) => Kind::AgainstFace,
+            (false, false) => Kind::Custom,
+        };
+        found.absorb(told, tally);
+    }
+    if !is_departed_from && are_alone {
         let against = found.tally(Kind::AgainstFace);
         against.severity = Some(Severity::Note);
         against.may_be_meant = true;

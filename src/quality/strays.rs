@@ -1,5 +1,6 @@
 //! What stands behind a normal that is far from its rule: what the fan of faces at its vertex tells, whatever made the others.
 
+use super::catalogue::Kind;
 use super::estimate::{REPRODUCED, SAME};
 use super::facts::Facts;
 use super::means::pull;
@@ -24,22 +25,22 @@ impl Ground {
     pub(super) const ALL: [Self; 2] = [Self::Shared, Self::Run];
 
     /// Of a corner with this stored unit normal; `None` if it comes from nowhere: no run of the faces round the vertex has it
-    /// for its mean, and the other corners of the fan have what the rule gives, or none of them has it as well.
+    /// for its mean, and most other corners of the fan have what the rule gives, or none of them has it as well.
     pub(super) fn of(facts: &Facts<'_>, corner: usize, normal: DVec3) -> Option<Self> {
         let fan = Fan::new(facts, corner);
         let from_run = fan.nearest_run(facts, normal);
         let expected = facts.expected(corner);
         let others = || fan.others().filter_map(|corner| Some((corner, facts.stored_unit(corner)?)));
         let mates = || others().filter(|&(corner, _)| facts.expected(corner) == expected);
-        let has = |normal: DVec3| move |(_, unit)| degrees(unit, normal) <= SAME;
+        let has = |normal: DVec3| move |&(_, unit): &(usize, DVec3)| degrees(unit, normal) <= SAME;
         // Beside what follows the rule a run has to fit as closely.
         if from_run <= SAME {
             Some(Self::Run)
-        } else if mates().any(has(expected)) {
+        } else if 2 * mates().filter(has(expected)).count() > mates().count() {
             None
         } else if from_run <= REPRODUCED {
             Some(Self::Run)
-        } else if mates().next().is_some() && !others().any(has(normal)) {
+        } else if mates().next().is_some() && !others().any(|other| has(normal)(&other)) {
             None
         } else {
             Some(Self::Shared)
@@ -47,11 +48,14 @@ impl Ground {
     }
 }
 
+/// Normals that are turned round, more or less.
+pub(super) const AGAINST: [Kind; 2] = [Kind::Flipped, Kind::AgainstFace];
+
 /// Normals far from the rule that wait for what the rest of the mesh tells of them, by their ground.
 pub(super) struct Waiting {
     tallies: [Tally; Ground::ALL.len()],
-    /// Those that point behind their face, on either ground.
-    against_face: Tally,
+    /// Those that are turned round or point behind their face, on either ground, in the order of [`AGAINST`].
+    against: [Tally; AGAINST.len()],
     /// How many places of each are kept.
     most: usize,
 }
@@ -61,17 +65,19 @@ impl Waiting {
         self.tallies[ground as usize].add(spot, area, self.most);
     }
 
-    pub(super) fn add_against_face(&mut self, spot: Spot, area: f64) {
-        self.against_face.add(spot, area, self.most);
+    /// Adds one of [`AGAINST`].
+    pub(super) fn add_against(&mut self, kind: Kind, spot: Spot, area: f64) {
+        self.against[usize::from(kind == Kind::AgainstFace)].add(spot, area, self.most);
     }
 
-    /// How many point behind their face.
-    pub(super) fn against_face(&self) -> u64 {
-        self.against_face.count
+    /// How many are turned round or point behind their face.
+    pub(super) fn against(&self) -> u64 {
+        self.against.iter().map(|tally| tally.count).sum()
     }
 
-    pub(super) fn take_against_face(&mut self) -> Tally {
-        std::mem::take(&mut self.against_face)
+    /// Takes those out, in the order of [`AGAINST`].
+    pub(super) fn take_against(&mut self) -> [Tally; AGAINST.len()] {
+        std::mem::take(&mut self.against)
     }
 
     /// How many there are of some grounds.
@@ -79,21 +85,21 @@ impl Waiting {
         grounds.iter().map(|&ground| self.tallies[ground as usize].count).sum()
     }
 
-    /// Those of each ground, in the order of [`Ground::ALL`], and what points behind its face.
+    /// Those of each ground, in the order of [`Ground::ALL`], and what is turned.
     pub(super) fn into_tallies(self) -> impl Iterator<Item = Tally> {
-        self.tallies.into_iter().chain([self.against_face])
+        self.tallies.into_iter().chain(self.against)
     }
 }
 
 impl Gathered for Waiting {
     fn new(most: usize) -> Self {
-        Self { tallies: Default::default(), against_face: Tally::default(), most }
+        Self { tallies: Default::default(), against: Default::default(), most }
     }
 
     fn merge(&mut self, other: Self) {
         let most = self.most;
         self.tallies.iter_mut().zip(other.tallies).for_each(|(own, other)| own.merge(other, most));
-        self.against_face.merge(other.against_face, most);
+        self.against.iter_mut().zip(other.against).for_each(|(own, other)| own.merge(other, most));
     }
 }
 

@@ -7,6 +7,7 @@ mod causes;
 mod cavities;
 mod clean;
 mod geometry;
+mod handmade;
 mod mended;
 mod page;
 mod planted;

@@ -494,6 +494,13 @@ mod tests {
         let corners = [DVec3::ZERO, DVec3::X, DVec3::new(0.3, 0.7, 0.1)];
         let found = run(&build(corners.to_vec(), &[vec![0, 1, 2], vec![0, 2, 1]]), Orient::Outward);
         assert_eq!((found.closed, found.flat, found.reversed.len()), (1, 1, 0));
+        // Its two sides are cut along different diagonals, and what lies between is no inside.
+        for height in [1e-9, -1e-9, 0.3, -0.3] {
+            let corners = [DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, height), DVec3::Y];
+            let sheet = build(corners.to_vec(), &[vec![0, 1, 2, 3], vec![3, 2, 1, 0]]);
+            let found = run(&sheet, Orient::Outward);
+            assert_eq!((found.closed, found.flat, found.reversed.len()), (1, 1, 0), "{height}");
+        }
     }
 
     /// Edges of no length and faces of no area neither open a surface nor make components of their own.

@@ -7,7 +7,8 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 /// Whether a closed component faces outwards, once its faces agree with its lowest one; `None` if its volume is
-/// not above the error of computing it, as that of a flat one is not.
+/// not above the error of computing it, as that of a flat one is not, or above what depends on how its polygons are cut into
+/// triangles where their corners are in no plane, as that of a sheet with two sides.
 ///
 /// The volume is the sum of the tetrahedra between the faces and the middle of the component's own box, so that
 /// distance from the origin costs nothing, and in units of the box's own size, so that any size will do.
@@ -28,6 +29,9 @@ pub(super) fn faces_outward(mesh: &Mesh, faces: &[u32], against: &[bool], bounds
                 for edge in corners[1..].windows(2) {
                     sums.add_triangle(first, place(edge[0]), place(edge[1]), sign);
                 }
+                for quad in corners[1..].windows(3) {
+                    sums.add_quad([first, place(quad[0]), place(quad[1]), place(quad[2])]);
+                }
             }
             sums
         })
@@ -46,6 +50,8 @@ struct Sums {
     area: [CompensatedSum; 3],
     /// Six times the volume with all products counted as positive: what rounding errors are in proportion to.
     magnitude: f64,
+    /// Six times the volume between both ways to cut polygons along a diagonal.
+    between_cuts: f64,
 }
 
 impl Sums {
@@ -56,10 +62,15 @@ impl Sums {
         self.magnitude += permanent(a, b, c);
     }
 
+    fn add_quad(&mut self, [a, b, c, d]: [DVec3; 4]) {
+        self.between_cuts += (b - a).dot((c - a).cross(d - a)).abs();
+    }
+
     fn merge(&mut self, other: Sums) {
         self.volume += other.volume;
         self.area.iter_mut().zip(other.area).for_each(|(sum, term)| *sum += term);
         self.magnitude += other.magnitude;
+        self.between_cuts += other.between_cuts;
     }
 
     fn sign(&self) -> Option<bool> {
@@ -69,7 +80,7 @@ impl Sums {
         // about, and that could as well be any other of the box, which is less than 2 wide.
         let gaps = 2.0 * 3f64.sqrt() * DVec3::from(self.area.map(CompensatedSum::value)).length();
         let volume = self.volume.value();
-        (volume.abs() > rounding + gaps).then_some(volume > 0.0)
+        (volume.abs() > rounding + gaps + self.between_cuts).then_some(volume > 0.0)
     }
 }
 

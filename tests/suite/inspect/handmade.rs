@@ -1,0 +1,91 @@
+//! Normals that no rule made: what may be meant is not blamed for what stands beside it, nor for what was done to it.
+
+use super::clean::meshes;
+use super::planted::{per_corner, turned, unshared};
+use super::{grave, inspect, recipe, surface};
+use crate::random::Random;
+use crease::mesh::{Column, Faces, Mesh, MeshBuilder};
+use crease::normals::{Weight, compute};
+use crease::quality::Severity;
+use crease::quality::catalogue::Kind;
+use crease::surface::Surface;
+use glam::DVec3;
+
+/// Leaves round the middle of a tree, quads of any direction and not quite plane, each for itself or with a back side of its
+/// own, lit like a ball, as is usual for foliage, and more or less from above.
+fn leaves(count: u32, up: f64, have_backs: bool) -> Mesh {
+    let mut random = Random(71);
+    let mut any = || DVec3::from([(); 3].map(|()| 2.0 * random.unit() - 1.0));
+    let (mut positions, mut normals, mut faces) = (Vec::new(), Vec::new(), Faces::default());
+    for leaf in 0..count {
+        let (middle, along) = (3.0 * any().normalize(), any().normalize());
+        let across = along.cross(any()).normalize();
+        for [u, w] in [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]] {
+            let position = middle + 0.4 * (u * along + w * across) + 1e-9 * any();
+            positions.push(position);
+            normals.push((position.normalize() + up * DVec3::Y).normalize());
+        }
+        let corners = [0, 1, 2, 3].map(|corner| 4 * leaf + corner);
+        faces.push(&corners);
+        if have_backs {
+            faces.push(&[3, 2, 1, 0].map(|corner| corners[corner]));
+        }
+    }
+    let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap();
+    mesh.with_normals(Some(Column::per_vertex(normals)))
+}
+
+/// Half of them have their normals behind their face, and none of that is a fault. With backs the leaves are closed and have
+/// no inside.
+#[test]
+fn leaves_lit_like_a_ball_may_be_meant() {
+    for up in [0.0, 0.5, 2.0] {
+        for have_backs in [false, true] {
+            let diagnosis = inspect(&leaves(300, up, have_backs), 10);
+            let told = format!("{up}, {have_backs}: {:?}", grave(&diagnosis));
+            assert!(diagnosis.worst() < Some(Severity::Error), "{told}");
+            for kind in [Kind::Flipped, Kind::Stray, Kind::Inverted, Kind::InsideOut] {
+                assert!(diagnosis.get(kind).is_none(), "{kind:?}, {told}");
+            }
+            let against = diagnosis.get(Kind::AgainstFace);
+            assert!(against.is_none_or(|finding| finding.severity == Severity::Note), "{told}");
+            assert_eq!(against.and_then(|finding| finding.remedy.as_ref()), None, "{told}");
+        }
+    }
+}
+
+/// A corner that has by chance, or after a mend, what the best rule gives does not make strays of the others round it.
+#[test]
+fn one_corner_by_the_rule_blames_no_other() {
+    let teapot = surface(&Surface::Teapot, [8, 8]);
+    let estimate = inspect(&teapot, 1);
+    assert!(grave(&estimate).is_empty());
+    let ruled =
+        unshared(&teapot.clone().with_normals(Some(compute(&teapot, &recipe(Weight::Area, 180.0)).normals)));
+    let own = unshared(&teapot);
+    for count in [1, 5, 50] {
+        let mut normals = own.clone();
+        for k in 0..count {
+            let corner = (k * 7919 + 1) % normals.len();
+            normals[corner] = ruled[corner];
+        }
+        assert_eq!(grave(&inspect(&per_corner(&teapot, normals), 10)), [""; 0], "{count}");
+    }
+}
+
+/// What is wrong with all is no less grave where something else is wrong with one.
+#[test]
+fn a_stray_does_not_make_inverted_normals_less_grave() {
+    for clean in meshes().into_iter().filter(|clean| !clean.is_room) {
+        let mut normals: Vec<DVec3> = unshared(&clean.mesh).into_iter().map(|normal| -normal).collect();
+        for count in [0, 1, 5] {
+            for k in 0..count {
+                let corner = (k * 7919 + 1) % normals.len();
+                normals[corner] = turned(normals[corner], 60.0);
+            }
+            let diagnosis = inspect(&per_corner(&clean.mesh, normals.clone()), 1);
+            let severity = diagnosis.get(Kind::Inverted).map(|finding| finding.severity);
+            assert_eq!(severity, Some(Severity::Error), "{}, {count}", clean.name);
+        }
+    }
+}
