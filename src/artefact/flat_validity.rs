@@ -130,6 +130,24 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         )
         .expect(0.5 * (least + most), 0.5 * (most - least) + 1e-5, single()),
     );
+    let moved = Moved {
+        name: Text::new(
+            "largest error of flat shading of a plate under the near lamp",
+            "maior erro do sombreamento plano de uma placa sob a lâmpada próxima",
+        ),
+        unit: "",
+        bad: diffuse[0][1],
+        present: Threshold::HALF_STEP,
+        cure: Text::made(
+            format!("{segments} × {segments} smaller faces"),
+            format!("{segments} × {segments} faces menores"),
+        ),
+        cured,
+        // Both follow their laws to a few units of single precision.
+        factor: (0.99 * near.law(1, size).0 / most).max(1.0),
+    };
+    let mut pictures = shots(size, segments)?;
+    pictures.extend(plate_shots(&near, &moved, segments, size)?);
     Ok(Outcome {
         verdict: Verdict::HoldsOnlyIf(Text::new(
             "light or viewer are near. From 510 circumradii of a face on, flat shading of plane faces under diffuse light is right \
@@ -138,24 +156,9 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
              luz difusa está certo até meio passo de 8 bits por seu limite, muitas vezes antes: então uma cor por face é tudo o que \
              há para ver.",
         )),
-        moved: Moved {
-            name: Text::new(
-                "largest error of flat shading of a plate under the near lamp",
-                "maior erro do sombreamento plano de uma placa sob a lâmpada próxima",
-            ),
-            unit: "",
-            bad: diffuse[0][1],
-            present: Threshold::HALF_STEP,
-            cure: Text::made(
-                format!("{segments} × {segments} smaller faces"),
-                format!("{segments} × {segments} faces menores"),
-            ),
-            cured,
-            // Both follow their laws to a few units of single precision.
-            factor: (0.99 * near.law(1, size).0 / most).max(1.0),
-        },
+        moved,
         measures,
-        shots: shots(size, segments)?,
+        shots: pictures,
         charts: vec![chart(diffuse, specular, exponent, is_bounded)],
         notes: vec![Text::new(
             "What counts is the light's distance over the size of the face, not of the object: cutting faces smaller cures as moving \
@@ -218,9 +221,12 @@ struct Lamp {
 impl Lamp {
     /// Flat shading against shading every pixel.
     fn error(&self, cells: u32, size: u32) -> Result<f64, ArtefactError> {
+        difference(cells, chalk(), self.light(), front(2.0), size)
+    }
+
+    fn light(&self) -> Light {
         let position = towards(self.angle) * self.distance;
-        let light = Light::Point { position, colour: LinearRgb::WHITE, attenuation: Attenuation::None };
-        difference(cells, chalk(), light, front(2.0), size)
+        Light::Point { position, colour: LinearRgb::WHITE, attenuation: Attenuation::None }
     }
 
     /// The same by the formula: N·L at the pixel and at the middle of its square. Edges snap to 256ths of pixels, so that the
@@ -299,13 +305,53 @@ fn difference(
     camera: Camera,
     size: u32,
 ) -> Result<f64, ArtefactError> {
+    let paint = |shading| paint_plate(cells, material, light, camera, size, shading);
+    Ok(image_error(&paint(Shading::Flat)?, &paint(Shading::Phong)?, 0.5)?.linear.max / 255.0)
+}
+
+fn paint_plate(
+    cells: u32,
+    material: Material,
+    light: Light,
+    camera: Camera,
+    size: u32,
+    shading: Shading,
+) -> Result<Image, ArtefactError> {
     let mesh = plate(cells)?;
     let normals = compute(&mesh, &NormalRecipe::default());
-    let paint = |shading| {
-        let settings = settings([size; 2], shading, Interpolation::Perspective);
-        draw(vec![object(&mesh, &normals, material)], &[light], camera, &settings)
-    };
-    Ok(image_error(&paint(Shading::Flat)?, &paint(Shading::Phong)?, 0.5)?.linear.max / 255.0)
+    let settings = settings([size; 2], shading, Interpolation::Perspective);
+    draw(vec![object(&mesh, &normals, material)], &[light], camera, &settings)
+}
+
+/// The plate that the number that moves is measured on.
+fn plate_shots(lamp: &Lamp, moved: &Moved, segments: u32, size: u32) -> Result<Vec<Shot>, ArtefactError> {
+    let paint = |cells| paint_plate(cells, chalk(), lamp.light(), front(2.0), size, Shading::Flat);
+    Ok(vec![
+        moved.bad_shot(
+            "plate",
+            Text::new("plate, one face", "placa, uma face"),
+            [
+                Text::new(
+                    "A plate under a lamp at two circumradii.",
+                    "Uma placa sob uma lâmpada a dois circunraios.",
+                ),
+                Text::new("All of it has one grey.", "Toda ela tem um só cinza."),
+            ],
+            paint(1)?,
+        ),
+        moved.cured_shot(
+            "plate-small-faces",
+            Text::new("plate, small faces", "placa, faces pequenas"),
+            [
+                Text::made(
+                    format!("The same plate cut into {segments} × {segments} squares."),
+                    format!("A mesma placa dividida em {segments} × {segments} quadrados."),
+                ),
+                Text::new("The light falls off away from the lamp.", "A luz diminui para longe da lâmpada."),
+            ],
+            paint(segments)?,
+        ),
+    ])
 }
 
 /// A box under a lamp that is near its upper corner, and far away in the same direction.
