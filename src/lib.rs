@@ -64,6 +64,8 @@
 //! - M. J.-Y. Chiang, Y. K. Li, B. Burley, *Taming the shadow terminator*, SIGGRAPH 2019 Talks: light on faces that turn away.
 //! - S. A. Wallis, M. A. Georgeson, *Mach bands and multiscale models of spatial vision*, Journal of Vision 12(13):18, 2012:
 //!   what [`metric`] does not claim.
+//! - F. A. A. Kingdom, *Mach bands explained by response normalization*, Frontiers in Human Neuroscience 8:843, 2014: where
+//!   bands are seen, and where not.
 
 pub mod artefact;
 pub mod io;

@@ -17,8 +17,8 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
     title: Text::new("Attenuation and overflow", "Atenuação e estouro"),
     claim: Text::new(
         "Light that falls as one over the square of the distance changes too much near a lamp and too little far from it; \
-         1/(d + k) does better. Colours beyond 1 are clamped, or divided by their largest component.",
-        "A luz que cai com o quadrado da distância varia demais perto da lâmpada e de menos longe dela; 1/(d + k) é melhor. Cores \
+         1/(d\u{a0}+\u{a0}k) does better. Colours beyond 1 are clamped, or divided by their largest component.",
+        "A luz que cai com o quadrado da distância varia demais perto da lâmpada e de menos longe dela; 1/(d\u{a0}+\u{a0}k) é melhor. Cores \
          acima de 1 são truncadas, ou divididas pela maior componente.",
     ),
     sources: &[Text::new(

@@ -87,12 +87,12 @@ fn verdict(segments: u32, exponent: f64) -> Verdict {
         true => Verdict::Holds(Text::made(
             format!(
                 "wherever the nearest vertex's normal is farther from the highlight than the highlight is wide: exponents from about \
-                 (N/π)² on, on this sphere {}. As it turns it flickers.",
+                 (N/π)² on with N facets round, on this sphere {}. As it turns it flickers.",
                 en[1]
             ),
             format!(
                 "sempre que a normal do vértice mais próximo está mais longe do brilho do que o brilho é largo: expoentes a partir de \
-                 cerca de (N/π)², nesta esfera {}. Girando, ela cintila.",
+                 cerca de (N/π)² com N facetas em volta, nesta esfera {}. Girando, ela cintila.",
                 pt[1]
             ),
         )),
@@ -259,6 +259,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ),
             },
             bad: told(lost, (1.0 - peak(gouraud)? - of_diffuse).max(0.0)),
+            // Of diffuse light nothing lacks there: the normals in the middle face the light.
             cured: told(lost, (1.0 - peak(phong)?).max(0.0)),
             // The highlight's middle may lie between four pixels.
             factor: 5.0,

@@ -20,8 +20,8 @@ pub(super) fn measures(segments: u32) -> Result<[Measure; 2], ArtefactError> {
     let law = phong_jump(theta, GRAZING, delta) / gouraud_jump(theta, GRAZING, delta);
     let worst = Measure::new(
         Text::new(
-            "light at 80°: slope jump of Phong over that of Gouraud at θ = 40°",
-            "luz a 80°: salto de Phong sobre o de Gouraud em θ = 40°",
+            "light at 80°: slope jump of Phong over that of Gouraud at an edge turned to θ = 40° (a cylinder not shown)",
+            "luz a 80°: salto de Phong sobre o de Gouraud numa aresta girada a θ = 40° (cilindro não mostrado)",
         ),
         "",
         worst,

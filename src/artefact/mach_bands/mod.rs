@@ -103,8 +103,8 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
 
     let jump = |name: &str, line: &Profile, found: Found, notation: Text| {
         let name = Text::made(
-            format!("{name}: largest slope jump up to 60° round"),
-            format!("{name}: maior salto de inclinação até 60° de giro"),
+            format!("{name}: largest slope jump within 60° of the direction of view"),
+            format!("{name}: maior salto de inclinação a até 60° da direção de visão"),
         );
         let (_, tolerance) = line.slope_jump(&tube, found.theta);
         Measure::new(name, "1/R", found.measured).expect(found.law, tolerance, notation)
@@ -112,8 +112,8 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let mut measures = vec![
         Measure::new(
             Text::new(
-                "flat: largest step of luminance up to 60° round",
-                "plano: maior degrau de luminância até 60° de giro",
+                "flat: largest step of luminance within 60° of the direction of view",
+                "plano: maior degrau de luminância a até 60° da direção de visão",
             ),
             "",
             step.measured,
@@ -167,8 +167,14 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let grazing = Tube::under(GRAZING, segments)?;
     let moved = Moved {
         name: Text::made(
-            format!("{}'s slope jump at the edge, up to 60° round, where it is largest", worse.name),
-            format!("o salto de inclinação de {} na aresta, até 60° de giro, em que ele é maior", worse.name),
+            format!(
+                "{}'s slope jump at the edge, within 60° of the direction of view, where it is largest",
+                worse.name
+            ),
+            format!(
+                "o salto de inclinação de {} na aresta, a até 60° da direção de visão, em que ele é maior",
+                worse.name
+            ),
         ),
         unit: "1/R",
         bad: worse.found.measured.abs(),
@@ -191,7 +197,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         });
     // What another shading does need not make bands vanish, but be seen to be less.
     let other = |bad: f64, cured: f64, tube: &Tube| Moved {
-        name: Text::new("largest slope jump up to 60° round", "maior salto de inclinação até 60° de giro"),
+        name: Text::new(
+            "largest slope jump within 60° of the direction of view",
+            "maior salto de inclinação a até 60° da direção de visão",
+        ),
         bad,
         cured,
         present: threshold(tube),
@@ -201,7 +210,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let shown = Shown {
         worse: &worse,
         step: Moved {
-            name: Text::new("largest step up to 60° round", "maior degrau até 60° de giro"),
+            name: Text::new(
+                "largest step within 60° of the direction of view",
+                "maior degrau a até 60° da direção de visão",
+            ),
             unit: "",
             bad: step.measured.abs(),
             present: Threshold::HALF_STEP,

@@ -48,13 +48,14 @@ pub(super) fn shots(
         "flat",
         Text::new("flat", "plano"),
         [
-            Text::new(
-                "Flat shading: one luminance a facet.",
-                "Sombreamento plano: uma luminância por faceta.",
+            Text::with(
+                "Flat shading of {} facets, the light {}° off the direction of view: one luminance for each facet.",
+                "Sombreamento plano de {} facetas, a luz a {}° da direção de visão: uma luminância para cada faceta.",
+                &[f64::from(tube.segments), light.0],
             ),
             Text::new(
-                "Each seems lighter at the edge with a darker one, though it is even.",
-                "Cada uma parece mais clara na aresta com uma mais escura, embora seja uniforme.",
+                "Each stands out as a stripe of one grey.",
+                "Cada uma se destaca como uma faixa de um só cinza.",
             ),
         ],
         tube.draw(square, light, Shading::Flat)?,
@@ -101,9 +102,9 @@ pub(super) fn shots(
                     "A luz a 80° da direção de visão, sombreamento de Phong.",
                 ),
                 Text::new(
-                    "It bends within each facet, and its slope jumps at the edges half-way between the viewer and the light; next to \
+                    "It bends within each facet, and its slope jumps at the edges; next to \
                      Gouraud's it is the larger jump, but hardly seen: the maps beside it show where.",
-                    "Ele se curva dentro de cada faceta, e a sua inclinação salta nas arestas a meio caminho entre o observador e a luz; \
+                    "Ele se curva dentro de cada faceta, e a sua inclinação salta nas arestas; \
                      ao lado do de Gouraud é o salto maior, mas quase não se vê: os mapas ao lado mostram onde.",
                 ),
             ],

@@ -160,9 +160,9 @@ pub(super) fn charts(tube: &Tube, light: Degrees) -> Result<Vec<Chart>, Artefact
             Text::new("Predicted overshoot: steps", "Excesso previsto: degraus"),
             Text::new(
                 "The same model on flat shading: a bright and a dark line beside every step that there is. There the model is known to be wrong: the bands \
-                 that it predicts beside steps are hardly seen (Wallis & Georgeson 2012).",
+                 that it predicts beside steps are hardly seen (Kingdom 2014).",
                 "O mesmo modelo no sombreamento plano: uma linha clara e uma escura junto a cada degrau que houver. Ali se sabe que o modelo erra: \
-                 as bandas que prevê junto a degraus quase não são vistas (Wallis & Georgeson 2012).",
+                 as bandas que prevê junto a degraus quase não são vistas (Kingdom 2014).",
             ),
             vec![curve(Text::new("flat", "plano"), Shading::Flat)?],
         ),

@@ -229,9 +229,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             Shot::truth(
                 "phong",
                 Text::new("Phong, exponent n", "Phong, expoente n"),
-                Text::new(
-                    "Phong's highlight on a sphere, light and viewer in front.",
-                    "O brilho de Phong numa esfera, luz e observador em frente.",
+                Text::with(
+                    "Phong's highlight on a sphere, light and viewer in front; n = {}.",
+                    "O brilho de Phong numa esfera, luz e observador em frente; n = {}.",
+                    &[exponent],
                 ),
                 phong,
             ),
@@ -310,9 +311,9 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         moved,
         measures,
         notes: vec![Text::new(
-            "The lectures give one exponent for both models (exercise 1.6.19 differs most: 0 by Phong, 0.35 by Blinn). The guard \
+            "The lectures give both models one exponent, though with the same one Blinn's highlight is wider. The guard \
              stops light from behind but leaves an edge, for neither model goes to 0 where N·L does.",
-            "As aulas dão um só expoente aos dois modelos (o exercício 1.6.19 é o que mais difere: 0 com Phong, 0,35 com Blinn). A \
+            "As aulas dão aos dois modelos um só expoente, embora com o mesmo o brilho de Blinn seja mais largo. A \
              guarda retém a luz por trás mas deixa uma borda, pois nenhum dos modelos vai a 0 junto com N·L.",
         )],
     })

@@ -58,8 +58,8 @@ pub(super) fn run(parameters: &Parameters) -> Result<Outcome, ArtefactError> {
         largest(Text::new("ball", "bola"), fine, &of_fine, radius, open),
         Measure::new(
             Text::new(
-                "ball: fewest segments whose outline is right to half a pixel more than that of very many",
-                "bola: menor número de segmentos com contorno certo até meio pixel a mais que o de muitíssimos",
+                "ball: fewest segments whose outline is off by at most half a pixel more than that of a very fine ball",
+                "bola: menor número de segmentos cujo contorno erra no máximo meio pixel a mais que o de uma bola muito fina",
             ),
             "",
             f64::from(found),
@@ -106,12 +106,16 @@ pub(super) fn run(parameters: &Parameters) -> Result<Outcome, ArtefactError> {
     Ok(Outcome {
         verdict: Verdict::Holds(Text::made(
             format!(
-                "whatever the shading: only more faces help. The error falls as 1/n²; for half a pixel this ball of {radius:.0} \
-                 pixels needs {enough} segments, one of 200 pixels 45.",
+                "whatever the shading; only more faces help. The error falls as 1/n². For half a pixel this ball of a radius of {radius:.0} \
+                 pixels needs {enough} segments, one of 200 pixels 45; outlines in pictures are made of pixels, so that up to {} px more \
+                 are measured.",
+                Language::English.short(open, "")
             ),
             format!(
-                "seja qual for o sombreamento: só mais faces ajudam. O erro cai como 1/n²; para meio pixel esta bola de \
-                 {radius:.0} pixels precisa de {enough} segmentos, uma de 200 pixels de 45.",
+                "seja qual for o sombreamento; só mais faces ajudam. O erro cai como 1/n². Para meio pixel esta bola de raio de \
+                 {radius:.0} pixels precisa de {enough} segmentos, uma de 200 pixels de 45; contornos em imagens são feitos de pixels, e \
+                 por isso se medem até {} px a mais.",
+                Language::Portuguese.short(open, "")
             ),
         )),
         charts: vec![ball.chart(&circle, radius)?],
@@ -346,7 +350,7 @@ fn shots(
         Shot::truth(
             "ball-itself",
             Text::new("the ball itself", "a própria bola"),
-            Text::new("The ball by its equation, a ray a sample.", "A bola pela sua equação, um raio por amostra."),
+            Text::new("The ball by its equation, without faces.", "A bola pela sua equação, sem faces."),
             round,
         ),
         of_torus.bad_shot(

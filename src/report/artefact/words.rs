@@ -74,11 +74,11 @@ pub(super) fn moved(moved: &Moved, language: Language) -> String {
         ),
         Language::English => format!(
             "{name}: {bad} with the artefact, {cured} after the cure ({cure}): {less}. There is an artefact from \
-             {from} on ({why}), and the cure has to make it {factor} times less, or less than that."
+             {from} on ({why}); the cure has to bring it below that, or to make it at least {factor} times smaller."
         ),
         Language::Portuguese => format!(
             "{name}: {bad} com o artefato, {cured} depois da cura ({cure}): {less}. Há artefato a partir de {from} \
-             ({why}), e a cura tem de torná-lo {factor} vezes menor, ou menor que isso."
+             ({why}); a cura tem de levá-lo abaixo disso, ou torná-lo ao menos {factor} vezes menor."
         ),
     }
 }
