@@ -24,6 +24,10 @@
 //! - Which of several nodes' matrices stands in normals where these do the same to them, as a turn and the one that takes it
 //!   back: one is named, and that there are others. A stretch shows in normals that lean between its axes only, and passes on
 //!   ones made by hand unless it is more than they are off their rule.
+//! - A cut through a coarse mesh where it bends by more than the 40° that creases begin at by default: it looks like one. Where
+//!   more than one in fifty edges is split below the crease angle, a cut is told from edges that were marked by how far the
+//!   split edges bend: the middle one of them by no more than 1.25 times what three in four smooth edges bend by. With many
+//!   meant creases beside it, it stays a note.
 //! - Whether facets are meant: a ball stored flat gets a note.
 //!
 //! # How good that is

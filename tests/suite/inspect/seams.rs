@@ -105,7 +105,9 @@ fn split_by(mesh: &Mesh, smooth: &[DVec3], split: &[DVec3], degrees: f64) -> BTr
 /// A clean mesh cut so that the vertices of the two sides nearly meet, and the normals of each side made for themselves.
 pub(super) fn cracked(clean: &Clean) -> Option<Planted> {
     let mesh = with_normals(cut(&clean.mesh, CUTS[1], 1e-9), &clean.recipe);
-    let whole = with_normals(clean.mesh.clone().with_normals(None), &clean.recipe);
+    // As the cut one, without what else the file says.
+    let whole = rebuilt(clean.mesh.positions().to_vec(), clean.mesh.faces().clone());
+    let whole = with_normals(whole, &clean.recipe);
     let places = split_by(&clean.mesh, &unshared(&whole), &unshared(&mesh), 2.0);
     let what = "cut, with the two sides 1e-9 of the diagonal apart";
     // Cut along flat sides nothing shows.
