@@ -1,7 +1,7 @@
 //! Findings about stored normals, corner by corner.
 
 use super::catalogue::Kind;
-use super::estimate::LETTER;
+use super::estimate::{LETTER, SAME};
 use super::facts::{Facts, Worth};
 use super::finding::Severity;
 use super::limit::Limit;
@@ -155,7 +155,10 @@ fn look_at(
             match (kind, Ground::of(facts, corner, unit)) {
                 (Kind::Stray, Some(_)) if off <= LETTER => found.add(Kind::Custom, spot, area),
                 (Kind::Stray, Some(ground)) => waiting.add(ground, spot, area),
-                (Kind::Flipped, Some(_)) if is_alone(facts, face, corner) => found.add(kind, spot, area),
+                // What is the very opposite of the right one was negated, not meant.
+                (Kind::Flipped, Some(_)) if off >= 180.0 - SAME || is_alone(facts, face, corner) => {
+                    found.add(kind, spot, area);
+                }
                 (_, Some(_)) => waiting.add_against(kind, spot, area),
                 _ => found.add(kind, spot, area),
             }
