@@ -8,13 +8,15 @@
 //! crease angle that reproduce them best ([`Estimate`]). So a mesh made by another rule than our default is not wrong,
 //! and where no rule fits, the normals were made by hand and are only noted. Single corners are faults whatever made the
 //! others if nothing at their vertex explains them: no run of the faces there has such a mean, as marks on edges make, and no
-//! other corner there has the same normal, or one has what the best rule gives both. What all corners of a vertex share can
-//! be told to stray only where a rule made the rest. Where none fits them as they are but one does
+//! other corner there has the same normal, or most have what the best rule gives. What all corners of a vertex share can be
+//! told to stray only where a rule made the rest, and to be turned round besides where it is the very opposite of the right
+//! one, or alone of its face: leaves that are lit like a ball are meant. Where none fits them as they are but one does
 //! once a rotation or reflection of all of them is taken off, that is what is told. Normals on fewer than three lines, as of
 //! a flat sheet or two, leave open what they were turned by, and so do normals of which no rule gives half. Faces that run
 //! against their neighbours, that are inside out or without direction have no say about normals: their cause is told of
 //! them, not of the normals. The normals of a closed surface that faces inwards and whose normals do so too are judged by
-//! its faces as they are; with things in it that face outwards, as most of their normals do, it is a room, and right.
+//! its faces as they are; with closed things in it, in the same mesh, that face outwards, as most of their normals do, it is
+//! a room, and right.
 //!
 //! Findings about shading are notes: they are what even right normals will show.
 //!
