@@ -34,8 +34,10 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
         Formula {
             notation: Text::same("I_{max} = k_d cos(α) + k_s cos(α)^n"),
             says: Text::new(
-                "all that Gouraud's shading can reach, α the angle from the true highlight to the nearest vertex's normal",
-                "tudo o que o sombreamento de Gouraud alcança, α o ângulo do brilho verdadeiro à normal do vértice mais próximo",
+                "all that Gouraud's shading can reach, α the angle from the true highlight to the nearest vertex's normal; here \
+                 k_d = 0.4 and k_s = 0.6",
+                "tudo o que o sombreamento de Gouraud alcança, α o ângulo do brilho verdadeiro à normal do vértice mais próximo; \
+                 aqui k_d = 0,4 e k_s = 0,6",
             ),
         },
         Formula {
@@ -87,24 +89,24 @@ fn verdict(segments: u32, exponent: f64) -> Verdict {
         true => Verdict::Holds(Text::made(
             format!(
                 "wherever the nearest vertex's normal is farther from the highlight than the highlight is wide: exponents from about \
-                 (N/π)² on with N facets round, on this sphere {}. As it turns it flickers.",
+                 (N/π)² on with N facets round, {} on this sphere of N = {segments}. As it turns it flickers.",
                 en[1]
             ),
             format!(
                 "sempre que a normal do vértice mais próximo está mais longe do brilho do que o brilho é largo: expoentes a partir de \
-                 cerca de (N/π)² com N facetas em volta, nesta esfera {}. Girando, ela cintila.",
+                 cerca de (N/π)² com N facetas em volta, {} nesta esfera de N = {segments}. Girando, ela cintila.",
                 pt[1]
             ),
         )),
         false => Verdict::HoldsOnlyIf(Text::made(
             format!(
                 "the nearest vertex's normal is farther from the highlight than the highlight is wide. On this sphere \
-                 that takes exponents from about (N/π)² = {} on; at {} its highlight is wider than a facet: dulled, not lost.",
+                 (N = {segments} facets round) that takes exponents from about (N/π)² = {} on; at {} its highlight is wider than a facet: dulled, not lost.",
                 en[1], en[0]
             ),
             format!(
                 "a normal do vértice mais próximo está mais longe do brilho do que o brilho é largo. Nesta esfera isso \
-                 pede expoentes a partir de cerca de (N/π)² = {}; com {} o brilho é mais largo que uma faceta: embaçado, não perdido.",
+                 (N = {segments} facetas em volta) pede expoentes a partir de cerca de (N/π)² = {}; com {} o brilho é mais largo que uma faceta: embaçado, não perdido.",
                 pt[1], pt[0]
             ),
         )),
@@ -134,8 +136,8 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         phong.push([degrees, peak(&globe(turn, Shading::Phong)?)?]);
     }
     let (flicker_gouraud, flicker_phong) = (flicker(&gouraud), flicker(&phong));
-    // The peak of diffuse light alone falls to the cosine of half a segment, whatever the highlight does.
-    let beyond_diffuse = |flicker: f64| (flicker - (1.0 - libm::cos(0.5 * delta))).max(0.0);
+    // The peak of diffuse light falls to the cosine of half a segment, whatever the highlight does.
+    let beyond_diffuse = |flicker: f64| (flicker - of_diffuse(0.5 * delta)).max(0.0);
     let radius = f64::from(size) / WINDOW;
     let of_nearest = law(delta / 2.0, exponent);
     // What a peak may lose if it lies in the middle between four pixels, on the sphere and on the plate.
@@ -246,19 +248,18 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     };
     // The light that the highlight has in its middle is 1.
     let lacking = |[gouraud, phong]: [&Image; 2], lost: f64, angle: f64| -> Result<Moved, ArtefactError> {
-        let of_diffuse = DIFFUSE * (1.0 - libm::cos(angle));
         Ok(Moved {
             name: match is_seen(lost) {
                 true => Text::new(
-                    "what the highlight's peak lacks, beyond what diffuse light does",
-                    "o que falta ao pico do brilho, além do que falta à luz difusa",
+                    "what of the highlight is missing at its peak",
+                    "o que falta do brilho no seu pico",
                 ),
                 false => Text::new(
-                    "what the highlight's peak lacks, as far as pixels hold it",
-                    "o que falta ao pico do brilho, até onde os pixels o contêm",
+                    "what of the highlight is missing at its peak, as far as pixels hold it",
+                    "o que falta do brilho no seu pico, até onde os pixels o contêm",
                 ),
             },
-            bad: told(lost, (1.0 - peak(gouraud)? - of_diffuse).max(0.0)),
+            bad: told(lost, (1.0 - peak(gouraud)? - of_diffuse(angle)).max(0.0)),
             // Of diffuse light nothing lacks there: the normals in the middle face the light.
             cured: told(lost, (1.0 - peak(phong)?).max(0.0)),
             // The highlight's middle may lie between four pixels.
@@ -308,7 +309,11 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 "sphere-gouraud",
                 Text::new("sphere, Gouraud", "esfera, Gouraud"),
                 [
-                    Text::new("The highlight falls between two vertices.", "O brilho cai entre dois vértices."),
+                    Text::with(
+                        "N = {} facets round, n = {}: the highlight falls between two vertices.",
+                        "N = {} facetas em volta, n = {}: o brilho cai entre dois vértices.",
+                        &[f64::from(segments), exponent],
+                    ),
                     match is_lost(0.5 * delta, exponent) {
                         true => Text::new(
                             "A dull bar between them is all that is left of it.",
@@ -443,6 +448,11 @@ fn law(angle: f64, exponent: f64) -> f64 {
     DIFFUSE * cosine + (1.0 - DIFFUSE) * libm::pow(cosine, exponent)
 }
 
+/// What is missing of the diffuse light of such a vertex.
+fn of_diffuse(angle: f64) -> f64 {
+    DIFFUSE * (1.0 - libm::cos(angle))
+}
+
 /// How far a peak falls, as a share of its largest.
 fn flicker(peaks: &[[f64; 2]]) -> f64 {
     let values = || peaks.iter().map(|peak| peak[1]);
@@ -495,6 +505,10 @@ mod tests {
             // A pixel's centre is up to 0.71 pixels from the vertex, of an edge of 15 pixels and more.
             let found = outcome.measured("Gouraud: flicker");
             assert!((found - flicker).abs() < 0.05, "{found}");
+            // Of that, 0.4 parts of diffuse light fall by 1 − cos(Δ/2) on their own.
+            let alone = 0.4 * (1.0 - libm::cos(PI / f64::from(segments)));
+            let beyond = outcome.measured("Gouraud: the same");
+            assert!((found - beyond - alone).abs() < 1e-12, "{beyond} of {found}");
             assert!(outcome.moved.bad > 0.1 && outcome.moved.reduction() > 10.0, "{:?}", outcome.moved);
             let peak = |name: &str| {
                 let shot = outcome.shots.iter().find(|shot| shot.name == name).unwrap();
@@ -509,7 +523,7 @@ mod tests {
 
     #[test]
     fn what_is_no_highlight_is_not_lost() {
-        for (segments, exponent) in [(16, 0.0), (16, 1.0), (200, 32.0)] {
+        for (segments, exponent) in [(16, 0.0), (200, 1.0), (200, 32.0)] {
             let parameters = Parameters { size: 48, segments, exponent, ..EXPERIMENT.defaults };
             let outcome = EXPERIMENT.run(&Setup { parameters, mesh: None }).unwrap();
             assert!(
@@ -518,6 +532,16 @@ mod tests {
                 outcome.moved
             );
         }
+    }
+
+    /// A highlight as wide as diffuse light loses 0.6 (1 − cos(Δ/2)) = 0.0115 between vertices: it is seen, and no loss.
+    #[test]
+    fn what_is_wide_is_dulled() {
+        let parameters = Parameters { size: 160, segments: 16, exponent: 1.0, ..EXPERIMENT.defaults };
+        let outcome = EXPERIMENT.run(&Setup { parameters, mesh: None }).unwrap();
+        assert!(matches!(outcome.verdict, Verdict::HoldsOnlyIf(_)), "{:?}", outcome.verdict);
+        // The brightest pixel is up to 0.71 pixels from a vertex, of an edge of 28: a fortieth of that fall of diffuse light.
+        assert!((outcome.moved.bad - 0.0115).abs() < 0.0192 / 28.0, "{:?}", outcome.moved);
     }
 
     /// At the usual exponent the highlight is narrower than half a segment of 16, of 12 too, of 24 not.
