@@ -44,8 +44,9 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
         Formula {
             notation: Text::same("G = −g^3 + g^2 + g, \\quad g = \\frac{N_g·L}{(N·L) (N_g·N)}"),
             says: Text::new(
-                "Chiang, Li and Burley's factor for g < 1: light goes out gradually as the facet turns away",
-                "o fator de Chiang, Li e Burley para g < 1: a luz se apaga aos poucos quando a faceta se vira",
+                "Chiang, Li and Burley's factor for 0 ≤ g < 1, 0 below and 1 from 1 on: light goes out gradually as the facet turns away",
+                "o fator de Chiang, Li e Burley para 0 ≤ g < 1, 0 abaixo e 1 a partir de 1: a luz se apaga aos poucos quando a faceta \
+                 se vira",
             ),
         },
         Formula {
@@ -95,6 +96,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let on_tube = share(&concerned(&tube.body(), towards(light, LEVEL), size)?);
     let [pop_hard, pop_soft] = [Terminator::Hard, Terminator::Soft].map(|terminator| tube.pop(terminator));
     let (pop_hard, pop_soft) = (pop_hard?, pop_soft?);
+    let turn = [tube.turn().0];
     let taken = |by: &Image, of: &Image| differences(by, of).into_iter().flatten().fold(0.0, f64::max);
     let self_shadow = Moved {
         name: Text::new(
@@ -120,9 +122,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         ..self_shadow.clone()
     };
     let popping = Moved {
-        name: Text::new(
-            "largest change on a facet when the light turns by a 45th of its angle",
-            "maior mudança numa faceta quando a luz gira 1/45 do seu ângulo",
+        name: Text::with(
+            "prism: largest change on a facet when the light turns by {}°",
+            "prisma: maior mudança numa faceta quando a luz gira {}°",
+            &turn,
         ),
         bad: pop_hard,
         cure: Text::new(
@@ -173,18 +176,20 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             self_shadow.bad,
         ),
         Measure::new(
-            Text::new(
-                "prism, light turned by a 45th of a facet's angle: largest change on a facet, hard",
-                "prisma, luz girada de 1/45 do ângulo da faceta: maior mudança numa faceta, dura",
+            Text::with(
+                "prism, light turned by {}°: largest change on a facet, hard",
+                "prisma, luz girada de {}°: maior mudança numa faceta, dura",
+                &turn,
             ),
             "",
             pop_hard,
         )
         .expect(tube.pop_law(Terminator::Hard), 2e-3, by_formula.clone()),
         Measure::new(
-            Text::new(
-                "prism, light turned by a 45th of a facet's angle: largest change on a facet, softened",
-                "prisma, luz girada de 1/45 do ângulo da faceta: maior mudança numa faceta, suavizada",
+            Text::with(
+                "prism, light turned by {}°: largest change on a facet, softened",
+                "prisma, luz girada de {}°: maior mudança numa faceta, suavizada",
+                &turn,
             ),
             "",
             pop_soft,
@@ -304,25 +309,28 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         ],
         moved: popping,
         charts: vec![tube.chart()?],
-        notes: notes(),
+        notes: notes(light),
     })
 }
 
-fn notes() -> Vec<Text> {
+fn notes(light: Degrees) -> Vec<Text> {
     vec![
         Text::new(
-            "The factor is continuous: it is 0 where the facet's own cosine is, and 1 where that is at least what the interpolated \
-             normal promises. It needs nothing but the two normals, and costs nothing where it is not asked for.",
-            "O fator é contínuo: vale 0 onde o cosseno da própria faceta é 0, e 1 onde este é ao menos o que a normal interpolada \
-             promete. Precisa só das duas normais, e nada custa onde não é pedido.",
+            "The factor is continuous: it is 0 where the facet's own cosine N_g·L is, and 1 where that is at least (N·L) (N_g·N). It \
+             needs nothing but the two normals.",
+            "O fator é contínuo: vale 0 onde o cosseno da própria faceta, N_g·L, é 0, e 1 onde este é ao menos (N·L) (N_g·N). \
+             Precisa só das duas normais.",
         ),
-        Text::new(
-            "The sphere's light stands 25° high, so that its border crosses facets askew and is in sight even where the light comes \
-             from the viewer's side. The prism's pixels are counted in level light at the same angle: there none is concerned as \
-             long as the border is out of sight. The films have a light of their own, which turns where one facet turns away.",
-            "A luz da esfera está a 25° de altura, de modo que a sua fronteira cruza facetas de viés e se vê mesmo quando a luz vem \
-             do lado do observador. Os pixels do prisma são contados sob luz horizontal no mesmo ângulo: ali nenhum está em questão \
-             enquanto a fronteira não se vê. Os filmes têm luz própria, que gira onde uma faceta se vira.",
+        Text::with(
+            "There are three lights. The sphere's comes from {}° to the side of the viewer and 25° up, so that its border crosses \
+             facets askew. The one in which pixels of the prism are counted comes from {}° too, but level: where the prism's border \
+             is out of sight it concerns none. That of the films is level and turns about the angle at which the facet left of the \
+             middle turns away.",
+            "Há três luzes. A da esfera vem de {}° ao lado do observador e 25° acima, de modo que a sua fronteira cruza facetas de \
+             viés. Aquela em que se contam pixels do prisma vem também de {}°, mas horizontal: quando a fronteira do prisma não se \
+             vê, nenhum está em questão. A dos filmes é horizontal e gira em torno do ângulo em que a faceta à esquerda do meio se \
+             vira.",
+            &[light.0, light.0],
         ),
     ]
 }

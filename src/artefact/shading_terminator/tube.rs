@@ -33,7 +33,7 @@ impl Tube {
 
     /// How far the light turns between the two pictures that are measured: a 45th of a facet's angle, for that angle is all that
     /// it takes to light a facet softly.
-    fn turn(&self) -> Degrees {
+    pub(super) fn turn(&self) -> Degrees {
         Degrees(360.0 / f64::from(self.segments) / 45.0)
     }
 
