@@ -51,7 +51,7 @@ impl Moved {
     ) -> Shot {
         let caption = Text::each(|language| {
             let said = format!("{} {}", drawn.get(language), told.get(language));
-            let value = language.short(value, self.unit);
+            let value = language.short(self.told(value), self.unit);
             format!("{} ({}: {value}).", said.trim().trim_end_matches('.'), self.name.get(language))
         });
         let (name_of_measure, present) = (self.name.clone(), self.present.clone());
@@ -83,7 +83,7 @@ impl Moved {
     }
 
     fn with_unit(&self, value: f64) -> Text {
-        Text::each(|language| language.short(value, self.unit))
+        Text::each(|language| language.short(self.told(value), self.unit))
     }
 }
 
@@ -126,6 +126,13 @@ mod tests {
                 0.25,
                 [Role::Bad, Role::Cured],
                 ["A box. It shows (size of it: 3 px).", "A box. It shows (size of it: 0.25 px)."],
+            ),
+            (
+                0.5,
+                3.0,
+                1e-9,
+                [Role::Bad, Role::Cured],
+                ["A box. It shows (size of it: 3 px).", "A box. It shows (size of it: 0 px)."],
             ),
             (
                 0.5,

@@ -61,6 +61,7 @@ pub(super) fn role(role: Role) -> Text {
 /// What a number came to, and what it had to.
 pub(super) fn moved(moved: &Moved, language: Language) -> String {
     let is_present = moved.is_present();
+    let is_left = moved.cured.abs() > moved.present.value;
     let Told { name, bad, from, why, cure, cured, less, factor } = told(moved, language);
     let name = capitalised(name);
     match language {
@@ -72,14 +73,26 @@ pub(super) fn moved(moved: &Moved, language: Language) -> String {
             "{name}: {bad}, o que não é artefato: há um a partir de {from} ({why}). Depois do que o cura em outros casos ({cure}) \
              fica {cured}."
         ),
-        Language::English => format!(
-            "{name}: {bad} with the artefact, {cured} after the cure ({cure}): {less}. There is an artefact from \
-             {from} on ({why}); the cure has to bring it below that, or to make it at least {factor} times smaller."
-        ),
-        Language::Portuguese => format!(
-            "{name}: {bad} com o artefato, {cured} depois da cura ({cure}): {less}. Há artefato a partir de {from} \
-             ({why}); a cura tem de levá-lo abaixo disso, ou torná-lo ao menos {factor} vezes menor."
-        ),
+        Language::English => {
+            let from = match is_left {
+                true => format!(", though it can still be told: from {from} on ({why}). The"),
+                false => format!(". There is an artefact from {from} on ({why}); the"),
+            };
+            format!(
+                "{name}: {bad} with the artefact, {cured} after the cure ({cure}): {less}{from} cure has to bring it below that, \
+                 or to make it at least {factor} times smaller."
+            )
+        }
+        Language::Portuguese => {
+            let from = match is_left {
+                true => format!(", embora ainda se possa notar: a partir de {from} ({why}). A"),
+                false => format!(". Há artefato a partir de {from} ({why}); a"),
+            };
+            format!(
+                "{name}: {bad} com o artefato, {cured} depois da cura ({cure}): {less}{from} cura tem de levá-lo abaixo disso, \
+                 ou torná-lo ao menos {factor} vezes menor."
+            )
+        }
     }
 }
 
@@ -145,17 +158,21 @@ struct Told<'a> {
 }
 
 fn told(moved: &Moved, language: Language) -> Told<'_> {
-    let of = |x| language.short(x, moved.unit);
+    let of = |x| language.short(moved.told(x), moved.unit);
     Told {
         name: moved.name.get(language),
         bad: of(moved.bad),
-        from: of(moved.present.value),
+        from: language.short(moved.present.value, moved.unit),
         why: moved.present.why.get(language),
         cure: moved.cure.get(language),
         cured: of(moved.cured),
         less: match (moved.reduction(), language) {
             (f64::INFINITY, Language::English) => "gone".into(),
             (f64::INFINITY, Language::Portuguese) => "sumiu".into(),
+            (_, Language::English) if moved.told(moved.cured) == 0.0 => "gone, but for rounding".into(),
+            (_, Language::Portuguese) if moved.told(moved.cured) == 0.0 => {
+                "sumiu, salvo arredondamento".into()
+            }
             (times, Language::English) => format!("{} times less", language.short(times, "")),
             (times, Language::Portuguese) => format!("{} vezes menos", language.short(times, "")),
         },
@@ -214,8 +231,21 @@ mod tests {
             "{en} {pt}"
         );
         assert!(en.starts_with("X: 0.25"), "{en}");
-        let halved = moved(&Moved { cured: 0.1, ..vanished }, Language::Portuguese);
-        assert!(halved.contains("2,5 vezes menos."), "{halved}");
+        let halved = moved(&Moved { cured: 0.1, ..vanished.clone() }, Language::Portuguese);
+        assert!(halved.contains("2,5 vezes menos. Há artefato a partir de 0,112 ("), "{halved}");
+        let rounded = Moved { cured: 1e-6, ..vanished };
+        let [en, pt] = Language::ALL.map(|language| moved(&rounded, language));
+        assert!(en.contains("0 after the cure (x): gone, but for rounding."), "{en}");
+        assert!(pt.contains("0 depois da cura (x): sumiu, salvo arredondamento."), "{pt}");
+    }
+
+    #[test]
+    fn what_is_left_above_the_threshold_is_said_to_be_seen() {
+        let left = Moved { cured: 0.125, ..vanished() };
+        let [en, pt] = Language::ALL.map(|language| moved(&left, language));
+        assert!(en.contains("2 times less, though it can still be told: from 0.112 on ("), "{en}");
+        assert!(pt.contains("2 vezes menos, embora ainda se possa notar: a partir de 0,112 ("), "{pt}");
+        assert!(en.contains("). The cure has to") && !en.contains("There is an artefact"), "{en}");
     }
 
     #[test]
