@@ -163,10 +163,16 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         factor: FACTOR,
     };
     let stretched = Moved {
-        name: Text::new(
-            "how far the width across over that along is from 1, where both can be told",
-            "quanto a largura transversal sobre a longitudinal dista de 1, onde ambas se podem medir",
-        ),
+        name: match across_phong.beyond.is_none() && across_blinn.beyond.is_none() {
+            true => Text::new(
+                "width across over width along, less 1",
+                "largura transversal sobre a longitudinal, menos 1",
+            ),
+            false => Text::new(
+                "width across over width along, less 1, where both can be told",
+                "largura transversal sobre a longitudinal, menos 1, onde ambas se podem medir",
+            ),
+        },
         bad: stretch(&across_phong),
         present: Threshold {
             value: 0.1, why: Text::new("a tenth of its width", "um décimo da sua largura")
@@ -265,10 +271,16 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 "phong-grazing",
                 Text::new("Phong, light at 120°", "Phong, luz a 120°"),
                 [
-                    Text::new("Light from far round.", "Luz vinda de trás do lado."),
+                    Text::with(
+                        "Light from far round, n = {}.",
+                        "Luz vinda de trás do lado, n = {}.",
+                        &[exponent],
+                    ),
                     Text::new(
-                        "Phong's highlight is drawn out up and down.",
-                        "O brilho de Phong se alonga para cima e para baixo.",
+                        "Here it is Phong's highlight that errs: it is drawn out up and down, across the plane of light and view, as \
+                         real rough surfaces do not show it.",
+                        "Aqui é o brilho de Phong que erra: ele se alonga para cima e para baixo, através do plano da luz e da visão, \
+                         como superfícies ásperas reais não o mostram.",
                     ),
                 ],
                 grazing_phong,
@@ -277,7 +289,11 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 "blinn-grazing",
                 Text::new("Blinn 4n, light at 120°", "Blinn 4n, luz a 120°"),
                 [
-                    Text::new("Blinn's under the same light.", "O de Blinn sob a mesma luz."),
+                    Text::with(
+                        "Blinn's under the same light, with 4n = {}.",
+                        "O de Blinn sob a mesma luz, com 4n = {}.",
+                        &[blinn_exponent(exponent)],
+                    ),
                     Text::new("It is a circle on the sphere.", "É um círculo na esfera."),
                 ],
                 grazing_blinn,
@@ -286,7 +302,11 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 "behind",
                 Text::new("light behind, no guard", "luz atrás, sem guarda"),
                 [
-                    Text::new("The light is almost behind the sphere.", "A luz está quase atrás da esfera."),
+                    Text::with(
+                        "Blinn's highlight with n = {}, the light at {}°, almost behind the sphere.",
+                        "O brilho de Blinn com n = {}, a luz a {}°, quase atrás da esfera.",
+                        &[exponent, BEHIND.0],
+                    ),
                     Text::new(
                         "Yet the highlight spreads over its dark side.",
                         "Mas o brilho se espalha pelo lado escuro.",
@@ -311,10 +331,12 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         moved,
         measures,
         notes: vec![Text::new(
-            "The lectures give both models one exponent, though with the same one Blinn's highlight is wider. The guard \
-             stops light from behind but leaves an edge, for neither model goes to 0 where N·L does.",
-            "As aulas dão aos dois modelos um só expoente, embora com o mesmo o brilho de Blinn seja mais largo. A \
-             guarda retém a luz por trás mas deixa uma borda, pois nenhum dos modelos vai a 0 junto com N·L.",
+            "The lectures (1.6.19) give both models one exponent, though with the same one Blinn's highlight is wider; Ting 2008 gives \
+             Blinn's one of its own. The guard stops light from behind but leaves an edge, for neither model goes to 0 where N·L \
+             does.",
+            "As aulas (1.6.19) dão aos dois modelos um só expoente, embora com o mesmo o brilho de Blinn seja mais largo; Ting 2008 dá \
+             ao de Blinn um próprio. A guarda retém a luz por trás mas deixa uma borda, pois nenhum dos modelos vai a 0 junto com \
+             N·L.",
         )],
     })
 }
