@@ -85,8 +85,13 @@ static MEANS: [(Weight, Text); 6] = [
     (Weight::Angle, Text::new("angle weights", "pesos pelo ângulo")),
     (Weight::AngleArea, Text::new("weights angle × area", "pesos ângulo × área")),
     (Weight::Max, Text::new("Max's weights", "pesos de Max")),
-    (Weight::Edge, Text::new("weights 1/(|a| |b|) of edges", "pesos 1/(|a| |b|) das arestas")),
+    (Weight::Edge, Text::new("weights 1/(|e₁| |e₂|) of edges", "pesos 1/(|e₁| |e₂|) das arestas")),
 ];
+/// What they are called.
+fn name_of(weight: Weight, language: Language) -> &'static str {
+    MEANS.iter().find(|(known, _)| *known == weight).map_or(weight.name(), |(_, name)| name.get(language))
+}
+
 /// The weights that do not change when flat faces are cut, and those that are exact on spheres.
 const FLAT: Weight = Weight::Angle;
 const ROUND: Weight = Weight::Max;
@@ -149,7 +154,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         [shown.slivers.clone(), shown.cube.clone(), of_boxes(of_long, LONG, weight)?, shown.torus.clone()];
     let moved = all.iter().find(|moved| moved.is_present()).unwrap_or(&all[0]).clone();
     Ok(Outcome {
-        verdict: verdict(shown.cube.bad),
+        verdict: verdict(weight, shown.cube.bad),
         measures,
         charts: vec![chart(&look)?],
         shots: shots::all(weight, &look, [&torus, &ball], &shown)?,
@@ -185,14 +190,21 @@ struct Shown {
 }
 
 /// By the largest angle on the cube over all of its cuts.
-fn verdict(cube: f64) -> Verdict {
+fn verdict(weight: Weight, cube: f64) -> Verdict {
     match cube > 1e-6 {
-        true => Verdict::Holds(Text::new(
-            "with weights that change where a face is cut through the vertex, as these do. Weights by the angle do not see how flat \
-             faces are cut, and Max's are exact on spheres; none is right everywhere.",
-            "com pesos que mudam onde uma face é cortada através do vértice, como estes. Pesos pelo ângulo não veem como faces planas são cortadas, e os de Max são exatos em esferas; nenhum \
-             está certo em toda parte.",
-        )),
+        true => Verdict::Holds(Text::each(|language| {
+            let these = name_of(weight, language);
+            match language {
+                Language::English => format!(
+                    "with weights that change where a face is cut through the vertex, as those of these pictures do ({these}). Weights \
+                     by the angle do not see how flat faces are cut, and Max's are exact on spheres; none is right everywhere."
+                ),
+                Language::Portuguese => format!(
+                    "com pesos que mudam onde uma face é cortada através do vértice, como os destas imagens ({these}). Pesos pelo \
+                     ângulo não veem como faces planas são cortadas, e os de Max são exatos em esferas; nenhum está certo em toda parte."
+                ),
+            }
+        })),
         false => Verdict::Fails(Text::new(
             "these weights give the cube the same normals however its faces are cut. On round surfaces the mean depends on the \
              triangles still.",
@@ -215,10 +227,18 @@ fn of_boxes(weight: Weight, weighting: &Text) -> Result<Vec<Measure>, ArtefactEr
         let what = Text::new(what[0], what[1]);
         let name = Text::each(|language| format!("{}, {}", what.get(language), weighting.get(language)));
         let measure = Measure::new(name, "°", found);
-        let by = Text::new(
-            "each face counts as one triangle or as two; a few roundings",
-            "cada face conta como um triângulo ou como dois; poucos arredondamentos",
-        );
+        let by = match weight {
+            Weight::Angle | Weight::AngleArea | Weight::Max => Text::new(
+                "both parts of a face cut through the corner count together as much as the one part of a face cut the other way; a few \
+                 roundings",
+                "as duas partes de uma face cortada pelo vértice contam juntas tanto quanto a única parte de uma face cortada do outro \
+                 modo; poucos arredondamentos",
+            ),
+            _ => Text::new(
+                "each face counts as one triangle or as two; a few roundings",
+                "cada face conta como um triângulo ou como dois; poucos arredondamentos",
+            ),
+        };
         match law {
             Some(law) => measure.expect(law, 1e-9, by),
             None => measure,
@@ -235,7 +255,7 @@ fn of_boxes(weight: Weight, weighting: &Text) -> Result<Vec<Measure>, ArtefactEr
     ));
     if cube.next < cube.largest {
         measures.push(measure(
-            ["cube: least but 0", "cubo: menor fora 0"],
+            ["cube: smallest that is not 0", "cubo: menor que não é 0"],
             cube.next,
             cube_law.map(|law| law.next),
         ));

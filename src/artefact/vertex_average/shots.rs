@@ -5,7 +5,7 @@ use super::super::stage::{chalk, differences, draw, map, object, settings, smoot
 use super::super::{ArtefactError, Language, Moved, Shot, Text};
 use super::cuts::{CUTS, cut_box};
 use super::specimen::{Look, Specimen};
-use super::{FLAT, LONG, MEANS, ROUND, Shown};
+use super::{FLAT, LONG, ROUND, Shown, name_of};
 use crate::normals::Weight;
 use crate::raster::{Image, Interpolation, Shading, Show};
 use glam::DVec3;
@@ -29,11 +29,9 @@ pub(super) fn all(
 
 /// What is seen, and by which weights.
 fn label(what: [&str; 2], weight: Weight) -> Text {
-    let name = MEANS.iter().find(|(known, _)| *known == weight).map(|(_, name)| name);
     Text::each(|language| {
         let what = what[usize::from(language == Language::Portuguese)];
-        let name = name.map_or(weight.name(), |name| name.get(language));
-        format!("{what}, {name}")
+        format!("{what}, {}", name_of(weight, language))
     })
 }
 
@@ -209,7 +207,7 @@ fn error_map(
             "O ângulo entre normais interpoladas e verdadeiras: violeta 0°, amarelo {FULL_ANGLE}° ou mais."
         ),
     );
-    let label = Text::made(format!("{en}, error"), format!("{pt}, erro"));
+    let label = label([&format!("{en}, error"), &format!("{pt}, erro")], weight);
     Ok(Shot::difference(name, label, caption, specimen.error_map(weight, FULL_ANGLE)?))
 }
 
