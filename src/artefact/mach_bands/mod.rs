@@ -188,13 +188,11 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         factor: 3.5,
     };
     let better = if is_gouraud_worse { of_phong } else { of_gouraud };
-    let [gouraud_at_80, phong_at_80] =
-        [Shading::Gouraud, Shading::Phong].map(|shading| -> Result<f64, ArtefactError> {
-            let line = grazing.profile(GRAZING, shading)?;
-            let law = if shading == Shading::Phong { phong_jump } else { gouraud_jump };
-            let jump = |theta| (line.slope_jump(&grazing, theta).0, law(theta, GRAZING, grazing.delta()));
-            Ok(grazing.largest(GRAZING, jump).measured.abs())
-        });
+    let [phong_at_80, gouraud_at_80] =
+        [Shading::Phong, Shading::Gouraud].map(|shading| grazing.jumps(GRAZING, shading));
+    let jumps_at_80 = [phong_at_80?, gouraud_at_80?];
+    let largest = |jumps: &Vec<[f64; 2]>| jumps.iter().map(|jump| jump[1]).fold(0.0, f64::max);
+    let [phong_at_80, gouraud_at_80] = jumps_at_80.each_ref().map(largest);
     // What another shading does need not make bands vanish, but be seen to be less.
     let other = |bad: f64, cured: f64, tube: &Tube| Moved {
         name: Text::new(
@@ -221,7 +219,8 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         },
         other: other(worse.found.measured.abs(), better.measured.abs(), &tube),
         finer: moved.clone(),
-        at_80: other(phong_at_80?, gouraud_at_80?, &grazing),
+        at_80: other(phong_at_80, gouraud_at_80, &grazing),
+        jumps_at_80,
     };
     let mut charts = pictures::charts(&lines, &shown);
     charts.extend(predicted::charts(&tube, light)?);
@@ -263,6 +262,8 @@ struct Shown<'a> {
     finer: Moved,
     /// In light at 80°, Phong's and Gouraud's.
     at_80: Moved,
+    /// The same at each edge: its place across the picture, and the slope's jump.
+    jumps_at_80: [Vec<[f64; 2]>; 2],
 }
 
 /// Where cos θ_L = 1/3: from there on Phong's slope jump is the larger one at some edge.

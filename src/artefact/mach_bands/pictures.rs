@@ -1,8 +1,8 @@
 //! Pictures of the cylinder, and luminance across it with its derivatives.
 
-use super::super::stage::{differences, map};
+use super::super::stage::map;
 use super::super::{ArtefactError, Chart, Curve, Drawn, Language, Moved, Scale, Shot, Text};
-use super::tube::{Profile, Tube};
+use super::tube::{Profile, Tube, WINDOW};
 use super::{GRAZING, Lines, Shown};
 use crate::num::Degrees;
 use crate::raster::{Image, Shading};
@@ -87,11 +87,12 @@ pub(super) fn shots(
         ),
         tube.draw(square, light, Shading::Exact)?,
     );
-    let [gouraud_80, phong_80, exact_80] = [Shading::Gouraud, Shading::Phong, Shading::Exact]
-        .map(|shading| grazing.draw(square, GRAZING, shading));
-    let (gouraud_80, phong_80, exact_80) = (gouraud_80?, phong_80?, exact_80?);
-    let off = |image: &Image| map(square, &differences(image, &exact_80), FULL);
-    let (off_gouraud, off_phong) = (off(&gouraud_80), off(&phong_80));
+    let [gouraud_80, phong_80] =
+        [Shading::Gouraud, Shading::Phong].map(|shading| grazing.draw(square, GRAZING, shading));
+    let (gouraud_80, phong_80) = (gouraud_80?, phong_80?);
+    let full = shown.at_80.bad.max(shown.at_80.cured);
+    let [of_phong_80, of_gouraud_80] =
+        shown.jumps_at_80.each_ref().map(|jumps| jump_map(&phong_80, grazing, jumps, full));
     let of_80 = vec![
         shown.at_80.bad_shot(
             "phong-80",
@@ -125,8 +126,8 @@ pub(super) fn shots(
             ],
             gouraud_80,
         ),
-        off_cylinder("phong-80-error", "Phong", off_phong),
-        off_cylinder("gouraud-80-error", "Gouraud", off_gouraud),
+        jumps("phong-80-jumps", "Phong", full, of_phong_80),
+        jumps("gouraud-80-jumps", "Gouraud", full, of_gouraud_80),
     ];
     let [gouraud, phong] = both;
     let mut shots = vec![flat, gouraud, phong, finer, exact];
@@ -134,19 +135,35 @@ pub(super) fn shots(
     Ok(shots)
 }
 
-/// Full scale of the maps.
-const FULL: f64 = 0.05;
+/// Half the width of the bars in maps of jumps, in pixels.
+const HALF_BAR: f64 = 2.5;
 
-/// How far light at 80° on the facets is off that on the cylinder.
-fn off_cylinder(name: &'static str, shading: &'static str, image: Image) -> Shot {
+/// Where the slope jumps at 80°: a bar at each edge that is measured, as light as the jump is large. Facets beside which nothing is
+/// measured are left out.
+fn jump_map(drawn: &Image, grazing: &Tube, jumps: &[[f64; 2]], full: f64) -> Image {
+    let pixel = WINDOW / f64::from(drawn.size[0]);
+    let (from, to) = grazing.beside_edges(GRAZING);
+    let column = |index: usize| (index as u32 % drawn.size[0], drawn.coverage[index] > 0);
+    let value = |(column, is_covered): (u32, bool)| {
+        let x = (f64::from(column) + 0.5) * pixel - 0.5 * WINDOW;
+        let here = jumps.iter().filter(|[at, _]| (x - at).abs() < HALF_BAR * pixel);
+        (is_covered && (from..to).contains(&x)).then(|| here.map(|jump| jump[1]).fold(0.0, f64::max))
+    };
+    let values: Vec<Option<f64>> = (0..drawn.coverage.len()).map(|index| value(column(index))).collect();
+    map(drawn.size, &values, full.max(f64::MIN_POSITIVE))
+}
+
+fn jumps(name: &'static str, shading: &'static str, full: f64, image: Image) -> Shot {
     let label = Text::made(
-        format!("{shading} at 80° off the cylinder"),
-        format!("{shading} a 80°, fora do cilindro"),
+        format!("{shading} at 80°, jumps of the slope"),
+        format!("{shading} a 80°, saltos da inclinação"),
     );
     let caption = Text::with(
-        "How far this is off the cylinder itself: violet 0, yellow {} of the full range and more.",
-        "Quanto isto difere do próprio cilindro: violeta 0, amarelo {} da faixa ou mais.",
-        &[FULL],
+        "Bars at the edges up to 60° round whose facets are lit all over, as light as the slope jumps there: violet 0, yellow {}. What \
+         is not measured is left out.",
+        "Barras nas arestas até 60° cujas facetas estão iluminadas por inteiro, tanto mais claras quanto mais a inclinação salta ali: \
+         violeta 0, amarelo {}. O que não se mede fica de fora.",
+        &[full],
     );
     Shot::difference(name, label, caption, image)
 }

@@ -119,6 +119,13 @@ impl Tube {
         libm::sin((farthest + self.delta()).min(PI / 2.0)) - libm::sin(farthest)
     }
 
+    /// The places of those edges across the picture, in radii, each with the slope's jump there.
+    pub(super) fn jumps(&self, light: Degrees, shading: Shading) -> Result<Vec<[f64; 2]>, ArtefactError> {
+        let line = self.profile(light, shading)?;
+        let jump = |theta| [libm::sin(theta), line.slope_jump(self, theta).0.abs()];
+        Ok(self.edges(light).map(jump).collect())
+    }
+
     /// The edge with the largest jump, as measured.
     pub(super) fn largest(&self, light: Degrees, jump: impl Fn(f64) -> (f64, f64)) -> Found {
         let found = self.edges(light).map(|theta| {
