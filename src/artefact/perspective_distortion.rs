@@ -47,7 +47,8 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
     own_mesh: None,
     segments: Parameters::SEGMENTS,
     shown_by: Text::new("a deeper wall would show it.", "uma parede mais funda o mostraria."),
-    defaults: Parameters { segments: 8, ..Parameters::USUAL },
+    // As many as it takes for half a step of 8 bits.
+    defaults: Parameters { segments: 20, ..Parameters::USUAL },
     run,
     frame: None,
 };
@@ -56,8 +57,11 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
 const RATIO: f64 = 4.0;
 /// Those of the plot.
 const RATIOS: [f64; 6] = [1.1, 1.5, 2.0, 4.0, 6.0, 10.0];
-/// Squares of the board along each side.
-const SQUARES: f64 = 8.0;
+/// Squares of the board along each side: of a wall in nine pieces or a multiple of that ten, for corners of pieces are right, and
+/// squares with corners nowhere else would hide what is wrong between them.
+fn squares(pieces: u32) -> f64 {
+    if pieces.is_multiple_of(9) { 10.0 } else { 9.0 }
+}
 /// Half the width of the wall on the picture, whose half is 1.
 const REACH: f64 = 0.9;
 
@@ -156,9 +160,8 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         cured: corrected,
         factor: 1000.0,
     };
-    // In n pieces the error falls as their square: of three already to a fifth.
-    let cut_up = Moved { cured: in_pieces, factor: 4.0, ..moved.clone() };
-    let shots = shots([&moved, &cut_up], [&affine, &right, &cut]);
+    let cut_up = Moved { cured: in_pieces, ..moved.clone() };
+    let shots = shots([&moved, &cut_up], [&affine, &right, &cut], segments);
     Ok(Outcome {
         verdict: Verdict::HoldsOnlyIf(Text::new(
             "the depths of a triangle's corners differ under a central projection. In a parallel projection, or facing the viewer, \
@@ -175,10 +178,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         notes: vec![
             Text::new(
                 "The board is not an image pasted on: two numbers are interpolated between the four corners of one face, the \
-                 places across and up, and squares are drawn of them. Whatever is interpolated, colours and normals too, \
+                 places across and up, and a square's colour is read off them. Whatever is interpolated, colours and normals too, \
                  goes wrong alike.",
                 "O tabuleiro não é uma imagem colada: dois números são interpolados entre os quatro cantos de uma face, os \
-                 lugares na largura e na altura, e deles se desenham os quadrados. O que quer que se interpole, também cores e \
+                 lugares na largura e na altura, e deles se tira a cor de cada quadrado. O que quer que se interpole, também cores e \
                  normais, erra do mesmo modo.",
             ),
             Text::new(
@@ -285,11 +288,11 @@ impl Wall {
     }
 }
 
-/// Squares drawn of interpolated places.
-fn board(image: &Image) -> Image {
+/// So many squares along a side, coloured by interpolated places.
+fn board(image: &Image, squares: f64) -> Image {
     const DARK: [f32; 3] = [0.03, 0.1, 0.35];
     const LIGHT: [f32; 3] = [0.95, 0.85, 0.5];
-    let square = |place: f32| (libm::floor(f64::from(place) * SQUARES) as i64).clamp(0, SQUARES as i64 - 1);
+    let square = |place: f32| (libm::floor(f64::from(place) * squares) as i64).clamp(0, squares as i64 - 1);
     let colour = |(colour, &covered): (&[f32; 3], &u8)| match covered {
         0 => *colour,
         _ if (square(colour[0]) + square(colour[1])) % 2 == 0 => DARK,
@@ -299,7 +302,8 @@ fn board(image: &Image) -> Image {
     picture(image.size, colours, image.coverage.clone())
 }
 
-fn shots([moved, cut_up]: [&Moved; 2], [affine, right, cut]: [&Image; 3]) -> Vec<Shot> {
+fn shots([moved, cut_up]: [&Moved; 2], [affine, right, cut]: [&Image; 3], pieces: u32) -> Vec<Shot> {
+    let board = |image: &Image| board(image, squares(pieces));
     let off = |image: &Image| {
         let pairs = linear(image).iter().zip(linear(right)).zip(&image.coverage);
         let error = |((a, b), &covered): ((&[f32; 3], &[f32; 3]), &u8)| {
@@ -339,11 +343,14 @@ fn shots([moved, cut_up]: [&Moved; 2], [affine, right, cut]: [&Image; 3]) -> Vec
             "pieces",
             Text::new("affine, in pieces", "afim, em pedaços"),
             [
-                Text::new(
-                    "Affine again, but the wall is cut into pieces both ways.",
-                    "De novo afim, mas com a parede cortada em pedaços nos dois sentidos.",
+                Text::made(
+                    format!("Affine again, but the wall is cut into {pieces} × {pieces} pieces."),
+                    format!("De novo afim, mas com a parede cortada em {pieces} × {pieces} pedaços."),
                 ),
-                Text::new("Each errs less.", "Cada um erra menos."),
+                Text::new(
+                    "Each errs so little that nothing of it is seen.",
+                    "Cada um erra tão pouco que nada disso se vê.",
+                ),
             ],
             board(cut),
         ),
@@ -411,8 +418,8 @@ fn place_chart(place: impl Fn(f64, f64) -> f64) -> Chart {
             "Lugar na superfície em função do lugar na imagem",
         ),
         caption: Text::new(
-            "Even interpolation takes the straight line; what is seen lies on the curves.",
-            "A interpolação uniforme toma a reta; o que se vê está nas curvas.",
+            "Even interpolation takes the straight line; what ought to be seen lies on the curves.",
+            "A interpolação uniforme toma a reta; o que se deveria ver está nas curvas.",
         ),
         x: Scale::linear(Text::new("t on the picture", "t na imagem")),
         y: Scale::linear(Text::new("s on the surface", "s na superfície")),
