@@ -58,10 +58,13 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
             ),
         },
         Formula {
-            notation: Text::same("I: cos(s) → 1"),
+            notation: Text::new(
+                "I_{faces} = cos(s), \\quad I_{mean} = 1",
+                "I_{faces} = cos(s), \\quad I_{média} = 1",
+            ),
             says: Text::new(
-                "the zig-zag in light from the front, as it is and as it is shown",
-                "o zigue-zague sob luz frontal, como é e como aparece",
+                "the zig-zag in light from the front, lit by its faces' normals as it is, and by their means as it is shown",
+                "o zigue-zague sob luz frontal, iluminado pelas normais das faces como é, e pelas suas médias como aparece",
             ),
         },
     ],
@@ -155,9 +158,10 @@ fn of_bodies(parameters: &Parameters) -> Result<Outcome, ArtefactError> {
             libm::cos(Radians::from(SLOPE).0),
         ),
         share(
-            Text::new(
-                "gear: share of corners that the crease angle calls false",
-                "engrenagem: parcela de cantos que o ângulo de vinco chama de falsos",
+            Text::with(
+                "gear: share of corners whose averaged normal is more than {}° off its face",
+                "engrenagem: parcela dos cantos cuja normal média está a mais de {}° da sua face",
+                &[crease.0],
             ),
             gear_smooth.share_over(crease),
         ),
@@ -187,7 +191,16 @@ fn of_bodies(parameters: &Parameters) -> Result<Outcome, ArtefactError> {
         unit: "°",
         bad: gear_smooth.deviation.mean,
         present: Threshold::HALF_STEP_OF_TILT,
-        cure: cure(crease),
+        cure: match separates_gear(parameters) {
+            true => Text::each(|language| {
+                let left = Text::new(
+                    "what is left is the bore, smoothed on purpose",
+                    "o que resta é o furo, alisado de propósito",
+                );
+                format!("{}; {}", cure(crease).get(language), left.get(language))
+            }),
+            false => cure(crease),
+        },
         cured: gear_sharp.deviation.mean,
         factor: 100.0,
     };
@@ -203,6 +216,7 @@ fn of_bodies(parameters: &Parameters) -> Result<Outcome, ArtefactError> {
         charts: vec![chart(&gear, weight)?],
         shots: shots::all(
             &moved,
+            separates_gear(parameters),
             [
                 [cube_smooth, cube_sharp],
                 [gear_smooth, gear_sharp],
@@ -312,6 +326,11 @@ fn share(name: Text, found: f64) -> Measure {
     Measure::new(name, "", found)
 }
 
+/// Whether all of the gear is split but its bore: teeth bend by more than 60°, the bore by 7.5°.
+fn separates_gear(parameters: &Parameters) -> bool {
+    (8.0..60.0).contains(&parameters.crease.0) && parameters.weight != Weight::Quadric
+}
+
 /// What is left at the gear's bore, which is round: half the angle between its facets.
 fn bore(found: f64, parameters: &Parameters) -> Measure {
     let measure = Measure::new(
@@ -322,9 +341,7 @@ fn bore(found: f64, parameters: &Parameters) -> Measure {
         "°",
         found,
     );
-    // Teeth bend by more than 60°, the bore by 7.5°.
-    let separates = (8.0..60.0).contains(&parameters.crease.0) && parameters.weight != Weight::Quadric;
-    if !separates {
+    if !separates_gear(parameters) {
         return measure;
     }
     measure.expect(

@@ -5,7 +5,12 @@ use super::FULL_ANGLE;
 use super::subject::Case;
 use crate::raster::Image;
 
-pub(super) fn all(moved: &Moved, [cube, gear, roof, zigzag]: [[Case; 2]; 4]) -> Vec<Shot> {
+/// The shots of each body, averaged and split; of the gear, whether all of it is split but the bore.
+pub(super) fn all(
+    moved: &Moved,
+    is_bore_alone: bool,
+    [cube, gear, roof, zigzag]: [[Case; 2]; 4],
+) -> Vec<Shot> {
     let of = |cases: &[Case; 2]| {
         let [bad, cured] = cases.each_ref().map(|case| case.deviation.mean);
         let name = Text::new("mean error of the pixels' normals", "erro médio das normais dos pixels");
@@ -18,7 +23,8 @@ pub(super) fn all(moved: &Moved, [cube, gear, roof, zigzag]: [[Case; 2]; 4]) -> 
         moved.cured_shot(name, labelled(body, ["split", "separado"]), texts, image)
     };
     let [of_cube, of_gear, of_roof, of_zigzag] = [&cube, &gear, &roof, &zigzag].map(of);
-    let is_bore_round = gear[1].largest() > 0.0;
+    let of_bore = gear[1].largest();
+    let is_bore_round = of_bore > 0.0;
     let ([gear_angles, gear_light], cube_angles) = (gear[0].maps(), cube[0].maps()[0].clone());
     let [[cube, sharp_cube], [gear, sharp_gear], [roof, sharp_roof], [zigzag, sharp_zigzag]] =
         [cube, gear, roof, zigzag].map(|pair| pair.map(|case| case.lit));
@@ -45,6 +51,11 @@ pub(super) fn all(moved: &Moved, [cube, gear, roof, zigzag]: [[Case; 2]; 4]) -> 
             [
                 Text::new("Split at the crease angle.", "Separada pelo ângulo de vinco."),
                 match is_bore_round {
+                    true if is_bore_alone => Text::with(
+                        "Teeth and sides are flat; the bore stays round on purpose, with normals up to {}° off its facets.",
+                        "Dentes e lados são planos; o furo continua redondo de propósito, com normais a até {}° das suas facetas.",
+                        &[of_bore],
+                    ),
                     true => Text::new(
                         "Teeth and sides are flat, the bore stays round.",
                         "Dentes e lados são planos, o furo continua redondo.",
