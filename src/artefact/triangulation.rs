@@ -34,8 +34,8 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
         Formula {
             notation: Text::same("c_{13} = \\frac{c_1 + c_3}{2}, \\quad c_{24} = \\frac{c_2 + c_4}{2}"),
             says: Text::new(
-                "the colour in the middle of the diamond, cut from corner 1 to 3 or from 2 to 4",
-                "a cor no meio do losango, cortado do canto 1 ao 3 ou do 2 ao 4",
+                "the colour in the middle of the diamond, cut from corner 1 (right) to 3 (left) or from 2 (above) to 4 (below)",
+                "a cor no meio do losango, cortado do canto 1 (direito) ao 3 (esquerdo) ou do 2 (acima) ao 4 (abaixo)",
             ),
         },
         Formula {
@@ -157,7 +157,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         "",
         apart(&phong, &phong_falling)?,
     ));
-    let full = 0.5;
+    let full = 0.3;
     let difference = map([size; 2], &differences(&rising, &falling), full);
     let waves = Moved {
         name: Text::new(
@@ -175,6 +175,24 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         factor: 8.0,
     };
     let along = Moved { cured: apart(&falling, &exact)?, factor: 1.5, ..waves.clone() };
+    let off_surface = |(value, name, cut): (f64, &'static str, &'static str)| {
+        Measure::new(
+            Text::made(
+                format!("waves, {name}: light off that of the surface itself (rms)"),
+                format!("ondas, {cut}: luz, diferença à da própria superfície (rms)"),
+            ),
+            "",
+            value,
+        )
+    };
+    measures.extend(
+        [
+            (waves.bad, "cut across", "cortadas de través"),
+            (along.cured, "cut along", "cortadas ao longo"),
+            (waves.cured, "cut across, finer", "cortadas de través, mais finas"),
+        ]
+        .map(off_surface),
+    );
     let of_all = mean(&[0, 1, 2, 3]);
     let from_mean = |image: &Image| (0..3).map(|k| (centre(image)[k] - of_all[k]).abs()).fold(0.0, f64::max);
     let diamond = Moved {
@@ -191,10 +209,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let off = |image: &Image| Moved { bad: from_mean(image), ..diamond.clone() };
     Ok(Outcome {
         verdict: Verdict::Holds(Text::new(
-            "wherever the corners' values do not lie in one plane. Triangles do not turn with the picture, but how a polygon is cut \
-             shows; on smooth surfaces the difference falls as the square of the facets' size.",
-            "sempre que os valores dos cantos não estão num plano. Triângulos não giram com a imagem, mas o corte do polígono \
-             aparece; em superfícies lisas a diferença cai com o quadrado do tamanho das facetas.",
+            "wherever the corners' values do not lie in one plane. The colours of triangles do not change as the polygon is turned, but \
+             how it is cut shows; on smooth surfaces the difference falls as the square of the facets' size.",
+            "sempre que os valores dos cantos não estão num plano. As cores dos triângulos não mudam quando o polígono gira, mas o seu \
+             corte aparece; em superfícies lisas a diferença cai com o quadrado do tamanho das facetas.",
         )),
         shots: vec![
             waves.bad_shot(
@@ -217,7 +235,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                         "The same vertices and normals; only the diagonals run the other way, along the waves.",
                         "Os mesmos vértices e normais; só as diagonais vão no outro sentido, ao longo das ondas.",
                     ),
-                    Text::new("Their crests are straight.", "As cristas são retas."),
+                    Text::new(
+                        "The stripes are straight, but not as soft as those of the waves themselves.",
+                        "As listras são retas, mas não tão suaves quanto as das próprias ondas.",
+                    ),
                 ],
                 falling,
             ),
@@ -296,12 +317,14 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         measures,
         charts: vec![chart(orders, is_square)],
         notes: vec![Text::new(
-            "Two triangles know nothing of the fourth corner: along the diagonal only its two ends count. The scanline algorithm on \
+            "Each of the two triangles knows nothing of the fourth corner: along the diagonal only its two ends count. The scanline algorithm on \
              the whole polygon prefers no diagonal, but depends on how the polygon is turned (see the experiment on \
-             orientation).",
-            "Dois triângulos não sabem do quarto canto: ao longo da diagonal só contam as suas pontas. O algoritmo de varredura no \
+             orientation). The number that moved is how far light on the triangles is off that of the surface itself, for both cuts \
+             err: at least one of them by half of what they differ by.",
+            "Cada um dos dois triângulos nada sabe do quarto canto: ao longo da diagonal só contam as suas pontas. O algoritmo de varredura no \
              polígono inteiro não prefere diagonal, mas depende de como o polígono está girado (veja o experimento sobre \
-             orientação).",
+             orientação). O número que mudou é quanto a luz nos triângulos difere da luz da própria superfície, pois os dois cortes \
+             erram: ao menos um deles por metade do que diferem.",
         )],
     })
 }
@@ -433,19 +456,23 @@ fn chart(orders: Vec<[f64; 2]>, is_square: bool) -> Chart {
         title: Text::new("Difference of both diagonals", "Diferença das duas diagonais"),
         caption: match is_square {
             true => Text::new(
-                "The difference on the waves against the number of squares along a side: it falls as the square.",
-                "A diferença nas ondas em função do número de quadrados por lado: cai com o quadrado.",
+                "The difference on the waves against the number of squares along a side: it falls as one over its square.",
+                "A diferença nas ondas em função do número de quadrados por lado: cai como um sobre o seu quadrado.",
             ),
             false => Text::new(
-                "The difference on the waves against the number of squares along a side, beside its square.",
-                "A diferença nas ondas em função do número de quadrados por lado, junto ao seu quadrado.",
+                "The difference on the waves against the number of squares along a side, beside one over its square.",
+                "A diferença nas ondas em função do número de quadrados por lado, junto a um sobre o seu quadrado.",
             ),
         },
         x: Scale::log(Text::new("squares along a side", "quadrados por lado")),
         y: Scale::log(Text::new("rms difference", "diferença rms")),
         curves: vec![
             Curve { name: Text::new("measured", "medido"), drawn: Drawn::Points, points: orders },
-            Curve { name: Text::new("as h²", "como h²"), drawn: Drawn::Guide, points: square },
+            Curve {
+                name: Text::new("as h², h = 1/number", "como h², h = 1/número"),
+                drawn: Drawn::Guide,
+                points: square,
+            },
         ],
     }
 }
