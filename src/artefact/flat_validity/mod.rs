@@ -1,9 +1,11 @@
 //! When one colour a face is right.
 
+mod pictures;
+
 use super::stage::{chalk, draw, front, object, settings};
 use super::{
     ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters,
-    Scale, Setup, Shot, Text, Threshold, Verdict,
+    Scale, Setup, Text, Threshold, Verdict,
 };
 use crate::mesh::{Faces, Mesh, MeshBuilder};
 use crate::metric::image_error;
@@ -81,7 +83,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             .expect(lamp.law(1, size).1, 2e-6, single()),
         );
         let viewer = Viewer { angle: light, distance, exponent };
-        let found = viewer.error(size)?;
+        let found = viewer.error(1, size)?;
         specular.push([ratio, found]);
         let measure = Measure::new(
             Text::made(
@@ -146,8 +148,9 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         // Both follow their laws to a few units of single precision.
         factor: (0.99 * near.law(1, size).0 / most).max(1.0),
     };
-    let mut pictures = shots(size, segments)?;
-    pictures.extend(plate_shots(&near, &moved, segments, size)?);
+    let mut shots = pictures::of_box(size, segments)?;
+    shots.extend(pictures::of_plate(&near, &moved, segments, size)?);
+    shots.extend(pictures::of_highlight(exponent, segments, size)?);
     Ok(Outcome {
         verdict: Verdict::HoldsOnlyIf(Text::new(
             "light or viewer are near. From 510 circumradii of a face on, flat shading of plane faces under diffuse light is right \
@@ -158,7 +161,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         )),
         moved,
         measures,
-        shots: pictures,
+        shots,
         charts: vec![chart(diffuse, specular, exponent, is_bounded)],
         notes: vec![Text::new(
             "What counts is the light's distance over the size of the face, not of the object: cutting faces smaller cures as moving \
@@ -259,7 +262,13 @@ struct Viewer {
 }
 
 impl Viewer {
-    fn error(&self, size: u32) -> Result<f64, ArtefactError> {
+    /// Flat shading against shading every pixel.
+    fn error(&self, cells: u32, size: u32) -> Result<f64, ArtefactError> {
+        let (material, light, camera) = self.scene();
+        difference(cells, material, light, camera, size)
+    }
+
+    fn scene(&self) -> (Material, Light, Camera) {
         let material = Material {
             ambient: Reflectance::NONE,
             diffuse: Reflectance::NONE,
@@ -274,7 +283,7 @@ impl Viewer {
             near: 0.5 * self.distance,
             ..front(2.0)
         };
-        difference(1, material, light, camera, size)
+        (material, light, camera)
     }
 
     /// The same by the formula: (V·R)ⁿ at the pixel and in the middle, and nothing by the guard from behind. Then the steepest
@@ -321,117 +330,6 @@ fn paint_plate(
     let normals = compute(&mesh, &NormalRecipe::default());
     let settings = settings([size; 2], shading, Interpolation::Perspective);
     draw(vec![object(&mesh, &normals, material)], &[light], camera, &settings)
-}
-
-/// The plate that the number that moves is measured on.
-fn plate_shots(lamp: &Lamp, moved: &Moved, segments: u32, size: u32) -> Result<Vec<Shot>, ArtefactError> {
-    let paint = |cells| paint_plate(cells, chalk(), lamp.light(), front(2.0), size, Shading::Flat);
-    Ok(vec![
-        moved.bad_shot(
-            "plate",
-            Text::new("plate, one face", "placa, uma face"),
-            [
-                Text::new(
-                    "A plate under a lamp at two circumradii.",
-                    "Uma placa sob uma lâmpada a dois circunraios.",
-                ),
-                Text::new("All of it has one grey.", "Toda ela tem um só cinza."),
-            ],
-            paint(1)?,
-        ),
-        moved.cured_shot(
-            "plate-small-faces",
-            Text::new("plate, small faces", "placa, faces pequenas"),
-            [
-                Text::made(
-                    format!("The same plate cut into {segments} × {segments} squares."),
-                    format!("A mesma placa dividida em {segments} × {segments} quadrados."),
-                ),
-                Text::new("The light falls off away from the lamp.", "A luz diminui para longe da lâmpada."),
-            ],
-            paint(segments)?,
-        ),
-    ])
-}
-
-/// A box under a lamp that is near its upper corner, and far away in the same direction.
-fn shots(size: u32, segments: u32) -> Result<Vec<Shot>, ArtefactError> {
-    let sides = [
-        (DVec3::new(-1.0, -1.0, 1.0), DVec3::X * 2.0, DVec3::Y * 2.0),
-        (DVec3::new(1.0, -1.0, 1.0), DVec3::Z * -2.0, DVec3::Y * 2.0),
-        (DVec3::new(-1.0, 1.0, 1.0), DVec3::X * 2.0, DVec3::Z * -2.0),
-    ];
-    let camera = Camera { eye: DVec3::new(60.0, 45.0, 80.0), ..front(3.8) };
-    let lamp = DVec3::new(1.5, 1.8, 2.1);
-    let paint = |cells: u32, away: f64, shading| -> Result<Image, ArtefactError> {
-        let mesh = squares(cells, &sides)?;
-        let normals = compute(&mesh, &NormalRecipe::default());
-        let light =
-            Light::Point { position: lamp * away, colour: LinearRgb::WHITE, attenuation: Attenuation::None };
-        let settings = settings([size; 2], shading, Interpolation::Perspective);
-        draw(vec![object(&mesh, &normals, chalk())], &[light], camera, &settings)
-    };
-    let near = paint(1, 1.0, Shading::Phong)?;
-    let [flat, cut_up] = [1, segments].map(|cells| paint(cells, 1.0, Shading::Flat));
-    let (flat, cut_up, far) = (flat?, cut_up?, paint(1, 100.0, Shading::Flat)?);
-    let off = |image: &Image, truth: &Image| {
-        Ok::<f64, ArtefactError>(image_error(image, truth, 0.5)?.linear.max / 255.0)
-    };
-    let small = Moved {
-        name: Text::new("largest error of a pixel's light", "maior erro da luz de um pixel"),
-        unit: "",
-        bad: off(&flat, &near)?,
-        present: Threshold::HALF_STEP,
-        cure: Text::new("smaller faces", "faces menores"),
-        cured: off(&cut_up, &near)?,
-        // Of faces a third as long already.
-        factor: 2.0,
-    };
-    let away = Moved { cured: off(&far, &paint(1, 100.0, Shading::Phong)?)?, factor: 10.0, ..small.clone() };
-    Ok(vec![
-        small.bad_shot(
-            "flat",
-            Text::new("flat, lamp near", "plano, lâmpada próxima"),
-            [
-                Text::new("A lamp stands near the corner of the box.", "Há uma lâmpada perto do canto da caixa."),
-                Text::new(
-                    "But each side has one colour: nothing tells that the lamp is near.",
-                    "Mas cada lado tem uma só cor: nada mostra que a lâmpada está próxima.",
-                ),
-            ],
-            flat,
-        ),
-        Shot::truth(
-            "every-pixel",
-            Text::new("every pixel, lamp near", "cada pixel, lâmpada próxima"),
-            Text::new(
-                "Lit at every pixel, the sides are bright near the lamp and fade away from it.",
-                "Iluminados pixel a pixel, os lados são claros perto da lâmpada e escurecem longe dela.",
-            ),
-            near,
-        ),
-        small.cured_shot(
-            "flat-small-faces",
-            Text::new("flat, small faces", "plano, faces pequenas"),
-            [
-                Text::made(
-                    format!("The same flat shading with each side cut into {segments} × {segments} squares."),
-                    format!("O mesmo sombreamento plano com cada lado dividido em {segments} × {segments} quadrados."),
-                ),
-                Text::new("Closer to the truth.", "Mais perto da verdade."),
-            ],
-            cut_up,
-        ),
-        away.cured_shot(
-            "flat-lamp-far",
-            Text::new("flat, lamp far", "plano, lâmpada distante"),
-            [
-                Text::new("The lamp moved a hundred times as far away.", "A lâmpada cem vezes mais longe."),
-                Text::new("Now one colour a side is almost right.", "Agora uma cor por lado está quase certa."),
-            ],
-            far,
-        ),
-    ])
 }
 
 fn chart(diffuse: Vec<[f64; 2]>, specular: Vec<[f64; 2]>, exponent: f64, is_bounded: bool) -> Chart {
