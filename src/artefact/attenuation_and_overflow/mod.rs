@@ -1,15 +1,18 @@
 //! Light that fades with distance, and light that is too much.
 
 use super::body::{Body, Diagonal};
-use super::stage::{chalk, draw, front, settings};
+mod plates;
+
+use super::stage::{chalk, draw, front, linear, settings};
 use super::{
     ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters,
     Scale, Setup, Text, Threshold, Verdict,
 };
-use crate::num::{LinearRgb, Radians, Srgb8};
-use crate::raster::{Camera, Image, Interpolation, Projection, RenderSettings, Shading};
-use crate::shade::{Attenuation, DepthCue, Light, ToneRule};
+use crate::num::{LinearRgb, Srgb8};
+use crate::raster::{Image, Interpolation, RenderSettings, Shading};
+use crate::shade::{Attenuation, Light, ToneRule};
 use glam::DVec3;
+use plates::{CUE, DEPTHS, obliqueness, plate_pixel, plate_value, plates};
 use std::f64::consts::PI;
 
 pub(super) const EXPERIMENT: Experiment = Experiment {
@@ -71,11 +74,6 @@ static NAMES: [Text; 3] = [
 ];
 /// The window's side.
 const WINDOW: f64 = 6.0;
-/// Distances of the plates that fade with depth, from the viewer, and their k.
-const DEPTHS: [f64; 3] = [4.0, 7.0, 12.0];
-const CUE: DepthCue = DepthCue { k: 1.0 };
-/// The tangent of half the angle of view at which they are seen.
-const TANGENT: f64 = 0.5;
 
 fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let size = setup.parameters.size;
@@ -223,9 +221,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         factor: 10.0,
     };
     let hue = Moved {
-        name: Text::new(
-            "green over red below the lamp, off the lamp's own",
-            "verde sobre vermelho sob a lâmpada, diferença ao da própria lâmpada",
+        name: Text::with(
+            "how far green over red below the lamp is from the lamp's own {}",
+            "quanto verde sobre vermelho sob a lâmpada dista do {} da própria lâmpada",
+            &[WARM.g / WARM.r],
         ),
         bad: (ratio(&clamped) - WARM.g / WARM.r).abs(),
         present: Threshold {
@@ -236,9 +235,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         ..moved.clone()
     };
     let fading = Moved {
-        name: Text::new(
-            "nearest plate over farthest plate, off the law's",
-            "placa mais próxima sobre a mais distante, diferença à lei",
+        name: Text::with(
+            "how far light of the nearest plate over that of the farthest is from the law's {}",
+            "quanto a luz da placa mais próxima sobre a da mais distante dista do {} da lei",
+            &[by_depth],
         ),
         bad: (contrast_of(&plain) - by_depth).abs(),
         present: Threshold {
@@ -262,7 +262,11 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 "inverse-square",
                 NAMES[0].clone(),
                 [
-                    Text::new("A floor under a lamp.", "Um chão sob uma lâmpada."),
+                    Text::with(
+                        "A floor under a lamp of strength I₀ = {} at the height h = {}.",
+                        "Um chão sob uma lâmpada de força I₀ = {} à altura h = {}.",
+                        &[STRENGTH, HEIGHT],
+                    ),
                     Text::new(
                         "There is a white disc with a hard rim below the lamp, where light is more than 1, and darkness soon after.",
                         "Há um disco branco de borda dura sob a lâmpada, onde a luz passa de 1, e escuridão logo depois.",
@@ -286,7 +290,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 "offset",
                 NAMES[2].clone(),
                 [
-                    Text::new("The same lamp.", "A mesma lâmpada."),
+                    Text::with("The same lamp, k = {}.", "A mesma lâmpada, k = {}.", &[K]),
                     Text::new(
                         "No disc, and the floor can be seen to its corners.",
                         "Sem disco, e vê-se o chão até os cantos.",
@@ -312,8 +316,9 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 [
                     Text::new("Divided by the largest component.", "Dividida pela maior componente."),
                     Text::new(
-                        "The hue is the lamp's everywhere; only brightness is lost.",
-                        "O tom é o da lâmpada em toda parte; só se perde o brilho.",
+                        "The hue is the lamp's everywhere. Only brightness is lost: a flat disc is left, as large as the white one under \
+                         1/d².",
+                        "O tom é o da lâmpada em toda parte. Só se perde o brilho: resta um disco liso, do tamanho do branco sob 1/d².",
                     ),
                 ],
                 divided,
@@ -322,7 +327,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 "no-depth-cue",
                 Text::new("without depth cueing", "sem depth cueing"),
                 [
-                    Text::new("Three plates at different distances.", "Três placas a distâncias diferentes."),
+                    Text::new(
+                        "Three plates at different distances, the farther the larger, so that all have one size here.",
+                        "Três placas a distâncias diferentes, tanto maiores quanto mais longe, de modo que aqui têm o mesmo tamanho.",
+                    ),
                     Text::new("All are alike: which is the nearest?", "Todas são iguais: qual é a mais próxima?"),
                 ],
                 plain,
@@ -349,17 +357,15 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         notes: vec![
             Text::new(
                 "Under 1/d² light quadruples with each halving of the distance: what is just right far away is beyond the screen's white \
-                 close by, and is cut off there. A term added to d keeps the sum below white at the lamp, and falls more slowly far \
+                 close by, and is cut off there. A term added to d keeps light below white at the lamp, and falls more slowly far \
                  away. Where a coloured light is cut off, it is cut off channel by channel, and its hue moves towards white.",
                 "Sob 1/d² a luz quadruplica a cada metade da distância: o que está certo ao longe passa do branco da tela de perto, e ali é \
-                 cortado. Um termo somado a d mantém a soma abaixo do branco junto à lâmpada, e cai mais devagar ao longe. Onde se corta \
+                 cortado. Um termo somado a d mantém a luz abaixo do branco junto à lâmpada, e cai mais devagar ao longe. Onde se corta \
                  uma luz colorida, corta-se canal por canal, e o tom vai para o branco.",
             ),
             Text::new(
-            "The lectures use the letter d twice: for the distance to the lamp in attenuation, and to the viewer in depth cueing. They \
-             are two options here.",
-            "As aulas usam a letra d duas vezes: para a distância à lâmpada na atenuação, e ao observador no depth cueing. Aqui são \
-             duas opções.",
+                "The lectures use the letter d twice: for the distance to the lamp in attenuation, and to the viewer in depth cueing.",
+                "As aulas usam a letra d duas vezes: para a distância à lâmpada na atenuação, e ao observador no depth cueing.",
             ),
         ],
     })
@@ -385,7 +391,7 @@ fn floor(rule: Attenuation, colour: LinearRgb, tone: ToneRule, size: u32) -> Res
 
 /// The luminance of a white floor.
 fn values(image: &Image) -> impl Iterator<Item = f64> {
-    super::stage::linear(image).iter().map(|colour| f64::from(colour[0]))
+    linear(image).iter().map(|colour| f64::from(colour[0]))
 }
 
 /// By how much more than 1 light may be that is 1 by the law. Positions are 100 units from the viewer; interpolated in single
@@ -401,8 +407,7 @@ fn share(image: &Image) -> f64 {
 /// The middle pixel over the one half-way down the right edge.
 fn contrast(image: &Image) -> f64 {
     let [width, height] = image.size;
-    let value =
-        |x| image.index(x, height / 2).map_or(f64::NAN, |i| f64::from(super::stage::linear(image)[i][0]));
+    let value = |x| image.index(x, height / 2).map_or(f64::NAN, |i| f64::from(linear(image)[i][0]));
     value(width / 2) / value(width - 1)
 }
 
@@ -415,51 +420,6 @@ fn expected_contrast(rule: impl Fn(f64) -> f64, pixel: f64) -> f64 {
     // The middle pixel's centre is half a pixel off the middle where their number is even.
     let off = if count % 2.0 == 0.0 { 0.5 * pixel } else { 0.0 };
     light(off, off) / light(0.5 * (WINDOW - pixel), off)
-}
-
-/// Three equal plates one behind the other, of the same size on the picture.
-fn plates(depth_cue: Option<DepthCue>, size: u32) -> Result<Image, ArtefactError> {
-    let bodies: Vec<Body> = (0..3)
-        .map(|plate| {
-            let depth = DEPTHS[plate];
-            let (middle, half) = ((plate as f64 - 1.0) * 0.6, 0.25);
-            Body::grid([1, 1], Diagonal::Rising, |u, v| {
-                let [x, y] = [middle + (2.0 * u - 1.0) * half, (2.0 * v - 1.0) * 2.5 * half];
-                (DVec3::new(x, y, 0.0) * (TANGENT * depth) - DVec3::Z * depth, DVec3::Z)
-            })
-        })
-        .collect();
-    let camera = Camera {
-        eye: DVec3::ZERO,
-        target: DVec3::NEG_Z,
-        projection: Projection::Perspective(Radians(2.0 * libm::atan(TANGENT))),
-        near: 1.0,
-        ..front(1.0)
-    };
-    let light = Light::Directional {
-        towards: DVec3::Z,
-        colour: LinearRgb::grey(if depth_cue.is_some() { 4.0 } else { 0.8 }),
-    };
-    let settings =
-        RenderSettings { depth_cue, ..settings([size; 2], Shading::Phong, Interpolation::Perspective) };
-    draw(bodies.iter().map(|body| body.object(chalk())).collect(), &[light], camera, &settings)
-}
-
-/// The pixel in the middle of a plate.
-fn plate_pixel([width, height]: [u32; 2], plate: usize) -> [u32; 2] {
-    [(f64::from(width) * (0.5 + 0.5 * (plate as f64 - 1.0) * 0.6)) as u32, height / 2]
-}
-
-/// The distance to what is seen at a pixel's centre, over its depth: the secant of the angle off the axis of view.
-fn obliqueness(pixel: [u32; 2], size: u32) -> f64 {
-    let [x, y] = pixel.map(|k| TANGENT * (2.0 * (f64::from(k) + 0.5) / f64::from(size) - 1.0));
-    (1.0 + x * x + y * y).sqrt()
-}
-
-/// The luminance in the middle of a plate.
-fn plate_value(image: &Image, plate: usize) -> f64 {
-    let [x, y] = plate_pixel(image.size, plate);
-    image.index(x, y).map_or(f64::NAN, |i| f64::from(super::stage::linear(image)[i][0]))
 }
 
 fn chart() -> Chart {
@@ -475,6 +435,8 @@ fn chart() -> Chart {
             })
             .collect(),
     };
+    // Where d² = d + k.
+    let crossing = 0.5 * (1.0 + (1.0 + 4.0 * K).sqrt());
     let mut curves: Vec<Curve> = NAMES.iter().zip(rules).map(curve).collect();
     curves.push(Curve {
         name: Text::new("what a screen can show", "o que a tela mostra"),
@@ -484,14 +446,15 @@ fn chart() -> Chart {
     Chart {
         name: "light-on-the-floor",
         title: Text::new("Light on the floor", "Luz no chão"),
-        caption: Text::new(
-            "Luminance against the distance from the point below the lamp: 1/d² is six times what a screen shows \
-             there, and falls below 1/(d + k) soon after.",
-            "Luminância em função da distância ao ponto sob a lâmpada: 1/d² é ali seis vezes o que a \
-             tela mostra, e logo depois fica abaixo de 1/(d + k).",
+        caption: Text::with(
+            "Luminance against the distance from the point below the lamp: 1/d² is {} times what a screen shows there, and falls below \
+             1/(d + k) at ρ = {}.",
+            "Luminância em função da distância ao ponto sob a lâmpada: 1/d² é ali {} vezes o que a tela mostra, e cai abaixo de 1/(d + k) \
+             em ρ = {}.",
+            &[STRENGTH / (HEIGHT * HEIGHT), (crossing * crossing - HEIGHT * HEIGHT).sqrt()],
         ),
         x: Scale::linear(Text::new("distance ρ", "distância ρ")),
-        y: Scale::linear(Text::new("luminance", "luminância")),
+        y: Scale::log(Text::new("luminance", "luminância")),
         curves,
     }
 }
