@@ -35,8 +35,10 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
         Formula {
             notation: Text::same("ΔI = 2 |sin(θ − θ_L)| sin(Δ/2)"),
             says: Text::new(
-                "the jump along an unwelded seam of a tube at the angle θ: each side has the normal of its own facet",
-                "o salto ao longo de uma emenda não soldada de um tubo no ângulo θ: cada lado tem a normal da sua faceta",
+                "the jump along an unwelded seam, at the angle θ from the viewer, of a tube of N facets, Δ = 2π/N, with the light at θ_L: \
+                 each side has the normal of its own facet; here θ = 0",
+                "o salto ao longo de uma emenda não soldada, no ângulo θ a partir do observador, de um tubo de N facetas, Δ = 2π/N, com a \
+                 luz em θ_L: cada lado tem a normal da sua faceta; aqui θ = 0",
             ),
         },
         Formula {
@@ -173,7 +175,11 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
              plana e iluminada por igual não se vê, nem uma emenda cujos lados têm as mesmas normais.",
         )),
         charts: vec![chart(&wall, &bad, &cured)],
-        shots: shots([&t_junction, &crack, &seam], [bad, cured, cracked, whole, open, welded]),
+        shots: shots(
+            [&t_junction, &crack, &seam],
+            [bad, cured, cracked, whole, open, welded],
+            [edge, f64::from(segments), light.0],
+        ),
         moved: seam,
         measures,
         notes: vec![
@@ -337,9 +343,11 @@ impl Tube {
     }
 }
 
+/// The pictures; and the length of the long edge in pixels, how many facets the tube has, and the light's angle in degrees.
 fn shots(
     [t_junction, crack, seam]: [&Moved; 3],
     [bad, cured, cracked, whole, open, welded]: [Image; 6],
+    [edge, facets, light]: [f64; 3],
 ) -> Vec<Shot> {
     vec![
         t_junction.bad_shot(
@@ -347,9 +355,9 @@ fn shots(
             Text::new("T-junction", "junção em T"),
             [
                 Text::new(
-                    "Three faces whose colours depend on the height alone. The small ones at the right are brightest at their common \
+                    "Three faces whose corners' colours depend on their height alone. The small ones at the right are brightest at their common \
                      vertex, which the large one lacks.",
-                    "Três faces cujas cores só dependem da altura. As pequenas à direita são mais claras no vértice comum, que falta à \
+                    "Três faces cujas cores nos cantos só dependem da altura deles. As pequenas à direita são mais claras no vértice comum, que falta à \
                      grande.",
                 ),
                 Text::new("An edge is seen in the middle.", "Vê-se uma aresta no meio."),
@@ -364,7 +372,10 @@ fn shots(
                     "The vertex is a corner of the large face too.",
                     "O vértice é também um canto da face grande.",
                 ),
-                Text::new("Nothing is seen of the edge.", "Nada se vê da aresta."),
+                Text::new(
+                    "There is no jump at the edge any more, only a bend of the slope.",
+                    "Não há mais salto na aresta, só uma quebra da inclinação.",
+                ),
             ],
             cured,
         ),
@@ -372,7 +383,11 @@ fn shots(
             "crack",
             Text::new("crack", "fenda"),
             [
-                Text::new("The vertex six pixels off the long edge.", "O vértice a seis pixels da aresta longa."),
+                Text::with(
+                    "The vertex δ = {} px off the long edge of L = {} px.",
+                    "O vértice a δ = {} px da aresta longa, de L = {} px.",
+                    &[OFF, edge],
+                ),
                 Text::new(
                     "The background shows through a dark crack.",
                     "O fundo aparece por uma fenda escura.",
@@ -396,9 +411,12 @@ fn shots(
             "seam",
             Text::new("seam", "emenda"),
             [
-                Text::new(
-                    "A tube whose first and last column of vertices are at the same places but not the same.",
-                    "Um tubo cujas primeira e última colunas de vértices estão nos mesmos lugares mas não são as mesmas.",
+                Text::with(
+                    "A tube of N = {} facets, the light at θ_L = {}°. Its first and last column of vertices are at the same places (θ = 0) \
+                     but not the same.",
+                    "Um tubo de N = {} facetas, a luz em θ_L = {}°. A sua primeira e a sua última coluna de vértices estão nos mesmos lugares \
+                     (θ = 0) mas não são as mesmas.",
+                    &[facets, light],
                 ),
                 Text::new("There is a line down its middle.", "Há uma linha no seu meio."),
             ],
