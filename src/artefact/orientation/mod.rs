@@ -35,8 +35,10 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
             "c(θ) = \\frac{|cos(θ)| (c_1 + c_3)/2 + |sin(θ)| (c_2 + c_4)/2}{|cos(θ)| + |sin(θ)|}",
         ),
         says: Text::new(
-            "the colour at the centre of the diamond turned by θ",
-            "a cor no centro do losango girado de θ",
+            "the colour at the centre of the diamond turned by θ; c₁ to c₄ are the colours of its corners, counter-clockwise from the \
+             right one, and θ = 0 is position 1",
+            "a cor no centro do losango girado de θ; c₁ a c₄ são as cores dos cantos, no sentido anti-horário a partir do direito, e \
+             θ = 0 é a posição 1",
         ),
     }],
     takes: &[Knob::Size, Knob::Interpolation, Knob::Mesh],

@@ -58,9 +58,17 @@ pub(super) fn shots(
             "halves",
             Text::new("scanline: 0° above, 90° below", "varredura: 0° acima, 90° abaixo"),
             [
-                Text::new(
-                    "Above, the polygon as it stands; below, drawn turned by 90° and turned back.",
-                    "Acima, o polígono como está; abaixo, desenhado girado de 90° e girado de volta.",
+                captioned(
+                    Text::new(
+                        "Above, the diamond as it stands; below, drawn turned by 90° and turned back. Corner 1 is at the right, 2 above, 3 \
+                         at the left (the brightest), 4 below (olive).",
+                        "Acima, o losango como está; abaixo, desenhado girado de 90° e girado de volta. O canto 1 está à direita, o 2 acima, \
+                         o 3 à esquerda (o mais claro), o 4 abaixo (oliva).",
+                    ),
+                    Text::new(
+                        "Above, the polygon as it stands; below, drawn turned by 90° and turned back.",
+                        "Acima, o polígono como está; abaixo, desenhado girado de 90° e girado de volta.",
+                    ),
                 ),
                 Text::new(
                     "Were the colours its own, there would be no seam.",
