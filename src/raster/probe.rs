@@ -108,12 +108,17 @@ impl ProbePoint {
         let explain = |lit: &LitPoint| {
             let position = shade.frame.to_local(lit.position).to_array();
             let point = SurfacePoint { position, normal: lit.normal.to_array() };
-            match settings.asks_faces() && self.face.is_some() {
+            let explanation = match settings.asks_faces() && self.face.is_some() {
                 true => probe.explain_on(&point, self.face_normal.to_array()),
                 false => probe.explain(&point),
+            };
+            // What the picture would be an error for, had rounding to single precision not moved it a little.
+            match explanation.not_finite() {
+                Some(error) => Err(RenderError::NotFinite { object, error }),
+                None => Ok(explanation),
             }
         };
-        Ok(self.lit.iter().map(explain).collect())
+        self.lit.iter().map(explain).collect()
     }
 
     /// The linear colour of the sample, before the tone rule.

@@ -1,6 +1,6 @@
 //! Every number behind the colour of one point, for a student to follow.
 
-use super::error::ShadeError;
+use super::error::{NotFinite, ShadeError};
 use super::formula;
 use super::light::Light;
 use super::material::Material;
@@ -36,6 +36,23 @@ pub struct Explanation {
     pub tone: &'static str,
     /// The sum after it.
     pub colour: [f64; 3],
+}
+
+impl Explanation {
+    /// The error that a picture is if this sum is infinite or not a number.
+    pub fn not_finite(&self) -> Option<NotFinite> {
+        let is_finite = |parts: &[f64; 3]| parts.iter().all(|part| part.is_finite());
+        let spoils = |light: &&LightExplanation| {
+            !(is_finite(&light.diffuse.guarded) && is_finite(&light.specular.guarded))
+        };
+        let error = || NotFinite {
+            index: 0,
+            position: self.position,
+            normal: self.normal,
+            light: self.lights.iter().find(spoils).map(|light| light.light),
+        };
+        (!is_finite(&self.sum)).then(error)
+    }
 }
 
 /// One light's part.

@@ -90,3 +90,30 @@ fn outside_and_beside_the_mesh() {
     assert_eq!(code(&outside), 2);
     assert!(text(&outside.stderr).contains("outside the picture of 96x72"), "{}", text(&outside.stderr));
 }
+
+/// A lamp in the plate that it lights, which single precision misses by a little: what is no number is no colour, in numbers
+/// as in pictures.
+#[test]
+fn a_pixel_without_a_number_is_an_error() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("lamp.toml");
+    let scene = r#"
+        [settings]
+        size = [3, 3]
+        [camera]
+        eye = [0, 1, 0]
+        target = [0, 0, 0]
+        up = [0, 0, 1]
+        height = 0.001
+        [[light.point]]
+        position = [0, 0, 0]
+        attenuation = { quadratic = [1, 1, 1] }
+        [[object]]
+        polygons = { vertices = [[-2, 0, -2], [-2, 0, 2], [2, 0, 2], [2, 0, -2]], faces = [[0, 1, 2, 3]] }
+    "#;
+    std::fs::write(&path, scene).unwrap();
+    let output = render(&[path.to_str().unwrap(), "--probe", "1,1"]);
+    assert_eq!(code(&output), 3, "{}", text(&output.stdout));
+    let said = text(&output.stderr);
+    assert!(said.contains("object 1: no finite colour at (0, 0, 0)") && said.contains("light 1"), "{said}");
+}
