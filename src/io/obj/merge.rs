@@ -9,7 +9,7 @@ use super::number;
 use super::remarks::{Remark, Remarks};
 use super::stretch::{Label, LabelKind, NO_COLOR, Stretch};
 use crate::io::tally::non_finite_note;
-use crate::io::{NonFinite, Note, Problem};
+use crate::io::{NonFinite, Note, Place, Problem};
 use crate::mesh::{Column, Columns, Faces, Mesh, MeshBuilder, MeshError, NONE, Storage};
 use glam::{DVec2, DVec3};
 use std::ops::Range;
@@ -233,7 +233,7 @@ fn column<T>(values: Vec<T>, mut index: Vec<u32>, corners: usize) -> Option<Colu
     Some(Column::per_corner(values, index))
 }
 
-/// Vertices without a colour get white, the neutral one; colours of 0 to 255 are brought to 0 to 1.
+/// Vertices without a colour get white, the neutral one; colours of 0 to 255 are brought to 0 to 1; what is not finite is 0.
 fn finish_colors(mut colors: Vec<[f32; 4]>, notes: &mut Vec<Note>) -> Option<Vec<[f32; 4]>> {
     if colors.is_empty() {
         return None;
@@ -242,6 +242,13 @@ fn finish_colors(mut colors: Vec<[f32; 4]>, notes: &mut Vec<Note>) -> Option<Vec
     if missing > 0 {
         let text = format!("vertices without a colour get white: {missing} of {}", colors.len());
         notes.push(Note::remark(text));
+    }
+    let has_color = |color: &&mut [f32; 4]| color.iter().any(|value| !value.is_nan());
+    let components = colors.iter_mut().filter(has_color).flatten();
+    let not_finite = components.filter(|value| !value.is_finite()).map(|value| *value = 0.0).count();
+    if not_finite > 0 {
+        let text = format!("components of vertex colours that are not finite were read as 0: {not_finite}");
+        notes.push(Note::warning(Place::File, text));
     }
     let is_bytes = colors.iter().flatten().any(|&value| value > 1.0);
     if is_bytes {

@@ -370,6 +370,8 @@ mod tests {
         assert_eq!(colors, [white, [0.1, 0.2, 0.3, 1.0], [0.1, 0.2, 0.3, 0.4], white]);
         assert_eq!(notes(text).len(), 3, "{:?}", notes(text));
         assert!(mesh("v 0 0 0 1\nv 0 0 0 2\n").columns().colors.is_none());
+        let colors = mesh("v 0 0 0 0.5 nan inf\nv 0 0 0 0.5 0.5 0.5\n").columns().colors.clone().unwrap();
+        assert_eq!(colors, [[0.5, 0.0, 0.0, 1.0], [0.5, 0.5, 0.5, 1.0]]);
         let colors = mesh("v 0 0 0 255 0 51\nv 0 0 0\n").columns().colors.clone().unwrap();
         assert_eq!(colors, [[1.0, 0.0, 0.2, 1.0 / 255.0], white]);
     }
