@@ -54,8 +54,8 @@ impl SceneFile {
             nodes = parts.iter().map(|part| part.name.clone()).enumerate().map(as_it_stands).collect();
         }
         nodes.retain(|node| parts[node.part].mesh.face_count() > parts[node.part].non_finite_faces.len());
-        leave_out_flat(&mut nodes, &mut notes);
-        check(&nodes, &parts)?;
+        let are_flat = leave_out_flat(&mut nodes, &mut notes) && nodes.is_empty();
+        check(&nodes, are_flat, &parts)?;
         notes.extend(looks.notes.iter().cloned());
 
         let mut meshes = Vec::new();
@@ -124,21 +124,30 @@ impl SceneFile {
     }
 }
 
-/// Nodes that squeeze their mesh flat, as animations have them that let things vanish: nothing of it faces anywhere.
-fn leave_out_flat(nodes: &mut Vec<FileNode>, notes: &mut Vec<Note>) {
+/// Nodes that squeeze their mesh flat, as animations have them that let things vanish: nothing of it faces anywhere. Gives
+/// whether there are any.
+fn leave_out_flat(nodes: &mut Vec<FileNode>, notes: &mut Vec<Note>) -> bool {
     let is_flat = |node: &FileNode| normal_matrix(DMat3::from_mat4(node.world_from_part)).is_none();
     let flat: Vec<&str> = nodes.iter().filter(|node| is_flat(node)).map(|node| &*node.name).collect();
     if let Some(name) = flat.first() {
         let text = format!("the node `{name}` squeezes its mesh flat, which is not drawn");
         notes.push(Note { more: flat.len() as u64 - 1, ..Note::remark(text) });
         nodes.retain(|node| !is_flat(node));
+        return true;
     }
+    false
 }
 
-fn check(nodes: &[FileNode], parts: &[Part]) -> Result<(), ReadError> {
+fn check(nodes: &[FileNode], are_flat: bool, parts: &[Part]) -> Result<(), ReadError> {
     if nodes.is_empty() {
-        let found = "there are no faces to draw";
-        return Err(ReadError::new(Problem::Unsupported, Place::File, found, "give a mesh with faces"));
+        let (found, advice) = match are_flat {
+            true => (
+                "there are no faces to draw: all nodes squeeze their meshes flat",
+                "give a node a matrix that can be undone",
+            ),
+            false => ("there are no faces to draw", "give a mesh with faces"),
+        };
+        return Err(ReadError::new(Problem::Unsupported, Place::File, found, advice));
     }
     let corners = |part: usize| parts[part].mesh.faces().corner_count() as u64;
     let once: u64 = (0..parts.len()).map(corners).sum();

@@ -3,7 +3,7 @@
 use super::lights::plain_material;
 use crate::io::{
     Appearance, FileCamera, FileLight, FileLightKind, FileMaterial, FileProjection, FileReflection, Note,
-    Problem, ReadError, Severity,
+    Place, Problem, ReadError, Severity,
 };
 use crate::num::{LinearRgb, Radians};
 use crate::raster::{Camera, Projection};
@@ -162,16 +162,17 @@ pub(super) fn view(
         let light = light(file);
         match light.check(number) {
             Ok(()) => lights.push(light),
-            Err(error) => notes.push(light_left_out(number, &file.name, &error)),
+            Err(error) => notes.push(light_left_out(&file.name, &error)),
         }
     }
     Ok(Seen { camera: cameras.into_iter().next(), lights: (!lights.is_empty()).then_some(lights) })
 }
 
-fn light_left_out(number: usize, name: &str, error: &dyn std::error::Error) -> Note {
+/// The error tells its number.
+fn light_left_out(name: &str, error: &dyn std::error::Error) -> Note {
     let which = match name {
-        "" => format!("light {number}, counted from 0,"),
+        "" => "a light".to_owned(),
         name => format!("the light `{name}`"),
     };
-    Note::remark(format!("{which} is left out: {error}"))
+    Note::warning(Place::File, format!("{which} is left out: {error}"))
 }

@@ -135,6 +135,19 @@ fn every_fault_is_told_with_its_line_and_key() {
             "[[object]]\nsurface.sphere.radius = 1\nmaterial.colour = \"#12345\"\n",
             &["line 5: `object.material.colour`"],
         ),
+        (
+            "[[object]]\nsurface = { sphere = 1 }\n",
+            &["line 4: `object.surface.sphere`", "it needs members of its own"],
+        ),
+        ("[[object]]\nsurface = \"sphere\"\n", &["line 4: `object.surface`", "it needs members of its own"]),
+        (
+            "[[light.point]]\nposition = [0, 0, 1]\nattenuation = \"offset\"\n",
+            &["line 5: `light.point.attenuation`", "it needs a value"],
+        ),
+        (
+            "[settings]\ndepth-cue = 1\n[camera]\neye = [0, 0, 1]\ntarget = [0, 0, 0]\nheight = 2\n",
+            &["line 4: `settings.depth-cue`", "parallel"],
+        ),
         ("[[object]]\nname = \"nothing\"\n", &["line 3: `object`", "exactly one of"]),
         ("[[object]]\nmesh = \"a.obj\"\nsurface.sphere.radius = 1\n", &["`object`", "exactly one of"]),
         ("[[object]]\nmesh = \"nowhere.obj\"\n", &["line 4: `object.mesh`", "nowhere.obj", "not found"]),

@@ -59,6 +59,7 @@ impl SceneFile {
         keys.object.into_iter().try_for_each(|object| builder.add(object))?;
         let scene = builder.finish()?;
         settings::check_exact(source, &keys.settings, &scene)?;
+        settings::check_depth_cue(source, &keys.settings, &scene)?;
         Ok(scene)
     }
 }

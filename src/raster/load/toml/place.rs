@@ -16,18 +16,27 @@ struct Entry {
     value: Range<usize>,
 }
 
+/// A message about types, by the names that people who write scenes have for them.
+fn in_words(message: &str) -> String {
+    if message.contains("expected struct variant") {
+        return "it needs members of its own, as in `{ sphere = { radius = 1 } }`".into();
+    }
+    if message.contains("expected newtype variant") {
+        return "it needs a value, as in `{ offset = 1 }`".into();
+    }
+    message.replace("expected u32", "expected a whole number, 0 or more").replace(
+        "wanted exactly 1 element, more than 1 element",
+        "it may be one thing, but several are given",
+    )
+}
+
 impl Source<'_> {
     /// What the parser or a type of a key says.
     pub(super) fn syntax(self, error: &toml::de::Error) -> ReadError {
         let span = error.span().unwrap_or(0..0);
         // Where the text is no TOML there are no keys.
         let key = self.key(&span).map_or_else(String::new, |key| format!("`{key}`: "));
-        // Types by the names that people who write scenes have for them.
-        let message = error.message().replace("expected u32", "expected a whole number, 0 or more").replace(
-            "wanted exactly 1 element, more than 1 element",
-            "it may be one thing, but several are given",
-        );
-        let found = format!("{key}{message}");
+        let found = format!("{key}{}", in_words(error.message()));
         ReadError::new(Problem::Syntax, self.line(&span), found, "see data/scenes for examples")
     }
 

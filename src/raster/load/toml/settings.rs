@@ -125,6 +125,24 @@ pub(super) fn check_exact(source: Source, keys: &SettingsKeys, scene: &SceneFile
     Err(source.error(&name.span(), &found, "choose another shading, or give the object a `surface`"))
 }
 
+/// Depth cueing goes by the distance to the viewer, which a parallel camera has none of.
+pub(super) fn check_depth_cue(
+    source: Source,
+    keys: &SettingsKeys,
+    scene: &SceneFile,
+) -> Result<(), ReadError> {
+    let is_parallel =
+        |camera: &Camera| !matches!(camera.projection, crate::raster::Projection::Perspective(_));
+    match &keys.depth_cue {
+        Some(k) if scene.camera.as_ref().is_some_and(is_parallel) => Err(source.error(
+            &k.span(),
+            "depth cueing by the distance to the viewer, but the camera is a parallel one",
+            "give the camera an `angle` in place of a `height`",
+        )),
+        _ => Ok(()),
+    }
+}
+
 fn guards(source: Source, keys: &SettingsKeys) -> Result<Guards, ReadError> {
     let mut guards = if keys.literal == Some(true) { Guards::literal() } else { Guards::default() };
     for (name, &on) in &keys.guards {
