@@ -1,6 +1,6 @@
 //! That each option reaches what it names. What the library makes of it is tested there.
 
-use super::{BEFORE, bytes, gear, picture, pixels_unlike, report, square, with};
+use super::{BEFORE, bytes, gear, picture, pixels_unlike, render, report, square, with};
 use crate::cli::{data, path};
 use std::collections::BTreeSet;
 
@@ -292,4 +292,19 @@ fn the_report_counts_pixels_and_triangles() {
     assert_eq!(report["settings"]["guards"]["spot"], true);
     assert_eq!(report["settings"]["terminator"], "smooth");
     assert!(report.get("output").is_none(), "nothing was written");
+}
+
+/// Off a terminal there is colour only where it is asked for.
+#[test]
+fn colour_of_the_report_is_chosen() {
+    let gear = gear();
+    let gear = gear.each_ref().map(String::as_str);
+    let has_colour = |when: &[&str]| {
+        let output = render(&with(&with(&gear, &["--probe", "20,20", "--guard", "spot=off"]), when));
+        [output.stdout, output.stderr].map(|stream| stream.contains(&0x1b))
+    };
+    assert!(has_colour(&["--color", "always"])[1]);
+    for when in [&["--color", "never"][..], &["--color", "auto"], &[]] {
+        assert_eq!(has_colour(when), [false; 2], "{when:?}");
+    }
 }
