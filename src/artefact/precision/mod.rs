@@ -504,7 +504,7 @@ mod tests {
                 let (sine, cosine) = libm::sincos(golden * f64::from(k));
                 let ring = (1.0 - z * z).sqrt();
                 let normal = DVec3::new(ring * cosine, ring * sine, z);
-                Degrees::from(Radians(normal.angle_between(nearest_of_127(normal)))).0
+                Degrees::from(crate::num::angle_between(normal, nearest_of_127(normal))).0
             };
             (0..COUNT).map(error).sum::<f64>() / f64::from(COUNT)
         };

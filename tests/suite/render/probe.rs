@@ -112,7 +112,7 @@ fn a_pixel_without_a_number_is_an_error() {
         polygons = { vertices = [[-2, 0, -2], [-2, 0, 2], [2, 0, 2], [2, 0, -2]], faces = [[0, 1, 2, 3]] }
     "#;
     std::fs::write(&path, scene).unwrap();
-    let output = render(&[path.to_str().unwrap(), "--probe", "1,1"]);
+    let output = render([path.to_str().unwrap(), "--probe", "1,1"]);
     assert_eq!(code(&output), 3, "{}", text(&output.stdout));
     let said = text(&output.stderr);
     assert!(said.contains("object 1: no finite colour at (0, 0, 0)") && said.contains("light 1"), "{said}");
