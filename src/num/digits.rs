@@ -30,7 +30,11 @@ pub fn significant_digits(x: f64, digits: usize) -> String {
 }
 
 /// A number as [`three_digits`] writes it, for pages: with a power of ten in place of an exponent, and a true minus sign.
-pub(crate) fn powers_of_ten(number: &str) -> String {
+///
+/// ```
+/// assert_eq!(crease::num::powers_of_ten("-2.38e-5"), "−2.38 × 10⁻⁵");
+/// ```
+pub fn powers_of_ten(number: &str) -> String {
     let signed = |digits: &str| digits.replace('-', "−");
     match number.split_once('e') {
         Some(("1", power)) => format!("10{}", superscript(power)),

@@ -21,7 +21,7 @@ mod viridis;
 
 pub use angle::{Degrees, Radians, angle_between};
 pub use colour::{LinearRgb, Srgb8, Transfer};
-pub use digits::{significant_digits, three_digits};
+pub use digits::{powers_of_ten, significant_digits, three_digits};
 pub use power::{Power, Underflow, exp2, log2};
 pub use real::Real;
 pub use scale::unit_scale;
@@ -30,7 +30,7 @@ pub use sum::CompensatedSum;
 pub use unit::UnitVec3;
 
 pub(crate) use corner_angle::{corner_angle, triangle_angles};
-pub(crate) use digits::{Nine, NineEach, powers_of_ten, superscript};
+pub(crate) use digits::{Nine, NineEach, superscript};
 pub(crate) use dispatch::{Kernel, dispatch};
 pub(crate) use exact::ExactSum;
 pub(crate) use lanes::{Arithmetic, LANES, Lanes, OneLane, Rows, Scalars, Truth, Vectors};
