@@ -313,7 +313,7 @@ pub const WHENS: &[Choice<When>] = &[
     (
         "broken",
         When::Broken,
-        "those too, and those not finite, not of unit length, or against their own face",
+        "those too, and those not finite, zero, or against their own face; wrong lengths are divided by",
     ),
 ];
 

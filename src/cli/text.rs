@@ -273,6 +273,7 @@ fn words(reason: &str) -> &str {
         "OutOfRange" => "beyond the range of numbers",
         "Unreferenced" => "that no face uses",
         "Missing" => "missing",
+        "Zero" => "of length zero",
         "Length" => "not of unit length",
         "AgainstFace" => "against the own face",
         other => other,

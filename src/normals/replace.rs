@@ -2,7 +2,9 @@
 
 use super::{FaultReason, Faults, NormalField};
 use crate::mesh::{Column, ColumnIndex, Mesh, NONE};
+use crate::num::UnitVec3;
 use glam::DVec3;
+use rustc_hash::FxHashMap;
 
 /// Which stored normals are replaced.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -29,24 +31,28 @@ const ROUNDED: f64 = 0.00683;
 pub enum Broken {
     /// It is infinite or not a number.
     NotFinite,
-    /// Its length differs from 1 by more than [`LENGTH_TOLERANCE`].
-    Length,
-    /// It points more than 90° away from the normal of its own face. Not asked of faces that add nothing to
-    /// sums: their own direction means nothing. Nor of a normal that is what would replace it: round a sharp
-    /// fold a mean may be against one of its faces.
+    /// It is zero, and has no direction.
+    Zero,
+    /// It points more than 90° away from the normal of its own face, whatever its length. Not asked of faces that
+    /// add nothing to sums: their own direction means nothing. Nor of a normal that is what would replace it:
+    /// round a sharp fold a mean may be against one of its faces.
     AgainstFace,
+    /// Only its length is wrong, by more than [`LENGTH_TOLERANCE`]: it is divided by it, and its direction, which a
+    /// computed normal may not have, stays.
+    Length,
 }
 
 impl Broken {
     /// All causes.
-    pub const ALL: [Broken; 3] = [Broken::NotFinite, Broken::Length, Broken::AgainstFace];
+    pub const ALL: [Broken; 4] = [Broken::NotFinite, Broken::Zero, Broken::AgainstFace, Broken::Length];
 
     /// The name used in reports.
     pub fn name(self) -> &'static str {
         match self {
             Broken::NotFinite => "NotFinite",
-            Broken::Length => "Length",
+            Broken::Zero => "Zero",
             Broken::AgainstFace => "AgainstFace",
+            Broken::Length => "Length",
         }
     }
 }
@@ -54,12 +60,15 @@ impl Broken {
 /// Stored normals with some replaced.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Replacement {
-    /// First the stored values, untouched and in their order, then the computed ones that are used.
+    /// First the stored values, untouched and in their order, then those that replace some of them.
     pub normals: Column<DVec3>,
     /// How many of the values are stored ones.
     pub kept: usize,
-    /// For each value past `kept`, the entry of the [`NormalField`] that it is.
+    /// For each value past `kept`, the entry of the [`NormalField`] that it is, or that the first of its corners has
+    /// there if it is `scaled`.
     pub entries: Vec<u32>,
+    /// The values past `kept`, ascending, that are stored ones divided by their length.
+    pub scaled: Vec<u32>,
     /// Corners that had no normal.
     pub missing: Vec<u32>,
     /// Corners whose normal was broken, and why; the first cause in the order of [`Broken::ALL`].
@@ -67,13 +76,19 @@ pub struct Replacement {
 }
 
 impl Replacement {
+    /// Whether a value has the direction of a stored one.
+    pub(super) fn is_stored(&self, value: u32) -> bool {
+        (value as usize) < self.kept || self.scaled.binary_search(&value).is_ok()
+    }
+
     /// Whether every corner keeps its stored normal.
     pub fn is_empty(&self) -> bool {
         self.missing.is_empty() && self.broken.is_empty()
     }
 }
 
-/// Replaces the stored normals of single corners by computed ones where the policy says so.
+/// Replaces the stored normals of single corners where the policy says so: by computed ones, or by themselves divided
+/// by their length where nothing else is wrong.
 ///
 /// The computed ones are those of the whole mesh: all faces contribute to them, whether or not their corners
 /// have good normals. Replacing twice gives the same as replacing once.
@@ -85,8 +100,9 @@ pub fn replace(mesh: &Mesh, field: &NormalField, when: When) -> Replacement {
     };
     let mut values = stored.map_or_else(Vec::new, |stored| stored.values.clone());
     let kept = values.len();
-    let mut entries = Vec::new();
-    let mut place_of = vec![NONE; field.normals.values.len()];
+    let (mut entries, mut scaled) = (Vec::new(), Vec::new());
+    let mut computed_at = vec![NONE; field.normals.values.len()];
+    let mut scaled_at = FxHashMap::default();
     let (mut missing, mut broken) = (Vec::new(), Vec::new());
     let mut silent = silent_faces(&field.faults).peekable();
     let mut index = Vec::with_capacity(corners.len());
@@ -97,24 +113,33 @@ pub fn replace(mesh: &Mesh, field: &NormalField, when: When) -> Replacement {
             let slot = stored.and_then(|stored| stored.slot(corner, corners[corner]));
             let entry = entry_of[corner];
             let computed = field.normals.values[entry as usize];
-            match slot.map(|slot| (slot, fault(values[slot as usize], own, computed))) {
-                Some((slot, cause)) if cause.is_none() || when == When::Missing => {
-                    index.push(slot);
+            let (cause, value) = match slot.map(|slot| fault(values[slot as usize], own, computed)) {
+                Some(Some((cause, value))) if when == When::Broken => (Some(cause), value),
+                None => (None, computed),
+                Some(_) => {
+                    index.extend(slot);
                     continue;
                 }
-                Some((_, cause)) => broken.extend(cause.map(|cause| (corner as u32, cause))),
+            };
+            match cause {
+                Some(cause) => broken.push((corner as u32, cause)),
                 None => missing.push(corner as u32),
             }
-            let place = &mut place_of[entry as usize];
+            let is_scaled = cause == Some(Broken::Length);
+            let place = match slot {
+                Some(slot) if is_scaled => scaled_at.entry(slot).or_insert(NONE),
+                _ => &mut computed_at[entry as usize],
+            };
             if *place == NONE {
                 *place = values.len() as u32;
-                values.push(computed);
+                scaled.extend(is_scaled.then_some(*place));
+                values.push(value);
                 entries.push(entry);
             }
             index.push(*place);
         }
     }
-    Replacement { normals: Column::per_corner(values, index), kept, entries, missing, broken }
+    Replacement { normals: Column::per_corner(values, index), kept, entries, scaled, missing, broken }
 }
 
 /// The faces that add nothing to sums, ascending.
@@ -123,16 +148,22 @@ fn silent_faces(faults: &Faults) -> impl Iterator<Item = u32> + '_ {
     faults.faces.iter().filter(move |fault| adds_nothing.contains(&fault.reason)).map(|fault| fault.index)
 }
 
-/// What is wrong with a stored normal at a corner of a face with this normal, where this one would replace it.
-fn fault(stored: DVec3, face: Option<DVec3>, computed: DVec3) -> Option<Broken> {
+/// What is wrong with a stored normal at a corner of a face with this normal, and what replaces it: the computed one, or
+/// what it is itself at unit length.
+fn fault(stored: DVec3, face: Option<DVec3>, computed: DVec3) -> Option<(Broken, DVec3)> {
     if !stored.is_finite() {
-        Some(Broken::NotFinite)
-    } else if (stored.length() - 1.0).abs() > LENGTH_TOLERANCE {
-        Some(Broken::Length)
-    } else if face.is_some_and(|face| stored.dot(face) < 0.0) && stored.distance(computed) > ROUNDED {
-        Some(Broken::AgainstFace)
+        return Some((Broken::NotFinite, computed));
+    }
+    let is_long = (stored.length() - 1.0).abs() > LENGTH_TOLERANCE;
+    let shaded = match is_long.then(|| UnitVec3::new(stored)) {
+        Some(Some(unit)) => unit.get(),
+        Some(None) => return Some((Broken::Zero, computed)),
+        None => stored,
+    };
+    if face.is_some_and(|face| shaded.dot(face) < 0.0) && shaded.distance(computed) > ROUNDED {
+        Some((Broken::AgainstFace, computed))
     } else {
-        None
+        is_long.then_some((Broken::Length, shaded))
     }
 }
 
@@ -156,7 +187,7 @@ mod tests {
     #[test]
     fn only_what_is_missing_or_broken_is_replaced() {
         let good = DVec3::new(0.6, 0.0, 0.8);
-        let stored = vec![good, DVec3::NAN, DVec3::Z * 1.01, DVec3::NEG_Z, DVec3::Z * 1.006];
+        let stored = vec![good, DVec3::NAN, DVec3::ZERO, DVec3::NEG_Z, DVec3::Z * 1.006];
         let mesh = square(Some(Column::per_corner(stored, vec![0, 1, 2, 3, 4, NONE])));
         let field = compute(&mesh, &NormalRecipe::default());
 
@@ -165,7 +196,7 @@ mod tests {
         assert_eq!(missing.normals.index, ColumnIndex::PerCorner(vec![0, 1, 2, 3, 4, 5]));
 
         let broken = replace(&mesh, &field, When::Broken);
-        let causes = [(1, Broken::NotFinite), (2, Broken::Length), (3, Broken::AgainstFace)];
+        let causes = [(1, Broken::NotFinite), (2, Broken::Zero), (3, Broken::AgainstFace)];
         assert_eq!((&broken.missing[..], &broken.broken[..]), (&[5][..], &causes[..]));
         assert_eq!(broken.kept, 5);
         assert_eq!(broken.normals.get(0, 0), Some(&good));
@@ -174,6 +205,29 @@ mod tests {
         // Once replaced, nothing is left to replace.
         let again = square(Some(broken.normals));
         assert!(replace(&again, &compute(&again, &NormalRecipe::default()), When::Broken).is_empty());
+    }
+
+    /// Directions made by hand outlive a wrong length, at any scale, once for each value that is used.
+    #[test]
+    fn wrong_lengths_are_divided_by() {
+        let made = DVec3::new(0.6, 0.0, 0.8);
+        for length in [5e-324, 1e-300, 1e-6, 0.5, 1.01, 3.0, 1e300] {
+            let stored = vec![made * length, DVec3::new(-0.6, 0.0, -0.8) * length, DVec3::Z];
+            let mesh = square(Some(Column::per_corner(stored, vec![0, 1, 2, 2, 0, 0])));
+            let field = compute(&mesh, &NormalRecipe::default());
+            let replaced = replace(&mesh, &field, When::Broken);
+            let length_of = [0, 4, 5].map(|corner| (corner, Broken::Length));
+            let causes = [length_of[0], (1, Broken::AgainstFace), length_of[1], length_of[2]];
+            assert_eq!(replaced.broken, causes, "{length}");
+            assert_eq!((replaced.normals.values.len(), &replaced.scaled[..]), (5, &[3][..]), "{length}");
+            // Of the smallest numbers a component keeps few bits.
+            let off = replaced.normals.get(0, 0).unwrap().distance(made);
+            assert!(off < if length < 1e-320 { 0.6 } else { 1e-15 }, "{length}: {off}");
+            assert!((1..6).all(|c| replaced.normals.get(c, 0).is_some_and(|n| n.dot(DVec3::Z) > 0.5)));
+
+            let again = square(Some(replaced.normals));
+            assert!(replace(&again, &compute(&again, &NormalRecipe::default()), When::Broken).is_empty());
+        }
     }
 
     #[test]

@@ -7,14 +7,15 @@ use glam::DVec3;
 /// Normals as they are written and drawn, on the faces of the mesh that they were computed for.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Selection {
-    /// One index a corner: first the stored values, untouched and in their order, then the computed ones in use.
+    /// One index a corner: first the stored values, untouched and in their order, then those that replace some of
+    /// them: computed ones, and stored ones that were divided by their length.
     pub normals: Column<DVec3>,
     /// How many values, from the front, are stored ones.
     pub kept: usize,
     /// For each morph target, one normal a value.
     pub morph_normals: Vec<Vec<DVec3>>,
-    /// One normal a face: the stored one where all corners of a face share it and keep it, as those of an STL file
-    /// do, else the computed one.
+    /// One normal a face: the stored one where all corners of a face share it and keep its direction, as those of an
+    /// STL file do, else the computed one.
     pub face_normals: Vec<DVec3>,
     /// Corners that had no normal, unless all were to be replaced.
     pub missing: Vec<u32>,
@@ -80,7 +81,7 @@ fn face_normals(mesh: &Mesh, field: &NormalField, replacement: &Replacement) -> 
     let corners = mesh.faces().corners();
     let stored = |range: std::ops::Range<usize>| {
         let mut slots = range.map(|corner| replacement.normals.slot(corner, corners[corner]));
-        let first = slots.next()?.filter(|&slot| (slot as usize) < replacement.kept)?;
+        let first = slots.next()?.filter(|&slot| replacement.is_stored(slot))?;
         slots.all(|slot| slot == Some(first)).then(|| replacement.normals.values[first as usize])
     };
     let ranges = mesh.faces().ranges().zip(&field.face_normals);
@@ -133,6 +134,11 @@ mod tests {
         let field = compute(&mesh, &NormalRecipe::default());
         let kept = select(&mesh, field.clone(), When::Missing);
         assert_eq!(kept.face_normals, [DVec3::new(0.6, 0.0, 0.8), DVec3::Z]);
+        let mut longer = mesh.columns().normals.clone().unwrap();
+        longer.values.iter_mut().for_each(|normal| *normal *= 4.0);
+        let scaled = select(&mesh.clone().with_normals(Some(longer)), field.clone(), When::Broken);
+        assert!(scaled.face_normals[0].distance(DVec3::new(0.6, 0.0, 0.8)) < 1e-15);
+        assert_eq!(scaled.face_normals[1], DVec3::Z);
         assert_eq!((&kept.missing[..], kept.is_as_stored(When::Missing)), (&[4, 5][..], false));
         let all = select(&mesh, field.clone(), When::Always);
         assert_eq!((all.face_normals.clone(), all.kept), (vec![DVec3::Z; 2], 0));

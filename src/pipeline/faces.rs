@@ -4,6 +4,7 @@ use super::Task;
 use crate::io::{Part, PartEdit};
 use crate::mesh::{Column, ColumnIndex, FaceEdit, Mesh, NONE, Orientation};
 use crate::normals::{LENGTH_TOLERANCE, Selection};
+use crate::num::UnitVec3;
 use glam::DVec3;
 use std::borrow::Cow;
 
@@ -115,18 +116,21 @@ pub(super) fn applied<'a>(mesh: &'a Mesh, faces: &FaceEdit) -> Cow<'a, Mesh> {
     if faces.is_empty() { Cow::Borrowed(mesh) } else { Cow::Owned(mesh.with_faces(faces)) }
 }
 
-/// Stored normals turned round. They become new values of the file, so what is no unit vector is left out, and
-/// counts as missing.
+/// Stored normals turned round. They become new values of the file, so lengths that are wrong are divided by, and what has
+/// no direction is left out, and counts as missing.
 fn opposite(stored: &Column<DVec3>, mesh: &Mesh) -> Column<DVec3> {
-    let is_unit = |n: &DVec3| n.is_finite() && (n.length() - 1.0).abs() <= LENGTH_TOLERANCE;
+    let turn = |normal: &DVec3| match (normal.length() - 1.0).abs() <= LENGTH_TOLERANCE {
+        true => Some(-*normal),
+        false => UnitVec3::new(-*normal).map(UnitVec3::get),
+    };
+    let turned: Vec<Option<DVec3>> = stored.values.iter().map(turn).collect();
     let mut index = stored.corner_index(mesh.faces().corners());
     for slot in index.iter_mut().filter(|slot| **slot != NONE) {
-        if !is_unit(&stored.values[*slot as usize]) {
+        if turned[*slot as usize].is_none() {
             *slot = NONE;
         }
     }
-    let values = stored.values.iter().map(|n| if is_unit(n) { -*n } else { DVec3::Z }).collect();
-    Column::per_corner(values, index)
+    Column::per_corner(turned.into_iter().map(|normal| normal.unwrap_or(DVec3::Z)).collect(), index)
 }
 
 /// The number that each remaining face had.

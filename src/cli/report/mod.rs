@@ -23,7 +23,8 @@
 //! (entries minus referenced vertices), `crease_degrees` (the angle that was applied, or null), `near_crease` (edges
 //! within 0.1° of it, or within what the few digits of positions allow), `edges` (by kind; the kinds up to `crease` add up to all, `welded` is how many of them were
 //! joined by position), `faults` (of `faces`, `corners`, `vertices`: how often which reason), `kept_corners`,
-//! `replaced_corners` (by reason; both zero or empty unless `when` is `missing` or `broken`), `fault_places` and
+//! `replaced_corners` (by reason: `Missing`, `NotFinite`, `Zero`, `AgainstFace` for a computed normal, `Length` for the stored
+//! one divided by its length; both zero or empty unless `when` is `missing` or `broken`), `fault_places` and
 //! `broken_places` (the first places of faults, and of corners whose stored normal was broken: `face`, or `face`, `corner`
 //! and `vertex`, or `vertex`, all from 0 as in the file, and `reason`; at most 100 of each kind, absent if there are none), `reversed_faces`,
 //! `dropped_faces` (without area), `non_finite_faces` (dropped under `--force`), `orientation` (absent unless

@@ -46,7 +46,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         Severity::Warning,
         "normals that are not of unit length",
         "The length is off by more than 0.00674, the bound of the glTF validator. Where a vertex shader passes them on unnormalised, faces are too dark or too bright by that factor, highlights by its power; interpolation leans towards the longer normal.",
-        "Replace them by computed ones; if they were made by hand, which is lost by that, normalise them where they come from.",
+        "Divide them by their length; their directions stay.",
         Some("--when broken"),
     ),
     entry(

@@ -5,7 +5,7 @@ use super::planted::{per_corner, turned, unshared};
 use super::{grave, inspect, recipe, surface};
 use crate::random::Random;
 use crease::mesh::{Column, Faces, Mesh, MeshBuilder};
-use crease::normals::{Weight, compute};
+use crease::normals::{Weight, When, compute, select};
 use crease::quality::Severity;
 use crease::quality::catalogue::Kind;
 use crease::surface::Surface;
@@ -70,6 +70,27 @@ fn one_corner_by_the_rule_blames_no_other() {
             normals[corner] = ruled[corner];
         }
         assert_eq!(grave(&inspect(&per_corner(&teapot, normals), 10)), [""; 0], "{count}");
+    }
+}
+
+/// The command that mends lengths leaves directions that no rule gives back.
+#[test]
+fn wrong_lengths_are_mended_without_loss() {
+    let teapot = surface(&Surface::Teapot, [8, 8]);
+    let own = unshared(&teapot);
+    for factor in [0.01, 1.05, 100.0] {
+        let mesh = per_corner(&teapot, own.iter().map(|&normal| factor * normal).collect());
+        let found = inspect(&mesh, 1);
+        let finding = found.get(Kind::NotUnit).expect("all lengths are wrong");
+        assert_eq!(finding.count as usize, own.len());
+        assert!(finding.remedy.as_ref().is_some_and(|remedy| remedy.contains("--when broken")));
+        let field = compute(&mesh, &recipe(Weight::Area, 180.0));
+        let mended = mesh.clone().with_normals(Some(select(&mesh, field, When::Broken).normals));
+        for (corner, (mended, own)) in unshared(&mended).iter().zip(&own).enumerate() {
+            // A product and a division by a length: some roundings of f64.
+            assert!(mended.distance(*own) < 1e-15, "{factor}, corner {corner}: {mended} for {own}");
+        }
+        assert_eq!(grave(&inspect(&mended, 1)), [""; 0], "{factor}");
     }
 }
 
