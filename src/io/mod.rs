@@ -22,6 +22,7 @@ pub mod ply;
 mod remarks;
 mod rounding;
 mod shell;
+mod singles;
 pub mod stl;
 mod tally;
 mod text;

@@ -45,9 +45,10 @@ use std::sync::Arc;
 /// face is noise of the file's own rounding.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Storage {
-    /// Every coordinate is an `f32` value (binary STL, glTF, binary PLY `float` and integers).
+    /// Every coordinate is an `f32` value: binary STL, glTF, PLY `float` and integers, and text that spells the
+    /// shortest decimals of such values.
     F32,
-    /// Doubles, or decimal text.
+    /// Doubles, or other decimal text.
     #[default]
     F64,
 }

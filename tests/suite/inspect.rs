@@ -9,6 +9,7 @@ mod clean;
 mod geometry;
 mod handmade;
 mod mended;
+mod own;
 mod page;
 mod planted;
 mod real;

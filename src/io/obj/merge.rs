@@ -8,9 +8,10 @@ use super::locate::{Counts, Target, arguments_of, bad_references};
 use super::number;
 use super::remarks::{Remark, Remarks};
 use super::stretch::{Label, LabelKind, NO_COLOR, Stretch};
+use crate::io::singles::restore_singles;
 use crate::io::tally::non_finite_note;
 use crate::io::{NonFinite, Note, Place, Problem};
-use crate::mesh::{Column, Columns, Faces, Mesh, MeshBuilder, MeshError, NONE, Storage};
+use crate::mesh::{Column, Columns, Faces, Mesh, MeshBuilder, MeshError, NONE};
 use glam::{DVec2, DVec3};
 use std::ops::Range;
 
@@ -195,7 +196,8 @@ impl File {
             false => Faces::polygons(self.corners, self.face_offsets),
         };
         notes.extend(non_finite_note(&self.positions, non_finite));
-        let builder = MeshBuilder { positions: self.positions, storage: Storage::F64, faces, columns };
+        let storage = restore_singles(&mut [&mut self.positions]);
+        let builder = MeshBuilder { positions: self.positions, storage, faces, columns };
         let built = match non_finite {
             NonFinite::Refuse => builder.build().map(|mesh| (mesh, Vec::new())),
             NonFinite::DropFaces => builder.build_dropping_non_finite(),

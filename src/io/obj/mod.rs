@@ -79,7 +79,8 @@ impl ObjDocument {
 
 /// Reads an OBJ file. `base` is the folder that material libraries are looked for in.
 ///
-/// The mesh is one part, with positions in `f64` and every `vn` of the file, referenced or not, in file order.
+/// The mesh is one part, with positions in `f64`, those of singles where the digits say so
+/// ([`Storage`](crate::mesh::Storage)), and every `vn` of the file, referenced or not, in file order.
 ///
 /// # Errors
 /// With the line: numbers that are none, too few of them, vertex indices out of range or 0, positions that are not

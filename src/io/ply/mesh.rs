@@ -5,6 +5,7 @@ use super::header::{Element, Header, Kind};
 use super::roles::{FaceRole, Roles, VertexRole};
 use super::rows::{Fault, Row, Rows, place, places};
 use super::scalar::{Encoding, Scalar};
+use crate::io::singles::restore_singles;
 use crate::io::tally::{Tally, build_part, non_finite_note};
 use crate::io::text::counted;
 use crate::io::{Note, Part, Place, Problem, ReadError, ReadOptions, Severity};
@@ -162,12 +163,16 @@ impl Reading {
         })?;
         self.mesh.columns.colors = colors;
         let exact = |at: usize| match kinds[at] {
-            _ if rows.encoding == Encoding::Ascii => false,
             Scalar::F64 => false,
             Scalar::I32 | Scalar::U32 => self.mesh.positions.iter().all(|p| p.as_vec3().as_dvec3() == *p),
             _ => true,
         };
-        self.mesh.storage = if role.position.into_iter().all(exact) { Storage::F32 } else { Storage::F64 };
+        let are_singles = role.position.into_iter().all(exact);
+        self.mesh.storage = match (are_singles, rows.encoding) {
+            (true, Encoding::Ascii) => restore_singles(&mut [&mut self.mesh.positions]),
+            (true, _) => Storage::F32,
+            (false, _) => Storage::F64,
+        };
         if let Some([x, ..]) = role.normal {
             self.packed.vertices = unpack(&mut self.vertex_normals, kinds[x]);
         }

@@ -2,6 +2,7 @@
 
 use super::words::{Words, is_blank};
 use crate::io::number;
+use crate::io::singles::restore_singles;
 use crate::io::tally::{Tally, build_part, non_finite_note};
 use crate::io::text::{counted, line_and_column, lines_of, shown};
 use crate::io::{Note, Part, Place, Problem, ReadError, ReadOptions, Severity};
@@ -50,9 +51,14 @@ pub(super) fn read(text: &[u8], options: &ReadOptions) -> Result<(Vec<Part>, Vec
     let mut parser = Parser::new(text);
     parser.run()?;
     let mut notes = parser.notes();
-    let solids = parser.solids;
+    let mut solids = parser.solids;
+    let mut positions: Vec<&mut [DVec3]> = solids.iter_mut().map(|solid| &mut solid.positions[..]).collect();
+    let storage = restore_singles(&mut positions);
     notes.extend(solids.iter().filter_map(|solid| non_finite_note(&solid.positions, options.non_finite)));
-    Ok((solids.into_iter().map(|solid| part(text, solid, options)).collect::<Result<_, _>>()?, notes))
+    Ok((
+        solids.into_iter().map(|solid| part(text, (solid, storage), options)).collect::<Result<_, _>>()?,
+        notes,
+    ))
 }
 
 /// The solids of a text that has been read before.
@@ -63,7 +69,11 @@ pub(super) fn solids(text: &[u8]) -> Vec<SolidText> {
     parser.solids
 }
 
-fn part(text: &[u8], solid: SolidText, options: &ReadOptions) -> Result<Part, ReadError> {
+fn part(
+    text: &[u8],
+    (solid, storage): (SolidText, Storage),
+    options: &ReadOptions,
+) -> Result<Part, ReadError> {
     let SolidText { name, facets, vertices, positions, normals } = solid;
     let mut faces = Faces::with_capacity(positions.len());
     let (mut values, mut index) = (Vec::with_capacity(normals.len()), Vec::with_capacity(positions.len()));
@@ -78,7 +88,7 @@ fn part(text: &[u8], solid: SolidText, options: &ReadOptions) -> Result<Part, Re
     }
     let normals = (!values.is_empty()).then(|| Column::per_corner(values, index));
     let columns = Columns { normals, ..Columns::default() };
-    let builder = MeshBuilder { positions, storage: Storage::F64, faces, columns };
+    let builder = MeshBuilder { positions, storage, faces, columns };
     build_part(name, builder, options, |error| match error {
         MeshError::NonFinite { vertex, .. } => line(text, vertices[*vertex].start),
         _ => Place::File,

@@ -1,0 +1,208 @@
+//! Text that was printed from single precision, or with no more digits than that holds.
+
+use super::number;
+use crate::mesh::Storage;
+use crate::num;
+use glam::DVec3;
+use rayon::prelude::*;
+
+/// How many coordinates have to say the same. That a number has by chance a spelling that shows single precision, or lacks a last
+/// digit that it might have, has a probability of one half at most: for all of these it is 2⁻²⁰.
+const ENOUGH: usize = 20;
+
+/// Six digits: what C, C++ and Python print of a floating-point number without being asked for more.
+const DIGITS: i32 = 6;
+
+/// What the coordinates of a text were before they were printed, over all of its parts; makes singles of them if they were that.
+///
+/// The shortest decimal that reads back as an `f32` is another double than it: up to half a spacing off, which turns faces that
+/// are a few spacings high by many degrees. Text is of singles if each coordinate is spelled that way, and enough of them with a
+/// last digit finer than single precision, or with fewer decimals the larger they are: rounded like floating-point numbers, by at
+/// least what rounding to singles does. What is rounded to one number of decimals stays as it is.
+pub(super) fn restore_singles(parts: &mut [&mut [DVec3]]) -> Storage {
+    let all = parts.par_iter().flat_map(|part| part.par_iter());
+    let spellings = all.try_fold(Spellings::default, Spellings::with);
+    let spellings = spellings.try_reduce(Spellings::default, |a, b| Some(a.and(&b)));
+    if !spellings.is_some_and(|spellings| spellings.fine >= ENOUGH || spellings.float()) {
+        return Storage::F64;
+    }
+    let all = parts.par_iter_mut().flat_map(|part| part.par_iter_mut());
+    all.for_each(|position| *position = position.as_vec3().as_dvec3());
+    Storage::F32
+}
+
+/// Powers of ten that singles have a first digit at: from 10⁻⁴⁵ to 10³⁸.
+const DECADES: usize = 84;
+const LOWEST: i32 = -45;
+
+/// How coordinates are spelled that are all the shortest decimals of singles.
+struct Spellings {
+    /// How many end in a digit that is worth no more than half the spacing of singles there.
+    fine: usize,
+    /// How many have their first digit at each power of ten, and the most decimals that one of them has.
+    decades: [(usize, i32); DECADES],
+}
+
+impl Default for Spellings {
+    fn default() -> Self {
+        Self { fine: 0, decades: [(0, i32::MIN); DECADES] }
+    }
+}
+
+impl Spellings {
+    /// One position more; `None` if it is spelled in another way.
+    fn with(mut self, position: &DVec3) -> Option<Self> {
+        for coordinate in position.to_array().into_iter().filter(|&coordinate| coordinate != 0.0) {
+            let spelling = Spelling::of(coordinate)?;
+            if self.fine < ENOUGH {
+                self.fine += usize::from(spelling.is_fine(coordinate));
+            }
+            let (count, most) = &mut self.decades[(spelling.first - LOWEST) as usize];
+            *count += 1;
+            *most = spelling.decimals.max(*most);
+        }
+        Some(self)
+    }
+
+    fn and(mut self, other: &Self) -> Self {
+        self.fine += other.fine;
+        for (own, other) in self.decades.iter_mut().zip(other.decades) {
+            *own = (own.0 + other.0, own.1.max(other.1));
+        }
+        self
+    }
+
+    /// Whether enough of the largest have digits, but fewer decimals than smaller ones.
+    fn float(&self) -> bool {
+        let (mut count, mut decimals) = (0, i32::MIN);
+        for at in (0..DECADES).rev() {
+            count += self.decades[at].0;
+            decimals = decimals.max(self.decades[at].1);
+            if count >= ENOUGH {
+                let first = at as i32 + LOWEST;
+                let is_finer = |decade: &(usize, i32)| decade.1 > decimals;
+                return first + 1 + decimals >= DIGITS && self.decades[..at].iter().any(is_finer);
+            }
+        }
+        false
+    }
+}
+
+/// The shortest decimal that reads back as a single.
+struct Spelling {
+    /// The power of ten of the first digit.
+    first: i32,
+    /// How many decimals it has; of tens fewer than none.
+    decimals: i32,
+}
+
+impl Spelling {
+    /// Of a coordinate, which is not 0; `None` if it is not what that spelling reads as.
+    fn of(coordinate: f64) -> Option<Self> {
+        let single = coordinate as f32;
+        if !single.is_finite() || single == 0.0 {
+            return None;
+        }
+        let mut buffer = zmij::Buffer::new();
+        let text = buffer.format_finite(single);
+        if number::float(text.as_bytes())? != coordinate {
+            return None;
+        }
+        let (digits, power) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+        let digits = digits.trim_start_matches('-').trim_end_matches(".0");
+        let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
+        let power: i32 = power.parse().ok()?;
+        let leading = fraction.bytes().take_while(|&digit| digit == b'0').count() as i32;
+        let first = if whole == "0" { -1 - leading } else { whole.len() as i32 - 1 };
+        Some(Self { first: first + power, decimals: fraction.len() as i32 - power })
+    }
+
+    /// Whether its last digit is worth no more than half the spacing of singles.
+    fn is_fine(&self, coordinate: f64) -> bool {
+        // Half a spacing is less than a unit of seven digits.
+        if self.first + self.decimals < 7 {
+            return false;
+        }
+        let spacing = num::power_of_two((num::exponent(coordinate) - 23).max(-149));
+        2.0 * libm::exp10(-f64::from(self.decimals)) <= spacing
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::num::test_numbers::Numbers;
+
+    fn positions(spell: impl Fn(f64) -> String) -> Vec<DVec3> {
+        let mut numbers = Numbers::new(5);
+        let mut coordinate = |size: f64| spell(size * (2.0 * numbers.unit() - 1.0)).parse().unwrap();
+        (0..40).map(|_| DVec3::from_array([0.1, 16.0, 300.0].map(&mut coordinate))).collect()
+    }
+
+    #[test]
+    fn what_was_printed_from_singles_is_singles_again() {
+        let exact = |x: f64| f64::from(x as f32).to_string();
+        let printed = |x: f64| (x as f32).to_string();
+        let mut read = positions(printed);
+        assert_ne!(read, positions(exact));
+        assert_eq!(restore_singles(&mut [&mut read]), Storage::F32);
+        assert_eq!(read, positions(exact));
+        // One number of its own is enough against it.
+        let mut other = positions(printed);
+        other[17].y = 0.1 + 0.2;
+        let before = other.clone();
+        assert_eq!((restore_singles(&mut [&mut other]), other), (Storage::F64, before));
+    }
+
+    /// As `%g` and C++ streams print.
+    #[test]
+    fn six_digits_of_large_and_small_numbers_are_singles_at_any_scale() {
+        for scale in [1e-12, 1e-3, 1.0, 1e3, 1e9] {
+            let mut read = positions(|x| format!("{:.5e}", scale * x));
+            let rounded: Vec<DVec3> = read.iter().map(|p| p.as_vec3().as_dvec3()).collect();
+            assert_eq!((restore_singles(&mut [&mut read]), read), (Storage::F32, rounded), "{scale}");
+        }
+    }
+
+    #[test]
+    fn decimals_and_doubles_stay_as_they_are() {
+        let spellings: [fn(f64) -> String; 7] = [
+            |x| x.to_string(),
+            |x| format!("{x:.2}"),
+            |x| format!("{x:.4}"),
+            |x| format!("{x:.6}"),
+            |x| format!("{x:.9}"),
+            |x| format!("{x:.4e}"),
+            |x| format!("{x:.7e}"),
+        ];
+        for spell in spellings {
+            let mut read = positions(spell);
+            let before = read.clone();
+            assert_eq!((restore_singles(&mut [&mut read]), read), (Storage::F64, before), "{}", spell(0.1));
+        }
+        // With 6 decimals numbers between 8 and 16 are as near to each other as singles there.
+        let mut dozen: Vec<DVec3> = (0..99).map(|i| DVec3::splat(f64::from(12_000_001 + i) / 1e6)).collect();
+        assert_eq!(restore_singles(&mut [&mut dozen]), Storage::F64);
+    }
+
+    #[test]
+    fn digits_are_counted_in_all_spellings() {
+        for (x, first, decimals) in [
+            (0.03, -2, 2),
+            (12.0, 1, 0),
+            (-1.25e-7, -7, 9),
+            (3e20, 20, -20),
+            (1.5, 0, 1),
+            (120.25, 2, 2),
+            (1e-45, -45, 45),
+        ] {
+            let spelling = Spelling::of(x).unwrap();
+            assert_eq!((spelling.first, spelling.decimals), (first, decimals), "{x}");
+        }
+        assert!(
+            [0.1 + 0.2, f64::NAN, f64::INFINITY, 1e300, 1e-300]
+                .into_iter()
+                .all(|x| Spelling::of(x).is_none())
+        );
+    }
+}
