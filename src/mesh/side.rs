@@ -5,21 +5,28 @@ use crate::num::{UnitVec3, unit_scale};
 use glam::DVec3;
 
 /// Whether more than half of the stored normals at some faces point against their face, each of which comes with whether it
-/// counts as turned round; `None` if there are none, or all are the same and say nothing of any side.
+/// counts as turned round; `None` if there are none, or all are the same and say nothing of any side. What is flat has one normal
+/// by right: that of its faces, or their opposite.
 pub(crate) fn normals_oppose(mesh: &Mesh, faces: impl Iterator<Item = (u32, bool)>) -> Option<bool> {
     let stored = mesh.columns().normals.as_ref()?;
     let scale = unit_scale(mesh.bounds().map_or(0.0, |(low, high)| (high - low).max_element()));
     let (mut against, mut all, mut first, mut is_constant) = (0usize, 0usize, None, true);
+    let (mut side, mut is_flat) = (None, true);
     for (face, is_turned) in faces {
-        let area = vector_area(mesh, face as usize, scale);
+        let area = vector_area(mesh, face as usize, scale) * if is_turned { -1.0 } else { 1.0 };
+        let direction = UnitVec3::new(area).map(UnitVec3::get);
         for unit in mesh.faces().range(face as usize).filter_map(|corner| stored_unit(stored, mesh, corner)) {
             is_constant &= are_same(*first.get_or_insert(unit), unit);
-            let height = unit.dot(area);
+            is_flat &= direction.is_none_or(|direction| {
+                let side = *side.get_or_insert(unit.dot(direction).signum());
+                are_same(unit, direction * side)
+            });
             all += 1;
-            against += usize::from(if is_turned { height > 0.0 } else { height < 0.0 });
+            against += usize::from(unit.dot(area) < 0.0);
         }
     }
-    (!is_constant).then_some(2 * against > all)
+    let is_along = is_flat && side.is_some();
+    (!is_constant || is_along).then_some(2 * against > all)
 }
 
 /// Whether two unit vectors are one, as far as a mesh whose normals are all the same goes.

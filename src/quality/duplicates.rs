@@ -7,33 +7,56 @@ use crate::mesh::{ColumnIndex, FaceLabels, place_key};
 use rayon::prelude::*;
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// Finds faces with the same places for corners as an earlier one, by the way that they go round. Gives all faces that
-/// stand twice the same way, ascending.
-pub(super) fn find(facts: &Facts<'_>, found: &mut Tallies) -> Vec<u32> {
-    let mut doubled = Vec::new();
-    let mut first: FxHashMap<Vec<[u64; 3]>, u32> = FxHashMap::default();
-    let candidates = crowded_faces(facts);
-    for face in candidates {
-        let places = places(facts, face);
-        let lowest = (0..places.len()).min_by_key(|&i| places[i]).unwrap_or(0);
-        let mut turned = places.clone();
-        turned.rotate_left(lowest);
-        let mut reversed = turned.clone();
-        reversed[1..].reverse();
-        let area = facts.area[face];
-        if let Some(&other) = first.get(&turned) {
-            doubled.extend([other, face as u32]);
-            found.add(Kind::DuplicateFaces, Spot::face(face, 0.0), area);
-            continue;
+/// Faces with the same places for corners as an earlier one.
+#[derive(Debug, Default)]
+pub(super) struct Doubles {
+    /// Those that go round the same way, and each the one that they are of.
+    again: Vec<[u32; 2]>,
+    /// Those that go round the other way.
+    back_to_back: Vec<u32>,
+    /// All that stand twice the same way, ascending.
+    same_way: Vec<u32>,
+}
+
+impl Doubles {
+    pub(super) fn new(facts: &Facts<'_>) -> Self {
+        let mut doubles = Self::default();
+        let mut first: FxHashMap<Vec<[u64; 3]>, u32> = FxHashMap::default();
+        for face in crowded_faces(facts) {
+            let places = places(facts, face);
+            let lowest = (0..places.len()).min_by_key(|&i| places[i]).unwrap_or(0);
+            let mut turned = places.clone();
+            turned.rotate_left(lowest);
+            let mut reversed = turned.clone();
+            reversed[1..].reverse();
+            if let Some(&other) = first.get(&turned) {
+                doubles.again.push([face as u32, other]);
+                continue;
+            }
+            if first.contains_key(&reversed) {
+                doubles.back_to_back.push(face as u32);
+            }
+            first.insert(turned, face as u32);
         }
-        if first.contains_key(&reversed) {
-            found.add(Kind::BackToBack, Spot::face(face, 0.0), area);
-        }
-        first.insert(turned, face as u32);
+        doubles.same_way = doubles.again.as_flattened().to_vec();
+        doubles.same_way.sort_unstable();
+        doubles.same_way.dedup();
+        doubles
     }
-    doubled.sort_unstable();
-    doubled.dedup();
-    doubled
+
+    /// All faces that stand twice the same way, ascending.
+    pub(super) fn same_way(&self) -> &[u32] {
+        &self.same_way
+    }
+}
+
+/// Tells of faces that stand twice.
+pub(super) fn faces(facts: &Facts<'_>, found: &mut Tallies) {
+    let mut tell = |kind: Kind, face: u32| {
+        found.add(kind, Spot::face(face as usize, 0.0), facts.area[face as usize]);
+    };
+    facts.doubles.again.iter().for_each(|&[face, _]| tell(Kind::DuplicateFaces, face));
+    facts.doubles.back_to_back.iter().for_each(|&face| tell(Kind::BackToBack, face));
 }
 
 /// Faces that share the place of their middle and their area with another: the only ones worth comparing corner by

@@ -2,6 +2,7 @@
 
 use super::around::Around;
 use super::catalogue::Kind;
+use super::duplicates::Doubles;
 use super::estimate::{Estimate, estimate};
 use super::finding::Severity;
 use super::gloss::Gloss;
@@ -61,8 +62,10 @@ pub(super) struct Facts<'a> {
     beside_turned: Vec<bool>,
     /// The corners whose faces cancel: nothing is known of what normal they should have. Ascending.
     cancelling: Vec<u32>,
-    /// The ends of edges without length, by their bits.
-    collapsed: FxHashSet<[u64; 3]>,
+    /// Where edges without length end and faces stand twice, by their bits.
+    two_fans: FxHashSet<[u64; 3]>,
+    /// Faces at the place of others.
+    pub(super) doubles: Doubles,
     /// How sharp the highlights of faces are.
     pub(super) gloss: Gloss,
     /// Whether the file can share vertices at all; STL cannot.
@@ -122,13 +125,15 @@ impl<'a> Facts<'a> {
             minority,
             beside_turned: Vec::new(),
             cancelling: Vec::new(),
-            collapsed: FxHashSet::default(),
+            two_fans: FxHashSet::default(),
+            doubles: Doubles::default(),
             gloss,
             shares_vertices: around.shares_vertices(),
             has_normal_formats: around.has_normal_formats(),
         };
         facts.mark_turned();
-        facts.collapsed = facts.collapsed_places();
+        facts.doubles = Doubles::new(&facts);
+        facts.two_fans = facts.places_of_two_fans();
         if let Some((estimate, turn)) = stored.and_then(|stored| estimate(&facts, stored)) {
             (facts.estimate, facts.turn) = (Some(estimate), turn);
         }
@@ -165,25 +170,29 @@ impl<'a> Facts<'a> {
         }
     }
 
-    /// Where edges without length are.
-    fn collapsed_places(&self) -> FxHashSet<[u64; 3]> {
+    /// Where edges without length are, and faces that stand twice.
+    fn places_of_two_fans(&self) -> FxHashSet<[u64; 3]> {
         let faces = self.mesh.faces();
+        let place = |vertex: u32| place_key(self.mesh.positions()[vertex as usize]);
         // A triangle with such an edge has no area; a polygon may.
         let may_have = |&face: &usize| self.worth[face] == Worth::Silent || faces.face(face).len() > 3;
-        let places = |face: usize| {
+        let edges = |face: usize| {
             let corners = faces.face(face);
             let pairs = corners.iter().zip(corners.iter().cycle().skip(1));
-            pairs.map(|(&a, &b)| [a, b].map(|vertex| place_key(self.mesh.positions()[vertex as usize])))
+            pairs.map(|(&a, &b)| [a, b].map(place))
         };
-        let edges = (0..faces.len()).filter(may_have).flat_map(places);
-        edges.filter(|[a, b]| a == b).map(|[place, _]| place).collect()
+        let edges = (0..faces.len()).filter(may_have).flat_map(edges);
+        let collapsed = edges.filter(|[a, b]| a == b).map(|[place, _]| place);
+        let doubled = self.doubles.same_way().iter().flat_map(|&face| faces.face(face as usize));
+        collapsed.chain(doubled.map(|&vertex| place(vertex))).collect()
     }
 
-    /// Whether an edge without length is at a corner's place. Two vertices stand there, and which faces come one after
-    /// the other round it depends on whether vertices are told apart by number or by place: either fan is right.
+    /// Whether an edge without length or a face that stands twice is at a corner's place. Two vertices stand there, and which
+    /// faces come one after the other round it depends on whether vertices are told apart by number or by place; or an edge of
+    /// three faces, which fans end at. Either fan is right.
     pub(super) fn has_two_fans(&self, corner: usize) -> bool {
         let vertex = self.mesh.faces().corners()[corner] as usize;
-        !self.collapsed.is_empty() && self.collapsed.contains(&place_key(self.mesh.positions()[vertex]))
+        !self.two_fans.is_empty() && self.two_fans.contains(&place_key(self.mesh.positions()[vertex]))
     }
 
     /// Whether the edge of a half-edge is one of two that only nearly coincide.

@@ -15,9 +15,9 @@ use rayon::prelude::*;
 
 /// Everything about the shape of a part.
 pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Tallies) {
-    let doubled = duplicates::find(facts, found);
+    duplicates::faces(facts, found);
     duplicates::vertices(facts, found);
-    winding(facts, &doubled, found);
+    winding(facts, found);
     let folded = Limit::new(thresholds.fold.0);
     let faces = scan(facts.mesh.face_count(), thresholds.places, |faces, found| {
         for face in faces {
@@ -39,7 +39,7 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
 }
 
 /// Faces that run against their neighbours, and components that face the wrong way.
-fn winding(facts: &Facts<'_>, doubled: &[u32], found: &mut Tallies) {
+fn winding(facts: &Facts<'_>, found: &mut Tallies) {
     // Pieces that only touch may run as they like; their edges are no edges by index.
     let by_index = |half_edge: usize| match facts.topology.link(half_edge as u32) {
         Link::Inconsistent(other) => {
@@ -50,7 +50,8 @@ fn winding(facts: &Facts<'_>, doubled: &[u32], found: &mut Tallies) {
     };
     let mut certain = !facts.shares_vertices;
     // A face that stands twice runs the same way as its double: that is told as what it is.
-    for &face in facts.minority.iter().filter(|face| doubled.binary_search(face).is_err()) {
+    let is_single = |face: &&u32| facts.doubles.same_way().binary_search(face).is_err();
+    for &face in facts.minority.iter().filter(is_single) {
         certain |= facts.mesh.faces().range(face as usize).any(by_index);
         found.add(Kind::InconsistentWinding, Spot::face(face as usize, 0.0), facts.area[face as usize]);
     }

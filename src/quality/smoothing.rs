@@ -271,9 +271,14 @@ impl Edge {
             && !self.ends.as_flattened().iter().any(is_told)
     }
 
-    /// Whether both sides have one normal where the rule of the mesh has two.
+    /// Whether both sides have one normal where the rule of the mesh has two, at an end where faces that run against the others
+    /// or stand twice do not cut the fan.
     pub(super) fn is_averaged(&self, facts: &Facts<'_>, from: f64) -> bool {
-        self.is_shared() && !self.goes_on(facts) && self.bend(facts) > from
+        let is_split = |&[a, b]: &[usize; 2]| {
+            let is_whole = |corner: usize| facts.is_judged(corner) && !facts.has_two_fans(corner);
+            facts.expected(a) != facts.expected(b) && is_whole(a) && is_whole(b)
+        };
+        self.is_shared() && self.ends.iter().any(is_split) && self.bend(facts) > from
     }
 
     /// Whether the recipe that fits best has one normal on both sides, at both ends.

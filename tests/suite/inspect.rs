@@ -6,6 +6,7 @@ mod attributes;
 mod causes;
 mod cavities;
 mod clean;
+mod cut;
 mod geometry;
 mod handmade;
 mod mended;
