@@ -7,6 +7,7 @@ use super::finding::Severity;
 use super::strays::Ground;
 use super::tally::{Spot, Tallies, scan};
 use crate::mesh::{Column, DisjointSets, Link, SmoothingGroups};
+use crate::normals::Crease;
 use crate::num::{Degrees, angle_between};
 use glam::DVec3;
 use rayon::prelude::*;
@@ -39,12 +40,16 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
         }
     });
     let follows = estimate.is_departed_from() && estimate.separated >= RULE;
+    // Computing all again leaves the rest as it is only where that is of a rule; so high an angle rounds what else is sharp.
+    let is_soft = !estimate.groups && estimate.crease.0 > Crease::DEFAULT_ANGLE.0 + thresholds.crease.0;
+    let restores = estimate.is_rule() || (estimate.is_departed_from() && !is_soft);
     for kind in [Kind::AveragedCrease, Kind::SplitSeam, Kind::CrackedSeam] {
         let is_any_seam = || kind != Kind::AveragedCrease && are_anywhere(facts, stored, thresholds);
         let is_meant =
             edges.get(kind).count > 0 && !follows && !(estimate.is_departed_from() && is_any_seam());
         let tally = edges.tally(kind);
         tally.remedy = Some(estimate.options());
+        tally.may_be_meant = !restores;
         if is_meant {
             tally.severity = Some(Severity::Note);
         }
