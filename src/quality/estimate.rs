@@ -113,8 +113,9 @@ impl Estimate {
     }
 }
 
-/// The share of corners that a rule reproduces at least once they are turned back, if a turn explains them.
-const MOST: f64 = 0.5;
+/// The share of corners that a rule reproduces at least for the normals to be made by it rather than by none, once they are
+/// turned back if a turn explains them.
+pub(super) const MOST: f64 = 0.5;
 
 /// How much of what the best rule is off by, or of its median, a turn of all normals may leave.
 const LEFT: f64 = 0.5;

@@ -1,7 +1,7 @@
 //! Findings about stored normals, corner by corner.
 
 use super::catalogue::Kind;
-use super::estimate::{LETTER, SAME};
+use super::estimate::{LETTER, MOST, SAME};
 use super::facts::{Facts, Worth};
 use super::finding::Severity;
 use super::limit::Limit;
@@ -59,10 +59,12 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
     quantisation::find(facts, facts.written.unwrap_or(stored), thresholds, found)
 }
 
-/// Single normals are replaced by ones that are made as the rest is, or they would be strays.
+/// Single normals are replaced by ones that are made as the rest is, or they would be strays. Where nothing tells how that is,
+/// what is computed without being asked for is as good as any.
 fn like_the_rest(facts: &Facts<'_>, found: &mut Tallies) {
     let is_usual = |it: &Estimate| it.is_default() && facts.mesh.columns().smoothing.is_none();
-    let Some(estimate) = facts.estimate.filter(|estimate| !is_usual(estimate)) else { return };
+    let is_wanted = |it: &Estimate| it.reproduced >= MOST && !is_usual(it);
+    let Some(estimate) = facts.estimate.filter(is_wanted) else { return };
     for kind in [
         Kind::MissingNormals,
         Kind::NotFinite,
