@@ -25,7 +25,9 @@ pub enum Pattern {
     /// The grid's cells themselves: quadrilaterals that are not plane, triangles at poles.
     Quads,
     /// The dual of the triangles: a polygon round each of their vertices that is not on an open side, with vertices above
-    /// the middles of the triangles.
+    /// the middles of the triangles. The one round the tip of a cone cuts it off, flat, and has the normals of the sides,
+    /// which are exact where its corners are: it is lit as if it were round, and `crease inspect` tells so of its edges
+    /// (`averaged-crease`).
     Polygons,
     /// Twenty triangles cut in four that many times by the midpoints of their edges, which move onto the sphere each
     /// time. For surfaces that are spheres but for stretching along rays ([`StarShaped`](super::StarShaped)). Takes no

@@ -181,7 +181,11 @@ pub const PATTERNS: &[Choice<PatternName>] = &[
     ("stretched", PatternName::Stretched, "the same, with cells --ratio times as long one way"),
     ("slivers", PatternName::Slivers, "every other row --ratio times as close to the next"),
     ("quads", PatternName::Quads, "the cells themselves"),
-    ("polygons", PatternName::Polygons, "the dual of the triangles: mostly hexagons"),
+    (
+        "polygons",
+        PatternName::Polygons,
+        "the dual of the triangles: mostly hexagons; the tip of a cone is cut off",
+    ),
     ("icosphere", PatternName::Icosphere, "a subdivided icosahedron (sphere, ellipsoid, superquadric)"),
     (
         "marching",

@@ -6,8 +6,9 @@ use crate::meshes;
 use crease::io::{Format, Part, ReadOptions, WriteOptions, read, read_bytes, write_new};
 use crease::mesh::{FaceEdit, Faces, Mesh};
 use crease::normals::{NormalRecipe, Weight};
-use crease::quality::{Severity, Thresholds, diagnose};
-use crease::surface::{Cylinder, Pattern, Sphere, Superquadric, Surface, Tessellation, Torus, Wave};
+use crease::quality::catalogue::Kind;
+use crease::quality::{Severity, Site, Thresholds, diagnose};
+use crease::surface::{Cone, Cylinder, Pattern, Sphere, Superquadric, Surface, Tessellation, Torus, Wave};
 use glam::DVec3;
 
 /// A clean mesh and what it is good for.
@@ -124,6 +125,25 @@ fn clean_meshes_get_no_warning() {
         let diagnosis = inspect(&surface(&shape, segments), 10);
         assert_eq!(grave(&diagnosis), Vec::<&str>::new(), "{shape:?}");
     }
+}
+
+/// The dual cuts the tip of a cone off, flat, with the normals of its sides: there is the only thing to tell.
+#[test]
+fn a_cone_is_clean_but_for_a_tip_that_is_cut_off() {
+    let cone = Surface::from(Cone::default());
+    let told = |pattern| {
+        let tessellation = Tessellation { segments: [64, 32], pattern, ..Tessellation::default() };
+        inspect(&cone.tessellate(&tessellation).unwrap(), 100)
+    };
+    for pattern in [Pattern::Triangles, Pattern::Quads] {
+        assert_eq!(grave(&told(pattern)), Vec::<&str>::new(), "{}", pattern.name());
+    }
+    let diagnosis = told(Pattern::Polygons);
+    assert_eq!(grave(&diagnosis), ["averaged-crease"]);
+    let averaged = diagnosis.get(Kind::AveragedCrease).unwrap();
+    assert_eq!(averaged.count, 64);
+    let is_at_tip = |site: &Site| site.position.is_some_and(|at| at.y > 0.95);
+    assert!(averaged.places.len() == 64 && averaged.places.iter().all(is_at_tip));
 }
 
 /// On a rough surface many an edge over the crease angle is the only one at its vertex: it splits nothing, and the edges that
