@@ -5,6 +5,7 @@ use super::catalogue::Kind;
 use super::facts::{Facts, Worth};
 use super::finding::Severity;
 use super::limit::Limit;
+use super::polygons;
 use super::smoothing::Edge;
 use super::tally::{Spot, Tallies, scan};
 use crate::mesh::Column;
@@ -25,9 +26,21 @@ const FEWEST_GENTLE: usize = 100;
 /// Edges between flat sides that a sharp shape has at least: a cube has twelve.
 const FEWEST_SHARP: usize = 8;
 
-/// Edges between gentle and sharp ones for each sharp one, at most: a machined part has 0.05, a gear with bevels 0.29; round
-/// shapes, however coarse, have all kinds: the cage of a cow 0.34, a head 0.6, a person 0.8.
+/// The share of bent edges that are gentle on a smooth shape, at least: a horse of 2400 quads has 0.84, a part of a machine
+/// 0.79, one with all its holes 0.60.
+const MOSTLY_GENTLE: f64 = 0.75;
+
+/// Edges between gentle and sharp ones for each sharp one, at most, where that alone tells a sharp shape: a machined part has
+/// 0.05, a gear with bevels 0.29; round shapes, however coarse, have all kinds: the cage of a cow 0.34, a head 0.6, a person
+/// 0.8. So have parts with coarse holes and fillets, 0.4 to 0.9, which their broad flats tell.
 const BETWEEN: f64 = 0.3;
+
+/// The share of sharp edges with a broad flat at a side on a sharp shape, at least: parts with holes have 0.66 to 1; heads,
+/// animals and people 0 to 0.35, furniture with cushions 0.54.
+const FLAT_SIDED: f64 = 0.6;
+
+/// Triangles that a broad flat would have, at least: one side of a coarse tube has two.
+const BROAD: usize = 3;
 
 /// Either, as far as the estimate of how the normals were made allows.
 pub(super) fn find(facts: &Facts<'_>, stored: &Column<DVec3>, thresholds: &Thresholds, found: &mut Tallies) {
@@ -36,17 +49,22 @@ pub(super) fn find(facts: &Facts<'_>, stored: &Column<DVec3>, thresholds: &Thres
     if estimate.crease.0 == 0.0 && estimate.reproduced >= 0.99 {
         let bends = Bends::of(facts, [FLAT, GENTLE]);
         let bent = bends.between + bends.beyond;
-        if bent >= FEWEST_GENTLE && bends.between as f64 >= 0.9 * bent as f64 {
+        if bent >= FEWEST_GENTLE && bends.between as f64 >= MOSTLY_GENTLE * bent as f64 {
             found.add(Kind::Faceted, Spot::mesh(), facts.total_area);
         }
     } else if !estimate.groups && estimate.crease.0 > sharp_from {
         let bends = Bends::of(facts, [GENTLE, sharp_from]);
-        if bends.beyond < FEWEST_SHARP || bends.between as f64 > BETWEEN * bends.beyond as f64 {
+        let beyond = bends.beyond as f64;
+        let is_sharp = |facts| {
+            bends.between as f64 <= BETWEEN * beyond
+                || flat_sided(facts, sharp_from) as f64 >= FLAT_SIDED * beyond
+        };
+        if bends.beyond < FEWEST_SHARP || !is_sharp(facts) {
             return;
         }
         let mut soft = softened(facts, stored, sharp_from, thresholds.places);
         // Where some are kept sharp, those that are not are told one by one.
-        if (soft.get(Kind::Soft).count as f64) < 0.98 * bends.beyond as f64 {
+        if (soft.get(Kind::Soft).count as f64) < 0.98 * beyond {
             return;
         }
         let has_groups = facts.mesh.columns().smoothing.is_some();
@@ -93,6 +111,49 @@ fn bend(facts: &Facts<'_>, half_edge: u32, limit: Limit) -> Option<f64> {
     let is_sound = faces.iter().all(|&face| facts.worth[face] == Worth::Sound);
     let [a, b] = faces.map(|face| facts.face_normal(face));
     limit.exceeded(a, b).filter(|_| is_sound)
+}
+
+/// How many sharp edges have a broad flat at a side.
+fn flat_sided(facts: &Facts<'_>, sharp_from: f64) -> usize {
+    let sharp = Limit::new(sharp_from);
+    let has_flat = |half_edge: u32| {
+        let sides = [Some(half_edge), facts.topology.across(half_edge)].into_iter().flatten();
+        bend(facts, half_edge, sharp).is_some()
+            && sides.into_iter().any(|side| is_broad(facts, facts.topology.face_of(side) as usize))
+    };
+    (0..facts.mesh.faces().corner_count() as u32)
+        .into_par_iter()
+        .filter(|&half_edge| has_flat(half_edge))
+        .count()
+}
+
+/// Whether a face makes a broad flat with those that lie in its plane round it.
+fn is_broad(facts: &Facts<'_>, face: usize) -> bool {
+    let mut flat = vec![face];
+    let (mut next, mut triangles) = (0, 0);
+    while let Some(&face) = flat.get(next) {
+        next += 1;
+        if polygons::bow(facts, face) <= FLAT {
+            triangles += facts.mesh.faces().range(face).len() - 2;
+            if triangles >= BROAD {
+                return true;
+            }
+            let more: Vec<usize> = level_with(facts, face).filter(|other| !flat.contains(other)).collect();
+            flat.extend(more);
+        }
+    }
+    false
+}
+
+/// The faces across the edges of one that lie in its plane.
+fn level_with(facts: &Facts<'_>, face: usize) -> impl Iterator<Item = usize> {
+    let bent = Limit::new(FLAT);
+    let across = |corner: usize| Some(facts.topology.face_of(facts.topology.across(corner as u32)?) as usize);
+    let others = facts.mesh.faces().range(face).filter_map(across);
+    others.filter(move |&other| {
+        let is_sound = facts.worth[other] == Worth::Sound;
+        is_sound && bent.exceeded(facts.face_normal(face), facts.face_normal(other)).is_none()
+    })
 }
 
 /// Sharp edges with one stored normal on both sides.

@@ -43,6 +43,14 @@ pub(super) fn look_at(facts: &Facts<'_>, face: usize, thresholds: &Thresholds, f
     }
 }
 
+/// The largest angle in degrees between a face and its plane; 0 for triangles.
+pub(super) fn bow(facts: &Facts<'_>, face: usize) -> f64 {
+    match facts.mesh.faces().range(face).len() {
+        0..=3 => 0.0,
+        _ => twist(&places(facts, face), facts.face_normal(face)),
+    }
+}
+
 /// Whether a polygon without area crosses itself, so that what faces up is as large as what faces down.
 pub(super) fn is_balanced(facts: &Facts<'_>, face: usize) -> bool {
     let places = places(facts, face);

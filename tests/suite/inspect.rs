@@ -18,6 +18,7 @@ mod recall;
 mod rooms;
 mod rotated;
 mod seams;
+mod soft;
 mod spaces;
 mod strays;
 mod wholes;

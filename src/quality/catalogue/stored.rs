@@ -144,7 +144,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         "faceted-normals",
         Severity::Note,
         "flat normals on a shape that bends smoothly",
-        "Every face has its own normal although nearly all edges bend by little. Each facet shows, and each vertex is stored once for every face.",
+        "Every face has its own normal although most edges bend by little. Each facet shows, and each vertex is stored once for every face.",
         "Compute smooth normals, unless the facets are meant.",
         Some(""),
     ),
