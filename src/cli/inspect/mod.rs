@@ -19,7 +19,7 @@ use super::request::{Job, RequestError, Target, resolve_parent};
 use super::{Exit, usage_error, use_threads};
 use against::AgainstReport;
 use args::{Explained, FindingArgs, PictureArgs};
-use crease::io::{Loaded, ReadOptions, Written};
+use crease::io::{Document, Loaded, ReadOptions, Written};
 use crease::num::Transfer;
 use crease::quality::{Comparison, Diagnosis, Thresholds, compare, diagnose};
 use crease::report::{After, ReportError, deviation_picture, diagnosis_page, encode_png};
@@ -177,7 +177,11 @@ fn inspect(
 ) -> Result<Outcome, Failure> {
     progress.stage(Stage::Read);
     let start = Instant::now();
-    let loaded = normals::load(job, read, progress, &mut report.input.bytes).map_err(Failure::Read)?;
+    let mut loaded = normals::load(job, read, progress, &mut report.input.bytes).map_err(Failure::Read)?;
+    if matches!(loaded.document, Document::Ply(_) | Document::Stl(_)) {
+        // The bytes to write it back; of the others findings tell lines and nodes.
+        loaded.document = Document::None;
+    }
     report.seconds.read = start.elapsed().as_secs_f64();
     report.input.format = Some(loaded.format.extension());
 
