@@ -447,17 +447,16 @@ fn waves_themselves(light: Degrees, size: u32) -> Image {
 }
 
 fn chart(orders: Vec<[f64; 2]>, is_square: bool) -> Chart {
-    let square = orders
-        .iter()
-        .map(|&[cells, _]| [cells, orders[0][1] * (orders[0][0] / cells) * (orders[0][0] / cells)]);
-    let square = square.collect();
+    // Through the finest: a law of the small holds there.
+    let [most, least] = orders[orders.len() - 1];
+    let square = orders.iter().map(|&[cells, _]| [cells, least * (most / cells) * (most / cells)]).collect();
     Chart {
         name: "difference-by-cells",
         title: Text::new("Difference of both diagonals", "Diferença das duas diagonais"),
         caption: match is_square {
             true => Text::new(
-                "The difference on the waves against the number of squares along a side: it falls as one over its square.",
-                "A diferença nas ondas em função do número de quadrados por lado: cai como um sobre o seu quadrado.",
+                "The difference on the waves against the number of squares along a side: the more there are, the more nearly it falls as one over their square.",
+                "A diferença nas ondas em função do número de quadrados por lado: quanto mais há, mais ela cai como um sobre o seu quadrado.",
             ),
             false => Text::new(
                 "The difference on the waves against the number of squares along a side, beside one over its square.",
