@@ -51,6 +51,23 @@ fn an_empty_picture_has_a_reason() {
     }
 }
 
+/// Of notes that are alike the first says where, and all do if asked to.
+#[test]
+fn all_places_of_a_note_are_named_if_asked_for() {
+    let work = folder(&[("odd.obj", &format!("{SQUARE}{}", "odd\n".repeat(3)))]);
+    let first = SQUARE.lines().count() + 1;
+    let said = |more: &[&str]| {
+        let args = with(&with(&[path(work.path().join("odd.obj"))], &BEFORE), more);
+        let output = super::render(with(&args, &["-o", "-"]));
+        assert_eq!(code(&output), 0, "{}", text(&output.stderr));
+        text(&output.stderr).to_owned()
+    };
+    let alike = format!("line {first}: the unknown statement `odd` was ignored (and 2 more like it");
+    let (brief, all) = (said(&[]), said(&["-v"]));
+    assert!(brief.contains(&format!("{alike})")), "{brief}");
+    assert!(all.contains(&format!("{alike}: line {}, line {})", first + 1, first + 2)), "{all}");
+}
+
 /// `--force` leaves out what makes a file unreadable, as it does in `normals`, and the message that names it is right.
 #[test]
 fn faces_without_a_place_are_left_out_by_force() {
