@@ -3,7 +3,7 @@
 use super::Thresholds;
 use super::catalogue::Kind;
 use super::facts::{Facts, Worth};
-use super::tally::{Spot, Tallies, scan};
+use super::tally::{Gauge, Spot, Tallies, scan};
 use crate::io::Loaded;
 use crate::num::{Degrees, UnitVec3, angle_between};
 use glam::DVec4;
@@ -45,11 +45,7 @@ fn tangents(facts: &Facts<'_>, tangents: &[Option<DVec4>], thresholds: &Threshol
                 let is_unit = (direction.length() - 1.0).abs() <= thresholds.length && tangent.w.abs() == 1.0;
                 let lean = (90.0 - Degrees::from(angle_between(direction, normal)).0).abs();
                 if !is_unit {
-                    found.add(
-                        Kind::Tangents,
-                        Spot { is_angle: false, ..Spot::corner(face, corner, 180.0) },
-                        area,
-                    );
+                    found.add(Kind::Tangents, Spot::corner(face, corner, 0.0).of(Gauge::Order, 180.0), area);
                 } else if lean > thresholds.tangent.0 {
                     found.add(Kind::Tangents, Spot::corner(face, corner, lean), area);
                 }

@@ -6,7 +6,7 @@ use super::facts::Facts;
 use super::finding::{Element, Finding, Severity, Site};
 use super::gloss::{self, Gloss};
 use super::spaces::Spaces;
-use super::tally::{Milder, Spot, Tallies, Tally, least};
+use super::tally::{Gauge, Milder, Spot, Tallies, Tally, least};
 use super::{
     Estimate, Precision, Thresholds, attributes, geometry, key_light_steps, shading, smoothing, stored,
 };
@@ -94,7 +94,7 @@ pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) 
                 let gloss = Gloss::new(mesh, &materials, thresholds.exponent);
                 let mut back = Facts::of(&around, (number, mesh), thresholds.confidence, gloss);
                 if mistaken.is_proved(facts.estimate, back.estimate) {
-                    mistaken.tell(facts.total_area, &mut found);
+                    mistaken.tell(&facts, thresholds.places, &mut found);
                     back.written = facts.stored;
                     back.estimate.iter_mut().for_each(|estimate| estimate.turned = true);
                     facts = back;
@@ -214,7 +214,7 @@ struct Merged {
     area: f64,
     all_area: f64,
     severity: Option<Severity>,
-    sites: Vec<(f64, Site)>,
+    sites: Vec<(Spot, Site)>,
     /// What is said of the part that has most of it.
     most: u64,
     remark: Option<String>,
@@ -225,13 +225,14 @@ struct Merged {
     /// In one of the parts it may be meant.
     may_be_meant: bool,
     confidence: Option<f64>,
+    turn: Option<f64>,
 }
 
 impl Merged {
     /// Something about the file, not about a part.
     fn whole_file() -> Self {
         let severity = Some(Severity::Error);
-        Self { count: 1, of: 1, severity, sites: vec![(0.0, Site::default())], ..Self::default() }
+        Self { count: 1, of: 1, severity, sites: vec![(Spot::mesh(), Site::default())], ..Self::default() }
     }
 
     fn add(&mut self, tally: Tally, facts: &Facts<'_>, part: usize) {
@@ -258,16 +259,25 @@ impl Merged {
         self.may_be_meant |= tally.may_be_meant;
         self.components += tally.components;
         self.confidence = least(self.confidence, tally.confidence);
-        let site = |spot: Spot| (spot.weight, site(facts.mesh, spot, part));
+        self.turn = self.turn.into_iter().chain(tally.turn).reduce(f64::max);
+        let site = |spot: Spot| (spot, site(facts.mesh, spot, part));
         self.sites.extend(tally.worst.into_iter().map(site));
         // Stable: among equals earlier parts come first.
-        self.sites.sort_by(|a, b| b.0.total_cmp(&a.0));
+        self.sites.sort_by(|a, b| b.0.weight.total_cmp(&a.0.weight));
     }
 
     fn finding(self, kind: Kind) -> Option<Finding> {
         let entry = kind.entry();
         let severity = self.severity?.min(entry.severity);
-        let degrees = self.sites.iter().filter_map(|(_, site)| site.degrees).reduce(f64::max);
+        let off = self.sites.iter().filter_map(|(_, site)| site.degrees).reduce(f64::max);
+        let degrees = self.turn.or(off);
+        let steps = self.sites.iter().filter_map(|(spot, _)| match spot.gauge {
+            Gauge::Angle => Some(key_light_steps(self.turn.unwrap_or(spot.weight))),
+            Gauge::Steps => Some(spot.weight),
+            Gauge::Order | Gauge::Amount => None,
+        });
+        let steps = steps.reduce(f64::max);
+        let amount = self.sites.first().filter(|(spot, _)| spot.gauge == Gauge::Amount);
         let what = if kind == Kind::OpenInsideOut { "open" } else { "closed" };
         let of_components = match self.components {
             0 => None,
@@ -294,9 +304,13 @@ impl Merged {
             cause,
             count: self.count,
             of: self.of,
-            area_share: if self.all_area > 0.0 { (self.area / self.all_area).min(1.0) } else { 0.0 },
+            area_share: entry.element.has_area().then(|| match self.all_area {
+                all if all > 0.0 => (self.area / all).min(1.0),
+                _ => 0.0,
+            }),
             degrees,
-            steps: degrees.map(key_light_steps),
+            steps,
+            amount: amount.map(|(spot, _)| spot.weight.abs()),
             confidence: self.confidence,
             places: self.sites.into_iter().map(|(_, site)| site).collect(),
             remedy: self.remedy.or_else(|| entry.remedy.map(str::to_owned)).filter(|_| !self.may_be_meant),
@@ -326,7 +340,7 @@ pub(super) fn site(mesh: &Mesh, spot: Spot, part: usize) -> Site {
         corner,
         vertex,
         position,
-        degrees: spot.is_angle.then_some(spot.weight),
+        degrees: (spot.gauge == Gauge::Angle).then_some(spot.weight),
         node: None,
         line: None,
     }

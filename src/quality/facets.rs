@@ -50,7 +50,7 @@ pub(super) fn find(facts: &Facts<'_>, stored: &Column<DVec3>, thresholds: &Thres
         let bends = Bends::of(facts, [FLAT, GENTLE]);
         let bent = bends.between + bends.beyond;
         if bent >= FEWEST_GENTLE && bends.between as f64 >= MOSTLY_GENTLE * bent as f64 {
-            found.add(Kind::Faceted, Spot::mesh(), facts.total_area);
+            found.add_mesh(Kind::Faceted, facts.total_area, gentle(facts, thresholds.places));
         }
     } else if !estimate.groups && estimate.crease.0 > sharp_from {
         let bends = Bends::of(facts, [GENTLE, sharp_from]);
@@ -111,6 +111,20 @@ fn bend(facts: &Facts<'_>, half_edge: u32, limit: Limit) -> Option<f64> {
     let is_sound = faces.iter().all(|&face| facts.worth[face] == Worth::Sound);
     let [a, b] = faces.map(|face| facts.face_normal(face));
     limit.exceeded(a, b).filter(|_| is_sound)
+}
+
+/// The gentle edges that bend most: what their two sides differ by shows.
+fn gentle(facts: &Facts<'_>, most: usize) -> Vec<Spot> {
+    let bent = Limit::new(FLAT);
+    let mut edges = scan(facts.mesh.face_count(), most, |faces, found| {
+        for (face, corner) in faces.flat_map(|face| facts.mesh.faces().range(face).map(move |it| (face, it)))
+        {
+            if let Some(bend) = bend(facts, corner as u32, bent).filter(|&bend| bend <= GENTLE) {
+                found.add(Kind::Faceted, Spot::corner(face, corner, bend), 0.0);
+            }
+        }
+    });
+    edges.take(Kind::Faceted).worst
 }
 
 /// How many sharp edges have a broad flat at a side.

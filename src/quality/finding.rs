@@ -50,6 +50,11 @@ pub enum Element {
 }
 
 impl Element {
+    /// Whether it covers a part of the surface.
+    pub(super) const fn has_area(self) -> bool {
+        matches!(self, Element::Corner | Element::Face | Element::Mesh)
+    }
+
     /// The name used in reports, in the singular.
     pub const fn name(self) -> &'static str {
         match self {
@@ -97,12 +102,15 @@ pub struct Finding {
     pub count: u64,
     /// Of how many.
     pub of: u64,
-    /// Their share of the surface's area; a corner has its part of its face, an edge counts nothing.
-    pub area_share: f64,
+    /// Their share of the surface's area; a corner has its part of its face, and what has no area none.
+    pub area_share: Option<f64>,
     /// The largest angle, in degrees, if an angle measures it.
     pub degrees: Option<f64>,
-    /// What that angle does to the grey value under a key light at most ([`key_light_steps`](super::key_light_steps)).
+    /// What that angle does to the grey value under a key light at most ([`key_light_steps`](super::key_light_steps)); for
+    /// normals that give no light, or too much, what that does. `None` where no normal is off.
     pub steps: Option<f64>,
+    /// How bad it is at the worst place, in the [kind's unit](Kind::unit), if it has one.
+    pub amount: Option<f64>,
     /// How sure it is, from ½ to 1, at the least sure place, where that is a question: which side of a surface is its
     /// outer one ([`Confidence`](crate::mesh::Confidence)).
     pub confidence: Option<f64>,

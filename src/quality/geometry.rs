@@ -5,7 +5,7 @@ use super::catalogue::Kind;
 use super::facts::{Facts, InsideOut};
 use super::finding::Severity;
 use super::limit::Limit;
-use super::tally::{Spot, Tallies, scan};
+use super::tally::{Gauge, Spot, Tallies, scan};
 use super::{duplicates, polygons};
 use crate::mesh::Link;
 use crate::normals::FaultReason;
@@ -53,7 +53,11 @@ fn winding(facts: &Facts<'_>, found: &mut Tallies) {
     let is_single = |face: &&u32| facts.doubles.same_way().binary_search(face).is_err();
     for &face in facts.minority.iter().filter(is_single) {
         certain |= facts.mesh.faces().range(face as usize).any(by_index);
-        found.add(Kind::InconsistentWinding, Spot::face(face as usize, 0.0), facts.area[face as usize]);
+        found.add(
+            Kind::InconsistentWinding,
+            Spot::face(face as usize, 0.0).by(180.0),
+            facts.area[face as usize],
+        );
     }
     if !certain {
         found.tally(Kind::InconsistentWinding).severity = Some(Severity::Warning);
@@ -93,7 +97,7 @@ fn inside_out(facts: &Facts<'_>, found: &mut Tallies) {
             continue;
         }
         for &face in &component.faces {
-            found.add(kind, Spot::face(face as usize, 0.0), facts.area[face as usize]);
+            found.add(kind, Spot::face(face as usize, 0.0).by(180.0), facts.area[face as usize]);
         }
         let tally = found.tally(kind);
         tally.components += 1;
@@ -110,7 +114,7 @@ fn needle(facts: &Facts<'_>, face: usize, thresholds: &Thresholds, found: &mut T
     }
     let shape = height_over_length(facts, face);
     if shape < thresholds.needle {
-        found.add(Kind::Needles, Spot::face(face, -shape), facts.area[face]);
+        found.add(Kind::Needles, Spot::face(face, 0.0).of(Gauge::Amount, -shape), facts.area[face]);
     }
 }
 
@@ -163,7 +167,7 @@ fn crowded_edges(facts: &Facts<'_>, found: &mut Tallies) {
     for edge in edges.chunk_by(|a, b| a.0 == b.0) {
         let half_edge = edge[0].1;
         let face = facts.topology.face_of(half_edge) as usize;
-        let spot = Spot { is_angle: false, ..Spot::corner(face, half_edge as usize, edge.len() as f64) };
+        let spot = Spot::corner(face, half_edge as usize, 0.0).of(Gauge::Amount, edge.len() as f64);
         found.add(Kind::NonManifold, spot, 0.0);
     }
 }
@@ -184,11 +188,7 @@ fn faults(facts: &Facts<'_>, found: &mut Tallies) {
     {
         let face = facts.topology.face_of(fault.index) as usize;
         let area = facts.area[face] / facts.mesh.faces().range(face).len() as f64;
-        found.add(
-            Kind::Cancelling,
-            Spot { is_angle: false, ..Spot::corner(face, fault.index as usize, 0.0) },
-            area,
-        );
+        found.add(Kind::Cancelling, Spot::corner(face, fault.index as usize, 0.0).plain(), area);
     }
 }
 
@@ -196,7 +196,7 @@ fn faults(facts: &Facts<'_>, found: &mut Tallies) {
 fn fans(facts: &Facts<'_>, vertex: usize, thresholds: &Thresholds, found: &mut Tallies) {
     let ring = facts.topology.corners_at(vertex as u32);
     if ring.len() as u64 > u64::from(thresholds.valence) {
-        found.add(Kind::HighValence, Spot::vertex(vertex, ring.len() as f64), 0.0);
+        found.add(Kind::HighValence, Spot::vertex(vertex, 0.0).of(Gauge::Amount, ring.len() as f64), 0.0);
     }
     // Where a seam passes, the fan goes on at other vertices; non-manifold edges are told as such.
     if facts.topology.is_welded(vertex as u32) {

@@ -21,6 +21,17 @@ pub fn key_light_steps(degrees: f64) -> f64 {
     grey(KEY_LIGHT) - grey(KEY_LIGHT + degrees)
 }
 
+/// The same for a normal that gives no light at all.
+pub(super) fn key_light_lost() -> f64 {
+    grey(KEY_LIGHT)
+}
+
+/// The same where nothing divides a normal by its length, and light is that many times as strong; white is the most there is.
+pub(super) fn key_light_scaled(length: f64) -> f64 {
+    let light = (length * libm::cos(KEY_LIGHT.to_radians())).min(1.0);
+    (Transfer::Srgb.encode(light) * 255.0 - grey(KEY_LIGHT)).abs()
+}
+
 /// What a white matte surface shows whose normal is so many degrees from the light, in steps of 8 bits.
 fn grey(degrees: f64) -> f64 {
     let cosine = if degrees.abs() >= 90.0 { 0.0 } else { libm::cos(degrees.to_radians()) };
@@ -93,6 +104,16 @@ mod tests {
             let coded = Transfer::Srgb.encode(cosine.max(0.0)) * 255.0;
             assert!((grey_of_cosine(cosine) - coded).abs() < 1e-12, "{cosine}");
         }
+    }
+
+    /// √½ of the light is the least that shows as white if it is √2 times as strong.
+    #[test]
+    fn lengths_make_steps() {
+        let lost = key_light_lost();
+        assert_eq!((key_light_scaled(1.0), key_light_scaled(0.0)), (0.0, lost));
+        assert!((key_light_scaled(std::f64::consts::SQRT_2) - (255.0 - lost)).abs() < 1e-9);
+        assert_eq!(key_light_scaled(1e300), key_light_scaled(2.0));
+        assert_eq!(key_light_steps(90.0), lost);
     }
 
     #[test]

@@ -58,10 +58,7 @@ pub(super) fn find(
     let measured = Measured::new(facts, precision.error, thresholds.places);
     match &measured {
         Some(measured) => {
-            measured.worst.iter().for_each(|&spot| found.add(Kind::Quantised, spot, 0.0));
-            let tally = found.tally(Kind::Quantised);
-            // Many places, one mesh.
-            (tally.count, tally.area) = (1, facts.total_area);
+            found.add_mesh(Kind::Quantised, facts.total_area, measured.worst.clone());
         }
         None => found.add(Kind::Quantised, Spot::mesh(), facts.total_area),
     }

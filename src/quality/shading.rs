@@ -5,7 +5,7 @@ use super::catalogue::Kind;
 use super::facts::{Facts, Worth};
 use super::light::slope_jump;
 use super::limit::Limit;
-use super::tally::{Spot, Tallies, scan};
+use super::tally::{Gauge, Spot, Tallies, scan};
 use crate::num::{angle_between, three_digits};
 use glam::DVec3;
 
@@ -81,7 +81,7 @@ fn edge(facts: &Facts<'_>, face: usize, half_edge: u32, thresholds: &Thresholds,
     if normals[0].dot(beyond[0]) <= SMOOTH || normals[1].dot(beyond[1]) <= SMOOTH {
         return;
     }
-    let spot = Spot { is_angle: false, ..Spot::corner(face, half_edge as usize, 0.0) };
+    let spot = |amount: f64| Spot::corner(face, half_edge as usize, 0.0).of(Gauge::Amount, amount);
     let along = facts.place(ends[1] as usize) - facts.place(ends[0] as usize);
     let length = along.length();
     let pixels = thresholds.size / facts.size;
@@ -93,7 +93,7 @@ fn edge(facts: &Facts<'_>, face: usize, half_edge: u32, thresholds: &Thresholds,
     let far = [half_edge, across].map(|half_edge| beyond_edge(facts, half_edge));
     let jump = band(normals[0] + normals[1], along, far, heights, thresholds.band);
     if jump > thresholds.band {
-        found.add(Kind::MachBands, Spot { weight: jump, ..spot }, 0.0);
+        found.add(Kind::MachBands, spot(jump), 0.0);
     }
     let height = heights[0].min(heights[1]);
     let normals = [face, other].map(|face| facts.face_normal(face));
@@ -105,7 +105,7 @@ fn edge(facts: &Facts<'_>, face: usize, half_edge: u32, thresholds: &Thresholds,
     // An arc that turns by the bend over the height of the faces lies this far outside of its chord.
     let sagitta = 0.5 * height * libm::tan(angle_between(normals[0], normals[1]).0 / 4.0);
     if sagitta > thresholds.outline {
-        found.add(Kind::CoarseOutline, Spot { weight: sagitta, ..spot }, 0.0);
+        found.add(Kind::CoarseOutline, spot(sagitta), 0.0);
     }
 }
 

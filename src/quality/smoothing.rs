@@ -76,7 +76,7 @@ fn cracks(facts: &Facts<'_>, found: &mut Tallies) {
             .all(|[a, b]| a == b);
         if goes_on {
             let face = topology.face_of(half_edge) as usize;
-            let spot = Spot { is_angle: false, ..Spot::corner(face, half_edge as usize, 0.0) };
+            let spot = Spot::corner(face, half_edge as usize, 0.0).plain();
             found.add(Kind::CrackedSeam, spot, 0.0);
         }
     }
@@ -244,7 +244,7 @@ impl Edge {
             let is_cracked = facts.is_cracked(self.half_edge);
             found.add(if is_cracked { Kind::CrackedSeam } else { Kind::SplitSeam }, spot.by(high), 0.0);
         } else if high == 0.0 && facts.shares_vertices && self.is_needless(facts) {
-            found.add(Kind::NeedlessSeam, Spot { is_angle: false, weight: 0.0, ..spot }, 0.0);
+            found.add(Kind::NeedlessSeam, spot.plain(), 0.0);
         }
         if let Some(groups) = groups {
             let [a, b] = self.faces.map(|face| groups.of_face[face]);

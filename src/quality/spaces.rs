@@ -2,8 +2,8 @@
 
 use super::catalogue::Kind;
 use super::facts::{Facts, Worth};
-use super::tally::{Spot, Tallies};
-use super::turned::{explains, least};
+use super::tally::Tallies;
+use super::turned::{explains, least, worst};
 use super::{Estimate, Thresholds};
 use crate::io::{FileNode, Loaded, NodeTree};
 use crate::mesh::{Mesh, normal_matrix};
@@ -85,8 +85,10 @@ impl Mistaken {
         self.is_certain || clears_up().unwrap_or(false)
     }
 
-    pub(super) fn tell(&self, area: f64, found: &mut Tallies) {
-        found.add(Kind::Untransformed, Spot::mesh().by(self.turn), area);
+    /// Tells it of what was stored.
+    pub(super) fn tell(&self, stored: &Facts<'_>, most: usize, found: &mut Tallies) {
+        found.add_mesh(Kind::Untransformed, stored.total_area, worst(stored, most));
+        found.tally(Kind::Untransformed).turn = Some(self.turn);
         found.tally(Kind::Untransformed).remark = self.told.clone();
     }
 }

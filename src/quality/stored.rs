@@ -4,10 +4,11 @@ use super::catalogue::Kind;
 use super::estimate::{LETTER, MOST, SAME};
 use super::facts::{Facts, Worth};
 use super::finding::Severity;
+use super::light::{key_light_lost, key_light_scaled};
 use super::limit::Limit;
 use super::runs::{Run, Runs};
 use super::strays::{AGAINST, Ground, Waiting};
-use super::tally::{Gathered, Spot, Tallies, Tally, gather};
+use super::tally::{Gathered, Gauge, Spot, Tallies, Tally, gather};
 use super::{Estimate, Precision, Thresholds};
 use super::{facets, quantisation, smoothing, turned};
 use crate::mesh::Column;
@@ -129,23 +130,26 @@ fn look_at(
     let area = facts.area[face] / range.len() as f64;
     for corner in range {
         let spot = Spot::corner(face, corner, 0.0);
+        let unlit = spot.of(Gauge::Steps, key_light_lost());
         let Some(&normal) = stored.get(corner, corners[corner]) else {
-            found.add(Kind::MissingNormals, Spot { is_angle: false, ..spot }, area);
+            // glTF asks for flat ones there.
+            let filled_in = angle_between(facts.face_normal(face), facts.expected(corner));
+            found.add(Kind::MissingNormals, spot.by(Degrees::from(filled_in).0), area);
             continue;
         };
         let length = normal.length();
         let off = (length - 1.0).abs();
         if !normal.is_finite() {
-            found.add(Kind::NotFinite, Spot { is_angle: false, ..spot }, area);
+            found.add(Kind::NotFinite, unlit, area);
         } else if length == 0.0 {
             // Nothing right could stand at a corner of a face without direction.
             if facts.worth[face] != Worth::Silent {
-                found.add(Kind::ZeroNormals, Spot { is_angle: false, ..spot }, area);
+                found.add(Kind::ZeroNormals, unlit, area);
             }
         } else if off > thresholds.length {
-            found.add(Kind::NotUnit, Spot { weight: off, is_angle: false, ..spot }, area);
+            found.add(Kind::NotUnit, spot.of(Gauge::Steps, key_light_scaled(length)), area);
         } else if off > thresholds.strict_length {
-            found.add(Kind::LooseLength, Spot { weight: off, is_angle: false, ..spot }, area);
+            found.add(Kind::LooseLength, spot.of(Gauge::Steps, key_light_scaled(length)), area);
         }
         if facts.worth[face] == Worth::Sound
             && facts.is_judged(corner)

@@ -6,6 +6,19 @@ use crate::mesh::NONE;
 use rayon::prelude::*;
 use std::ops::Range;
 
+/// What the weight of an occurrence says besides the order of places.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Gauge {
+    /// Nothing.
+    Order,
+    /// By how many degrees a normal is off.
+    Angle,
+    /// What it does to the grey value under a key light, in steps of 8 bits.
+    Steps,
+    /// How many of the [kind's unit](Kind::unit); less than nothing where less is worse.
+    Amount,
+}
+
 /// One occurrence. What it is not about is [`NONE`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Spot {
@@ -15,34 +28,43 @@ pub(super) struct Spot {
     pub(super) vertex: u32,
     /// How bad it is: the order of places.
     pub(super) weight: f64,
-    /// Whether the weight is an angle in degrees.
-    pub(super) is_angle: bool,
+    pub(super) gauge: Gauge,
 }
 
 impl Spot {
     /// A corner that is off by an angle.
     pub(super) fn corner(face: usize, corner: usize, degrees: f64) -> Self {
-        Self { face: face as u32, corner: corner as u32, vertex: NONE, weight: degrees, is_angle: true }
+        Self { face: face as u32, corner: corner as u32, vertex: NONE, weight: degrees, gauge: Gauge::Angle }
     }
 
     /// A face, with something that makes it worse than others.
     pub(super) fn face(face: usize, weight: f64) -> Self {
-        Self { face: face as u32, corner: NONE, vertex: NONE, weight, is_angle: false }
+        Self { face: face as u32, corner: NONE, vertex: NONE, weight, gauge: Gauge::Order }
     }
 
     /// A vertex.
     pub(super) fn vertex(vertex: usize, weight: f64) -> Self {
-        Self { face: NONE, corner: NONE, vertex: vertex as u32, weight, is_angle: false }
+        Self { face: NONE, corner: NONE, vertex: vertex as u32, weight, gauge: Gauge::Order }
     }
 
     /// Neither face nor vertex: the mesh as a whole.
     pub(super) fn mesh() -> Self {
-        Self { face: NONE, corner: NONE, vertex: NONE, weight: 0.0, is_angle: false }
+        Self { face: NONE, corner: NONE, vertex: NONE, weight: 0.0, gauge: Gauge::Order }
     }
 
     /// The same, with an angle for its weight.
     pub(super) fn by(self, degrees: f64) -> Self {
-        Self { weight: degrees, is_angle: true, ..self }
+        Self { weight: degrees, gauge: Gauge::Angle, ..self }
+    }
+
+    /// The same, measured otherwise.
+    pub(super) fn of(self, gauge: Gauge, weight: f64) -> Self {
+        Self { weight, gauge, ..self }
+    }
+
+    /// The same, with nothing that makes it worse than others.
+    pub(super) fn plain(self) -> Self {
+        self.of(Gauge::Order, 0.0)
     }
 
     /// Worse ones first; among equals the first of the mesh.
@@ -87,6 +109,8 @@ pub(super) struct Tally {
     pub(super) may_be_meant: bool,
     /// How sure it is, at least, where that is a question.
     pub(super) confidence: Option<f64>,
+    /// By how many degrees one turn of all is, where that is told rather than how far the worst place is off.
+    pub(super) turn: Option<f64>,
 }
 
 /// The smaller of two numbers that may not be there.
@@ -122,6 +146,7 @@ impl Tally {
         self.remedy = self.remedy.take().or(other.remedy);
         self.may_be_meant |= other.may_be_meant;
         self.confidence = least(self.confidence, other.confidence);
+        self.turn = self.turn.into_iter().chain(other.turn).reduce(f64::max);
     }
 }
 
@@ -188,6 +213,15 @@ impl Tallies {
     pub(super) fn add(&mut self, kind: Kind, spot: Spot, area: f64) {
         let most = self.most;
         self.tally(kind).add(spot, area, most);
+    }
+
+    /// Counts a whole mesh, with places where it shows.
+    pub(super) fn add_mesh(&mut self, kind: Kind, area: f64, worst: Vec<Spot>) {
+        let most = self.most;
+        let tally = self.tally(kind);
+        tally.count += 1;
+        tally.area += area;
+        worst.into_iter().for_each(|spot| tally.keep(spot, most));
     }
 
     /// What one kind has goes over to another.

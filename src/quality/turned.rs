@@ -4,9 +4,9 @@ use super::Thresholds;
 use super::catalogue::Kind;
 use super::facts::{Facts, Worth};
 use super::rotation::{are_spread, closest_turn, outer, rotation_angle};
-use super::tally::{Spot, Tallies};
+use super::tally::{Spot, Tallies, scan};
 use crate::mesh::are_same;
-use crate::num::Radians;
+use crate::num::{Degrees, Radians, angle_between};
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 use std::ops::Range;
@@ -28,7 +28,7 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
         // A flat mesh has one normal by right, and so has what no normals could be computed for.
         let bent = [pairs.mean_face, pairs.mean_expected].iter().all(|mean| mean.length() < 0.9);
         if bent {
-            found.add(Kind::Constant, Spot::mesh(), area);
+            found.add_mesh(Kind::Constant, area, worst(facts, thresholds.places));
         }
         return bent;
     }
@@ -48,7 +48,7 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
         between.determinant() > 0.0 && rotation_angle(between) <= thresholds.rotation.0
     };
     if let Some(remark) = smallest_of_the_best(&changes, is_closest) {
-        found.add(Kind::SwappedAxes, Spot::mesh(), area);
+        found.add_mesh(Kind::SwappedAxes, area, worst(facts, thresholds.places));
         found.tally(Kind::SwappedAxes).remark = Some(remark);
         return true;
     }
@@ -57,10 +57,26 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
     let is_turned = fits && angle > thresholds.rotation.0;
     if is_turned {
         let reversed = if closest.determinant() < 0.0 { ", and reversed" } else { "" };
-        found.add(Kind::Rotated, Spot::mesh().by(angle), area);
+        found.add_mesh(Kind::Rotated, area, worst(facts, thresholds.places));
+        found.tally(Kind::Rotated).turn = Some(angle);
         found.tally(Kind::Rotated).remark = Some(format!("by {angle:.1}°{reversed}"));
     }
     is_turned
+}
+
+/// The corners that are furthest from what the faces give.
+pub(super) fn worst(facts: &Facts<'_>, most: usize) -> Vec<Spot> {
+    let mut off = scan(facts.mesh.face_count(), most, |faces, found| {
+        for face in faces.filter(|&face| facts.worth[face] == Worth::Sound) {
+            for corner in facts.mesh.faces().range(face) {
+                if let Some(normal) = facts.stored_unit(corner) {
+                    let off = Degrees::from(angle_between(normal, facts.expected(corner))).0;
+                    found.add(Kind::Rotated, Spot::corner(face, corner, off), 0.0);
+                }
+            }
+        }
+    });
+    off.take(Kind::Rotated).worst
 }
 
 /// The stored normals of all corners, as unit vectors.

@@ -19,8 +19,9 @@
 //! | `seconds` | `read`, `inspect`, `total` |
 //!
 //! A finding has `id`, `severity`, `family`, `cause` (in words), `element` (what is counted), `count`, `of`, `share`,
-//! `area_share`, `degrees` (the largest angle, or null), `steps` (what that does under a key light, in 8-bit steps, or
-//! null), `confidence` (how sure it is which side is the outer one, or null), `command` (what mends it, or null) and
+//! `area_share` (null for edges, vertices and nodes), `degrees` (the largest angle by which a normal is off, or null: it is not
+//! normals, or they have no direction, or the right one), `steps` (what that, or a length, does under a key light, in 8-bit
+//! steps, or null), `measure` (how bad the worst place is by another measure: `value` and `unit`, or null), `confidence` (how sure it is which side is the outer one, or null), `command` (what mends it, or null) and
 //! `places`: the worst ten. A place has `part`, and where known `face`, `corner` (of the face), `vertex`, all from 0,
 //! `position`, `degrees`, `node` (the way to the first node that has the part, as `body/arm/hand`, glTF) and `line` (OBJ,
 //! from 1).
@@ -118,12 +119,19 @@ pub struct FindingReport {
     pub count: u64,
     pub of: u64,
     pub share: f64,
-    pub area_share: f64,
+    pub area_share: Option<f64>,
     pub degrees: Option<f64>,
     pub steps: Option<f64>,
+    pub measure: Option<MeasureReport>,
     pub confidence: Option<f64>,
     pub command: Option<String>,
     pub places: Vec<SiteReport>,
+}
+
+#[derive(Debug, Serialize)]
+pub struct MeasureReport {
+    pub value: f64,
+    pub unit: &'static str,
 }
 
 #[derive(Debug, Serialize)]
@@ -223,6 +231,8 @@ impl FindingReport {
             area_share: finding.area_share,
             degrees: finding.degrees,
             steps: finding.steps,
+            measure: (finding.amount.zip(finding.kind.unit()))
+                .map(|(value, unit)| MeasureReport { value, unit }),
             confidence: finding.confidence,
             command: finding.command(input, output),
             places: finding.places.iter().map(SiteReport::new).collect(),

@@ -84,7 +84,7 @@ fn paragraph(finding: &FindingReport, report: &InspectReport, style: Style, plac
         };
         let percent = |share: f64| format!("{} %", three_digits(100.0 * share));
         let area = match finding.area_share {
-            share if share > 0.0 => format!(", {} of the area", percent(share)),
+            Some(share) if share > 0.0 => format!(", {} of the area", percent(share)),
             _ => String::new(),
         };
         let _ = writeln!(
@@ -95,13 +95,16 @@ fn paragraph(finding: &FindingReport, report: &InspectReport, style: Style, plac
             percent(finding.share)
         );
     }
-    if let (Some(degrees), Some(steps)) = (finding.degrees, finding.steps) {
+    if let Some(steps) = finding.steps {
         let steps = three_digits(steps);
-        let _ = writeln!(
-            out,
-            "    up to {}°: {steps} of 255 grey steps under a key light",
-            three_digits(degrees)
-        );
+        let angle = finding.degrees.map_or(String::new(), |degrees| format!("{}°: ", three_digits(degrees)));
+        let _ = writeln!(out, "    up to {angle}{steps} of 255 grey steps under a key light");
+    }
+    if let Some(measure) = &finding.measure {
+        let value = three_digits(measure.value);
+        if !finding.cause.contains(&value) {
+            let _ = writeln!(out, "    at worst {value} {}", measure.unit);
+        }
     }
     if let Some(confidence) = finding.confidence {
         let _ = writeln!(out, "    confidence {confidence:.2}");

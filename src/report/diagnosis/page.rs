@@ -143,13 +143,15 @@ fn section(
     page.heading(entry.id);
     let mut said = format!("{}: {}. ", finding.severity.name(), finding.cause);
     let _ = write!(said, "{} of {} ({} %)", finding.count, finding.of, three_digits(100.0 * finding.share()));
-    if let (Some(degrees), Some(steps)) = (finding.degrees, finding.steps) {
-        let _ = write!(
-            said,
-            "; up to {}°, {} of 255 grey steps under a key light",
-            powers_of_ten(&three_digits(degrees)),
-            powers_of_ten(&three_digits(steps))
-        );
+    let told = |number: f64| powers_of_ten(&three_digits(number));
+    if let Some(steps) = finding.steps {
+        let angle = finding.degrees.map_or(String::new(), |degrees| format!("{}°, ", told(degrees)));
+        let _ = write!(said, "; up to {angle}{} of 255 grey steps under a key light", told(steps));
+    }
+    if let Some((amount, unit)) = finding.amount.zip(finding.kind.unit())
+        && !finding.cause.contains(&three_digits(amount))
+    {
+        let _ = write!(said, "; at worst {} {unit}", told(amount));
     }
     if let Some(confidence) = finding.confidence {
         let _ = write!(said, "; confidence {confidence:.2}");

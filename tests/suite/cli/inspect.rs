@@ -77,12 +77,21 @@ struct Finding {
     count: u64,
     of: u64,
     share: f64,
-    area_share: f64,
+    area_share: Option<f64>,
     degrees: Option<f64>,
     steps: Option<f64>,
+    measure: Option<Measure>,
     confidence: Option<f64>,
     command: Option<String>,
     places: Vec<Place>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[allow(dead_code, reason = "the members are checked by being read")]
+struct Measure {
+    value: f64,
+    unit: String,
 }
 
 #[derive(Debug, Deserialize)]
