@@ -1,6 +1,7 @@
 //! What rounding of positions and normals does to a highlight.
 
 mod needles;
+mod plate;
 
 use super::body::{Body, Diagonal};
 use super::stage::{draw, front, settings};
@@ -12,7 +13,7 @@ use crate::metric::{NormalDeviation, image_error, normal_deviation};
 use crate::normals::encoding::{Encoding, Snorm};
 use crate::num::{Degrees, LinearRgb, Radians, steepest_slope};
 use crate::raster::{Image, Interpolation, Object, RenderSettings, Shading, Shape, Show};
-use crate::shade::{Light, Material, Reflectance};
+use crate::shade::{Light, Material, Reflectance, Reflection};
 use crate::surface::{Primitive, Sphere};
 use glam::{DVec3, Vec3};
 use std::f64::consts::FRAC_1_SQRT_2;
@@ -97,20 +98,21 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let error = |image: &Image| image_error(image, &reference, 0.5).map(|error| error.linear.max / 255.0);
     let (worst_eight, worst_sixteen) = (error(&lit_eight)?, error(&lit_sixteen)?);
     // Each kind of light by itself, as strong as can be.
-    let alone = |parts: [f64; 2]| -> Result<f64, ArtefactError> {
-        let lit = |body: &Body| scene.light(&body.object(surface(exponent, parts)), Shading::Phong);
+    let alone = |parts: [f64; 2], reflection: Reflection| -> Result<f64, ArtefactError> {
+        let material = Material { reflection, ..surface(exponent, parts) };
+        let lit = |body: &Body| scene.light(&body.object(material), Shading::Phong);
         Ok(image_error(&lit(&eight)?, &lit(&globe)?, 0.5)?.linear.max / 255.0)
     };
-    let (of_diffuse, of_highlight) = (alone([1.0, 0.0])?, alone([0.0, 1.0])?);
+    let of_diffuse = alone([1.0, 0.0], Reflection::Blinn)?;
+    let of_highlight = alone([0.0, 1.0], Reflection::Blinn)?;
+    let of_phong = alone([0.0, 1.0], Reflection::Phong)?;
     let [mean, largest] = globe.angles(&eight);
     let [mean_law, largest_law] = globe.angles(&globe.with_normals(nearest_of_127));
     // One vertex may lie on the border between two codes.
     let of_one = Degrees::from(Radians(FRAC_1_SQRT_2 / 127.0)).0 / globe.normals.len() as f64;
-    // Δ_d ≤ δ and Δ_s ≤ M(n) δ.
-    let bound =
-        |degrees: f64| (DIFFUSE + SPECULAR * steepest_slope(exponent)) * Radians::from(Degrees(degrees)).0;
+    let bound = |degrees: f64| bound(exponent, degrees);
     let [naive, careful] = needles::errors();
-    let measures = vec![
+    let mut measures = vec![
         Measure::new(
             Text::new("three times 8 bits: mean error at vertices", "três vezes 8 bits: erro médio nos vértices"),
             "°",
@@ -156,9 +158,24 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             of_diffuse,
         ),
         Measure::new(
-            Text::new("8 bits: largest change of the highlight alone, k_s = 1", "8 bits: maior mudança só do brilho, k_s = 1"),
+            Text::new("8 bits: largest change of Blinn's highlight alone, k_s = 1", "8 bits: maior mudança só do brilho de Blinn, k_s = 1"),
             "",
             of_highlight,
+        ),
+        Measure::new(
+            Text::new(
+                "8 bits: largest change of Phong's highlight alone, k_s = 1",
+                "8 bits: maior mudança só do brilho de Phong, k_s = 1",
+            ),
+            "",
+            of_phong,
+        )
+        .at_most(
+            2.0 * steepest_slope(exponent) * Radians::from(Degrees(largest)).0,
+            Text::new(
+                "2 M(n) δ: twice the bound of Blinn's, k_s = 1, for the mirrored ray turns by 2 δ",
+                "2 M(n) δ: o dobro do limite do de Blinn, k_s = 1, pois o raio espelhado gira 2 δ",
+            ),
         ),
         Measure::new(
             Text::new("twice 16 bits: largest change of the light", "duas vezes 16 bits: maior mudança da luz"),
@@ -191,7 +208,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         Measure::new(Text::new("pixels, far from the origin: mean error", "pixels, longe da origem: erro médio"), "°", of_far.mean),
     ];
     let moved = Moved {
-        name: Text::new("largest change of the light", "maior mudança da luz"),
+        name: Text::new(
+            "largest change of the light from that of the sphere's own normals",
+            "maior mudança da luz em relação à das normais da própria esfera",
+        ),
         unit: "",
         bad: worst_eight,
         present: Threshold::HALF_STEP,
@@ -200,18 +220,16 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         factor: 20.0,
     };
     let far_off = Moved {
-        name: Text::new(
-            "largest change of the light from that of centred positions",
-            "maior mudança da luz em relação à das posições centradas",
-        ),
-        bad: image_error(&lit_far, &lit_centred, 0.5)?.linear.max / 255.0,
+        bad: error(&lit_far)?,
         cure: Text::new(
             "positions centred before they are rounded",
             "posições centradas antes de arredondar",
         ),
-        cured: 0.0,
+        cured: error(&lit_centred)?,
         ..moved.clone()
     };
+    let (of_plate, [torn, round]) = plate::plate([size, segments], exponent, &moved)?;
+    measures.push(of_plate);
     Ok(Outcome {
         verdict: verdict([of_diffuse, of_highlight], exponent, [largest, SIXTEEN]),
         shots: vec![
@@ -266,6 +284,8 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ],
                 lit_centred,
             ),
+            torn,
+            round,
         ],
         moved,
         measures,
@@ -317,6 +337,11 @@ fn verdict([of_diffuse, of_highlight]: [f64; 2], exponent: f64, errors: [f64; 2]
 /// How far a normal may be off, in degrees, for this highlight to change by half a step of 8 bits where it is steepest.
 fn needed(exponent: f64) -> f64 {
     Degrees::from(Radians(Threshold::HALF_STEP.value / (SPECULAR * steepest_slope(exponent)))).0
+}
+
+/// How much the light may change at most where a normal is off by so many degrees: Δ_d ≤ δ and Δ_s ≤ M(n) δ.
+fn bound(exponent: f64, degrees: f64) -> f64 {
+    (DIFFUSE + SPECULAR * steepest_slope(exponent)) * Radians::from(Degrees(degrees)).0
 }
 
 /// A unit vector of components of 8 bits: the nearest multiples of 1/127.
@@ -437,14 +462,14 @@ impl Body {
     /// Mean and largest angle to the normals of another body, at vertices, in degrees.
     fn angles(&self, other: &Self) -> [f64; 2] {
         let pairs = self.normals.iter().zip(&other.normals);
-        let angles: Vec<f64> = pairs.map(|(a, b)| angle(*a, *b)).collect();
+        let angles: Vec<f64> = pairs.map(|(a, b)| angle(double(*a), double(*b))).collect();
         [angles.iter().sum::<f64>() / angles.len() as f64, angles.iter().copied().fold(0.0, f64::max)]
     }
 
     /// The root of the mean square of the angles to the normals of the faces of another body, in degrees.
     fn face_angles(&self, other: &Self) -> f64 {
         let pairs = self.face_normals.iter().zip(&other.face_normals);
-        let squares: f64 = pairs.map(|(a, b)| angle(*a, *b)).map(|angle| angle * angle).sum();
+        let squares: f64 = pairs.map(|(a, b)| angle(double(*a), double(*b))).map(|angle| angle * angle).sum();
         (squares / self.face_normals.len() as f64).sqrt()
     }
 
@@ -462,8 +487,12 @@ impl Body {
     }
 }
 
-fn angle(a: [f32; 3], b: [f32; 3]) -> f64 {
-    let [a, b] = [a, b].map(|v| Vec3::from(v).as_dvec3());
+fn double(v: [f32; 3]) -> DVec3 {
+    Vec3::from(v).as_dvec3()
+}
+
+/// Between two directions, in degrees.
+fn angle(a: DVec3, b: DVec3) -> f64 {
     Degrees::from(Radians(libm::atan2(a.cross(b).length(), a.dot(b)))).0
 }
 
@@ -481,7 +510,7 @@ mod tests {
             let mean = outcome.measured("three times 8 bits: mean");
             assert!((mean - 0.1726).abs() < 0.1 * 0.1726, "{mean}");
             // A highlight changes more than diffuse light, by up to √(n/e).
-            let [diffuse, highlight] = ["diffuse light", "the highlight"]
+            let [diffuse, highlight] = ["diffuse light", "Blinn's highlight"]
                 .map(|of| outcome.measured(&format!("8 bits: largest change of {of} alone")));
             assert!(highlight > 3.0 * diffuse && highlight < 1.1 * 0.607 * exponent.sqrt() * 0.005_57);
             // Present: several steps of 8 bits. Cured: codes are a hundred times as fine; twenty at least.

@@ -9,8 +9,9 @@ use super::{
     Threshold, Verdict,
 };
 use crate::num::{Degrees, LinearRgb, Radians};
-use crate::raster::{Image, Interpolation, RenderSettings, Shading, Show};
+use crate::raster::{Image, Interpolation, Object, RenderSettings, Shading, Shape, Show};
 use crate::shade::{Light, Terminator};
+use crate::surface::{Primitive, Sphere};
 use glam::DVec3;
 use tube::Tube;
 
@@ -98,16 +99,19 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let (pop_hard, pop_soft) = (pop_hard?, pop_soft?);
     let turn = [tube.turn().0];
     let taken = |by: &Image, of: &Image| differences(by, of).into_iter().flatten().fold(0.0, f64::max);
+    let sphere = Object::new(Shape::Surface(Primitive::from(Sphere::default())), chalk());
+    let truth = picture(sphere, towards(light, HEIGHT), (Shading::Exact, Terminator::Smooth), [size; 2])?;
+    let off = |image: &Image| mean_where(&coarse_map, &differences(image, &truth));
     let self_shadow = Moved {
         name: Text::new(
-            "most light that facets' own shadow takes from a pixel",
-            "máximo de luz que a sombra própria das facetas tira de um pixel",
+            "mean error of light against the sphere itself, on the pixels concerned",
+            "erro médio da luz em relação à própria esfera, nos pixels em questão",
         ),
         unit: "",
-        bad: taken(&hard, &smooth),
+        bad: off(&hard),
         present: Threshold::HALF_STEP,
         cure: Text::new("no shadow of their own", "nenhuma sombra própria"),
-        cured: 0.0,
+        cured: off(&smooth),
         factor: 10.0,
     };
     let price = Moved {
@@ -116,6 +120,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             "máximo de luz que a suavização tira de um pixel",
         ),
         bad: taken(&soft, &smooth),
+        cure: Text::new("finer facets", "facetas mais finas"),
         cured: taken(&finer, &finer_smooth),
         // Of a quarter the teeth are still seen.
         factor: 10.0,
@@ -173,7 +178,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 "esfera: máximo de luz que a sombra própria das facetas tira de um pixel",
             ),
             "",
-            self_shadow.bad,
+            taken(&hard, &smooth),
         ),
         Measure::new(
             Text::with(
@@ -359,11 +364,19 @@ fn paint(
     terminator: Terminator,
     size: [u32; 2],
 ) -> Result<Image, ArtefactError> {
-    let settings =
-        RenderSettings { terminator, ..settings(size, Shading::Phong, Interpolation::Perspective) };
+    picture(body.object(chalk()), towards, (Shading::Phong, terminator), size)
+}
+
+fn picture(
+    object: Object,
+    towards: DVec3,
+    (shading, terminator): (Shading, Terminator),
+    size: [u32; 2],
+) -> Result<Image, ArtefactError> {
+    let settings = RenderSettings { terminator, ..settings(size, shading, Interpolation::Perspective) };
     let height = WINDOW * f64::from(size[1]) / f64::from(size[0]);
     let light = Light::Directional { towards, colour: LinearRgb::WHITE };
-    draw(vec![body.object(chalk())], &[light], front(height), &settings)
+    draw(vec![object], &[light], front(height), &settings)
 }
 
 /// 1 for pixels whose normal faces the light and whose facet does not, 0 for others.
@@ -388,6 +401,13 @@ fn concerned(body: &Body, towards: DVec3, size: u32) -> Result<Vec<Option<f64>>,
 fn share(map: &[Option<f64>]) -> f64 {
     let covered: Vec<f64> = map.iter().flatten().copied().collect();
     covered.iter().sum::<f64>() / covered.len().max(1) as f64
+}
+
+/// The mean of values on pixels that a map has 1 for; 0 if there are none.
+fn mean_where(map: &[Option<f64>], values: &[Option<f64>]) -> f64 {
+    let is_meant = |(&mark, &value): (&Option<f64>, &Option<f64>)| value.filter(|_| mark == Some(1.0));
+    let meant: Vec<f64> = map.iter().zip(values).filter_map(is_meant).collect();
+    meant.iter().sum::<f64>() / meant.len().max(1) as f64
 }
 
 #[cfg(test)]
