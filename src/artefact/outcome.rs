@@ -206,6 +206,8 @@ pub enum Role {
     Difference,
     /// The surface itself.
     Truth,
+    /// What there is to see where the artefact is so faint that maps beside it have to show it.
+    Seen,
 }
 
 /// How much of the artefact a picture has, and from what size on it is seen.
@@ -244,6 +246,11 @@ impl Shot {
     /// What lies between two pictures.
     pub(super) fn difference(name: &'static str, label: Text, caption: Text, image: Image) -> Self {
         Self { name, role: Role::Difference, label, caption, measured: None, image }
+    }
+
+    /// What maps of an artefact are of.
+    pub(super) fn seen(name: &'static str, label: Text, caption: Text, image: Image) -> Self {
+        Self { name, role: Role::Seen, label, caption, measured: None, image }
     }
 
     /// The surface itself.

@@ -32,6 +32,18 @@ pub enum Knob {
 }
 
 impl Knob {
+    /// All of them.
+    pub const ALL: [Knob; 8] = [
+        Knob::Size,
+        Knob::Segments,
+        Knob::Light,
+        Knob::Exponent,
+        Knob::Weight,
+        Knob::Crease,
+        Knob::Interpolation,
+        Knob::Mesh,
+    ];
+
     /// The least and the most that a number may be; `None` for what is no number. An experiment may take less of it, see
     /// [`Experiment::range`](super::Experiment::range).
     pub fn range(self) -> Option<RangeInclusive<f64>> {

@@ -42,4 +42,4 @@ pub use loaded::{
 pub use loaded::{ReadOptions, TangentPolicy, WriteOptions, Written};
 pub(crate) use open::read_whole;
 pub use open::{detect, read, read_bytes};
-pub(crate) use shell::shell_word;
+pub use shell::shell_word;

@@ -59,7 +59,7 @@ pub(crate) fn read_whole(path: &Path, limits: &Limits) -> Result<Vec<u8>, ReadEr
     let metadata = fs::metadata(path).map_err(|error| io_error(&error))?;
     if !metadata.is_file() {
         let (found, advice) = match metadata.is_dir() {
-            true => ("it is a folder", "name a file in it, or read it with --recursive"),
+            true => ("it is a folder", "name a file in it"),
             // Opening a pipe may wait for ever.
             false => ("it is no regular file", "read a stream from standard input with -"),
         };

@@ -4,7 +4,11 @@ use std::borrow::Cow;
 
 /// A file name as it is typed in a POSIX shell: quoted where it has to be, and never to be taken for an option. `-` alone
 /// stands for a stream and stays.
-pub(crate) fn shell_word(name: &str) -> Cow<'_, str> {
+///
+/// ```
+/// assert_eq!(crease::io::shell_word("it's here.obj"), "\"it's here.obj\"");
+/// ```
+pub fn shell_word(name: &str) -> Cow<'_, str> {
     let path =
         if name.len() > 1 && name.starts_with('-') { Cow::from(format!("./{name}")) } else { name.into() };
     // A file name has no NUL, the only character that cannot be quoted.

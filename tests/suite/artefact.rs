@@ -92,8 +92,11 @@ fn pages_come_in_portuguese() {
 fn an_animation_has_as_many_frames_as_asked_for() {
     let out = folder(&[]);
     let gif = path(out.path().join("turn.gif"));
-    let args = ["orientation", "--size", "48", "-q", "--animate", &gif, "--frames", "5"];
-    assert_eq!(code(&artefact(&args)), 0);
+    let args = ["orientation", "--size", "48", "-q", "--json", "--animate", &gif, "--frames", "5"];
+    let output = artefact(&args);
+    assert_eq!(code(&output), 0);
+    let command = reports(&output)[0]["command"].as_str().unwrap().to_owned();
+    assert!(command.ends_with(&format!(" --animate {gif} --frames 5")), "{command}");
     let decoder = GifDecoder::new(Cursor::new(fs::read(&gif).unwrap())).unwrap();
     assert_eq!(decoder.into_frames().count(), 5);
 }
@@ -190,6 +193,24 @@ fn all_leaves_out_what_does_not_take_a_value() {
     }
     let left_out = reports.iter().filter(|report| report["status"] == "left-out").count();
     assert!((1..14).contains(&left_out), "{left_out}");
+}
+
+/// An option that only some take is told with their names.
+#[test]
+fn all_tells_what_an_option_changes() {
+    let output = artefact(&["all", "--crease", "30", "--exponent", "9", "--size", "32", "--json"]);
+    assert_eq!(code(&output), 0, "{}", text(&output.stderr));
+    for knob in ["crease", "exponent"] {
+        let takes = |report: &&Value| report["takes"].as_array().unwrap().contains(&knob.into());
+        let reports = reports(&output);
+        let ids: Vec<&str> =
+            reports.iter().filter(takes).map(|it| it["experiment"].as_str().unwrap()).collect();
+        assert!((1..14).contains(&ids.len()), "{ids:?}");
+        let told = format!("note: --{knob} changes {} only; the others are as without it\n", ids.join(", "));
+        assert!(text(&output.stderr).contains(&told), "{told} in {}", text(&output.stderr));
+    }
+    let plain = artefact(&["all", "--size", "32", "--json"]);
+    assert!(!text(&plain.stderr).contains("only"), "{}", text(&plain.stderr));
 }
 
 #[test]

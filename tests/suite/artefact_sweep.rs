@@ -97,7 +97,7 @@ const TOO_LITTLE: [&str; 2] = ["It does too little here", "Aqui isso faz pouco"]
 
 /// A picture's role, its number and its caption say the same.
 fn disagreement(shot: &Shot) -> Option<String> {
-    let is_measured = !matches!(shot.role, Role::Difference | Role::Truth);
+    let is_measured = !matches!(shot.role, Role::Difference | Role::Truth | Role::Seen);
     let Some(measured) = &shot.measured else {
         return is_measured.then(|| "no number".into());
     };
@@ -111,7 +111,7 @@ fn disagreement(shot: &Shot) -> Option<String> {
             Role::Cured => !is_denied && !is_small,
             Role::Attempt => is_seen && is_small,
             Role::Absent => is_denied && !is_small,
-            Role::Difference | Role::Truth => false,
+            Role::Difference | Role::Truth | Role::Seen => false,
         };
         let has_number = caption.ends_with(").") && caption.contains(measured.name.get(language));
         if !fits || !has_number {

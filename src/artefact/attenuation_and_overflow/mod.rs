@@ -180,7 +180,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             "",
             c[0],
         )
-        .expect(0.9, 0.0, Text::new("the lectures' [0.9, 1, 0.3]", "o [0,9, 1, 0,3] das aulas")),
+        .expect(0.9, 0.0, Text::new("the lectures' [0.9, 1, 0.3]", "o (0,9; 1; 0,3) das aulas")),
         Measure::new(
             Text::new("exercise 1.6.17: red after division", "exercício 1.6.17: vermelho dividido"),
             "",

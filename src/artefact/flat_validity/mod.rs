@@ -343,14 +343,14 @@ fn chart(diffuse: Vec<[f64; 2]>, specular: Vec<[f64; 2]>, exponent: f64, is_boun
             true => Text::new(
                 "Both errors stay below their bounds, which fall as one over the distance. The level line with squares is half a \
                  step of 8 bits.",
-                "Ambos os erros ficam abaixo dos seus limites, que caem como um sobre a distância. A linha de nível com quadrados é \
+                "Ambos os erros ficam abaixo dos seus limites, que caem como um sobre a distância. A linha horizontal com quadrados é \
                  meio passo de 8 bits.",
             ),
             false => Text::new(
                 "The error of diffuse light stays below its bound, which falls as one over the distance; that of the highlight is \
                  held against none for exponents below 1 and where light does not come from the front. The level line with squares is half a step of 8 bits.",
                 "O erro da luz difusa fica abaixo do seu limite, que cai como um sobre a distância; o do brilho não é comparado com \
-                 limite para expoentes menores que 1 nem onde a luz não vem da frente. A linha de nível com quadrados é meio passo de 8 bits.",
+                 limite para expoentes menores que 1 nem onde a luz não vem da frente. A linha horizontal com quadrados é meio passo de 8 bits.",
             ),
         },
         x: Scale::log(Text::new("distance in circumradii of the face", "distância em circunraios da face")),

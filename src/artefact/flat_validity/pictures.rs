@@ -183,7 +183,7 @@ pub(super) fn of_highlight(exponent: f64, segments: u32, size: u32) -> Result<Ve
                     format!("Flat shading of {segments} × {segments} squares."),
                     format!("Sombreamento plano de {segments} × {segments} quadrados."),
                 ),
-                Text::new("The highlight is in its place, in steps.", "O brilho está no lugar, em degraus."),
+                Text::new("The highlight is in its place, but in steps: a plate needs more faces, or a farther viewer, than this.", "O brilho está no lugar, mas em degraus: a placa pede mais faces, ou um observador mais distante."),
             ],
             paint(segments, Shading::Flat)?,
         ),

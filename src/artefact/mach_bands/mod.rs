@@ -287,7 +287,7 @@ fn verdict(is_gouraud_worse: bool, is_phong_worse_somewhere: bool, light: Degree
         true => Verdict::HoldsOnlyIf(Text::new(
             "the light is less than 70.5288° off the direction of view, as it is here. Beyond that there are edges where Phong's \
              slope jump is the larger one; at 90° Gouraud's shading of facets lit as a whole is exact, and only Phong's has bands.",
-            "a luz está a menos de 70,5288° da direção de visão, como aqui. Além disso há arestas em que o salto de inclinação \
+            "a luz está a menos de 70,5288° da direção de visão, como aqui. Além desse ângulo há arestas em que o salto de inclinação \
              de Phong é o maior; a 90° o sombreamento de Gouraud das facetas iluminadas por inteiro é exato, e só o de Phong \
              tem bandas.",
         )),
@@ -321,7 +321,7 @@ fn notes() -> Vec<Text> {
              lit, up to 60° from the direction of view; farther round facets are seen from the side, and slopes across the picture \
              grow without bound, those of the cylinder too.",
             "As facetas se encontram onde a luz acaba: ali o próprio cilindro tem uma banda. As arestas são medidas onde as suas duas \
-             facetas estão iluminadas, até 60° da direção de visão; além disso as facetas são vistas de lado, e as inclinações ao longo \
+             facetas estão iluminadas, até 60° da direção de visão; mais adiante as facetas são vistas de lado, e as inclinações ao longo \
              da imagem crescem sem limite, também as do cilindro.",
         ),
         Text::new(

@@ -95,39 +95,49 @@ pub(super) fn shots(
         shown.jumps_at_80.each_ref().map(|jumps| jump_map(&phong_80, grazing, jumps, full));
     let of_80 = vec![
         shown.at_80.bad_shot(
-            "phong-80",
-            Text::new("Phong, light at 80°", "Phong, luz a 80°"),
+            "phong-80-jumps",
+            jumps("Phong"),
             [
+                bars(full),
                 Text::new(
-                    "The light 80° off the direction of view, Phong's shading.",
-                    "A luz a 80° da direção de visão, sombreamento de Phong.",
-                ),
-                Text::new(
-                    "It bends within each facet, and its slope jumps at the edges; next to \
-                     Gouraud's it is the larger jump, but hardly seen: the maps beside it show where.",
-                    "Ele se curva dentro de cada faceta, e a sua inclinação salta nas arestas; \
-                     ao lado do de Gouraud é o salto maior, mas quase não se vê: os mapas ao lado mostram onde.",
+                    "Phong's slope jumps at every edge.",
+                    "A inclinação de Phong salta em cada aresta.",
                 ),
             ],
-            phong_80,
+            of_phong_80,
         ),
         shown.at_80.cured_shot(
-            "gouraud-80",
-            Text::new("Gouraud, light at 80°", "Gouraud, luz a 80°"),
+            "gouraud-80-jumps",
+            jumps("Gouraud"),
             [
-                Text::new(
-                    "The same light: where facets are lit as a whole, luminance is nearly linear across the picture.",
-                    "A mesma luz: onde as facetas estão iluminadas por inteiro, a luminância é quase linear ao longo da imagem.",
-                ),
+                bars(full),
                 Text::new(
                     "Gouraud's shading has the smaller jumps here.",
                     "O sombreamento de Gouraud tem aqui os saltos menores.",
                 ),
             ],
+            of_gouraud_80,
+        ),
+        Shot::seen(
+            "phong-80",
+            Text::new("Phong, light at 80°", "Phong, luz a 80°"),
+            Text::new(
+                "The light 80° off the direction of view, Phong's shading. Luminance bends within each facet; the jumps of its slope, \
+                 which the map shows, are hardly seen.",
+                "A luz a 80° da direção de visão, sombreamento de Phong. A luminância se curva dentro de cada faceta; os saltos da sua \
+                 inclinação, que o mapa mostra, quase não se veem.",
+            ),
+            phong_80,
+        ),
+        Shot::seen(
+            "gouraud-80",
+            Text::new("Gouraud, light at 80°", "Gouraud, luz a 80°"),
+            Text::new(
+                "The same light: where facets are lit as a whole, luminance is nearly linear across the picture.",
+                "A mesma luz: onde as facetas estão iluminadas por inteiro, a luminância é quase linear ao longo da imagem.",
+            ),
             gouraud_80,
         ),
-        jumps("phong-80-jumps", "Phong", full, of_phong_80),
-        jumps("gouraud-80-jumps", "Gouraud", full, of_gouraud_80),
     ];
     let [gouraud, phong] = both;
     let mut shots = vec![flat, gouraud, phong, finer, exact];
@@ -153,19 +163,21 @@ fn jump_map(drawn: &Image, grazing: &Tube, jumps: &[[f64; 2]], full: f64) -> Ima
     map(drawn.size, &values, full.max(f64::MIN_POSITIVE))
 }
 
-fn jumps(name: &'static str, shading: &'static str, full: f64, image: Image) -> Shot {
-    let label = Text::made(
-        format!("{shading} at 80°, jumps of the slope"),
-        format!("{shading} a 80°, saltos da inclinação"),
-    );
-    let caption = Text::with(
+fn jumps(shading: &str) -> Text {
+    Text::made(
+        format!("{shading}, light at 80°: jumps of the slope"),
+        format!("{shading}, luz a 80°: saltos da inclinação"),
+    )
+}
+
+fn bars(full: f64) -> Text {
+    Text::with(
         "Bars at the edges up to 60° round whose facets are lit all over, as light as the slope jumps there: violet 0, yellow {}. What \
          is not measured is left out.",
         "Barras nas arestas até 60° cujas facetas estão iluminadas por inteiro, tanto mais claras quanto mais a inclinação salta ali: \
          violeta 0, amarelo {}. O que não se mede fica de fora.",
         &[full],
-    );
-    Shot::difference(name, label, caption, image)
+    )
 }
 
 /// Luminance, its slope and its curvature.

@@ -19,9 +19,9 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
     id: "reflection-models",
     title: Text::new("Phong's highlight and Blinn's", "O brilho de Phong e o de Blinn"),
     claim: Text::new(
-        "Blinn's half-vector gives about the highlight of Phong's mirrored ray, at less cost; with a different exponent, for the \
+        "Blinn's half-vector gives about the highlight of Phong's mirrored ray, but with a different exponent, for the \
          angle at the half-vector is half of that at the mirrored ray.",
-        "O vetor intermediário de Blinn dá mais ou menos o brilho do raio espelhado de Phong, a menor custo; com outro expoente, \
+        "O vetor intermediário de Blinn dá mais ou menos o brilho do raio espelhado de Phong, mas com outro expoente, \
          pois o ângulo ao vetor intermediário é a metade do ângulo ao raio espelhado.",
     ),
     sources: &[
@@ -43,7 +43,7 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
         Formula {
             notation: Text::new(
                 "\\frac{w_{across}}{w_{along}} ≈ \\frac{1}{cos(β/2)}",
-                "\\frac{w_{través}}{w_{longo}} ≈ \\frac{1}{cos(β/2)}",
+                "\\frac{w_{transversal}}{w_{longitudinal}} ≈ \\frac{1}{cos(β/2)}",
             ),
             says: Text::new(
                 "how much Phong's highlight on a sphere is stretched at right angles to the plane of L and V, β the angle between \
@@ -220,7 +220,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             1e-6 * (1.0 + exponent),
             Text::new(
                 "(N·H)^n at the centres of these pixels, at most sin(β/2)^n; single precision",
-                "(N·H)^n nos centros desses pixels, no máximo sen(β/2)^n; precisão simples",
+                "(N·H)^n nos centros desses pixels, no máximo sin(β/2)^n; precisão simples",
             ),
         ),
         Measure::new(Text::new("the same with the guard", "o mesmo com a guarda"), "", behind.cured).expect(
@@ -273,7 +273,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 [
                     Text::with(
                         "Light from far round, n = {}.",
-                        "Luz vinda de trás do lado, n = {}.",
+                        "Luz vinda de trás e de lado, n = {}.",
                         &[exponent],
                     ),
                     Text::new(
@@ -294,7 +294,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                         "O de Blinn sob a mesma luz, com 4n = {}.",
                         &[blinn_exponent(exponent)],
                     ),
-                    Text::new("It is a circle on the sphere.", "É um círculo na esfera."),
+                    Text::new(
+                        "It is a circle on the sphere, cut where the sphere turns away from the light.",
+                        "É um círculo na esfera, cortado onde a esfera se vira para longe da luz.",
+                    ),
                 ],
                 grazing_blinn,
             ),
@@ -333,10 +336,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         notes: vec![Text::new(
             "The lectures (1.6.19) give both models one exponent, though with the same one Blinn's highlight is wider; Ting 2008 gives \
              Blinn's one of its own. The guard stops light from behind but leaves an edge, for neither model goes to 0 where N·L \
-             does.",
+             does; Phong's needs it as Blinn's does, which is the one drawn.",
             "As aulas (1.6.19) dão aos dois modelos um só expoente, embora com o mesmo o brilho de Blinn seja mais largo; Ting 2008 dá \
-             ao de Blinn um próprio. A guarda retém a luz por trás mas deixa uma borda, pois nenhum dos modelos vai a 0 junto com \
-             N·L.",
+             ao de Blinn um expoente próprio. A guarda retém a luz por trás mas deixa uma borda, pois nenhum dos modelos vai a 0 junto com \
+             N·L; o de Phong precisa dela como o de Blinn, que é o desenhado.",
         )],
     })
 }

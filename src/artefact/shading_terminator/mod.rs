@@ -285,7 +285,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             ),
             price.bad_shot(
                 "soft",
-                Text::new("softened, as coarse", "suavizado, tão grosso"),
+                Text::new("softened, as coarse", "suavizado, mesma malha"),
                 [
                     Text::new("What the softening term costs.", "O que custa o termo de suavização."),
                     Text::new(

@@ -326,9 +326,9 @@ fn shots(
             "lacking",
             Text::new("what is lacking", "o que falta"),
             Text::new(
-                "Yellow where the ball covers the picture and the polygons do not: a sickle over every side, as thin as the polygons \
-                 are fine.",
-                "Amarelo onde a bola cobre a imagem e os polígonos não: uma foice sobre cada lado, tão fina quanto os polígonos.",
+                "Yellow where the ball covers the picture and the polygons do not: a sickle over every side, the thinner the more \
+                 sides there are.",
+                "Amarelo onde a bola cobre a imagem e os polígonos não: uma lua fina sobre cada lado, tanto mais fina quanto mais lados há.",
             ),
             lacking,
         ),
@@ -341,8 +341,8 @@ fn shots(
                     "Ao menos tantos segmentos quantos a fórmula pede para meio pixel, e ao menos o dobro de antes.",
                 ),
                 Text::new(
-                    "The outline is round to the eye; what is measured has the outlines' own pixels in it.",
-                    "O contorno é redondo para o olho; o que se mede contém os pixels dos próprios contornos.",
+                    "The outline is nearly round to the eye; what is measured has the outlines' own pixels in it.",
+                    "O contorno é quase redondo para o olho; o que se mede contém os pixels dos próprios contornos.",
                 ),
             ],
             ball.picture(fine)?,
@@ -370,7 +370,7 @@ fn shots(
             label("torus", "toro", fine),
             [
                 Text::new("The torus with as many segments as the finer ball.", "O toro com tantos segmentos quanto a bola mais fina."),
-                Text::new("It is round to the eye.", "É redondo para o olho."),
+                Text::new("It is nearly round to the eye.", "É quase redondo para o olho."),
             ],
             torus.picture(fine)?,
         ),

@@ -208,7 +208,7 @@ fn verdict(weight: Weight, cube: f64) -> Verdict {
         false => Verdict::Fails(Text::new(
             "these weights give the cube the same normals however its faces are cut. On round surfaces the mean depends on the \
              triangles still.",
-            "estes pesos dão ao cubo as mesmas normais, sejam como forem cortadas as faces. Em superfícies redondas a média ainda \
+            "estes pesos dão ao cubo as mesmas normais, como quer que as faces sejam cortadas. Em superfícies redondas a média ainda \
              depende dos triângulos.",
         )),
     }

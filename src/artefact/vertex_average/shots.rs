@@ -81,7 +81,7 @@ fn of_boxes(weight: Weight, look: &Look, shown: &Shown) -> Result<Vec<Shot>, Art
                 Text::new("Weights by the angle.", "Pesos pelo ângulo."),
                 Text::new(
                     "Every corner has the diagonal for its normal, however the faces are cut.",
-                    "Cada canto tem a diagonal como normal, sejam como forem cortadas as faces.",
+                    "Cada canto tem a diagonal como normal, como quer que as faces sejam cortadas.",
                 ),
             ],
             cut(DVec3::ONE, 0, FLAT, look)?,

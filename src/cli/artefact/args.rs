@@ -31,7 +31,8 @@ Examples:
 ///
 /// Each experiment states what textbooks claim, runs it, and tells what it measured beside closed forms, whether the claim
 /// holds, and under what conditions it fails. With -o it writes a page that explains all of it and each picture as a file; the
-/// page of all experiments has an index. Of `all`, those that do not take a value that is given are left out, with a note. A
+/// page of all experiments has an index. Of `all`, an option changes those that take it, which a note names, and those that have
+/// another range for its value are left out, with a note. A
 /// number that is not what it should be is told as an error, and makes the exit code 1.
 #[derive(Args)]
 #[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"))]

@@ -17,8 +17,10 @@ use super::report::{ErrorReport, json_line};
 use super::{Exit, usage_error, use_threads};
 use args::LIST;
 use choose::{Chosen, chosen};
-use crease::artefact::{ArtefactError, EXPERIMENTS, Experiment, Knob, Language, Outcome, Setup, UserMesh};
-use crease::io::{self, Limits, Loaded, ReadError, ReadOptions};
+use crease::artefact::{
+    ArtefactError, Changes, EXPERIMENTS, Experiment, Knob, Language, Outcome, Setup, UserMesh,
+};
+use crease::io::{self, Limits, Loaded, ReadError, ReadOptions, shell_word};
 use crease::mesh::{Faces, Mesh, MeshBuilder};
 use crease::report::{list_table, measure_table, misses, verdict_text};
 use rayon::prelude::*;
@@ -37,6 +39,9 @@ pub fn main(args: &ArtefactArgs, color: Color) -> Exit {
         return if console.has_reported() { Exit::Done } else { Exit::OutputFailed };
     }
     left_out.iter().for_each(|(experiment, why)| leave_out(args, experiment, why, &console));
+    if experiments.len() > 1 && console.verbosity > Verbosity::Quiet {
+        unheeded(args, &experiments).iter().for_each(|text| console.note(text));
+    }
     if args.parameters.interpolation.is_some()
         && args.animate.is_none()
         && console.verbosity > Verbosity::Quiet
@@ -71,6 +76,26 @@ fn list(args: &ArtefactArgs, console: &Console) {
     } else {
         console.report(&list_table(args.lang).to_text());
     }
+}
+
+/// Which of the options that were typed change only some of the experiments, in words.
+fn unheeded(args: &ArtefactArgs, experiments: &[&'static Experiment]) -> Vec<String> {
+    let changes = args.parameters.changes();
+    let typed = Knob::ALL.into_iter().filter(|&knob| match knob {
+        Knob::Mesh => args.own.mesh.is_some(),
+        // Told beside.
+        Knob::Interpolation => false,
+        _ => changes.only(&[knob]) != Changes::default(),
+    });
+    let told = typed.filter_map(|knob| {
+        let takes = |experiment: &&&Experiment| experiment.takes.contains(&knob);
+        let ids: Vec<&str> = experiments.iter().filter(takes).map(|experiment| experiment.id).collect();
+        (ids.len() < experiments.len()).then(|| match &ids[..] {
+            [] => format!("--{} changes none of them", knob.name()),
+            ids => format!("--{} changes {} only; the others are as without it", knob.name(), ids.join(", ")),
+        })
+    });
+    told.collect()
 }
 
 /// Tells that an experiment is left out where all are run.
@@ -145,19 +170,30 @@ fn work(
     for (run, files) in runs.iter().zip(files) {
         let misses = misses(&run.outcome, Language::English);
         agree &= misses.is_empty();
-        tell(run, files, misses.is_empty(), args.lang, console);
+        tell(run, files, misses.is_empty(), args, console);
         misses.iter().for_each(|miss| console.error(&format!("{}: {miss}", run.experiment.id)));
     }
     Ok(agree)
 }
 
-fn tell(run: &Run, files: Vec<String>, agrees: bool, language: Language, console: &Console) {
+/// A command that draws the animation as well.
+fn animated(command: String, args: &ArtefactArgs) -> String {
+    match &args.animate {
+        Some(path) => {
+            format!("{command} --animate {} --frames {}", shell_word(&path.to_string_lossy()), args.frames)
+        }
+        None => command,
+    }
+}
+
+fn tell(run: &Run, files: Vec<String>, agrees: bool, args: &ArtefactArgs, console: &Console) {
+    let language = args.lang;
     let Run { experiment, setup, outcome, seconds } = run;
     if console.json {
         let report = Report {
             status: if agrees { "ok" } else { "findings" },
             outcome: Some(outcome),
-            command: Some(experiment.command(setup, language)),
+            command: Some(animated(experiment.command(setup, language), args)),
             files,
             seconds: Some(*seconds),
             ..Report::new(experiment, setup)

@@ -55,6 +55,7 @@ pub(super) fn role(role: Role) -> Text {
         Role::Absent => Text::new("no artefact measured", "nenhum artefato medido"),
         Role::Difference => Text::new("difference", "diferença"),
         Role::Truth => Text::new("truth", "verdade"),
+        Role::Seen => Text::new("as it looks", "como se vê"),
     }
 }
 
