@@ -100,8 +100,8 @@ pub(super) fn shots(
             [
                 bars(full),
                 Text::new(
-                    "Phong's slope jumps at every edge.",
-                    "A inclinação de Phong salta em cada aresta.",
+                    "The slope of Phong's luminance jumps more.",
+                    "A inclinação da luminância de Phong salta mais.",
                 ),
             ],
             of_phong_80,

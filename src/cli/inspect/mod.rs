@@ -109,10 +109,15 @@ fn check_outputs(sources: &[Source], args: &InspectArgs) -> Result<(), RequestEr
             )));
         }
     }
+    let is_png = |path: &Path| path.extension().is_some_and(|name| name.eq_ignore_ascii_case("png"));
     match (html, heatmap) {
         (Some(html), Some(heatmap)) if resolve_parent(html) == resolve_parent(heatmap) => Err(
             RequestError::Usage(format!("--html and --heatmap would both be written to {}", html.display())),
         ),
+        (_, Some(path)) if !is_stdout(path) && !is_png(path) => Err(RequestError::Usage(format!(
+            "{} does not end in .png, which is what --heatmap writes",
+            path.display()
+        ))),
         _ => Ok(()),
     }
 }

@@ -39,16 +39,16 @@ pub(super) fn section(
     let change = Model::new(after.loaded, &changes, HeatScale::of(changes.iter()))?;
     let worst: Vec<_> = comparison.places.first().into_iter().collect();
     let lit = [before.lit(camera, side)?, then.lit(camera, side)?];
-    let marked = change.deviation(camera, side, &worst)?;
+    let (marked, _) = change.deviation(camera, side, &worst)?;
     let pictures: [(&Picture, &str); 3] = [
         (&lit[0], "the mesh lit with the normals that it had before"),
         (&lit[1], "the mesh lit with the normals that it has after"),
         (&marked, &format!("the mesh coloured by how far its normals changed, {}", change.scale.words())),
     ];
-    let caption = "Left: before. Middle: after. Right: by how much the normals of each corner changed; the ring marks \
-                   the place that changed most, also where it lies behind.";
+    let caption = "Left: before. Middle: after. Right: by how much the normals of each corner changed; a ring marks \
+                   the place that changed most, unless it lies behind.";
     page.pictures(&pictures, caption)?;
-    let off = [before.deviation(camera, side, &[])?, then.deviation(camera, side, &[])?];
+    let off = [before.deviation(camera, side, &[])?.0, then.deviation(camera, side, &[])?.0];
     let words = ["before", "after"].map(|when| {
         let scale = before.scale.words();
         format!("{when}: the mesh coloured by the deviation of its normals from the rule that they follow, {scale}")

@@ -5,8 +5,9 @@
 //! what a pixel shows has no deviation it has the colour of that. Only on the rim of the mesh, and of lines and dots on
 //! it, are colours mixed.
 
-use super::heat::{Corner, HeatScale, dots, form, longest_edge, with_legend};
+use super::heat::{Corner, HeatScale, Marks, dots, form, longest_edge, with_legend};
 use super::pictures::{Model, render_at, ring};
+use super::sight::hidden;
 use crate::num::{LinearRgb, Srgb8};
 use crate::quality::Site;
 use crate::raster::{Camera, Lines, Paint, Pixels, RenderSettings, Scene};
@@ -19,29 +20,32 @@ pub(super) fn measure(deviation: Option<f64>) -> LinearRgb {
 }
 
 impl Model {
-    /// Coloured by deviation, with rings round some places and a legend below.
+    /// Coloured by deviation, with rings round those of some places that are seen, a legend below, and what it explains.
     pub(super) fn deviation(
         &self,
         camera: Camera,
         side: u32,
         sites: &[&Site],
-    ) -> Result<Picture, ReportError> {
+    ) -> Result<(Picture, Marks), ReportError> {
         let scene = self.measured(camera);
         // Colours alone show no form.
         let mut lines = form(&scene, side);
-        let has_lines = !lines.is_empty();
-        lines.extend(dots(self.corners(), self.scale, &camera, side));
+        let mut marks = Marks { lines: !lines.is_empty(), ..Marks::default() };
+        let dots = dots(self.corners(), self.scale, &camera, side);
+        marks.dots = !dots.is_empty();
+        lines.extend(dots);
         let mut picture = coloured(scene, lines, self.scale, side)?;
-        let mut has_rings = false;
-        for site in sites {
-            if let Some((_, position, _)) = self.stand(site)
+        for (site, is_hidden) in sites.iter().zip(hidden(self, sites, camera.eye)) {
+            if is_hidden {
+                marks.hidden = true;
+            } else if let Some((_, position, _)) = self.stand(site)
                 && let Ok(Some(at)) = camera.on_picture([side; 2], position)
             {
                 ring(&mut picture, at, f64::from(side) / 40.0);
-                has_rings = true;
+                marks.rings = true;
             }
         }
-        Ok(with_legend(&picture, self.scale, has_lines, has_rings))
+        Ok((with_legend(&picture, self.scale, marks), marks))
     }
 
     /// All corners, in the world.

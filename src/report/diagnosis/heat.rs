@@ -212,18 +212,44 @@ pub(super) fn longest_edge(place: DMat4, [before, here, after]: [DVec3; 3]) -> f
 enum Key {
     Absent,
     Line,
+    Dot,
     Ring,
 }
 
-/// A picture with what its colours, lines and rings mean below it.
-pub(super) fn with_legend(picture: &Picture, scale: HeatScale, has_lines: bool, has_rings: bool) -> Picture {
+/// What is drawn over the colours.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Marks {
+    /// Lines along edges with two normals.
+    pub(super) lines: bool,
+    /// Dots on corners whose faces are too small to be seen.
+    pub(super) dots: bool,
+    /// Rings round worst places.
+    pub(super) rings: bool,
+    /// Some worst places lie behind what is seen, and have no ring.
+    pub(super) hidden: bool,
+}
+
+impl Marks {
+    /// What the legend says of rings.
+    fn of_rings(self) -> &'static str {
+        match (self.rings, self.hidden) {
+            (_, false) => "worst place",
+            (true, true) => "worst place (others lie behind)",
+            (false, true) => "worst place: lies behind",
+        }
+    }
+}
+
+/// A picture with what its colours and marks mean below it.
+pub(super) fn with_legend(picture: &Picture, scale: HeatScale, marks: Marks) -> Picture {
     let [width, height] = picture.size.map(i64::from);
     let (bar, text) = ((height / 40).max(6), (height as f32 / 28.0).max(12.0));
     let (margin, line) = (width / 16, text as i64 + bar / 2);
     let keys = [
         (Key::Absent, "no valid normal", scale.is_absent),
-        (Key::Line, "edge with two normals", has_lines),
-        (Key::Ring, "worst place", has_rings),
+        (Key::Line, "edge with two normals", marks.lines),
+        (Key::Dot, "far off on a small face", marks.dots),
+        (Key::Ring, marks.of_rings(), marks.rings || marks.hidden),
     ];
     // As many in a row as fit.
     let (mut at, mut places) = ([margin, 0], Vec::new());
@@ -284,6 +310,13 @@ fn swatch(picture: &mut Picture, key: Key, [x, y]: [i64; 2], side: i64) {
     let middle = y + side / 2;
     let rows = match key {
         Key::Absent => y + side / 6..y + side - side / 6,
+        Key::Dot => {
+            let (width, colour) = ((side / 4).max(2), coded(viridis(1.0)));
+            let [left, top] = [x + (side - width) / 2, middle - width / 2];
+            (top..top + width)
+                .for_each(|y| (left..left + width).for_each(|x| picture.blend([x, y], colour, 1.0)));
+            return;
+        }
         Key::Line => middle - 1..middle + 1,
         Key::Ring => {
             let at = [x + side / 2, middle].map(|it| it as f64);
@@ -354,7 +387,7 @@ mod tests {
         let scale = HeatScale::of([Survey { deviations, ..Survey::default() }].iter());
         assert_eq!(scale.labels()[0], "1° and more, up to 123°");
         for side in [240, 320, 480, 1024] {
-            let sheet = with_legend(&Picture::filled([side; 2], false, [1.0; 3]), scale, false, false);
+            let sheet = with_legend(&Picture::filled([side; 2], false, [1.0; 3]), scale, Marks::default());
             let crate::raster::Pixels::Eight(pixels) = &sheet.pixels else { panic!("8 bits") };
             let at = |i: usize| i % side as usize;
             let ink = (0..pixels.len()).filter(|&i| pixels[i] != [255; 3]).map(at);
@@ -369,11 +402,20 @@ mod tests {
         let picture = Picture::filled([320, 320], false, [0.0; 3]);
         let scale =
             |deviations: Vec<Option<f64>>| HeatScale::of([Survey { deviations, ..Survey::default() }].iter());
-        let height =
-            |deviations, lines, rings| with_legend(&picture, scale(deviations), lines, rings).size[1];
-        let plain = height(vec![Some(1.0)], false, false);
-        assert!(plain > 320 && height(vec![Some(1.0)], true, true) > plain);
-        let sheet = with_legend(&picture, scale(vec![Some(1.0), None]), true, true);
+        let height = |marks| with_legend(&picture, scale(vec![Some(1.0)]), marks).size[1];
+        let plain = height(Marks::default());
+        let all = Marks { lines: true, dots: true, rings: true, hidden: true };
+        assert!(plain > 320 && height(all) > plain);
+        let none = Marks::default();
+        for one in [
+            Marks { lines: true, ..none },
+            Marks { dots: true, ..none },
+            Marks { rings: true, ..none },
+            Marks { hidden: true, ..none },
+        ] {
+            assert!(height(one) > plain, "{one:?}");
+        }
+        let sheet = with_legend(&picture, scale(vec![Some(1.0), None]), all);
         let crate::raster::Pixels::Eight(pixels) = &sheet.pixels else { panic!("8 bits") };
         assert!(pixels[..320 * 320].iter().all(|pixel| *pixel == [0; 3]), "nothing lies on the picture");
         for colour in [ABSENT.0, Srgb8::from(LinearRgb::grey(LINE)).0, Srgb8::from(viridis(1.0)).0] {

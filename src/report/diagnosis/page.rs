@@ -1,7 +1,7 @@
 //! The page.
 
 use super::change::{self, After};
-use super::heat::HeatScale;
+use super::heat::{HeatScale, Marks};
 use super::pictures::{Model, worst_places};
 use super::plots::histograms;
 use super::sight::{self, Sight};
@@ -77,7 +77,7 @@ fn overview(
         page.paragraph("There are no faces to show.");
         return Ok(());
     };
-    let heat = model.deviation(camera, SIDES[0], &worst_places(diagnosis))?;
+    let (heat, marks) = model.deviation(camera, SIDES[0], &worst_places(diagnosis))?;
     let (facing, creases) = (model.facing(camera, SIDES[0])?, model.creases(camera, SIDES[0])?);
     let pictures: [(&Picture, &str); 3] = [
         (
@@ -87,13 +87,7 @@ fn overview(
         (&facing, "the mesh with front faces green and back faces red"),
         (&creases, "the mesh lit, with lines along creases and seams"),
     ];
-    page.pictures(
-        &pictures,
-        "Left: how far stored normals are from those that the rule of their mesh gives, with dots on what is far off and too \
-         small to be seen, and grey lines where that rule has two normals at an edge; red rings mark the worst place of each \
-         error and warning, also where it lies behind. Middle: front faces green, back faces red. Right: lit, with orange lines \
-         where the normals of two sides differ.",
-    )?;
+    page.pictures(&pictures, &caption(marks))?;
     let mut links = String::from("<ul>\n");
     for finding in &diagnosis.findings {
         let (id, severity, cause) = (finding.kind.id(), finding.severity.name(), escape_html(&finding.cause));
@@ -104,6 +98,21 @@ fn overview(
         page.raw(&links);
     }
     Ok(())
+}
+
+/// What there is to see in the pictures of the overview.
+fn caption(marks: Marks) -> String {
+    let told = [
+        (marks.dots, "; dots are on what is far off and too small to be seen"),
+        (marks.lines, "; grey lines are where that rule has two normals at an edge"),
+        (marks.rings, "; red rings mark the worst place of each error and warning"),
+        (marks.hidden, "; worst places that lie behind have no ring"),
+    ];
+    let told: String = told.into_iter().filter(|(is_there, _)| *is_there).map(|(_, words)| words).collect();
+    format!(
+        "Left: how far stored normals are from those that the rule of their mesh gives{told}. Middle: front faces green, back \
+         faces red. Right: lit, with orange lines where the normals of two sides differ."
+    )
 }
 
 /// How the normals of each part were made.

@@ -203,7 +203,7 @@ pub(super) fn worst_places(diagnosis: &Diagnosis) -> Vec<&Site> {
 }
 
 /// The heat map of a file alone: how far stored normals are from those that the rule of their mesh gives, with a ring round
-/// the worst place of each error and warning, and a legend below; as many pixels wide as it is asked for, and higher by the
+/// the worst place of each error and warning that is seen, and a legend below; as many pixels wide as it is asked for, and higher by the
 /// legend. The deviation spreads over faces from corner to corner, and each pixel has the colour of the mean of what it
 /// shows. Corners whose faces are too small to be seen are marked with dots, the worst uppermost; where corners have no stored
 /// normal that has a direction, the surface has a colour of its own.
@@ -219,7 +219,7 @@ pub fn deviation_picture(
     let surveys = survey(loaded);
     let model = Model::new(loaded, &surveys, HeatScale::of(surveys.iter()))?;
     let camera = sight::camera(&model, diagnosis, None, sight).ok_or(ReportError::Empty)?;
-    model.deviation(camera, side, &worst_places(diagnosis))
+    Ok(model.deviation(camera, side, &worst_places(diagnosis))?.0)
 }
 
 pub(super) fn draw(scene: &Scene<'_>, side: u32, show: Show) -> Result<Picture, ReportError> {

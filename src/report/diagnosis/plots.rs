@@ -20,8 +20,12 @@ pub(super) fn histograms(surveys: &[Survey]) -> Vec<(&'static str, &'static str,
     vec![
         (
             "deviation",
-            "Right normals stand at the left end; faults stand apart from it. What has no direction is left out.",
-            histogram("Deviation of stored normals", "degrees", &deviations, farthest),
+            "Right normals stand at the left end; faults stand apart from it, by powers of ten, so that a single corner shows. What \
+             has no direction is left out.",
+            counted(
+                histogram("Deviation of stored normals", "degrees", &deviations, farthest),
+                deviations.len(),
+            ),
         ),
         (
             "dihedral angle",
@@ -49,6 +53,19 @@ pub(super) fn histograms(surveys: &[Survey]) -> Vec<(&'static str, &'static str,
             histogram("Lengths of edges", "median lengths", &lengths, longest),
         ),
     ]
+}
+
+/// A histogram of shares as one of counts, by powers of ten: of a million, one shows.
+fn counted(mut plot: Plot, all: usize) -> Plot {
+    /// Where an empty bin stands.
+    const NONE: f64 = 0.5;
+    let points = plot.series.iter_mut().flat_map(|series| &mut series.points);
+    let highest = points.fold(1.0, |most: f64, [_, share]| {
+        *share = (*share * all as f64 / 100.0).round().max(NONE);
+        most.max(*share)
+    });
+    plot.y = Axis { range: Some([NONE, 2.0 * highest]), ..Axis::log("corners") };
+    plot
 }
 
 fn histogram(title: &str, unit: &str, values: &[f64], end: f64) -> Plot {
@@ -82,6 +99,17 @@ fn histogram(title: &str, unit: &str, values: &[f64], end: f64) -> Plot {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// One of a million is higher than none, which stands at the end of the axis.
+    #[test]
+    fn one_of_many_shows() {
+        let mut values = vec![0.0; 999_999];
+        values.push(90.0);
+        let plot = counted(histogram("t", "degrees", &values, 180.0), values.len());
+        let heights: Vec<f64> = plot.series[0].points.iter().map(|point| point[1]).collect();
+        assert_eq!((heights[0], heights[BINS / 2], heights[1]), (999_999.0, 1.0, 0.5));
+        assert_eq!(plot.y.range, Some([0.5, 1_999_998.0]));
+    }
 
     #[test]
     fn every_value_is_in_a_bin() {

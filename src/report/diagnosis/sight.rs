@@ -98,6 +98,22 @@ fn best(model: &Model, wanted: &[Wanted], usual: DVec3) -> DVec3 {
         .0
 }
 
+/// Which of some places something stands before, as seen by an eye.
+pub(super) fn hidden(model: &Model, sites: &[&Site], eye: DVec3) -> Vec<bool> {
+    if sites.is_empty() {
+        return Vec::new();
+    }
+    let obstacles: Vec<Obstacles<'_>> = model.meshes().map(Obstacles::new).collect();
+    let is_hidden = |site: &&Site| {
+        model.stand(site).is_some_and(|(object, position, normal)| {
+            let face = site.face.unwrap_or(u32::MAX);
+            let place = Wanted { position, normal, object, face, weight: 0.0 };
+            !is_seen(model, &obstacles, &place, eye - position)
+        })
+    };
+    sites.iter().map(is_hidden).collect()
+}
+
 /// Whether nothing stands between a place and a far eye.
 fn is_seen(model: &Model, obstacles: &[Obstacles<'_>], place: &Wanted, direction: DVec3) -> bool {
     model.objects().enumerate().all(|(number, (part, transform))| {

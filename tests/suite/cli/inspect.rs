@@ -397,6 +397,17 @@ fn no_picture_is_written_over_what_is_read() {
     }
 }
 
+/// What is written is what the name says.
+#[test]
+fn a_heat_map_is_a_png() {
+    let files = folder(&[("own.obj", TRIANGLE)]);
+    let [own, map] = ["own.obj", "map.jpg"].map(|name| path(files.path().join(name)));
+    let output = inspect(&["--heatmap", &map, &own]);
+    assert_eq!(code(&output), 2, "{}", text(&output.stderr));
+    assert!(text(&output.stderr).contains("map.jpg does not end in .png"), "{}", text(&output.stderr));
+    assert!(!files.path().join("map.jpg").exists());
+}
+
 /// A heat map of a file without normals has nothing to show: that is said, and the map is made.
 #[test]
 fn heat_maps_without_normals_are_explained() {

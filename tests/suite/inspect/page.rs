@@ -57,6 +57,27 @@ fn pixels(picture: Picture, is_such: fn([u8; 3]) -> bool) -> usize {
     pixels[..side * side].iter().filter(|pixel| is_such(**pixel)).count()
 }
 
+/// A ring says where a place is seen, in some thirty pixels here; from behind there is none.
+#[test]
+fn rings_mark_only_what_is_seen() {
+    let mesh = with_normals(
+        surface(&Surface::from(Sphere::default()), [48, 24]).with_normals(None),
+        &NormalRecipe::default(),
+    );
+    let mut normals = mesh.columns().normals.clone().unwrap();
+    let front =
+        (0..normals.values.len()).max_by(|&a, &b| normals.values[a].z.total_cmp(&normals.values[b].z));
+    let front = front.unwrap();
+    normals.values[front] = -normals.values[front];
+    let file = loaded(mesh.with_normals(Some(normals)));
+    let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
+    let red = |from| {
+        let picture = deviation_picture(&file, &diagnosis, Sight::From(from), 200).unwrap();
+        pixels(picture, |[r, g, b]| r > 200 && g < 60 && b < 60)
+    };
+    assert!(red(DVec3::Z) > 20 && red(DVec3::NEG_Z) == 0, "{} {}", red(DVec3::Z), red(DVec3::NEG_Z));
+}
+
 /// How much of a picture is yellow.
 fn yellow(picture: Picture) -> usize {
     pixels(picture, |[r, g, b]| r > 200 && g > 180 && b < 120)
