@@ -1,17 +1,18 @@
 //! A highlight that falls between vertices.
 
-use super::body::{Body, Diagonal};
-use super::stage::{GAP, draw, front, settings, tiles};
+mod scene;
+
+use super::body::Body;
+use super::stage::{GAP, tiles};
 use super::{
     ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Language, Measure, Moved, Outcome,
     Parameters, Scale, Setup, Shot, Text, Threshold, Verdict,
 };
 use crate::metric::Highlight;
-use crate::num::{Degrees, LinearRgb, Radians};
-use crate::raster::{Image, Interpolation, Object, Shading, Shape};
-use crate::shade::{Light, Material, Reflectance};
+use crate::num::{Degrees, Radians};
+use crate::raster::{Image, Object, Shading, Shape};
 use crate::surface::{Primitive, Sphere};
-use glam::DVec3;
+use scene::{TILT, WINDOW, law, look, material, of_diffuse, paint, plate};
 use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2, TAU};
 
 pub(super) const EXPERIMENT: Experiment = Experiment {
@@ -63,12 +64,6 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
     frame: Some(frame),
 };
 
-/// Of diffuse light; the rest of 1 is highlight.
-const DIFFUSE: f64 = 0.4;
-/// How far the normals at the corners of the plate lean outwards.
-const TILT: Degrees = Degrees(35.0);
-/// The window's side; plate and sphere are 2 wide.
-const WINDOW: f64 = 2.2;
 /// The window's side from close by.
 const CLOSE: f64 = 1.1;
 /// Pictures of one turn by a segment.
@@ -463,52 +458,11 @@ fn chart([gouraud, phong]: [Vec<[f64; 2]>; 2], exponent: f64, delta: f64, moved:
     }
 }
 
-/// The light on a vertex whose normal is this far from the viewer and the light.
-fn law(angle: f64, exponent: f64) -> f64 {
-    let cosine = libm::cos(angle);
-    DIFFUSE * cosine + (1.0 - DIFFUSE) * libm::pow(cosine, exponent)
-}
-
-/// What is missing of the diffuse light of such a vertex.
-fn of_diffuse(angle: f64) -> f64 {
-    DIFFUSE * (1.0 - libm::cos(angle))
-}
-
 /// How far a peak falls, as a share of its largest.
 fn flicker(peaks: &[[f64; 2]]) -> f64 {
     let values = || peaks.iter().map(|peak| peak[1]);
     let largest = values().fold(0.0, f64::max);
     (largest - values().fold(f64::INFINITY, f64::min)) / largest
-}
-
-fn material(exponent: f64) -> Material {
-    Material {
-        ambient: Reflectance::NONE,
-        diffuse: Reflectance::Merged(LinearRgb::grey(DIFFUSE)),
-        specular: Reflectance::Merged(LinearRgb::grey(1.0 - DIFFUSE)),
-        exponent,
-        ..Material::default()
-    }
-}
-
-/// Two triangles whose normals at the corners lean outwards.
-fn plate() -> Body {
-    let (sine, cosine) = libm::sincos(Radians::from(TILT).0);
-    Body::grid([1, 1], Diagonal::Rising, |u, v| {
-        let place = DVec3::new(2.0 * u - 1.0, 2.0 * v - 1.0, 0.0);
-        (place, place * (sine / SQRT_2) + DVec3::Z * cosine)
-    })
-}
-
-/// Light and viewer in front, far away.
-fn paint(object: Object, size: u32, shading: Shading) -> Result<Image, ArtefactError> {
-    look(object, size, shading, WINDOW)
-}
-
-/// The same through a window of any side.
-fn look(object: Object, size: u32, shading: Shading, window: f64) -> Result<Image, ArtefactError> {
-    let light = Light::Directional { towards: DVec3::Z, colour: LinearRgb::WHITE };
-    draw(vec![object], &[light], front(window), &settings([size; 2], shading, Interpolation::Perspective))
 }
 
 #[cfg(test)]
