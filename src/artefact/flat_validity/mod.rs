@@ -66,6 +66,12 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let Parameters { size, segments, light, exponent, .. } = setup.parameters;
     let mut measures = Vec::new();
     let (mut diffuse, mut specular) = (Vec::new(), Vec::new());
+    let held = |measure: Measure, viewer: Viewer| {
+        let (law, steepest) = viewer.law(size);
+        // Cosines are rounded by up to 2·10⁻⁷ in each picture; below an exponent of 1 their power may be as steep as can be.
+        let rounding = (4e-7 * steepest + 2e-7).min(2e-6 + 4e-7 * exponent);
+        measure.expect(law, rounding, single())
+    };
     for ratio in RATIOS {
         let distance = ratio * RADIUS;
         let lamp = Lamp { angle: light, distance };
@@ -94,18 +100,24 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             found,
         );
         measures.push(match libm::cos(Radians::from(light).0).abs() > 1e-6 {
-            true => {
-                let (law, steepest) = viewer.law(size);
-                // Cosines are rounded by up to 2·10⁻⁷ in each picture; below an exponent of 1 their power may be as steep as can be.
-                let rounding = (4e-7 * steepest + 2e-7).min(2e-6 + 4e-7 * exponent);
-                measure.expect(law, rounding, single())
-            }
+            true => held(measure, viewer),
             false => measure.beyond(Text::new(
                 "light along the plate: which side it is on is a matter of rounding",
                 "luz ao longo da placa: de que lado está depende de arredondamento",
             )),
         });
     }
+    let aside = Viewer { angle: pictures::ASIDE, distance: RATIOS[0] * RADIUS, exponent };
+    let measure = Measure::new(
+        Text::with(
+            "viewer at {} circumradii, light {}° to the side: largest error of the highlight",
+            "observador a {} circunraios, luz {}° ao lado: maior erro do brilho",
+            &[RATIOS[0], pictures::ASIDE.0],
+        ),
+        "",
+        aside.error(1, size)?,
+    );
+    measures.push(held(measure, aside));
     let bound = |ratio: f64| 2.0 * libm::sin(0.5 * libm::asin(1.0 / ratio));
     let share = diffuse.iter().map(|&[ratio, error]| error / bound(ratio)).fold(0.0, f64::max);
     // Below an exponent of 1 the slope of cosⁿ has no bound; light along the plate is on or off.

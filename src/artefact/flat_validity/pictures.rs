@@ -132,7 +132,7 @@ pub(super) fn of_box(size: u32, segments: u32) -> Result<Vec<Shot>, ArtefactErro
 }
 
 /// How far to the side the light stands whose highlight a near viewer sees on the plate: closer to the axis than its edges.
-const ASIDE: Degrees = Degrees(15.0);
+pub(super) const ASIDE: Degrees = Degrees(15.0);
 
 /// The plate with nothing but a highlight, its viewer at two circumradii.
 pub(super) fn of_highlight(exponent: f64, segments: u32, size: u32) -> Result<Vec<Shot>, ArtefactError> {
@@ -140,14 +140,18 @@ pub(super) fn of_highlight(exponent: f64, segments: u32, size: u32) -> Result<Ve
     let (material, light, camera) = viewer.scene();
     let paint = |cells, shading| paint_plate(cells, material, light, camera, size, shading);
     let small = Moved {
-        name: Text::new("largest error of the highlight", "maior erro do brilho"),
+        name: Text::with(
+            "largest error of the highlight of light {}° to the side",
+            "maior erro do brilho de uma luz {}° ao lado",
+            &[ASIDE.0],
+        ),
         unit: "",
         bad: viewer.error(1, size)?,
         present: Threshold::HALF_STEP,
         cure: Text::new("smaller faces", "faces menores"),
         cured: viewer.error(segments, size)?,
-        // Of faces a third as long already, where the highlight is as wide as a few of them.
-        factor: 2.0,
+        // Of a few steps less the squares are still seen.
+        factor: 20.0,
     };
     Ok(vec![
         small.bad_shot(
@@ -183,7 +187,7 @@ pub(super) fn of_highlight(exponent: f64, segments: u32, size: u32) -> Result<Ve
                     format!("Flat shading of {segments} × {segments} squares."),
                     format!("Sombreamento plano de {segments} × {segments} quadrados."),
                 ),
-                Text::new("The highlight is in its place, but in steps: a plate needs more faces, or a farther viewer, than this.", "O brilho está no lugar, mas em degraus: a placa pede mais faces, ou um observador mais distante."),
+                Text::new("The highlight is in its place, in steps.", "O brilho está no lugar, em degraus."),
             ],
             paint(segments, Shading::Flat)?,
         ),
