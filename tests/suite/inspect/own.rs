@@ -25,6 +25,10 @@ fn blamed(file: &Path, are_triangles: bool) -> Vec<String> {
         let output = crease().args(["normals", "-q", &path(file), "-o", &path(&written)]).output().unwrap();
         assert!(output.status.success(), "{}: {}", file.display(), text(&output.stderr));
         let loaded = read(&written, None, &ReadOptions::default()).unwrap();
+        // Normals that were smoothed over the borders of what are parts now are none of a part alone.
+        if loaded.parts.len() > 1 {
+            return Vec::new();
+        }
         let diagnosis = diagnose(&loaded, &Thresholds::default(), &|_| {});
         let about_normals = diagnosis.findings.into_iter().filter(|finding| {
             finding.severity > Severity::Note
@@ -77,8 +81,8 @@ fn own_normals_of_slivers_and_needles_are_right_in_every_format() {
     }
 }
 
-/// Of real meshes too, of one part: what is computed of each of several parts shows where they meet, once a file has them as
-/// one. `CREASE_LONG` takes the large ones as well.
+/// Of real meshes too, of one part before and after: what is computed of each of several parts shows where they meet, once a file
+/// has them as one, and the other way round. `CREASE_LONG` takes the large ones as well.
 #[test]
 fn own_normals_of_real_meshes_are_right_in_every_format() {
     let most = if std::env::var_os("CREASE_LONG").is_some() { u64::MAX } else { 500_000 };
