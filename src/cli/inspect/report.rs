@@ -1,12 +1,12 @@
 //! What `crease inspect` tells programs.
 //!
-//! # The JSON schema, `crease-inspect/1`
+//! # The JSON schema, `crease-inspect/2`
 //! One object on one line for each input, in the order of the inputs. A change that could break a reader raises the
-//! number after the slash; new members may come at any time.
+//! number after the slash; new members may come at any time. Under 1, `area_share` was 0 where it is null now.
 //!
 //! | member | meaning |
 //! |---|---|
-//! | `schema`, `crease` | `"crease-inspect/1"`; the program's version |
+//! | `schema`, `crease` | `"crease-inspect/2"`; the program's version |
 //! | `status` | `"ok"`: read, and nothing that `--fail-on` asks for; `"findings"`: read, and something; `"failed"`: not read |
 //! | `error` | as in `crease-normals/1`, if it failed |
 //! | `input` | as in `crease-normals/1` |
@@ -163,7 +163,7 @@ pub struct Seconds {
 impl InspectReport {
     pub fn new(path: &str) -> Self {
         Self {
-            schema: "crease-inspect/1",
+            schema: "crease-inspect/2",
             crease: env!("CARGO_PKG_VERSION"),
             status: "ok",
             error: None,

@@ -166,7 +166,7 @@ fn the_report_has_the_documented_members() {
     let output = inspect(&["--json", &path(files.path().join("flipped.obj"))]);
     assert_eq!(code(&output), 0, "{}", text(&output.stderr));
     let report: Report = serde_json::from_str(text(&output.stdout)).unwrap();
-    assert_eq!((report.schema.as_str(), report.status.as_str()), ("crease-inspect/1", "ok"));
+    assert_eq!((report.schema.as_str(), report.status.as_str()), ("crease-inspect/2", "ok"));
     let finding = &report.findings[0];
     assert_eq!(
         (finding.id.as_str(), finding.severity.as_str(), finding.count),
