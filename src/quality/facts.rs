@@ -209,9 +209,22 @@ impl<'a> Facts<'a> {
 
     /// Whether the faces round a corner's vertex agree, so that their mean says something.
     pub(super) fn is_judged(&self, corner: usize) -> bool {
+        !self.has_turned(corner) && !self.is_cancelling(corner)
+    }
+
+    /// Whether faces with directions disagree round a corner's vertex, the corner's own among them, but for those that cancel.
+    pub(super) fn is_beside_turned(&self, corner: usize) -> bool {
+        let face = self.topology.face_of(corner as u32) as usize;
+        self.has_turned(corner) && self.worth[face] != Worth::Silent && !self.is_cancelling(corner)
+    }
+
+    fn has_turned(&self, corner: usize) -> bool {
         let vertex = self.mesh.faces().corners()[corner] as usize;
-        !self.beside_turned.get(vertex).is_some_and(|&is| is)
-            && (self.cancelling.is_empty() || self.cancelling.binary_search(&(corner as u32)).is_err())
+        self.beside_turned.get(vertex).is_some_and(|&is| is)
+    }
+
+    fn is_cancelling(&self, corner: usize) -> bool {
+        !self.cancelling.is_empty() && self.cancelling.binary_search(&(corner as u32)).is_ok()
     }
 
     /// The face's own unit normal.

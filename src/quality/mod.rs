@@ -14,7 +14,8 @@
 //! once a rotation or reflection of all of them is taken off, that is what is told. Normals on fewer than three lines, as of
 //! a flat sheet or two, leave open what they were turned by, and so do normals of which no rule gives half. Faces that run
 //! against their neighbours, that are inside out or without direction have no say about normals: their cause is told of
-//! them, not of the normals. The normals of a closed surface that faces inwards and whose normals do so too are judged by
+//! them, not of the normals; beside and on them a single normal is told to stray if no mean explains it, over these faces as
+//! they are or turned back. The normals of a closed surface that faces inwards and whose normals do so too are judged by
 //! its faces as they are; with closed things in it, in the same mesh, that face outwards, as most of their normals do, it is
 //! a room, and right.
 //!

@@ -168,8 +168,31 @@ fn look_at(
                 (_, Some(_)) => waiting.add_against(kind, spot, area),
                 _ => found.add(kind, spot, area),
             }
+        } else if facts.is_beside_turned(corner)
+            && let Some((kind, off)) = beside_turned((facts, runs), face, corner, deviation, thresholds)
+        {
+            found.add(kind, spot.by(off), area);
         }
     }
+}
+
+/// What is wrong with a normal beside faces that run against their neighbours, or on such a face, and by how many degrees. What
+/// they mean there is open, as they are or turned back, and so is which way a normal on them should point: nothing is if either
+/// explains it.
+fn beside_turned(
+    (facts, runs): (&Facts<'_>, Option<&Runs<'_>>),
+    face: usize,
+    corner: usize,
+    deviation: Limit,
+    thresholds: &Thresholds,
+) -> Option<(Kind, f64)> {
+    let stored = facts.stored_unit(corner)?;
+    let expected = facts.expected(corner);
+    let is_turned = facts.worth[face] == Worth::Turned;
+    let unit = if is_turned && stored.dot(expected) < 0.0 { -stored } else { stored };
+    let off = deviation.exceeded(unit, expected)?;
+    let kind = direction((facts, runs), face, corner, (unit, off), thresholds)?;
+    Ground::beside_turned(facts, corner, unit).is_none().then_some((kind, off))
 }
 
 /// Whether at least half of the other normals of a face are on its front.

@@ -5,6 +5,7 @@ use super::estimate::{REPRODUCED, SAME};
 use super::facts::Facts;
 use super::means::pull;
 use super::tally::{Gathered, Spot, Tally};
+use crate::mesh::Link;
 use crate::normals::Weight;
 use crate::num::{Degrees, angle_between};
 use glam::DVec3;
@@ -27,9 +28,19 @@ impl Ground {
     /// Of a corner with this stored unit normal; `None` if it comes from nowhere: no run of the faces round the vertex has it
     /// for its mean, and most other corners of the fan have what the rule gives, or none of them has it as well.
     pub(super) fn of(facts: &Facts<'_>, corner: usize, normal: DVec3) -> Option<Self> {
-        let fan = Fan::new(facts, corner);
-        let from_run = fan.nearest_run(facts, normal);
-        let expected = facts.expected(corner);
+        let fan = Fan::new(facts, corner, Reach::OneWay);
+        Self::within(facts, &fan, normal, fan.nearest_run(facts, normal, false))
+    }
+
+    /// Of a corner beside faces that run against its own, or on one: means over these as well, as they are and turned back.
+    pub(super) fn beside_turned(facts: &Facts<'_>, corner: usize, normal: DVec3) -> Option<Self> {
+        let fan = Fan::new(facts, corner, Reach::BothWays);
+        let nearest = [false, true].map(|turns_back| fan.nearest_run(facts, normal, turns_back));
+        Self::within(facts, &fan, normal, nearest[0].min(nearest[1]))
+    }
+
+    fn within(facts: &Facts<'_>, fan: &Fan, normal: DVec3, from_run: f64) -> Option<Self> {
+        let expected = facts.expected(fan.corner as usize);
         let others = || fan.others().filter_map(|corner| Some((corner, facts.stored_unit(corner)?)));
         let mates = || others().filter(|&(corner, _)| facts.expected(corner) == expected);
         let has = |normal: DVec3| move |&(_, unit): &(usize, DVec3)| degrees(unit, normal) <= SAME;
@@ -108,51 +119,116 @@ fn degrees(a: DVec3, b: DVec3) -> f64 {
     if a == DVec3::ZERO { 90.0 } else { Degrees::from(angle_between(a, b)).0 }
 }
 
+/// How far a fan goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Reach {
+    /// Over faces that run the same way.
+    OneWay,
+    /// Over edges that both faces run the same way as well: one of them is turned round.
+    BothWays,
+}
+
+/// A corner of a fan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Member {
+    corner: u32,
+    /// Whether its face runs against that of the corner that the fan began at.
+    is_turned: bool,
+}
+
+impl Member {
+    /// The next one round the vertex.
+    fn ahead(self, facts: &Facts<'_>, reach: Reach) -> Option<Self> {
+        self.beyond(facts, reach, self.is_turned)
+    }
+
+    /// The one before.
+    fn behind(self, facts: &Facts<'_>, reach: Reach) -> Option<Self> {
+        self.beyond(facts, reach, !self.is_turned)
+    }
+
+    /// Over the edge that ends at the corner, or that which begins there.
+    fn beyond(self, facts: &Facts<'_>, reach: Reach, over_end: bool) -> Option<Self> {
+        let topology = &facts.topology;
+        let edge = if over_end { topology.previous(self.corner) } else { self.corner };
+        match topology.link(edge) {
+            Link::Twin(across) | Link::Welded(across) => {
+                let corner = if over_end { across } else { topology.next(across) };
+                Some(Self { corner, ..self })
+            }
+            Link::Inconsistent(along) if reach == Reach::BothWays => {
+                let corner = if over_end { topology.next(along) } else { along };
+                Some(Self { corner, is_turned: !self.is_turned })
+            }
+            _ => None,
+        }
+    }
+
+    /// What its face adds to a sum, as it is or turned back.
+    fn pull(self, facts: &Facts<'_>, weight: Weight, turns_back: bool) -> DVec3 {
+        let pull = pull(facts, self.corner, weight);
+        if self.is_turned && turns_back { -pull } else { pull }
+    }
+}
+
 /// The other corners round the vertex of a corner, in their order each way, up to a rim or once round.
 struct Fan {
     corner: u32,
-    ahead: Vec<u32>,
-    behind: Vec<u32>,
+    ahead: Vec<Member>,
+    behind: Vec<Member>,
     is_closed: bool,
 }
 
 impl Fan {
-    fn new(facts: &Facts<'_>, corner: usize) -> Self {
-        let (topology, corner) = (&facts.topology, corner as u32);
-        let next = |&at: &u32| topology.across(at).map(|across| topology.next(across));
-        let previous = |&at: &u32| topology.across(topology.previous(at));
-        let is_other = |at: &u32| *at != corner;
-        let ahead = std::iter::successors(next(&corner), next).take_while(is_other).take(LONGEST);
-        let behind = std::iter::successors(previous(&corner), previous).take_while(is_other).take(LONGEST);
+    fn new(facts: &Facts<'_>, corner: usize, reach: Reach) -> Self {
+        let start = Member { corner: corner as u32, is_turned: false };
+        let next = |at: &Member| at.ahead(facts, reach);
+        let previous = |at: &Member| at.behind(facts, reach);
+        let is_other = |at: &Member| at.corner != start.corner;
+        let ahead = std::iter::successors(next(&start), next).take_while(is_other).take(LONGEST);
+        let behind = std::iter::successors(previous(&start), previous).take_while(is_other).take(LONGEST);
         let [ahead, behind] = [ahead.collect::<Vec<_>>(), behind.collect()];
-        let is_closed = next(ahead.last().unwrap_or(&corner)) == Some(corner);
-        Self { corner, ahead, behind, is_closed }
+        let is_closed = next(ahead.last().unwrap_or(&start)).is_some_and(|next| next.corner == start.corner);
+        Self { corner: start.corner, ahead, behind, is_closed }
     }
 
     /// The other corners.
     fn others(&self) -> impl Iterator<Item = usize> {
         // Once round, those behind are those ahead again.
         let behind = if self.is_closed { &[] } else { &self.behind[..] };
-        self.ahead.iter().chain(behind).map(|&corner| corner as usize)
+        self.ahead.iter().chain(behind).map(|member| member.corner as usize)
     }
 
     /// How far a normal is, in degrees, from the nearest mean of neighbouring faces, the corner's own among them, by the
-    /// weighting of the mesh.
-    fn nearest_run(&self, facts: &Facts<'_>, normal: DVec3) -> f64 {
+    /// weighting of the mesh. A mean counts if no fewer of the others have it as well than have another together.
+    fn nearest_run(&self, facts: &Facts<'_>, normal: DVec3, turns_back: bool) -> f64 {
         let weight = facts.estimate.map_or(Weight::Angle, |estimate| estimate.weight);
-        let pulls = |way: &[u32]| way.iter().map(|&at| pull(facts, at, weight)).collect::<Vec<_>>();
-        let (ahead, behind) = (pulls(&self.ahead), pulls(&self.behind));
+        let unit = |at: &Member| facts.stored_unit(at.corner as usize);
+        let is_one = |a: Option<DVec3>, b: Option<DVec3>| matches!((a, b), (Some(a), Some(b)) if degrees(a, b) <= SAME);
+        let steps = |way: &[Member]| {
+            let units: Vec<Option<DVec3>> = way.iter().map(unit).collect();
+            let ties: Vec<bool> = units.windows(2).map(|pair| is_one(pair[0], pair[1])).collect();
+            let vote = |at: usize| {
+                let has_company = (at > 0 && ties[at - 1]) || ties.get(at).is_some_and(|&tie| tie);
+                if is_one(units[at], Some(normal)) { 1 } else { -i32::from(has_company) }
+            };
+            let votes = (0..way.len()).map(vote);
+            let pulls = way.iter().map(|at| at.pull(facts, weight, turns_back));
+            pulls.zip(votes).collect::<Vec<_>>()
+        };
+        let (ahead, behind) = (steps(&self.ahead), steps(&self.behind));
         let mut nearest = Nearest { sum: DVec3::ZERO, closeness: f64::NEG_INFINITY, to: normal };
-        let mut from = pull(facts, self.corner, weight);
+        let mut from = (pull(facts, self.corner, weight), 0);
+        let add = |sum: &mut (DVec3, i32), step: (DVec3, i32)| *sum = (sum.0 + step.0, sum.1 + step.1);
         for reach in 0..=behind.len() {
             if reach > 0 {
-                from += behind[reach - 1];
+                add(&mut from, behind[reach - 1]);
             }
             nearest.offer(from);
             let most = ahead.len() - if self.is_closed { reach } else { 0 };
             let mut sum = from;
             for &next in &ahead[..most] {
-                sum += next;
+                add(&mut sum, next);
                 nearest.offer(sum);
             }
         }
@@ -169,7 +245,10 @@ struct Nearest {
 }
 
 impl Nearest {
-    fn offer(&mut self, sum: DVec3) {
+    fn offer(&mut self, (sum, votes): (DVec3, i32)) {
+        if votes < 0 {
+            return;
+        }
         let cosine = self.to.dot(sum);
         let closeness = cosine * cosine.abs() / sum.length_squared();
         // A sum that cancels is no direction: nothing compares with it.

@@ -12,6 +12,7 @@ use crease::num::Degrees;
 use crease::quality::catalogue::{Family, Kind};
 use crease::quality::{Diagnosis, Severity, Thresholds, diagnose};
 use crease::surface::Surface;
+use glam::DVec3;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 
@@ -21,15 +22,9 @@ const SHARES: [f64; 6] = [0.001, 0.01, 0.1, 0.15, 0.2, 0.5];
 /// Degrees by which they are tilted.
 const TILTS: [f64; 5] = [10.0, 20.0, 30.0, 60.0, 90.0];
 
-/// Meshes whose normals follow no rule, or not all of it: marks on edges, a finer mesh, an analytic surface; and the recall
-/// there. Corners beside faces that run against their neighbours are not judged, 7 % of all of the pirate and 6 % of the
-/// spider; measured is 0.923 and 0.944. On the head of 500 faces a normal tilted by 30° may be a mean of some of them: 0.973.
-const LOOSE: [(&str, f64); 4] = [
-    ("obj/suzanne.obj", 0.97),
-    ("obj/pirate.obj", 0.92),
-    ("obj/spider.obj", 0.94),
-    ("ply/suzanne_vn.ply", 0.99),
-];
+/// Meshes whose normals follow no rule, or not all of it: marks on edges, a finer mesh, an analytic surface. Faces of the pirate
+/// and the spider run against their neighbours.
+const LOOSE: [&str; 4] = ["obj/suzanne.obj", "obj/pirate.obj", "obj/spider.obj", "ply/suzanne_vn.ply"];
 
 fn teapot() -> Mesh {
     surface(&Surface::Teapot, [8, 8])
@@ -37,7 +32,7 @@ fn teapot() -> Mesh {
 
 fn loose() -> Vec<(String, Mesh)> {
     let read = |name: &str| read(&path(name)?, None, &ReadOptions::default()).ok()?.parts.into_iter().next();
-    let files = LOOSE.iter().filter_map(|(name, _)| Some(((*name).to_owned(), read(name)?.mesh)));
+    let files = LOOSE.iter().filter_map(|name| Some(((*name).to_owned(), read(name)?.mesh)));
     std::iter::once(("teapot".to_owned(), teapot())).chain(files).collect()
 }
 
@@ -119,33 +114,49 @@ fn severity_does_not_fall_as_the_threshold_gets_stricter() {
     }
 }
 
+/// The corners at which nothing tells what is right if no rule does: those of faces without area, which no picture shows
+/// either, and those of points with none that is as it was.
+fn open(mesh: &Mesh, places: &BTreeSet<u32>) -> BTreeSet<u32> {
+    let faces = mesh.faces();
+    let position = |vertex: u32| mesh.positions()[vertex as usize];
+    let point = |vertex: u32| position(vertex).to_array().map(f64::to_bits);
+    let corners = faces.corners().iter().zip(0..);
+    let right = corners.filter(|(_, corner)| !places.contains(corner));
+    let right: BTreeSet<[u64; 3]> = right.map(|(&vertex, _)| point(vertex)).collect();
+    let is_open = |face: usize, corner: usize| {
+        let [a, b, c] = [0, 1, 2].map(|at| position(faces.face(face)[at]));
+        !right.contains(&point(faces.corners()[corner])) || (b - a).cross(c - a) == DVec3::ZERO
+    };
+    let corners = (0..faces.len()).flat_map(|face| faces.range(face).map(move |corner| (face, corner)));
+    corners.filter(|&(face, corner)| is_open(face, corner)).map(|(_, corner)| corner as u32).collect()
+}
+
 /// Where nothing but the strays departs from a rule up to half of all; on loose normals as long as most corners of each fan are
 /// right. What points behind its face besides is told as that.
 #[test]
 fn strays_are_told_where_they_are() {
-    let misses = |(name, mesh, shares, least): (String, Mesh, &[f64], f64)| {
+    let misses = |(name, mesh, shares, is_loose): (String, Mesh, &[f64], bool)| {
         let mut misses = Vec::new();
         for (share, tilt) in shares.iter().flat_map(|&share| [30.0, 60.0, 90.0].map(|tilt| (share, tilt))) {
             let (planted, places) = tilted(&mesh, share, tilt);
             let [strays, faults] = told(&planted, &diagnosis(&planted, 15.0));
             let hits = |told: &BTreeSet<u32>| told.intersection(&places).count() as f64;
-            let recall = hits(&faults) / places.len() as f64;
+            let open = if is_loose { open(&mesh, &places) } else { BTreeSet::new() };
+            let can_be_told: BTreeSet<u32> = places.difference(&open).copied().collect();
+            assert!(can_be_told.len() as f64 > 0.9 * places.len() as f64, "{name}: most can be told");
+            let recall = can_be_told.intersection(&faults).count() as f64 / can_be_told.len() as f64;
             let precision = |told: &BTreeSet<u32>| hits(told) / told.len().max(1) as f64;
             let precision = precision(&strays).min(precision(&faults));
             // With half of all tilted by 30° some edges of a gear look averaged: 0.988.
-            let least = if share < 0.5 { least } else { 0.98 };
+            let least = if share < 0.5 { 0.99 } else { 0.98 };
             if recall < least || precision < 0.99 {
                 misses.push(format!("{name}, {share} by {tilt}°: {recall:.3}, {precision:.3}"));
             }
         }
         misses
     };
-    let least = |name: &str| LOOSE.iter().find(|it| it.0 == name).map_or(0.99, |it| it.1);
-    let loose = loose().into_iter().map(|(name, mesh)| {
-        let least = least(&name);
-        (name, mesh, &SHARES[1..3], least)
-    });
-    let by_rule = by_rule().into_iter().map(|(name, mesh)| (name, mesh, &SHARES[1..], 0.99));
+    let loose = loose().into_iter().map(|(name, mesh)| (name, mesh, &SHARES[1..3], true));
+    let by_rule = by_rule().into_iter().map(|(name, mesh)| (name, mesh, &SHARES[1..], false));
     let all: Vec<String> =
         loose.chain(by_rule).collect::<Vec<_>>().into_par_iter().flat_map(misses).collect();
     assert!(all.is_empty(), "{}", all.join("\n"));
