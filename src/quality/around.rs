@@ -1,20 +1,23 @@
 //! What lies round a part in its file.
 
+use super::borders::Borders;
 use crate::io::{Format, Loaded};
 use crate::mesh::{Mesh, Placed, Weld, hollows};
-use std::cell::OnceCell;
+use glam::DVec3;
+use std::sync::OnceLock;
 
 /// The file round its parts, looked at when a part first asks.
 pub(super) struct Around<'a> {
     loaded: &'a Loaded,
     /// The distance, as a share of the diagonal, below which open edges are taken for one.
     near: f64,
-    hollows: OnceCell<Vec<Vec<usize>>>,
+    hollows: OnceLock<Vec<Vec<usize>>>,
+    borders: OnceLock<Borders>,
 }
 
 impl<'a> Around<'a> {
     pub(super) fn new(loaded: &'a Loaded, near: f64) -> Self {
-        Self { loaded, near, hollows: OnceCell::new() }
+        Self { loaded, near, hollows: OnceLock::new(), borders: OnceLock::new() }
     }
 
     /// The distance, as a share of the diagonal, below which open edges are taken for one.
@@ -46,5 +49,11 @@ impl<'a> Around<'a> {
             hollows(&parts, Weld::Exact)
         };
         &self.hollows.get_or_init(find)[part]
+    }
+
+    /// Whether a normal at a point of a part is that of another part there as well.
+    pub(super) fn go_on(&self, part: usize, position: DVec3, normal: DVec3) -> bool {
+        self.loaded.parts.len() > 1
+            && self.borders.get_or_init(|| Borders::new(self.loaded)).go_on(part, position, normal)
     }
 }

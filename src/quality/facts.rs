@@ -29,6 +29,9 @@ pub(super) enum Worth {
 
 /// A part, its topology, and the normals that it should have.
 pub(super) struct Facts<'a> {
+    around: &'a Around<'a>,
+    /// The number of the part in its file.
+    part: usize,
     pub(super) mesh: &'a Mesh,
     pub(super) topology: Topology,
     /// The distance, as a share of the diagonal, below which open edges were joined that nothing else joins, if any were.
@@ -76,13 +79,13 @@ pub(super) struct Facts<'a> {
 
 impl<'a> Facts<'a> {
     /// Of a part of a file.
-    pub(super) fn new(around: &Around<'a>, part: usize, confidence: Confidence, gloss: Gloss) -> Self {
+    pub(super) fn new(around: &'a Around<'a>, part: usize, confidence: Confidence, gloss: Gloss) -> Self {
         Self::of(around, (part, around.mesh(part)), confidence, gloss)
     }
 
     /// Of a part of a file with another mesh in place of its own, of the same shape.
     pub(super) fn of(
-        around: &Around<'_>,
+        around: &'a Around<'a>,
         (part, mesh): (usize, &'a Mesh),
         confidence: Confidence,
         gloss: Gloss,
@@ -107,6 +110,8 @@ impl<'a> Facts<'a> {
             .map(|face| vector_area(mesh, face, scale).length())
             .collect();
         let mut facts = Self {
+            around,
+            part,
             mesh,
             topology,
             near: (near > 0).then(|| around.near()),
@@ -247,6 +252,12 @@ impl<'a> Facts<'a> {
     /// The normal that a corner has in the file, as a unit vector; `None` if it has none with a direction.
     pub(super) fn stored_unit(&self, corner: usize) -> Option<DVec3> {
         stored_unit(self.stored?, self.mesh, corner)
+    }
+
+    /// Whether another part of the file has this normal at the place of a corner.
+    pub(super) fn goes_on(&self, corner: usize, normal: DVec3) -> bool {
+        let position = self.mesh.positions()[self.mesh.faces().corners()[corner] as usize];
+        self.around.go_on(self.part, position, normal)
     }
 
     /// The normal that a corner is shaded with: its own, or the computed one.

@@ -31,8 +31,8 @@
 //!   more than one in fifty edges is split below the crease angle, a cut is told from edges that were marked by how far the
 //!   split edges bend: the middle one of them by no more than 1.25 times what three in four smooth edges bend by. With many
 //!   meant creases beside it, it stays a note.
-//! - Normals that were smoothed over what are the borders of parts now: each part is looked at by itself. A spider of 19 groups
-//!   written as GLB, where each is a mesh, gets 42 strays of 4104 corners.
+//! - By which rule normals were smoothed over what are the borders of parts now: each part is looked at by itself. Where another
+//!   part has the same normal at the same place of the world, to the bit, it is taken for one that goes on there.
 //! - Whether facets are meant: a ball stored flat gets a note. Whether a shape with bends of all sizes and no broad flats was
 //!   meant to be sharp: made smooth all over, it passes.
 //!
@@ -56,6 +56,7 @@
 mod around;
 mod attributes;
 mod bends;
+mod borders;
 pub mod catalogue;
 mod comparison;
 mod diagnosis;

@@ -223,6 +223,8 @@ fn direction(
         false if runs.is_some_and(|runs| runs.of(corner as u32) != Run::default()) => None,
         // The fan may be another one than that which the normal was made from.
         false if facts.has_two_fans(corner) => None,
+        // Or go on beyond the border of the part.
+        false if facts.goes_on(corner, normal) => None,
         false => Some(Kind::Stray),
     }
 }

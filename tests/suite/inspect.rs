@@ -3,6 +3,7 @@
 
 mod against;
 mod attributes;
+mod borders;
 mod causes;
 mod cavities;
 mod clean;

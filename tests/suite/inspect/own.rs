@@ -25,10 +25,6 @@ fn blamed(file: &Path, are_triangles: bool) -> Vec<String> {
         let output = crease().args(["normals", "-q", &path(file), "-o", &path(&written)]).output().unwrap();
         assert!(output.status.success(), "{}: {}", file.display(), text(&output.stderr));
         let loaded = read(&written, None, &ReadOptions::default()).unwrap();
-        // Normals that were smoothed over the borders of what are parts now are none of a part alone.
-        if loaded.parts.len() > 1 {
-            return Vec::new();
-        }
         let diagnosis = diagnose(&loaded, &Thresholds::default(), &|_| {});
         let about_normals = diagnosis.findings.into_iter().filter(|finding| {
             finding.severity > Severity::Note
