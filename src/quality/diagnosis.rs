@@ -5,6 +5,7 @@ use super::catalogue::{Kind, entries};
 use super::facts::Facts;
 use super::finding::{Element, Finding, Severity, Site};
 use super::gloss::{self, Gloss};
+use super::light::key_light_lost;
 use super::spaces::Spaces;
 use super::tally::{Gauge, Milder, Spot, Tallies, Tally, least};
 use super::{
@@ -176,11 +177,12 @@ fn look(
 /// What the places of a part in the world mean for its normals.
 fn place(node: &FileNode, found: &mut Tallies) {
     let Some(matrix) = normal_matrix(DMat3::from_mat4(node.world_from_part)) else {
-        found.add(Kind::SingularNode, Spot::mesh(), 0.0);
+        found.add(Kind::SingularNode, Spot::mesh().of(Gauge::Steps, key_light_lost()), 0.0);
         return;
     };
     if matrix.mirrored() {
-        found.add(Kind::MirroredNode, Spot::mesh(), 0.0);
+        // To a viewer that does not turn the winding.
+        found.add(Kind::MirroredNode, Spot::mesh().by(180.0), 0.0);
     }
 }
 

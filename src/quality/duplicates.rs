@@ -2,6 +2,7 @@
 
 use super::catalogue::Kind;
 use super::facts::Facts;
+use super::mixing;
 use super::tally::{Spot, Tallies};
 use crate::mesh::{ColumnIndex, FaceLabels, place_key};
 use rayon::prelude::*;
@@ -52,11 +53,13 @@ impl Doubles {
 
 /// Tells of faces that stand twice.
 pub(super) fn faces(facts: &Facts<'_>, found: &mut Tallies) {
-    let mut tell = |kind: Kind, face: u32| {
-        found.add(kind, Spot::face(face as usize, 0.0), facts.area[face as usize]);
+    let mut tell = |kind: Kind, face: u32, degrees: f64| {
+        found.add(kind, Spot::face(face as usize, 0.0).by(degrees), facts.area[face as usize]);
     };
-    facts.doubles.again.iter().for_each(|&[face, _]| tell(Kind::DuplicateFaces, face));
-    facts.doubles.back_to_back.iter().for_each(|&face| tell(Kind::BackToBack, face));
+    for &[face, _] in &facts.doubles.again {
+        tell(Kind::DuplicateFaces, face, mixing::once_more(facts, face as usize));
+    }
+    facts.doubles.back_to_back.iter().for_each(|&face| tell(Kind::BackToBack, face, 180.0));
 }
 
 /// Faces that share the place of their middle and their area with another: the only ones worth comparing corner by
@@ -111,7 +114,8 @@ pub(super) fn vertices(facts: &Facts<'_>, found: &mut Tallies) {
         let mut different: FxHashSet<Vec<u64>> = FxHashSet::default();
         for &(_, vertex) in at_one_place {
             if !different.insert(said_of(facts, vertex)) {
-                found.add(Kind::DuplicateVertices, Spot::vertex(vertex as usize, 0.0), 0.0);
+                let spot = Spot::vertex(vertex as usize, 0.0).by(mixing::by_index(facts, vertex));
+                found.add(Kind::DuplicateVertices, spot, 0.0);
             }
         }
     }

@@ -4,9 +4,10 @@ use super::Thresholds;
 use super::catalogue::Kind;
 use super::facts::{Facts, InsideOut};
 use super::finding::Severity;
+use super::light::key_light_lost;
 use super::limit::Limit;
 use super::tally::{Gauge, Spot, Tallies, scan};
-use super::{duplicates, polygons};
+use super::{duplicates, mixing, polygons};
 use crate::mesh::Link;
 use crate::normals::FaultReason;
 use crate::num::{Degrees, Radians};
@@ -76,7 +77,7 @@ fn winding(facts: &Facts<'_>, found: &mut Tallies) {
         for half_edge in turned {
             let face = facts.topology.face_of(half_edge) as usize;
             if facts.minority.binary_search(&(face as u32)).is_err() {
-                found.add(Kind::NonOrientable, Spot::face(face, 0.0), facts.area[face]);
+                found.add(Kind::NonOrientable, Spot::face(face, 0.0).by(180.0), facts.area[face]);
             }
         }
     }
@@ -175,20 +176,23 @@ fn crowded_edges(facts: &Facts<'_>, found: &mut Tallies) {
 /// What computing normals ran into.
 fn faults(facts: &Facts<'_>, found: &mut Tallies) {
     for fault in &facts.field.faults.faces {
-        let kind = match fault.reason {
+        let spot = Spot::face(fault.index as usize, 0.0);
+        let (kind, spot) = match fault.reason {
             // What crosses itself has area, up and down.
             FaultReason::ZeroArea if polygons::is_balanced(facts, fault.index as usize) => continue,
-            FaultReason::ZeroArea => Kind::ZeroArea,
-            FaultReason::BelowStorage => Kind::BelowStorage,
+            FaultReason::ZeroArea => (Kind::ZeroArea, spot),
+            // What turns round the longest edge by chance is off by a right angle in the mean.
+            FaultReason::BelowStorage => (Kind::BelowStorage, spot.by(90.0)),
             _ => continue,
         };
-        found.add(kind, Spot::face(fault.index as usize, 0.0), facts.area[fault.index as usize]);
+        found.add(kind, spot, facts.area[fault.index as usize]);
     }
     for fault in facts.field.faults.corners.iter().filter(|fault| fault.reason == FaultReason::CancellingFan)
     {
         let face = facts.topology.face_of(fault.index) as usize;
         let area = facts.area[face] / facts.mesh.faces().range(face).len() as f64;
-        found.add(Kind::Cancelling, Spot::corner(face, fault.index as usize, 0.0).plain(), area);
+        let spot = Spot::corner(face, fault.index as usize, 0.0).of(Gauge::Steps, key_light_lost());
+        found.add(Kind::Cancelling, spot, area);
     }
 }
 
@@ -215,7 +219,8 @@ fn fans(facts: &Facts<'_>, vertex: usize, thresholds: &Thresholds, found: &mut T
     }
     let Some(&start) = ring.first() else { return };
     if rims > 1 || !is_one_fan(facts, start, ring.len(), rims) {
-        found.add(Kind::PinchedVertices, Spot::vertex(vertex, rims as f64), 0.0);
+        let spot = Spot::vertex(vertex, 0.0).by(mixing::by_index(facts, vertex as u32));
+        found.add(Kind::PinchedVertices, spot, 0.0);
     }
 }
 

@@ -71,6 +71,7 @@ mod grid;
 mod light;
 mod limit;
 mod means;
+mod mixing;
 mod orbits;
 mod polygons;
 mod quantisation;

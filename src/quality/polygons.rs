@@ -3,6 +3,7 @@
 use super::Thresholds;
 use super::catalogue::Kind;
 use super::facts::Facts;
+use super::mixing;
 use super::tally::{Spot, Tallies};
 use crate::num::{Degrees, angle_between};
 use glam::{DVec2, DVec3};
@@ -21,7 +22,7 @@ pub(super) fn look_at(facts: &Facts<'_>, face: usize, thresholds: &Thresholds, f
     }
     if facts.area[face] == 0.0 {
         if is_balanced(facts, face) {
-            found.add(Kind::Crossed, Spot::face(face, 0.0), 0.0);
+            found.add(Kind::Crossed, Spot::face(face, 0.0).by(180.0), 0.0);
         }
         return;
     }
@@ -32,14 +33,14 @@ pub(super) fn look_at(facts: &Facts<'_>, face: usize, thresholds: &Thresholds, f
     let flat = flattened(&places, normal);
     let bends = bends(&flat);
     if crosses_itself(&flat) {
-        found.add(Kind::Crossed, Spot::face(face, 0.0), area);
+        found.add(Kind::Crossed, Spot::face(face, 0.0).by(180.0), area);
         return;
     }
     if twist > thresholds.planarity.0 {
         found.add(Kind::NonPlanar, Spot::face(face, 0.0).by(twist), area);
     }
-    if let Some(worst) = bends.iter().copied().filter(|&bend| bend < -BEND).min_by(f64::total_cmp) {
-        found.add(Kind::Concave, Spot::face(face, -worst), area);
+    if bends.iter().any(|&bend| bend < -BEND) {
+        found.add(Kind::Concave, Spot::face(face, 0.0).by(mixing::fan(&places, normal)), area);
     }
 }
 

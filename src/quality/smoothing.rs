@@ -75,9 +75,9 @@ fn cracks(facts: &Facts<'_>, found: &mut Tallies) {
             .iter()
             .all(|[a, b]| a == b);
         if goes_on {
-            let face = topology.face_of(half_edge) as usize;
-            let spot = Spot::corner(face, half_edge as usize, 0.0).plain();
-            found.add(Kind::CrackedSeam, spot, 0.0);
+            let faces = [half_edge, across].map(|it| topology.face_of(it) as usize);
+            let bend = degrees(facts.face_normal(faces[0]), facts.face_normal(faces[1]));
+            found.add(Kind::CrackedSeam, Spot::corner(faces[0], half_edge as usize, bend), 0.0);
         }
     }
     found.tally(Kind::CrackedSeam).severity = Some(Severity::Note);
@@ -244,7 +244,7 @@ impl Edge {
             let is_cracked = facts.is_cracked(self.half_edge);
             found.add(if is_cracked { Kind::CrackedSeam } else { Kind::SplitSeam }, spot.by(high), 0.0);
         } else if high == 0.0 && facts.shares_vertices && self.is_needless(facts) {
-            found.add(Kind::NeedlessSeam, spot.plain(), 0.0);
+            found.add(Kind::NeedlessSeam, spot, 0.0);
         }
         if let Some(groups) = groups {
             let [a, b] = self.faces.map(|face| groups.of_face[face]);

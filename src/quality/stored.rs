@@ -8,7 +8,7 @@ use super::light::{key_light_lost, key_light_scaled};
 use super::limit::Limit;
 use super::runs::{Run, Runs};
 use super::strays::{AGAINST, Ground, Waiting};
-use super::tally::{Gathered, Gauge, Spot, Tallies, Tally, gather};
+use super::tally::{Gathered, Gauge, Spot, Tallies, Tally, gather, scan};
 use super::{Estimate, Precision, Thresholds};
 use super::{facets, quantisation, smoothing, turned};
 use crate::mesh::Column;
@@ -30,7 +30,7 @@ const STRAYS: [Kind; 2] = [Kind::Stray, Kind::Custom];
 /// Everything about the normals that a part has in its file; gives the precision that they were stored with.
 pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Tallies) -> Option<Precision> {
     let Some(stored) = facts.stored else {
-        found.add(Kind::NoNormals, Spot::mesh(), facts.total_area);
+        found.add_mesh(Kind::NoNormals, facts.total_area, flattest(facts, thresholds.places));
         return None;
     };
     let deviation = Limit::new(thresholds.deviation.0);
@@ -58,6 +58,28 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
     like_the_rest(facts, found);
     facets::find(facts, stored, thresholds, found);
     quantisation::find(facts, facts.written.unwrap_or(stored), thresholds, found)
+}
+
+/// The corners at which flat normals, as glTF asks for, are furthest from smooth ones.
+fn flattest(facts: &Facts<'_>, most: usize) -> Vec<Spot> {
+    // By the square of the chord, which is larger where the angle is, and costs less.
+    let mut off = scan(facts.mesh.face_count(), most, |faces, found| {
+        for face in faces.filter(|&face| facts.worth[face] != Worth::Silent) {
+            let normal = facts.face_normal(face);
+            for corner in facts.mesh.faces().range(face) {
+                let chord = (normal - facts.expected(corner)).length_squared();
+                found.add(Kind::NoNormals, Spot::corner(face, corner, chord), 0.0);
+            }
+        }
+    });
+    let by_angle = |spot: Spot| {
+        let angle =
+            angle_between(facts.face_normal(spot.face as usize), facts.expected(spot.corner as usize));
+        spot.by(Degrees::from(angle).0)
+    };
+    let worst = off.take(Kind::NoNormals).worst;
+    // A mesh without any direction has a place all the same: everywhere.
+    if worst.is_empty() { vec![Spot::mesh().by(0.0)] } else { worst.into_iter().map(by_angle).collect() }
 }
 
 /// Single normals are replaced by ones that are made as the rest is, or they would be strays. Where nothing tells how that is,

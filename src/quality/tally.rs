@@ -62,11 +62,6 @@ impl Spot {
         Self { weight, gauge, ..self }
     }
 
-    /// The same, with nothing that makes it worse than others.
-    pub(super) fn plain(self) -> Self {
-        self.of(Gauge::Order, 0.0)
-    }
-
     /// Worse ones first; among equals the first of the mesh.
     fn order(&self, other: &Self) -> std::cmp::Ordering {
         let place = |spot: &Self| (spot.face, spot.corner, spot.vertex);

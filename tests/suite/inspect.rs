@@ -11,6 +11,7 @@ mod cut;
 mod geometry;
 mod handmade;
 mod mended;
+mod mixing;
 mod own;
 mod page;
 mod planted;

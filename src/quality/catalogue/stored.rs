@@ -9,7 +9,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         "no-normals",
         Severity::Note,
         "no normals are stored",
-        "Each viewer makes its own: glTF asks for flat ones, others smooth everything, so the same file looks faceted here and like soap there.",
+        "Each viewer makes its own: glTF asks for flat ones, others smooth everything, so the same file looks faceted here and like soap there. The angle is between the flat normal of a corner and what `crease normals` gives it.",
         "Store normals, so that it looks alike everywhere.",
         Some(""),
     ),

@@ -100,7 +100,10 @@ const LOOKED_AT: [(&str, &str, &str); 16] = [
     ("stl/torus_wrong_normals.stl", "swapped-axes", "made so"),
 ];
 
-/// Nothing that can be read is too much for it, and numbers stay within bounds.
+/// What has nothing of which one could be worse than another, nor shows by itself.
+const UNMEASURED: [Kind; 3] = [Kind::ZeroArea, Kind::NoFaces, Kind::Room];
+
+/// Nothing that can be read is too much for it, numbers stay within bounds, and each finding has one that says how bad it is.
 #[test]
 fn every_readable_file_is_diagnosed() {
     let files = [
@@ -136,6 +139,8 @@ fn every_readable_file_is_diagnosed() {
             assert!(share.is_none_or(|share| (0.0..=1.0).contains(&share)), "{name}: {share:?}");
             assert!(!finding.places.is_empty() && finding.places.len() <= 10, "{name}");
             assert!(finding.degrees.is_none_or(|degrees| (0.0..=180.0001).contains(&degrees)), "{name}");
+            let measures = [finding.degrees, finding.steps, finding.amount];
+            assert!(measures.iter().any(Option::is_some) || UNMEASURED.contains(&finding.kind), "{name}");
         }
     }
 }
