@@ -4,6 +4,7 @@ use super::Mesh;
 use super::box_tree::{Bounds, BoxTree};
 use crate::num::unit_scale;
 use glam::DVec3;
+use std::cell::Cell;
 use std::ops::ControlFlow;
 
 /// Hits closer than this, in units of the mesh's half size, are with the surface that the ray starts on.
@@ -35,6 +36,11 @@ impl<'a> Obstacles<'a> {
         (point - self.middle) * self.scale
     }
 
+    /// A way in the mesh's space in the units of this.
+    pub(crate) fn local_way(&self, way: DVec3) -> DVec3 {
+        way * self.scale
+    }
+
     /// Where a vertex is.
     pub(crate) fn place(&self, vertex: u32) -> DVec3 {
         self.local(self.mesh.positions()[vertex as usize])
@@ -43,48 +49,80 @@ impl<'a> Obstacles<'a> {
     /// Whether a ray gets away from a point without meeting a face other than its `own`; `None` if `budget` boxes and
     /// faces were looked at before that was clear.
     pub(crate) fn is_free(&self, from: DVec3, direction: DVec3, own: u32, budget: usize) -> Option<bool> {
-        // A component of zero would make products that are no numbers.
-        let inverse = direction.to_array().map(|x| 1.0 / if x.abs() < 1e-30 { 1e-30 } else { x });
-        let enter = |bounds: Bounds| {
-            let (mut near, mut far) = (0.0_f64, f64::INFINITY);
-            for axis in 0..3 {
-                let [a, b] = [bounds.low, bounds.high].map(|p| (p[axis] - from[axis]) * inverse[axis]);
-                near = near.max(a.min(b));
-                far = far.min(a.max(b));
-            }
-            // Three roundings on either side.
-            near <= far * (1.0 + 6.0 * f64::EPSILON)
-        };
+        let inverse = inverse(direction);
         let mut free = true;
-        let enough = self.tree.visit(&mut { budget }, enter, |face| {
-            if face != own && self.meets(face, from, direction) {
-                free = false;
-                return ControlFlow::Break(());
-            }
-            ControlFlow::Continue(())
-        });
+        let enough = self.tree.visit(
+            &mut { budget },
+            |bounds| enters(bounds, from, inverse).is_some(),
+            |face| {
+                if face != own && self.hits(face, from, direction).next().is_some() {
+                    free = false;
+                    return ControlFlow::Break(());
+                }
+                ControlFlow::Continue(())
+            },
+        );
         (enough || !free).then_some(free)
     }
 
-    /// Whether a ray meets the fan of triangles of a face (T. Möller, B. Trumbore, *Fast, minimum storage ray/triangle
-    /// intersection*, Journal of Graphics Tools 2(1), 1997), from whichever side.
-    fn meets(&self, face: u32, from: DVec3, direction: DVec3) -> bool {
+    /// How many times a direction it is from a point to the nearest face other than its `own`, if that is less than `most`;
+    /// else `most`, and as well if `budget` boxes and faces do not tell.
+    pub(crate) fn clearance(
+        &self,
+        (from, direction): (DVec3, DVec3),
+        own: u32,
+        most: f64,
+        budget: usize,
+    ) -> f64 {
+        let inverse = inverse(direction);
+        let nearest = Cell::new(most);
+        let is_closer = |bounds| enters(bounds, from, inverse).is_some_and(|near| near < nearest.get());
+        let enough = self.tree.visit(&mut { budget }, is_closer, |face| {
+            if face != own {
+                nearest.set(self.hits(face, from, direction).fold(nearest.get(), f64::min));
+            }
+            ControlFlow::Continue(())
+        });
+        if enough { nearest.get() } else { most }
+    }
+
+    /// How many times its direction from its start a ray meets the fan of triangles of a face (T. Möller, B. Trumbore, *Fast,
+    /// minimum storage ray/triangle intersection*, Journal of Graphics Tools 2(1), 1997), from whichever side.
+    fn hits(&self, face: u32, from: DVec3, direction: DVec3) -> impl Iterator<Item = f64> {
         let corners = self.mesh.faces().face(face as usize);
         let first = self.place(corners[0]);
-        corners[1..].windows(2).any(|edge| {
+        corners[1..].windows(2).filter_map(move |edge| {
             let [u, v] = [edge[0], edge[1]].map(|vertex| self.place(vertex) - first);
             let p = direction.cross(v);
             let determinant = u.dot(p);
             if determinant == 0.0 {
-                return false;
+                return None;
             }
             let t = from - first;
             let a = t.dot(p) / determinant;
             let q = t.cross(u);
             let b = direction.dot(q) / determinant;
-            a >= 0.0 && b >= 0.0 && a + b <= 1.0 && v.dot(q) / determinant > NEAR
+            let far = v.dot(q) / determinant;
+            (a >= 0.0 && b >= 0.0 && a + b <= 1.0 && far > NEAR).then_some(far)
         })
     }
+}
+
+/// One over each component; one of zero would make products that are no numbers.
+fn inverse(direction: DVec3) -> [f64; 3] {
+    direction.to_array().map(|x| 1.0 / if x.abs() < 1e-30 { 1e-30 } else { x })
+}
+
+/// How many times its direction from its start a ray enters a box, if it does.
+fn enters(bounds: Bounds, from: DVec3, inverse: [f64; 3]) -> Option<f64> {
+    let (mut near, mut far) = (0.0_f64, f64::INFINITY);
+    for axis in 0..3 {
+        let [a, b] = [bounds.low, bounds.high].map(|p| (p[axis] - from[axis]) * inverse[axis]);
+        near = near.max(a.min(b));
+        far = far.min(a.max(b));
+    }
+    // Three roundings on either side.
+    (near <= far * (1.0 + 6.0 * f64::EPSILON)).then_some(near)
 }
 
 #[cfg(test)]
@@ -112,6 +150,11 @@ mod tests {
             assert_eq!(free(DVec3::new(0.99, 0.0, 1.0)), Some(false));
             assert_eq!(free(DVec3::new(1.01, 0.0, 1.0)), Some(true));
             assert_eq!(obstacles.is_free(from, DVec3::X, 0, 0), None, "no budget");
+            let clearance =
+                |way: DVec3, budget| obstacles.clearance((from, obstacles.local_way(way)), 0, 9.0, budget);
+            let ways = [DVec3::Z, DVec3::NEG_Z, 0.5 * DVec3::Z, DVec3::X, DVec3::new(0.5, 0.0, 1.0)];
+            assert_eq!(ways.map(|way| clearance(way, 1000)), [1.0, 3.0, 2.0, 9.0, 1.0]);
+            assert_eq!(clearance(DVec3::Z, 0), 9.0, "no budget");
         }
     }
 }

@@ -69,7 +69,7 @@ pub struct InspectArgs {
 #[command(next_help_heading = "Pictures (one input only)")]
 pub struct PictureArgs {
     /// Write a page with pictures, histograms and explanations that opens from disk with nothing else; `-` is standard
-    /// output, and the report then goes to standard error
+    /// output, and the report then goes to standard error; its folder is made if need be
     #[arg(long, value_name = "FILE")]
     pub html: Option<PathBuf>,
 

@@ -210,14 +210,15 @@ fn inspect(
     draw(&loaded, &diagnosis, after.as_ref(), [&report.input.path, &output], args)?;
     let is_grave = args.findings.fail_on.is_some_and(|least| diagnosis.worst() >= Some(least));
     let has_pictures = args.pictures.html.is_some() || args.pictures.heatmap.is_some();
-    Ok(Outcome { is_grave, lacks_normals: has_pictures && !has_normals(&loaded) })
+    let has_faces = loaded.parts.iter().any(|part| part.mesh.face_count() > 0);
+    Ok(Outcome { is_grave, lacks_normals: has_pictures && has_faces && !has_normals(&loaded) })
 }
 
 /// What came of an input that was read.
 struct Outcome {
     /// Something is as grave as `--fail-on`.
     is_grave: bool,
-    /// Pictures were drawn of a file in which no normals are stored.
+    /// Pictures were drawn of a file with faces in which no normals are stored.
     lacks_normals: bool,
 }
 

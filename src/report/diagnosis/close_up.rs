@@ -1,7 +1,8 @@
 //! The worst place of a finding, close up.
 
 use super::pictures::{Model, draw, ring};
-use crate::mesh::{Mesh, normal_matrix};
+use super::sight::clearance;
+use crate::mesh::{Mesh, Obstacles, normal_matrix};
 use crate::quality::Site;
 use crate::raster::{Camera, Projection, Show};
 use crate::report::{Overlay, Picture, ReportError, overlay};
@@ -10,12 +11,17 @@ use glam::{DMat3, DMat4, DVec3};
 /// Short edges that a close-up shows one above the other, or thereabouts.
 const EDGES: f64 = 8.0;
 
-/// The share of the whole that is shown where edges have no length.
+/// The share of the whole that is shown where edges have no length, and of the edges' length that the eye stays away.
 const CLOSEST: f64 = 1e-3;
 
 impl Model {
     /// A place close up, lit, with its edges; what stands in front of it is cut away. `None` for what is nowhere.
-    pub(super) fn close_up(&self, site: &Site, side: u32) -> Result<Option<Picture>, ReportError> {
+    pub(super) fn close_up(
+        &self,
+        site: &Site,
+        obstacles: &[Obstacles<'_>],
+        side: u32,
+    ) -> Result<Option<Picture>, ReportError> {
         let (Some((object, position, normal)), Some((low, high))) = (self.stand(site), self.bounds()) else {
             return Ok(None);
         };
@@ -29,8 +35,11 @@ impl Model {
         }
         let towards = if normal == DVec3::ZERO { around.outward(face_normals, place) } else { normal };
         let up = if towards.y.abs() > 0.95 { DVec3::NEG_Z } else { DVec3::Y };
+        // Half way to what covers the place, if that is nearer than the picture is wide.
+        let face = site.face.unwrap_or(u32::MAX);
+        let clear = clearance(self, obstacles, (object, face, position), towards, EDGES * size);
         let camera = Camera {
-            eye: position + towards * 4.0 * size,
+            eye: position + towards * (0.5 * clear).max(CLOSEST * size),
             target: position,
             up,
             projection: Projection::Orthographic(EDGES * size),

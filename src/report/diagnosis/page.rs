@@ -6,6 +6,7 @@ use super::pictures::{Model, worst_places};
 use super::plots::histograms;
 use super::sight::{self, Sight};
 use crate::io::Loaded;
+use crate::mesh::Obstacles;
 use crate::num::{powers_of_ten, three_digits};
 use crate::quality::{Diagnosis, Finding, Severity, survey};
 use crate::raster::Camera;
@@ -44,10 +45,11 @@ pub fn diagnosis_page(
         change::section(&mut page, &model, after, &later, camera, SIDES[0])?;
     }
     rules(&mut page, diagnosis);
+    let obstacles = model.obstacles();
     let mut drawn = 0;
     for finding in &diagnosis.findings {
         let wanted = drawn < CLOSE_UPS;
-        drawn += usize::from(section(&mut page, &model, finding, (name, output), wanted)?);
+        drawn += usize::from(section(&mut page, (&model, &obstacles), finding, (name, output), wanted)?);
     }
     page.heading("Distributions");
     for (name, caption, plot) in histograms(&surveys) {
@@ -143,7 +145,7 @@ fn rules(page: &mut Page, diagnosis: &Diagnosis) {
 /// One finding; tells whether it has a picture.
 fn section(
     page: &mut Page,
-    model: &Model,
+    (model, obstacles): (&Model, &[Obstacles<'_>]),
     finding: &Finding,
     (name, output): (&str, &str),
     wanted: bool,
@@ -173,11 +175,11 @@ fn section(
         page.raw(&format!("<pre><code>{}</code></pre>\n", escape_html(&command)));
     }
     let worst = finding.places.first().filter(|_| wanted);
-    let picture = worst.map(|site| model.close_up(site, SIDES[1])).transpose()?.flatten();
+    let picture = worst.map(|site| model.close_up(site, obstacles, SIDES[1])).transpose()?.flatten();
     if let Some(picture) = &picture {
         let alternative =
             format!("the worst place of {}, close up, seen from in front of its face", entry.id);
-        let from = "The worst place, seen from in front of its face, with the edges of faces.";
+        let from = "The worst place, seen from in front of its face, with the edges of faces; what covers it is cut away.";
         page.pictures(&[(picture, &alternative)], from)?;
         page.raw("<p><a href=\"#overview\">Where it is in the whole</a></p>\n");
     }

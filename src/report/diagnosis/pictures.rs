@@ -4,7 +4,7 @@ use super::deviation::measure;
 use super::heat::HeatScale;
 use super::sight::{self, Sight};
 use crate::io::Loaded;
-use crate::mesh::{Column, Faces, Mesh, MeshBuilder, normal_matrix};
+use crate::mesh::{Column, Faces, Mesh, MeshBuilder, Obstacles, normal_matrix};
 use crate::normals::{NormalField, Summary};
 use crate::num::LinearRgb;
 use crate::quality::{Diagnosis, Severity, Site, Survey, survey};
@@ -77,9 +77,9 @@ impl Model {
         Some((object, place.transform_point3(position), normal.unwrap_or(DVec3::ZERO)))
     }
 
-    /// The mesh of each part, every corner a vertex of its own.
-    pub(super) fn meshes(&self) -> impl Iterator<Item = &Mesh> {
-        self.parts.iter().map(|part| &part.mesh)
+    /// What rays may meet of each part.
+    pub(super) fn obstacles(&self) -> Vec<Obstacles<'_>> {
+        self.parts.iter().map(|part| Obstacles::new(&part.mesh)).collect()
     }
 
     /// Which part stands where.

@@ -82,7 +82,7 @@ fn best(model: &Model, wanted: &[Wanted], usual: DVec3) -> DVec3 {
     if wanted.is_empty() {
         return usual;
     }
-    let obstacles: Vec<Obstacles<'_>> = model.meshes().map(Obstacles::new).collect();
+    let obstacles = model.obstacles();
     let score = |direction: DVec3| -> f64 {
         let seen = wanted.iter().filter(|place| is_seen(model, &obstacles, place, direction));
         seen.map(|place| place.weight * (EDGE_ON + place.normal.dot(direction).max(0.0))).sum()
@@ -103,7 +103,7 @@ pub(super) fn hidden(model: &Model, sites: &[&Site], eye: DVec3) -> Vec<bool> {
     if sites.is_empty() {
         return Vec::new();
     }
-    let obstacles: Vec<Obstacles<'_>> = model.meshes().map(Obstacles::new).collect();
+    let obstacles = model.obstacles();
     let is_hidden = |site: &&Site| {
         model.stand(site).is_some_and(|(object, position, normal)| {
             let face = site.face.unwrap_or(u32::MAX);
@@ -122,6 +122,23 @@ fn is_seen(model: &Model, obstacles: &[Obstacles<'_>], place: &Wanted, direction
         let own = if number == place.object { place.face } else { u32::MAX };
         let towards = back.transform_vector3(direction).normalize_or_zero();
         obstacles[part].is_free(from, towards, own, BUDGET) == Some(true)
+    })
+}
+
+/// How far from a place on a face of an object the first other face is, that way, if that is less than `most`.
+pub(super) fn clearance(
+    model: &Model,
+    obstacles: &[Obstacles<'_>],
+    (object, face, position): (usize, u32, DVec3),
+    way: DVec3,
+    most: f64,
+) -> f64 {
+    model.objects().enumerate().fold(most, |most, (number, (part, transform))| {
+        let (back, obstacles) = (inverse(transform), &obstacles[part]);
+        let from = obstacles.local(back.transform_point3(position));
+        let along = obstacles.local_way(back.transform_vector3(way));
+        let own = if number == object { face } else { u32::MAX };
+        obstacles.clearance((from, along), own, most, BUDGET)
     })
 }
 

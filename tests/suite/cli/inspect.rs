@@ -317,6 +317,9 @@ fn a_file_without_faces_does_not_pass() {
     assert_eq!(code(&output), 1);
     let report: Report = serde_json::from_str(text(&output.stdout)).unwrap();
     assert_eq!(report.findings.iter().map(|it| it.id.as_str()).collect::<Vec<_>>(), ["no-faces"]);
+    // Nothing would compute normals for it, so nothing is said of that.
+    let drawn = inspect(&["--html", &path(files.path().join("points.html")), &points]);
+    assert_eq!((code(&drawn), text(&drawn.stderr)), (0, ""));
 }
 
 #[test]
