@@ -1,7 +1,7 @@
-//! The angles that findings about shape tell, against ones that are known.
+//! What findings tell in degrees and in steps, against what can be worked out.
 
 use super::{inspect, rebuilt};
-use crease::mesh::Faces;
+use crease::mesh::{Column, Faces};
 use crease::quality::catalogue::Kind;
 use glam::DVec3;
 
@@ -51,5 +51,34 @@ fn angles_are_those_that_can_be_worked_out() {
     ] {
         let told = degrees(kind, corners, faces);
         assert!((told - expected).abs() < 1e-9, "{}: {told} for {expected}", kind.id());
+    }
+}
+
+/// Normals of a flat sheet that are right but for their lengths: what they do to the light of a lamp 45° off.
+#[test]
+fn light_that_lengths_take_and_give_is_told() {
+    let corners = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]].map(DVec3::from);
+    let sheet = |length: f64| {
+        let mut faces = Faces::new();
+        [[0, 1, 2], [0, 2, 3]].iter().for_each(|face| faces.push(face));
+        let normals = Column::per_vertex(vec![DVec3::Z * length; 4]);
+        rebuilt(corners.to_vec(), faces).with_normals(Some(normals))
+    };
+    // IEC 61966-2-1, of the light that is left.
+    let grey = |light: f64| 255.0 * (1.055 * libm::pow(light, 1.0 / 2.4) - 0.055);
+    let right = grey(0.5f64.sqrt());
+    for (kind, length, steps) in [
+        (Kind::ZeroNormals, 0.0, right),
+        (Kind::NotFinite, f64::NAN, right),
+        (Kind::NotUnit, 0.5, right - grey(0.125f64.sqrt())),
+        // White is the most there is.
+        (Kind::NotUnit, 3.0, 255.0 - right),
+        (Kind::LooseLength, 1.003, grey(1.003 * 0.5f64.sqrt()) - right),
+    ] {
+        let diagnosis = inspect(&sheet(length), 10);
+        let finding = diagnosis.get(kind).unwrap_or_else(|| panic!("{length}: {:?}", diagnosis.findings));
+        let told = finding.steps.unwrap();
+        assert!((told - steps).abs() < 1e-9, "{length}: {told} for {steps}");
+        assert_eq!(finding.degrees, None, "{length}");
     }
 }
