@@ -1,5 +1,6 @@
 //! The lectures' diamond: turning a polygon changes its colours under the scanline algorithm.
 
+mod aslant;
 mod back;
 mod pictures;
 mod polygon;
@@ -70,7 +71,6 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     };
     let scanline = centres(Interpolation::Scanline)?;
     let triangles = centres(Interpolation::Affine)?;
-    let perspective = centres(Interpolation::Perspective)?;
     let tolerance = tolerance(&polygon, size);
     // Where the law jumps it is that of either side: not asked.
     let law = |(turn, &found): (u32, &DVec3)| match polygon.jumps(DVec2::ZERO, angle(turn), size, tolerance) {
@@ -113,18 +113,18 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             mean,
         )
         .expect(mean_law, 2.0 * tolerance, as_law()),
-        in_triangles(
+        Measure::new(
             Text::new("largest change, in triangles", "maior mudança, em triângulos"),
+            "",
             of_triangles,
+        )
+        .expect(
+            0.0,
             2.0 * tolerance,
-        ),
-        in_triangles(
             Text::new(
-                "largest change, in triangles by perspective",
-                "maior mudança, em triângulos com perspectiva",
+                "barycentric coordinates do not turn; corners snap to 256ths of pixels",
+                "coordenadas baricêntricas não giram; os cantos se ajustam a 1/256 de pixel",
             ),
-            spread(&perspective).0,
-            2.0 * tolerance,
         ),
     ];
     measures.extend(back::measures(&polygon, size, tolerance)?);
@@ -136,6 +136,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let (one, other) = (one?, other?);
     if is_diamond {
         measures.extend(of_the_diamond(&scanline, &one, &other, tolerance));
+        measures.extend(aslant::measures(&polygon, size, tolerance)?);
     }
     let upright = polygon.draw(size, Degrees(0.0), Interpolation::Scanline)?;
     let turned = polygon.draw(size, Degrees(90.0), Interpolation::Scanline)?;
@@ -175,6 +176,12 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         measures,
         notes: vec![
             Text::new(
+                "Seen from in front all triangles are alike. Aslant their colours have to be mixed by 1/depth (perspective): mixed by \
+                 distances in the picture they change with the turn, too, by less than scanlines' do.",
+                "Vistos de frente todos os triângulos são iguais. Em vista oblíqua as suas cores têm de ser misturadas por 1/profundidade \
+                 (perspectiva): misturadas por distâncias na imagem também mudam com o giro, menos que as da linha de varredura.",
+            ),
+            Text::new(
                 "The algorithm interpolates down the two edges that a scanline cuts, then across between them. Turn the \
                  polygon, and the scanline through its centre cuts other edges at other places.",
                 "O algoritmo interpola ao longo das duas arestas que a linha de varredura corta, e depois entre elas. Gire o \
@@ -194,17 +201,6 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             ),
         ],
     })
-}
-
-fn in_triangles(name: Text, found: f64, tolerance: f64) -> Measure {
-    Measure::new(name, "", found).expect(
-        0.0,
-        tolerance,
-        Text::new(
-            "barycentric coordinates do not turn; corners snap to 256ths of pixels",
-            "coordenadas baricêntricas não giram; os cantos se ajustam a 1/256 de pixel",
-        ),
-    )
 }
 
 /// Corners are moved by up to 1/512 of a pixel each way, over colours that change along edges; and from one edge of a narrow corner

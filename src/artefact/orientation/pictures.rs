@@ -163,7 +163,11 @@ pub(super) fn shots(
             ),
             [
                 captioned(
-                    Text::new("Cut from corner 1 to corner 3.", "Cortado do canto 1 ao canto 3."),
+                    Text::new(
+                        "Cut from corner 1 to corner 3: what scanlines draw in position 1, whose middle one is this diagonal.",
+                        "Cortado do canto 1 ao canto 3: o que as linhas de varredura desenham na posição 1, cuja linha do meio é esta \
+                         diagonal.",
+                    ),
                     Text::new("Cut one way.", "Cortado de um modo."),
                 ),
                 same_however_turned(),
@@ -182,7 +186,10 @@ pub(super) fn shots(
             ),
             [
                 captioned(
-                    Text::new("Cut from corner 2 to corner 4.", "Cortado do canto 2 ao canto 4."),
+                    Text::new(
+                        "Cut from corner 2 to corner 4: what scanlines draw in position 2.",
+                        "Cortado do canto 2 ao canto 4: o que as linhas de varredura desenham na posição 2.",
+                    ),
                     either(
                         has_one_cut,
                         Text::new(
@@ -206,8 +213,10 @@ pub(super) fn shots(
             ),
             captioned(
                 Text::new(
-                    "One diagonal less the other: what the cut decides. Yellow is 0.4 of the full range in a component.",
-                    "Uma diagonal menos a outra: o que o corte decide. Amarelo é 0,4 da faixa numa componente.",
+                    "One diagonal less the other: what the cut decides, which is what the turn decides under scanlines. Yellow is 0.4 of \
+                     the full range in a component.",
+                    "Uma diagonal menos a outra: o que o corte decide, e é o que o giro decide nas linhas de varredura. Amarelo é 0,4 da \
+                     faixa numa componente.",
                 ),
                 Text::new(
                     "One cut less the other: what the cut decides. Yellow is 0.4 of the full range in a component.",

@@ -5,14 +5,9 @@ use crate::artefact::{ArtefactError, UserMesh};
 use crate::mesh::{Faces, Mesh, MeshBuilder, triangulate};
 use crate::normals::{NormalField, Weight};
 use crate::num::{Degrees, LinearRgb, Radians};
-use crate::raster::{Image, Interpolation, Object, Paint, Shading, Shape};
+use crate::raster::{Camera, Image, Interpolation, Object, Paint, Shading, Shape};
 use crate::shade::Material;
 use glam::{DMat4, DVec2, DVec3};
-
-/// The colours of the lectures' vertices 1 to 4.
-const COLOURS: [[f64; 3]; 4] = [[0.0, 0.4, 0.4], [0.0, 0.2, 0.2], [0.2, 0.6, 0.6], [0.4, 0.4, 0.0]];
-/// The side of the window; the farthest corner is at 1.
-const WINDOW: f64 = 2.3;
 
 /// The most corners that a polygon may have.
 const MOST_CORNERS: usize = 1024;
@@ -26,6 +21,13 @@ pub(super) struct Polygon {
 }
 
 impl Polygon {
+    /// The colours of the lectures' vertices 1 to 4.
+    pub(super) const LECTURES: [[f64; 3]; 4] =
+        [[0.0, 0.4, 0.4], [0.0, 0.2, 0.2], [0.2, 0.6, 0.6], [0.4, 0.4, 0.0]];
+
+    /// The side of the window; the farthest corner is at 1.
+    pub(super) const WINDOW: f64 = 2.3;
+
     /// The lectures' diamond, or the first face of a mesh that has four corners or more, or its first.
     ///
     /// # Errors
@@ -34,7 +36,7 @@ impl Polygon {
     pub(super) fn of(own: Option<&UserMesh>, size: u32) -> Result<Self, ArtefactError> {
         let Some(own) = own else {
             let corners = vec![DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y];
-            return Self::new(corners, COLOURS.map(LinearRgb::from).to_vec(), None);
+            return Self::new(corners, Self::LECTURES.map(LinearRgb::from).to_vec(), None);
         };
         let faces = own.mesh.faces();
         let Some(face) = faces.iter().find(|face| face.len() > 3).or_else(|| faces.iter().next()) else {
@@ -62,7 +64,9 @@ impl Polygon {
                 };
                 face.iter().map(of).collect()
             }
-            None => (0..face.len()).map(|corner| COLOURS[corner % COLOURS.len()].into()).collect(),
+            None => {
+                (0..face.len()).map(|corner| Self::LECTURES[corner % Self::LECTURES.len()].into()).collect()
+            }
         };
         const SIMPLE: &str =
             "give a mesh whose first polygon has corners in different places and edges that do not cross";
@@ -80,7 +84,7 @@ impl Polygon {
                 SIMPLE,
             ));
         }
-        let width = mean_width(&flat) * f64::from(size) / WINDOW;
+        let width = mean_width(&flat) * f64::from(size) / Self::WINDOW;
         if width <= ROUNDING * f64::from(size) {
             return Err(no_area());
         }
@@ -171,12 +175,24 @@ impl Polygon {
         angle: Degrees,
         interpolation: Interpolation,
     ) -> Result<Image, ArtefactError> {
+        self.draw_from(front(Self::WINDOW), DMat4::IDENTITY, size, angle, interpolation)
+    }
+
+    /// The same turned by an angle in its plane, then placed, seen by a camera.
+    pub(super) fn draw_from(
+        &self,
+        camera: Camera,
+        place: DMat4,
+        size: u32,
+        angle: Degrees,
+        interpolation: Interpolation,
+    ) -> Result<Image, ArtefactError> {
         let object = Object {
-            transform: DMat4::from_cols_array(&turn(angle)),
+            transform: place * DMat4::from_cols_array(&turn(angle)),
             paint: Paint::Given(self.colours.as_slice().into()),
             ..Object::new(Shape::Mesh { mesh: &self.mesh, normals: &self.normals }, Material::default())
         };
-        draw(vec![object], &[], front(WINDOW), &settings([size; 2], Shading::Gouraud, interpolation))
+        draw(vec![object], &[], camera, &settings([size; 2], Shading::Gouraud, interpolation))
     }
 
     /// The largest change of a colour along an edge, and the shortest edge in pixels.
@@ -185,7 +201,7 @@ impl Polygon {
         let edges = (0..count).map(|corner| (corner, (corner + 1) % count));
         let colour = |corner: usize| DVec3::from(self.colours[corner].to_array());
         let measured = edges.map(|(a, b)| {
-            let length = (self.corners[b] - self.corners[a]).length() * f64::from(size) / WINDOW;
+            let length = (self.corners[b] - self.corners[a]).length() * f64::from(size) / Self::WINDOW;
             [(colour(b) - colour(a)).abs().max_element(), length]
         });
         measured.fold([0.0, f64::INFINITY], |[most, least], [change, length]| {
@@ -226,7 +242,7 @@ impl Polygon {
     pub(super) fn jumps(&self, place: DVec2, angle: Degrees, size: u32, tolerance: f64) -> bool {
         let (sine, cosine) = sin_cos(angle);
         // A 128th of a pixel upwards in the picture.
-        let up = DVec2::new(sine, cosine) * (WINDOW / (128.0 * f64::from(size)));
+        let up = DVec2::new(sine, cosine) * (Self::WINDOW / (128.0 * f64::from(size)));
         let [above, below] = [place + up, place - up].map(|place| self.scanline(place, angle));
         (above - below).abs().max_element() > tolerance
     }
@@ -242,7 +258,7 @@ impl Polygon {
     /// Where on the polygon the centre of a pixel lies, in a picture of so many pixels of it unturned.
     pub(super) fn place(pixel: [u32; 2], size: u32) -> DVec2 {
         let from_middle = pixel.map(|k| f64::from(k) + 0.5 - 0.5 * f64::from(size));
-        DVec2::new(from_middle[0], -from_middle[1]) * (WINDOW / f64::from(size))
+        DVec2::new(from_middle[0], -from_middle[1]) * (Self::WINDOW / f64::from(size))
     }
 }
 
