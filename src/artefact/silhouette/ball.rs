@@ -26,18 +26,18 @@ pub(super) fn run(parameters: &Parameters) -> Result<Outcome, ArtefactError> {
     let view = |height: f64| View { size, camera: front(height), light: light_at(light) };
     let ball = Subject { primitive: Sphere::default().into(), view: view(WINDOW) };
     let torus = Subject { primitive: Torus::default().into(), view: view(WINDOW * OUTER) };
-    let enough = enough(radius);
+    let (enough, open) = (enough(radius), ball.view.open());
     let circle = ball.outline_of_truth()?;
     let outline = ball.outline(segments, Shading::Phong)?;
     let flat = ball.outline(segments, Shading::Flat)?;
     let of_coarse = outline.distance(&circle)?;
-    // Enough for half a pixel, and finer than what it cures.
-    let fine = enough.max(2 * segments);
+    // Less than half a pixel with all that outlines of pixels add, unless they add that much, and finer than what it cures.
+    let left = (0.5 - open).clamp(0.125, 0.25);
+    let fine = for_error(left, radius).max(2 * segments);
     let of_fine = ball.error(fine, &circle)?;
     let true_torus = torus.outline_of_truth()?;
     let [of_torus, of_fine_torus] = [segments, fine].map(|segments| torus.error(segments, &true_torus));
     let (of_torus, of_fine_torus) = (of_torus?, of_fine_torus?);
-    let open = ball.view.open();
     let found = ball.found_enough(enough, &circle)?;
     let measures = vec![
         largest(Text::new("ball", "bola"), segments, &of_coarse, radius, open),
@@ -100,7 +100,7 @@ pub(super) fn run(parameters: &Parameters) -> Result<Outcome, ArtefactError> {
         },
         cure: Text::made(format!("{fine} segments"), format!("{fine} segmentos")),
         cured: of_fine.hausdorff,
-        factor: (sagitta(segments, radius) / (0.5 + open)).max(1.0),
+        factor: (sagitta(segments, radius) / (left + open)).max(1.0),
     };
     let of_torus = Moved { bad: of_torus.hausdorff, cured: of_fine_torus.hausdorff, ..moved.clone() };
     Ok(Outcome {
@@ -119,7 +119,7 @@ pub(super) fn run(parameters: &Parameters) -> Result<Outcome, ArtefactError> {
             ),
         )),
         charts: vec![ball.chart(&circle, radius)?],
-        shots: shots([&ball, &torus], [segments, fine], [&moved, &of_torus])?,
+        shots: shots([&ball, &torus], [segments, fine], [left, open], [&moved, &of_torus])?,
         moved,
         measures,
         notes: vec![
@@ -147,7 +147,12 @@ pub(super) fn sagitta(segments: u32, radius: f64) -> f64 {
 
 /// The smallest n for which that is below half a pixel.
 pub(super) fn enough(radius: f64) -> u32 {
-    let least = PI / (2.0 * libm::asin(0.5 / radius.sqrt()));
+    for_error(0.5, radius)
+}
+
+/// The smallest n for which it is below an error.
+fn for_error(error: f64, radius: f64) -> u32 {
+    let least = PI / (2.0 * libm::asin((0.5 * error / radius).sqrt()));
     least.floor() as u32 + 1
 }
 
@@ -255,7 +260,7 @@ impl Subject {
 
     /// Errors by the number of segments.
     fn chart(&self, circle: &Outline, radius: f64) -> Result<Chart, ArtefactError> {
-        const SEGMENTS: [u32; 7] = [4, 6, 8, 12, 16, 24, 32];
+        const SEGMENTS: [u32; 11] = [4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128];
         let (mut farthest, mut means) = (Vec::new(), Vec::new());
         for segments in SEGMENTS {
             let error = self.error(segments, circle)?;
@@ -301,6 +306,7 @@ fn turned(body: &Body) -> Object<'_> {
 fn shots(
     [ball, torus]: [&Subject; 2],
     [segments, fine]: [u32; 2],
+    [left, open]: [f64; 2],
     [of_ball, of_torus]: [&Moved; 2],
 ) -> Result<Vec<Shot>, ArtefactError> {
     let round = ball.view.draw(ball.itself(), Shading::Phong)?;
@@ -336,14 +342,14 @@ fn shots(
             "ball-fine",
             label("ball", "bola", fine),
             [
-                Text::new(
-                    "At least as many segments as the closed form asks for half a pixel, and at least twice as many as before.",
-                    "Ao menos tantos segmentos quantos a fórmula pede para meio pixel, e ao menos o dobro de antes.",
+                Text::with(
+                    "At least twice as many segments as before, and enough for an error below {} px by the closed form; what is measured \
+                     may be up to {} px more, as outlines are made of pixels.",
+                    "Ao menos o dobro de segmentos de antes, e bastantes para um erro abaixo de {} px pela fórmula; o que se mede pode ser \
+                     até {} px maior, pois contornos são feitos de pixels.",
+                    &[left, open],
                 ),
-                Text::new(
-                    "The outline is nearly round to the eye; what is measured has the outlines' own pixels in it.",
-                    "O contorno é quase redondo para o olho; o que se mede contém os pixels dos próprios contornos.",
-                ),
+                Text::new("The outline is round to the eye.", "O contorno é redondo para o olho."),
             ],
             ball.picture(fine)?,
         ),
@@ -370,7 +376,7 @@ fn shots(
             label("torus", "toro", fine),
             [
                 Text::new("The torus with as many segments as the finer ball.", "O toro com tantos segmentos quanto a bola mais fina."),
-                Text::new("It is nearly round to the eye.", "É quase redondo para o olho."),
+                Text::new("It is round to the eye.", "É redondo para o olho."),
             ],
             torus.picture(fine)?,
         ),

@@ -30,9 +30,9 @@ fn the_artefact_is_there_and_is_cured() {
         for measure in &outcome.measures {
             assert_eq!(measure.agrees(), Some(true), "{measure:?}");
         }
-        // Present: two pixels. Cured: half of one and what outlines leave open, less than a third.
+        // Present: two pixels. Cured: less than half of one, all that outlines leave open included.
         let moved = &outcome.moved;
-        assert!(moved.bad > 1.9 && moved.cured < 0.6 && moved.reduction() > 3.0, "{moved:?}");
+        assert!(moved.bad > 1.9 && moved.cured < 0.5 && moved.reduction() > 3.9, "{moved:?}");
     }
 }
 
