@@ -1,10 +1,15 @@
 //! Light from behind the sphere, and what of it a highlight shows on the dark side.
 
 use super::super::stage::linear;
-use super::{BEHIND, WINDOW};
-use crate::num::Radians;
+use super::super::{ArtefactError, Measure, Moved, Shot, Text};
+use super::{WINDOW, ball};
+use crate::num::{Degrees, Radians};
 use crate::raster::Image;
+use crate::shade::{Guards, Reflection};
 use glam::DVec3;
+
+/// Light almost behind the sphere.
+const BEHIND: Degrees = Degrees(150.0);
 
 /// The normal of the sphere at a pixel of a picture of this size.
 fn normal(pixel: u32, size: u32) -> Option<DVec3> {
@@ -26,14 +31,143 @@ fn turned_away(size: u32) -> impl Iterator<Item = (usize, DVec3)> {
 }
 
 /// The brightest of them.
-pub(super) fn brightest(image: &Image) -> f64 {
+fn brightest(image: &Image) -> f64 {
     let pixels = linear(image);
     turned_away(image.size[0]).map(|(pixel, _)| f64::from(pixels[pixel][0])).fold(0.0, f64::max)
 }
 
-/// The same by the formula: Blinn's (N·H)ⁿ.
-pub(super) fn law(exponent: f64, size: u32) -> f64 {
-    let half = (light() + DVec3::Z).normalize();
-    let highlight = |(_, normal): (usize, DVec3)| libm::pow(normal.dot(half).max(0.0), exponent);
+/// The same by the formula: Blinn's (N·H)ⁿ or Phong's (R·V)ⁿ.
+fn law(reflection: Reflection, exponent: f64, size: u32) -> f64 {
+    let light = light();
+    let half = (light + DVec3::Z).normalize();
+    let cosine = |normal: DVec3| match reflection {
+        Reflection::Blinn => normal.dot(half),
+        Reflection::Phong => (2.0 * normal.dot(light) * normal - light).z,
+    };
+    let highlight = |(_, normal): (usize, DVec3)| libm::pow(cosine(normal).max(0.0), exponent);
     turned_away(size).map(highlight).fold(0.0, f64::max)
+}
+
+/// One model's highlight under light from behind, without the guard and with it.
+pub(super) struct Behind {
+    reflection: Reflection,
+    exponent: f64,
+    unguarded: Image,
+    guarded: Image,
+    moved: Moved,
+}
+
+impl Behind {
+    /// `moved` has what does not depend on the model.
+    pub(super) fn new(
+        reflection: Reflection,
+        exponent: f64,
+        size: u32,
+        moved: &Moved,
+    ) -> Result<Self, ArtefactError> {
+        let on = Guards::default();
+        let off = Guards { highlight: false, ..on };
+        let [unguarded, guarded] = [off, on].map(|guards| ball(reflection, exponent, BEHIND, guards, size));
+        let (unguarded, guarded) = (unguarded?, guarded?);
+        let moved = Moved {
+            name: Text::new(
+                "brightest pixel that faces away from the light",
+                "pixel mais claro voltado para longe da luz",
+            ),
+            bad: brightest(&unguarded),
+            cured: brightest(&guarded),
+            ..moved.clone()
+        };
+        Ok(Self { reflection, exponent, unguarded, guarded, moved })
+    }
+
+    fn name(&self) -> &'static str {
+        match self.reflection {
+            Reflection::Phong => "Phong",
+            Reflection::Blinn => "Blinn",
+        }
+    }
+
+    pub(super) fn measures(&self) -> [Measure; 2] {
+        let name = self.name();
+        let size = self.unguarded.size[0];
+        let by = match self.reflection {
+            Reflection::Phong => Text::new(
+                "(R·V)^n at the centres of these pixels, at most (−cos(β))^n; single precision",
+                "(R·V)^n nos centros desses pixels, no máximo (−cos(β))^n; precisão simples",
+            ),
+            Reflection::Blinn => Text::new(
+                "(N·H)^n at the centres of these pixels, at most sin(β/2)^n; single precision",
+                "(N·H)^n nos centros desses pixels, no máximo sin(β/2)^n; precisão simples",
+            ),
+        };
+        let unguarded = Text::made(
+            format!("{name}, light at 150°, no guard: brightest pixel that faces away from the light"),
+            format!("{name}, luz a 150°, sem guarda: pixel mais claro voltado para longe da luz"),
+        );
+        let guarded =
+            Text::made(format!("{name}, the same with the guard"), format!("{name}, o mesmo com a guarda"));
+        [
+            Measure::new(unguarded, "", self.moved.bad).expect(
+                law(self.reflection, self.exponent, size),
+                1e-6 * (1.0 + self.exponent),
+                by,
+            ),
+            Measure::new(guarded, "", self.moved.cured).expect(
+                0.0,
+                0.0,
+                Text::new("nothing from behind", "nada por trás"),
+            ),
+        ]
+    }
+
+    pub(super) fn shots(self) -> [Shot; 2] {
+        let name = self.name();
+        let names = match self.reflection {
+            Reflection::Phong => ["behind-phong", "behind-phong-guarded"],
+            Reflection::Blinn => ["behind", "behind-guarded"],
+        };
+        let label = |guard: [&str; 2]| {
+            Text::made(
+                format!("{name}, light behind, {}", guard[0]),
+                format!("{name}, luz atrás, {}", guard[1]),
+            )
+        };
+        let lit = Text::with(
+            "'s highlight with n = {}, the light at {}°, almost behind the sphere.",
+            " com n = {}, a luz a {}°, quase atrás da esfera.",
+            &[self.exponent, BEHIND.0],
+        );
+        use super::super::Language::{English, Portuguese};
+        let lit = Text::made(
+            format!("{name}{}", lit.get(English)),
+            format!("O brilho de {name}{}", lit.get(Portuguese)),
+        );
+        [
+            self.moved.bad_shot(
+                names[0],
+                label(["no guard", "sem guarda"]),
+                [
+                    lit,
+                    Text::new(
+                        "Yet the highlight spreads over its dark side.",
+                        "Mas o brilho se espalha pelo lado escuro.",
+                    ),
+                ],
+                self.unguarded,
+            ),
+            self.moved.cured_shot(
+                names[1],
+                label(["guard", "com guarda"]),
+                [
+                    Text::new("With the guard N·L > 0.", "Com a guarda N·L > 0."),
+                    Text::new(
+                        "The highlight ends where the light does, at a hard edge.",
+                        "O brilho termina onde a luz termina, numa borda dura.",
+                    ),
+                ],
+                self.guarded,
+            ),
+        ]
+    }
 }

@@ -13,6 +13,7 @@ use crate::num::{Degrees, LinearRgb, Radians};
 use crate::raster::{Image, Interpolation, Object, RenderSettings, Shading, Shape};
 use crate::shade::{Guards, Material, Reflectance, Reflection, blinn_exponent};
 use crate::surface::{Primitive, Sphere};
+use behind::Behind;
 use std::f64::consts::FRAC_PI_2;
 
 pub(super) const EXPERIMENT: Experiment = Experiment {
@@ -59,6 +60,13 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
                 "o brilho de Blinn na fronteira da luz, N·L = 0: sem guarda ele continua atrás",
             ),
         },
+        Formula {
+            notation: Text::new("I_{behind} = k_s (−cos(β))^n", "I_{trás} = k_s (−cos(β))^n"),
+            says: Text::new(
+                "the same of Phong's, where the light is behind at all, β > 90°",
+                "o mesmo do de Phong, onde a luz está de fato atrás, β > 90°",
+            ),
+        },
     ],
     takes: &[Knob::Size, Knob::Exponent],
     own_mesh: None,
@@ -74,8 +82,6 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
 
 /// Light far round the sphere.
 const GRAZING: Degrees = Degrees(120.0);
-/// Light almost behind it.
-const BEHIND: Degrees = Degrees(150.0);
 /// How many times nearer to Phong's highlight four times the exponent has to be.
 const FACTOR: f64 = 5.0;
 /// The window's side; the sphere has the radius 1.
@@ -85,7 +91,6 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let Parameters { size, exponent, .. } = setup.parameters;
     let ball = |reflection, exponent, light, guards| ball(reflection, exponent, light, guards, size);
     let on = Guards::default();
-    let off = Guards { highlight: false, ..on };
     let head_on = Degrees(0.0);
     let phong = ball(Reflection::Phong, exponent, head_on, on)?;
     let blinn = ball(Reflection::Blinn, exponent, head_on, on)?;
@@ -106,8 +111,6 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         ball(Reflection::Phong, exponent, GRAZING, on)?,
         ball(Reflection::Blinn, blinn_exponent(exponent), GRAZING, on)?,
     );
-    let (unguarded, guarded) =
-        (ball(Reflection::Blinn, exponent, BEHIND, off)?, ball(Reflection::Blinn, exponent, BEHIND, on)?);
     let radius = f64::from(size) / WINDOW;
     // Half a pixel turns the normal by 1/R over the cosine of its angle to the viewer, and the mirrored ray by twice that. Powers
     // change by √n of it at most, and by 1 for the smallest n.
@@ -180,16 +183,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         cured: stretch(&across_blinn),
         ..moved.clone()
     };
-    let behind = Moved {
-        name: Text::new(
-            "brightest pixel that faces away from the light",
-            "pixel mais claro voltado para longe da luz",
-        ),
-        bad: behind::brightest(&unguarded),
-        cured: behind::brightest(&guarded),
-        ..moved.clone()
-    };
-    let measures = vec![
+    let [phong_behind, blinn_behind] = [Reflection::Phong, Reflection::Blinn]
+        .map(|reflection| Behind::new(reflection, exponent, size, &moved));
+    let (phong_behind, blinn_behind) = (phong_behind?, blinn_behind?);
+    let mut measures = vec![
         compared(
             Measure::new(Text::new("same n: largest difference", "mesmo n: maior diferença"), "", same),
             law(exponent),
@@ -207,31 +204,12 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         ),
         across_phong,
         across_blinn,
-        Measure::new(
-            Text::new(
-                "light at 150°, no guard: brightest pixel that faces away from the light",
-                "luz a 150°, sem guarda: pixel mais claro voltado para longe da luz",
-            ),
-            "",
-            behind.bad,
-        )
-        .expect(
-            behind::law(exponent, size),
-            1e-6 * (1.0 + exponent),
-            Text::new(
-                "(N·H)^n at the centres of these pixels, at most sin(β/2)^n; single precision",
-                "(N·H)^n nos centros desses pixels, no máximo sin(β/2)^n; precisão simples",
-            ),
-        ),
-        Measure::new(Text::new("the same with the guard", "o mesmo com a guarda"), "", behind.cured).expect(
-            0.0,
-            0.0,
-            Text::new("nothing from behind", "nada por trás"),
-        ),
     ];
+    measures.extend(phong_behind.measures());
+    measures.extend(blinn_behind.measures());
     Ok(Outcome {
         verdict: verdict(&moved),
-        shots: vec![
+        shots: [vec![
             Shot::truth(
                 "phong",
                 Text::new("Phong, exponent n", "Phong, expoente n"),
@@ -301,45 +279,17 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 ],
                 grazing_blinn,
             ),
-            behind.bad_shot(
-                "behind",
-                Text::new("light behind, no guard", "luz atrás, sem guarda"),
-                [
-                    Text::with(
-                        "Blinn's highlight with n = {}, the light at {}°, almost behind the sphere.",
-                        "O brilho de Blinn com n = {}, a luz a {}°, quase atrás da esfera.",
-                        &[exponent, BEHIND.0],
-                    ),
-                    Text::new(
-                        "Yet the highlight spreads over its dark side.",
-                        "Mas o brilho se espalha pelo lado escuro.",
-                    ),
-                ],
-                unguarded,
-            ),
-            behind.cured_shot(
-                "behind-guarded",
-                Text::new("light behind, guard", "luz atrás, com guarda"),
-                [
-                    Text::new("With the guard N·L > 0.", "Com a guarda N·L > 0."),
-                    Text::new(
-                        "The highlight ends where the light does, at a hard edge.",
-                        "O brilho termina onde a luz termina, numa borda dura.",
-                    ),
-                ],
-                guarded,
-            ),
-        ],
+        ], phong_behind.shots().into(), blinn_behind.shots().into()].concat(),
         charts: vec![chart(exponent, moved.is_cured())],
         moved,
         measures,
         notes: vec![Text::new(
             "The lectures (1.6.19) give both models one exponent, though with the same one Blinn's highlight is wider; Ting 2008 gives \
              Blinn's one of its own. The guard stops light from behind but leaves an edge, for neither model goes to 0 where N·L \
-             does; Phong's needs it as Blinn's does, which is the one drawn.",
+             does.",
             "As aulas (1.6.19) dão aos dois modelos um só expoente, embora com o mesmo o brilho de Blinn seja mais largo; Ting 2008 dá \
              ao de Blinn um expoente próprio. A guarda retém a luz por trás mas deixa uma borda, pois nenhum dos modelos vai a 0 junto com \
-             N·L; o de Phong precisa dela como o de Blinn, que é o desenhado.",
+             N·L.",
         )],
     })
 }

@@ -9,7 +9,7 @@ const COLOURS: [&str; 8] =
     ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#000000", "#e69f00", "#56b4e9", "#663311"];
 const GREY: &str = "#767676";
 /// Lengths of dashes and gaps, in pixels. There are five and six signs, so that thirty series have none of both in common.
-const DASHES: [&str; 5] = ["none", "9 4", "2 3", "10 3 2 3", "6 3 2 3 2 3"];
+const DASHES: [&str; 5] = ["none", "9 4", "5 3", "10 3 2 3", "6 3 2 3 2 3"];
 const FRONTIER: &str = "6 4";
 /// Of guides: others than those of curves.
 const GUIDES: [&str; 3] = ["2 4", "12 6", "12 4 2 4"];
