@@ -16,7 +16,7 @@ pub struct Experiment {
     pub claim: Text,
     /// Who claims it, and who says otherwise: section or exercise of the lectures, papers.
     pub sources: &'static [Text],
-    /// The closed forms that it is held against.
+    /// The closed forms that it is held against, of its own shapes.
     pub formulas: &'static [Formula],
     /// What may be changed about it.
     pub takes: &'static [Knob],
@@ -70,6 +70,11 @@ impl Experiment {
             outcome.verdict = Verdict::Absent(self.shown_by.clone());
         }
         Ok(outcome)
+    }
+
+    /// The closed forms of what is looked at: none of a mesh of one's own.
+    pub fn closed_forms(&self, setup: &Setup) -> &'static [Formula] {
+        if setup.mesh.is_some() { &[] } else { self.formulas }
     }
 
     /// Whether it has an animation.

@@ -64,6 +64,34 @@ pub(super) fn pull(facts: &Facts<'_>, corner: u32, weight: Weight) -> DVec3 {
     Pull::at(facts, corner).map_or(DVec3::ZERO, |pull| pull.by(weight, || pull.angle()))
 }
 
+/// The same as if two triangles that a quadrilateral is cut into still were one, with its normal.
+pub(super) fn pull_uncut(facts: &Facts<'_>, corner: u32, weight: Weight) -> DVec3 {
+    let face = facts.topology.face_of(corner) as usize;
+    let Some(mut pull) = Pull::at(facts, corner) else { return DVec3::ZERO };
+    if let Some(other) = other_half(facts, face) {
+        let sum = [face, other].map(|face| facts.area[face] * facts.face_normal(face)).iter().sum::<DVec3>();
+        pull.normal = sum.normalize_or(pull.normal);
+    }
+    pull.by(weight, || pull.angle())
+}
+
+/// The triangle that was one quadrilateral with another, as programs cut them: a, b, c and right after it a, c, d, or a, b, d and
+/// b, c, d.
+fn other_half(facts: &Facts<'_>, face: usize) -> Option<usize> {
+    let faces = facts.mesh.faces();
+    let is_cut = |first: usize| {
+        let [a, b] = [first, first + 1].map(|face| faces.range(face));
+        let meets = |from: usize, to: usize| {
+            facts.topology.across((a.start + from) as u32) == Some((b.start + to) as u32)
+        };
+        a.len() == 3 && b.len() == 3 && (meets(2, 0) || meets(1, 2))
+    };
+    if face + 1 < faces.len() && is_cut(face) {
+        return Some(face + 1);
+    }
+    face.checked_sub(1).filter(|&before| is_cut(before))
+}
+
 /// What weightings look at: a corner of a face that has a direction.
 struct Pull {
     normal: DVec3,

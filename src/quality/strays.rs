@@ -3,7 +3,7 @@
 use super::catalogue::Kind;
 use super::estimate::{REPRODUCED, SAME};
 use super::facts::Facts;
-use super::means::pull;
+use super::means::{pull, pull_uncut};
 use super::tally::{Gathered, Spot, Tally};
 use crate::mesh::Link;
 use crate::normals::Weight;
@@ -29,13 +29,15 @@ impl Ground {
     /// for its mean, and most other corners of the fan have what the rule gives, or none of them has it as well.
     pub(super) fn of(facts: &Facts<'_>, corner: usize, normal: DVec3) -> Option<Self> {
         let fan = Fan::new(facts, corner, Reach::OneWay);
-        Self::within(facts, &fan, normal, fan.nearest_run(facts, normal, false))
+        let nearest = [Reading::AsIs, Reading::Uncut].map(|reading| fan.nearest_run(facts, normal, reading));
+        Self::within(facts, &fan, normal, nearest[0].min(nearest[1]))
     }
 
     /// Of a corner beside faces that run against its own, or on one: means over these as well, as they are and turned back.
     pub(super) fn beside_turned(facts: &Facts<'_>, corner: usize, normal: DVec3) -> Option<Self> {
         let fan = Fan::new(facts, corner, Reach::BothWays);
-        let nearest = [false, true].map(|turns_back| fan.nearest_run(facts, normal, turns_back));
+        let nearest =
+            [Reading::AsIs, Reading::TurnedBack].map(|reading| fan.nearest_run(facts, normal, reading));
         Self::within(facts, &fan, normal, nearest[0].min(nearest[1]))
     }
 
@@ -128,6 +130,16 @@ enum Reach {
     BothWays,
 }
 
+/// What the faces of a fan are taken for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Reading {
+    AsIs,
+    /// Those that run against the first are turned back.
+    TurnedBack,
+    /// Halves of quadrilaterals are these.
+    Uncut,
+}
+
 /// A corner of a fan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Member {
@@ -164,10 +176,13 @@ impl Member {
         }
     }
 
-    /// What its face adds to a sum, as it is or turned back.
-    fn pull(self, facts: &Facts<'_>, weight: Weight, turns_back: bool) -> DVec3 {
-        let pull = pull(facts, self.corner, weight);
-        if self.is_turned && turns_back { -pull } else { pull }
+    /// What its face adds to a sum.
+    fn pull(self, facts: &Facts<'_>, weight: Weight, reading: Reading) -> DVec3 {
+        match reading {
+            Reading::Uncut => pull_uncut(facts, self.corner, weight),
+            Reading::TurnedBack if self.is_turned => -pull(facts, self.corner, weight),
+            _ => pull(facts, self.corner, weight),
+        }
     }
 }
 
@@ -201,7 +216,7 @@ impl Fan {
 
     /// How far a normal is, in degrees, from the nearest mean of neighbouring faces, the corner's own among them, by the
     /// weighting of the mesh. A mean counts if no fewer of the others have it as well than have another together.
-    fn nearest_run(&self, facts: &Facts<'_>, normal: DVec3, turns_back: bool) -> f64 {
+    fn nearest_run(&self, facts: &Facts<'_>, normal: DVec3, reading: Reading) -> f64 {
         let weight = facts.estimate.map_or(Weight::Angle, |estimate| estimate.weight);
         let unit = |at: &Member| facts.stored_unit(at.corner as usize);
         let is_one = |a: Option<DVec3>, b: Option<DVec3>| matches!((a, b), (Some(a), Some(b)) if degrees(a, b) <= SAME);
@@ -213,12 +228,13 @@ impl Fan {
                 if is_one(units[at], Some(normal)) { 1 } else { -i32::from(has_company) }
             };
             let votes = (0..way.len()).map(vote);
-            let pulls = way.iter().map(|at| at.pull(facts, weight, turns_back));
+            let pulls = way.iter().map(|at| at.pull(facts, weight, reading));
             pulls.zip(votes).collect::<Vec<_>>()
         };
         let (ahead, behind) = (steps(&self.ahead), steps(&self.behind));
         let mut nearest = Nearest { sum: DVec3::ZERO, closeness: f64::NEG_INFINITY, to: normal };
-        let mut from = (pull(facts, self.corner, weight), 0);
+        let first = Member { corner: self.corner, is_turned: false };
+        let mut from = (first.pull(facts, weight, reading), 0);
         let add = |sum: &mut (DVec3, i32), step: (DVec3, i32)| *sum = (sum.0 + step.0, sum.1 + step.1);
         for reach in 0..=behind.len() {
             if reach > 0 {

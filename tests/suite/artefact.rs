@@ -208,6 +208,10 @@ fn all_tells_what_an_option_changes() {
         assert!((1..14).contains(&ids.len()), "{ids:?}");
         let told = format!("note: --{knob} changes {} only; the others are as without it\n", ids.join(", "));
         assert!(text(&output.stderr).contains(&told), "{told} in {}", text(&output.stderr));
+        for report in &reports {
+            let unheeded = report["unheeded"].as_array().is_some_and(|all| all.contains(&knob.into()));
+            assert_ne!(unheeded, takes(&report), "{}: {knob}", report["experiment"]);
+        }
     }
     let plain = artefact(&["all", "--size", "32", "--json"]);
     assert!(!text(&plain.stderr).contains("only"), "{}", text(&plain.stderr));
@@ -245,6 +249,8 @@ fn a_mesh_of_ones_own_works_where_the_list_says_so() {
         let report = &reports(&output)[0];
         assert_eq!(report["mesh"], gear);
         assert!(report["command"].as_str().unwrap().contains(" --mesh "), "{id}: {}", report["command"]);
+        // Those of a cube or a ball are not true of a gear.
+        assert_eq!(report["formulas"].as_array().map(Vec::len), Some(0), "{id}");
         assert!(!report["outcome"]["verdict"]["verdict"].is_null(), "{id}");
     }
 }

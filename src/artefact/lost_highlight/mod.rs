@@ -439,9 +439,11 @@ fn chart([gouraud, phong]: [Vec<[f64; 2]>; 2], exponent: f64, delta: f64, moved:
         caption: match moved.is_present() && moved.is_cured() {
             true => Text::new(
                 "The brightest pixel against the turn: with Gouraud's shading it falls and rises again with every segment, as the \
-                 closed form says; with Phong's it stays.",
-                "O pixel mais claro em função do giro: com Gouraud ele cai e sobe de novo a cada segmento, como diz a fórmula; com \
-                 Phong fica como está.",
+                 closed form says, which is of the very vertex: pixels have their centres up to half a pixel beside it, and their tops \
+                 are a little lower. With Phong's it stays.",
+                "O pixel mais claro em função do giro: com Gouraud ele cai e sobe de novo a cada segmento, como diz a fórmula, que é do \
+                 próprio vértice: os centros dos pixels ficam até meio pixel ao lado, e os seus máximos são um pouco mais baixos. Com Phong \
+                 fica como está.",
             ),
             false => Text::new(
                 "The brightest pixel against the turn, with Gouraud's shading and with Phong's, and the closed form of Gouraud's.",

@@ -3,7 +3,7 @@
 mod tube;
 
 use super::body::Body;
-use super::stage::{chalk, differences, draw, front, linear, map, settings};
+use super::stage::{chalk, differences, draw, front, linear, map, settings, tiles};
 use super::{
     ArtefactError, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters, Setup, Shot, Text,
     Threshold, Verdict,
@@ -340,11 +340,12 @@ fn notes(light: Degrees) -> Vec<Text> {
     ]
 }
 
-/// The sphere while the light goes round it, facets shading themselves.
+/// The sphere while the light goes round it: at the left facets shade themselves, at the right that is softened.
 fn frame(setup: &Setup, number: u32, count: u32) -> Result<Image, ArtefactError> {
     let Parameters { size, segments, .. } = setup.parameters;
     let light = Degrees(360.0 * f64::from(number) / f64::from(count.max(1)));
-    globe(segments, light, Terminator::Hard, size)
+    let globe = |terminator| globe(segments, light, terminator, size);
+    Ok(tiles(&[vec![globe(Terminator::Hard)?, globe(Terminator::Soft)?]]))
 }
 
 fn globe(segments: u32, light: Degrees, terminator: Terminator, size: u32) -> Result<Image, ArtefactError> {

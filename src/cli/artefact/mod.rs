@@ -78,16 +78,21 @@ fn list(args: &ArtefactArgs, console: &Console) {
     }
 }
 
-/// Which of the options that were typed change only some of the experiments, in words.
-fn unheeded(args: &ArtefactArgs, experiments: &[&'static Experiment]) -> Vec<String> {
+/// The options that were typed, of those that change what is drawn and measured.
+fn typed(args: &ArtefactArgs) -> impl Iterator<Item = Knob> {
     let changes = args.parameters.changes();
-    let typed = Knob::ALL.into_iter().filter(|&knob| match knob {
-        Knob::Mesh => args.own.mesh.is_some(),
+    let has_mesh = args.own.mesh.is_some();
+    Knob::ALL.into_iter().filter(move |&knob| match knob {
+        Knob::Mesh => has_mesh,
         // Told beside.
         Knob::Interpolation => false,
         _ => changes.only(&[knob]) != Changes::default(),
-    });
-    let told = typed.filter_map(|knob| {
+    })
+}
+
+/// Which of the options that were typed change only some of the experiments, in words.
+fn unheeded(args: &ArtefactArgs, experiments: &[&'static Experiment]) -> Vec<String> {
+    let told = typed(args).filter_map(|knob| {
         let takes = |experiment: &&&Experiment| experiment.takes.contains(&knob);
         let ids: Vec<&str> = experiments.iter().filter(takes).map(|experiment| experiment.id).collect();
         (ids.len() < experiments.len()).then(|| match &ids[..] {
@@ -195,6 +200,7 @@ fn tell(run: &Run, files: Vec<String>, agrees: bool, args: &ArtefactArgs, consol
             outcome: Some(outcome),
             command: Some(animated(experiment.command(setup, language), args)),
             files,
+            unheeded: typed(args).filter(|knob| !experiment.takes.contains(knob)).map(Knob::name).collect(),
             seconds: Some(*seconds),
             ..Report::new(experiment, setup)
         };

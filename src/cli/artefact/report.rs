@@ -8,12 +8,13 @@
 //! | `schema`, `crease` | `"crease-artefact/2"`; the program's version |
 //! | `status`, `error` | as in `crease-normals/1`; `status` is `findings` if a number is not what it should be, and `left-out` if `all` leaves it out for a value that it does not take |
 //! | `experiment`, `title` | its id and title |
-//! | `claim`, `sources`, `formulas` | what is claimed, by whom, and the closed forms |
+//! | `claim`, `sources`, `formulas` | what is claimed, by whom, and the closed forms, of its own shapes: none with a mesh of one's own |
 //! | `takes` | the parameters that it takes |
 //! | `ranges` | of each of these the least and the most, or the names there are |
 //! | `own_mesh` | what a mesh of one's own is looked at for, if it takes one |
 //! | `mesh`, `finer` | the meshes that were given, if any |
 //! | `parameters` | their values |
+//! | `unheeded` | of `all`, the options that were given and change nothing of this one, if there are any |
 //! | `outcome` | [`Outcome`](crease::artefact::Outcome): `verdict`, `moved`, `measures`, `shots`, `charts`, `notes` |
 //! | `command` | the command that does it again |
 //! | `files` | what was written |
@@ -57,6 +58,8 @@ pub struct Report<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub finer: Option<&'a str>,
     pub parameters: Taken<'a>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub unheeded: Vec<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub outcome: Option<&'a Outcome>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -93,7 +96,7 @@ impl Range {
 
 impl<'a> Report<'a> {
     pub fn new(experiment: &'static Experiment, setup: &'a Setup<'a>) -> Self {
-        let formulas = experiment.formulas.iter();
+        let formulas = experiment.closed_forms(setup).iter();
         let formulas =
             formulas.map(|formula| FormulaReport { notation: &formula.notation, says: &formula.says });
         let ranges =
@@ -114,6 +117,7 @@ impl<'a> Report<'a> {
             mesh: setup.mesh.map(|own| own.name),
             finer: setup.mesh.and_then(|own| own.finer).map(|(name, _)| name),
             parameters: Taken { knobs: experiment.takes, parameters: &setup.parameters },
+            unheeded: Vec::new(),
             outcome: None,
             command: None,
             files: Vec::new(),

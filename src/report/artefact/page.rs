@@ -31,7 +31,7 @@ pub fn experiment_page(
         let all = escape_html(all.get(language));
         page.raw(&format!("<p class=\"up\"><a href=\"index.html\">{all}</a></p>\n"));
     }
-    claim(experiment, language, &mut page);
+    claim(experiment, setup, language, &mut page);
     page.heading(words::VERDICT.get(language));
     page.raw(&verdict(outcome, language));
     page.heading(words::PICTURES.get(language));
@@ -101,11 +101,14 @@ fn page(title: &str, lead: &str, language: Language) -> Page {
 }
 
 /// Who claims it, and the closed forms.
-fn claim(experiment: &Experiment, language: Language, page: &mut Page) {
+fn claim(experiment: &Experiment, setup: &Setup, language: Language, page: &mut Page) {
     page.heading(words::CLAIM.get(language));
     page.paragraph(experiment.claim.get(language));
     page.list(experiment.sources.iter().map(|source| source.get(language)));
-    for formula in experiment.formulas {
+    if setup.mesh.is_some() {
+        page.paragraph(words::NO_FORMULAS.get(language));
+    }
+    for formula in experiment.closed_forms(setup) {
         page.raw(&mathml(formula.notation.get(language)));
         page.raw("\n");
         page.paragraph(formula.says.get(language));

@@ -12,6 +12,10 @@ pub(super) const LEAD: Text = Text::new(
 pub(super) const CONTENTS: Text = Text::new("Contents", "Conteúdo");
 pub(super) const ALL: Text = Text::new("All experiments", "Todos os experimentos");
 pub(super) const CLAIM: Text = Text::new("The claim", "A afirmação");
+pub(super) const NO_FORMULAS: Text = Text::new(
+    "The closed forms of this experiment are of its own shapes; without --mesh it shows them.",
+    "As fórmulas deste experimento são das suas próprias formas; sem --mesh ele as mostra.",
+);
 pub(super) const VERDICT: Text = Text::new("Verdict", "Veredito");
 pub(super) const HOLDS: Text = Text::new("It holds", "Vale");
 pub(super) const HOLDS_ONLY_IF: Text = Text::new("It holds only if", "Vale somente se");

@@ -12,6 +12,34 @@ use rayon::prelude::*;
 use std::fs;
 use std::path::Path;
 
+/// Quadrilaterals that are not flat, cut into triangles with their normals: a grid of a saddle, sharp enough that neighbours
+/// bend past the crease angle here and there.
+fn saddle() -> Mesh {
+    let place = |i: u32, j: u32| {
+        let [x, y] = [i, j].map(|k| f64::from(k) - 4.0);
+        DVec3::new(x, y, 0.22 * x * y + if (i + j) % 3 == 0 { 0.5 } else { 0.0 })
+    };
+    let positions = (0..81).map(|k| place(k % 9, k / 9)).collect();
+    let corner = |i: u32, j: u32| i + 9 * j;
+    let mut faces = Faces::new();
+    for (i, j) in (0..8).flat_map(|j| (0..8).map(move |i| (i, j))) {
+        faces.push(&[corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)]);
+    }
+    let builder = MeshBuilder { positions, storage: Storage::F32, faces, columns: Columns::default() };
+    builder.build().unwrap()
+}
+
+#[test]
+fn halves_of_quadrilaterals_have_the_normals_of_these() {
+    let folder = tempfile::tempdir().unwrap();
+    let parts = [Part { mesh: saddle(), ..Part::default() }];
+    let written = write_new(&parts, Format::Ply, &WriteOptions::default()).unwrap();
+    let file = folder.path().join("saddle.ply");
+    fs::write(&file, written.bytes).unwrap();
+    let strays = blamed(&file, true).into_iter().filter(|told| told.contains("stray")).collect::<Vec<_>>();
+    assert_eq!(strays, Vec::<String>::new());
+}
+
 const FORMATS: [Format; 4] = [Format::Obj, Format::Ply, Format::Glb, Format::Stl];
 
 /// Errors and warnings about normals in what the program makes of a file. Cut into triangles, polygons that are not flat keep
