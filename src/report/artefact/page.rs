@@ -65,9 +65,15 @@ pub fn experiment_page(
     Ok(page.finish())
 }
 
-/// What thumbnails show: the first picture of each in the first series.
-const THUMBNAILS: [&[Role]; 3] =
-    [&[Role::Bad, Role::Absent], &[Role::Cured, Role::Attempt], &[Role::Difference]];
+/// What thumbnails show of the first series: the artefact that stands before the first cure, that, and the first difference.
+fn thumbnails(series: &[Shot]) -> impl Iterator<Item = &Shot> {
+    let is_one_of = |roles: &'static [Role]| move |shot: &&Shot| roles.contains(&shot.role);
+    let cure = series.iter().position(|shot| matches!(shot.role, Role::Cured | Role::Attempt));
+    let before = &series[..cure.unwrap_or(series.len())];
+    let artefact = before.iter().rfind(is_one_of(&[Role::Bad, Role::Absent]));
+    let difference = series.iter().find(is_one_of(&[Role::Difference]));
+    [artefact, cure.map(|cure| &series[cure]), difference].into_iter().flatten()
+}
 
 /// The index of some experiments, with thumbnails: the artefact, its cure, and what lies between them where that is drawn.
 ///
@@ -77,10 +83,9 @@ pub fn index_page(found: &[(&Experiment, &Outcome)], language: Language) -> Resu
     let mut page = page(words::LABORATORY.get(language), words::LEAD.get(language), language);
     page.raw("<div class=\"cards\">\n");
     for (experiment, outcome) in found {
-        let thumbnails = THUMBNAILS.iter().filter_map(|roles| {
-            let shot = outcome.series().next()?.iter().find(|shot| roles.contains(&shot.role))?;
-            Some(super::super::html::image(&thumbnail(&shot.image), shot.caption.get(language)))
-        });
+        let first = outcome.series().next().unwrap_or_default();
+        let thumbnails = thumbnails(first)
+            .map(|shot| super::super::html::image(&thumbnail(&shot.image), shot.caption.get(language)));
         let thumbnails: Vec<String> = thumbnails.collect::<Result<_, _>>()?;
         page.raw(&format!(
             "<a class=\"card\" href=\"{}\">\n<span class=\"row\">{}</span>\n<strong>{}</strong>\n<span>{}</span>\n<em>{}</em>\n\
