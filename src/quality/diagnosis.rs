@@ -9,7 +9,8 @@ use super::light::key_light_lost;
 use super::spaces::Spaces;
 use super::tally::{Gauge, Milder, Spot, Tallies, Tally, least};
 use super::{
-    Estimate, Precision, Thresholds, attributes, geometry, key_light_steps, shading, smoothing, stored,
+    Estimate, Precision, Thresholds, attributes, geometry, key_light_steps, mixing, shading, smoothing,
+    stored,
 };
 use crate::io::{Document, FileNode, Loaded};
 use crate::mesh::{Mesh, NONE, normal_matrix};
@@ -113,7 +114,7 @@ pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) 
             for (entry, merged) in entries().zip(&mut merged) {
                 merged.of += elements(&facts, entry.element, nodes.len());
                 merged.all_area += facts.total_area / (facts.scale * facts.scale);
-                merged.add(found.take(entry.kind), &facts, number);
+                merged.add((entry.kind, found.take(entry.kind)), &facts, number);
                 merged.sites.truncate(thresholds.places);
             }
         }
@@ -237,7 +238,7 @@ impl Merged {
         Self { count: 1, of: 1, severity, sites: vec![(Spot::mesh(), Site::default())], ..Self::default() }
     }
 
-    fn add(&mut self, tally: Tally, facts: &Facts<'_>, part: usize) {
+    fn add(&mut self, (kind, tally): (Kind, Tally), facts: &Facts<'_>, part: usize) {
         if tally.count == 0 {
             return;
         }
@@ -262,7 +263,11 @@ impl Merged {
         self.components += tally.components;
         self.confidence = least(self.confidence, tally.confidence);
         self.turn = self.turn.into_iter().chain(tally.turn).reduce(f64::max);
-        let site = |spot: Spot| (spot, site(facts.mesh, spot, part));
+        let site = |spot: Spot| {
+            let mut site = site(facts.mesh, spot, part);
+            site.degrees = site.degrees.or_else(|| mixing::beside(facts, kind, &spot));
+            (spot, site)
+        };
         self.sites.extend(tally.worst.into_iter().map(site));
         // Stable: among equals earlier parts come first.
         self.sites.sort_by(|a, b| b.0.weight.total_cmp(&a.0.weight));
@@ -273,10 +278,9 @@ impl Merged {
         let severity = self.severity?.min(entry.severity);
         let off = self.sites.iter().filter_map(|(_, site)| site.degrees).reduce(f64::max);
         let degrees = self.turn.or(off);
-        let steps = self.sites.iter().filter_map(|(spot, _)| match spot.gauge {
-            Gauge::Angle => Some(key_light_steps(self.turn.unwrap_or(spot.weight))),
+        let steps = self.sites.iter().filter_map(|(spot, site)| match spot.gauge {
             Gauge::Steps => Some(spot.weight),
-            Gauge::Order | Gauge::Amount => None,
+            _ => site.degrees.map(|degrees| key_light_steps(self.turn.unwrap_or(degrees))),
         });
         let steps = steps.reduce(f64::max);
         let amount = self.sites.first().filter(|(spot, _)| spot.gauge == Gauge::Amount);
@@ -336,14 +340,6 @@ pub(super) fn site(mesh: &Mesh, spot: Spot, part: usize) -> Site {
         }
         (None, None) => None,
     };
-    Site {
-        part,
-        face: is(spot.face),
-        corner,
-        vertex,
-        position,
-        degrees: (spot.gauge == Gauge::Angle).then_some(spot.weight),
-        node: None,
-        line: None,
-    }
+    let degrees = (spot.gauge == Gauge::Angle).then_some(spot.weight);
+    Site { part, face: is(spot.face), corner, vertex, position, degrees, node: None, line: None }
 }

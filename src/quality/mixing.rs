@@ -1,10 +1,14 @@
 //! What other programs' shorter ways make of a shape: means by vertex index, faces that count twice, fans of triangles.
 
+use super::catalogue::Kind;
 use super::facts::Facts;
 use super::means::pull;
+use super::tally::Spot;
+use crate::mesh::place_key;
 use crate::normals::Weight;
-use crate::num::{Degrees, angle_between};
+use crate::num::{Degrees, Radians, angle_between};
 use glam::DVec3;
+use rayon::prelude::*;
 
 fn degrees(a: DVec3, b: DVec3) -> f64 {
     if a == DVec3::ZERO || b == DVec3::ZERO { 0.0 } else { Degrees::from(angle_between(a, b)).0 }
@@ -36,6 +40,60 @@ pub(super) fn once_more(facts: &Facts<'_>, face: usize) -> f64 {
 pub(super) fn fan(places: &[DVec3], normal: DVec3) -> f64 {
     let triangles = places[1..].windows(2).map(|pair| (pair[0] - places[0]).cross(pair[1] - places[0]));
     triangles.map(|triangle| degrees(triangle, normal)).fold(0.0, f64::max)
+}
+
+/// The angle at a place of a kind that goes by another measure, in degrees; `None` for all other kinds.
+pub(super) fn beside(facts: &Facts<'_>, kind: Kind, spot: &Spot) -> Option<f64> {
+    match kind {
+        Kind::Needles => Some(by_rounding(facts, spot.face as usize)),
+        Kind::NonManifold => Some(largest_bend(facts, spot.corner)),
+        Kind::HighValence => Some(from_pole(facts, spot.vertex)),
+        _ => None,
+    }
+}
+
+/// By how many degrees a face turns at most as single precision rounds its corners: the two ends of its height by half a unit in
+/// the last place each.
+fn by_rounding(facts: &Facts<'_>, face: usize) -> f64 {
+    let corners = facts.mesh.faces().range(face).map(|corner| facts.place(corner)).collect::<Vec<_>>();
+    let sides = corners.iter().zip(corners.iter().cycle().skip(1));
+    let longest = sides.map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
+    let farthest = corners.iter().map(|corner| corner.abs().max_element()).fold(0.0, f64::max);
+    let rounding = farthest * f64::from(f32::EPSILON) / 2.0;
+    Degrees::from(Radians(libm::atan2(2.0 * rounding * longest, 2.0 * facts.area[face]))).0
+}
+
+/// The largest bend from one face into another at an edge that several have, whichever way they run.
+fn largest_bend(facts: &Facts<'_>, half_edge: u32) -> f64 {
+    let (faces, vertices) = (facts.mesh.faces(), facts.mesh.faces().corners());
+    let ends = |half_edge: u32| {
+        let (tail, head) = facts.topology.ends(vertices, half_edge);
+        [tail, head].map(|vertex| place_key(facts.mesh.positions()[vertex as usize]))
+    };
+    let [tail, head] = ends(half_edge);
+    let normals: Vec<DVec3> = (0..faces.corner_count() as u32)
+        .into_par_iter()
+        .filter_map(|other| {
+            let normal = || facts.face_normal(facts.topology.face_of(other) as usize);
+            match ends(other) {
+                same if same == [tail, head] => Some(normal()),
+                back if back == [head, tail] => Some(-normal()),
+                _ => None,
+            }
+        })
+        .collect();
+    // From one face into another the two run the edge opposite ways.
+    let pairs = normals.iter().enumerate().flat_map(|(i, a)| normals[i + 1..].iter().map(move |b| (*a, -*b)));
+    pairs.map(|(a, b)| degrees(a, b)).fold(0.0, f64::max)
+}
+
+/// How far a face at a vertex looks from the normal of its corner there, at most.
+fn from_pole(facts: &Facts<'_>, vertex: u32) -> f64 {
+    let corners = facts.topology.corners_at(vertex).iter();
+    let off = |&corner: &u32| {
+        degrees(facts.face_normal(facts.topology.face_of(corner) as usize), facts.expected(corner as usize))
+    };
+    corners.map(off).fold(0.0, f64::max)
 }
 
 #[cfg(test)]

@@ -60,8 +60,7 @@ pub(super) fn find(
         Some(measured) => {
             found.add_mesh(Kind::Quantised, facts.total_area, measured.worst.clone());
         }
-        // What rounding to the nearest does at most.
-        None => found.add(Kind::Quantised, Spot::mesh().by(precision.error.0), facts.total_area),
+        None => found.add(Kind::Quantised, Spot::mesh(), facts.total_area),
     }
     if facts.has_normal_formats {
         found.tally(Kind::Quantised).remedy = Some(FINER.into());

@@ -214,7 +214,7 @@ fn beside_turned(
     let unit = if is_turned && stored.dot(expected) < 0.0 { -stored } else { stored };
     let off = deviation.exceeded(unit, expected)?;
     let kind = direction((facts, runs), face, corner, (unit, off), thresholds)?;
-    Ground::beside_turned(facts, corner, unit).is_none().then_some((kind, off))
+    Ground::beside_turned(facts, corner, stored, is_turned).is_none().then_some((kind, off))
 }
 
 /// Whether at least half of the other normals of a face are on its front.

@@ -33,12 +33,19 @@ impl Ground {
         Self::within(facts, &fan, normal, nearest[0].min(nearest[1]))
     }
 
-    /// Of a corner beside faces that run against its own, or on one: means over these as well, as they are and turned back.
-    pub(super) fn beside_turned(facts: &Facts<'_>, corner: usize, normal: DVec3) -> Option<Self> {
+    /// Of a corner beside faces that run against its own, or on one: means over these as well, as they are and turned back; and
+    /// where its own face may be the one that is turned, their opposites.
+    pub(super) fn beside_turned(
+        facts: &Facts<'_>,
+        corner: usize,
+        normal: DVec3,
+        is_turned: bool,
+    ) -> Option<Self> {
         let fan = Fan::new(facts, corner, Reach::BothWays);
-        let nearest =
-            [Reading::AsIs, Reading::TurnedBack].map(|reading| fan.nearest_run(facts, normal, reading));
-        Self::within(facts, &fan, normal, nearest[0].min(nearest[1]))
+        let readings = [Reading::AsIs, Reading::TurnedBack, Reading::Opposite, Reading::OppositeTurnedBack];
+        let possible = &readings[..if is_turned { 4 } else { 2 }];
+        let nearest = possible.iter().map(|&reading| fan.nearest_run(facts, normal, reading));
+        Self::within(facts, &fan, normal, nearest.fold(f64::INFINITY, f64::min))
     }
 
     fn within(facts: &Facts<'_>, fan: &Fan, normal: DVec3, from_run: f64) -> Option<Self> {
@@ -136,6 +143,10 @@ enum Reading {
     AsIs,
     /// Those that run against the first are turned back.
     TurnedBack,
+    /// All are turned.
+    Opposite,
+    /// All but those that run against the first are turned.
+    OppositeTurnedBack,
     /// Halves of quadrilaterals are these.
     Uncut,
 }
@@ -181,6 +192,8 @@ impl Member {
         match reading {
             Reading::Uncut => pull_uncut(facts, self.corner, weight),
             Reading::TurnedBack if self.is_turned => -pull(facts, self.corner, weight),
+            Reading::Opposite => -pull(facts, self.corner, weight),
+            Reading::OppositeTurnedBack if !self.is_turned => -pull(facts, self.corner, weight),
             _ => pull(facts, self.corner, weight),
         }
     }

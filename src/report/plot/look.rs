@@ -34,7 +34,8 @@ pub(super) struct Look {
     number: usize,
 }
 
-/// The looks of all series of a plot. The first guide is a dotted line; others have hollow signs.
+/// The looks of all series of a plot. The first guide is a dotted line; others have hollow signs, of the form that the curve of
+/// the same number has.
 pub(super) fn looks(all: &[Series]) -> Vec<Look> {
     let mut guides = 0_usize;
     let look = |(place, series): (usize, &Series)| match series.mark {
@@ -42,7 +43,7 @@ pub(super) fn looks(all: &[Series]) -> Vec<Look> {
         Mark::Guide => {
             guides += 1;
             let number = guides - 1;
-            let sign = number.checked_sub(1).map(|sign| sign % SIGNS);
+            let sign = (number > 0).then_some(number % SIGNS);
             Look { colour: GREY, dash: GUIDES[number % GUIDES.len()], sign, filling: "#fff", number }
         }
         _ => {

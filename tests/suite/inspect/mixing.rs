@@ -38,6 +38,21 @@ fn angles_are_those_that_can_be_worked_out() {
     let arrow = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.2, 0.2, 0.0], [0.0, 1.0, 0.0]];
     let bow = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.9, 0.0]];
     let two_sides: [&[u32]; 2] = [&[0, 2, 1], &[0, 1, 2]];
+    // A sheet, and a wing that stands on the line across it.
+    let tee = [[0.0; 3], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
+    // Each end of the height is off by up to 2⁻²⁴ of the largest coordinate.
+    let needle = [[100.0, 0.0, 0.0], [101.0, 0.0, 0.0], [100.5, 1e-4, 0.0]];
+    let of_needle = libm::atan(101.0 * 2f64.powi(-23) / 1e-4).to_degrees();
+    // A cone of a right angle, with very many faces.
+    let count = 200;
+    let turn = std::f64::consts::TAU / f64::from(count);
+    let rim = (0..count).map(|k| {
+        let (sin, cos) = libm::sincos(f64::from(k) * turn);
+        [cos, sin, 0.0]
+    });
+    let cone: Vec<[f64; 3]> = std::iter::once([0.0, 0.0, 1.0]).chain(rim).collect();
+    let around: Vec<[u32; 3]> = (0..count).map(|k| [0, 1 + k, 1 + (k + 1) % count]).collect();
+    let around: Vec<&[u32]> = around.iter().map(|face| &face[..]).collect();
     for (kind, corners, faces, expected) in [
         (Kind::DuplicateFaces, &cube[..], &twice[..], of_cube),
         (Kind::DuplicateVertices, &roof, &[&[0, 2, 1], &[3, 5, 4]], 15.0),
@@ -46,6 +61,9 @@ fn angles_are_those_that_can_be_worked_out() {
         (Kind::Concave, &arrow, &[&[1, 2, 3, 0]], 180.0),
         (Kind::Crossed, &bow, &[&[0, 1, 2, 3]], 180.0),
         (Kind::BackToBack, &cube, &two_sides, 180.0),
+        (Kind::NonManifold, &tee, &[&[0, 1, 2], &[1, 0, 3], &[0, 1, 4]], 90.0),
+        (Kind::Needles, &needle, &[&[0, 1, 2]], of_needle),
+        (Kind::HighValence, &cone, &around, libm::atan(1.0 / libm::cos(turn / 2.0)).to_degrees()),
         // Smooth and flat.
         (Kind::NoNormals, &roof[..], &[&[0, 2, 1], &[3, 5, 4]], 15.0),
     ] {
