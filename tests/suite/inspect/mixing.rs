@@ -42,7 +42,7 @@ fn angles_are_those_that_can_be_worked_out() {
     let tee = [[0.0; 3], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
     // Each end of the height is off by up to 2⁻²⁴ of the largest coordinate.
     let needle = [[100.0, 0.0, 0.0], [101.0, 0.0, 0.0], [100.5, 1e-4, 0.0]];
-    let of_needle = libm::atan(101.0 * 2f64.powi(-23) / 1e-4).to_degrees();
+    let of_needle = libm::atan(101.0 * f64::from(f32::EPSILON) / 1e-4).to_degrees();
     // A cone of a right angle, with very many faces.
     let count = 200;
     let turn = std::f64::consts::TAU / f64::from(count);

@@ -17,7 +17,7 @@ use std::path::Path;
 fn saddle() -> Mesh {
     let place = |i: u32, j: u32| {
         let [x, y] = [i, j].map(|k| f64::from(k) - 4.0);
-        DVec3::new(x, y, 0.22 * x * y + if (i + j) % 3 == 0 { 0.5 } else { 0.0 })
+        DVec3::new(x, y, 0.22 * x * y + if (i + j).is_multiple_of(3) { 0.5 } else { 0.0 })
     };
     let positions = (0..81).map(|k| place(k % 9, k / 9)).collect();
     let corner = |i: u32, j: u32| i + 9 * j;
