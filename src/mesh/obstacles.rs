@@ -4,7 +4,6 @@ use super::Mesh;
 use super::box_tree::{Bounds, BoxTree};
 use crate::num::unit_scale;
 use glam::DVec3;
-use std::cell::Cell;
 use std::ops::ControlFlow;
 
 /// Hits closer than this, in units of the mesh's half size, are with the surface that the ray starts on.
@@ -36,11 +35,6 @@ impl<'a> Obstacles<'a> {
         (point - self.middle) * self.scale
     }
 
-    /// A way in the mesh's space in the units of this.
-    pub(crate) fn local_way(&self, way: DVec3) -> DVec3 {
-        way * self.scale
-    }
-
     /// Where a vertex is.
     pub(crate) fn place(&self, vertex: u32) -> DVec3 {
         self.local(self.mesh.positions()[vertex as usize])
@@ -65,27 +59,6 @@ impl<'a> Obstacles<'a> {
         (enough || !free).then_some(free)
     }
 
-    /// How many times a direction it is from a point to the nearest face other than its `own`, if that is less than `most`;
-    /// else `most`, and as well if `budget` boxes and faces do not tell.
-    pub(crate) fn clearance(
-        &self,
-        (from, direction): (DVec3, DVec3),
-        own: u32,
-        most: f64,
-        budget: usize,
-    ) -> f64 {
-        let inverse = inverse(direction);
-        let nearest = Cell::new(most);
-        let is_closer = |bounds| enters(bounds, from, inverse).is_some_and(|near| near < nearest.get());
-        let enough = self.tree.visit(&mut { budget }, is_closer, |face| {
-            if face != own {
-                nearest.set(self.hits(face, from, direction).fold(nearest.get(), f64::min));
-            }
-            ControlFlow::Continue(())
-        });
-        if enough { nearest.get() } else { most }
-    }
-
     /// How many times its direction from its start a ray meets the fan of triangles of a face (T. Möller, B. Trumbore, *Fast,
     /// minimum storage ray/triangle intersection*, Journal of Graphics Tools 2(1), 1997), from whichever side.
     fn hits(&self, face: u32, from: DVec3, direction: DVec3) -> impl Iterator<Item = f64> {
@@ -105,6 +78,36 @@ impl<'a> Obstacles<'a> {
             let far = v.dot(q) / determinant;
             (a >= 0.0 && b >= 0.0 && a + b <= 1.0 && far > NEAR).then_some(far)
         })
+    }
+}
+
+/// What pictures need: how far one sees.
+#[cfg(any(feature = "report", test))]
+impl Obstacles<'_> {
+    /// A way in the mesh's space in the units of this.
+    pub(crate) fn local_way(&self, way: DVec3) -> DVec3 {
+        way * self.scale
+    }
+
+    /// How many times a direction it is from a point to the nearest face other than its `own`, if that is less than `most`;
+    /// else `most`, and as well if `budget` boxes and faces do not tell.
+    pub(crate) fn clearance(
+        &self,
+        (from, direction): (DVec3, DVec3),
+        own: u32,
+        most: f64,
+        budget: usize,
+    ) -> f64 {
+        let inverse = inverse(direction);
+        let nearest = std::cell::Cell::new(most);
+        let is_closer = |bounds| enters(bounds, from, inverse).is_some_and(|near| near < nearest.get());
+        let enough = self.tree.visit(&mut { budget }, is_closer, |face| {
+            if face != own {
+                nearest.set(self.hits(face, from, direction).fold(nearest.get(), f64::min));
+            }
+            ControlFlow::Continue(())
+        });
+        if enough { nearest.get() } else { most }
     }
 }
 
