@@ -152,7 +152,7 @@ fn look_at(
     let area = facts.area[face] / range.len() as f64;
     for corner in range {
         let spot = Spot::corner(face, corner, 0.0);
-        let unlit = spot.of(Gauge::Steps, key_light_lost());
+        let unlit = || spot.of(Gauge::Steps, key_light_lost());
         let Some(&normal) = stored.get(corner, corners[corner]) else {
             // glTF asks for flat ones there.
             let filled_in = angle_between(facts.face_normal(face), facts.expected(corner));
@@ -162,11 +162,11 @@ fn look_at(
         let length = normal.length();
         let off = (length - 1.0).abs();
         if !normal.is_finite() {
-            found.add(Kind::NotFinite, unlit, area);
+            found.add(Kind::NotFinite, unlit(), area);
         } else if length == 0.0 {
             // Nothing right could stand at a corner of a face without direction.
             if facts.worth[face] != Worth::Silent {
-                found.add(Kind::ZeroNormals, unlit, area);
+                found.add(Kind::ZeroNormals, unlit(), area);
             }
         } else if off > thresholds.length {
             found.add(Kind::NotUnit, spot.of(Gauge::Steps, key_light_scaled(length)), area);

@@ -114,7 +114,7 @@ impl Fitted {
                 let x = k as f64 * step;
                 let text = format!("{x:.decimals$}");
                 // From the decimal text, as products of a step have digits of their own.
-                (x, if has_powers { short(text.parse().unwrap_or(x)) } else { text })
+                (x, if has_powers { short(text.parse().unwrap_or(x)) } else { powers_of_ten(&text) })
             })
             .collect()
     }
@@ -166,6 +166,7 @@ mod tests {
     fn ticks_are_round_numbers() {
         assert_eq!(written(&Axis::linear(""), &[0.0, 1.0]), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
         assert_eq!(written(&Axis::linear(""), &[-3.0, 40.0]), ["0", "10", "20", "30", "40"]);
+        assert_eq!(written(&Axis::linear(""), &[-1.0, 1.0]), ["−1.0", "−0.5", "0.0", "0.5", "1.0"]);
         let decades = ["10⁻⁸", "10⁻⁶", "10⁻⁴", "0.01", "1"];
         assert_eq!(written(&Axis::log(""), &[1e-9, 1.0]), decades);
         let around = ["−2 × 10⁻⁵", "−10⁻⁵", "0", "10⁻⁵", "2 × 10⁻⁵"];
