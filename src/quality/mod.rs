@@ -26,11 +26,12 @@
 //! - More than half of all sharp edges averaged: what most edges have is then the rule, and the rest is custom.
 //! - Which of several nodes' matrices stands in normals where these do the same to them, as a turn and the one that takes it
 //!   back: one is named, and that there are others. A stretch shows in normals that lean between its axes only, and passes on
-//!   ones made by hand unless it is more than they are off their rule.
+//!   ones made by hand unless it is more than they are off their rule. What no node of the file does, as in formats without
+//!   nodes, is looked for as a turn or a mirror only: stretched normals pass as made by hand.
 //! - A cut through a coarse mesh where it bends by more than the 40° that creases begin at by default: it looks like one. Where
-//!   more than one in fifty edges is split below the crease angle, a cut is told from edges that were marked by how far the
-//!   split edges bend: the middle one of them by no more than 1.25 times what three in four smooth edges bend by. With many
-//!   meant creases beside it, it stays a note.
+//!   more than one in fifty of the edges that bend is split below the crease angle, a cut is told from edges that were marked
+//!   by how far the split edges bend: the middle one of them by no more than 1.25 times what three in four smooth edges bend
+//!   by. With many meant creases beside it, it stays a note.
 //! - By which rule normals were smoothed over what are the borders of parts now: each part is looked at by itself. Where another
 //!   part has the same normal at the same place of the world, to the bit, it is taken for one that goes on there.
 //! - Whether facets are meant: a ball stored flat gets a note. Whether a shape with bends of all sizes and no broad flats was

@@ -75,7 +75,7 @@ pub enum Show {
     Shaded,
     /// Its interpolated unit normal n in the scene's axes, as (n + 1)/2.
     Normals,
-    /// Which side is seen: front faces green, back faces red.
+    /// Which side is seen: front faces light blue, back faces dark red.
     Facing,
     /// Distance along the camera's axis: white at the nearest vertex of the scene, black at the farthest.
     Depth,

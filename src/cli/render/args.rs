@@ -140,7 +140,7 @@ pub struct ShadingArgs {
     #[arg(long, value_name = "WHERE", value_parser = Choices(FLAT_SAMPLES))]
     pub flat_sample: Option<FlatSample>,
 
-    /// Show, in place of light: `normals` (n + 1)/2; `facing` front green, back red; `depth` white near, black far;
+    /// Show, in place of light: `normals` (n + 1)/2; `facing` front light blue, back dark red; `depth` white near, black far;
     /// `face-id` a colour for each face; `deviation[=DEG]` the angle between the interpolated normal and that of the analytic
     /// surface that an object stands for, else of the face: from black over red and yellow to white at 15° or the angle given
     #[arg(long, value_name = "WHAT", value_parser = values::show)]

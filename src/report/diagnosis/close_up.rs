@@ -28,7 +28,7 @@ impl Model {
         let (part, place) = self.object(object);
         let (mesh, face_normals) = self.part(part);
         let around = Around::new(mesh, site);
-        let local = around.size(mesh, site, place);
+        let local = around.size(mesh, site, place, (high - low).length());
         let size = if local > 0.0 { local } else { CLOSEST * (high - low).length() };
         if size == 0.0 || !size.is_finite() {
             return Ok(None);
@@ -71,15 +71,16 @@ impl Around {
     }
 
     /// The length, in the world, that a quarter of the edges there are shorter than: long faces end at edges that bend most
-    /// over little. Where it is about a face, so much that all of it is seen.
-    fn size(&self, mesh: &Mesh, site: &Site, place: DMat4) -> f64 {
+    /// over little. Of shapes of few edges so much that the picture is not much wider than the `whole`, and where it is about a
+    /// face, so much that all of it is seen.
+    fn size(&self, mesh: &Mesh, site: &Site, place: DMat4, whole: f64) -> f64 {
         let edges = self.faces.iter().flat_map(|&face| {
             let ends = points(mesh, face).skip(1).chain(points(mesh, face).take(1));
             points(mesh, face).zip(ends).map(|(tail, head)| place.transform_vector3(head - tail).length())
         });
         let mut lengths: Vec<f64> = edges.collect();
         lengths.sort_unstable_by(f64::total_cmp);
-        let short = lengths.get(lengths.len() / 4).copied().unwrap_or(0.0);
+        let short = lengths.get(lengths.len() / 4).copied().unwrap_or(0.0).min(1.25 / EDGES * whole);
         match (site.vertex, site.face, site.position) {
             (None, Some(face), Some(middle)) => {
                 let reach =
@@ -127,14 +128,17 @@ mod tests {
         // A model is never larger than 2¹⁰⁰.
         for scale in [1.0, 1e-3, 1e30] {
             let place = DMat4::from_scale(DVec3::splat(scale));
-            let size = |site: &Site| Around::new(&mesh, site).size(&mesh, site, place) / scale;
+            let size = |site: &Site| Around::new(&mesh, site).size(&mesh, site, place, 101.0 * scale) / scale;
             assert!((size(&corner) - 1.0).abs() < 1e-12, "{}", size(&corner));
             // The far corner is 67 away: within the picture, and not at its rim.
             let half = 0.5 * EDGES * size(&whole);
             assert!(half > 70.0 && half < 100.0, "{half}");
         }
+        // The place is in the middle, and a corner of what is no larger than two edges.
+        let small = Around::new(&mesh, &corner).size(&mesh, &corner, DMat4::IDENTITY, 2.0);
+        assert_eq!(EDGES * small, 2.5);
         let nowhere = Site { position: Some(DVec3::ONE * 7.0), ..Site::default() };
-        assert_eq!(Around::new(&mesh, &nowhere).size(&mesh, &nowhere, DMat4::IDENTITY), 0.0);
+        assert_eq!(Around::new(&mesh, &nowhere).size(&mesh, &nowhere, DMat4::IDENTITY, 9.0), 0.0);
     }
 
     #[test]

@@ -86,7 +86,7 @@ fn overview(
             &heat,
             &format!("the mesh coloured by the deviation of its stored normals, {}", model.scale.words()),
         ),
-        (&facing, "the mesh with front faces green and back faces red"),
+        (&facing, "the mesh with front faces light blue and back faces dark red"),
         (&creases, "the mesh lit, with lines along creases and seams"),
     ];
     page.pictures(&pictures, &caption(marks))?;
@@ -112,8 +112,8 @@ fn caption(marks: Marks) -> String {
     ];
     let told: String = told.into_iter().filter(|(is_there, _)| *is_there).map(|(_, words)| words).collect();
     format!(
-        "Left: how far stored normals are from those that the rule of their mesh gives{told}. Middle: front faces green, back \
-         faces red. Right: lit, with orange lines where the normals of two sides differ."
+        "Left: how far stored normals are from those that the rule of their mesh gives{told}. Middle: front faces \
+         light blue, back faces dark red. Right: lit, with orange lines where the normals of two sides differ."
     )
 }
 

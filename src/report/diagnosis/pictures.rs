@@ -154,7 +154,7 @@ impl Model {
         draw(&self.scene(camera), side, Show::Shaded)
     }
 
-    /// Front faces green, back faces red.
+    /// Front faces light blue, back faces dark red.
     pub(super) fn facing(&self, camera: Camera, side: u32) -> Result<Picture, ReportError> {
         draw(&self.scene(camera), side, Show::Facing)
     }

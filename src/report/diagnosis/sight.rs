@@ -26,6 +26,9 @@ const BUDGET: usize = 1 << 14;
 /// How much a place counts that is seen edge-on or whose face has no direction, against one seen from the front.
 const EDGE_ON: f64 = 0.05;
 
+/// How much of the way to the middle of its face a place is looked at.
+const ASIDE: f64 = 0.02;
+
 /// How much of a picture is left free around what it shows: room for a legend below.
 const MARGIN: f64 = 1.2;
 
@@ -37,6 +40,22 @@ struct Wanted {
     object: usize,
     face: u32,
     weight: f64,
+}
+
+impl Wanted {
+    /// A place a little way into its face: before a corner itself stands all that meets there.
+    fn of(model: &Model, site: &Site) -> Option<Self> {
+        let (object, position, normal) = model.stand(site)?;
+        let (part, place) = model.object(object);
+        let middle = site.face.map_or(position, |face| {
+            let (mesh, _) = model.part(part);
+            let corners = mesh.faces().face(face as usize);
+            let sum: DVec3 = corners.iter().map(|&vertex| mesh.positions()[vertex as usize]).sum();
+            place.transform_point3(sum / corners.len() as f64)
+        });
+        let position = position.lerp(middle, ASIDE);
+        Some(Self { position, normal, object, face: site.face.unwrap_or(u32::MAX), weight: 0.0 })
+    }
 }
 
 /// A camera that sees all of a model, from a side or from where most is seen of what was found and what changed; `None`
@@ -69,15 +88,12 @@ fn wanted(model: &Model, diagnosis: &Diagnosis, comparison: Option<&Comparison>)
     let changed = comparison.into_iter().flat_map(|it| &it.places).map(|site| (10_000.0, site));
     let mut sites: Vec<(f64, &Site)> = found.chain(changed).collect();
     sites.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let place = |(weight, site): (f64, &Site)| {
-        let (object, position, normal) = model.stand(site)?;
-        Some(Wanted { position, normal, object, face: site.face.unwrap_or(u32::MAX), weight })
-    };
+    let place = |(weight, site): (f64, &Site)| Some(Wanted { weight, ..Wanted::of(model, site)? });
     sites.into_iter().take(MOST_PLACES).filter_map(place).collect()
 }
 
 /// Of the directions from a cube's faces, edges and corners, the one from which most is seen; the usual one if that is no
-/// worse.
+/// worse. Where none of them shows any of the gravest places, those from before and behind these places' faces as well.
 fn best(model: &Model, wanted: &[Wanted], usual: DVec3) -> DVec3 {
     if wanted.is_empty() {
         return usual;
@@ -91,11 +107,18 @@ fn best(model: &Model, wanted: &[Wanted], usual: DVec3) -> DVec3 {
     let around =
         steps.iter().flat_map(|&x| steps.iter().flat_map(move |&y| steps.map(|z| DVec3::new(x, y, z))));
     let candidates = around.filter(|direction| *direction != DVec3::ZERO).map(DVec3::normalize);
-    let first = (usual, score(usual) * 1.01);
-    candidates
-        .map(|direction| (direction, score(direction)))
-        .fold(first, |best, next| if next.1 > best.1 { next } else { best })
-        .0
+    let better = |best: (DVec3, f64), direction: DVec3| {
+        let score = score(direction);
+        if score > best.1 { (direction, score) } else { best }
+    };
+    let best = candidates.fold((usual, score(usual) * 1.01), better);
+    let grave = || wanted.iter().filter(|it| it.weight == wanted[0].weight && it.normal != DVec3::ZERO);
+    let shown = |place: &Wanted, direction| is_seen(model, &obstacles, place, direction);
+    if grave().any(|place| shown(place, best.0)) {
+        return best.0;
+    }
+    let mut sides = grave().map(|it| (it, it.normal)).chain(grave().map(|it| (it, -it.normal)));
+    sides.find(|(place, side)| shown(place, *side)).map_or(best.0, |(_, side)| side)
 }
 
 /// Which of some places something stands before, as seen by an eye.
@@ -105,11 +128,7 @@ pub(super) fn hidden(model: &Model, sites: &[&Site], eye: DVec3) -> Vec<bool> {
     }
     let obstacles = model.obstacles();
     let is_hidden = |site: &&Site| {
-        model.stand(site).is_some_and(|(object, position, normal)| {
-            let face = site.face.unwrap_or(u32::MAX);
-            let place = Wanted { position, normal, object, face, weight: 0.0 };
-            !is_seen(model, &obstacles, &place, eye - position)
-        })
+        Wanted::of(model, site).is_some_and(|place| !is_seen(model, &obstacles, &place, eye - place.position))
     };
     sites.iter().map(is_hidden).collect()
 }

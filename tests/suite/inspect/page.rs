@@ -1,6 +1,7 @@
 //! The page of a diagnosis: it holds everything itself, its links lead somewhere, its pictures can be read out.
 
 use super::{loaded, rebuilt, surface, with_normals};
+use crease::mesh::Faces;
 use crease::normals::NormalRecipe;
 use crease::quality::catalogue::Kind;
 use crease::quality::{Thresholds, diagnose};
@@ -111,6 +112,31 @@ fn the_view_sees_what_is_wrong() {
     let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
     let seen = |sight: Sight| yellow(deviation_picture(&file, &diagnosis, sight, 128).unwrap());
     assert_eq!(seen(Sight::From(DVec3::X)), 0, "the wall hides it");
+    assert!(seen(Sight::Auto) > 10, "{}", seen(Sight::Auto));
+}
+
+/// The bottom of a deep well that leans is seen from straight above only.
+#[test]
+fn the_automatic_view_looks_into_a_well() {
+    let axis = DVec3::new(0.3, 0.5, 0.8).normalize();
+    let [u, v] = [axis.any_orthonormal_vector(), axis.cross(axis.any_orthonormal_vector())];
+    let ring = |height: f64| {
+        (0..6).map(move |k| {
+            let (sine, cosine) = libm::sincos(f64::from(k) * std::f64::consts::FRAC_PI_3);
+            u * cosine + v * sine + axis * height
+        })
+    };
+    let mut faces = Faces::new();
+    faces.push(&[0, 1, 2, 3, 4, 5]);
+    (0..6).for_each(|k| faces.push(&[k, k + 6, (k + 1) % 6 + 6, (k + 1) % 6]));
+    let mesh = with_normals(rebuilt(ring(0.0).chain(ring(15.0)).collect(), faces), &NormalRecipe::default());
+    let mut normals = mesh.columns().normals.clone().unwrap();
+    let turned = normals.values.iter_mut().filter(|normal| normal.dot(axis) > 0.9);
+    assert!(turned.map(|normal| *normal = -*normal).count() > 0);
+    let file = loaded(mesh.with_normals(Some(normals)));
+    let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
+    let seen = |sight: Sight| yellow(deviation_picture(&file, &diagnosis, sight, 128).unwrap());
+    assert_eq!(seen(Sight::From(DVec3::Z)), 0, "the wall hides it");
     assert!(seen(Sight::Auto) > 10, "{}", seen(Sight::Auto));
 }
 
