@@ -2,9 +2,9 @@
 //!
 //!     cargo bench --bench inspect -- [ROUNDS] [TRIANGLES]
 //!
-//! Two threads, rounds in turn, medians, and the allocator of the program; the loop allocates nothing. The bars are 0.025× the rate of the loop, and 200 bytes for each triangle and
-//! 64 MiB; the table says by how much they are met. Memory is the peak above what is there before, where the system
-//! tells it.
+//! Two threads, rounds in turn, medians, and the allocator of the program; the loop allocates nothing. The bars are 0.025×
+//! the rate of the loop, and 200 bytes for each triangle and 64 MiB; the table says by how much they are met. Memory is the
+//! peak above what is there before, where the system tells it.
 
 #![allow(clippy::print_stdout, reason = "it prints a table")]
 

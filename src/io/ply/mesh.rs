@@ -140,6 +140,8 @@ impl Reading {
         let kinds: Vec<Scalar> = element.properties.iter().map(|property| scalar_of(property.kind)).collect();
         let count = rows.plausible_count(element);
         self.mesh.positions.reserve(count);
+        self.vertex_normals.reserve(role.normal.map_or(0, |_| count));
+        self.vertex_uvs.reserve(role.uv.map_or(0, |_| count));
         let mut colors = role.color.map(|_| Vec::with_capacity(count));
         rows.each(element, |_, row, rows| {
             let value = |at: usize| rows.scalar(&row.fields[at], kinds[at]);
