@@ -75,6 +75,7 @@ pub(super) fn run(parameters: &Parameters) -> Result<Outcome, ArtefactError> {
             ),
         ),
         largest(Text::new("torus", "toro"), segments, &of_torus, radius, open),
+        largest(Text::new("torus", "toro"), fine, &of_fine_torus, radius, open),
         // Between two outlines, 1 and 3/7 of the radius.
         area(Text::new("torus", "toro"), segments, &of_torus, open * 2.0 / (radius * (1.0 - 3.0 / 7.0))),
         Measure::new(

@@ -80,7 +80,7 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
 
 /// The weights that are means over triangles, with their names.
 static MEANS: [(Weight, Text); 6] = [
-    (Weight::Uniform, Text::new("weights 1", "pesos 1")),
+    (Weight::Uniform, Text::new("equal weights", "pesos iguais")),
     (Weight::Area, Text::new("area weights", "pesos pela área")),
     (Weight::Angle, Text::new("angle weights", "pesos pelo ângulo")),
     (Weight::AngleArea, Text::new("weights angle × area", "pesos ângulo × área")),
