@@ -131,8 +131,8 @@ pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) 
     diagnosis
 }
 
-/// Adds to every place where it is in the file: the way to the first node that has its part (glTF), or the line of its face
-/// (OBJ), in one pass.
+/// Adds to every place where it is in the file: the way to the first node that has its part (glTF), or the line of its face,
+/// of its vertex where it is on none (OBJ), in one pass each.
 pub(super) fn locate<'a>(sites: impl Iterator<Item = &'a mut Site>, loaded: &Loaded) {
     let mut sites: Vec<&mut Site> = sites.collect();
     if !loaded.nodes.is_empty() {
@@ -143,13 +143,22 @@ pub(super) fn locate<'a>(sites: impl Iterator<Item = &'a mut Site>, loaded: &Loa
         told.zip(loaded.node_paths(&numbers)).for_each(|(site, path)| site.node = Some(path));
     }
     if let Document::Obj(document) = &loaded.document {
-        sites.retain(|site| site.face.is_some());
-        sites.sort_by_key(|site| site.face);
-        let faces: Vec<u32> = sites.iter().filter_map(|site| site.face).collect();
-        for (site, line) in sites.into_iter().zip(document.lines_of_faces(&faces)) {
-            site.line = Some(line);
-        }
+        let (on_faces, others): (Vec<_>, Vec<_>) = sites.into_iter().partition(|site| site.face.is_some());
+        tell(on_faces, |site| site.face, |faces| document.lines_of_faces(faces));
+        tell(others, |site| site.vertex, |vertices| document.lines_of_vertices(vertices));
     }
+}
+
+/// Adds the lines of what those of some places that have a number of it are on.
+fn tell(
+    mut sites: Vec<&mut Site>,
+    number: impl Fn(&Site) -> Option<u32>,
+    lines: impl Fn(&[u32]) -> Vec<u64>,
+) {
+    sites.retain(|site| number(site).is_some());
+    sites.sort_by_key(|site| number(site));
+    let numbers: Vec<u32> = sites.iter().filter_map(|site| number(site)).collect();
+    sites.into_iter().zip(lines(&numbers)).for_each(|(site, line)| site.line = Some(line));
 }
 
 /// The nodes of each part, in their order.

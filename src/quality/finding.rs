@@ -85,7 +85,7 @@ pub struct Site {
     pub degrees: Option<f64>,
     /// The way to the node that has the part, as `body/arm/hand`; to the first one if there are several (glTF).
     pub node: Option<String>,
-    /// The line of the file that has the face (OBJ).
+    /// The line of the file that has the face, or the vertex where it is on no face (OBJ).
     pub line: Option<u64>,
 }
 

@@ -71,6 +71,11 @@ impl ObjDocument {
         locate::lines_of_faces(&self.text, faces)
     }
 
+    /// The line of each of some vertices, which ascend and may repeat, from 1. The text is read again for it.
+    pub fn lines_of_vertices(&self, vertices: &[u32]) -> Vec<u64> {
+        locate::lines_of_vertices(&self.text, vertices)
+    }
+
     /// What the material libraries say.
     pub(super) fn materials(&self) -> &[FileMaterial] {
         &self.materials

@@ -180,7 +180,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         "wrong-morph-normals",
         Severity::Warning,
         "normals of morphed shapes that do not fit the shape",
-        "With a morph target in full, the normal that comes out is far from what its faces give, further than without it. The face moves and its light does not move along, or moves the wrong way.",
+        "With a morph target in full, the normal that comes out is far from what its faces give, further than without it. The face moves and its light does not move along, or moves the wrong way. A target that stores no normals at all is left alone, though it shows the same.",
         "Compute them: those of the morph targets are computed along with the mesh's own.",
         Some(""),
     ),

@@ -8,6 +8,7 @@ use super::sight::{self, Sight};
 use crate::io::Loaded;
 use crate::mesh::Obstacles;
 use crate::num::{powers_of_ten, three_digits};
+use crate::quality::catalogue::Kind;
 use crate::quality::{Diagnosis, Finding, Severity, survey};
 use crate::raster::Camera;
 use crate::report::html::with_code;
@@ -89,7 +90,7 @@ fn overview(
         (&facing, "the mesh with front faces light blue and back faces dark red"),
         (&creases, "the mesh lit, with lines along creases and seams"),
     ];
-    page.pictures(&pictures, &caption(marks))?;
+    page.pictures(&pictures, &caption(marks, diagnosis))?;
     let mut links = String::from("<ul>\n");
     for finding in &diagnosis.findings {
         let (id, severity, cause) = (finding.kind.id(), finding.severity.name(), escape_html(&finding.cause));
@@ -103,9 +104,14 @@ fn overview(
 }
 
 /// What there is to see in the pictures of the overview.
-fn caption(marks: Marks) -> String {
+fn caption(marks: Marks, diagnosis: &Diagnosis) -> String {
+    let of_edges = [Kind::AveragedCrease, Kind::SplitSeam, Kind::GroupMismatch];
     let told = [
         (marks.dots, "; dots are on what is far off and too small to be seen"),
+        (
+            of_edges.iter().any(|&kind| diagnosis.get(kind).is_some()),
+            "; where edges are smooth or split against it, which the findings tell of the edges, all corners at them are off",
+        ),
         (marks.lines, "; grey lines are where that rule has two normals at an edge"),
         (marks.rings, "; red rings mark the worst place of each error and warning"),
         (marks.hidden, "; worst places that lie behind have no ring"),

@@ -187,6 +187,21 @@ fn cut_strip(columns: Columns) -> Mesh {
     MeshBuilder { positions, faces, columns, ..MeshBuilder::default() }.build().unwrap()
 }
 
+/// Places on faces tell the lines of these, and others those of their vertices, whatever stands between.
+#[test]
+fn places_in_obj_tell_their_lines() {
+    let text = "# two squares\nv 0 0 0\nv 1 0 0\nvt 0 0\nv 1 1 0\nv 0 1 0\n\nf 1 2 3 4\nv 1 0 0 \\\n1\nv 2 0 0\nv 2 1 0\n\
+                v 1 1 0\np 5\nf 5 6 7 8\nf 1 4 3 2\n";
+    let file = read_bytes(text.into(), Some(Format::Obj), None, &ReadOptions::default()).unwrap();
+    let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
+    let lines = |kind: Kind| -> Vec<Option<u64>> {
+        let told = diagnosis.get(kind).unwrap_or_else(|| panic!("{kind:?} is told"));
+        told.places.iter().map(|site| site.line).collect()
+    };
+    assert_eq!(lines(Kind::DuplicateVertices), [Some(9), Some(13)]);
+    assert_eq!(lines(Kind::BackToBack), [Some(16)]);
+}
+
 /// Vertices that nothing tells from others at their place are told once each, where no normals are stored; with normals the
 /// seams that they make are told.
 #[test]
