@@ -76,7 +76,7 @@ impl Moved {
         let without = self.with_unit(self.bad);
         Text::each(|language| {
             let without = without.get(language);
-            Text::new("It does too little here, {} without it.", "Aqui isso faz pouco, {} sem isso.")
+            Text::new("It does too little here, {} without it.", "Aqui isso não basta, {} sem isso.")
                 .get(language)
                 .replace("{}", without)
         })

@@ -94,7 +94,7 @@ const NOTHING: [[&str; 3]; 2] = [
     ["Nothing of the artefact is measured here", "Nothing is lit here", "There was nothing to cure here"],
     ["Nada do artefato se mede aqui", "Nada está iluminado aqui", "Não havia o que curar aqui"],
 ];
-const TOO_LITTLE: [&str; 2] = ["It does too little here", "Aqui isso faz pouco"];
+const TOO_LITTLE: [&str; 2] = ["It does too little here", "Aqui isso não basta"];
 
 /// A picture's role, its number and its caption say the same.
 fn disagreement(shot: &Shot) -> Option<String> {

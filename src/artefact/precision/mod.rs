@@ -59,8 +59,8 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
     own_mesh: None,
     segments: Parameters::SEGMENTS,
     shown_by: Text::new(
-        "a sharp highlight of some pixels (exponents from 100 to 10 000) would show it.",
-        "um brilho nítido de alguns pixels (expoentes de 100 a 10 000) o mostraria.",
+        "a sharp highlight of some pixels (exponents from 100 to 10\u{a0}000) would show it.",
+        "um brilho nítido de alguns pixels (expoentes de 100 a 10\u{a0}000) o mostraria.",
     ),
     defaults: Parameters { segments: 24, exponent: 2000.0, ..Parameters::USUAL },
     run,

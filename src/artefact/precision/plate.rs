@@ -121,9 +121,9 @@ pub(super) fn plate(
             Text::new("needles, plain products", "agulhas, produtos simples"),
             [
                 Text::new(
-                    "A flat plate in a light close by. Each stripe is the middle of a needle 300 000 times as long as high, with the \
+                    "A flat plate in a light close by. Each stripe is the middle of a needle 300\u{a0}000 times as long as high, with the \
                      normal that plain products of single precision give it.",
-                    "Uma placa plana sob uma luz próxima. Cada faixa é o meio de uma agulha 300 000 vezes mais comprida que alta, com \
+                    "Uma placa plana sob uma luz próxima. Cada faixa é o meio de uma agulha 300\u{a0}000 vezes mais comprida que alta, com \
                      a normal que lhe dão produtos simples em precisão simples.",
                 ),
                 Text::new("The highlight is torn into stripes.", "O brilho se rasga em faixas."),

@@ -116,8 +116,8 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     // change by √n of it at most, and by 1 for the smallest n.
     let pixel = 0.5 / radius * 2.0 * exponent.sqrt().max(1.0);
     let by_scan = Text::new(
-        "the largest over φ, by a scan of 10 001 angles; half a pixel",
-        "o maior em φ, por uma varredura de 10 001 ângulos; meio pixel",
+        "the largest over φ, by a scan of 10\u{a0}001 angles; half a pixel",
+        "o maior em φ, por uma varredura de 10\u{a0}001 ângulos; meio pixel",
     );
     let compared = |measure: Measure, law: f64, tolerance: f64| match pixel < 0.5 {
         true => measure.expect(law, tolerance, by_scan.clone()),

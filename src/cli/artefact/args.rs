@@ -99,7 +99,7 @@ pub struct ParameterArgs {
     pub light: Option<f64>,
 
     /// The exponent of the highlight
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub exponent: Option<f64>,
 
     /// How faces count in vertex normals
@@ -107,7 +107,7 @@ pub struct ParameterArgs {
     pub weight: Option<Weight>,
 
     /// The crease angle of the cure
-    #[arg(long, value_name = "DEG")]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     pub crease: Option<f64>,
 
     /// How values at corners spread over faces in the animation of `orientation`; its pictures show every way
