@@ -1,7 +1,7 @@
 //! The page of a diagnosis: it holds everything itself, its links lead somewhere, its pictures can be read out.
 
 use super::{loaded, rebuilt, surface, with_normals};
-use crease::mesh::Faces;
+use crease::mesh::{Faces, Mesh};
 use crease::normals::NormalRecipe;
 use crease::quality::catalogue::Kind;
 use crease::quality::{Thresholds, diagnose};
@@ -89,6 +89,15 @@ fn pink(picture: Picture) -> usize {
     pixels(picture, |[r, g, b]| r > 220 && g < 120 && b > 170)
 }
 
+/// What is wrong with a mesh is hidden from one side, and the automatic view shows some of it.
+fn is_seen_but_not_from(side: DVec3, mesh: Mesh) {
+    let file = loaded(mesh);
+    let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
+    let seen = |sight: Sight| yellow(deviation_picture(&file, &diagnosis, sight, 128).unwrap());
+    assert_eq!(seen(Sight::From(side)), 0, "the wall hides it");
+    assert!(seen(Sight::Auto) > 10, "{}", seen(Sight::Auto));
+}
+
 /// A ball in an open box, with normals turned round where it faces a wall: from beyond that wall they are hidden, and the
 /// view is one that sees them.
 #[test]
@@ -108,11 +117,7 @@ fn the_view_sees_what_is_wrong() {
     let turned =
         normals.values.iter_mut().filter(|normal| normal.x > 0.95 && normal.y > 0.0 && normal.y < 0.3);
     assert!(turned.map(|normal| *normal = -*normal).count() > 3);
-    let file = loaded(mesh.with_normals(Some(normals)));
-    let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
-    let seen = |sight: Sight| yellow(deviation_picture(&file, &diagnosis, sight, 128).unwrap());
-    assert_eq!(seen(Sight::From(DVec3::X)), 0, "the wall hides it");
-    assert!(seen(Sight::Auto) > 10, "{}", seen(Sight::Auto));
+    is_seen_but_not_from(DVec3::X, mesh.with_normals(Some(normals)));
 }
 
 /// The bottom of a deep well that leans is seen from straight above only.
@@ -133,11 +138,7 @@ fn the_automatic_view_looks_into_a_well() {
     let mut normals = mesh.columns().normals.clone().unwrap();
     let turned = normals.values.iter_mut().filter(|normal| normal.dot(axis) > 0.9);
     assert!(turned.map(|normal| *normal = -*normal).count() > 0);
-    let file = loaded(mesh.with_normals(Some(normals)));
-    let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
-    let seen = |sight: Sight| yellow(deviation_picture(&file, &diagnosis, sight, 128).unwrap());
-    assert_eq!(seen(Sight::From(DVec3::Z)), 0, "the wall hides it");
-    assert!(seen(Sight::Auto) > 10, "{}", seen(Sight::Auto));
+    is_seen_but_not_from(DVec3::Z, mesh.with_normals(Some(normals)));
 }
 
 /// A mesh with right normals is violet all over; one with wrong normals is yellow.
@@ -150,7 +151,7 @@ fn colours_tell_deviation() {
     let mut wrong = mesh.columns().normals.clone().unwrap();
     // Those that the view sees.
     wrong.values.iter_mut().filter(|normal| normal.y > 0.0).for_each(|normal| *normal = -*normal);
-    let yellow_of = |mesh: crease::mesh::Mesh| {
+    let yellow_of = |mesh: Mesh| {
         let file = loaded(mesh);
         let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
         yellow(deviation_picture(&file, &diagnosis, Sight::From(DVec3::new(1.0, 2.0, 1.0)), 96).unwrap())
@@ -159,7 +160,7 @@ fn colours_tell_deviation() {
     assert!(yellow_of(mesh.with_normals(Some(wrong))) > 500);
 }
 
-fn heat_map(mesh: crease::mesh::Mesh, side: u32) -> Picture {
+fn heat_map(mesh: Mesh, side: u32) -> Picture {
     let file = loaded(mesh);
     let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
     deviation_picture(&file, &diagnosis, Sight::From(DVec3::new(1.0, 2.0, 1.0)), side).unwrap()
