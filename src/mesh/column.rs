@@ -6,16 +6,17 @@ use glam::{DVec2, DVec3};
 pub const NONE: u32 = u32::MAX;
 
 /// How the corners of a mesh refer to the values of a [`Column`].
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum ColumnIndex {
     /// Value `v` belongs to vertex `v`, whichever corner asks.
+    #[default]
     PerVertex,
     /// One index a corner, [`NONE`] where there is no value.
     PerCorner(Vec<u32>),
 }
 
 /// Values shared by corners: authored normals, computed normals, texture coordinates.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Column<T> {
     /// The values, in the order of the file that they came from.
     pub values: Vec<T>,

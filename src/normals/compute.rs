@@ -15,7 +15,7 @@ use super::sums::{SlotState, SumRequest, Sums, weighted_sums};
 use super::tally::edge_counts;
 use super::{
     CreaseRule, FaceNormals, Fault, FaultReason, Faults, Groups, NormalField, NormalRecipe, Precision, Scope,
-    Summary, Weight,
+    Slivers, Summary, Weight,
 };
 use crate::mesh::{Column, Mesh, Storage, Topology};
 use crate::num::Degrees;
@@ -111,21 +111,32 @@ fn try_compute(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe, fast: bo
         corners: corner_faults(&groups.corner_entry, &filled.made_up),
         vertices: unreferenced(&groups.entry_vertex, mesh.vertex_count()),
     };
-    let makeup = MadeUp::new(mesh.faces().view(), topology, &shape.faces);
-    let bare = shape.faces.unit.iter().enumerate().filter(|(_, normal)| **normal == DVec3::ZERO);
-    let made_up: Vec<_> = bare.map(|(face, _)| (face, makeup.for_face(face as u32))).collect();
-    let mut face_normals = shape.faces.unit;
-    for (face, normal) in made_up {
-        face_normals[face] = normal;
-    }
     Some(NormalField {
         normals: Column::per_corner(filled.values, groups.corner_entry),
         entry_vertex: groups.entry_vertex,
-        face_normals,
+        face_normals: with_made_up(mesh, topology, shape.faces),
         morph_normals,
         faults,
         summary,
     })
+}
+
+/// The normals of faces and what is wrong with them, as [`compute_on`] gives them, faithful, and nothing of corners.
+pub(crate) fn faces_on(mesh: &Mesh, topology: &Topology) -> (Vec<DVec3>, Vec<Fault>) {
+    let faces = face_normals(mesh.faces().view(), Positions::F64(mesh.positions(), mesh.storage()));
+    let faults = face_faults(&faces, Slivers::default());
+    (with_made_up(mesh, topology, faces), faults)
+}
+
+/// The unit normals of all faces, made up where there is no direction.
+fn with_made_up(mesh: &Mesh, topology: &Topology, mut faces: FaceNormals) -> Vec<DVec3> {
+    let makeup = MadeUp::new(mesh.faces().view(), topology, &faces);
+    let bare = faces.unit.iter().enumerate().filter(|(_, normal)| **normal == DVec3::ZERO);
+    let made_up: Vec<_> = bare.map(|(face, _)| (face, makeup.for_face(face as u32))).collect();
+    for (face, normal) in made_up {
+        faces.unit[face] = normal;
+    }
+    faces.unit
 }
 
 /// A mesh in one of its shapes: its own, or a morph target's.

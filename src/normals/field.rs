@@ -8,7 +8,7 @@ use glam::DVec3;
 ///
 /// `normals` has one value per (vertex, smooth group), never merged across vertices, ordered by vertex and then
 /// by the lowest corner of the group, and one index a corner. Every value is finite and of unit length.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct NormalField {
     /// The normals; the index is per corner.
     pub normals: Column<DVec3>,

@@ -43,6 +43,7 @@ mod test_meshes;
 mod weight;
 
 pub use crate::mesh::Weld;
+pub(crate) use compute::faces_on;
 pub use compute::{compute, compute_on};
 pub use corner_slices::corner_normals;
 pub(crate) use face::FaceNormals;

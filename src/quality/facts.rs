@@ -10,7 +10,7 @@ use crate::mesh::{
     Column, Confidence, Link, Mesh, Orientation, Orientations, Topology, normals_oppose, place_key,
     stored_unit, vector_area,
 };
-use crate::normals::{Crease, FaultReason, Groups, NormalField, NormalRecipe, compute_on};
+use crate::normals::{Fault, FaultReason, Groups, NormalField, NormalRecipe, compute_on, faces_on};
 use crate::num::unit_scale;
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
@@ -44,8 +44,10 @@ pub(super) struct Facts<'a> {
     pub(super) estimate: Option<Estimate>,
     /// What all stored normals were turned by, if the estimate is of them turned back.
     pub(super) turn: Option<DMat3>,
-    /// Normals computed that way; with the default recipe if there are none to go by.
+    /// Normals computed that way; with the default recipe if there are none to go by. Those of faces are beside it.
     pub(super) field: NormalField,
+    /// The unit normal of each face.
+    pub(super) face_normals: Vec<DVec3>,
     pub(super) worth: Vec<Worth>,
     /// Area of each face, in units that keep it in range.
     pub(super) area: Vec<f64>,
@@ -92,7 +94,7 @@ impl<'a> Facts<'a> {
     ) -> Self {
         let (topology, near) = Topology::build_near(mesh, around.near());
         let stored = mesh.columns().normals.as_ref().filter(|stored| !stored.values.is_empty());
-        let field = compute_on(mesh, &topology, &NormalRecipe::default());
+        let (face_normals, faults) = faces_on(mesh, &topology);
         let orientations = Orientations::new(mesh, &topology);
         let minority = orientations.consistent().reversed;
         let mut outward = orientations.outward(mesh, confidence, &[]);
@@ -102,7 +104,7 @@ impl<'a> Facts<'a> {
         let inside_out = InsideOut::all(&orientations, &outward, |faces| {
             normals_oppose(mesh, faces.iter().map(|&face| (face, false)))
         });
-        let worth = worth(mesh, &field, &minority, &inside_out);
+        let worth = worth(mesh, &faults, &minority, &inside_out);
         let extent = mesh.bounds().map_or(0.0, |(low, high)| (high - low).max_element());
         let scale = unit_scale(extent);
         let area: Vec<f64> = (0..mesh.face_count())
@@ -119,7 +121,8 @@ impl<'a> Facts<'a> {
             written: None,
             estimate: None,
             turn: None,
-            field,
+            field: NormalField::default(),
+            face_normals,
             worth,
             total_area: area.iter().sum(),
             area,
@@ -143,13 +146,13 @@ impl<'a> Facts<'a> {
             (facts.estimate, facts.turn) = (Some(estimate), turn);
         }
         let has_groups = mesh.columns().smoothing.is_some();
-        if let Some(estimate) = facts.estimate.filter(|estimate| has_groups || !estimate.is_default()) {
-            facts.field = compute_on(mesh, &facts.topology, &estimate.recipe());
-        } else if facts.estimate.is_none() && stored.is_some() {
-            let recipe =
-                NormalRecipe { groups: Groups::Ignore, crease: Crease::Default, ..NormalRecipe::default() };
-            facts.field = compute_on(mesh, &facts.topology, &recipe);
-        }
+        let recipe = match (facts.estimate, stored) {
+            (Some(estimate), _) if has_groups || !estimate.is_default() => estimate.recipe(),
+            (None, Some(_)) => NormalRecipe { groups: Groups::Ignore, ..NormalRecipe::default() },
+            _ => NormalRecipe::default(),
+        };
+        facts.field = compute_on(mesh, &facts.topology, &recipe);
+        facts.face_normals = std::mem::take(&mut facts.field.face_normals);
         let cancelling = facts.field.faults.corners.iter();
         let cancelling = cancelling.filter(|fault| fault.reason == FaultReason::CancellingFan);
         facts.cancelling = cancelling.map(|fault| fault.index).collect();
@@ -234,7 +237,7 @@ impl<'a> Facts<'a> {
 
     /// The face's own unit normal.
     pub(super) fn face_normal(&self, face: usize) -> DVec3 {
-        self.field.face_normals[face]
+        self.face_normals[face]
     }
 
     /// The normal that a corner should have.
@@ -315,7 +318,7 @@ impl InsideOut {
     }
 }
 
-fn worth(mesh: &Mesh, field: &NormalField, minority: &[u32], inside_out: &[InsideOut]) -> Vec<Worth> {
+fn worth(mesh: &Mesh, faults: &[Fault], minority: &[u32], inside_out: &[InsideOut]) -> Vec<Worth> {
     let mut worth = vec![Worth::Sound; mesh.face_count()];
     let wholes = inside_out.iter().filter(|component| component.is_fault());
     for &face in wholes.flat_map(|component| &component.faces).chain(minority) {
@@ -323,7 +326,7 @@ fn worth(mesh: &Mesh, field: &NormalField, minority: &[u32], inside_out: &[Insid
     }
     let silent =
         [FaultReason::ZeroArea, FaultReason::BelowStorage, FaultReason::OutOfRange, FaultReason::NonFinite];
-    for fault in field.faults.faces.iter().filter(|fault| silent.contains(&fault.reason)) {
+    for fault in faults.iter().filter(|fault| silent.contains(&fault.reason)) {
         worth[fault.index as usize] = Worth::Silent;
     }
     worth
