@@ -35,9 +35,7 @@ pub(super) fn edit(
         Document::Gltf(document) => gltf::edit(document, loaded, edits, to, options),
         Document::Ply(document) => ply::edit(document, loaded, edits, options),
         Document::Stl(document) => stl::edit(document, loaded, edits, options),
-        Document::None => {
-            Err(WriteError::Unsupported("no document was kept to edit; write a new file".to_owned()))
-        }
+        Document::None => Err(WriteError::no_document()),
     }
 }
 
@@ -46,7 +44,7 @@ impl Document {
     pub fn is_unchanged(&self, bytes: &[u8]) -> bool {
         match self {
             Document::None => false,
-            Document::Obj(document) => document.source() == bytes,
+            Document::Obj(document) => document.source() == Some(bytes),
             Document::Gltf(document) => document.source() == bytes,
             Document::Ply(document) => document.source() == bytes,
             Document::Stl(document) => document.source() == bytes,

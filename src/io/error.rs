@@ -166,3 +166,10 @@ pub enum WriteError {
     #[error("{0}")]
     TooLarge(String),
 }
+
+impl WriteError {
+    /// What was read, or kept of it, is not there to edit.
+    pub(super) fn no_document() -> Self {
+        Self::Unsupported("no document was kept to edit; write a new file".to_owned())
+    }
+}

@@ -62,6 +62,38 @@ pub struct Loaded {
 }
 
 impl Loaded {
+    /// The file as it is good for looking at alone, in less memory: without the bytes of PLY and STL and without the text of
+    /// OBJ, but for [which lines are what](super::obj::ObjDocument::lines). STL, in which each facet repeats its vertices, has
+    /// one vertex for each place. The document of glTF stays: attributes are read from it when they are asked for.
+    ///
+    /// OBJ, PLY and STL can then not be [written](super::write) in their own format, which edits the document.
+    ///
+    /// ```
+    /// use crease::io::{Format, ReadOptions, WriteOptions, read_bytes, write};
+    ///
+    /// let facet = "facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet ";
+    /// let text = format!("solid\n{facet}{facet}endsolid");
+    /// let loaded = read_bytes(text.into_bytes(), Some(Format::Stl), None, &ReadOptions::default())?;
+    /// assert_eq!(loaded.parts[0].mesh.vertex_count(), 6);
+    /// let loaded = loaded.without_source();
+    /// assert_eq!(loaded.parts[0].mesh.vertex_count(), 3);
+    /// assert!(write(&loaded, &[], Format::Stl, &WriteOptions::default()).is_err());
+    /// # Ok::<(), crease::io::ReadError>(())
+    /// ```
+    pub fn without_source(mut self) -> Self {
+        match &mut self.document {
+            Document::Obj(document) => document.forget_text(),
+            Document::Ply(_) | Document::Stl(_) => self.document = Document::None,
+            Document::Gltf(_) | Document::None => {}
+        }
+        if self.format == Format::Stl {
+            for part in &mut self.parts {
+                part.mesh = std::mem::take(&mut part.mesh).with_shared_vertices();
+            }
+        }
+        self
+    }
+
     /// Where each part stands in the world: nowhere, if no node has it; once and as it is, if there are no nodes at all.
     pub(crate) fn places(&self) -> Vec<Vec<DMat4>> {
         if self.nodes.is_empty() {

@@ -11,6 +11,7 @@ mod orient;
 mod rings;
 mod select;
 mod sets;
+mod share;
 mod side;
 mod split;
 mod topology;

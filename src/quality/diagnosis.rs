@@ -12,7 +12,7 @@ use super::{
     Estimate, Precision, Thresholds, attributes, geometry, key_light_steps, mixing, shading, smoothing,
     stored,
 };
-use crate::io::{Document, FileNode, Loaded};
+use crate::io::{Document, FileNode, Format, Loaded};
 use crate::mesh::{Mesh, NONE, normal_matrix};
 use glam::DMat3;
 
@@ -30,7 +30,7 @@ pub struct Diagnosis {
 pub struct PartDiagnosis {
     /// Its name.
     pub name: String,
-    /// Vertices that faces use.
+    /// Vertices that faces use; in STL every corner has its own.
     pub vertices: usize,
     /// Faces.
     pub faces: usize,
@@ -108,9 +108,10 @@ pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) 
                 found.add_to_remedies(&format!("--weld {near:e}"));
             }
             own.estimate = facts.estimate;
-            own.vertices = facts.field.summary.referenced_vertices;
             own.faces = part.mesh.face_count();
             own.corners = part.mesh.faces().corner_count();
+            own.vertices =
+                if facts.shares_vertices { facts.field.summary.referenced_vertices } else { own.corners };
             for (entry, merged) in entries().zip(&mut merged) {
                 merged.of += elements(&facts, entry.element, nodes.len());
                 merged.all_area += facts.total_area / (facts.scale * facts.scale);
@@ -132,7 +133,7 @@ pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) 
 }
 
 /// Adds to every place where it is in the file: the way to the first node that has its part (glTF), or the line of its face,
-/// of its vertex where it is on none (OBJ), in one pass each.
+/// of its vertex where it is on none (OBJ).
 pub(super) fn locate<'a>(sites: impl Iterator<Item = &'a mut Site>, loaded: &Loaded) {
     let mut sites: Vec<&mut Site> = sites.collect();
     if !loaded.nodes.is_empty() {
@@ -142,23 +143,29 @@ pub(super) fn locate<'a>(sites: impl Iterator<Item = &'a mut Site>, loaded: &Loa
         let told = sites.iter_mut().filter(|site| first(site).is_some());
         told.zip(loaded.node_paths(&numbers)).for_each(|(site, path)| site.node = Some(path));
     }
+    if loaded.format == Format::Stl {
+        sites.iter_mut().for_each(|site| site.vertex = vertex_in_stl(site, loaded));
+    }
     if let Document::Obj(document) = &loaded.document {
-        let (on_faces, others): (Vec<_>, Vec<_>) = sites.into_iter().partition(|site| site.face.is_some());
-        tell(on_faces, |site| site.face, |faces| document.lines_of_faces(faces));
-        tell(others, |site| site.vertex, |vertices| document.lines_of_vertices(vertices));
+        for site in sites {
+            site.line = match (site.face, site.vertex) {
+                (Some(face), _) => document.lines().of_face(face),
+                (None, Some(vertex)) => document.lines().of_vertex(vertex),
+                (None, None) => None,
+            };
+        }
     }
 }
 
-/// Adds the lines of what those of some places that have a number of it are on.
-fn tell(
-    mut sites: Vec<&mut Site>,
-    number: impl Fn(&Site) -> Option<u32>,
-    lines: impl Fn(&[u32]) -> Vec<u64>,
-) {
-    sites.retain(|site| number(site).is_some());
-    sites.sort_by_key(|site| number(site));
-    let numbers: Vec<u32> = sites.iter().filter_map(|site| number(site)).collect();
-    sites.into_iter().zip(lines(&numbers)).for_each(|(site, line)| site.line = Some(line));
+/// The number of a place's vertex where every facet has three of its own, as in the file, whether these are shared by now or not.
+fn vertex_in_stl(site: &Site, loaded: &Loaded) -> Option<u32> {
+    let faces = loaded.parts[site.part].mesh.faces();
+    let vertex = site.vertex?;
+    let first = || faces.corners().iter().position(|&other| other == vertex).map(|corner| corner as u32);
+    site.face
+        .zip(site.corner)
+        .map(|(face, corner)| faces.range(face as usize).start as u32 + corner)
+        .or_else(first)
 }
 
 /// The nodes of each part, in their order.

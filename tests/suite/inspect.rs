@@ -10,6 +10,7 @@ mod clean;
 mod cut;
 mod geometry;
 mod handmade;
+mod lightened;
 mod mended;
 mod mixing;
 mod own;

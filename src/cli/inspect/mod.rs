@@ -19,7 +19,7 @@ use super::request::{Job, RequestError, Target, resolve_parent};
 use super::{Exit, usage_error, use_threads};
 use against::AgainstReport;
 use args::{Explained, FindingArgs, PictureArgs};
-use crease::io::{Document, Loaded, ReadOptions, Written};
+use crease::io::{Loaded, ReadOptions, Written};
 use crease::num::Transfer;
 use crease::quality::{Comparison, Diagnosis, Thresholds, compare, diagnose};
 use crease::report::{After, ReportError, deviation_picture, diagnosis_page, encode_png};
@@ -182,11 +182,8 @@ fn inspect(
 ) -> Result<Outcome, Failure> {
     progress.stage(Stage::Read);
     let start = Instant::now();
-    let mut loaded = normals::load(job, read, progress, &mut report.input.bytes).map_err(Failure::Read)?;
-    if matches!(loaded.document, Document::Ply(_) | Document::Stl(_)) {
-        // The bytes to write it back; of the others findings tell lines and nodes.
-        loaded.document = Document::None;
-    }
+    let loaded = normals::load(job, read, progress, &mut report.input.bytes).map_err(Failure::Read)?;
+    let loaded = loaded.without_source();
     report.seconds.read = start.elapsed().as_secs_f64();
     report.input.format = Some(loaded.format.extension());
 
@@ -248,6 +245,7 @@ impl Later {
         let path = name(&job);
         let loaded =
             normals::load(&job, read, progress, &mut None).map_err(|error| Failure::read_of(&path, error))?;
+        let loaded = loaded.without_source();
         let own = diagnose(&loaded, thresholds, &|_| {});
         let comparison = compare([before, &loaded], [diagnosis, &own], thresholds.places)
             .map_err(|error| Failure::Draw(format!("--against {path}: {error}")))?;

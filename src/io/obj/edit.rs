@@ -32,8 +32,9 @@ pub(in crate::io) fn edit(
     }
     let mesh = &loaded.parts[0].mesh;
     let edit = &edits[0];
+    let text = document.source().ok_or_else(WriteError::no_document)?;
     let bytes =
-        if changes_nothing(mesh, edit) { document.text.clone() } else { edited(document, mesh, edit)? };
+        if changes_nothing(mesh, edit) { text.to_vec() } else { edited((document, text), mesh, edit)? };
     let vertices = mesh.vertex_count() as u64;
     let mut written = Written { bytes, vertices, ..Written::default() };
     match (&options.stem, document.companions.first()) {
@@ -67,8 +68,11 @@ fn changes_nothing(mesh: &Mesh, edit: &PartEdit) -> bool {
     edit.kept == stored.values.len() && new_index == index
 }
 
-fn edited(document: &ObjDocument, mesh: &Mesh, edit: &PartEdit) -> Result<Vec<u8>, WriteError> {
-    let text = &document.text;
+fn edited(
+    (document, text): (&ObjDocument, &[u8]),
+    mesh: &Mesh,
+    edit: &PartEdit,
+) -> Result<Vec<u8>, WriteError> {
     let renumbering = match &edit.normals {
         Some(_) if document.surface_normals => {
             let text =

@@ -295,7 +295,12 @@ pub(super) fn text_start(text: &[u8]) -> usize {
 
 /// The statements of a text, in order.
 pub(super) fn statements(text: &[u8]) -> impl Iterator<Item = Statement> + '_ {
-    let mut cursor = Cursor::new(text, text_start(text));
+    statements_in(text, text_start(text)..text.len())
+}
+
+/// The statements that begin in a part of a text, which begins and ends at line starts.
+pub(super) fn statements_in(text: &[u8], range: Range<usize>) -> impl Iterator<Item = Statement> + '_ {
+    let mut cursor = Cursor::new(&text[..range.end], range.start);
     std::iter::from_fn(move || {
         if cursor.is_done() {
             return None;

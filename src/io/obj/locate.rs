@@ -4,9 +4,8 @@
 //! message needs are found by reading the text again, which is only done once something is wrong.
 
 use super::arguments::Fault;
-use super::lexer::{Cursor, Keyword, Statement, statements};
+use super::lexer::{Cursor, Keyword, statements};
 use crate::io::Problem;
-use crate::io::text::lines_of;
 
 /// How many vertices, texture coordinates and normals a file defines.
 #[derive(Clone, Copy, Debug, Default)]
@@ -117,37 +116,4 @@ pub(super) fn arguments_of(text: &[u8], keyword: Keyword, number: usize) -> Opti
         .filter(|statement| statement.keyword == keyword)
         .nth(number)
         .map(|statement| statement.arguments)
-}
-
-/// The line of each of some faces, ascending, as the reader counts them: those of fewer than three corners are skipped.
-pub(super) fn lines_of_faces(text: &[u8], faces: &[u32]) -> Vec<u64> {
-    let has_three = |arguments: usize| {
-        let mut cursor = Cursor::new(text, arguments);
-        (0..3).all(|_| {
-            cursor.skip_blanks();
-            !cursor.at_statement_end() && cursor.corner().is_some()
-        })
-    };
-    let is_face = |it: &Statement| it.keyword == Keyword::Face && has_three(it.arguments);
-    lines_of_those(text, faces, is_face)
-}
-
-/// The line of each of some vertices, ascending.
-pub(super) fn lines_of_vertices(text: &[u8], vertices: &[u32]) -> Vec<u64> {
-    lines_of_those(text, vertices, |it| it.keyword == Keyword::Vertex)
-}
-
-/// The lines of statements of some kind, by how many of the kind are before them, ascending.
-fn lines_of_those(text: &[u8], numbers: &[u32], is_wanted: impl Fn(&Statement) -> bool) -> Vec<u64> {
-    let mut wanted = numbers.iter().peekable();
-    let mut offsets = Vec::with_capacity(numbers.len());
-    for (number, statement) in statements(text).filter(is_wanted).enumerate() {
-        while wanted.next_if(|&&wanted| wanted as usize == number).is_some() {
-            offsets.push(statement.start);
-        }
-        if wanted.peek().is_none() {
-            break;
-        }
-    }
-    lines_of(text, &offsets)
 }

@@ -15,6 +15,7 @@ mod fresh;
 mod indices;
 mod labels;
 mod lexer;
+mod lines;
 mod locate;
 mod material;
 mod merge;
@@ -32,10 +33,12 @@ use arguments::Fault;
 pub(super) use edit::edit;
 pub(super) use fresh::write;
 use lexer::{line_and_column, next_line_start, text_start};
+pub use lines::ObjLines;
 use merge::File;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::path::Path;
+use std::sync::OnceLock;
 use stretch::Stretch;
 
 /// Bytes that are parsed in one go. It does not depend on the number of threads, nor does anything else here.
@@ -47,7 +50,9 @@ const BATCH: usize = 8;
 /// An OBJ file as it was read.
 #[derive(Clone, Debug)]
 pub struct ObjDocument {
-    text: Vec<u8>,
+    /// `None` once it was let go of.
+    text: Option<Vec<u8>>,
+    lines: OnceLock<ObjLines>,
     /// Where new normals go: behind the last one in front of the first face, or else in front of that face.
     insertion: usize,
     /// How many `vn` lines are in front of `insertion`.
@@ -62,18 +67,19 @@ pub struct ObjDocument {
 
 impl ObjDocument {
     /// The file as it was read.
-    pub(super) fn source(&self) -> &[u8] {
-        &self.text
+    pub(super) fn source(&self) -> Option<&[u8]> {
+        self.text.as_deref()
     }
 
-    /// The line of each of some faces, which ascend and may repeat, from 1. The text is read again for it.
-    pub fn lines_of_faces(&self, faces: &[u32]) -> Vec<u64> {
-        locate::lines_of_faces(&self.text, faces)
+    /// The lines of faces and vertices. The text is read again for it, once.
+    pub fn lines(&self) -> &ObjLines {
+        self.lines.get_or_init(|| ObjLines::new(self.source().unwrap_or_default()))
     }
 
-    /// The line of each of some vertices, which ascend and may repeat, from 1. The text is read again for it.
-    pub fn lines_of_vertices(&self, vertices: &[u32]) -> Vec<u64> {
-        locate::lines_of_vertices(&self.text, vertices)
+    /// Lets go of the text, but for what is on which line.
+    pub(super) fn forget_text(&mut self) {
+        self.lines();
+        self.text = None;
     }
 
     /// What the material libraries say.
@@ -123,9 +129,15 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
     };
     let part = Part { name, mesh: merged.mesh, non_finite_faces: merged.non_finite_faces };
     let (companions, materials) = (materials.files, materials.materials);
-    let document =
-        ObjDocument { text: bytes, insertion, normals_before, surface_normals, companions, materials };
-    let document = Document::Obj(Box::new(document));
+    let document = Document::Obj(Box::new(ObjDocument {
+        text: Some(bytes),
+        lines: OnceLock::new(),
+        insertion,
+        normals_before,
+        surface_normals,
+        companions,
+        materials,
+    }));
     Ok(Loaded { format: Format::Obj, parts: vec![part], nodes: Vec::new(), notes, document })
 }
 
