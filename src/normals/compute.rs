@@ -3,6 +3,7 @@
 use super::crease::CreaseTest;
 use super::digits::turns_by_rounding;
 use super::face::face_normals;
+use super::face_field::FaceField;
 use super::fans::{FanWalker, MeshFans};
 use super::gather::TermTable;
 use super::groups::{Members, SmoothGroups};
@@ -15,7 +16,7 @@ use super::sums::{SlotState, SumRequest, Sums, weighted_sums};
 use super::tally::edge_counts;
 use super::{
     CreaseRule, FaceNormals, Fault, FaultReason, Faults, Groups, NormalField, NormalRecipe, Precision, Scope,
-    Slivers, Summary, Weight,
+    Summary, Weight,
 };
 use crate::mesh::{Column, Mesh, Storage, Topology};
 use crate::num::Degrees;
@@ -50,18 +51,36 @@ pub fn compute(mesh: &Mesh, recipe: &NormalRecipe) -> NormalField {
 /// As [`compute`], on a topology built before, with the welding that it was built with.
 pub fn compute_on(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe) -> NormalField {
     let fast = recipe.precision == Precision::Fast;
-    if let Some(field) = fast.then(|| try_compute(mesh, topology, recipe, true)).flatten() {
+    let shape = || Shape::fast(mesh, mesh.positions());
+    if let Some(field) = fast.then(|| try_compute(mesh, topology, recipe, shape()?)).flatten() {
         return field;
     }
-    let mut field =
-        try_compute(mesh, topology, recipe, false).expect("the faithful way is open to every mesh");
+    let mut field = faithful(mesh, topology, recipe, Shape::faithful(mesh, mesh.positions(), mesh.storage()));
     field.summary.fast_declined = fast;
     field
 }
 
-/// The field, `fast` or faithful; `None` if the mesh is out of the range of `fast`.
-fn try_compute(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe, fast: bool) -> Option<NormalField> {
-    let shape = Shape::new(mesh, mesh.positions(), mesh.storage(), fast)?;
+/// As [`compute_on`], faithful, with the normals of faces that are there already.
+pub(crate) fn compute_from(
+    mesh: &Mesh,
+    topology: &Topology,
+    recipe: &NormalRecipe,
+    faces: FaceField,
+) -> NormalField {
+    faithful(mesh, topology, recipe, Shape::of(mesh.positions(), mesh.storage(), faces.into_computed()))
+}
+
+fn faithful(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe, shape: Shape<'_>) -> NormalField {
+    try_compute(mesh, topology, recipe, shape).expect("the faithful way is open to every mesh")
+}
+
+/// The field, as `fast` or faithful as the shape; `None` if the mesh is out of the range of `fast`.
+fn try_compute(
+    mesh: &Mesh,
+    topology: &Topology,
+    recipe: &NormalRecipe,
+    shape: Shape<'_>,
+) -> Option<NormalField> {
     let angle = applied_angle(mesh, recipe);
     let marks = Marks::new(mesh, topology, recipe);
     let walker = FanWalker {
@@ -95,8 +114,11 @@ fn try_compute(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe, fast: bo
     let mut morph_normals = Vec::new();
     for target in &mesh.columns().morph_targets {
         let moved: Vec<DVec3> = mesh.positions().iter().zip(target).map(|(&p, &by)| p + by).collect();
-        // The sum of two f32 values need not be one.
-        let moved = Shape::new(mesh, &moved, Storage::F64, fast)?;
+        let moved = match shape.single {
+            Some(_) => Shape::fast(mesh, &moved)?,
+            // The sum of two f32 values need not be one.
+            None => Shape::faithful(mesh, &moved, Storage::F64),
+        };
         let mut normals = moved.entries(mesh, topology, recipe, &groups)?;
         // A shape that loses a normal keeps that of the base: no displacement rather than an arbitrary one.
         summary.morph_fallbacks += normals.made_up.len();
@@ -114,29 +136,11 @@ fn try_compute(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe, fast: bo
     Some(NormalField {
         normals: Column::per_corner(filled.values, groups.corner_entry),
         entry_vertex: groups.entry_vertex,
-        face_normals: with_made_up(mesh, topology, shape.faces),
+        face_normals: FaceField::with_made_up(mesh, topology, shape.faces).into_units(),
         morph_normals,
         faults,
         summary,
     })
-}
-
-/// The normals of faces and what is wrong with them, as [`compute_on`] gives them, faithful, and nothing of corners.
-pub(crate) fn faces_on(mesh: &Mesh, topology: &Topology) -> (Vec<DVec3>, Vec<Fault>) {
-    let faces = face_normals(mesh.faces().view(), Positions::F64(mesh.positions(), mesh.storage()));
-    let faults = face_faults(&faces, Slivers::default());
-    (with_made_up(mesh, topology, faces), faults)
-}
-
-/// The unit normals of all faces, made up where there is no direction.
-fn with_made_up(mesh: &Mesh, topology: &Topology, mut faces: FaceNormals) -> Vec<DVec3> {
-    let makeup = MadeUp::new(mesh.faces().view(), topology, &faces);
-    let bare = faces.unit.iter().enumerate().filter(|(_, normal)| **normal == DVec3::ZERO);
-    let made_up: Vec<_> = bare.map(|(face, _)| (face, makeup.for_face(face as u32))).collect();
-    for (face, normal) in made_up {
-        faces.unit[face] = normal;
-    }
-    faces.unit
 }
 
 /// A mesh in one of its shapes: its own, or a morph target's.
@@ -148,11 +152,20 @@ struct Shape<'a> {
 }
 
 impl<'a> Shape<'a> {
-    fn new(mesh: &'a Mesh, points: &'a [DVec3], storage: Storage, fast: bool) -> Option<Self> {
-        let (view, positions) = (mesh.faces().view(), Positions::F64(points, storage));
-        let single = if fast { Some(Single::new(view, points)?) } else { None };
-        let faces = single.as_ref().map_or_else(|| face_normals(view, positions), Single::face_normals);
-        Some(Self { points, positions, single, faces })
+    /// `None` if the mesh is out of the range of `fast`.
+    fn fast(mesh: &'a Mesh, points: &'a [DVec3]) -> Option<Self> {
+        let single = Single::new(mesh.faces().view(), points)?;
+        let faces = single.face_normals();
+        Some(Self { single: Some(single), ..Self::of(points, mesh.storage(), faces) })
+    }
+
+    fn faithful(mesh: &'a Mesh, points: &'a [DVec3], storage: Storage) -> Self {
+        let positions = Positions::F64(points, storage);
+        Self::of(points, storage, face_normals(mesh.faces().view(), positions))
+    }
+
+    fn of(points: &'a [DVec3], storage: Storage, faces: FaceNormals) -> Self {
+        Self { points, positions: Positions::F64(points, storage), single: None, faces }
     }
 
     /// The normal of every entry.

@@ -13,6 +13,7 @@ pub mod encoding;
 #[cfg(test)]
 mod exact_tests;
 mod face;
+mod face_field;
 mod face_shape;
 mod fallback;
 mod fans;
@@ -43,10 +44,11 @@ mod test_meshes;
 mod weight;
 
 pub use crate::mesh::Weld;
-pub(crate) use compute::faces_on;
+pub(crate) use compute::compute_from;
 pub use compute::{compute, compute_on};
 pub use corner_slices::corner_normals;
 pub(crate) use face::FaceNormals;
+pub(crate) use face_field::FaceField;
 pub(crate) use face_shape::FaceState;
 pub use fault::{Fault, FaultReason, Faults};
 pub use field::{EdgeCounts, NormalField, Summary};

@@ -10,8 +10,8 @@ use crate::mesh::{
     Column, Confidence, Link, Mesh, Orientation, Orientations, Topology, normals_oppose, place_key,
     stored_unit, vector_area,
 };
-use crate::normals::{Fault, FaultReason, Groups, NormalField, NormalRecipe, compute_on, faces_on};
-use crate::num::unit_scale;
+use crate::normals::{FaceField, Fault, FaultReason, Groups, NormalField, NormalRecipe, compute_from};
+use crate::num::{UnitVec3, unit_scale};
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 use rustc_hash::FxHashSet;
@@ -38,16 +38,18 @@ pub(super) struct Facts<'a> {
     pub(super) near: Option<f64>,
     /// The stored normals, if there are any at all.
     pub(super) stored: Option<&'a Column<DVec3>>,
+    /// Their directions, value by value, zero where there is none; empty if corners share so few that this would be large.
+    units: Vec<DVec3>,
     /// Those of the file, if these are what they are in the space of the mesh.
     pub(super) written: Option<&'a Column<DVec3>>,
     /// How the stored normals were made, as far as they tell.
     pub(super) estimate: Option<Estimate>,
     /// What all stored normals were turned by, if the estimate is of them turned back.
     pub(super) turn: Option<DMat3>,
-    /// Normals computed that way; with the default recipe if there are none to go by. Those of faces are beside it.
+    /// Normals computed that way; with the default recipe if there are none to go by.
     pub(super) field: NormalField,
-    /// The unit normal of each face.
-    pub(super) face_normals: Vec<DVec3>,
+    /// Those of faces, as long as that recipe is not known.
+    faces: FaceField,
     pub(super) worth: Vec<Worth>,
     /// Area of each face, in units that keep it in range.
     pub(super) area: Vec<f64>,
@@ -94,7 +96,7 @@ impl<'a> Facts<'a> {
     ) -> Self {
         let (topology, near) = Topology::build_near(mesh, around.near());
         let stored = mesh.columns().normals.as_ref().filter(|stored| !stored.values.is_empty());
-        let (face_normals, faults) = faces_on(mesh, &topology);
+        let faces = FaceField::new(mesh, &topology);
         let orientations = Orientations::new(mesh, &topology);
         let minority = orientations.consistent().reversed;
         let mut outward = orientations.outward(mesh, confidence, &[]);
@@ -104,7 +106,7 @@ impl<'a> Facts<'a> {
         let inside_out = InsideOut::all(&orientations, &outward, |faces| {
             normals_oppose(mesh, faces.iter().map(|&face| (face, false)))
         });
-        let worth = worth(mesh, &faults, &minority, &inside_out);
+        let worth = worth(mesh, &faces.faults(), &minority, &inside_out);
         let extent = mesh.bounds().map_or(0.0, |(low, high)| (high - low).max_element());
         let scale = unit_scale(extent);
         let area: Vec<f64> = (0..mesh.face_count())
@@ -118,11 +120,12 @@ impl<'a> Facts<'a> {
             topology,
             near: (near > 0).then(|| around.near()),
             stored,
+            units: stored.map_or_else(Vec::new, |stored| units(mesh, stored)),
             written: None,
             estimate: None,
             turn: None,
             field: NormalField::default(),
-            face_normals,
+            faces,
             worth,
             total_area: area.iter().sum(),
             area,
@@ -151,8 +154,7 @@ impl<'a> Facts<'a> {
             (None, Some(_)) => NormalRecipe { groups: Groups::Ignore, ..NormalRecipe::default() },
             _ => NormalRecipe::default(),
         };
-        facts.field = compute_on(mesh, &facts.topology, &recipe);
-        facts.face_normals = std::mem::take(&mut facts.field.face_normals);
+        facts.field = compute_from(mesh, &facts.topology, &recipe, std::mem::take(&mut facts.faces));
         let cancelling = facts.field.faults.corners.iter();
         let cancelling = cancelling.filter(|fault| fault.reason == FaultReason::CancellingFan);
         facts.cancelling = cancelling.map(|fault| fault.index).collect();
@@ -237,7 +239,11 @@ impl<'a> Facts<'a> {
 
     /// The face's own unit normal.
     pub(super) fn face_normal(&self, face: usize) -> DVec3 {
-        self.face_normals[face]
+        if self.field.face_normals.is_empty() {
+            self.faces.units()[face]
+        } else {
+            self.field.face_normals[face]
+        }
     }
 
     /// The normal that a corner should have.
@@ -254,7 +260,12 @@ impl<'a> Facts<'a> {
 
     /// The normal that a corner has in the file, as a unit vector; `None` if it has none with a direction.
     pub(super) fn stored_unit(&self, corner: usize) -> Option<DVec3> {
-        stored_unit(self.stored?, self.mesh, corner)
+        let stored = self.stored?;
+        if self.units.is_empty() {
+            return stored_unit(stored, self.mesh, corner);
+        }
+        let slot = stored.slot(corner, self.mesh.faces().corners()[corner])?;
+        Some(self.units[slot as usize]).filter(|&unit| unit != DVec3::ZERO)
     }
 
     /// Whether another part of the file has this normal at the place of a corner.
@@ -316,6 +327,15 @@ impl InsideOut {
     fn is_fault(&self) -> bool {
         self.is_opposed.unwrap_or(!self.is_open)
     }
+}
+
+/// The directions of stored normals, if three corners or more share one: each is asked for a dozen times.
+fn units(mesh: &Mesh, stored: &Column<DVec3>) -> Vec<DVec3> {
+    if 3 * stored.values.len() > mesh.faces().corner_count() {
+        return Vec::new();
+    }
+    let unit = |&normal: &DVec3| UnitVec3::new(normal).map_or(DVec3::ZERO, UnitVec3::get);
+    stored.values.par_iter().map(unit).collect()
 }
 
 fn worth(mesh: &Mesh, faults: &[Fault], minority: &[u32], inside_out: &[InsideOut]) -> Vec<Worth> {

@@ -72,7 +72,7 @@ fn measured(facts: &Facts<'_>) -> Survey {
     Survey {
         shaded: (0..corners).map(|corner| facts.shaded(corner)).collect(),
         expected: (0..corners).map(|corner| facts.expected(corner)).collect(),
-        face_normals: facts.face_normals.clone(),
+        face_normals: facts.field.face_normals.clone(),
         deviations: (0..corners).map(deviation).collect(),
         bends: (0..corners).filter_map(bend).collect(),
         corner_angles: (0..corners).map(angle).collect(),
