@@ -8,11 +8,12 @@
 
 #[expect(dead_code, reason = "only the grid is needed here")]
 mod meshes;
+mod process;
 
+use process::{median, run};
 use std::fmt::Write as _;
 use std::path::Path;
-use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
+use std::process::Command;
 
 /// Makes this program load a file and end.
 const LOAD: &str = "--load-with-tobj";
@@ -64,42 +65,6 @@ fn main() {
         let peak = runs.iter().map(|run| run.peak).max().unwrap_or(0) as f64 / text.len() as f64;
         println!("| {name} | {seconds:.3} | {:.2}× | {peak:.2} |", baseline / seconds);
     }
-}
-
-/// What one process took.
-struct Run {
-    seconds: f64,
-    /// Bytes of resident memory.
-    peak: u64,
-}
-
-fn run(mut command: Command) -> Run {
-    let start = Instant::now();
-    let mut child = command.stdin(Stdio::null()).spawn().expect("the program starts");
-    let mut peak = 0;
-    let status = loop {
-        peak = peak.max(high_water_mark(child.id()));
-        if let Some(status) = child.try_wait().expect("a child can be waited for") {
-            break status;
-        }
-        std::thread::sleep(Duration::from_micros(500));
-    };
-    let seconds = start.elapsed().as_secs_f64();
-    assert!(status.success(), "{status}");
-    Run { seconds, peak }
-}
-
-/// The peak so far, where the system tells it in `/proc`; 0 elsewhere.
-fn high_water_mark(process: u32) -> u64 {
-    let status = std::fs::read_to_string(format!("/proc/{process}/status")).unwrap_or_default();
-    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
-    line.and_then(|line| line.split_whitespace().next()?.parse::<u64>().ok()).unwrap_or(0) * 1024
-}
-
-fn median(runs: &[Run]) -> f64 {
-    let mut seconds: Vec<f64> = runs.iter().map(|run| run.seconds).collect();
-    seconds.sort_by(f64::total_cmp);
-    seconds[seconds.len() / 2]
 }
 
 /// Positions with six digits, as most exporters write them, and faces.
