@@ -2,9 +2,10 @@
 //!
 //! Faces are matched by the places of their corners, in single precision, since that is what most formats keep: neither
 //! the order of faces and vertices, nor splits, nor the cut into parts matters. Faces that stand several times at one
-//! place are matched in their order. What is left over is matched once more as triangles, so that polygons find the
-//! triangles that they became.
+//! place are matched in their order. Of what is left over, polygons are matched with the triangles that they became, and
+//! polygons that became other polygons as triangles.
 
+use super::cut::cuts;
 use crate::mesh::{Faces, Mesh, triangulate};
 use rayon::prelude::*;
 
@@ -12,7 +13,7 @@ use rayon::prelude::*;
 const LOOKED_THROUGH: usize = 8;
 
 /// Polygons of more corners are not looked through for where they begin.
-const MOST_STARTS: usize = 1024;
+pub(super) const MOST_STARTS: usize = 1024;
 
 /// The corners of all parts of a file, numbered through.
 pub(super) struct Side<'a> {
@@ -58,7 +59,7 @@ impl<'a> Side<'a> {
     }
 
     /// The bits of a corner's position in single precision, −0 taken as +0.
-    fn place(&self, corner: u32) -> [u32; 3] {
+    pub(super) fn place(&self, corner: u32) -> [u32; 3] {
         let (part, corner) = self.locate(corner);
         let mesh = self.meshes[part];
         let position = mesh.positions()[mesh.faces().corners()[corner] as usize];
@@ -98,11 +99,14 @@ impl<'a> Side<'a> {
 }
 
 impl Matching {
-    /// Matches whole faces, and what is left over as triangles.
+    /// Matches whole faces, polygons with triangles, and what is left over as triangles.
     pub(super) fn find(sides: &[Side<'_>; 2]) -> Self {
         let mut found = Self::default();
         let faces = sides.each_ref().map(Side::whole);
         let mut missing = found.pair_up(sides, &faces);
+        for polygons in [0, 1] {
+            found.pair_cut(sides, &faces, &mut missing, polygons);
+        }
         if missing.iter().all(|missing| missing.contains(&true)) {
             let cut = [0, 1].map(|side| sides[side].triangles(&missing[side]));
             let [(before, owners), (after, others)] = cut;
@@ -119,6 +123,27 @@ impl Matching {
         // Two triangles of a polygon share corners.
         found.pairs.dedup();
         found
+    }
+
+    /// Pairs the corners of polygons of one side with those of the triangles that they became on the other.
+    fn pair_cut(
+        &mut self,
+        sides: &[Side<'_>; 2],
+        faces: &[Faces; 2],
+        missing: &mut [Vec<bool>; 2],
+        polygons: usize,
+    ) {
+        let triangles = 1 - polygons;
+        let order = [polygons, triangles];
+        for cut in cuts(order.map(|i| &sides[i]), order.map(|i| &faces[i]), order.map(|i| &missing[i][..])) {
+            let in_order = |[polygon, triangle]: [u32; 2]| {
+                if polygons == 0 { [polygon, triangle] } else { [triangle, polygon] }
+            };
+            self.pairs.extend(cut.pairs.into_iter().map(in_order));
+            self.turned += cut.turned;
+            missing[polygons][cut.face as usize] = false;
+            cut.triangles.into_iter().for_each(|triangle| missing[triangles][triangle as usize] = false);
+        }
     }
 
     /// Pairs the corners of faces that stand at the same places; marks the faces of each side that found none.

@@ -1,5 +1,6 @@
 //! Before and after: what changed between two files of one shape.
 
+mod cut;
 mod matching;
 
 use super::catalogue::Kind;

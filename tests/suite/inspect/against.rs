@@ -108,24 +108,44 @@ fn faces_that_go_round_the_other_way_are_the_same_faces() {
     assert_eq!((found.turned, found.unmatched, found.changed), (3, [1, 0], 0));
 }
 
-/// A quad keeps its corners when it becomes two triangles, whose four inner corners it has two of.
+/// A quad keeps its corners when it becomes two triangles, whose four inner corners it has two of, whichever way it is cut.
 #[test]
 fn polygons_find_their_triangles() {
     let grid = Tessellation { segments: [24, 12], pattern: Pattern::Quads, ..Tessellation::default() };
     let quads = Surface::from(Torus::default()).tessellate(&grid).unwrap();
     let before = with_normals(quads.with_normals(None), &NormalRecipe::default());
     assert_eq!(before.faces().max_arity(), 4);
-    let cut = triangulate(&before);
-    let normals = of_corners(&before);
-    let corners = before.faces().corners();
-    let faces = Faces::triangles(cut.triangles.iter().flatten().map(|&c| corners[c as usize]).collect());
-    let stored = cut.triangles.iter().flatten().map(|&corner| normals[corner as usize]).collect();
-    let after = with_corners(&rebuilt(before.positions().to_vec(), faces), stored);
-    for [one, other] in [[&before, &after], [&after, &before]] {
-        let found = compared(one, other);
-        assert_eq!((found.unmatched, found.changed, found.turned), ([0; 2], 0, 0));
-        assert_eq!(found.corners, cut.triangles.len() * 3);
+    let along = |diagonals: [[[u32; 3]; 2]; 2]| -> Vec<[u32; 3]> {
+        let quad = |face: u32| diagonals[face as usize % 2].map(|triangle| triangle.map(|i| 4 * face + i));
+        (0..before.face_count() as u32).flat_map(quad).collect()
+    };
+    let [first, second] = [[[0, 1, 2], [0, 2, 3]], [[3, 0, 1], [1, 2, 3]]];
+    let turned = second.map(|[a, b, c]| [a, c, b]);
+    for (cut, reversed) in [
+        (triangulate(&before).triangles, 0),
+        (along([first, first]), 0),
+        (along([second, first]), 0),
+        (along([turned, first]), before.face_count()),
+    ] {
+        let after = cut_into(&before, &cut);
+        for [one, other] in [[&before, &after], [&after, &before]] {
+            let found = compared(one, other);
+            assert_eq!((found.unmatched, found.changed, found.turned), ([0; 2], 0, reversed));
+            assert_eq!(found.corners, cut.len() * 3);
+        }
+        // One triangle less, and its quad has no counterpart, nor has its other half.
+        let found = compared(&before, &cut_into(&before, &cut[1..]));
+        assert_eq!(found.unmatched[0], 1);
     }
+}
+
+/// A mesh of some triangles of its corners, with the normals of these.
+fn cut_into(mesh: &Mesh, triangles: &[[u32; 3]]) -> Mesh {
+    let (normals, corners) = (of_corners(mesh), mesh.faces().corners());
+    let faces =
+        Faces::triangles(triangles.iter().flatten().map(|&corner| corners[corner as usize]).collect());
+    let stored = triangles.iter().flatten().map(|&corner| normals[corner as usize]).collect();
+    with_corners(&rebuilt(mesh.positions().to_vec(), faces), stored)
 }
 
 #[test]

@@ -1,0 +1,123 @@
+//! Polygons that are triangles in another file, whichever way they were cut.
+
+use super::matching::{MOST_STARTS, Side};
+use crate::mesh::Faces;
+use rustc_hash::FxHashMap;
+use std::collections::BTreeMap;
+
+/// Polygons at one place that are looked through for one that a triangle is of.
+const LOOKED_THROUGH: usize = 64;
+
+/// A triangle, and where its corners are in the polygon that it was cut from.
+struct Piece {
+    triangle: u32,
+    at: [usize; 3],
+}
+
+/// A polygon and the triangles that it became.
+pub(super) struct Cut {
+    /// The polygon.
+    pub(super) face: u32,
+    /// The triangles.
+    pub(super) triangles: Vec<u32>,
+    /// Corners of the polygon and of triangles that are at the same place.
+    pub(super) pairs: Vec<[u32; 2]>,
+    /// Triangles that go round the other way.
+    pub(super) turned: usize,
+}
+
+/// Finds polygons of one file, of those that are marked, that triangles of another fill, of those that are marked there: each has
+/// all of its corners at corners of the polygon, and each edge of the polygon is one of theirs.
+pub(super) fn cuts(sides: [&Side<'_>; 2], faces: [&Faces; 2], wanted: [&[bool]; 2]) -> Vec<Cut> {
+    let corners_at = corners_at(sides[0], faces[0], wanted[0]);
+    if corners_at.is_empty() {
+        return Vec::new();
+    }
+    let mut pieces: BTreeMap<u32, Vec<Piece>> = BTreeMap::new();
+    for triangle in (0..faces[1].len()).filter(|&face| wanted[1][face] && faces[1].face(face).len() == 3) {
+        let places = [0, 1, 2].map(|i| sides[1].place(faces[1].face(triangle)[i]));
+        let candidates = corners_at.get(&places[0]).into_iter().flatten().take(LOOKED_THROUGH);
+        let homes = candidates
+            .filter_map(|&face| Some((face, within(sides[0], faces[0].face(face as usize), places)?)));
+        // Where polygons stand several times, each has its own triangles.
+        let has_room = |(face, _): &(u32, [usize; 3])| {
+            let taken = pieces.get(face).map_or(0, Vec::len);
+            taken + 2 < faces[0].face(*face as usize).len()
+        };
+        if let Some((face, at)) = homes.into_iter().find(has_room) {
+            pieces.entry(face).or_default().push(Piece { triangle: triangle as u32, at });
+        }
+    }
+    let filled =
+        pieces.into_iter().filter(|(face, pieces)| fill(faces[0].face(*face as usize).len(), pieces));
+    filled.map(|(face, pieces)| cut(faces, face, &pieces)).collect()
+}
+
+/// The polygons that have a corner at each place.
+fn corners_at(side: &Side<'_>, faces: &Faces, wanted: &[bool]) -> FxHashMap<[u32; 3], Vec<u32>> {
+    let mut at: FxHashMap<[u32; 3], Vec<u32>> = FxHashMap::default();
+    for (face, corners) in faces.iter().enumerate().filter(|&(face, _)| wanted[face]) {
+        if (4..=MOST_STARTS).contains(&corners.len()) {
+            for &corner in corners {
+                at.entry(side.place(corner)).or_default().push(face as u32);
+            }
+        }
+    }
+    at
+}
+
+/// Where three places are among the corners of a polygon.
+fn within(side: &Side<'_>, polygon: &[u32], places: [[u32; 3]; 3]) -> Option<[usize; 3]> {
+    let find = |place: [u32; 3]| polygon.iter().position(|&corner| side.place(corner) == place);
+    let [a, b, c] = places.map(find);
+    let at = [a?, b?, c?];
+    (at[0] != at[1] && at[1] != at[2] && at[2] != at[0]).then_some(at)
+}
+
+/// Whether triangles fill a polygon: two less than it has corners, and each of its edges is an edge of one.
+fn fill(count: usize, pieces: &[Piece]) -> bool {
+    let edges = pieces.iter().flat_map(|piece| [0, 1, 2].map(|i| [piece.at[i], piece.at[(i + 1) % 3]]));
+    let on_rim = |[a, b]: [usize; 2]| match () {
+        () if (a + 1) % count == b => Some(a),
+        () if (b + 1) % count == a => Some(b),
+        () => None,
+    };
+    let mut rim: Vec<usize> = edges.filter_map(on_rim).collect();
+    rim.sort_unstable();
+    pieces.len() + 2 == count && rim.into_iter().eq(0..count)
+}
+
+fn cut(faces: [&Faces; 2], face: u32, pieces: &[Piece]) -> Cut {
+    let polygon = faces[0].face(face as usize);
+    let pairs = pieces.iter().flat_map(|piece| {
+        let triangle = faces[1].face(piece.triangle as usize);
+        [0, 1, 2].map(|i| [polygon[piece.at[i]], triangle[i]])
+    });
+    // Once round the polygon its numbers fall once.
+    let falls = |piece: &Piece| (0..3).filter(|&i| piece.at[i] > piece.at[(i + 1) % 3]).count();
+    Cut {
+        face,
+        triangles: pieces.iter().map(|piece| piece.triangle).collect(),
+        pairs: pairs.collect(),
+        turned: pieces.iter().filter(|piece| falls(piece) > 1).count(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pieces(at: &[[usize; 3]]) -> Vec<Piece> {
+        at.iter().map(|&at| Piece { triangle: 0, at }).collect()
+    }
+
+    #[test]
+    fn triangles_fill_a_polygon_or_do_not() {
+        assert!(fill(4, &pieces(&[[0, 1, 2], [0, 2, 3]])));
+        assert!(fill(4, &pieces(&[[1, 3, 0], [3, 1, 2]])));
+        assert!(fill(5, &pieces(&[[1, 2, 3], [4, 1, 3], [4, 0, 1]])));
+        assert!(!fill(4, &pieces(&[[0, 1, 2], [0, 1, 2]])), "one of them twice");
+        assert!(!fill(4, &pieces(&[[0, 1, 2], [1, 2, 3]])), "they overlap");
+        assert!(!fill(5, &pieces(&[[0, 1, 2], [0, 2, 3]])), "one is missing");
+    }
+}
