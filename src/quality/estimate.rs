@@ -91,6 +91,11 @@ impl Estimate {
         if self.groups { 0.0 } else { self.crease.0 }
     }
 
+    /// Whether it reproduces half of the normals or more; where it does not, no rule is told.
+    pub fn fits_most(&self) -> bool {
+        self.reproduced >= MOST
+    }
+
     /// Whether the normals follow a rule closely enough for exceptions to be faults: nearly all do, or most do to the letter
     /// and the others not at all.
     pub fn is_rule(&self) -> bool {
@@ -109,13 +114,13 @@ impl Estimate {
 impl Estimate {
     /// Whether the normals that this is of are what others, that no rule made, were before something was done to all of them.
     pub(super) fn clears_up(&self, before: &Estimate) -> bool {
-        !before.is_rule() && self.reproduced >= MOST && self.median.0 < LEFT * before.median.0
+        !before.is_rule() && self.fits_most() && self.median.0 < LEFT * before.median.0
     }
 }
 
 /// The share of corners that a rule reproduces at least for the normals to be made by it rather than by none, once they are
 /// turned back if a turn explains them.
-pub(super) const MOST: f64 = 0.5;
+const MOST: f64 = 0.5;
 
 /// How much of what the best rule is off by, or of its median, a turn of all normals may leave.
 const LEFT: f64 = 0.5;
@@ -170,7 +175,7 @@ impl Fit {
             as_stored.errors.iter().map(|error| error.min(180.0 - error)).collect();
         either_way.sort_unstable_by(f64::total_cmp);
         self.turn.is_some_and(|turn| rotation_angle(turn) > SAME)
-            && self.estimate.reproduced >= MOST
+            && self.estimate.fits_most()
             && (self.cost < LEFT * cost(&either_way) || median(&self.errors) < LEFT * median(&either_way))
     }
 }
@@ -187,7 +192,7 @@ fn median(ascending: &[f64]) -> f64 {
 impl Sample<'_> {
     /// The rule that fits best, to the normals as they are or turned back as a whole.
     fn best(&self, turned_back: bool) -> Fit {
-        let sharp_from = |crease| Smoothness { crease, groups: None };
+        let sharp_from = |crease| Smoothness::new(crease, None);
         let separating = separating_angle(&self.bends, 1);
         let mut plain = self.by_rule(sharp_from(separating), turned_back);
         // A sharp edge that is the only one at its vertex splits nothing, and looks smooth: what separates best need not be
@@ -202,7 +207,7 @@ impl Sample<'_> {
         let groups = self.facts.mesh.columns().smoothing.as_ref();
         if let Some(groups) = groups.filter(|_| plain.estimate.reproduced < NEARLY_ALL) {
             for crease in [plain.estimate.crease, Crease::DEFAULT_ANGLE, Degrees(180.0)] {
-                let other = self.by_rule(Smoothness { crease, groups: Some(&groups.of_face) }, turned_back);
+                let other = self.by_rule(Smoothness::new(crease, Some(&groups.of_face)), turned_back);
                 plain = if other.estimate.reproduced > plain.estimate.reproduced { other } else { plain };
             }
         }

@@ -1,7 +1,7 @@
 //! Findings about stored normals, corner by corner.
 
 use super::catalogue::Kind;
-use super::estimate::{LETTER, MOST, SAME};
+use super::estimate::{LETTER, SAME};
 use super::facts::{Facts, Worth};
 use super::finding::Severity;
 use super::light::{key_light_lost, key_light_scaled};
@@ -86,7 +86,7 @@ fn flattest(facts: &Facts<'_>, most: usize) -> Vec<Spot> {
 /// what is computed without being asked for is as good as any.
 fn like_the_rest(facts: &Facts<'_>, found: &mut Tallies) {
     let is_usual = |it: &Estimate| it.is_default() && facts.mesh.columns().smoothing.is_none();
-    let is_wanted = |it: &Estimate| it.reproduced >= MOST && !is_usual(it);
+    let is_wanted = |it: &Estimate| it.fits_most() && !is_usual(it);
     let Some(estimate) = facts.estimate.filter(is_wanted) else { return };
     for kind in [
         Kind::MissingNormals,
@@ -284,7 +284,9 @@ fn grade_strays(facts: &Facts<'_>, mut waiting: Waiting, found: &mut Tallies, so
 fn grade_against(grounded: [Tally; AGAINST.len()], is_departed_from: bool, found: &mut Tallies) {
     let are_alone = found.get(Kind::AgainstFace).count == 0;
     for (kind, tally) in AGAINST.into_iter().zip(grounded) {
-        let told = match (is_departed_from, are_alone) {
+        // Beside more that are the very opposite, what is nearly so was negated with them.
+        let is_negated = kind == Kind::Flipped && found.get(kind).count > tally.count;
+        let told = match (is_departed_from || is_negated, are_alone) {
             (true, _) => kind,
             (false, true) => Kind::AgainstFace,
             (false, false) => Kind::Custom,

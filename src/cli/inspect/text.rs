@@ -95,7 +95,7 @@ fn paragraph(finding: &FindingReport, report: &InspectReport, style: Style, plac
             percent(finding.share)
         );
     }
-    if let Some(steps) = finding.steps {
+    if let Some(steps) = finding.steps.filter(|&steps| steps > 0.0) {
         let steps = three_digits(steps);
         let angle = finding.degrees.map_or(String::new(), |degrees| format!("{}°: ", three_digits(degrees)));
         let _ = writeln!(out, "    up to {angle}{steps} of 255 grey steps under a key light");
@@ -134,7 +134,9 @@ fn place(site: &SiteReport, report: &InspectReport) -> String {
     if let Some([x, y, z]) = site.position {
         said.push(format!("({}, {}, {})", three_digits(x), three_digits(y), three_digits(z)));
     }
-    said.extend(site.degrees.map(|degrees| format!("{}°", three_digits(degrees))));
+    said.extend(
+        site.degrees.filter(|&degrees| degrees > 0.0).map(|degrees| format!("{}°", three_digits(degrees))),
+    );
     said.join(", ")
 }
 

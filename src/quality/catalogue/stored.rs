@@ -64,7 +64,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         Severity::Error,
         "nearly all normals point against their faces",
         "The winding of the faces says outside where the normals say inside, all over the mesh. Lit from the front it is black, lit from behind it shines: either the normals or the faces are turned round. Told from single flipped normals by their share, over nine tenths.",
-        "If the faces are right side out, compute the normals again; if not, turn the faces with --orient outward or --flip, and compute the normals again.",
+        "If the faces are right side out, compute the normals again; if not, turn the faces with `--orient outward` or `--flip`, and compute the normals again.",
         Some(""),
     ),
     entry(
@@ -163,7 +163,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         Severity::Note,
         "normals stored with few bits",
         "All of them lie on one grid: components of few decimals or bits, perhaps made unit again, or octahedral codes. A broad highlight does not show it; a narrow one wanders in steps over smooth surfaces, and reflections look like hammered metal.",
-        "Compute them again where the material is glossy; in glTF, store them as floats or 16-bit integers with --normal-format.",
+        "Compute them again where the material is glossy; in glTF, store them as floats or 16-bit integers with `--normal-format`.",
         Some(""),
     ),
     entry(

@@ -130,11 +130,12 @@ fn rules(page: &mut Page, diagnosis: &Diagnosis) {
     for (number, part) in diagnosis.parts.iter().enumerate() {
         let Some(estimate) = part.estimate else { continue };
         let name = if part.name.is_empty() { format!("part {number}") } else { part.name.clone() };
+        let fits = estimate.fits_most();
         table.push([
             name,
             part.faces.to_string(),
-            estimate.weight.name().to_owned(),
-            format!("{}°", estimate.crease.0),
+            if fits { estimate.weight.name().to_owned() } else { "no rule".to_owned() },
+            if fits { format!("{}°", estimate.crease.0) } else { String::new() },
             format!(
                 "{} %{}",
                 three_digits(100.0 * estimate.reproduced),
@@ -161,7 +162,7 @@ fn section(
     let mut said = format!("{}: {}. ", finding.severity.name(), finding.cause);
     let _ = write!(said, "{} of {} ({} %)", finding.count, finding.of, three_digits(100.0 * finding.share()));
     let told = |number: f64| powers_of_ten(&three_digits(number));
-    if let Some(steps) = finding.steps {
+    if let Some(steps) = finding.steps.filter(|&steps| steps > 0.0) {
         let angle = finding.degrees.map_or(String::new(), |degrees| format!("{}°, ", told(degrees)));
         let _ = write!(said, "; up to {angle}{} of 255 grey steps under a key light", told(steps));
     }

@@ -8,7 +8,7 @@ use crease::mesh::{Column, Faces, Mesh, MeshBuilder};
 use crease::normals::{Weight, When, compute, select};
 use crease::quality::Severity;
 use crease::quality::catalogue::Kind;
-use crease::surface::Surface;
+use crease::surface::{Surface, Wave};
 use glam::DVec3;
 
 /// Leaves round the middle of a tree, quads of any direction and not quite plane, each for itself or with a back side of its
@@ -109,4 +109,27 @@ fn a_stray_does_not_make_inverted_normals_less_grave() {
             assert_eq!(severity, Some(Severity::Error), "{}, {count}", clean.name);
         }
     }
+}
+
+/// An open sheet has no side that is out: where a copy of it runs the other way and kept its normals, these are turned round,
+/// along its rim too, where the mean of faces is a little off what exact normals are.
+#[test]
+fn a_copy_that_runs_the_other_way_has_its_normals_turned_round() {
+    let sheet = surface(&Surface::Wave(Wave::default()), [24, 24]);
+    let count = sheet.vertex_count() as u32;
+    let beside = sheet.positions().iter().map(|&position| position + 5.0 * DVec3::X);
+    let positions = sheet.positions().iter().copied().chain(beside).collect();
+    let mut faces = sheet.faces().clone();
+    for face in sheet.faces().iter() {
+        faces.push(&face.iter().rev().map(|vertex| vertex + count).collect::<Vec<_>>());
+    }
+    let exact = sheet.columns().normals.clone().unwrap().values;
+    let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap();
+    let mesh = mesh.with_normals(Some(Column::per_vertex([exact.clone(), exact].concat())));
+    let diagnosis = inspect(&mesh, 10);
+    assert_eq!(grave(&diagnosis), ["flipped-normals"]);
+    let flipped = diagnosis.get(Kind::Flipped).unwrap();
+    assert_eq!(flipped.count as usize, sheet.faces().corner_count());
+    assert!(flipped.places.iter().all(|site| site.vertex >= Some(count)));
+    assert!(diagnosis.get(Kind::AgainstFace).is_none());
 }
