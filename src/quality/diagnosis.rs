@@ -123,7 +123,7 @@ pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) 
         diagnosis.parts.push(own);
     }
     if diagnosis.parts.iter().all(|part| part.faces == 0) {
-        merged[Kind::NoFaces as usize] = Merged::whole_file();
+        merged[Kind::NoFaces as usize] = Merged::whole_file(!diagnosis.parts.is_empty());
     }
     diagnosis.findings =
         entries().zip(merged).filter_map(|(entry, merged)| merged.finding(entry.kind)).collect();
@@ -249,9 +249,10 @@ struct Merged {
 
 impl Merged {
     /// Something about the file, not about a part.
-    fn whole_file() -> Self {
+    fn whole_file(has_parts: bool) -> Self {
         let severity = Some(Severity::Error);
-        Self { count: 1, of: 1, severity, sites: vec![(Spot::mesh(), Site::default())], ..Self::default() }
+        let first_part = has_parts.then(|| (Spot::mesh(), Site::default()));
+        Self { count: 1, of: 1, severity, sites: first_part.into_iter().collect(), ..Self::default() }
     }
 
     fn add(&mut self, (kind, tally): (Kind, Tally), facts: &Facts<'_>, part: usize) {

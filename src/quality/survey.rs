@@ -2,7 +2,7 @@
 
 use super::Thresholds;
 use super::around::Around;
-use super::facts::Facts;
+use super::facts::{Facts, Worth};
 use super::gloss::Gloss;
 use crate::io::Loaded;
 use crate::mesh::Confidence;
@@ -19,7 +19,8 @@ pub struct Survey {
     /// The unit normal that the rule of its mesh gives each corner.
     pub expected: Vec<DVec3>,
     /// At each corner, the angle between its stored normal and the one that the rule of its mesh gives, in degrees; `None`
-    /// where none is stored, or one without a direction: zero, or no number.
+    /// where none is stored, or one without a direction: zero, or no number. Of a face without a direction 0: nothing tells what
+    /// would be right there.
     pub deviations: Vec<Option<f64>>,
     /// The bend of each edge between two faces, in degrees.
     pub bends: Vec<f64>,
@@ -48,8 +49,11 @@ fn measured(facts: &Facts<'_>) -> Survey {
     let corners = mesh.faces().corner_count();
     let between = |a: DVec3, b: DVec3| Degrees::from(angle_between(a, b)).0;
     let edge = |corner: usize| facts.place(facts.topology.next(corner as u32) as usize) - facts.place(corner);
-    let deviation =
-        |corner: usize| facts.stored_unit(corner).map(|stored| between(stored, facts.expected(corner)));
+    let deviation = |corner: usize| {
+        let is_silent = facts.worth[facts.topology.face_of(corner as u32) as usize] == Worth::Silent;
+        let off = |stored: DVec3| if is_silent { 0.0 } else { between(stored, facts.expected(corner)) };
+        facts.stored_unit(corner).map(off)
+    };
     let bend = |corner: usize| {
         let across = facts.topology.across(corner as u32).filter(|&across| (corner as u32) < across)?;
         let faces = [corner as u32, across].map(|corner| facts.topology.face_of(corner) as usize);

@@ -13,7 +13,7 @@
 //! | `verdict` | the gravest severity told, or null |
 //! | `counts` | how many findings are `error`, `warning`, `note` |
 //! | `hidden` | the same of what `--severity`, `--ignore` and `--only` left out |
-//! | `parts` | `name`, `vertices`, `faces`, `corners`, and `estimate`, null if stored normals do not tell: `weight`, `crease` (degrees), `groups` (whether smoothing groups count too), `turned` (whether all normals were turned or mirrored together: the rest is of them turned back), `sample` (corners), `reproduced`, `separated` (shares), `median` (degrees); and `precision`, null if they were rounded to no grid that tells: `grid` (in words), `degrees` (a bound of what rounding to the nearest turns a normal by), `exponent` (the largest of a highlight that it serves, null if it may show on a matte surface) |
+//! | `parts` | `name`, `vertices` (that faces use; in STL three a facet; the `vertex` of a place counts others too), `faces`, `corners`, and `estimate`, null if stored normals do not tell: `weight`, `crease` (degrees), `groups` (whether smoothing groups count too), `turned` (whether all normals were turned or mirrored together: the rest is of them turned back), `sample` (corners), `reproduced`, `separated` (shares), `median` (degrees); and `precision`, null if they were rounded to no grid that tells: `grid` (in words), `degrees` (a bound of what rounding to the nearest turns a normal by), `exponent` (the largest of a highlight that it serves, null if it may show on a matte surface) |
 //! | `findings` | the gravest first, below |
 //! | `against` | with `--against` only, below |
 //! | `seconds` | `read`, `inspect`, `total` |

@@ -69,9 +69,11 @@ fn counted(mut plot: Plot, all: usize) -> Plot {
 }
 
 fn histogram(title: &str, unit: &str, values: &[f64], end: f64) -> Plot {
+    /// The share of a bin that a value may be below its edge by rounding: right angles are to stand in one bin.
+    const ROUNDED: f64 = 1e-3;
     let mut counts = [0usize; BINS];
     for value in values.iter().filter(|value| value.is_finite()) {
-        counts[((value / end * BINS as f64) as usize).min(BINS - 1)] += 1;
+        counts[((value / end * BINS as f64 + ROUNDED) as usize).min(BINS - 1)] += 1;
     }
     let edge = |bin: usize| bin as f64 * end / BINS as f64;
     let all = values.len().max(1) as f64;
@@ -99,6 +101,13 @@ fn histogram(title: &str, unit: &str, values: &[f64], end: f64) -> Plot {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The angles of a cube are no two kinds of angles.
+    #[test]
+    fn right_angles_stand_in_one_bin() {
+        let plot = histogram("t", "degrees", &[89.9999, 90.0, 90.0001], 180.0);
+        assert_eq!(plot.series[0].points[BINS / 2], [90.0, 100.0]);
+    }
 
     /// One of a million is higher than none, which stands at the end of the axis.
     #[test]

@@ -6,7 +6,7 @@ use crease::mesh::{Column, Columns, FaceLabels, Faces, Mesh, MeshBuilder};
 use crease::normals::{NormalRecipe, compute};
 use crease::num::{Degrees, angle_between, three_digits};
 use crease::quality::catalogue::Kind;
-use crease::quality::{Diagnosis, Severity, Thresholds, diagnose};
+use crease::quality::{Diagnosis, Severity, Thresholds, diagnose, survey};
 use crease::surface::{Surface, Torus};
 use glam::{DMat3, DVec2, DVec3};
 
@@ -232,4 +232,24 @@ fn vertices_that_stand_twice_are_told() {
     let mut facets = loaded(cut_strip(Columns::default()));
     facets.format = Format::Stl;
     assert!(vertices(&diagnose(&facets, &Thresholds::default(), &|_| {})).is_empty());
+}
+
+/// What stands in a file at corners of a face without area is neither right nor wrong.
+#[test]
+fn normals_of_faces_without_area_deviate_by_nothing() {
+    let text =
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nvn 0 0 1\nvn 0 -1 0\nf 1//1 2//1 3//1\nf 1//2 2//2 4//2\n";
+    let file = read_bytes(text.into(), Some(Format::Obj), None, &ReadOptions::default()).unwrap();
+    let deviations = &survey(&file)[0].deviations;
+    assert_eq!(*deviations, [Some(0.0); 6]);
+}
+
+/// A document of nothing has no part that a place could be in.
+#[test]
+fn no_faces_of_no_part_are_at_no_place() {
+    let text = r#"{"asset": {"version": "2.0"}}"#;
+    let file = read_bytes(text.into(), Some(Format::Gltf), None, &ReadOptions::default()).unwrap();
+    let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
+    assert!(diagnosis.parts.is_empty());
+    assert_eq!(diagnosis.get(Kind::NoFaces).map(|finding| finding.places.len()), Some(0));
 }
