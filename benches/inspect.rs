@@ -64,7 +64,9 @@ fn program_row(extension: &str, triangles: usize, rounds: usize) {
     let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("inspect.{extension}"));
     let segments = ((triangles / 2) as f64).sqrt().round() as usize;
     let mut surface = crease();
-    surface.args(["surface", "wave", "--segments", &format!("{segments}x{segments}"), "-o"]).arg(&file);
+    surface
+        .args(["surface", "wave", "--quiet", "--segments", &format!("{segments}x{segments}"), "-o"])
+        .arg(&file);
     run(surface);
     let bytes = std::fs::metadata(&file).expect("the file was written").len() as f64;
     let inspect = || {

@@ -48,14 +48,18 @@ fn grey_of_cosine(cosine: f64) -> f64 {
     255.0 * if cosine <= CUT { 12.92 * cosine.max(0.0) } else { curved }
 }
 
+/// The cosine of 45°.
+const DIAGONAL: f64 = std::f64::consts::FRAC_1_SQRT_2;
+
+/// [`grey_of_cosine`] of that.
+const GREY_AT_DIAGONAL: f64 = 218.825_973_324_677_62;
+
 /// By how much the slope of brightness changes at an edge, in steps of 8 bits a pixel, under a key light 45° from its normal
 /// and across it, on the side where that is more.
 ///
 /// Brightness is interpolated from the edge to what is beyond it on either side: the normals there by their parts along
 /// that of the edge and across it, positive on the first side's own side, of any length; and `pixels` from the edge.
 pub(super) fn slope_jump(normals: [[f64; 2]; 2], pixels: [f64; 2]) -> f64 {
-    const DIAGONAL: f64 = std::f64::consts::FRAC_1_SQRT_2;
-    let here = grey_of_cosine(DIAGONAL);
     let units = normals.map(|[up, aside]| match (up * up + aside * aside).sqrt() {
         length if length > 0.0 => [up, aside].map(|part| part * (DIAGONAL / length)),
         // Nothing to tell: as on the edge.
@@ -65,7 +69,7 @@ pub(super) fn slope_jump(normals: [[f64; 2]; 2], pixels: [f64; 2]) -> f64 {
     let jump = |side: f64| {
         let slopes = [0, 1].map(|k| {
             let [up, aside] = units[k];
-            (grey_of_cosine(up + side * aside) - here) / pixels[k].max(1.0)
+            (grey_of_cosine(up + side * aside) - GREY_AT_DIAGONAL) / pixels[k].max(1.0)
         });
         (slopes[0] + slopes[1]).abs()
     };
@@ -94,6 +98,11 @@ mod tests {
         assert!((plane - (grey(45.0) - grey(55.0)) / 40.0).abs() < 1e-12, "{plane}");
         assert!(slope_jump([5.0, -5.0], [20.0, 20.0]) < jump, "finer is smoother");
         assert_eq!(slope_jump([0.0, 0.0], [3.0, 4.0]), 0.0);
+    }
+
+    #[test]
+    fn the_grey_of_the_diagonal_is_its() {
+        assert_eq!(GREY_AT_DIAGONAL, grey_of_cosine(DIAGONAL));
     }
 
     /// Roots and the power agree to a few roundings of 255.

@@ -6,7 +6,7 @@ use glam::DVec3;
 /// Cosines of unit vectors are right to a few 10⁻¹⁶; this is far above.
 const MARGIN: f64 = 1e-12;
 
-/// An angle that very many others are compared with, nearly all of which are smaller.
+/// An angle that very many others are compared with.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Limit {
     degrees: f64,
@@ -27,6 +27,12 @@ impl Limit {
         }
         Some(Degrees::from(angle_between(a, b)).0).filter(|&degrees| degrees > self.degrees)
     }
+
+    /// Whether the angle between two unit vectors is above the limit.
+    pub(super) fn is_exceeded(self, a: DVec3, b: DVec3) -> bool {
+        let cosine = a.dot(b);
+        cosine < self.cosine - 2.0 * MARGIN || cosine <= self.cosine && self.exceeded(a, b).is_some()
+    }
 }
 
 #[cfg(test)]
@@ -39,9 +45,11 @@ mod tests {
             for step in [-1e-7, 1e-7] {
                 let degrees: f64 = limit + step;
                 let (sine, cosine) = libm::sincos(degrees.to_radians());
-                let found = Limit::new(limit).exceeded(DVec3::X, DVec3::new(cosine, sine, 0.0));
-                let is_above = degrees.abs() > limit && degrees < 180.0;
-                assert_eq!(found.is_some(), is_above, "{degrees} against {limit}");
+                let (limit, other) = (Limit::new(limit), DVec3::new(cosine, sine, 0.0));
+                let found = limit.exceeded(DVec3::X, other);
+                assert_eq!(limit.is_exceeded(DVec3::X, other), found.is_some());
+                let is_above = degrees.abs() > limit.degrees && degrees < 180.0;
+                assert_eq!(found.is_some(), is_above, "{degrees} against {}", limit.degrees);
                 assert!(found.is_none_or(|it| (it - degrees.abs()).abs() < 1e-12));
             }
         }

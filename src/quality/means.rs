@@ -1,6 +1,7 @@
 //! Sums of the faces round a corner by each weighting, for a rule about which edges are smooth.
 
 use super::facts::{Facts, Worth};
+use super::limit::Limit;
 use super::orbits::{Orbits, SHORT};
 use crate::normals::Weight;
 use crate::num::{Degrees, angle_between};
@@ -18,8 +19,15 @@ pub(super) type Sums = [DVec3; MEANS.len()];
 pub(super) struct Smoothness<'a> {
     /// Those that bend by no more.
     pub(super) crease: Degrees,
+    limit: Limit,
     /// Of those, the ones whose two faces have one of these numbers, and not 0.
     pub(super) groups: Option<&'a [u32]>,
+}
+
+impl<'a> Smoothness<'a> {
+    pub(super) fn new(crease: Degrees, groups: Option<&'a [u32]>) -> Self {
+        Self { crease, limit: Limit::new(crease.0), groups }
+    }
 }
 
 impl Smoothness<'_> {
@@ -27,8 +35,7 @@ impl Smoothness<'_> {
     fn joins(self, facts: &Facts<'_>, [a, b]: [usize; 2]) -> bool {
         let in_one_group = |groups: &[u32]| groups[a] == groups[b] && groups[a] != 0;
         self.groups.is_none_or(in_one_group)
-            && (self.crease.0 >= 180.0
-                || Degrees::from(angle_between(facts.face_normal(a), facts.face_normal(b))) <= self.crease)
+            && !self.limit.is_exceeded(facts.face_normal(a), facts.face_normal(b))
     }
 }
 
