@@ -138,7 +138,10 @@ fn every_readable_file_is_diagnosed() {
             );
             let share = finding.area_share;
             assert!(share.is_none_or(|share| (0.0..=1.0).contains(&share)), "{name}: {share:?}");
-            assert!(!finding.places.is_empty() && finding.places.len() <= 10, "{name}");
+            // Nothing is anywhere in a document without parts.
+            let least = diagnosis.parts.len().min(1);
+            assert!((least..=10).contains(&finding.places.len()), "{name}");
+            assert!(finding.places.iter().all(|site| site.part < diagnosis.parts.len()), "{name}");
             assert!(finding.degrees.is_none_or(|degrees| (0.0..=180.0001).contains(&degrees)), "{name}");
             let measures = [finding.degrees, finding.steps, finding.amount];
             assert!(measures.iter().any(Option::is_some) || UNMEASURED.contains(&finding.kind), "{name}");
