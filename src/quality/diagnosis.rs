@@ -138,7 +138,10 @@ pub(super) fn locate<'a>(sites: impl Iterator<Item = &'a mut Site>, loaded: &Loa
     let mut sites: Vec<&mut Site> = sites.collect();
     if !loaded.nodes.is_empty() {
         let nodes = nodes_of_parts(loaded);
-        let first = |site: &Site| nodes[site.part].first().map(|node| node.number);
+        let first = |site: &Site| {
+            let place = site.place.unwrap_or_default() as usize;
+            nodes[site.part].get(place).map(|node| node.number)
+        };
         let numbers: Vec<usize> = sites.iter().filter_map(|site| first(site)).collect();
         let told = sites.iter_mut().filter(|site| first(site).is_some());
         told.zip(loaded.node_paths(&numbers)).for_each(|(site, path)| site.node = Some(path));
@@ -185,21 +188,21 @@ fn look(
     smoothing::find(facts, thresholds, found);
     geometry::find(facts, thresholds, found);
     shading::find(facts, thresholds, found);
-    for node in nodes {
-        place(node, found);
+    for (number, node) in nodes.iter().enumerate() {
+        place(number, node, found);
     }
     precision
 }
 
 /// What the places of a part in the world mean for its normals.
-fn place(node: &FileNode, found: &mut Tallies) {
+fn place(number: usize, node: &FileNode, found: &mut Tallies) {
     let Some(matrix) = normal_matrix(DMat3::from_mat4(node.world_from_part)) else {
-        found.add(Kind::SingularNode, Spot::mesh().of(Gauge::Steps, key_light_lost()), 0.0);
+        found.add(Kind::SingularNode, Spot::node(number).of(Gauge::Steps, key_light_lost()), 0.0);
         return;
     };
     if matrix.mirrored() {
         // To a viewer that does not turn the winding.
-        found.add(Kind::MirroredNode, Spot::mesh().by(180.0), 0.0);
+        found.add(Kind::MirroredNode, Spot::node(number).by(180.0), 0.0);
     }
 }
 
@@ -358,5 +361,6 @@ pub(super) fn site(mesh: &Mesh, spot: Spot, part: usize) -> Site {
         (None, None) => None,
     };
     let degrees = (spot.gauge == Gauge::Angle).then_some(spot.weight);
-    Site { part, face: is(spot.face), corner, vertex, position, degrees, node: None, line: None }
+    let place = is(spot.node);
+    Site { part, face: is(spot.face), corner, vertex, position, degrees, place, node: None, line: None }
 }

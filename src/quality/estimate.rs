@@ -37,7 +37,7 @@ const LONE: usize = 16;
 /// How the stored normals of a part were made, as far as they tell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
-    /// The weighting that reproduces them best.
+    /// The weighting that reproduces them best, of those that are means of face normals: quadrics are not tried.
     pub weight: Weight,
     /// The crease angle that reproduces them best: 0 if they are flat, 180 if no edge is sharp.
     pub crease: Degrees,

@@ -98,7 +98,7 @@ impl<'a> Facts<'a> {
         let stored = mesh.columns().normals.as_ref().filter(|stored| !stored.values.is_empty());
         let faces = FaceField::new(mesh, &topology);
         let orientations = Orientations::new(mesh, &topology);
-        let minority = orientations.consistent().reversed;
+        let minority = orientations.consistent(mesh).reversed;
         let mut outward = orientations.outward(mesh, confidence, &[]);
         if outward.inside_out + outward.rooms > 0 && !around.hollows(part).is_empty() {
             outward = orientations.outward(mesh, confidence, around.hollows(part));

@@ -83,6 +83,8 @@ pub struct Site {
     pub position: Option<DVec3>,
     /// How far off it is, if that is an angle.
     pub degrees: Option<f64>,
+    /// Which of the nodes that have the part, in their order, if it is about one.
+    pub place: Option<u32>,
     /// The way to the node that has the part, as `body/arm/hand`; to the first one if there are several (glTF).
     pub node: Option<String>,
     /// The line of the file that has the face, or the vertex where it is on no face (OBJ).

@@ -2,7 +2,7 @@
 
 use super::Thresholds;
 use super::catalogue::Kind;
-use super::facts::{Facts, InsideOut};
+use super::facts::{Facts, InsideOut, Worth};
 use super::finding::Severity;
 use super::light::key_light_lost;
 use super::limit::Limit;
@@ -52,7 +52,9 @@ fn winding(facts: &Facts<'_>, found: &mut Tallies) {
     let mut certain = !facts.shares_vertices;
     // A face that stands twice runs the same way as its double: that is told as what it is.
     let is_single = |face: &&u32| facts.doubles.same_way().binary_search(face).is_err();
-    for &face in facts.minority.iter().filter(is_single) {
+    // What has no direction shows none.
+    let is_seen = |face: &&u32| facts.worth[**face as usize] != Worth::Silent;
+    for &face in facts.minority.iter().filter(is_single).filter(is_seen) {
         certain |= facts.mesh.faces().range(face as usize).any(by_index);
         found.add(
             Kind::InconsistentWinding,

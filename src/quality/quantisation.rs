@@ -52,7 +52,9 @@ pub(super) fn find(
     if facts.has_normal_formats && grid.spoils_lengths() && found.get(Kind::LooseLength).count > 0 {
         found.tally(Kind::LooseLength).remedy = Some(FINER.into());
     }
-    if precision.error <= thresholds.quantisation {
+    let exponent = facts.gloss.largest_exponent(facts.mesh);
+    let serves_material = precision.exponent.is_some_and(|largest| largest as f64 >= exponent);
+    if precision.error <= thresholds.quantisation && serves_material {
         return Some(precision);
     }
     let measured = Measured::new(facts, precision.error, thresholds.places);
@@ -69,7 +71,6 @@ pub(super) fn find(
         Some(exponent) => format!("good for exponents up to {exponent}"),
         None => "which even a matte surface may show by more than half a step of 8 bits".into(),
     };
-    let exponent = facts.gloss.largest_exponent(facts.mesh);
     let bits = needed_bits(exponent);
     let off = match measured {
         Some(Measured { largest, rms, corners, .. }) => {

@@ -26,6 +26,8 @@ pub(super) struct Spot {
     /// A corner of the mesh, not of the face.
     pub(super) corner: u32,
     pub(super) vertex: u32,
+    /// Of the nodes that have the part, by their order.
+    pub(super) node: u32,
     /// How bad it is: the order of places.
     pub(super) weight: f64,
     pub(super) gauge: Gauge,
@@ -34,22 +36,34 @@ pub(super) struct Spot {
 impl Spot {
     /// A corner that is off by an angle.
     pub(super) fn corner(face: usize, corner: usize, degrees: f64) -> Self {
-        Self { face: face as u32, corner: corner as u32, vertex: NONE, weight: degrees, gauge: Gauge::Angle }
+        Self {
+            face: face as u32,
+            corner: corner as u32,
+            vertex: NONE,
+            node: NONE,
+            weight: degrees,
+            gauge: Gauge::Angle,
+        }
     }
 
     /// A face, with something that makes it worse than others.
     pub(super) fn face(face: usize, weight: f64) -> Self {
-        Self { face: face as u32, corner: NONE, vertex: NONE, weight, gauge: Gauge::Order }
+        Self { face: face as u32, corner: NONE, vertex: NONE, node: NONE, weight, gauge: Gauge::Order }
     }
 
     /// A vertex.
     pub(super) fn vertex(vertex: usize, weight: f64) -> Self {
-        Self { face: NONE, corner: NONE, vertex: vertex as u32, weight, gauge: Gauge::Order }
+        Self { face: NONE, corner: NONE, vertex: vertex as u32, node: NONE, weight, gauge: Gauge::Order }
+    }
+
+    /// A place of the mesh in the world.
+    pub(super) fn node(number: usize) -> Self {
+        Self { node: number as u32, ..Self::mesh() }
     }
 
     /// Neither face nor vertex: the mesh as a whole.
     pub(super) fn mesh() -> Self {
-        Self { face: NONE, corner: NONE, vertex: NONE, weight: 0.0, gauge: Gauge::Order }
+        Self { face: NONE, corner: NONE, vertex: NONE, node: NONE, weight: 0.0, gauge: Gauge::Order }
     }
 
     /// The same, with an angle for its weight.
@@ -64,7 +78,7 @@ impl Spot {
 
     /// Worse ones first; among equals the first of the mesh.
     fn order(&self, other: &Self) -> std::cmp::Ordering {
-        let place = |spot: &Self| (spot.face, spot.corner, spot.vertex);
+        let place = |spot: &Self| (spot.face, spot.corner, spot.vertex, spot.node);
         other.weight.total_cmp(&self.weight).then_with(|| place(self).cmp(&place(other)))
     }
 }

@@ -109,7 +109,8 @@ fn paragraph(finding: &FindingReport, report: &InspectReport, style: Style, plac
     if let Some(confidence) = finding.confidence {
         let _ = writeln!(out, "    confidence {confidence:.2}");
     }
-    for site in finding.places.iter().take(places).filter(|site| site.position.is_some()) {
+    let is_somewhere = |site: &&SiteReport| site.position.is_some() || finding.element == "node";
+    for site in finding.places.iter().take(places).filter(is_somewhere) {
         let _ = writeln!(out, "    at {}", place(site, report));
     }
     if let Some(command) = &finding.command {

@@ -85,9 +85,17 @@ impl Components {
         self.orientable[component]
     }
 
-    /// How many faces of a component run against its lowest one.
-    pub(super) fn count_against(&self, component: usize) -> usize {
-        self.faces(component).iter().filter(|&&face| self.against[face as usize]).count()
+    /// Of the faces of a component that have a say, whether at most half run against its lowest one; of all, if none has.
+    pub(super) fn agrees_with_lowest(&self, component: usize, has_say: impl Fn(u32) -> bool) -> bool {
+        let count = |has_say: &dyn Fn(u32) -> bool| {
+            let faces = || self.faces(component).iter().filter(|&&face| has_say(face));
+            (faces().filter(|&&face| self.against[face as usize]).count(), faces().count())
+        };
+        let (against, all) = match count(&has_say) {
+            (_, 0) => count(&|_| true),
+            counts => counts,
+        };
+        2 * against <= all
     }
 
     /// Whether an orientable component has no rim: once its faces agree, its half-edges cancel at every edge.

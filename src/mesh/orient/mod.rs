@@ -8,7 +8,8 @@ mod rooms;
 mod visibility;
 mod volume;
 
-use super::{Mesh, Topology};
+use super::{Mesh, Topology, vector_area};
+use crate::num::unit_scale;
 use components::Components;
 pub(crate) use hollows::{Placed, hollows};
 use rayon::prelude::*;
@@ -128,7 +129,7 @@ pub struct Orientation {
 pub fn orient(mesh: &Mesh, topology: &Topology, policy: Orient, confidence: Confidence) -> Orientation {
     match policy {
         Orient::Keep => Orientation::default(),
-        Orient::Consistent => Orientations::new(mesh, topology).consistent(),
+        Orient::Consistent => Orientations::new(mesh, topology).consistent(mesh),
         Orient::Outward => Orientations::new(mesh, topology).outward(mesh, confidence, &[]),
     }
 }
@@ -154,12 +155,22 @@ impl Orientations {
         Self { closed: of(true), open: of(false), components }
     }
 
-    /// What [`Orient::Consistent`] turns.
-    pub(crate) fn consistent(&self) -> Orientation {
+    /// What [`Orient::Consistent`] turns. Faces too thin to be seen have no say in which way is the other one: fillers beside
+    /// vertices on edges may be many, and run as they like.
+    pub(crate) fn consistent(&self, mesh: &Mesh) -> Orientation {
+        /// Twice the area over the square of the longest edge: what is left of faces without area after rounding to single
+        /// precision is below it.
+        const THIN: f64 = 1e-6;
         let mut found = self.nothing();
+        let scale = unit_scale(mesh.bounds().map_or(0.0, |(low, high)| (high - low).max_element()));
+        let has_say = |face: u32| {
+            let corners = mesh.faces().face(face as usize);
+            let place = |i: usize| mesh.positions()[corners[i % corners.len()] as usize] * scale;
+            let edges = (0..corners.len()).map(|i| (place(i + 1) - place(i)).length_squared());
+            2.0 * vector_area(mesh, face as usize, scale).length() > THIN * edges.fold(0.0, f64::max)
+        };
         for &component in self.closed.iter().chain(&self.open) {
-            let against = self.components.count_against(component);
-            let minority = 2 * against <= self.components.faces(component).len();
+            let minority = self.components.agrees_with_lowest(component, has_say);
             found.reversed.extend(self.faces(component, minority));
         }
         found.reversed.par_sort_unstable();

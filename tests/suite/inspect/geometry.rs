@@ -1,14 +1,16 @@
 //! Geometry that spoils normals, against what can be worked out by other means.
 
 use super::{inspect, loaded, rebuilt, surface};
-use crease::io::{Format, ReadOptions, read_bytes};
-use crease::mesh::{Column, Columns, FaceLabels, Faces, Mesh, MeshBuilder};
+use crease::io::{FileNode, Format, ReadOptions, read_bytes};
+use crease::mesh::{
+    Column, Columns, Confidence, FaceLabels, Faces, Mesh, MeshBuilder, Orient, Topology, Weld, orient,
+};
 use crease::normals::{NormalRecipe, compute};
 use crease::num::{Degrees, angle_between, three_digits};
 use crease::quality::catalogue::Kind;
 use crease::quality::{Diagnosis, Severity, Thresholds, diagnose, survey};
 use crease::surface::{Surface, Torus};
-use glam::{DMat3, DVec2, DVec3};
+use glam::{DMat3, DMat4, DVec2, DVec3};
 
 fn polygon(corners: &[[f64; 3]]) -> Mesh {
     let mut faces = Faces::new();
@@ -252,4 +254,64 @@ fn no_faces_of_no_part_are_at_no_place() {
     let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
     assert!(diagnosis.parts.is_empty());
     assert_eq!(diagnosis.get(Kind::NoFaces).map(|finding| finding.places.len()), Some(0));
+}
+
+/// A square of two triangles with fillers without area between vertices on its edges: these run the other way and are more, and
+/// nothing of them is seen.
+#[test]
+fn faces_without_area_have_no_say_in_winding() {
+    let text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv .5 0 0\nv 1 .5 0\nv .5 1 0\nv 0 .5 0\nf 1 2 3\nf 1 3 4\n\
+                f 1 2 5\nf 2 3 6\nf 3 4 7\nf 4 1 8\n";
+    let file = read_bytes(text.into(), Some(Format::Obj), None, &ReadOptions::default()).unwrap();
+    let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
+    assert!(diagnosis.get(Kind::InconsistentWinding).is_none());
+    let mesh = &file.parts[0].mesh;
+    let found = orient(mesh, &Topology::build(mesh, Weld::Exact), Orient::Consistent, Confidence::default());
+    assert_eq!(found.reversed, [2, 3, 4, 5], "they are turned all the same");
+    // Where nothing has area, most of it tells.
+    let text = "v 0 0 0\nv 1 0 0\nv .5 0 0\nv .25 0 0\nf 1 2 3\nf 1 2 4\nf 2 1 4\n";
+    let file = read_bytes(text.into(), Some(Format::Obj), None, &ReadOptions::default()).unwrap();
+    let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
+    assert!(diagnosis.get(Kind::InconsistentWinding).is_none());
+}
+
+/// Each node is told of itself, though all of them show one mesh.
+#[test]
+fn nodes_are_told_by_their_own_names() {
+    let mut file = loaded(polygon(&[[0., 0., 0.], [1., 0., 0.], [0., 1., 0.]]));
+    file.format = Format::Gltf;
+    let scales = [[1., 1., 1.], [-1., 1., 1.], [1., -1., 1.], [1., 1., 0.]];
+    let node = |(number, scale): (usize, &[f64; 3])| FileNode {
+        number,
+        name: String::new(),
+        part: 0,
+        world_from_part: DMat4::from_scale(DVec3::from(*scale)),
+    };
+    file.nodes = scales.iter().enumerate().map(node).collect();
+    let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
+    let places = |kind: Kind| -> Vec<Option<u32>> {
+        diagnosis.get(kind).unwrap().places.iter().map(|site| site.place).collect()
+    };
+    assert_eq!(places(Kind::MirroredNode), [Some(1), Some(2)]);
+    assert_eq!(places(Kind::SingularNode), [Some(3)]);
+}
+
+/// Thirteen bits turn a normal by less than the threshold, and still show in a highlight sharp enough: the material decides.
+#[test]
+fn glossy_materials_need_more_bits() {
+    let torus = surface(&Surface::from(Torus::default()), [60, 30]);
+    let exact = compute(&torus, &NormalRecipe::default()).normals;
+    let values = exact.values.iter().map(|n| (*n * 4095.0).round() / 4095.0).collect();
+    let file = loaded(torus.with_normals(Some(Column { values, ..exact })));
+    let cause = |exponent: Option<f64>| {
+        let diagnosis = diagnose(&file, &Thresholds { exponent, ..Thresholds::default() }, &|_| {});
+        diagnosis.get(Kind::Quantised).map(|finding| finding.cause.clone())
+    };
+    assert_eq!(cause(None), None);
+    assert_eq!(cause(Some(100.0)), None);
+    assert!(
+        cause(Some(10_000.0))
+            .unwrap()
+            .ends_with("the material's exponent of 10000 needs 16 bits a component")
+    );
 }
