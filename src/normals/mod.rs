@@ -47,6 +47,7 @@ pub use crate::mesh::Weld;
 pub(crate) use compute::compute_from;
 pub use compute::{compute, compute_on};
 pub use corner_slices::corner_normals;
+pub(crate) use crease::CreaseTest;
 pub(crate) use face::FaceNormals;
 pub(crate) use face_field::FaceField;
 pub(crate) use face_shape::FaceState;

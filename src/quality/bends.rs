@@ -10,9 +10,12 @@ use glam::DVec3;
 const FLAT: f64 = 1.0;
 
 /// An edge, by how far it bends and whether the stored normals go on across it.
+#[derive(Clone, Copy)]
 pub(super) struct Bend {
     pub(super) degrees: f64,
     pub(super) smooth: bool,
+    /// Whether smoothing groups leave it to the angle.
+    pub(super) in_one_group: bool,
 }
 
 impl Bend {
@@ -35,8 +38,34 @@ impl Bend {
             let (a, b) = (facts.stored_unit(corner as usize)?, facts.stored_unit(beyond)?);
             Degrees::from(angle_between(a, b)).0 <= SAME
         };
-        Some(Bend { degrees, smooth })
+        let groups =
+            facts.mesh.columns().smoothing.as_ref().map(|groups| faces.map(|face| groups.of_face[face]));
+        let in_one_group = groups.is_none_or(|[a, b]| a == b && a != 0);
+        Some(Bend { degrees, smooth, in_one_group })
     }
+}
+
+/// [`separating_angle`] to less than a degree: rounding puts edges that bend alike on both sides of a crease angle. To a hundredth
+/// of a degree, if that tells them as well.
+pub(super) fn exact_separating_angle(bends: &[Bend], weight: usize) -> Degrees {
+    let mut sorted: Vec<&Bend> = bends.iter().collect();
+    sorted.sort_by(|a, b| a.degrees.total_cmp(&b.degrees));
+    // Below the first, all that look smooth are on the wrong side.
+    let mut wrong = sorted.iter().filter(|bend| bend.smooth).count();
+    let mut best = (wrong, 0);
+    for (at, bend) in sorted.iter().enumerate() {
+        wrong = if bend.smooth { wrong - 1 } else { wrong + weight };
+        let is_end = sorted.get(at + 1).is_none_or(|next| next.degrees > bend.degrees);
+        if is_end && wrong < best.0 {
+            best = (wrong, at + 1);
+        }
+    }
+    let (Some(above), Some(below)) = (sorted.get(best.1), best.1.checked_sub(1).map(|at| sorted[at])) else {
+        return Degrees(if best.1 == 0 { 0.0 } else { 180.0 });
+    };
+    let between = 0.5 * (below.degrees + above.degrees);
+    let round = (between * 100.0).round() / 100.0;
+    Degrees(if below.degrees <= round && round < above.degrees { round } else { between })
 }
 
 /// The angle that best tells smooth edges from sharp ones, if one that looks sharp below it is as wrong as so many that look

@@ -13,7 +13,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 pub(super) struct Doubles {
     /// Those that go round the same way, and each the one that they are of.
     again: Vec<[u32; 2]>,
-    /// Those that go round the other way.
+    /// Those that go round the other way, ascending.
     back_to_back: Vec<u32>,
     /// All that stand twice the same way, ascending.
     same_way: Vec<u32>,
@@ -43,6 +43,11 @@ impl Doubles {
         doubles.same_way.sort_unstable();
         doubles.same_way.dedup();
         doubles
+    }
+
+    /// Whether a face is the back of an earlier one.
+    pub(super) fn is_back(&self, face: u32) -> bool {
+        self.back_to_back.binary_search(&face).is_ok()
     }
 
     /// All faces that stand twice the same way, ascending.

@@ -1,6 +1,6 @@
 //! How stored normals were made: which weighting and which crease angle reproduce them best.
 
-use super::bends::{Bend, separating_angle};
+use super::bends::{Bend, exact_separating_angle, separating_angle};
 use super::facts::{Facts, Worth};
 use super::means::{MEANS, Smoothness, Sums, sums};
 use super::orbits::Orbits;
@@ -197,16 +197,17 @@ impl Sample<'_> {
         let mut plain = self.by_rule(sharp_from(separating), turned_back);
         // A sharp edge that is the only one at its vertex splits nothing, and looks smooth: what separates best need not be
         // what the normals were made with. Edges that look sharp are what they seem.
-        let others = [Crease::DEFAULT_ANGLE, separating_angle(&self.bends, LONE)];
         if plain.estimate.reproduced < 1.0 {
-            for &other in others.iter().filter(|&&other| other != separating) {
+            for other in candidates(&self.bends, &[separating]) {
                 let other = self.by_rule(sharp_from(other), turned_back);
                 plain = if other.cost < plain.cost { other } else { plain };
             }
         }
         let groups = self.facts.mesh.columns().smoothing.as_ref();
         if let Some(groups) = groups.filter(|_| plain.estimate.reproduced < NEARLY_ALL) {
-            for crease in [plain.estimate.crease, Crease::DEFAULT_ANGLE, Degrees(180.0)] {
+            let left: Vec<Bend> = self.bends.iter().copied().filter(|bend| bend.in_one_group).collect();
+            let known = [plain.estimate.crease, separating_angle(&left, 1), Degrees(180.0)];
+            for crease in known.into_iter().chain(candidates(&left, &known)) {
                 let other = self.by_rule(Smoothness::new(crease, Some(&groups.of_face)), turned_back);
                 plain = if other.estimate.reproduced > plain.estimate.reproduced { other } else { plain };
             }
@@ -271,6 +272,20 @@ impl Sample<'_> {
         };
         self.normals.par_iter().zip(sums).map(error).collect()
     }
+}
+
+/// Crease angles worth trying beside the one that separates best by whole degrees, and those known already left out.
+fn candidates(bends: &[Bend], known: &[Degrees]) -> Vec<Degrees> {
+    let exact = exact_separating_angle(bends, LONE);
+    // What people type is whole.
+    let all = [Crease::DEFAULT_ANGLE, separating_angle(bends, LONE), Degrees(exact.0.round()), exact];
+    let mut found: Vec<Degrees> = Vec::new();
+    for angle in all {
+        if !known.contains(&angle) && !found.contains(&angle) {
+            found.push(angle);
+        }
+    }
+    found
 }
 
 /// Corners with a direction on sound faces; if there are too many, those that a fixed generator picks.

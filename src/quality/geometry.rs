@@ -95,6 +95,10 @@ fn inside_out(facts: &Facts<'_>, found: &mut Tallies) {
     for component in &facts.inside_out {
         let kind = component.kind();
         let severity = component.severity();
+        // The back of faces that stand there as well is told as that.
+        if component.is_open && component.faces.iter().all(|&face| facts.doubles.is_back(face)) {
+            continue;
+        }
         if gravest[usize::from(component.is_open)] > Some(severity) {
             found.tally(kind).milder.add(1, component.faces.len() as u64);
             continue;

@@ -27,12 +27,6 @@ impl Limit {
         }
         Some(Degrees::from(angle_between(a, b)).0).filter(|&degrees| degrees > self.degrees)
     }
-
-    /// Whether the angle between two unit vectors is above the limit.
-    pub(super) fn is_exceeded(self, a: DVec3, b: DVec3) -> bool {
-        let cosine = a.dot(b);
-        cosine < self.cosine - 2.0 * MARGIN || cosine <= self.cosine && self.exceeded(a, b).is_some()
-    }
 }
 
 #[cfg(test)]
@@ -47,7 +41,6 @@ mod tests {
                 let (sine, cosine) = libm::sincos(degrees.to_radians());
                 let (limit, other) = (Limit::new(limit), DVec3::new(cosine, sine, 0.0));
                 let found = limit.exceeded(DVec3::X, other);
-                assert_eq!(limit.is_exceeded(DVec3::X, other), found.is_some());
                 let is_above = degrees.abs() > limit.degrees && degrees < 180.0;
                 assert_eq!(found.is_some(), is_above, "{degrees} against {}", limit.degrees);
                 assert!(found.is_none_or(|it| (it - degrees.abs()).abs() < 1e-12));

@@ -1,9 +1,8 @@
 //! Sums of the faces round a corner by each weighting, for a rule about which edges are smooth.
 
 use super::facts::{Facts, Worth};
-use super::limit::Limit;
 use super::orbits::{Orbits, SHORT};
-use crate::normals::Weight;
+use crate::normals::{CreaseTest, Weight};
 use crate::num::{Degrees, angle_between};
 use glam::DVec3;
 
@@ -19,14 +18,14 @@ pub(super) type Sums = [DVec3; MEANS.len()];
 pub(super) struct Smoothness<'a> {
     /// Those that bend by no more.
     pub(super) crease: Degrees,
-    limit: Limit,
+    test: CreaseTest,
     /// Of those, the ones whose two faces have one of these numbers, and not 0.
     pub(super) groups: Option<&'a [u32]>,
 }
 
 impl<'a> Smoothness<'a> {
     pub(super) fn new(crease: Degrees, groups: Option<&'a [u32]>) -> Self {
-        Self { crease, limit: Limit::new(crease.0), groups }
+        Self { crease, test: CreaseTest::new(Some(crease)), groups }
     }
 }
 
@@ -34,8 +33,7 @@ impl Smoothness<'_> {
     /// Whether an edge between two faces is smooth.
     fn joins(self, facts: &Facts<'_>, [a, b]: [usize; 2]) -> bool {
         let in_one_group = |groups: &[u32]| groups[a] == groups[b] && groups[a] != 0;
-        self.groups.is_none_or(in_one_group)
-            && !self.limit.is_exceeded(facts.face_normal(a), facts.face_normal(b))
+        self.groups.is_none_or(in_one_group) && !self.test.is_over(facts.face_normal(a), facts.face_normal(b))
     }
 }
 

@@ -238,16 +238,18 @@ impl Edge {
     ) {
         let spot = Spot::corner(self.faces[0], self.half_edge as usize, 0.0);
         let [low, high] = [self.gaps[0].min(self.gaps[1]), self.gaps[0].max(self.gaps[1])];
+        let of_groups = groups.map(|groups| self.faces.map(|face| groups.of_face[face]));
+        // Two groups meet where the surface was meant to be sharp.
+        let is_border = of_groups.is_some_and(|[a, b]| a != b && a != 0 && b != 0);
         if self.is_averaged(facts, crease + thresholds.crease.0) {
             found.add(Kind::AveragedCrease, spot.by(self.leaning(facts)), 0.0);
-        } else if low > thresholds.seam.0 && self.is_seam(facts, stored, thresholds) {
+        } else if low > thresholds.seam.0 && !is_border && self.is_seam(facts, stored, thresholds) {
             let is_cracked = facts.is_cracked(self.half_edge);
             found.add(if is_cracked { Kind::CrackedSeam } else { Kind::SplitSeam }, spot.by(high), 0.0);
         } else if high == 0.0 && facts.shares_vertices && self.is_needless(facts) {
             found.add(Kind::NeedlessSeam, spot, 0.0);
         }
-        if let Some(groups) = groups {
-            let [a, b] = self.faces.map(|face| groups.of_face[face]);
+        if let Some([a, b]) = of_groups {
             let meant_smooth = a == b && a != 0;
             // A flat edge looks the same either way.
             if (meant_smooth && low > thresholds.seam.0)
