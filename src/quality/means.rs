@@ -6,7 +6,7 @@ use crate::normals::{CreaseTest, Weight};
 use crate::num::{Degrees, angle_between};
 use glam::DVec3;
 
-/// Means of faces that were tried: all but the quadric, which is a fit.
+/// All weightings but the quadric, which is a fit.
 pub(super) const MEANS: [Weight; 6] =
     [Weight::Angle, Weight::Area, Weight::Uniform, Weight::AngleArea, Weight::Max, Weight::Edge];
 
@@ -140,7 +140,7 @@ impl Pull {
 }
 
 /// Visits the corners of the smooth group of a corner, no more than so many to either side of it; gives whether those are all.
-fn walk(
+pub(super) fn walk(
     facts: &Facts<'_>,
     start: u32,
     rule: Smoothness<'_>,

@@ -8,6 +8,7 @@ mod causes;
 mod cavities;
 mod clean;
 mod cut;
+mod estimated;
 mod geometry;
 mod handmade;
 mod lightened;

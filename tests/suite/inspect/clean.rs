@@ -75,7 +75,7 @@ fn bowl() -> Mesh {
     rebuilt(whole.positions().to_vec(), faces)
 }
 
-fn file(name: &str) -> Mesh {
+pub(super) fn file(name: &str) -> Mesh {
     read(&data(name), None, &ReadOptions::default()).unwrap().parts.remove(0).mesh
 }
 

@@ -1,14 +1,12 @@
 //! One fault of each kind, planted at known places: is it found, all of it and nothing else, and is its cause named?
 
-use super::clean::{Clean, meshes};
+use super::clean::Clean;
 use super::wholes::{self, by_chance, turned_any_way};
-use super::{inspect, loaded, rebuilt, with_normals};
+use super::{loaded, rebuilt, with_normals};
 use crate::random::Random;
 use crease::io::{FileNode, ReadOptions, read_bytes};
-use crease::mesh::{
-    Column, ColumnIndex, FaceEdit, Mesh, MeshBuilder, SmoothingGroups, Topology, Weld, normal_matrix,
-};
-use crease::normals::{NormalRecipe, compute};
+use crease::mesh::{Column, FaceEdit, Mesh, MeshBuilder, SmoothingGroups, Topology, Weld, normal_matrix};
+use crease::normals::compute;
 use crease::num::{Degrees, angle_between};
 use crease::quality::catalogue::Kind;
 use crease::quality::{Diagnosis, Finding, Thresholds, diagnose};
@@ -299,34 +297,4 @@ pub(super) fn faults(clean: &Clean) -> Vec<Planted> {
     // To mirror the normals of a box is to turn those of two sides round.
     all.retain(|it| clean.name != "box room" || it.what != "x mirrored");
     all
-}
-
-/// The weighting and the crease angle that normals were made with are told from the normals.
-#[test]
-fn the_recipe_is_estimated() {
-    use crease::normals::Weight;
-    for clean in meshes().into_iter().filter(|clean| clean.is_uneven) {
-        for weight in
-            [Weight::Uniform, Weight::Area, Weight::Angle, Weight::AngleArea, Weight::Max, Weight::Edge]
-        {
-            let recipe = NormalRecipe { weight, ..clean.recipe };
-            let mesh = with_normals(clean.mesh.clone().with_normals(None), &recipe);
-            let estimate = inspect(&mesh, 1).parts[0].estimate.unwrap();
-            assert_eq!(estimate.weight, weight, "{}", clean.name);
-            assert!(
-                estimate.reproduced > 0.999 && estimate.median < Degrees(1e-5),
-                "{}: {estimate:?}",
-                clean.name
-            );
-            let again = compute(&mesh, &estimate.recipe()).normals;
-            let ColumnIndex::PerCorner(index) = &again.index else { panic!("per corner") };
-            assert_eq!(index.len(), mesh.faces().corner_count());
-            assert_eq!(
-                Some(again),
-                mesh.columns().normals,
-                "{}: the estimate gives the same bits",
-                clean.name
-            );
-        }
-    }
 }

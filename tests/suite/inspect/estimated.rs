@@ -1,0 +1,105 @@
+//! Normals of our own, by every weighting and many a crease angle: are these told from them, and is nothing blamed?
+
+use super::clean::{file, meshes};
+use super::{grave, inspect, recipe, surface, with_normals};
+use crease::mesh::{ColumnIndex, Columns, Mesh, MeshBuilder, SmoothingGroups};
+use crease::normals::{Crease, Groups, NormalRecipe, Weight, compute};
+use crease::num::Degrees;
+use crease::quality::Estimate;
+use crease::quality::catalogue::Kind;
+use crease::surface::{Cone, Ellipsoid, Sphere, Surface, Torus, Wave};
+
+fn estimate(mesh: &Mesh) -> Estimate {
+    inspect(mesh, 1).parts[0].estimate.unwrap()
+}
+
+/// That what is told of a mesh gives its normals again, all of them to the bit.
+fn gives_the_same_bits(estimate: &Estimate, mesh: &Mesh) -> bool {
+    let again = compute(mesh, &estimate.recipe()).normals;
+    let ColumnIndex::PerCorner(index) = &again.index else { panic!("per corner") };
+    assert_eq!(index.len(), mesh.faces().corner_count());
+    Some(again) == mesh.columns().normals
+}
+
+#[test]
+fn the_recipe_is_estimated() {
+    for clean in meshes().into_iter().filter(|clean| clean.is_uneven) {
+        for weight in Weight::ALL {
+            let recipe = NormalRecipe { weight, ..clean.recipe };
+            let mesh = with_normals(clean.mesh.clone().with_normals(None), &recipe);
+            let estimate = estimate(&mesh);
+            let told = format!("{}: {estimate:?}", clean.name);
+            assert_eq!(estimate.weight, weight, "{told}");
+            assert!(estimate.reproduced > 0.999 && estimate.median < Degrees(1e-5), "{told}");
+            assert!(gives_the_same_bits(&estimate, &mesh), "{told}");
+        }
+    }
+}
+
+/// Fits are no means: without trying one, these are taken for the next best mean, or for made by hand.
+#[test]
+fn quadrics_are_told_and_blamed_for_nothing() {
+    for (shape, segments) in [
+        (Surface::from(Torus::default()), [24, 12]),
+        (Surface::from(Ellipsoid::default()), [32, 16]),
+        (Surface::from(Cone::default()), [32, 8]),
+        (Surface::Wave(Wave::default()), [30, 30]),
+        (Surface::Teapot, [6, 6]),
+    ] {
+        let mesh = with_normals(surface(&shape, segments).with_normals(None), &recipe(Weight::Quadric, 40.0));
+        let diagnosis = inspect(&mesh, 1);
+        let estimate = diagnosis.parts[0].estimate.unwrap();
+        assert_eq!(estimate.weight, Weight::Quadric, "{shape:?}: {estimate:?}");
+        assert!(estimate.exactly == 1.0 && estimate.sample <= 2048, "{shape:?}: {estimate:?}");
+        assert_eq!(grave(&diagnosis), [""; 0], "{shape:?}");
+    }
+}
+
+/// Many edges of the gear bend by 60°, but for the rounding of its file, and more by what its teeth have.
+#[test]
+fn crease_angles_are_told_as_computing_has_them() {
+    let gear = file("gear.obj");
+    for groups in [Groups::Honour, Groups::Ignore] {
+        for angle in [30.0, 40.0, 45.0, 50.0, 55.0, 60.0, 61.0, 70.0, 180.0] {
+            let made =
+                NormalRecipe { groups, crease: Crease::Angle(Degrees(angle)), ..NormalRecipe::default() };
+            let mesh = with_normals(gear.clone(), &made);
+            let diagnosis = inspect(&mesh, 1);
+            let estimate = diagnosis.parts[0].estimate.unwrap();
+            let told = format!("{groups:?}, {angle}: {estimate:?}");
+            assert!(gives_the_same_bits(&estimate, &mesh), "{told}");
+            assert_eq!(estimate.exactly, 1.0, "{told}");
+            // Where groups say smooth and the angle splits, or the other way, that is told.
+            let told_of = grave(&diagnosis);
+            assert!(told_of.iter().all(|id| *id == "group-mismatch"), "{told}: {told_of:?}");
+        }
+    }
+}
+
+/// A smooth ball in two smoothing groups: normals that go on across the border contradict the groups, and those that do not are
+/// meant. Each used to be mended into the other.
+#[test]
+fn a_seam_between_groups_is_meant() {
+    let ball = surface(&Surface::from(Sphere::default()), [32, 16]);
+    let group = |face: &[u32]| {
+        let above = face.iter().map(|&vertex| ball.positions()[vertex as usize].y).sum::<f64>() > 0.0;
+        if above { 1 } else { 2 }
+    };
+    let of_face = ball.faces().iter().map(group).collect();
+    let smoothing = Some(SmoothingGroups { of_face, before_first: 0 });
+    let columns = Columns { smoothing, ..Columns::default() };
+    let grouped = MeshBuilder {
+        positions: ball.positions().to_vec(),
+        faces: ball.faces().clone(),
+        columns,
+        ..MeshBuilder::default()
+    };
+    let grouped = grouped.build().unwrap();
+    let with = |groups| NormalRecipe { groups, ..recipe(Weight::Angle, 40.0) };
+    let across = inspect(&with_normals(grouped.clone(), &with(Groups::Ignore)), 1);
+    // 32 edges of the border.
+    assert_eq!(across.get(Kind::GroupMismatch).map(|finding| finding.count), Some(32));
+    let parted = inspect(&with_normals(grouped, &with(Groups::Honour)), 1);
+    assert_eq!(grave(&parted), [""; 0]);
+    assert!(parted.get(Kind::GroupMismatch).is_none() && parted.get(Kind::SplitSeam).is_none());
+}
