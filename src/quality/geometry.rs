@@ -7,7 +7,7 @@ use super::finding::Severity;
 use super::light::key_light_lost;
 use super::limit::Limit;
 use super::tally::{Gauge, Spot, Tallies, scan};
-use super::{duplicates, mixing, polygons};
+use super::{duplicates, mixing, needles, polygons};
 use crate::mesh::Link;
 use crate::normals::FaultReason;
 use crate::num::{Degrees, Radians};
@@ -22,7 +22,7 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
     let folded = Limit::new(thresholds.fold.0);
     let faces = scan(facts.mesh.face_count(), thresholds.places, |faces, found| {
         for face in faces {
-            needle(facts, face, thresholds, found);
+            needles::look_at(facts, face, thresholds, found);
             polygons::look_at(facts, face, thresholds, found);
             for half_edge in facts.mesh.faces().range(face) {
                 fold(facts, face, half_edge as u32, folded, found);
@@ -110,18 +110,6 @@ fn inside_out(facts: &Facts<'_>, found: &mut Tallies) {
         tally.components += 1;
         tally.confidence = Some(if component.is_open { facts.outward.confidence } else { 1.0 });
         tally.severity = Some(severity);
-    }
-}
-
-/// A face whose height is a small part of its longest edge.
-fn needle(facts: &Facts<'_>, face: usize, thresholds: &Thresholds, found: &mut Tallies) {
-    let range = facts.mesh.faces().range(face);
-    if range.len() > 3 || facts.area[face] == 0.0 {
-        return;
-    }
-    let shape = height_over_length(facts, face);
-    if shape < thresholds.needle {
-        found.add(Kind::Needles, Spot::face(face, 0.0).of(Gauge::Amount, -shape), facts.area[face]);
     }
 }
 

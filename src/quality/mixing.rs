@@ -3,10 +3,11 @@
 use super::catalogue::Kind;
 use super::facts::Facts;
 use super::means::pull;
+use super::needles;
 use super::tally::Spot;
 use crate::mesh::place_key;
 use crate::normals::Weight;
-use crate::num::{Degrees, Radians, angle_between};
+use crate::num::{Degrees, angle_between};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -45,22 +46,11 @@ pub(super) fn fan(places: &[DVec3], normal: DVec3) -> f64 {
 /// The angle at a place of a kind that goes by another measure, in degrees; `None` for all other kinds.
 pub(super) fn beside(facts: &Facts<'_>, kind: Kind, spot: &Spot) -> Option<f64> {
     match kind {
-        Kind::Needles => Some(by_rounding(facts, spot.face as usize)),
+        Kind::Needles => Some(needles::by_rounding(facts, spot.face as usize)),
         Kind::NonManifold => Some(largest_bend(facts, spot.corner)),
         Kind::HighValence => Some(from_pole(facts, spot.vertex)),
         _ => None,
     }
-}
-
-/// By how many degrees a face turns at most as single precision rounds its corners: the two ends of its height by half a unit in
-/// the last place each.
-fn by_rounding(facts: &Facts<'_>, face: usize) -> f64 {
-    let corners = facts.mesh.faces().range(face).map(|corner| facts.place(corner)).collect::<Vec<_>>();
-    let sides = corners.iter().zip(corners.iter().cycle().skip(1));
-    let longest = sides.map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
-    let farthest = corners.iter().map(|corner| corner.abs().max_element()).fold(0.0, f64::max);
-    let rounding = farthest * f64::from(f32::EPSILON) / 2.0;
-    Degrees::from(Radians(libm::atan2(2.0 * rounding * longest, 2.0 * facts.area[face]))).0
 }
 
 /// The largest bend from one face into another at an edge that several have, whichever way they run.

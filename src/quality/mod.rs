@@ -74,6 +74,7 @@ mod light;
 mod limit;
 mod means;
 mod mixing;
+mod needles;
 mod orbits;
 mod polygons;
 mod quadrics;

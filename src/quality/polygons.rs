@@ -64,7 +64,7 @@ pub(super) fn is_balanced(facts: &Facts<'_>, face: usize) -> bool {
 }
 
 /// The corners of a face from its first one.
-fn places(facts: &Facts<'_>, face: usize) -> Vec<DVec3> {
+pub(super) fn places(facts: &Facts<'_>, face: usize) -> Vec<DVec3> {
     let range = facts.mesh.faces().range(face);
     let first = facts.place(range.start);
     range.map(|corner| facts.place(corner) - first).collect()

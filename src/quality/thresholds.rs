@@ -28,7 +28,7 @@ pub struct Thresholds {
     /// The distance between the ends of open edges, over the diagonal of the bounding box, below which two are taken for one:
     /// what rounding coordinates to six digits or to 32 bits leaves. 0 for those that coincide alone.
     pub weld: f64,
-    /// Height over longest edge below which a face is a needle.
+    /// Width over length below which a face is a needle: of a triangle, height over longest edge.
     pub needle: f64,
     /// How far the corners of a polygon may leave its plane, as the angle between the normals at its corners.
     pub planarity: Degrees,

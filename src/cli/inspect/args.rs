@@ -167,7 +167,7 @@ pub struct ThresholdArgs {
     #[arg(long, value_name = "REL", allow_negative_numbers = true)]
     pub weld: Option<f64>,
 
-    /// Height over longest edge below which a face is a needle [default: 0.001]
+    /// Width over length below which a face is a needle: of a triangle, height over longest edge [default: 0.001]
     #[arg(long, value_name = "RATIO", allow_negative_numbers = true)]
     pub needle: Option<f64>,
 

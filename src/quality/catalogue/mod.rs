@@ -194,7 +194,7 @@ impl Kind {
     /// What follows the number that says how bad it is, where that is no angle; of needles less is worse.
     pub const fn unit(self) -> Option<&'static str> {
         match self {
-            Kind::Needles => Some("times as high as long"),
+            Kind::Needles => Some("times as wide as long"),
             Kind::NonManifold => Some("faces at an edge"),
             Kind::HighValence => Some("faces at a vertex"),
             Kind::MachBands => Some("grey steps a pixel"),

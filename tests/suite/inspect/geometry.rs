@@ -9,7 +9,7 @@ use crease::normals::{NormalRecipe, compute};
 use crease::num::{Degrees, angle_between, three_digits};
 use crease::quality::catalogue::Kind;
 use crease::quality::{Diagnosis, Severity, Thresholds, diagnose, survey};
-use crease::surface::{Surface, Torus};
+use crease::surface::{Sphere, Surface, Torus};
 use glam::{DMat3, DMat4, DVec2, DVec3};
 
 fn polygon(corners: &[[f64; 3]]) -> Mesh {
@@ -314,4 +314,43 @@ fn glossy_materials_need_more_bits() {
             .unwrap()
             .ends_with("the material's exponent of 10000 needs 16 bits a component")
     );
+}
+
+/// The back of one face of a ball is told as that, once; as a component it would face inwards, and turned round stand twice.
+#[test]
+fn the_back_of_a_face_is_no_component_inside_out() {
+    let ball = surface(&Surface::from(Sphere::default()), [24, 12]);
+    let mut faces = ball.faces().clone();
+    let back: Vec<u32> = faces.face(100).iter().rev().copied().collect();
+    faces.push(&back);
+    let diagnosis = inspect(&rebuilt(ball.positions().to_vec(), faces), 10);
+    assert_eq!(diagnosis.get(Kind::BackToBack).map(|finding| finding.count), Some(1));
+    for kind in [Kind::OpenInsideOut, Kind::InsideOut, Kind::InconsistentWinding] {
+        assert!(diagnosis.get(kind).is_none(), "{kind:?}");
+    }
+}
+
+/// Width over length, whatever the number of corners, where they lie and in what order.
+#[test]
+fn polygons_are_needles_by_their_width() {
+    // A strip of so many squares in a row, as one polygon, its first corner anywhere, turned out of all axes.
+    let strip = |squares: usize, width: f64, first: usize| {
+        let row = |y: f64| (0..=squares).map(move |i| [i as f64 / squares as f64, y * width, 0.0]);
+        let mut corners: Vec<[f64; 3]> = row(0.0).chain(row(1.0).rev()).collect();
+        corners.rotate_left(first);
+        let turn = DMat3::from_rotation_y(0.7) * DMat3::from_rotation_x(1.1);
+        polygon(&corners.iter().map(|&corner| (turn * DVec3::from(corner)).to_array()).collect::<Vec<_>>())
+    };
+    for (squares, first) in [(1, 0), (1, 3), (4, 0), (4, 2), (4, 7), (50, 31)] {
+        for width in [1e-2, 1.01e-3, 0.99e-3, 1e-5] {
+            let diagnosis = inspect(&strip(squares, width, first), 1);
+            let finding = diagnosis.get(Kind::Needles);
+            assert_eq!(finding.is_some(), width < 1e-3, "{squares}, {first}, {width}");
+            let measured = finding.map(|finding| finding.amount.unwrap());
+            // The length is that of the diagonal: longer by half the square of the width.
+            assert!(measured.is_none_or(|it| (it / width - 1.0).abs() < 1e-6), "{measured:?} of {width}");
+        }
+    }
+    let arrow = [[0., 0., 0.], [1., 1e-4, 0.], [2., 0., 0.], [1., 1., 0.]];
+    assert!(inspect(&polygon(&arrow), 1).get(Kind::Needles).is_none());
 }
