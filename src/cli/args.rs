@@ -203,7 +203,7 @@ pub struct MeshArgs {
     #[arg(long, value_name = "HOW", default_value = "keep", value_parser = Choices(ORIENTS))]
     pub orient: Orient,
 
-    /// How sure --orient outward has to be of the outer side of an open component, which a vote of points about what they
+    /// What --orient outward has to be surer than of the outer side of an open component, which a vote of points about what they
     /// see decides, to turn it: from 0.5 to 1; 1 turns none
     #[arg(long, value_name = "SHARE", default_value = "0.9", value_parser = confidence)]
     pub confidence: Confidence,

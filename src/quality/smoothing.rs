@@ -263,6 +263,8 @@ impl Edge {
     /// Whether it splits the normals of a surface that goes on: not where single corners stray or are turned round, which is
     /// told as that.
     pub(super) fn is_seam(&self, facts: &Facts<'_>, stored: &Column<DVec3>, thresholds: &Thresholds) -> bool {
+        // A stray that is not asked for is no seam either.
+        let told_from = thresholds.deviation.0.min(Thresholds::default().deviation.0);
         let is_told = |&corner: &usize| {
             let Some(unit) = facts.stored_unit(corner) else { return false };
             // Between two seams a face may stand alone, with its own normal.
@@ -270,7 +272,7 @@ impl Edge {
                 !WAYS.into_iter().any(|way| way.shares(facts, stored, corner as u32))
                     && Ground::of(facts, corner, unit) != Some(Ground::Run)
             };
-            degrees(unit, facts.expected(corner)) > thresholds.deviation.0
+            degrees(unit, facts.expected(corner)) > told_from
                 && (facts.leaning(corner) > 90.0 + thresholds.against.0 || strays())
         };
         self.gaps[0].min(self.gaps[1]) > thresholds.seam.0

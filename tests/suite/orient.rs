@@ -263,4 +263,5 @@ fn the_confidence_asked_for_decides() {
     let told = |confidence: f64| orient(&mesh, &topology, Orient::Outward, Confidence(confidence)).open_told;
     // 64 points that agree: 65/66.
     assert_eq!([0.5, 0.9, 0.98, 0.99, 1.0].map(told), [1, 1, 1, 0, 0]);
+    assert_eq!(told(65.0 / 66.0), 0, "it has to be above");
 }

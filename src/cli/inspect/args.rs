@@ -179,7 +179,7 @@ pub struct ThresholdArgs {
     #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     pub rounding: Option<f64>,
 
-    /// How sure it has to be which side of an open component is its outer one, from 0.5 to 1 [default: 0.9]
+    /// What it has to be surer than which side of an open component is its outer one, from 0.5 to 1 [default: 0.9]
     #[arg(long, value_name = "SHARE", allow_negative_numbers = true, value_parser = confidence)]
     pub confidence: Option<Confidence>,
 

@@ -23,7 +23,8 @@ pub enum Orient {
     #[default]
     Keep,
     /// In each component the fewer ones that run against the rest; if there are as many of both kinds, those
-    /// that run against the lowest face.
+    /// that run against the lowest face. Faces without area, such as fillers beside a vertex on an edge, do not count, however
+    /// many they are: those of twice their area below a millionth of their longest edge squared. They turn with the others.
     Consistent,
     /// In each closed component the ones that do not face outwards, where it lies in an even number of other
     /// closed components, or inwards, as a cavity, where it lies in an odd number. A room faces inwards, and for what stands
@@ -33,7 +34,7 @@ pub enum Orient {
     Outward,
 }
 
-/// How sure it has to be which side of a component with a rim is its outer one, for it to be turned: from ½, a mere
+/// What it has to be surer than which side of a component with a rim is its outer one, for it to be turned: from ½, a mere
 /// majority, to 1, which no vote reaches.
 ///
 /// Up to 64 points of the component are asked, each of which compares by 64 rays how much of the surroundings either side
@@ -101,7 +102,7 @@ pub struct Orientation {
 /// that cut through each other are not nested. Stored normals, if there are any, tell rooms from what is inside out
 /// ([`Orient::Outward`]); without them all is taken for solid.
 ///
-/// Components with a rim are turned, by a vote of visibility, if its outcome is at least as sure as `confidence`.
+/// Components with a rim are turned, by a vote of visibility, if its outcome is surer than `confidence`.
 ///
 /// Linear in faces, and n log n in closed components that lie in the boxes of others and in faces where a component has a
 /// rim; where faces overlap without end the search is cut short (see [`Orientation::undecided`]; such votes are not
@@ -252,7 +253,7 @@ impl Orientations {
     }
 
     fn turn_open(&self, mesh: &Mesh, confidence: Confidence, found: &mut Orientation) {
-        let sure = |confidence_of: f64| confidence_of >= confidence.0;
+        let sure = |confidence_of: f64| confidence_of > confidence.0;
         if confidence >= Confidence::NEVER {
             found.open_left = self.open.len();
             return;

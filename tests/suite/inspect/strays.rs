@@ -203,3 +203,14 @@ fn normals_of_good_files_do_not_stray() {
         assert!(against.is_none(), "{}: {against:?}", row.name());
     }
 }
+
+/// Strays that a higher threshold leaves out are no seams in their place.
+#[test]
+fn strays_that_are_not_asked_for_are_no_seams() {
+    for (name, mesh) in by_rule() {
+        let (mesh, places) = tilted(&mesh, 0.01, 30.0);
+        assert!(diagnosis(&mesh, 15.0).get(Kind::Stray).is_some(), "{name}, {}", places.len());
+        let left = diagnosis(&mesh, 60.0);
+        assert!(left.get(Kind::Stray).is_none() && left.get(Kind::SplitSeam).is_none(), "{name}");
+    }
+}
