@@ -6,7 +6,7 @@ use super::facts::{Facts, Worth};
 use super::finding::Severity;
 use super::limit::Limit;
 use super::polygons;
-use super::smoothing::Edge;
+use super::smoothing::{Edge, FEWEST_SHARP};
 use super::tally::{Spot, Tallies, scan};
 use crate::mesh::Column;
 use crate::normals::Crease;
@@ -22,9 +22,6 @@ const GENTLE: f64 = 30.0;
 
 /// Bent edges that a smooth shape has at least.
 const FEWEST_GENTLE: usize = 100;
-
-/// Edges between flat sides that a sharp shape has at least: a cube has twelve.
-const FEWEST_SHARP: usize = 8;
 
 /// The share of bent edges that are gentle on a smooth shape, at least: a horse of 2400 quads has 0.84, a part of a machine
 /// 0.79, one with all its holes 0.60.

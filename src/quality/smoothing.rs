@@ -18,6 +18,9 @@ pub(super) const SAME: f64 = 1.0;
 /// The share of bent edges that the estimated crease angle has to put on the right side before the others are faults.
 const RULE: f64 = 0.98;
 
+/// Sharp edges that a shape has at least that has any: a cube has twelve. Fewer may be faces that came out badly on a smooth one.
+pub(super) const FEWEST_SHARP: usize = 8;
+
 /// Everything about which edges stored normals are smooth over.
 pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Tallies) {
     if facts.stored.is_none() {
@@ -45,8 +48,11 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
     let restores = estimate.is_rule() || (estimate.is_departed_from() && !is_soft);
     for kind in [Kind::AveragedCrease, Kind::SplitSeam, Kind::CrackedSeam] {
         let is_any_seam = || kind != Kind::AveragedCrease && are_anywhere(facts, stored, thresholds);
+        let count = edges.get(kind).count;
+        let is_lone =
+            || kind == Kind::AveragedCrease && count < FEWEST_SHARP as u64 && !are_any_sharp(facts, stored);
         let is_meant =
-            edges.get(kind).count > 0 && !follows && !(estimate.is_departed_from() && is_any_seam());
+            count > 0 && (!follows && !(estimate.is_departed_from() && is_any_seam()) || is_lone());
         let tally = edges.tally(kind);
         tally.remedy = Some(estimate.options());
         tally.may_be_meant = !restores;
@@ -81,6 +87,13 @@ fn cracks(facts: &Facts<'_>, found: &mut Tallies) {
         }
     }
     found.tally(Kind::CrackedSeam).severity = Some(Severity::Note);
+}
+
+/// Whether normals are kept apart on the two sides of any edge that bends.
+fn are_any_sharp(facts: &Facts<'_>, stored: &Column<DVec3>) -> bool {
+    let is_sharp = |edge: Edge| edge.gaps[0].max(edge.gaps[1]) > SAME && edge.bend(facts) > SAME;
+    let edges = (0..facts.mesh.faces().corner_count() as u32).into_par_iter();
+    edges.any(|half_edge| Edge::at(facts, stored, half_edge).is_some_and(is_sharp))
 }
 
 /// Whether edges that split normals bend no more than those that do not: a cut through a smooth surface goes where it may, while

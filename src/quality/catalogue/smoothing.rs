@@ -9,7 +9,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         "averaged-crease",
         Severity::Warning,
         "sharp edges with one normal on both sides",
-        "Edges that bend as much as those that the mesh keeps sharp share their normals: both faces are shaded as if the edge were round. Flat faces show a gradient towards it, and the corner looks inflated. A note where the normals follow no rule, not even two in five of them to the letter, or where more than one in fifty of the ends of edges that bend is on the wrong side of the crease angle: they may be made by hand.",
+        "Edges that bend as much as those that the mesh keeps sharp share their normals: both faces are shaded as if the edge were round. Flat faces show a gradient towards it, and the corner looks inflated. A note where the normals follow no rule, not even two in five of them to the letter, or where more than one in fifty of the ends of edges that bend is on the wrong side of the crease angle: they may be made by hand; and where there are fewer than eight and no other edge is kept sharp: on a smooth shape it is the faces that came out badly.",
         "Compute normals with a crease angle below the bend of these edges.",
         Some(""),
     ),

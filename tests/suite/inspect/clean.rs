@@ -8,7 +8,9 @@ use crease::mesh::{FaceEdit, Faces, Mesh};
 use crease::normals::{NormalRecipe, Weight};
 use crease::quality::catalogue::Kind;
 use crease::quality::{Severity, Site, Thresholds, diagnose};
-use crease::surface::{Cone, Cylinder, Pattern, Sphere, Superquadric, Surface, Tessellation, Torus, Wave};
+use crease::surface::{
+    Catenoid, Cone, Cylinder, MonkeySaddle, Pattern, Sphere, Superquadric, Surface, Tessellation, Torus, Wave,
+};
 use glam::DVec3;
 
 /// A clean mesh and what it is good for.
@@ -144,6 +146,26 @@ fn a_cone_is_clean_but_for_a_tip_that_is_cut_off() {
     assert_eq!(averaged.count, 64);
     let is_at_tip = |site: &Site| site.position.is_some_and(|at| at.y > 0.95);
     assert!(averaged.places.len() == 64 && averaged.places.iter().all(is_at_tip));
+}
+
+/// Some triangles of marching and scattered meshes hardly have a direction that is the surface's. What they bend by is no sharp
+/// edge where there is no other.
+#[test]
+fn faces_that_came_out_badly_are_no_sharp_edges() {
+    let mut noted = 0;
+    let saddle = || Surface::MonkeySaddle(MonkeySaddle::default());
+    for (shape, pattern) in [
+        (Surface::from(Cone::default()), Pattern::Marching),
+        (Surface::Catenoid(Catenoid::default()), Pattern::Marching),
+        (saddle(), Pattern::Marching),
+        (saddle(), Pattern::Scattered),
+    ] {
+        let tessellation = Tessellation { segments: [40, 24], pattern, ..Tessellation::default() };
+        let diagnosis = inspect(&shape.tessellate(&tessellation).unwrap(), 1);
+        assert_eq!(grave(&diagnosis), [""; 0], "{shape:?}, {}", pattern.name());
+        noted += u32::from(diagnosis.get(Kind::AveragedCrease).is_some());
+    }
+    assert!(noted > 2, "{noted} have such edges");
 }
 
 /// On a rough surface many an edge over the crease angle is the only one at its vertex: it splits nothing, and the edges that
