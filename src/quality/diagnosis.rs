@@ -7,7 +7,7 @@ use super::finding::{Element, Finding, Severity, Site};
 use super::gloss::{self, Gloss};
 use super::light::key_light_lost;
 use super::spaces::Spaces;
-use super::tally::{Gauge, Milder, Spot, Tallies, Tally, least};
+use super::tally::{Gauge, Milder, Remark, Spot, Tallies, Tally, least, weightier};
 use super::{
     Estimate, Precision, Thresholds, attributes, geometry, key_light_steps, mixing, shading, smoothing,
     stored,
@@ -237,9 +237,10 @@ struct Merged {
     all_area: f64,
     severity: Option<Severity>,
     sites: Vec<(Spot, Site)>,
-    /// What is said of the part that has most of it.
+    /// How much of it the part has whose remedy is told: no other has more.
     most: u64,
-    remark: Option<String>,
+    remark: Option<Remark>,
+    mergeable: usize,
     components: u64,
     /// Components of a lower severity, which are not counted.
     milder: Milder,
@@ -277,8 +278,10 @@ impl Merged {
         self.severity = self.severity.max(Some(severity));
         if tally.count > self.most {
             self.most = tally.count;
-            (self.remark, self.remedy) = (tally.remark, tally.remedy);
+            self.remedy = tally.remedy;
         }
+        self.remark = weightier(self.remark.take(), tally.remark);
+        self.mergeable += tally.mergeable;
         self.may_be_meant |= tally.may_be_meant;
         self.components += tally.components;
         self.confidence = least(self.confidence, tally.confidence);
@@ -320,7 +323,12 @@ impl Merged {
                 )
             }
         });
-        let cause = match self.remark.or(of_components) {
+        let of_vertices = (self.mergeable > 0).then(|| {
+            let vertices = if self.mergeable == 1 { "vertex" } else { "vertices" };
+            format!("{} {vertices} could be merged away", self.mergeable)
+        });
+        let remark = self.remark.map(|remark| remark.text);
+        let cause = match remark.or(of_vertices).or(of_components) {
             Some(remark) => format!("{}: {remark}", entry.title),
             None => entry.title.to_owned(),
         };

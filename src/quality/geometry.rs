@@ -6,7 +6,7 @@ use super::facts::{Facts, InsideOut, Worth};
 use super::finding::Severity;
 use super::light::key_light_lost;
 use super::limit::Limit;
-use super::tally::{Gauge, Spot, Tallies, scan};
+use super::tally::{Gauge, Remark, Spot, Tallies, scan};
 use super::{duplicates, mixing, needles, polygons};
 use crate::mesh::Link;
 use crate::normals::FaultReason;
@@ -273,10 +273,11 @@ fn far_from_origin(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
         found.add(Kind::FarFromOrigin, Spot::mesh().by(error), facts.total_area);
         let bits = libm::floor(libm::log2(height / rounding)).max(0.0);
         let expected = Degrees::from(Radians(libm::atan(tilt))).0;
-        found.tally(Kind::FarFromOrigin).remark = Some(format!(
+        let text = format!(
             "{bits} bits are left for the height of a face, whose normal is off by {expected:.2}° in the mean and may be \
              by {error:.2}°"
-        ));
+        );
+        found.tally(Kind::FarFromOrigin).remark = Some(Remark { weight: error, text });
     }
 }
 

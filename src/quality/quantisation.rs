@@ -4,7 +4,7 @@ use super::Thresholds;
 use super::catalogue::Kind;
 use super::facts::{Facts, Worth};
 use super::grid::Grid;
-use super::tally::{Spot, Tallies, scan};
+use super::tally::{Remark, Spot, Tallies, scan};
 use crate::mesh::Column;
 use crate::num::{Degrees, angle_between, largest_exponent, three_digits};
 use glam::DVec3;
@@ -72,6 +72,7 @@ pub(super) fn find(
         None => "which even a matte surface may show by more than half a step of 8 bits".into(),
     };
     let bits = needed_bits(exponent);
+    let weight = measured.as_ref().map_or(precision.error, |measured| measured.largest).0;
     let off = match measured {
         Some(Measured { largest, rms, corners, .. }) => {
             let where_so = match corners {
@@ -87,12 +88,13 @@ pub(super) fn find(
         }
         None => String::new(),
     };
-    found.tally(Kind::Quantised).remark = Some(format!(
+    let text = format!(
         "{}, {off}rounding to the nearest makes at most {}°, {serves}; the material's exponent of {} needs {bits} bits a component",
         precision.grid,
         three_digits(precision.error.0),
         three_digits(exponent)
-    ));
+    );
+    found.tally(Kind::Quantised).remark = Some(Remark { weight, text });
     Some(precision)
 }
 

@@ -5,7 +5,7 @@ use super::catalogue::Kind;
 use super::facts::{Facts, Worth};
 use super::light::slope_jump;
 use super::limit::Limit;
-use super::tally::{Gauge, Spot, Tallies, scan};
+use super::tally::{Gauge, Remark, Spot, Tallies, scan};
 use crate::num::{angle_between, three_digits};
 use glam::DVec3;
 
@@ -44,7 +44,8 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
 /// Says how bad the worst place is, where that is no angle.
 fn remark(found: &mut Tallies, kind: Kind, say: impl Fn(String) -> String) {
     let tally = found.tally(kind);
-    tally.remark = tally.worst.first().map(|worst| say(three_digits(worst.weight)));
+    let worst = tally.worst.first().map(|worst| worst.weight);
+    tally.remark = worst.map(|weight| Remark { weight, text: say(three_digits(weight)) });
 }
 
 /// Corners whose normal is far from the face, and faces whose corners are further apart than a highlight is wide.

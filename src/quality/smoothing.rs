@@ -61,9 +61,7 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
         }
     }
     if edges.get(Kind::NeedlessSeam).count > 0 {
-        let vertices = mergeable(facts, stored);
-        let are = if vertices == 1 { "vertex" } else { "vertices" };
-        edges.tally(Kind::NeedlessSeam).remark = Some(format!("{vertices} {are} could be merged away"));
+        edges.tally(Kind::NeedlessSeam).mergeable = mergeable(facts, stored);
     }
     found.merge(edges);
 }

@@ -2,7 +2,7 @@
 
 use super::catalogue::Kind;
 use super::facts::{Facts, Worth};
-use super::tally::Tallies;
+use super::tally::{Remark, Tallies};
 use super::turned::{explains, least, worst};
 use super::{Estimate, Thresholds};
 use crate::io::{FileNode, Loaded, NodeTree};
@@ -89,7 +89,8 @@ impl Mistaken {
     pub(super) fn tell(&self, stored: &Facts<'_>, most: usize, found: &mut Tallies) {
         found.add_mesh(Kind::Untransformed, stored.total_area, worst(stored, most));
         found.tally(Kind::Untransformed).turn = Some(self.turn);
-        found.tally(Kind::Untransformed).remark = self.told.clone();
+        let remark = |text: String| Remark { weight: self.turn, text };
+        found.tally(Kind::Untransformed).remark = self.told.clone().map(remark);
     }
 }
 

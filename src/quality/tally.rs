@@ -97,6 +97,19 @@ impl Milder {
     }
 }
 
+/// What else is to be said of a finding.
+#[derive(Clone, Debug)]
+pub(super) struct Remark {
+    /// Of several parts the remark about the one with most of this is told.
+    pub(super) weight: f64,
+    pub(super) text: String,
+}
+
+/// Of two remarks the one with more weight; the first among equals.
+pub(super) fn weightier(a: Option<Remark>, b: Option<Remark>) -> Option<Remark> {
+    a.into_iter().chain(b).reduce(|a, b| if b.weight > a.weight { b } else { a })
+}
+
 /// How often something was found, and the worst places.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Tally {
@@ -104,8 +117,9 @@ pub(super) struct Tally {
     pub(super) area: f64,
     /// At most so many as were asked for, worst first.
     pub(super) worst: Vec<Spot>,
-    /// What else is to be said of it.
-    pub(super) remark: Option<String>,
+    pub(super) remark: Option<Remark>,
+    /// Vertices that could be merged away, which are told in place of a remark.
+    pub(super) mergeable: usize,
     /// Components that it is of, where they are told in place of a remark.
     pub(super) components: u64,
     /// Components of a lower severity, which are not counted.
@@ -148,7 +162,8 @@ impl Tally {
         self.count += other.count;
         self.area += other.area;
         other.worst.into_iter().for_each(|spot| self.keep(spot, most));
-        self.remark = self.remark.take().or(other.remark);
+        self.remark = weightier(self.remark.take(), other.remark);
+        self.mergeable += other.mergeable;
         self.components += other.components;
         self.milder.add(other.milder.components, other.milder.count);
         self.severity = self.severity.max(other.severity);

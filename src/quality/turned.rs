@@ -4,7 +4,7 @@ use super::Thresholds;
 use super::catalogue::Kind;
 use super::facts::{Facts, Worth};
 use super::rotation::{are_spread, closest_turn, outer, rotation_angle};
-use super::tally::{Spot, Tallies, scan};
+use super::tally::{Remark, Spot, Tallies, scan};
 use crate::mesh::are_same;
 use crate::num::{Degrees, Radians, angle_between};
 use glam::{DMat3, DVec3};
@@ -47,9 +47,9 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
         let between = closest.transpose() * axes;
         between.determinant() > 0.0 && rotation_angle(between) <= thresholds.rotation.0
     };
-    if let Some(remark) = smallest_of_the_best(&changes, is_closest) {
+    if let Some(text) = smallest_of_the_best(&changes, is_closest) {
         found.add_mesh(Kind::SwappedAxes, area, worst(facts, thresholds.places));
-        found.tally(Kind::SwappedAxes).remark = Some(remark);
+        found.tally(Kind::SwappedAxes).remark = Some(Remark { weight: facts.mesh.face_count() as f64, text });
         return true;
     }
     let angle = rotation_angle(closest);
@@ -59,7 +59,8 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
         let reversed = if closest.determinant() < 0.0 { ", and reversed" } else { "" };
         found.add_mesh(Kind::Rotated, area, worst(facts, thresholds.places));
         found.tally(Kind::Rotated).turn = Some(angle);
-        found.tally(Kind::Rotated).remark = Some(format!("by {angle:.1}°{reversed}"));
+        let text = format!("by {angle:.1}°{reversed}");
+        found.tally(Kind::Rotated).remark = Some(Remark { weight: angle, text });
     }
     is_turned
 }

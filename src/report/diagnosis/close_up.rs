@@ -1,7 +1,7 @@
 //! The worst place of a finding, close up.
 
 use super::pictures::{Model, draw, ring};
-use super::sight::clearance;
+use super::sight::{camera_on, clearance};
 use crate::mesh::{Mesh, Obstacles, normal_matrix};
 use crate::quality::Site;
 use crate::raster::{Camera, Projection, Show};
@@ -50,6 +50,27 @@ impl Model {
         let mut picture = draw(&scene, side, Show::Shaded)?;
         ring(&mut picture, [f64::from(side) / 2.0; 2], f64::from(side) / 16.0);
         Ok(Some(picture))
+    }
+}
+
+impl Model {
+    /// All of it lit, from where a place is seen, with a ring round that; and whether it is seen.
+    pub(super) fn whereabouts(
+        &self,
+        site: &Site,
+        obstacles: &[Obstacles<'_>],
+        side: u32,
+    ) -> Result<Option<(Picture, bool)>, ReportError> {
+        let (Some((_, position, _)), Some((camera, is_seen))) =
+            (self.stand(site), camera_on(self, obstacles, site))
+        else {
+            return Ok(None);
+        };
+        let mut picture = self.lit(camera, side)?;
+        if let Ok(Some(at)) = camera.on_picture([side; 2], position) {
+            ring(&mut picture, at, f64::from(side) / 30.0);
+        }
+        Ok(Some((picture, is_seen)))
     }
 }
 

@@ -186,9 +186,22 @@ fn section(
     if let Some(picture) = &picture {
         let alternative =
             format!("the worst place of {}, close up, seen from in front of its face", entry.id);
-        let from = "The worst place, seen from in front of its face, with the edges of faces; what covers it is cut away.";
-        page.pictures(&[(picture, &alternative)], from)?;
-        page.raw("<p><a href=\"#overview\">Where it is in the whole</a></p>\n");
+        let close = "the worst place, seen from in front of its face, with the edges of faces; what covers it is cut away.";
+        let mut pictures = vec![(picture, alternative.as_str())];
+        let whole = worst.map(|site| model.whereabouts(site, obstacles, SIDES[1])).transpose()?.flatten();
+        let caption = match &whole {
+            Some((_, true)) => format!("Left: {close} Right: the ring is round it in the whole."),
+            Some((_, false)) => {
+                format!(
+                    "Left: {close} Right: the ring is round it in the whole, where it lies behind what is seen."
+                )
+            }
+            None => format!("This is {close}"),
+        };
+        pictures
+            .extend(whole.iter().map(|(whole, _)| (whole, "the whole mesh, with a ring round that place")));
+        page.pictures(&pictures, &caption)?;
+        page.raw("<p><a href=\"#overview\">To the overview</a></p>\n");
     }
     let columns = ["place", "face", "corner", "vertex", "position", "degrees"];
     let mut table = Table::new("The worst places", &columns);

@@ -66,14 +66,26 @@ pub(super) fn camera(
     comparison: Option<&Comparison>,
     sight: Sight,
 ) -> Option<Camera> {
+    let direction = |usual| match sight {
+        Sight::From(direction) => direction.normalize_or(DVec3::Z),
+        Sight::Auto => best(model, &model.obstacles(), &wanted(model, diagnosis, comparison), usual),
+    };
+    all_from(model, direction)
+}
+
+/// A camera that sees all of a model from where a place is seen, and whether it is.
+pub(super) fn camera_on(model: &Model, obstacles: &[Obstacles<'_>], site: &Site) -> Option<(Camera, bool)> {
+    let place = Wanted { weight: 1.0, ..Wanted::of(model, site)? };
+    let wanted = std::slice::from_ref(&place);
+    let camera = all_from(model, |usual| best(model, obstacles, wanted, usual))?;
+    Some((camera, is_seen(model, obstacles, &place, camera.eye - place.position)))
+}
+
+/// A camera that sees all of a model from a direction, made of the usual one; `None` if there is nothing to see.
+fn all_from(model: &Model, direction: impl FnOnce(DVec3) -> DVec3) -> Option<Camera> {
     let framing = Camera::framing(model.bounds()?, 1.0);
     let distance = framing.eye.distance(framing.target);
-    let direction = match sight {
-        Sight::From(direction) => direction.normalize_or(DVec3::Z),
-        Sight::Auto => {
-            best(model, &wanted(model, diagnosis, comparison), (framing.eye - framing.target) / distance)
-        }
-    };
+    let direction = direction((framing.eye - framing.target) / distance);
     let up = if direction.y.abs() > 0.95 { DVec3::NEG_Z } else { DVec3::Y };
     let camera = Camera { eye: framing.target + direction * distance, up, ..framing };
     Some(zoomed(model, camera))
@@ -94,13 +106,12 @@ fn wanted(model: &Model, diagnosis: &Diagnosis, comparison: Option<&Comparison>)
 
 /// Of the directions from a cube's faces, edges and corners, the one from which most is seen; the usual one if that is no
 /// worse. Where none of them shows any of the gravest places, those from before and behind these places' faces as well.
-fn best(model: &Model, wanted: &[Wanted], usual: DVec3) -> DVec3 {
+fn best(model: &Model, obstacles: &[Obstacles<'_>], wanted: &[Wanted], usual: DVec3) -> DVec3 {
     if wanted.is_empty() {
         return usual;
     }
-    let obstacles = model.obstacles();
     let score = |direction: DVec3| -> f64 {
-        let seen = wanted.iter().filter(|place| is_seen(model, &obstacles, place, direction));
+        let seen = wanted.iter().filter(|place| is_seen(model, obstacles, place, direction));
         seen.map(|place| place.weight * (EDGE_ON + place.normal.dot(direction).max(0.0))).sum()
     };
     let steps = [-1.0, 0.0, 1.0];
@@ -113,7 +124,7 @@ fn best(model: &Model, wanted: &[Wanted], usual: DVec3) -> DVec3 {
     };
     let best = candidates.fold((usual, score(usual) * 1.01), better);
     let grave = || wanted.iter().filter(|it| it.weight == wanted[0].weight && it.normal != DVec3::ZERO);
-    let shown = |place: &Wanted, direction| is_seen(model, &obstacles, place, direction);
+    let shown = |place: &Wanted, direction| is_seen(model, obstacles, place, direction);
     if grave().any(|place| shown(place, best.0)) {
         return best.0;
     }

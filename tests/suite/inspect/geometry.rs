@@ -1,11 +1,11 @@
 //! Geometry that spoils normals, against what can be worked out by other means.
 
 use super::{inspect, loaded, rebuilt, surface};
-use crease::io::{FileNode, Format, ReadOptions, read_bytes};
+use crease::io::{FileNode, Format, Loaded, Part, ReadOptions, read_bytes};
 use crease::mesh::{
     Column, Columns, Confidence, FaceLabels, Faces, Mesh, MeshBuilder, Orient, Topology, Weld, orient,
 };
-use crease::normals::{NormalRecipe, compute};
+use crease::normals::{Crease, NormalRecipe, compute};
 use crease::num::{Degrees, angle_between, three_digits};
 use crease::quality::catalogue::Kind;
 use crease::quality::{Diagnosis, Severity, Thresholds, diagnose, survey};
@@ -353,4 +353,36 @@ fn polygons_are_needles_by_their_width() {
     }
     let arrow = [[0., 0., 0.], [1., 1e-4, 0.], [2., 0., 0.], [1., 1., 0.]];
     assert!(inspect(&polygon(&arrow), 1).get(Kind::Needles).is_none());
+}
+
+/// Numbers in words are of all parts, or of the worst one, as those beside them are.
+#[test]
+fn words_and_numbers_are_of_the_same_parts() {
+    let ball = |radius: f64, segments| {
+        let sphere = surface(&Surface::from(Sphere::new(radius).unwrap()), segments).with_normals(None);
+        // Every face with vertices of its own: all edges could be merged.
+        let corners = sphere.faces().corners();
+        let positions = corners.iter().map(|&vertex| sphere.positions()[vertex as usize]).collect();
+        let mut faces = Faces::new();
+        sphere.faces().ranges().for_each(|range| faces.push(&range.map(|it| it as u32).collect::<Vec<_>>()));
+        let mesh = rebuilt(positions, faces);
+        let normals =
+            compute(&mesh, &NormalRecipe { crease: Crease::OFF, ..NormalRecipe::default() }).normals;
+        let merged = corners.len() - sphere.vertex_count();
+        (Part { mesh: mesh.with_normals(Some(normals)), ..Part::default() }, merged)
+    };
+    // The first has more edges at fault, the second the worst ones.
+    let [(fine, a), (coarse, b)] = [ball(1.0, [48, 24]), ball(3.0, [12, 6])];
+    let file = Loaded { parts: vec![fine, coarse], ..loaded(Mesh::default()) };
+    let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
+    let cause = |kind: Kind| diagnosis.get(kind).unwrap().cause.clone();
+    assert!(cause(Kind::NeedlessSeam).ends_with(&format!(": {} vertices could be merged away", a + b)));
+    for kind in [Kind::MachBands, Kind::CoarseOutline] {
+        let finding = diagnosis.get(kind).unwrap();
+        assert_eq!(finding.places[0].part, 1);
+        assert!(
+            finding.cause.contains(&format!("up to {} ", three_digits(finding.amount.unwrap()))),
+            "{kind:?}"
+        );
+    }
 }

@@ -42,7 +42,7 @@ fn the_page_of_a_fault_is_whole() {
         assert!(source.starts_with("data:image/png;base64,"));
     }
     let pictures = between(&page, "<img ", ">");
-    assert!(pictures.len() > 3 && pictures.iter().all(|image| between(image, "alt=\"", "\"")[0].len() > 20));
+    assert!(pictures.len() > 4 && pictures.iter().all(|image| between(image, "alt=\"", "\"")[0].len() > 20));
     assert_eq!(page.matches("<svg role=\"img\"").count(), 5, "five histograms");
     for finding in &diagnosis.findings {
         assert!(distinct.contains(finding.kind.id()), "{}", finding.kind.id());
