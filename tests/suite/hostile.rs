@@ -15,8 +15,11 @@ use std::sync::mpsc;
 use std::thread;
 use std::time::Duration;
 
-/// Far longer than anything here takes: whoever needs it hangs.
-const PATIENCE: Duration = Duration::from_secs(300);
+/// Far longer than anything here takes, on a machine that is busy with other things too: whoever needs it hangs. With many times
+/// as much to try the longest takes two minutes on two idle cores.
+fn patience() -> Duration {
+    Duration::from_secs(if is_long() { 1200 } else { 300 })
+}
 
 pub fn is_long() -> bool {
     std::env::var_os("CREASE_LONG").is_some_and(|value| value == "1")
@@ -30,7 +33,7 @@ fn patiently(what: &str, work: impl FnOnce() + Send + 'static) {
         // Nobody may be waiting any more.
         done.send(()).ok();
     });
-    if is_done.recv_timeout(PATIENCE) == Err(mpsc::RecvTimeoutError::Timeout) {
+    if is_done.recv_timeout(patience()) == Err(mpsc::RecvTimeoutError::Timeout) {
         panic!("{what} hangs");
     }
     worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));

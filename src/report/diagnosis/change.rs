@@ -2,9 +2,10 @@
 
 use super::heat::HeatScale;
 use super::pictures::Model;
+use super::sight::hidden;
 use crate::io::Loaded;
 use crate::num::three_digits;
-use crate::quality::{Comparison, Survey};
+use crate::quality::{Comparison, Site, Survey};
 use crate::raster::Camera;
 use crate::report::{Page, Picture, ReportError, Table};
 
@@ -37,7 +38,10 @@ pub(super) fn section(
         changes.map(|(survey, change)| Survey { deviations: changed(change), ..survey.clone() }).collect();
     let then = Model::new(after.loaded, surveys, before.scale)?;
     let change = Model::new(after.loaded, &changes, HeatScale::of(changes.iter()))?;
-    let worst: Vec<_> = comparison.places.first().into_iter().collect();
+    let places: Vec<&Site> = comparison.places.iter().collect();
+    let mut seen =
+        places.iter().zip(hidden(&change, &places, camera.eye)).filter(|(_, is_hidden)| !is_hidden);
+    let worst: Vec<&Site> = seen.next().map(|(site, _)| *site).into_iter().collect();
     let lit = [before.lit(camera, side)?, then.lit(camera, side)?];
     let (marked, _) = change.deviation(camera, side, &worst)?;
     let pictures: [(&Picture, &str); 3] = [
@@ -46,7 +50,7 @@ pub(super) fn section(
         (&marked, &format!("the mesh coloured by how far its normals changed, {}", change.scale.words())),
     ];
     let caption = "Left: before. Middle: after. Right: by how much the normals of each corner changed; a ring marks \
-                   the place that changed most, unless it lies behind.";
+                   the place that changed most of those that are seen.";
     page.pictures(&pictures, caption)?;
     let off = [before.deviation(camera, side, &[])?.0, then.deviation(camera, side, &[])?.0];
     let words = ["before", "after"].map(|when| {

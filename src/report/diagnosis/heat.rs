@@ -24,8 +24,11 @@ const SHORT: f64 = 8.0;
 /// The width of the dots that mark single corners, in a picture of 480 pixels.
 const DOT: f64 = 2.5;
 
-/// Shares of the scale from which on corners are marked, each with a colour of its own; higher ones lie above lower ones.
-const MARKED: [f64; 5] = [0.5, 0.625, 0.75, 0.875, 1.0];
+/// The share of the scale from which on corners are marked.
+const MARKED: f64 = 0.5;
+
+/// Colours that marks have from there to the end of the scale: a hundredth of the scale from what they mark, or two at its end.
+const SHADES: usize = 25;
 
 /// Which deviation has the light end of the colours.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,11 +91,15 @@ impl HeatScale {
     /// The colours that mark corners, each with the deviations that it marks.
     fn marks(self) -> Vec<(LinearRgb, impl Fn(Option<f64>) -> bool)> {
         let absent = (LinearRgb::from(ABSENT), None, None);
+        let share = |at: f64| MARKED + (1.0 - MARKED) * at / SHADES as f64;
+        // Higher ones lie above lower ones; what is beyond the scale has the colour of its end.
         let above = |at: usize| {
-            let next = MARKED.get(at + 1).map(|share| share * self.full.0);
-            (viridis(MARKED[at]), Some(MARKED[at] * self.full.0), next)
+            let is_last = at + 1 == SHADES;
+            let next = (!is_last).then(|| share(at as f64 + 1.0) * self.full.0);
+            let colour = if is_last { 1.0 } else { share(at as f64 + 0.5) };
+            (viridis(colour), Some(share(at as f64) * self.full.0), next)
         };
-        let all = (0..MARKED.len()).map(above).chain([absent]);
+        let all = (0..SHADES).map(above).chain([absent]);
         let is_marked = |least: Option<f64>, below: Option<f64>| {
             move |deviation: Option<f64>| match (deviation, least) {
                 (Some(degrees), Some(least)) => degrees >= least && below.is_none_or(|below| degrees < below),
@@ -171,7 +178,7 @@ pub(super) fn dots(
         return Vec::new();
     };
     let is_small = |corner: &Corner| corner.edge < 2.0 * width * pixel(camera, side, corner.position);
-    let least = scale.full.0 * MARKED[0];
+    let least = scale.full.0 * MARKED;
     let is_far = |corner: &Corner| corner.deviation.is_none_or(|degrees| degrees >= least);
     let all: Vec<Corner> =
         corners.filter(|corner| scale.is_used && is_far(corner) && is_small(corner)).collect();
@@ -375,6 +382,17 @@ mod tests {
         let marks = |deviation| scale.marks().iter().filter(|(_, is_marked)| is_marked(deviation)).count();
         for degrees in 0..=180 {
             assert_eq!(marks(Some(f64::from(degrees))), usize::from(degrees >= 45), "{degrees}°");
+            // Half a shade off at most, but for the last one, which has the colour of the end.
+            for (colour, _) in scale.marks().iter().filter(|(_, is)| is(Some(f64::from(degrees)))) {
+                let off = |share: &f64| {
+                    let shown = viridis(*share).to_array().into_iter().zip(colour.to_array());
+                    shown.map(|(a, b)| (a - b).abs()).sum::<f64>()
+                };
+                let shares = (0..=1000).map(|share| f64::from(share) / 1000.0);
+                let shown = shares.min_by(|a, b| off(a).total_cmp(&off(b))).unwrap();
+                let own = (f64::from(degrees) / 90.0).min(1.0);
+                assert!((shown - own).abs() <= 0.0201, "{degrees}°: {shown}");
+            }
         }
         assert_eq!(marks(None), 1);
     }

@@ -131,11 +131,12 @@ fn rules(page: &mut Page, diagnosis: &Diagnosis) {
         let Some(estimate) = part.estimate else { continue };
         let name = if part.name.is_empty() { format!("part {number}") } else { part.name.clone() };
         let fits = estimate.fits_most();
+        let groups = if estimate.groups { " and smoothing groups" } else { "" };
         table.push([
             name,
             part.faces.to_string(),
             if fits { estimate.weight.name().to_owned() } else { "no rule".to_owned() },
-            if fits { format!("{}°", estimate.crease.0) } else { String::new() },
+            if fits { format!("{}°{}", estimate.crease.0, groups) } else { String::new() },
             format!(
                 "{} %{}",
                 three_digits(100.0 * estimate.reproduced),
