@@ -105,7 +105,8 @@ impl<'a> Sample<'a> {
         let groups = self.facts.mesh.columns().smoothing.as_ref();
         if let Some(groups) = groups.filter(|_| plain.estimate.reproduced < NEARLY_ALL) {
             let left = self.in_one_group();
-            let known = [plain.estimate.crease, separating_angle(&left, 1), Degrees(180.0)];
+            let separating = separating_angle(&left, 1);
+            let known = [Crease::DEFAULT_ANGLE, plain.estimate.crease, separating, Degrees(180.0)];
             for crease in known.into_iter().chain(candidates(&left, &known)) {
                 let other = self.by_rule(Smoothness::new(crease, Some(&groups.of_face)), turned_back);
                 plain = if other.estimate.reproduced > plain.estimate.reproduced { other } else { plain };

@@ -3,8 +3,8 @@
 use super::super::console::{Style, escaped};
 use super::report::SiteReport;
 use crease::num::three_digits;
+use crease::quality::Comparison;
 use crease::quality::catalogue::Kind;
-use crease::quality::{Comparison, key_light_steps};
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -42,7 +42,8 @@ pub struct FindingChange {
 
 impl AgainstReport {
     pub fn new(path: &str, comparison: &Comparison) -> Self {
-        let change = |degrees: f64| ChangeReport { degrees, steps: key_light_steps(degrees) };
+        let [mean, largest] = comparison.steps();
+        let change = |degrees: f64, steps: f64| ChangeReport { degrees, steps };
         let finding =
             |&(kind, [before, after]): &(Kind, [u64; 2])| FindingChange { id: kind.id(), before, after };
         Self {
@@ -55,8 +56,8 @@ impl AgainstReport {
             lost: comparison.lost,
             changed: comparison.changed,
             visible: comparison.visible,
-            mean: change(comparison.mean.0),
-            largest: change(comparison.largest.0),
+            mean: change(comparison.mean.0, mean),
+            largest: change(comparison.largest.0, largest),
             places: comparison.places.iter().map(SiteReport::new).collect(),
             findings: comparison.findings.iter().map(finding).collect(),
         }

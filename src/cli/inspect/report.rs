@@ -28,9 +28,9 @@
 //! none, from 1).
 //!
 //! `against` has `path`, the file that came after; `faces`, `unmatched` (faces without counterpart) as pairs, before and
-//! after; `turned` (faces that go round the other way); `corners` (matched), `gained` and `lost` (normals), `changed` (by
-//! more than 0.0001°), `visible` (by half an 8-bit step and more under a key light); `mean` and `largest`, each
-//! `degrees` and `steps`; `places`, those that changed most, in the input; and `findings`: `id`, `before` and `after`
+//! after; `turned` (faces that go round the other way); `corners` (matched; of a polygon that the other file has as triangles
+//! those of these), `gained` and `lost` (normals), `changed` (by more than 0.0001°), `visible` (by half an 8-bit step and more
+//! under a key light); `mean` and `largest`, each `degrees` and `steps` (the mean of what each change does); `places`, those that changed most, in the input; and `findings`: `id`, `before` and `after`
 //! (counts) of what either file has.
 
 use super::super::report::{ErrorReport, InputReport};
@@ -133,6 +133,9 @@ pub struct FindingReport {
 pub struct MeasureReport {
     pub value: f64,
     pub unit: &'static str,
+    /// The value as the text has it.
+    #[serde(skip)]
+    pub told: String,
 }
 
 #[derive(Debug, Serialize)]
@@ -232,8 +235,10 @@ impl FindingReport {
             area_share: finding.area_share,
             degrees: finding.degrees,
             steps: finding.steps,
-            measure: (finding.amount.zip(finding.kind.unit()))
-                .map(|(value, unit)| MeasureReport { value, unit }),
+            measure: (finding.amount.zip(finding.kind.unit())).map(|(value, unit)| {
+                let told = finding.kind.write_amount(value);
+                MeasureReport { value, unit, told }
+            }),
             confidence: finding.confidence,
             command: finding.command(input, output),
             places: finding.places.iter().map(SiteReport::new).collect(),

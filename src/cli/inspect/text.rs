@@ -101,9 +101,8 @@ fn paragraph(finding: &FindingReport, report: &InspectReport, style: Style, plac
         let _ = writeln!(out, "    up to {angle}{steps} of 255 grey steps under a key light");
     }
     if let Some(measure) = &finding.measure {
-        let value = three_digits(measure.value);
-        if !finding.cause.contains(&value) {
-            let _ = writeln!(out, "    at worst {value} {}", measure.unit);
+        if !finding.cause.contains(&measure.told) {
+            let _ = writeln!(out, "    at worst {} {}", measure.told, measure.unit);
         }
     }
     if let Some(confidence) = finding.confidence {

@@ -8,6 +8,7 @@ mod smoothing;
 mod stored;
 
 use super::finding::{Element, Severity};
+use crate::num::three_digits;
 
 /// A kind of finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -200,6 +201,14 @@ impl Kind {
             Kind::MachBands => Some("grey steps a pixel"),
             Kind::CoarseOutline => Some("pixels"),
             _ => None,
+        }
+    }
+
+    /// That number as it is told: whole where it counts, three digits where it measures.
+    pub fn write_amount(self, amount: f64) -> String {
+        match self {
+            Kind::NonManifold | Kind::HighValence => format!("{amount}"),
+            _ => three_digits(amount),
         }
     }
 

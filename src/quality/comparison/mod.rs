@@ -45,6 +45,8 @@ pub struct Comparison {
     pub visible: usize,
     /// The mean angle over all corners with a normal in both.
     pub mean: Degrees,
+    /// The mean over the same of what each change does to a grey value under a key light at most, in steps of 8 bits.
+    pub mean_steps: f64,
     /// The largest angle.
     pub largest: Degrees,
     /// The places that changed most, in the first file.
@@ -78,9 +80,9 @@ impl std::fmt::Display for Incomparable {
 impl std::error::Error for Incomparable {}
 
 impl Comparison {
-    /// What the mean and the largest change do to a grey value under a key light at most, in steps of 8 bits.
+    /// What the changes do to a grey value under a key light at most, in steps of 8 bits: in the mean, and the largest.
     pub fn steps(&self) -> [f64; 2] {
-        [self.mean, self.largest].map(|angle| key_light_steps(angle.0))
+        [self.mean_steps, key_light_steps(self.largest.0)]
     }
 }
 
@@ -135,7 +137,7 @@ pub fn compare(
         findings: changed_findings(diagnoses),
         ..Comparison::default()
     };
-    let (mut sum, mut both) = (CompensatedSum::default(), 0usize);
+    let (mut sum, mut steps, mut both) = (CompensatedSum::default(), CompensatedSum::default(), 0usize);
     let mut worst: Vec<(f64, u32)> = Vec::new();
     for (&[before, after], normals) in matching.pairs.iter().zip(angles) {
         let degrees = match normals {
@@ -148,16 +150,18 @@ pub fn compare(
         };
         both += 1;
         sum += degrees;
+        let shown = key_light_steps(degrees);
+        steps += shown;
         if degrees > SAME {
             comparison.changed += 1;
-            comparison.visible += usize::from(key_light_steps(degrees) >= VISIBLE);
+            comparison.visible += usize::from(shown >= VISIBLE);
             comparison.largest.0 = comparison.largest.0.max(degrees);
             let (part, corner) = sides[1].locate(after);
             comparison.change[part][corner] = comparison.change[part][corner].max(degrees);
             worst.push((degrees, before));
         }
     }
-    comparison.mean = Degrees(sum.value() / both.max(1) as f64);
+    [comparison.mean.0, comparison.mean_steps] = [sum, steps].map(|sum| sum.value() / both.max(1) as f64);
     worst.par_sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
     worst.dedup_by_key(|(_, corner)| *corner);
     let place = |&(degrees, corner): &(f64, u32)| {

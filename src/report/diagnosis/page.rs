@@ -168,9 +168,10 @@ fn section(
         let _ = write!(said, "; up to {angle}{} of 255 grey steps under a key light", told(steps));
     }
     if let Some((amount, unit)) = finding.amount.zip(finding.kind.unit())
-        && !finding.cause.contains(&three_digits(amount))
+        && let amount = finding.kind.write_amount(amount)
+        && !finding.cause.contains(&amount)
     {
-        let _ = write!(said, "; at worst {} {unit}", told(amount));
+        let _ = write!(said, "; at worst {} {unit}", powers_of_ten(&amount));
     }
     if let Some(confidence) = finding.confidence {
         let _ = write!(said, "; confidence {confidence:.2}");

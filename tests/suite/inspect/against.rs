@@ -85,6 +85,8 @@ fn known_changes_are_measured() {
         let mean = largest * (largest + 1.0) / 2.0 / found.corners as f64;
         assert!((found.mean.0 - mean).abs() < 1e-7, "{:?}", found.mean);
         assert!((found.steps()[1] - key_light_steps(largest)).abs() < 1e-6);
+        let steps = known.iter().map(|&(_, degrees)| key_light_steps(degrees)).sum::<f64>();
+        assert!((found.steps()[0] - steps / found.corners as f64).abs() < 1e-6, "{:?}", found.steps());
         // Half a step is 0.29°, so a degree shows.
         assert_eq!(found.visible, known.len());
         let places: Vec<u32> = found
