@@ -23,7 +23,8 @@ pub struct Input {
 /// Turns arguments into inputs, in the order given; what a folder holds is sorted by path.
 ///
 /// Folders are searched for the extensions of [`Format`]. Hidden files are left out, links to folders are not
-/// followed, and nothing below `out_dir` is taken: it may lie within the input from the run before.
+/// followed, and nothing below `out_dir` is taken: it may lie within the input from the run before. What has such a name and is
+/// no file, as a link that leads nowhere, is taken, so that reading it fails and nothing is passed over without a word.
 pub fn expand(args: &[PathBuf], recursive: bool, out_dir: Option<&Path>) -> Result<Vec<Input>, RequestError> {
     let mut inputs = Vec::new();
     let out_dir = out_dir.and_then(|dir| dir.canonicalize().ok());
@@ -66,7 +67,7 @@ fn search(folder: &Path, out_dir: Option<&Path>, inputs: &mut Vec<Input>) -> Res
     for entry in walk {
         let entry = entry.map_err(|error| RequestError::Input(error.to_string()))?;
         let path = entry.into_path();
-        if Format::from_path(&path).is_some() && path.is_file() {
+        if Format::from_path(&path).is_some() && !path.is_dir() {
             let place = path.strip_prefix(folder).unwrap_or(&path).to_path_buf();
             inputs.push(Input { source: Source::File(path), place });
         }
@@ -98,6 +99,18 @@ mod tests {
         let found = expand(&args, true, None).unwrap();
         assert_eq!(names(&found), ["a/y.ply", "a/z.STL", "b.obj", "c.glb", "out/b.obj"]);
         assert!(matches!(expand(&args, false, None), Err(RequestError::Usage(_))));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_that_lead_nowhere_are_not_passed_over() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("a.obj"), "").unwrap();
+        fs::create_dir(folder.path().join("folder")).unwrap();
+        std::os::unix::fs::symlink("nowhere.obj", folder.path().join("b.obj")).unwrap();
+        std::os::unix::fs::symlink("folder", folder.path().join("c.obj")).unwrap();
+        let found = expand(&[folder.path().to_path_buf()], true, None).unwrap();
+        assert_eq!(names(&found), ["a.obj", "b.obj"]);
     }
 
     #[test]

@@ -242,7 +242,7 @@ struct Merged {
     remark: Option<Remark>,
     mergeable: usize,
     components: u64,
-    /// Components of a lower severity, which are not counted.
+    /// What is less grave, of components or in other parts, which is not counted.
     milder: Milder,
     remedy: Option<String>,
     /// In one of the parts it may be meant.
@@ -263,14 +263,18 @@ impl Merged {
         if tally.count == 0 {
             return;
         }
-        let severity = tally.severity.unwrap_or(Severity::Error);
-        if self.components > 0 && self.severity > Some(severity) {
+        let severity = tally.severity.unwrap_or(Severity::Error).min(kind.entry().severity);
+        // To mend the file is to mend all of its parts.
+        self.may_be_meant |= tally.may_be_meant;
+        if self.severity > Some(severity) {
             self.milder.add(tally.components, tally.count);
             return;
         }
-        if self.components > 0 && self.severity < Some(severity) {
+        if self.count > 0 && self.severity < Some(severity) {
             self.milder.add(self.components, self.count);
-            *self = Self { of: self.of, all_area: self.all_area, milder: self.milder, ..Self::default() };
+            let (of, all_area, milder, may_be_meant) =
+                (self.of, self.all_area, self.milder, self.may_be_meant);
+            *self = Self { of, all_area, milder, may_be_meant, ..Self::default() };
         }
         self.milder.add(tally.milder.components, tally.milder.count);
         self.count += tally.count;
@@ -282,7 +286,6 @@ impl Merged {
         }
         self.remark = weightier(self.remark.take(), tally.remark);
         self.mergeable += tally.mergeable;
-        self.may_be_meant |= tally.may_be_meant;
         self.components += tally.components;
         self.confidence = least(self.confidence, tally.confidence);
         self.turn = self.turn.into_iter().chain(tally.turn).reduce(f64::max);
@@ -328,10 +331,15 @@ impl Merged {
             format!("{} {vertices} could be merged away", self.mergeable)
         });
         let remark = self.remark.map(|remark| remark.text);
-        let cause = match remark.or(of_vertices).or(of_components) {
-            Some(remark) => format!("{}: {remark}", entry.title),
-            None => entry.title.to_owned(),
+        let of_others = match self.milder {
+            Milder { components: 0, count: 1.. } => {
+                Some(format!("not counted: {} in other parts, where it matters less", self.milder.count))
+            }
+            _ => None,
         };
+        let said = [remark.or(of_vertices).or(of_components), of_others].into_iter().flatten();
+        let said = said.collect::<Vec<_>>().join("; ");
+        let cause = if said.is_empty() { entry.title.to_owned() } else { format!("{}: {said}", entry.title) };
         Some(Finding {
             kind,
             severity,

@@ -51,8 +51,7 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
         let count = edges.get(kind).count;
         let is_lone =
             || kind == Kind::AveragedCrease && count < FEWEST_SHARP as u64 && !are_any_sharp(facts, stored);
-        let is_meant =
-            count > 0 && (!follows && !(estimate.is_departed_from() && is_any_seam()) || is_lone());
+        let is_meant = count > 0 && (!(follows || estimate.is_departed_from() && is_any_seam()) || is_lone());
         let tally = edges.tally(kind);
         tally.remedy = Some(estimate.options());
         tally.may_be_meant = !restores;

@@ -23,7 +23,8 @@
 //! normals, or they have no direction, or the right one), `steps` (what that, or a length, does under a key light, in 8-bit
 //! steps, or null), `measure` (how bad the worst place is by another measure: `value` and `unit`, or null), `confidence` (how sure it is which side is the outer one, or null), `command` (what mends it, or null) and
 //! `places`: the worst ten, by `measure` where there is one; the largest angle is then not always among them. A place has
-//! `part`, and where known `face`, `corner` (of the face), `vertex`, all from 0, `position`, `degrees`, `node` (the way to
+//! `part`, and where known `face`, `corner` (of the face), `vertex`, all from 0, `position` (in the space of the part),
+//! `degrees`, `node` (the way to
 //! the first node that has the part, as `body/arm/hand`, glTF) and `line` (OBJ: of its face, or of its vertex where it is on
 //! none, from 1).
 //!

@@ -100,10 +100,8 @@ fn paragraph(finding: &FindingReport, report: &InspectReport, style: Style, plac
         let angle = finding.degrees.map_or(String::new(), |degrees| format!("{}°: ", three_digits(degrees)));
         let _ = writeln!(out, "    up to {angle}{steps} of 255 grey steps under a key light");
     }
-    if let Some(measure) = &finding.measure {
-        if !finding.cause.contains(&measure.told) {
-            let _ = writeln!(out, "    at worst {} {}", measure.told, measure.unit);
-        }
+    if let Some(measure) = finding.measure.as_ref().filter(|it| !finding.cause.contains(&it.told)) {
+        let _ = writeln!(out, "    at worst {} {}", measure.told, measure.unit);
     }
     if let Some(confidence) = finding.confidence {
         let _ = writeln!(out, "    confidence {confidence:.2}");

@@ -5,14 +5,18 @@
 //! what a pixel shows has no deviation it has the colour of that. Only on the rim of the mesh, and of lines and dots on
 //! it, are colours mixed.
 
-use super::heat::{Corner, HeatScale, Marks, dots, form, longest_edge, with_legend};
+use super::dots::{Corner, dots, longest_edge};
+use super::heat::{HeatScale, Marks, form, with_legend};
 use super::pictures::{Model, render_at, ring};
 use super::sight::hidden;
+use crate::mesh::{Mesh, place_key};
 use crate::num::{LinearRgb, Srgb8};
 use crate::quality::Site;
 use crate::raster::{Camera, Lines, Paint, Pixels, RenderSettings, Scene};
 use crate::report::{Picture, ReportError};
+use rustc_hash::FxHashMap;
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 
 /// What is drawn of a corner in place of a colour: its deviation in degrees, and whether it has one or none.
 pub(super) fn measure(deviation: Option<f64>) -> LinearRgb {
@@ -31,7 +35,8 @@ impl Model {
         // Colours alone show no form.
         let mut lines = form(&scene, side);
         let mut marks = Marks { lines: !lines.is_empty(), ..Marks::default() };
-        let dots = dots(self.corners(), self.scale, &camera, side);
+        let dots =
+            if self.is_any_far() { dots(self.corners(), self.scale, &camera, side) } else { Vec::new() };
         marks.dots = !dots.is_empty();
         lines.extend(dots);
         let mut picture = coloured(scene, lines, self.scale, side)?;
@@ -48,23 +53,46 @@ impl Model {
         Ok((with_legend(&picture, self.scale, marks), marks))
     }
 
+    /// Whether any corner may have to be marked.
+    fn is_any_far(&self) -> bool {
+        let parts: BTreeSet<usize> = self.objects().map(|(part, _)| part).collect();
+        parts.into_iter().any(|part| self.deviations(part).1.iter().any(|&it| self.scale.is_far(it)))
+    }
+
     /// All corners, in the world.
     fn corners(&self) -> impl Iterator<Item = Corner> {
         self.objects().flat_map(|(part, place)| {
             let (mesh, deviations) = self.deviations(part);
             let point = |vertex: u32| mesh.positions()[vertex as usize];
+            let least_at = least_at_places(mesh, deviations);
             let of_face = move |face: &[u32]| -> Vec<Corner> {
                 let count = face.len();
+                let around =
+                    face.iter().filter_map(|&vertex| least_at.get(&place_key(point(vertex))).copied());
+                let around = around.reduce(f64::min);
                 let corner = |at: usize| Corner {
                     position: place.transform_point3(point(face[at])),
                     deviation: deviations[face[at] as usize],
                     edge: longest_edge(place, [at + count - 1, at, at + 1].map(|at| point(face[at % count]))),
+                    around,
                 };
                 (0..count).map(corner).collect()
             };
             mesh.faces().iter().flat_map(of_face)
         })
     }
+}
+
+/// The least deviation at each place where a corner has one.
+fn least_at_places(mesh: &Mesh, deviations: &[Option<f64>]) -> FxHashMap<[u64; 3], f64> {
+    let mut least = FxHashMap::default();
+    for (&position, degrees) in mesh.positions().iter().zip(deviations) {
+        if let &Some(degrees) = degrees {
+            let known = least.entry(place_key(position)).or_insert(degrees);
+            *known = degrees.min(*known);
+        }
+    }
+    least
 }
 
 /// A scene of [measures](measure) in colours of a scale, with lines.

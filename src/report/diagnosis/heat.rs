@@ -4,13 +4,13 @@ use super::pictures::ring;
 use crate::num::viridis;
 use crate::num::{Degrees, LinearRgb, Srgb8, three_digits};
 use crate::quality::Survey;
-use crate::raster::{Camera, LinePath, LineStyle, Lines, Projection, Scene};
+use crate::raster::{LinePath, LineStyle, Lines, Scene};
 use crate::report::label::{draw_text, text_width};
 use crate::report::{Overlay, Picture, overlay};
-use glam::{DMat4, DVec3};
+use glam::DVec3;
 
 /// The colour of corners without a stored normal that has a direction: none of the scale's.
-const ABSENT: Srgb8 = Srgb8([240, 80, 200]);
+pub(super) const ABSENT: Srgb8 = Srgb8([240, 80, 200]);
 
 /// The brightness of lines along edges: darker than all colours but those of right normals, lighter than these.
 const LINE: f64 = 0.3;
@@ -21,23 +21,14 @@ const MOST_INK: f64 = 0.1;
 /// Pixels below which an edge is short: lines a pixel wide would cover a good part of the faces between them.
 const SHORT: f64 = 8.0;
 
-/// The width of the dots that mark single corners, in a picture of 480 pixels.
-const DOT: f64 = 2.5;
-
-/// The share of the scale from which on corners are marked.
-const MARKED: f64 = 0.5;
-
-/// Colours that marks have from there to the end of the scale: a hundredth of the scale from what they mark, or two at its end.
-const SHADES: usize = 25;
-
 /// Which deviation has the light end of the colours.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct HeatScale {
-    full: Degrees,
+    pub(super) full: Degrees,
     /// The largest deviation, if it is above that.
     beyond: Option<Degrees>,
     /// Some corners have a deviation.
-    is_used: bool,
+    pub(super) is_used: bool,
     /// Some corners have none.
     is_absent: bool,
 }
@@ -87,28 +78,6 @@ impl HeatScale {
             _ => scale,
         }
     }
-
-    /// The colours that mark corners, each with the deviations that it marks.
-    fn marks(self) -> Vec<(LinearRgb, impl Fn(Option<f64>) -> bool)> {
-        let absent = (LinearRgb::from(ABSENT), None, None);
-        let share = |at: f64| MARKED + (1.0 - MARKED) * at / SHADES as f64;
-        // Higher ones lie above lower ones; what is beyond the scale has the colour of its end.
-        let above = |at: usize| {
-            let is_last = at + 1 == SHADES;
-            let next = (!is_last).then(|| share(at as f64 + 1.0) * self.full.0);
-            let colour = if is_last { 1.0 } else { share(at as f64 + 0.5) };
-            (viridis(colour), Some(share(at as f64) * self.full.0), next)
-        };
-        let all = (0..SHADES).map(above).chain([absent]);
-        let is_marked = |least: Option<f64>, below: Option<f64>| {
-            move |deviation: Option<f64>| match (deviation, least) {
-                (Some(degrees), Some(least)) => degrees >= least && below.is_none_or(|below| degrees < below),
-                (None, None) => true,
-                _ => false,
-            }
-        };
-        all.map(|(colour, least, below)| (colour, is_marked(least, below))).collect()
-    }
 }
 
 /// Lines that show the form of what has its colours from elsewhere: its creases. Where they would hide the colours, as those
@@ -155,63 +124,6 @@ pub(super) fn form(scene: &Scene<'_>, side: u32) -> Vec<Lines> {
         _ => false,
     });
     lines
-}
-
-/// A corner that may be marked.
-pub(super) struct Corner {
-    /// Where it is in the world.
-    pub(super) position: DVec3,
-    pub(super) deviation: Option<f64>,
-    /// The length of the longest edge of its face there.
-    pub(super) edge: f64,
-}
-
-/// Dots on corners that are far off and whose faces are too small to be seen: a pixel shows the mean of what it covers, and
-/// of single faults among many faces that would be nothing.
-pub(super) fn dots(
-    corners: impl Iterator<Item = Corner>,
-    scale: HeatScale,
-    camera: &Camera,
-    side: u32,
-) -> Vec<Lines> {
-    let (Ok([right, _, forward]), width) = (camera.axes(), DOT * (f64::from(side) / 480.0).max(1.0)) else {
-        return Vec::new();
-    };
-    let is_small = |corner: &Corner| corner.edge < 2.0 * width * pixel(camera, side, corner.position);
-    let least = scale.full.0 * MARKED;
-    let is_far = |corner: &Corner| corner.deviation.is_none_or(|degrees| degrees >= least);
-    let all: Vec<Corner> =
-        corners.filter(|corner| scale.is_used && is_far(corner) && is_small(corner)).collect();
-    let marks = scale.marks().into_iter().map(|(colour, is_marked)| {
-        let marked = all.iter().filter(|corner| is_marked(corner.deviation));
-        let points = marked.flat_map(|corner| {
-            let pixel = pixel(camera, side, corner.position);
-            // Towards the eye, or the surface round it would hide what bends away.
-            let at = corner.position - forward * width * pixel;
-            [at - right * 0.5 * pixel, at + right * 0.5 * pixel]
-        });
-        let points: Vec<DVec3> = points.collect();
-        let segments = (0..points.len() as u32 / 2).map(|dot| [2 * dot, 2 * dot + 1]).collect();
-        let style = LineStyle { colour, width, hide: true };
-        Lines { path: LinePath::Points { points, segments }, style }
-    });
-    marks
-        .filter(|lines| !matches!(&lines.path, LinePath::Points { segments, .. } if segments.is_empty()))
-        .collect()
-}
-
-/// The size of a pixel in the world, at a point.
-fn pixel(camera: &Camera, side: u32, point: DVec3) -> f64 {
-    let height = match camera.projection {
-        Projection::Orthographic(height) => height,
-        Projection::Perspective(angle) => 2.0 * camera.eye.distance(point) * libm::tan(0.5 * angle.0),
-    };
-    height / f64::from(side)
-}
-
-/// The longest of the edges that a corner of a face has, in the world.
-pub(super) fn longest_edge(place: DMat4, [before, here, after]: [DVec3; 3]) -> f64 {
-    [before, after].map(|end| place.transform_vector3(end - here).length()).into_iter().fold(0.0, f64::max)
 }
 
 /// What a line of the legend explains.
@@ -372,29 +284,6 @@ mod tests {
             "from violet, 0°, to yellow, 5°; pink where no normal is stored that has a direction"
         );
         assert_eq!(of(vec![None]).words(), "pink all over: no normal is stored that has a direction");
-    }
-
-    /// Every deviation from half of the scale on is marked once, and nothing below.
-    #[test]
-    fn marks_share_the_upper_half() {
-        let deviations = vec![Some(90.0)];
-        let scale = HeatScale::of([Survey { deviations, ..Survey::default() }].iter());
-        let marks = |deviation| scale.marks().iter().filter(|(_, is_marked)| is_marked(deviation)).count();
-        for degrees in 0..=180 {
-            assert_eq!(marks(Some(f64::from(degrees))), usize::from(degrees >= 45), "{degrees}°");
-            // Half a shade off at most, but for the last one, which has the colour of the end.
-            for (colour, _) in scale.marks().iter().filter(|(_, is)| is(Some(f64::from(degrees)))) {
-                let off = |share: &f64| {
-                    let shown = viridis(*share).to_array().into_iter().zip(colour.to_array());
-                    shown.map(|(a, b)| (a - b).abs()).sum::<f64>()
-                };
-                let shares = (0..=1000).map(|share| f64::from(share) / 1000.0);
-                let shown = shares.min_by(|a, b| off(a).total_cmp(&off(b))).unwrap();
-                let own = (f64::from(degrees) / 90.0).min(1.0);
-                assert!((shown - own).abs() <= 0.0201, "{degrees}°: {shown}");
-            }
-        }
-        assert_eq!(marks(None), 1);
     }
 
     /// The longest label, in pictures of few pixels and many, ends before the picture does, and lies on no other.

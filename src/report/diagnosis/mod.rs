@@ -3,6 +3,7 @@
 mod change;
 mod close_up;
 mod deviation;
+mod dots;
 mod heat;
 mod page;
 mod pictures;

@@ -9,7 +9,7 @@ use crease::normals::{Crease, NormalRecipe, compute};
 use crease::num::{Degrees, angle_between, three_digits};
 use crease::quality::catalogue::Kind;
 use crease::quality::{Diagnosis, Severity, Thresholds, diagnose, survey};
-use crease::surface::{Sphere, Surface, Torus};
+use crease::surface::{Catenoid, Cone, Pattern, Sphere, Surface, Tessellation, Torus};
 use glam::{DMat3, DMat4, DVec2, DVec3};
 
 fn polygon(corners: &[[f64; 3]]) -> Mesh {
@@ -383,6 +383,37 @@ fn words_and_numbers_are_of_the_same_parts() {
         assert!(
             finding.cause.contains(&format!("up to {} ", three_digits(finding.amount.unwrap()))),
             "{kind:?}"
+        );
+    }
+}
+
+/// What is a note in one part does not count among the warnings of another, nor is it their worst place; still it may be meant, and
+/// a command that mends the one would change the other.
+#[test]
+fn parts_where_it_matters_less_are_told_beside() {
+    let part = |shape: &Surface, segments, pattern| {
+        let tessellation = Tessellation { segments, pattern, ..Tessellation::default() };
+        Part { mesh: shape.tessellate(&tessellation).unwrap(), ..Part::default() }
+    };
+    // The dual cuts the tip off; and a triangle hardly has the surface's direction.
+    let severe = || part(&Surface::from(Cone::default()), [64, 32], Pattern::Polygons);
+    let milder = || part(&Surface::Catenoid(Catenoid::default()), [40, 24], Pattern::Marching);
+    let found = |parts: Vec<Part>| {
+        let file = Loaded { parts, ..loaded(Mesh::default()) };
+        let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
+        diagnosis
+            .get(Kind::AveragedCrease)
+            .map(|it| (it.severity, it.count, it.cause.clone(), it.places[0].part))
+    };
+    let (grave, count, ..) = found(vec![severe()]).unwrap();
+    let (mild, others, ..) = found(vec![milder()]).unwrap();
+    assert_eq!((grave, mild), (Severity::Warning, Severity::Note));
+    for (parts, part) in [(vec![severe(), milder()], 0), (vec![milder(), severe()], 1)] {
+        let (severity, told, cause, worst) = found(parts).unwrap();
+        assert_eq!((severity, told, worst), (Severity::Warning, count, part));
+        assert!(
+            cause.ends_with(&format!("not counted: {others} in other parts, where it matters less")),
+            "{cause}"
         );
     }
 }
