@@ -5,9 +5,10 @@ use super::around::Around;
 use super::facts::{Facts, Worth};
 use super::gloss::Gloss;
 use crate::io::Loaded;
-use crate::mesh::Confidence;
+use crate::mesh::{Confidence, Mesh, place_key};
 use crate::num::{Degrees, angle_between};
 use glam::DVec3;
+use rayon::prelude::*;
 
 /// The numbers behind the findings about a mesh, element by element.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -26,7 +27,7 @@ pub struct Survey {
     pub bends: Vec<f64>,
     /// The angle of the face at each corner, in degrees.
     pub corner_angles: Vec<f64>,
-    /// The faces round each vertex that any uses.
+    /// The faces that meet at each place, ascending by its coordinates' bits.
     pub valences: Vec<f64>,
     /// The length of the edge that leaves each corner, over the median of them.
     pub edge_lengths: Vec<f64>,
@@ -72,7 +73,6 @@ fn measured(facts: &Facts<'_>) -> Survey {
     if median > 0.0 {
         lengths.iter_mut().for_each(|length| *length /= median);
     }
-    let valence = |vertex: u32| facts.topology.corners_at(vertex).len() as f64;
     Survey {
         shaded: (0..corners).map(|corner| facts.shaded(corner)).collect(),
         expected: (0..corners).map(|corner| facts.expected(corner)).collect(),
@@ -80,7 +80,24 @@ fn measured(facts: &Facts<'_>) -> Survey {
         deviations: (0..corners).map(deviation).collect(),
         bends: (0..corners).filter_map(bend).collect(),
         corner_angles: (0..corners).map(angle).collect(),
-        valences: (0..mesh.vertex_count() as u32).map(valence).filter(|&valence| valence > 0.0).collect(),
+        valences: valences(mesh),
         edge_lengths: lengths,
     }
+}
+
+/// How many faces meet at each place. Where normals or uvs differ several vertices stand at one.
+fn valences(mesh: &Mesh) -> Vec<f64> {
+    let mut places: Vec<[u64; 3]> = mesh
+        .faces()
+        .iter()
+        .flat_map(|face| {
+            let mut of_face: Vec<_> =
+                face.iter().map(|&vertex| place_key(mesh.positions()[vertex as usize])).collect();
+            of_face.sort_unstable();
+            of_face.dedup();
+            of_face
+        })
+        .collect();
+    places.par_sort_unstable();
+    places.chunk_by(|a, b| a == b).map(|faces| faces.len() as f64).collect()
 }

@@ -18,7 +18,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         "inconsistent-winding",
         Severity::Error,
         "faces that run against their neighbours",
-        "Their corners go round the other way than those of the faces beside them. With back faces culled there are holes; without, they are lit from behind, and means of normals at their corners cancel.",
+        "Their corners go round the other way than those of the faces beside them. With back faces culled there are holes; without, they are lit from behind, and means of normals at their corners cancel. A warning where none of them shares a vertex with those beside it, as where normals were turned with the faces in formats that store one for each vertex: pieces that only touch may run as they like.",
         "Turn them so that neighbours agree.",
         Some("--orient consistent"),
     ),

@@ -14,9 +14,8 @@ use crate::num::{LinearRgb, Srgb8};
 use crate::quality::Site;
 use crate::raster::{Camera, Lines, Paint, Pixels, RenderSettings, Scene};
 use crate::report::{Picture, ReportError};
-use rustc_hash::FxHashMap;
 use std::borrow::Cow;
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 
 /// What is drawn of a corner in place of a colour: its deviation in degrees, and whether it has one or none.
 pub(super) fn measure(deviation: Option<f64>) -> LinearRgb {
@@ -84,8 +83,8 @@ impl Model {
 }
 
 /// The least deviation at each place where a corner has one.
-fn least_at_places(mesh: &Mesh, deviations: &[Option<f64>]) -> FxHashMap<[u64; 3], f64> {
-    let mut least = FxHashMap::default();
+fn least_at_places(mesh: &Mesh, deviations: &[Option<f64>]) -> HashMap<[u64; 3], f64> {
+    let mut least = HashMap::new();
     for (&position, degrees) in mesh.positions().iter().zip(deviations) {
         if let &Some(degrees) = degrees {
             let known = least.entry(place_key(position)).or_insert(degrees);
