@@ -230,7 +230,12 @@ impl<'a> Facts<'a> {
 
     fn has_turned(&self, corner: usize) -> bool {
         let vertex = self.mesh.faces().corners()[corner] as usize;
-        self.beside_turned.get(vertex).is_some_and(|&is| is)
+        // Facets have the normals of their own faces, whatever is beside them.
+        !self.are_facets() && self.beside_turned.get(vertex).is_some_and(|&is| is)
+    }
+
+    fn are_facets(&self) -> bool {
+        !self.shares_vertices && self.estimate.is_some_and(|estimate| estimate.crease.0 == 0.0)
     }
 
     fn is_cancelling(&self, corner: usize) -> bool {

@@ -22,7 +22,8 @@
 //! Findings about shading are notes: they are what even right normals will show.
 //!
 //! # What cannot be told
-//! - All corners of a vertex with one wrong normal, where the others follow no rule: an artist may have made it so.
+//! - All corners of a vertex with one wrong normal, where the others follow no rule: an artist may have made it so. A rule is
+//!   followed where 98 of 100 normals are within 5° of what it gives; the exact ones of a coarsely cut surface may not be.
 //! - More than half of all sharp edges averaged: what most edges have is then the rule, and the rest is custom.
 //! - Which of several nodes' matrices stands in normals where these do the same to them, as a turn and the one that takes it
 //!   back: one is named, and that there are others. A stretch shows in normals that lean between its axes only, and passes on

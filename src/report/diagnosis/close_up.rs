@@ -74,6 +74,23 @@ impl Model {
     }
 }
 
+impl Model {
+    /// All of it lit, with a ring round the middle of a node's mesh; `None` where a place is about no node.
+    pub(super) fn node(
+        &self,
+        site: &Site,
+        camera: Option<Camera>,
+        side: u32,
+    ) -> Result<Option<Picture>, ReportError> {
+        let Some((middle, camera)) = self.middle_of_node(site).zip(camera) else { return Ok(None) };
+        let mut picture = self.lit(camera, side)?;
+        if let Ok(Some(at)) = camera.on_picture([side; 2], middle) {
+            ring(&mut picture, at, f64::from(side) / 12.0);
+        }
+        Ok(Some(picture))
+    }
+}
+
 /// The faces that have a corner at a place: at its vertex, or at any corner of its face.
 struct Around {
     faces: Vec<usize>,

@@ -50,7 +50,8 @@ pub fn diagnosis_page(
     let mut drawn = 0;
     for finding in &diagnosis.findings {
         let wanted = drawn < CLOSE_UPS;
-        drawn += usize::from(section(&mut page, (&model, &obstacles), finding, (name, output), wanted)?);
+        drawn +=
+            usize::from(section(&mut page, (&model, &obstacles, camera), finding, (name, output), wanted)?);
     }
     page.heading("Distributions");
     for (name, caption, plot) in histograms(&surveys) {
@@ -153,7 +154,7 @@ fn rules(page: &mut Page, diagnosis: &Diagnosis) {
 /// One finding; tells whether it has a picture.
 fn section(
     page: &mut Page,
-    (model, obstacles): (&Model, &[Obstacles<'_>]),
+    (model, obstacles, camera): (&Model, &[Obstacles<'_>], Option<Camera>),
     finding: &Finding,
     (name, output): (&str, &str),
     wanted: bool,
@@ -205,6 +206,11 @@ fn section(
         page.pictures(&pictures, &caption)?;
         page.raw("<p><a href=\"#overview\">To the overview</a></p>\n");
     }
+    let node = worst.map(|site| model.node(site, camera, SIDES[1])).transpose()?.flatten();
+    if let Some(picture) = &node {
+        let caption = "The whole mesh, with a ring round the middle of what the first of these nodes shows.";
+        page.pictures(&[(picture, "the whole mesh, with a ring round a node")], caption)?;
+    }
     let columns = ["place", "face", "corner", "vertex", "position", "degrees"];
     let mut table = Table::new("The worst places", &columns);
     for site in finding.places.iter().filter(|site| site.position.is_some()) {
@@ -223,5 +229,5 @@ fn section(
     if !table.is_empty() {
         page.table(&table);
     }
-    Ok(picture.is_some())
+    Ok(picture.is_some() || node.is_some())
 }

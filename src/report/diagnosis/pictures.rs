@@ -22,6 +22,8 @@ pub(super) struct Model {
     parts: Vec<PartModel>,
     /// Which part stands where.
     places: Vec<(usize, DMat4)>,
+    /// Which of the nodes that have that part it is, in their order.
+    numbers: Vec<u32>,
     pub(super) scale: HeatScale,
 }
 
@@ -48,8 +50,11 @@ impl Model {
             places = (0..parts.len()).map(|part| (part, DMat4::IDENTITY)).collect();
         }
         let is_flat = |place: DMat4| normal_matrix(DMat3::from_mat4(place)).is_none();
-        places.retain(|&(part, place)| has_faces(part) && !is_flat(place));
-        let mut model = Self { parts, places, scale };
+        let number = |at: usize| places[..at].iter().filter(|(part, _)| *part == places[at].0).count() as u32;
+        let is_shown = |&(part, place): &(usize, DMat4)| has_faces(part) && !is_flat(place);
+        let numbers = (0..places.len()).filter(|&at| is_shown(&places[at])).map(number).collect();
+        places.retain(is_shown);
+        let mut model = Self { parts, places, numbers, scale };
         model.recentre()?;
         Ok(model)
     }
@@ -75,6 +80,15 @@ impl Model {
         let normal = site.face.map_or(DVec3::ZERO, |face| normals[face as usize]);
         let normal = normal_matrix(DMat3::from_mat4(place)).and_then(|matrix| matrix.apply(normal));
         Some((object, place.transform_point3(position), normal.unwrap_or(DVec3::ZERO)))
+    }
+
+    /// The middle of what a node shows of its part, in the world, if the place is about a node.
+    pub(super) fn middle_of_node(&self, site: &Site) -> Option<DVec3> {
+        let number = site.place?;
+        let is_it = |at: &usize| self.places[*at].0 == site.part && self.numbers[*at] == number;
+        let place = self.places[(0..self.places.len()).find(is_it)?].1;
+        let (low, high) = self.parts[site.part].mesh.bounds()?;
+        Some(place.transform_point3(low.midpoint(high)))
     }
 
     /// What rays may meet of each part.
