@@ -184,14 +184,22 @@ impl<'a> Sample<'a> {
         let rule = |crease| Smoothness::new(crease, groups.map(|groups| groups.of_face.as_slice()));
         let by_quadric = |crease| few.by_quadric(rule(crease), &patch.normals(crease, means.groups));
         let mut best = by_quadric(means.crease);
+        // Where a fit is far from all means, what splits these says little of what splits it.
+        for known in [Crease::DEFAULT_ANGLE, Degrees(180.0)] {
+            if best.estimate.exactly < 1.0 && known != means.crease {
+                let other = by_quadric(known);
+                best = if other.cost < best.cost { other } else { best };
+            }
+        }
         if best.cost >= LEFT * few.by_rule(rule(means.crease), false).cost {
             return None;
         }
-        // What splits the means may not show where these are off anyway, and a single edge next to the angle on neither.
+        // A single edge next to the angle may show on neither.
         if best.estimate.exactly < 1.0 {
             let bends = if means.groups { self.in_one_group() } else { self.bends.clone() };
             let beside = [-1.0, 1.0].map(|by| Degrees((means.crease.0 + by).clamp(0.0, 180.0)));
-            for other in candidates(&bends, &[means.crease]).into_iter().chain(beside) {
+            let known = [means.crease, Crease::DEFAULT_ANGLE, Degrees(180.0)];
+            for other in candidates(&bends, &known).into_iter().chain(beside) {
                 let other = by_quadric(other);
                 best = if other.cost < best.cost { other } else { best };
             }

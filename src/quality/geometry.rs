@@ -274,21 +274,21 @@ fn far_from_origin(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
         let bits = libm::floor(libm::log2(height / rounding)).max(0.0);
         let expected = Degrees::from(Radians(libm::atan(tilt))).0;
         let text = format!(
-            "{bits} bits are left for the height of a face, whose normal is off by {expected:.2}° in the mean and may be \
-             by {error:.2}°"
+            "{bits} bits are left for the height of a usual face, whose normal may be off by {error:.2}°; over all faces, slender \
+             ones too, {expected:.2}° are expected in the mean"
         );
         found.tally(Kind::FarFromOrigin).remark = Some(Remark { weight: error, text });
     }
 }
 
-/// The mean tangent of the angle by which a triangle's normal turns if each coordinate of its corners is rounded to
-/// multiples of a unit in the last place: errors e with variance Σ (n units)²/12 along the normal tilt the plane by
-/// Σ eᵢ ∇λᵢ, where |∇λᵢ| is one over the height at corner i, and the mean length of such a plane vector is √(π/4) of its root
-/// mean square. Polygons count as triangles with their area and longest edges.
+/// The mean tangent of the angle by which a face's normal turns if each coordinate of its corners is rounded to multiples of a
+/// unit in the last place: errors eᵢ along the normal n, of variance Σ (n units)²/12, turn the area vector ½ Σ pᵢ × pᵢ₊₁ by
+/// ½ Σ eᵢ n × (pᵢ₊₁ − pᵢ₋₁), and the mean length of such a plane vector is √(π/4) of its root mean square.
 fn expected_tilt(facts: &Facts<'_>, face: usize, units: DVec3) -> f64 {
-    let edge = |corner: usize| facts.place(facts.topology.next(corner as u32) as usize) - facts.place(corner);
-    let edges: f64 = facts.mesh.faces().range(face).map(|corner| edge(corner).length_squared()).sum();
-    let inverse_heights = edges.sqrt() / (2.0 * facts.area[face]);
+    let place = |corner: u32| facts.place(corner as usize);
+    let chord = |corner: u32| place(facts.topology.next(corner)) - place(facts.topology.previous(corner));
+    let squares = facts.mesh.faces().range(face).map(|corner| chord(corner as u32).length_squared());
+    let inverse_heights = squares.sum::<f64>().sqrt() / (2.0 * facts.area[face]);
     let along = (facts.face_normal(face) * units).length() / 12f64.sqrt();
     (std::f64::consts::PI / 4.0).sqrt() * along * inverse_heights
 }

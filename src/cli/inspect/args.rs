@@ -143,7 +143,7 @@ pub struct ThresholdArgs {
     #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     pub past_crease: Option<f64>,
 
-    /// How far the normals on the two sides of a smooth edge may be apart [default: 2]
+    /// How far the normals on the two sides of a smooth edge may be apart at both ends [default: 2]
     #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     pub seam: Option<f64>,
 

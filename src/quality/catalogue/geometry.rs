@@ -189,7 +189,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         "far-from-origin",
         Severity::Warning,
         "far from the origin for its detail",
-        "Viewers hold positions in 32 bits. At this distance from the origin so few are left for the size of a face that its normal, if computed there, is off: by an angle in the mean, over faces whose corners are rounded each on its own, and by up to a larger one, the bound for a usual face. Shading ripples and flickers, though stored normals are right.",
+        "Viewers hold positions in 32 bits. At this distance from the origin so few are left for the size of a face that its normal, if computed there, is off: by an angle in the mean, over faces whose corners are rounded each on its own, and by up to a larger one, the bound for a usual face; slender ones are off by more. Shading ripples and flickers, though stored normals are right.",
         "Move the mesh to the origin and put the distance into its node.",
         None,
     ),

@@ -18,7 +18,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         "split-seam",
         Severity::Warning,
         "smooth edges with different normals on their two sides",
-        "The edge bends less than those that the mesh keeps smooth, yet its sides have normals of their own: at a uv seam, between two primitives, or after pieces were joined. A line shows where the surface has none. A note where the normals follow no rule, not even two in five of them to the letter, or where more than one in fifty of the ends of edges that bend is on the wrong side of the crease angle and split edges bend by more than most others: they may be made by hand.",
+        "The edge bends less than those that the mesh keeps smooth, yet its sides have normals of their own, at both ends further apart than `--seam` allows: at a uv seam, between two primitives, or after pieces were joined. A line shows where the surface has none. A note where the normals follow no rule, not even two in five of them to the letter, or where more than one in fifty of the ends of edges that bend is on the wrong side of the crease angle and split edges bend by more than most others: they may be made by hand.",
         "Compute normals; coincident edges are joined for smoothing, and vertices stay apart.",
         Some(""),
     ),

@@ -1,13 +1,14 @@
 //! Normals of our own, by every weighting and many a crease angle: are these told from them, and is nothing blamed?
 
 use super::clean::{file, meshes};
-use super::{grave, inspect, recipe, surface, with_normals};
-use crease::mesh::{ColumnIndex, Columns, Mesh, MeshBuilder, SmoothingGroups};
+use super::{grave, inspect, rebuilt, recipe, surface, with_normals};
+use crease::mesh::{ColumnIndex, Columns, Faces, Mesh, MeshBuilder, SmoothingGroups};
 use crease::normals::{Crease, Groups, NormalRecipe, Weight, compute};
 use crease::num::Degrees;
 use crease::quality::Estimate;
 use crease::quality::catalogue::Kind;
 use crease::surface::{Cone, Ellipsoid, Sphere, Surface, Torus, Wave};
+use glam::DVec3;
 
 fn estimate(mesh: &Mesh) -> Estimate {
     inspect(mesh, 1).parts[0].estimate.unwrap()
@@ -53,6 +54,30 @@ fn quadrics_are_told_and_blamed_for_nothing() {
         assert!(estimate.exactly == 1.0 && estimate.sample <= 2048, "{shape:?}: {estimate:?}");
         assert_eq!(grave(&diagnosis), [""; 0], "{shape:?}");
     }
+}
+
+/// On a capped cylinder whose rim is smooth, fits are so far from means that the edges do not tell which of these comes next.
+#[test]
+fn quadrics_are_told_with_their_own_crease_angle() {
+    let mut faces = Faces::new();
+    for i in 0..32 {
+        let next = (i + 1) % 32;
+        faces.push(&[i, next, 32 + next, 32 + i]);
+    }
+    faces.push(&Vec::from_iter((0..32).rev()));
+    faces.push(&Vec::from_iter(32..64));
+    let at = |i: u32| {
+        let (sin, cos) = libm::sincos(std::f64::consts::TAU * f64::from(i % 32) / 32.0);
+        DVec3::new(sin, cos, if i < 32 { 1.0 } else { -1.0 })
+    };
+    let cylinder = rebuilt((0..64).map(at).collect(), faces);
+    let mesh = with_normals(cylinder, &recipe(Weight::Quadric, 180.0));
+    let diagnosis = inspect(&mesh, 1);
+    let estimate = diagnosis.parts[0].estimate.unwrap();
+    assert_eq!((estimate.weight, estimate.exactly), (Weight::Quadric, 1.0), "{estimate:?}");
+    assert!(gives_the_same_bits(&estimate, &mesh), "{estimate:?}");
+    // A rim of 90° that is smooth, and nothing else.
+    assert_eq!(grave(&diagnosis), ["soft-normals"]);
 }
 
 /// Many edges of the gear bend by 60°, but for the rounding of its file, and more by what its teeth have.
