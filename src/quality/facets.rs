@@ -2,6 +2,7 @@
 
 use super::Thresholds;
 use super::catalogue::Kind;
+use super::estimate::REPRODUCED;
 use super::facts::{Facts, Worth};
 use super::finding::Severity;
 use super::limit::Limit;
@@ -10,6 +11,7 @@ use super::smoothing::{Edge, FEWEST_SHARP};
 use super::tally::{Spot, Tallies, scan};
 use crate::mesh::Column;
 use crate::normals::Crease;
+use crate::num::{Degrees, angle_between};
 use glam::DVec3;
 use rayon::prelude::*;
 use std::ops::Add;
@@ -36,6 +38,10 @@ const BETWEEN: f64 = 0.3;
 /// animals and people 0 to 0.35, furniture with cushions 0.54.
 const FLAT_SIDED: f64 = 0.6;
 
+/// The share of sharp edges with one normal on both sides where all are meant to have, of those whose normals nothing else is
+/// wrong with.
+const ALL: f64 = 0.98;
+
 /// Triangles that a broad flat would have, at least: one side of a coarse tube has two.
 const BROAD: usize = 3;
 
@@ -60,8 +66,9 @@ pub(super) fn find(facts: &Facts<'_>, stored: &Column<DVec3>, thresholds: &Thres
             return;
         }
         let mut soft = softened(facts, stored, sharp_from, thresholds.places);
+        let told = soft.get(Kind::Soft).count as f64;
         // Where some are kept sharp, those that are not are told one by one.
-        if (soft.get(Kind::Soft).count as f64) < 0.98 * beyond {
+        if told < 0.5 * beyond || told < ALL * (told + kept_sharp(facts, stored, sharp_from) as f64) {
             return;
         }
         let has_groups = facts.mesh.columns().smoothing.is_some();
@@ -165,6 +172,23 @@ fn level_with(facts: &Facts<'_>, face: usize) -> impl Iterator<Item = usize> {
         let is_sound = facts.worth[other] == Worth::Sound;
         is_sound && bent.exceeded(facts.face_normal(face), facts.face_normal(other)).is_none()
     })
+}
+
+/// How many sharp edges have stored normals on their two sides that differ, and are what the rule of the mesh makes them: next to
+/// a stray one, or one that is missing, it was not the edge that set them apart.
+fn kept_sharp(facts: &Facts<'_>, stored: &Column<DVec3>, sharp_from: f64) -> usize {
+    let sharp = Limit::new(sharp_from);
+    let follows = |&corner: &usize| {
+        let own = facts.stored_unit(corner);
+        own.is_some_and(|own| Degrees::from(angle_between(own, facts.expected(corner))).0 <= REPRODUCED)
+    };
+    let is_kept = |half_edge: u32| {
+        bend(facts, half_edge, sharp).is_some()
+            && Edge::at(facts, stored, half_edge)
+                .is_some_and(|edge| !edge.is_shared() && edge.ends.as_flattened().iter().all(follows))
+    };
+    let edges = (0..facts.mesh.faces().corner_count() as u32).into_par_iter();
+    edges.filter(|&half_edge| is_kept(half_edge)).count()
 }
 
 /// Sharp edges with one stored normal on both sides.

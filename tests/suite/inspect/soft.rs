@@ -1,7 +1,7 @@
 //! Whether a shape is sharp or round, which tells if normals that are smooth, or flat, all over are a fault.
 
 use super::{inspect, rebuilt, recipe, surface, with_normals};
-use crease::mesh::{Faces, Mesh};
+use crease::mesh::{Column, Faces, Mesh};
 use crease::normals::Weight;
 use crease::quality::Severity;
 use crease::quality::catalogue::Kind;
@@ -60,6 +60,38 @@ fn parts_with_coarse_holes_are_sharp() {
         assert_eq!((soft.count, soft.severity), (16 * 16 + 2 * 32 + 4, Severity::Warning), "{is_cut}");
         let sharp = with_normals(smooth.with_normals(None), &recipe(Weight::Angle, 40.0));
         assert!(inspect(&sharp, 1).get(Kind::Soft).is_none(), "{is_cut}");
+    }
+}
+
+/// What is wrong with single normals hides nothing: edges beside these are not kept sharp. Told only once they were mended, it
+/// would look like a fault of the mend.
+#[test]
+fn strays_do_not_hide_that_all_is_smooth() {
+    let smooth = with_normals(plate(4, false), &recipe(Weight::Angle, 180.0));
+    let sides = 16 * 16 + 2 * 32 + 4;
+    let spoilt = |wrong: fn(DVec3) -> DVec3| {
+        let (corners, normals) = (smooth.faces().corners(), smooth.columns().normals.as_ref().unwrap());
+        let normal = |corner: usize| {
+            let own = *normals.get(corner, corners[corner]).unwrap();
+            if corner % 97 == 5 { wrong(own) } else { own }
+        };
+        let all = 0..corners.len();
+        let normals =
+            Column::per_corner(all.clone().map(normal).collect(), all.map(|it| it as u32).collect());
+        inspect(&smooth.clone().with_normals(Some(normals)), 1)
+    };
+    for (wrong, kind) in [
+        ((|_| DVec3::ZERO) as fn(DVec3) -> DVec3, Kind::ZeroNormals),
+        (|normal| -normal, Kind::Flipped),
+        (|normal| (normal + 0.5 * normal.any_orthonormal_vector()).normalize(), Kind::Stray),
+    ] {
+        let diagnosis = spoilt(wrong);
+        assert!(diagnosis.get(kind).is_some(), "{kind:?}");
+        let soft = diagnosis.get(Kind::Soft).unwrap_or_else(|| panic!("{kind:?} hides it"));
+        assert!(
+            (sides - 40..sides).contains(&(soft.count as usize)) && soft.severity == Severity::Warning,
+            "{soft:?}"
+        );
     }
 }
 
