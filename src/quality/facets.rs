@@ -50,30 +50,33 @@ pub(super) fn find(facts: &Facts<'_>, stored: &Column<DVec3>, thresholds: &Thres
     let Some(estimate) = facts.estimate.filter(|_| facts.shares_vertices) else { return };
     let sharp_from = Crease::DEFAULT_ANGLE.0 + thresholds.crease.0;
     if estimate.crease.0 == 0.0 && estimate.reproduced >= 0.99 {
-        let bends = Bends::of(facts, [FLAT, GENTLE]);
-        let bent = bends.between + bends.beyond;
-        if bent >= FEWEST_GENTLE && bends.between as f64 >= MOSTLY_GENTLE * bent as f64 {
+        if is_gentle(facts) {
             found.add_mesh(Kind::Faceted, facts.total_area, gentle(facts, thresholds.places));
         }
     } else if !estimate.groups && estimate.crease.0 > sharp_from {
         let bends = Bends::of(facts, [GENTLE, sharp_from]);
         let beyond = bends.beyond as f64;
-        let is_sharp = |facts| {
-            bends.between as f64 <= BETWEEN * beyond
-                || flat_sided(facts, sharp_from) as f64 >= FLAT_SIDED * beyond
-        };
-        if bends.beyond < FEWEST_SHARP || !is_sharp(facts) {
+        if bends.beyond < FEWEST_SHARP {
+            return;
+        }
+        let are_few_between = bends.between as f64 <= BETWEEN * beyond;
+        let is_flat_sided = || flat_sided(facts, sharp_from) as f64 >= FLAT_SIDED * beyond;
+        // The rim of a lens may be a round edge in few faces.
+        let may_be_round = are_few_between && is_gentle(facts) && !is_flat_sided();
+        if !are_few_between && !is_flat_sided() {
             return;
         }
         let mut soft = softened(facts, stored, sharp_from, thresholds.places);
         let told = soft.get(Kind::Soft).count as f64;
         // Where some are kept sharp, those that are not are told one by one.
-        if told < 0.5 * beyond || told < ALL * (told + kept_sharp(facts, stored, sharp_from) as f64) {
+        let kept = kept_sharp(facts, stored, sharp_from, estimate.is_rule()) as f64;
+        if told < 0.5 * beyond || told < ALL * (told + kept) {
             return;
         }
         let has_groups = facts.mesh.columns().smoothing.is_some();
         let tally = soft.tally(Kind::Soft);
-        tally.severity = (has_groups || !estimate.is_rule()).then_some(Severity::Note);
+        let may_be_meant = has_groups || may_be_round || !estimate.is_rule();
+        tally.severity = may_be_meant.then_some(Severity::Note);
         tally.remedy = has_groups.then(|| format!("--crease {} --groups ignore", Crease::DEFAULT_ANGLE.0));
         found.merge(soft);
     }
@@ -106,6 +109,13 @@ impl Bends {
         };
         (0..facts.mesh.face_count()).into_par_iter().map(count).reduce(Self::default, Self::add)
     }
+}
+
+/// Whether most edges that bend at all bend by little, as on a smooth shape.
+fn is_gentle(facts: &Facts<'_>) -> bool {
+    let bends = Bends::of(facts, [FLAT, GENTLE]);
+    let bent = bends.between + bends.beyond;
+    bent >= FEWEST_GENTLE && bends.between as f64 >= MOSTLY_GENTLE * bent as f64
 }
 
 /// By how many degrees the edge of a half-edge bends, if that is over a limit; told once for both half-edges.
@@ -174,18 +184,21 @@ fn level_with(facts: &Facts<'_>, face: usize) -> impl Iterator<Item = usize> {
     })
 }
 
-/// How many sharp edges have stored normals on their two sides that differ, and are what the rule of the mesh makes them: next to
-/// a stray one, or one that is missing, it was not the edge that set them apart.
-fn kept_sharp(facts: &Facts<'_>, stored: &Column<DVec3>, sharp_from: f64) -> usize {
+/// How many sharp edges have stored normals on their two sides that differ. Where a rule made them, they have to be what it makes:
+/// next to a stray one, or one that is missing, it was not the edge that set them apart.
+fn kept_sharp(facts: &Facts<'_>, stored: &Column<DVec3>, sharp_from: f64, is_rule: bool) -> usize {
     let sharp = Limit::new(sharp_from);
+    let turn = facts.turn.unwrap_or_default();
     let follows = |&corner: &usize| {
+        let right = turn * facts.expected(corner);
         let own = facts.stored_unit(corner);
-        own.is_some_and(|own| Degrees::from(angle_between(own, facts.expected(corner))).0 <= REPRODUCED)
+        own.is_some_and(|own| Degrees::from(angle_between(own, right)).0 <= REPRODUCED)
     };
     let is_kept = |half_edge: u32| {
         bend(facts, half_edge, sharp).is_some()
-            && Edge::at(facts, stored, half_edge)
-                .is_some_and(|edge| !edge.is_shared() && edge.ends.as_flattened().iter().all(follows))
+            && Edge::at(facts, stored, half_edge).is_some_and(|edge| {
+                !edge.is_shared() && (!is_rule || edge.ends.as_flattened().iter().all(follows))
+            })
     };
     let edges = (0..facts.mesh.faces().corner_count() as u32).into_par_iter();
     edges.filter(|&half_edge| is_kept(half_edge)).count()

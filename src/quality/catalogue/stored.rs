@@ -153,7 +153,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         "soft-normals",
         Severity::Warning,
         "smooth normals on a shape with sharp edges",
-        "Edges that bend by more than 50° have one normal on both sides, all of them, though hardly any edge is between gentle and sharp: the shape is made of flat or gently curved sides, and is no coarse picture of a round one. Its sides show gradients towards their edges, as if it were blown up or made of soap. A note where smoothing groups ask for it or no rule derives the normals: then it may be meant.",
+        "Edges that bend by more than 50° have one normal on both sides, all of them, though hardly any edge is between gentle and sharp: the shape is made of flat or gently curved sides, and is no coarse picture of a round one. Its sides show gradients towards their edges, as if it were blown up or made of soap. A note where smoothing groups ask for it, no rule derives the normals, or most edges bend gently and no flat lies beside the sharp ones, as at the rim of a lens: then it may be meant.",
         "Compute normals with a crease angle, unless it is meant to look soft.",
         Some("--crease 40"),
     ),

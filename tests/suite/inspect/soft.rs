@@ -5,7 +5,7 @@ use crease::mesh::{Column, Faces, Mesh};
 use crease::normals::Weight;
 use crease::quality::Severity;
 use crease::quality::catalogue::Kind;
-use crease::surface::{Sphere, Surface, Tessellation};
+use crease::surface::{Ellipsoid, Sphere, Surface, Tessellation};
 use glam::DVec3;
 use std::collections::HashMap;
 
@@ -93,6 +93,16 @@ fn strays_do_not_hide_that_all_is_smooth() {
             "{soft:?}"
         );
     }
+}
+
+/// The rim of a flat ellipsoid bends by 52° in few faces, and its normals are exact.
+#[test]
+fn rims_of_lenses_may_be_round() {
+    let lens = Surface::from(Ellipsoid::new(DVec3::new(1.0, 0.1, 1.0)).unwrap());
+    let exact = surface(&lens, [24, 12]);
+    let diagnosis = inspect(&exact, 1);
+    let soft = diagnosis.get(Kind::Soft).expect("it bends as an edge does");
+    assert_eq!((soft.count, soft.severity), (24, Severity::Note));
 }
 
 /// Bends of all sizes, some beyond a right angle, without a flat beside them: it is rough, and meant to look round.
