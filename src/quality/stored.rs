@@ -1,7 +1,7 @@
 //! Findings about stored normals, corner by corner.
 
 use super::catalogue::Kind;
-use super::estimate::{LETTER, SAME};
+use super::estimate::{LETTER, REPRODUCED, SAME};
 use super::facts::{Facts, Worth};
 use super::finding::Severity;
 use super::light::{key_light_lost, key_light_scaled};
@@ -183,9 +183,9 @@ fn look_at(
             match (kind, Ground::of(facts, corner, unit)) {
                 (Kind::Stray, Some(_)) if off <= LETTER => found.add(Kind::Custom, spot, area),
                 (Kind::Stray, Some(ground)) => waiting.add(ground, spot, area),
-                // What is the very opposite of the right one was negated, not meant.
-                (Kind::Flipped, Some(_)) if off >= 180.0 - SAME || is_alone(facts, face, corner) => {
-                    found.add(kind, spot, area);
+                (Kind::Flipped, Some(_)) if is_alone(facts, face, corner) => found.add(kind, spot, area),
+                (Kind::Flipped, Some(_)) if off >= 180.0 - SAME && is_negated(facts, face, corner) => {
+                    waiting.add_opposite(spot, area);
                 }
                 (_, Some(_)) => waiting.add_against(kind, spot, area),
                 _ => found.add(kind, spot, area),
@@ -224,6 +224,20 @@ fn is_alone(facts: &Facts<'_>, face: usize, corner: usize) -> bool {
         facts.stored_unit(other).is_some_and(|normal| normal.dot(facts.face_normal(face)) > 0.0)
     };
     2 * others().filter(is_in_front).count() >= others().count()
+}
+
+/// Whether at least half of the other normals of a face are on its front, or as good as opposite to the right ones as well. What is
+/// the very opposite was negated then, and not reached by leaning further and further back, as at the lower pole of a ball
+/// that is lit from above.
+fn is_negated(facts: &Facts<'_>, face: usize, corner: usize) -> bool {
+    let others = || facts.mesh.faces().range(face).filter(|&other| other != corner);
+    let is_opposite = |&other: &usize| {
+        facts.stored_unit(other).is_some_and(|normal| {
+            normal.dot(facts.face_normal(face)) > 0.0
+                || Degrees::from(angle_between(-normal, facts.expected(other))).0 <= REPRODUCED
+        })
+    };
+    2 * others().filter(is_opposite).count() >= others().count()
 }
 
 /// What is wrong with the direction of a normal that is off by so many degrees; `None` if an edge explains it.
@@ -281,9 +295,21 @@ fn grade_strays(facts: &Facts<'_>, mut waiting: Waiting, found: &mut Tallies, so
 /// Normals that point behind their face and have a ground are faults where a rule made the rest. Else they may be meant, as on
 /// leaves that are lit like a ball, and beside ones without a ground, which are faults whatever made the others, they are no
 /// more than what no rule derives.
-fn grade_against(grounded: [Tally; AGAINST.len()], is_departed_from: bool, found: &mut Tallies) {
+fn grade_against(
+    (grounded, opposite): ([Tally; AGAINST.len()], Tally),
+    is_departed_from: bool,
+    found: &mut Tallies,
+) {
+    /// The share of turned normals that are the very opposite from which on they were negated: of a fine ball lit from above one
+    /// in two thousand is, and one in ten where the rule is off by 3°.
+    const NEGATED: f64 = 0.05;
     let are_alone = found.get(Kind::AgainstFace).count == 0;
-    for (kind, tally) in AGAINST.into_iter().zip(grounded) {
+    let is_much = opposite.count as f64 >= NEGATED * (opposite.count + grounded[0].count) as f64;
+    let (negated, leaning) =
+        if is_much { (opposite, Tally::default()) } else { (Tally::default(), opposite) };
+    found.absorb(Kind::Flipped, negated);
+    let all = AGAINST.into_iter().zip(grounded).chain([(Kind::Flipped, leaning)]);
+    for (kind, tally) in all {
         // Beside more that are the very opposite, what is nearly so was negated with them.
         let is_negated = kind == Kind::Flipped && found.get(kind).count > tally.count;
         let told = match (is_departed_from || is_negated, are_alone) {

@@ -26,7 +26,7 @@ impl Ground {
     pub(super) const ALL: [Self; 2] = [Self::Shared, Self::Run];
 
     /// Of a corner with this stored unit normal; `None` if it comes from nowhere: no run of the faces round the vertex has it
-    /// for its mean, and most other corners of the fan have what the rule gives, or none of them has it as well.
+    /// for its mean, and most other corners of the fan have what the rule gives, or none of them has it as well nor has its face.
     pub(super) fn of(facts: &Facts<'_>, corner: usize, normal: DVec3) -> Option<Self> {
         let fan = Fan::new(facts, corner, Reach::OneWay);
         let nearest = [Reading::AsIs, Reading::Uncut].map(|reading| fan.nearest_run(facts, normal, reading));
@@ -60,12 +60,21 @@ impl Ground {
             None
         } else if from_run <= REPRODUCED {
             Some(Self::Run)
-        } else if mates().next().is_some() && !others().any(|other| has(normal)(&other)) {
+        } else if mates().next().is_some()
+            && !others().any(|other| has(normal)(&other))
+            && !is_flat(facts, fan.corner, normal)
+        {
             None
         } else {
             Some(Self::Shared)
         }
     }
+}
+
+/// Whether the other corners of a corner's face have its normal as well: not a single one then, but that of a flat face.
+fn is_flat(facts: &Facts<'_>, corner: u32, normal: DVec3) -> bool {
+    let mut face = facts.mesh.faces().range(facts.topology.face_of(corner) as usize);
+    face.all(|other| facts.stored_unit(other).is_some_and(|unit| degrees(unit, normal) <= SAME))
 }
 
 /// Normals that are turned round, more or less.
@@ -76,6 +85,8 @@ pub(super) struct Waiting {
     tallies: [Tally; Ground::ALL.len()],
     /// Those that are turned round or point behind their face, on either ground, in the order of [`AGAINST`].
     against: [Tally; AGAINST.len()],
+    /// Those on either ground that are the very opposite of what the rule gives.
+    opposite: Tally,
     /// How many places of each are kept.
     most: usize,
 }
@@ -90,14 +101,19 @@ impl Waiting {
         self.against[usize::from(kind == Kind::AgainstFace)].add(spot, area, self.most);
     }
 
-    /// How many are turned round or point behind their face.
-    pub(super) fn against(&self) -> u64 {
-        self.against.iter().map(|tally| tally.count).sum()
+    /// Adds one that is the very opposite of what the rule gives.
+    pub(super) fn add_opposite(&mut self, spot: Spot, area: f64) {
+        self.opposite.add(spot, area, self.most);
     }
 
-    /// Takes those out, in the order of [`AGAINST`].
-    pub(super) fn take_against(&mut self) -> [Tally; AGAINST.len()] {
-        std::mem::take(&mut self.against)
+    /// How many are turned round or point behind their face.
+    pub(super) fn against(&self) -> u64 {
+        self.against.iter().chain([&self.opposite]).map(|tally| tally.count).sum()
+    }
+
+    /// Takes those out that are no more than against their face, in the order of [`AGAINST`], and those that are the very opposite.
+    pub(super) fn take_against(&mut self) -> ([Tally; AGAINST.len()], Tally) {
+        (std::mem::take(&mut self.against), std::mem::take(&mut self.opposite))
     }
 
     /// How many there are of some grounds.
@@ -107,19 +123,20 @@ impl Waiting {
 
     /// Those of each ground, in the order of [`Ground::ALL`], and what is turned.
     pub(super) fn into_tallies(self) -> impl Iterator<Item = Tally> {
-        self.tallies.into_iter().chain(self.against)
+        self.tallies.into_iter().chain(self.against).chain([self.opposite])
     }
 }
 
 impl Gathered for Waiting {
     fn new(most: usize) -> Self {
-        Self { tallies: Default::default(), against: Default::default(), most }
+        Self { tallies: Default::default(), against: Default::default(), opposite: Tally::default(), most }
     }
 
     fn merge(&mut self, other: Self) {
         let most = self.most;
         self.tallies.iter_mut().zip(other.tallies).for_each(|(own, other)| own.merge(other, most));
         self.against.iter_mut().zip(other.against).for_each(|(own, other)| own.merge(other, most));
+        self.opposite.merge(other.opposite, most);
     }
 }
 

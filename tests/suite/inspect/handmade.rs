@@ -2,13 +2,13 @@
 
 use super::clean::meshes;
 use super::planted::{per_corner, turned, unshared};
-use super::{grave, inspect, recipe, surface};
+use super::{grave, inspect, recipe, surface, with_normals};
 use crate::random::Random;
 use crease::mesh::{Column, Faces, Mesh, MeshBuilder};
 use crease::normals::{Weight, When, compute, select};
 use crease::quality::Severity;
 use crease::quality::catalogue::Kind;
-use crease::surface::{Surface, Wave};
+use crease::surface::{Pattern, Sphere, Surface, Tessellation, Wave};
 use glam::DVec3;
 
 /// Leaves round the middle of a tree, quads of any direction and not quite plane, each for itself or with a back side of its
@@ -50,6 +50,25 @@ fn leaves_lit_like_a_ball_may_be_meant() {
             let against = diagnosis.get(Kind::AgainstFace);
             assert!(against.is_none_or(|finding| finding.severity == Severity::Note), "{told}");
             assert_eq!(against.and_then(|finding| finding.remedy.as_ref()), None, "{told}");
+        }
+    }
+}
+
+/// Normals bent upwards turn round by and by: the very lowest are the opposite of what they should be, and are no fault beside
+/// those round them. Facets bent so have one normal each that no other has, and are none either.
+#[test]
+fn what_is_bent_upwards_may_be_meant() {
+    for subdivisions in [2, 3, 4] {
+        let cells = Tessellation { pattern: Pattern::Icosphere(subdivisions), ..Tessellation::default() };
+        let ball = Surface::from(Sphere::default()).tessellate(&cells).unwrap();
+        for crease in [0.0, 180.0] {
+            let normals =
+                unshared(&with_normals(ball.clone().with_normals(None), &recipe(Weight::Angle, crease)));
+            for up in [0.3, 0.6] {
+                let bent = normals.iter().map(|&normal| ((1.0 - up) * normal + up * DVec3::Y).normalize());
+                let diagnosis = inspect(&per_corner(&ball, bent.collect()), 10);
+                assert_eq!(grave(&diagnosis), [""; 0], "{subdivisions}, {crease}, {up}");
+            }
         }
     }
 }
