@@ -97,7 +97,9 @@ impl<'a> Sample<'a> {
         // A sharp edge that is the only one at its vertex splits nothing, and looks smooth: what separates best need not be
         // what the normals were made with. Edges that look sharp are what they seem.
         if plain.estimate.reproduced < 1.0 {
-            for other in candidates(&self.bends, &[separating]) {
+            let known = [separating];
+            // Many single faults at the ends of edges shift what separates best.
+            for other in candidates(&self.bends, &known).into_iter().chain(beside(separating)) {
                 let other = self.by_rule(sharp_from(other), turned_back);
                 plain = if other.cost < plain.cost { other } else { plain };
             }
@@ -197,9 +199,8 @@ impl<'a> Sample<'a> {
         // A single edge next to the angle may show on neither.
         if best.estimate.exactly < 1.0 {
             let bends = if means.groups { self.in_one_group() } else { self.bends.clone() };
-            let beside = [-1.0, 1.0].map(|by| Degrees((means.crease.0 + by).clamp(0.0, 180.0)));
             let known = [means.crease, Crease::DEFAULT_ANGLE, Degrees(180.0)];
-            for other in candidates(&bends, &known).into_iter().chain(beside) {
+            for other in candidates(&bends, &known).into_iter().chain(beside(means.crease)) {
                 let other = by_quadric(other);
                 best = if other.cost < best.cost { other } else { best };
             }
@@ -248,6 +249,11 @@ fn candidates(bends: &[Bend], known: &[Degrees]) -> Vec<Degrees> {
         }
     }
     found
+}
+
+/// The crease angles one degree less and more.
+fn beside(crease: Degrees) -> [Degrees; 2] {
+    [-1.0, 1.0].map(|by| Degrees((crease.0 + by).clamp(0.0, 180.0)))
 }
 
 /// Corners with a direction on sound faces; if there are too many, those that a fixed generator picks.

@@ -1,7 +1,9 @@
 //! Normals of our own, by every weighting and many a crease angle: are these told from them, and is nothing blamed?
 
 use super::clean::{file, meshes};
+use super::planted::{per_corner, unshared};
 use super::{grave, inspect, rebuilt, recipe, surface, with_normals};
+use crate::random::Random;
 use crease::mesh::{ColumnIndex, Columns, Faces, Mesh, MeshBuilder, SmoothingGroups};
 use crease::normals::{Crease, Groups, NormalRecipe, Weight, compute};
 use crease::num::Degrees;
@@ -78,6 +80,27 @@ fn quadrics_are_told_with_their_own_crease_angle() {
     assert!(gives_the_same_bits(&estimate, &mesh), "{estimate:?}");
     // A rim of 90° that is smooth, and nothing else.
     assert_eq!(grave(&diagnosis), ["soft-normals"]);
+}
+
+/// Edges with a negated normal at an end look sharp, however little they bend, which shifts what best tells these from the others.
+#[test]
+fn many_negated_normals_do_not_shift_the_crease_angle() {
+    let teapot = surface(&Surface::Teapot, [6, 6]).with_normals(None);
+    let normals = unshared(&with_normals(teapot.clone(), &recipe(Weight::Angle, 30.0)));
+    for seed in 0..8 {
+        let mut random = Random(seed);
+        let mut negated = 0;
+        let mut negate = |&normal: &DVec3| {
+            let is_one = random.one_in(10);
+            negated += u64::from(is_one);
+            if is_one { -normal } else { normal }
+        };
+        let normals = normals.iter().map(&mut negate).collect();
+        let diagnosis = inspect(&per_corner(&teapot, normals), 1);
+        assert_eq!(diagnosis.parts[0].estimate.unwrap().crease, Degrees(30.0), "{seed}");
+        assert_eq!(grave(&diagnosis), [Kind::Flipped.id()], "{seed}");
+        assert_eq!(diagnosis.get(Kind::Flipped).unwrap().count, negated, "{seed}");
+    }
 }
 
 /// Many edges of the gear bend by 60°, but for the rounding of its file, and more by what its teeth have.
