@@ -1,5 +1,6 @@
 //! What all findings about a part are made from, worked out once.
 
+use super::apart::Apart;
 use super::around::Around;
 use super::catalogue::Kind;
 use super::duplicates::Doubles;
@@ -65,6 +66,8 @@ pub(super) struct Facts<'a> {
     pub(super) inside_out: Vec<InsideOut>,
     /// Faces that `--orient consistent` would turn, ascending.
     pub(super) minority: Vec<u32>,
+    /// Pieces of surface that the rule says nothing about.
+    pub(super) apart: Apart,
     /// Of each vertex whether a turned face is at it, so that the mean there says nothing; empty if there are none.
     beside_turned: Vec<bool>,
     /// The corners whose faces cancel: nothing is known of what normal they should have. Ascending.
@@ -134,6 +137,7 @@ impl<'a> Facts<'a> {
             outward,
             inside_out,
             minority,
+            apart: Apart::default(),
             beside_turned: Vec::new(),
             cancelling: Vec::new(),
             two_fans: FxHashSet::default(),
@@ -159,6 +163,10 @@ impl<'a> Facts<'a> {
         let cancelling = cancelling.filter(|fault| fault.reason == FaultReason::CancellingFan);
         facts.cancelling = cancelling.map(|fault| fault.index).collect();
         facts.cancelling.sort_unstable();
+        // One piece has no other to be apart from.
+        if orientations.components().len() > 1 {
+            facts.apart = Apart::new(&facts, orientations.components());
+        }
         facts
     }
 

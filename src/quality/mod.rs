@@ -10,7 +10,9 @@
 //! others if nothing at their vertex explains them: no run of the faces there has such a mean, as marks on edges make, and no
 //! other corner there has the same normal, or most have what the best rule gives. What all corners of a vertex share can be
 //! told to stray only where a rule made the rest, and to be turned round besides where it is the very opposite of the right
-//! one, or alone of its face: leaves that are lit like a ball are meant. Where none fits them as they are but one does
+//! one, or alone of its face: leaves that are lit like a ball are meant. So they are beside the trunk of a tree: a connected
+//! piece of surface of whose normals fewer than one in three are what the rule gives, without having been negated or turned as a
+//! whole, was made otherwise than the rest. Where none fits them as they are but one does
 //! once a rotation or reflection of all of them is taken off, that is what is told. Normals on fewer than three lines, as of
 //! a flat sheet or two, leave open what they were turned by, and so do normals of which no rule gives half. Faces that run
 //! against their neighbours, that are inside out or without direction have no say about normals: their cause is told of
@@ -24,6 +26,7 @@
 //! # What cannot be told
 //! - All corners of a vertex with one wrong normal, where the others follow no rule: an artist may have made it so. A rule is
 //!   followed where 98 of 100 normals are within 5° of what it gives; the exact ones of a coarsely cut surface may not be.
+//! - Where a piece of surface was bent by hand in one place only: what is beside it follows the rule, and the bent ones stray.
 //! - More than half of all sharp edges averaged: what most edges have is then the rule, and the rest is custom.
 //! - Which of several nodes' matrices stands in normals where these do the same to them, as a turn and the one that takes it
 //!   back: one is named, and that there are others. A stretch shows in normals that lean between its axes only, and passes on
@@ -55,6 +58,7 @@
 //!
 #![doc = include_str!("measured/recall.md")]
 
+mod apart;
 mod around;
 mod attributes;
 mod bends;

@@ -40,7 +40,7 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
     });
     let judged = Judged::new(facts, &corners);
     found.merge(corners.found);
-    let waiting = corners.waiting;
+    let (waiting, apart) = (corners.waiting, corners.apart);
     let is_turned_as_a_whole = turned::find(facts, thresholds, found);
     if is_turned_as_a_whole {
         // One cause explains them all.
@@ -51,9 +51,11 @@ pub(super) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Talli
         for kind in AGAINST.into_iter().chain(STRAYS) {
             found.rename(kind, Kind::Inverted);
         }
-        waiting.into_tallies().for_each(|tally| found.absorb(Kind::Inverted, tally));
+        let waiting = waiting.into_tallies().chain(apart.into_tallies());
+        waiting.for_each(|tally| found.absorb(Kind::Inverted, tally));
     } else {
         grade_strays(facts, waiting, found, judged.sound);
+        grade_apart(apart, found, thresholds.places);
     }
     like_the_rest(facts, found);
     facets::find(facts, stored, thresholds, found);
@@ -112,7 +114,8 @@ impl Judged {
         let sound = (0..facts.mesh.face_count())
             .filter(|&face| facts.worth[face] == Worth::Sound)
             .map(|face| facts.mesh.faces().range(face).len());
-        let against = count(&corners.found, AGAINST) + corners.waiting.against() as f64;
+        let against = corners.waiting.against() + corners.apart.against();
+        let against = count(&corners.found, AGAINST) + against as f64;
         Self { sound: sound.sum::<usize>() as f64, against }
     }
 }
@@ -126,16 +129,19 @@ fn count(found: &Tallies, kinds: impl IntoIterator<Item = Kind>) -> f64 {
 struct Corners {
     found: Tallies,
     waiting: Waiting,
+    /// What waits on pieces of surface that the rule says nothing about.
+    apart: Waiting,
 }
 
 impl Gathered for Corners {
     fn new(most: usize) -> Self {
-        Self { found: Tallies::new(most), waiting: Waiting::new(most) }
+        Self { found: Tallies::new(most), waiting: Waiting::new(most), apart: Waiting::new(most) }
     }
 
     fn merge(&mut self, other: Self) {
         self.found.merge(other.found);
         self.waiting.merge(other.waiting);
+        self.apart.merge(other.apart);
     }
 }
 
@@ -145,11 +151,12 @@ fn look_at(
     face: usize,
     deviation: Limit,
     thresholds: &Thresholds,
-    Corners { found, waiting }: &mut Corners,
+    Corners { found, waiting, apart }: &mut Corners,
 ) {
     let range = facts.mesh.faces().range(face);
     let corners = facts.mesh.faces().corners();
     let area = facts.area[face] / range.len() as f64;
+    let waiting = if facts.apart.has(face) { apart } else { waiting };
     for corner in range {
         let spot = Spot::corner(face, corner, 0.0);
         let unlit = || spot.of(Gauge::Steps, key_light_lost());
@@ -277,7 +284,8 @@ fn grade_strays(facts: &Facts<'_>, mut waiting: Waiting, found: &mut Tallies, so
     let is_rule = facts.estimate.is_some_and(|estimate| estimate.is_rule());
     let is_departed_from = facts.estimate.is_some_and(|estimate| estimate.is_departed_from());
     let unexplained = (1.0 - facts.estimate.map_or(0.0, |estimate| estimate.reproduced)) * sound;
-    let left = unexplained - count(found, FAULTS) - waiting.against() as f64;
+    let of_rule = unexplained - facts.apart.corners as f64;
+    let left = of_rule - count(found, FAULTS) - waiting.against() as f64;
     grade_against(waiting.take_against(), is_departed_from, found);
     let are_most = |grounds: &[Ground]| waiting.count(grounds) as f64 >= 0.5 * left;
     let are_both = is_rule && are_most(&Ground::ALL);
@@ -290,6 +298,21 @@ fn grade_strays(facts: &Facts<'_>, mut waiting: Waiting, found: &mut Tallies, so
     strays.remedy = facts.estimate.map(|estimate| estimate.options());
     // To compute all again is no remedy where others were made in another way.
     strays.may_be_meant = !is_departed_from || faults < 0.5 * unexplained;
+}
+
+/// What no rule says anything about may be meant, beside faults of others too.
+fn grade_apart(mut apart: Waiting, found: &mut Tallies, most: usize) {
+    let mut own = Tallies::new(most);
+    grade_against(apart.take_against(), false, &mut own);
+    if found.get(Kind::AgainstFace).count > 0 {
+        own.rename(Kind::AgainstFace, Kind::Custom);
+    }
+    apart.into_tallies().for_each(|tally| own.absorb(Kind::Custom, tally));
+    // What mends the others would not leave these as they are.
+    for kind in AGAINST {
+        found.tally(kind).may_be_meant |= own.get(Kind::AgainstFace).count + own.get(Kind::Custom).count > 0;
+    }
+    found.merge(own);
 }
 
 /// Normals that point behind their face and have a ground are faults where a rule made the rest. Else they may be meant, as on

@@ -156,6 +156,11 @@ impl Orientations {
         Self { closed: of(true), open: of(false), components }
     }
 
+    /// The faces of each component, ascending.
+    pub(crate) fn components(&self) -> impl IndexedParallelIterator<Item = &[u32]> {
+        (0..self.components.len()).into_par_iter().map(|component| self.components.faces(component))
+    }
+
     /// What [`Orient::Consistent`] turns. Faces too thin to be seen have no say in which way is the other one: fillers beside
     /// vertices on edges may be many, and run as they like.
     pub(crate) fn consistent(&self, mesh: &Mesh) -> Orientation {

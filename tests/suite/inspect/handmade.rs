@@ -2,14 +2,14 @@
 
 use super::clean::meshes;
 use super::planted::{per_corner, turned, unshared};
-use super::{grave, inspect, recipe, surface, with_normals};
+use super::{grave, inspect, rebuilt, recipe, surface, with_normals};
 use crate::random::Random;
 use crease::mesh::{Column, Faces, Mesh, MeshBuilder};
 use crease::normals::{Weight, When, compute, select};
 use crease::quality::Severity;
 use crease::quality::catalogue::Kind;
-use crease::surface::{Pattern, Sphere, Surface, Tessellation, Wave};
-use glam::DVec3;
+use crease::surface::{Cylinder, Pattern, Sphere, Surface, Tessellation, Wave};
+use glam::{DMat3, DVec3};
 
 /// Leaves round the middle of a tree, quads of any direction and not quite plane, each for itself or with a back side of its
 /// own, lit like a ball, as is usual for foliage, and more or less from above.
@@ -51,6 +51,77 @@ fn leaves_lit_like_a_ball_may_be_meant() {
             assert!(against.is_none_or(|finding| finding.severity == Severity::Note), "{told}");
             assert_eq!(against.and_then(|finding| finding.remedy.as_ref()), None, "{told}");
         }
+    }
+}
+
+/// Two meshes in one, each with its own normals.
+fn together(first: &Mesh, second: &Mesh) -> Mesh {
+    let mut faces = first.faces().clone();
+    let count = first.vertex_count() as u32;
+    for face in second.faces().iter() {
+        faces.push(&Vec::from_iter(face.iter().map(|vertex| vertex + count)));
+    }
+    let mesh = rebuilt([first.positions(), second.positions()].concat(), faces);
+    per_corner(&mesh, [unshared(first), unshared(second)].concat())
+}
+
+/// A trunk by a rule, with a fault at so many corners of it.
+fn trunk(faults: usize, fault: impl Fn(DVec3) -> DVec3) -> Mesh {
+    let tube = surface(&Surface::from(Cylinder::default()), [24, 12]).with_normals(None);
+    let mut normals = unshared(&with_normals(tube.clone(), &recipe(Weight::Angle, 180.0)));
+    for k in 0..faults {
+        let corner = k * 53 % normals.len();
+        normals[corner] = fault(normals[corner]);
+    }
+    per_corner(&tube, normals)
+}
+
+/// Few or many leaves beside a trunk are no faults by its rule, and what is wrong with the trunk is told all the same. Among 400
+/// leaves are some whose normals are the very opposite of what a flat face has, by chance.
+#[test]
+fn leaves_beside_a_trunk_may_be_meant() {
+    for count in [5, 20, 100, 400] {
+        for up in [0.0, 0.5, 2.0, 1e6] {
+            let leaves = leaves(count, up, false);
+            let of_trunk = trunk(0, |_| unreachable!()).face_count() as u32;
+            for (faults, kind) in [(0, None), (20, Some(Kind::Flipped)), (20, Some(Kind::Stray))] {
+                let fault =
+                    |normal: DVec3| if kind == Some(Kind::Flipped) { -normal } else { turned(normal, 40.0) };
+                let diagnosis = inspect(&together(&trunk(faults, fault), &leaves), 20);
+                let told = format!("{count}, {up}, {kind:?}: {:?}", grave(&diagnosis));
+                for blamed in [Kind::Flipped, Kind::Stray] {
+                    let finding = diagnosis.get(blamed);
+                    let wanted = if Some(blamed) == kind { faults } else { 0 };
+                    assert_eq!(finding.map_or(0, |finding| finding.count), wanted as u64, "{told}");
+                    let places = finding.iter().flat_map(|finding| &finding.places);
+                    assert!(places.into_iter().all(|site| site.face < Some(of_trunk)), "{told}");
+                }
+                let against = diagnosis.get(Kind::AgainstFace);
+                assert!(against.is_none_or(|finding| finding.severity == Severity::Note), "{told}");
+            }
+        }
+    }
+}
+
+/// One of several pieces with all its normals turned, or turned round, is no other making.
+#[test]
+fn what_happened_to_a_whole_piece_is_a_fault() {
+    let ball = Tessellation { pattern: Pattern::Icosphere(2), ..Tessellation::default() };
+    let ball = Surface::from(Sphere::default()).tessellate(&ball).unwrap();
+    let away = ball.positions().iter().map(|&position| position + 9.0 * DVec3::X).collect();
+    let ball = with_normals(rebuilt(away, ball.faces().clone()), &recipe(Weight::Angle, 180.0));
+    let changed = |change: &dyn Fn(DVec3) -> DVec3| {
+        per_corner(&ball, unshared(&ball).into_iter().map(change).collect())
+    };
+    let by_40 = DMat3::from_axis_angle(DVec3::new(1.0, 2.0, 3.0).normalize(), 0.7);
+    for (piece, kind) in
+        [(changed(&|normal| -normal), Kind::Flipped), (changed(&|normal| by_40 * normal), Kind::Stray)]
+    {
+        let diagnosis = inspect(&together(&trunk(0, |_| unreachable!()), &piece), 1);
+        assert_eq!(grave(&diagnosis), [kind.id()]);
+        let count = diagnosis.get(kind).unwrap().count as usize;
+        // At the poles of the turn normals stay within the threshold.
+        assert!(count > piece.faces().corner_count() * 8 / 10, "{kind:?}: {count}");
     }
 }
 
