@@ -188,11 +188,9 @@ fn level_with(facts: &Facts<'_>, face: usize) -> impl Iterator<Item = usize> {
 /// next to a stray one, or one that is missing, it was not the edge that set them apart.
 fn kept_sharp(facts: &Facts<'_>, stored: &Column<DVec3>, sharp_from: f64, is_rule: bool) -> usize {
     let sharp = Limit::new(sharp_from);
-    let turn = facts.turn.unwrap_or_default();
     let follows = |&corner: &usize| {
-        let right = turn * facts.expected(corner);
-        let own = facts.stored_unit(corner);
-        own.is_some_and(|own| Degrees::from(angle_between(own, right)).0 <= REPRODUCED)
+        let pair = facts.stored_and_right(corner);
+        pair.is_some_and(|(stored, right)| Degrees::from(angle_between(stored, right)).0 <= REPRODUCED)
     };
     let is_kept = |half_edge: u32| {
         bend(facts, half_edge, sharp).is_some()

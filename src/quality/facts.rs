@@ -163,10 +163,7 @@ impl<'a> Facts<'a> {
         let cancelling = cancelling.filter(|fault| fault.reason == FaultReason::CancellingFan);
         facts.cancelling = cancelling.map(|fault| fault.index).collect();
         facts.cancelling.sort_unstable();
-        // One piece has no other to be apart from.
-        if orientations.components().len() > 1 {
-            facts.apart = Apart::new(&facts, orientations.components());
-        }
+        facts.apart = Apart::new(&facts, &orientations);
         facts
     }
 
@@ -279,6 +276,11 @@ impl<'a> Facts<'a> {
         }
         let slot = stored.slot(corner, self.mesh.faces().corners()[corner])?;
         Some(self.units[slot as usize]).filter(|&unit| unit != DVec3::ZERO)
+    }
+
+    /// That normal and what the rule gives there, turned as all are.
+    pub(super) fn stored_and_right(&self, corner: usize) -> Option<(DVec3, DVec3)> {
+        Some((self.stored_unit(corner)?, self.turn.unwrap_or_default() * self.expected(corner)))
     }
 
     /// Whether another part of the file has this normal at the place of a corner.

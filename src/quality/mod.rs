@@ -12,8 +12,8 @@
 //! told to stray only where a rule made the rest, and to be turned round besides where it is the very opposite of the right
 //! one, or alone of its face: leaves that are lit like a ball are meant. So they are beside the trunk of a tree: a connected
 //! piece of surface of whose normals fewer than one in three are what the rule gives, without having been negated or turned as a
-//! whole, was made otherwise than the rest. Where none fits them as they are but one does
-//! once a rotation or reflection of all of them is taken off, that is what is told. Normals on fewer than three lines, as of
+//! whole, was made otherwise than the rest. So was a region in which none is, and what they are off by goes on smoothly, unless
+//! all are negated or the same. Where none fits them as they are but one does once a rotation or reflection of all of them is taken off, that is what is told. Normals on fewer than three lines, as of
 //! a flat sheet or two, leave open what they were turned by, and so do normals of which no rule gives half. Faces that run
 //! against their neighbours, that are inside out or without direction have no say about normals: their cause is told of
 //! them, not of the normals; beside and on them a single normal is told to stray if no mean explains it, over these faces as
@@ -26,7 +26,7 @@
 //! # What cannot be told
 //! - All corners of a vertex with one wrong normal, where the others follow no rule: an artist may have made it so. A rule is
 //!   followed where 98 of 100 normals are within 5° of what it gives; the exact ones of a coarsely cut surface may not be.
-//! - Where a piece of surface was bent by hand in one place only: what is beside it follows the rule, and the bent ones stray.
+//! - Few normals bent by hand in one place of a surface that follows a rule: fewer than 16 faces are taken for single faults.
 //! - More than half of all sharp edges averaged: what most edges have is then the rule, and the rest is custom.
 //! - Which of several nodes' matrices stands in normals where these do the same to them, as a turn and the one that takes it
 //!   back: one is named, and that there are others. A stretch shows in normals that lean between its axes only, and passes on
@@ -62,6 +62,7 @@ mod apart;
 mod around;
 mod attributes;
 mod bends;
+mod bent;
 mod borders;
 pub mod catalogue;
 mod comparison;

@@ -156,7 +156,8 @@ fn look_at(
     let range = facts.mesh.faces().range(face);
     let corners = facts.mesh.faces().corners();
     let area = facts.area[face] / range.len() as f64;
-    let waiting = if facts.apart.has(face) { apart } else { waiting };
+    let is_apart = facts.apart.has(face);
+    let waiting = if is_apart { apart } else { waiting };
     for corner in range {
         let spot = Spot::corner(face, corner, 0.0);
         let unlit = || spot.of(Gauge::Steps, key_light_lost());
@@ -190,7 +191,9 @@ fn look_at(
             match (kind, Ground::of(facts, corner, unit)) {
                 (Kind::Stray, Some(_)) if off <= LETTER => found.add(Kind::Custom, spot, area),
                 (Kind::Stray, Some(ground)) => waiting.add(ground, spot, area),
-                (Kind::Flipped, Some(_)) if is_alone(facts, face, corner) => found.add(kind, spot, area),
+                (Kind::Flipped, Some(_)) if !is_apart && is_alone(facts, face, corner) => {
+                    found.add(kind, spot, area);
+                }
                 (Kind::Flipped, Some(_)) if off >= 180.0 - SAME && is_negated(facts, face, corner) => {
                     waiting.add_opposite(spot, area);
                 }

@@ -144,6 +144,54 @@ fn what_is_bent_upwards_may_be_meant() {
     }
 }
 
+/// A ball by a rule, but where its normals are changed by where they stand.
+fn ball_changed(change: impl Fn(DVec3, DVec3) -> DVec3) -> Mesh {
+    let cells = Tessellation { pattern: Pattern::Icosphere(3), ..Tessellation::default() };
+    let ball = Surface::from(Sphere::default()).tessellate(&cells).unwrap().with_normals(None);
+    let normals = unshared(&with_normals(ball.clone(), &recipe(Weight::Angle, 180.0)));
+    let place = |corner: usize| ball.positions()[ball.faces().corners()[corner] as usize];
+    let changed = normals.iter().enumerate().map(|(corner, &normal)| change(place(corner), normal));
+    per_corner(&ball, changed.collect())
+}
+
+/// As artists smooth a face: up to 25° off the rule in one place, with an end that is sharp or soft. What is wrong elsewhere is told
+/// all the same.
+#[test]
+fn what_is_bent_in_one_place_may_be_meant() {
+    for from in [0.0, 0.5] {
+        for width in [1e-9, 0.3] {
+            for faults in [0, 12] {
+                let bent = ball_changed(|place, normal| {
+                    let share = ((place.x - from) / width).clamp(0.0, 1.0);
+                    normal.lerp(DVec3::Y, 0.3 * share).normalize()
+                });
+                let mut normals = unshared(&bent);
+                let corners = bent.faces().corners().iter().enumerate();
+                let behind = corners.filter(|&(_, &vertex)| bent.positions()[vertex as usize].x < -0.2);
+                let behind: Vec<usize> = behind.map(|(corner, _)| corner).collect();
+                for k in 0..faults {
+                    normals[behind[k * 71 % behind.len()]] *= -1.0;
+                }
+                let diagnosis = inspect(&per_corner(&bent, normals), 1);
+                let told = if faults > 0 { vec![Kind::Flipped.id()] } else { vec![] };
+                assert_eq!(grave(&diagnosis), told, "{from}, {width}");
+                let count = diagnosis.get(Kind::Flipped).map_or(0, |finding| finding.count);
+                assert_eq!(count, faults as u64, "{from}, {width}");
+                assert!(diagnosis.get(Kind::Custom).is_some(), "{from}, {width}");
+            }
+        }
+    }
+}
+
+/// One normal for all of a region is what programs fill in, and turning a region round leaves its normals as smooth as they were.
+#[test]
+fn what_is_wrong_all_over_a_region_is_a_fault() {
+    let filled = ball_changed(|place, normal| if place.x > 0.3 { DVec3::Z } else { normal });
+    assert!(grave(&inspect(&filled, 1)).contains(&Kind::Stray.id()));
+    let negated = ball_changed(|place, normal| if place.x > 0.3 { -normal } else { normal });
+    assert_eq!(grave(&inspect(&negated, 1)), [Kind::Flipped.id()]);
+}
+
 /// A corner that has by chance, or after a mend, what the best rule gives does not make strays of the others round it.
 #[test]
 fn one_corner_by_the_rule_blames_no_other() {
