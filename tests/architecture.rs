@@ -12,6 +12,7 @@ use std::path::Path;
 /// Every module and its layer. A module uses lower layers only, so modules of one layer do not see each other.
 const LAYERS: &[(&str, u32)] = &[
     ("num", 0),
+    ("text", 0),
     ("mesh", 1),
     ("surface", 2),
     ("io", 2),
@@ -43,6 +44,7 @@ const OUTSIDE: &[(&str, &[&str])] = &[
     ("clap_mangen", &["cli"]),
     ("dashu", &["trade"]),
     ("fast_float2", &["io"]),
+    ("fluent_bundle", &["text"]),
     (
         "glam",
         &[
@@ -61,9 +63,11 @@ const OUTSIDE: &[(&str, &[&str])] = &[
             "trade", "report",
         ],
     ),
+    ("maud", &["report"]),
     ("memchr", &["io"]),
     ("mimalloc", &["cli"]),
     ("png", &["report"]),
+    ("pulldown_latex", &["report"]),
     ("pulp", &["num"]),
     (
         "rayon",
@@ -73,7 +77,7 @@ const OUTSIDE: &[(&str, &[&str])] = &[
         ],
     ),
     ("rustc_hash", &["mesh", "surface", "io", "normals", "quality", "pipeline"]),
-    ("serde", &["io", "shade", "raster", "quality", "metric", "artefact", "trade", "plan", "report", "cli"]),
+    ("serde", &["text", "io", "shade", "raster", "quality", "metric", "artefact", "trade", "plan", "report", "cli"]),
     ("serde_json", &["io", "report", "cli"]),
     ("shlex", &["io"]),
     ("spade", &["mesh", "surface"]),
