@@ -80,4 +80,5 @@ pub mod raster;
 pub mod report;
 pub mod shade;
 pub mod surface;
+pub mod text;
 pub mod trade;

@@ -12,8 +12,8 @@ use std::path::Path;
 /// Every module and its layer. A module uses lower layers only, so modules of one layer do not see each other.
 const LAYERS: &[(&str, u32)] = &[
     ("num", 0),
-    ("text", 0),
     ("mesh", 1),
+    ("text", 1),
     ("surface", 2),
     ("io", 2),
     ("normals", 2),
@@ -77,7 +77,10 @@ const OUTSIDE: &[(&str, &[&str])] = &[
         ],
     ),
     ("rustc_hash", &["mesh", "surface", "io", "normals", "quality", "pipeline"]),
-    ("serde", &["text", "io", "shade", "raster", "quality", "metric", "artefact", "trade", "plan", "report", "cli"]),
+    (
+        "serde",
+        &["text", "io", "shade", "raster", "quality", "metric", "artefact", "trade", "plan", "report", "cli"],
+    ),
     ("serde_json", &["io", "report", "cli"]),
     ("shlex", &["io"]),
     ("spade", &["mesh", "surface"]),

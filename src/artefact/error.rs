@@ -1,11 +1,11 @@
 //! Why an experiment gives nothing.
 
 use super::Knob;
-use super::text::given;
 use crate::mesh::MeshError;
 use crate::metric::MetricError;
 use crate::raster::RenderError;
 use crate::surface::SurfaceError;
+use crate::text::given;
 use std::ops::RangeInclusive;
 
 /// Why there is no outcome.

@@ -57,10 +57,10 @@ mod shared_vertices;
 mod shown;
 mod silhouette;
 mod stage;
-mod text;
 mod triangulation;
 mod vertex_average;
 
+pub use crate::text::{Language, Text};
 pub use error::ArtefactError;
 pub use experiment::{Experiment, Formula};
 pub use moved::{Moved, Threshold};
@@ -68,7 +68,6 @@ pub use outcome::{
     Amount, Chart, Curve, Drawn, Expected, Measure, Outcome, Range, Role, Scale, Shot, Verdict,
 };
 pub use parameters::{Changes, Knob, Parameters, Setup, Taken, UserMesh};
-pub use text::{Language, Text};
 
 /// All experiments, in the order in which they are read.
 pub const EXPERIMENTS: &[Experiment] = &[

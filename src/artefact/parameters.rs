@@ -1,11 +1,11 @@
 //! What may be changed about an experiment.
 
 use super::ArtefactError;
-use super::text::given;
 use crate::mesh::Mesh;
 use crate::normals::Weight;
 use crate::num::Degrees;
 use crate::raster::Interpolation;
+use crate::text::given;
 use serde::{Serialize, Serializer};
 use std::ops::RangeInclusive;
 

@@ -1,8 +1,7 @@
-//! What is said, in both languages at once.
+//! The two languages of captions and pages, and how each writes numbers.
 
 use crate::num::superscript;
 use serde::{Serialize, Serializer};
-use std::borrow::Cow;
 
 /// A language of captions and pages.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -26,7 +25,7 @@ impl Language {
         }
     }
 
-    /// What stands before the decimals of a number.
+    /// The sign between the whole part and the decimals of a number.
     pub fn decimal_mark(self) -> char {
         match self {
             Language::English => '.',
@@ -46,7 +45,7 @@ impl Language {
         self.rounded(x, 6)
     }
 
-    /// A number to three significant digits with its unit, as captions have it.
+    /// A number to three significant digits with its unit, for captions.
     pub fn short(self, x: f64, unit: &str) -> String {
         with_unit(&self.rounded(x, 3), unit)
     }
@@ -56,7 +55,7 @@ impl Language {
         with_unit(&self.number(x), unit)
     }
 
-    /// A number to so many significant digits, but with all of those before the decimal mark.
+    /// A number to this many significant digits; digits before the decimal mark are never dropped.
     fn rounded(self, x: f64, digits: i32) -> String {
         let trimmed = |text: String| match text.contains('.') {
             true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
@@ -81,7 +80,7 @@ impl Language {
     }
 }
 
-/// Degrees stand close to their number, and so does what it is divided by; other units stand apart.
+/// A number and its unit: no space before a degree sign or a division, one before other units.
 fn with_unit(number: &str, unit: &str) -> String {
     if let Some(divisor) = unit.strip_prefix("1/") {
         return format!("{number}/{divisor}");
@@ -90,8 +89,8 @@ fn with_unit(number: &str, unit: &str) -> String {
     format!("{number}{space}{unit}")
 }
 
-/// A number with all its digits, as it would be given again, with an exponent where it would be long.
-pub(super) fn given(x: f64) -> String {
+/// A number with all its digits, as a user would type it, with an exponent where it would be long.
+pub fn given(x: f64) -> String {
     match x.abs() {
         0.0 => "0".into(),
         1e-4..1e7 => x.to_string(),
@@ -102,60 +101,6 @@ pub(super) fn given(x: f64) -> String {
 impl Serialize for Language {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(self.tag())
-    }
-}
-
-/// A text in English and Portuguese. There is no way to make one of a single language, so no caption can lack its
-/// translation; what is the same in both is said to be.
-///
-/// ```
-/// use crease::artefact::{Language, Text};
-///
-/// const LIGHT: Text = Text::new("light", "luz");
-/// assert_eq!(LIGHT.get(Language::Portuguese), "luz");
-/// ```
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Text {
-    en: Cow<'static, str>,
-    pt: Cow<'static, str>,
-}
-
-impl Text {
-    /// Both languages as they are.
-    pub const fn new(en: &'static str, pt: &'static str) -> Self {
-        Self { en: Cow::Borrowed(en), pt: Cow::Borrowed(pt) }
-    }
-
-    /// What both languages write alike: names, symbols.
-    pub const fn same(text: &'static str) -> Self {
-        Self::new(text, text)
-    }
-
-    /// Both languages with numbers in them.
-    pub fn made(en: String, pt: String) -> Self {
-        Self { en: en.into(), pt: pt.into() }
-    }
-
-    /// Both languages with numbers, to three digits, for each `{}` in them.
-    pub(super) fn with(en: &str, pt: &str, numbers: &[f64]) -> Self {
-        let filled = |text: &str, language: Language| {
-            let fill = |text: String, &x: &f64| text.replacen("{}", &language.short(x, ""), 1);
-            numbers.iter().fold(text.to_owned(), fill)
-        };
-        Self::made(filled(en, Language::English), filled(pt, Language::Portuguese))
-    }
-
-    /// Both languages, each by itself.
-    pub fn each(text: impl Fn(Language) -> String) -> Self {
-        Self::made(text(Language::English), text(Language::Portuguese))
-    }
-
-    /// The text in a language.
-    pub fn get(&self, language: Language) -> &str {
-        match language {
-            Language::English => &self.en,
-            Language::Portuguese => &self.pt,
-        }
     }
 }
 
@@ -173,11 +118,6 @@ mod tests {
         assert_eq!(
             ["", "°", "px", "1/R"].map(|unit| Language::English.short(2.5, unit)),
             ["2.5", "2.5°", "2.5 px", "2.5/R"]
-        );
-        let filled = Text::with("{} of {}", "{} de {}", &[-0.123_456, 1234.6]);
-        assert_eq!(
-            Language::ALL.map(|language| filled.get(language).to_owned()),
-            ["−0.123 of 1235", "−0,123 de 1235"]
         );
         assert_eq!(
             [1e308, -0.0, 1e-300, 1e6, 1.0 / 3.0].map(given),
