@@ -3,6 +3,8 @@
 use super::{ArtefactError, Knob, Language, Outcome, Parameters, Role, Setup, Text, Verdict};
 use crate::io::shell_word;
 use crate::raster::Image;
+use crate::text::Catalogue;
+use serde::Serialize;
 use std::ops::RangeInclusive;
 
 /// A claim of a textbook, and how it is put to the test.
@@ -10,22 +12,14 @@ use std::ops::RangeInclusive;
 pub struct Experiment {
     /// Its name: lower-case letters, digits and hyphens. It does not change between versions.
     pub id: &'static str,
-    /// Its title.
-    pub title: Text,
-    /// What is claimed.
-    pub claim: Text,
-    /// Who claims it, and who says otherwise: section or exercise of the lectures, papers.
-    pub sources: &'static [Text],
-    /// The closed forms that it is held against, of its own shapes.
-    pub formulas: &'static [Formula],
+    /// Its texts: `title`, `claim`, `source-N` (section or exercise of the lectures, papers), `formula-N` with `formula-N-says`
+    /// (closed forms, of its own shapes), `own-mesh` (what a user's mesh is examined for, if it takes [`Knob::Mesh`]) and
+    /// `shown-by` (what would show the artefact where the parameters hide it: the end of a sentence).
+    pub(super) texts: &'static Catalogue,
     /// What may be changed about it.
     pub takes: &'static [Knob],
-    /// What a mesh of one's own is looked at for; there if it takes [`Knob::Mesh`].
-    pub own_mesh: Option<Text>,
     /// How many segments it makes sense with, if it takes [`Knob::Segments`].
     pub segments: RangeInclusive<u32>,
-    /// What would show the artefact, where parameters let nothing be seen of it: the end of a sentence.
-    pub shown_by: Text,
     /// Its own settings.
     pub defaults: Parameters,
     /// Runs it.
@@ -42,7 +36,7 @@ pub(super) type FrameFn = fn(&Setup, u32, u32) -> Result<Image, ArtefactError>;
 /// The notation is plain text with a few marks: `{…}` groups, `_` and `^` put the next sign or group below and above,
 /// `\frac{a}{b}` and `\sqrt{a}` are fractions and roots; letters stand for quantities, words of several letters for
 /// functions. It is a text in both languages for the words below quantities and the decimal mark.
-#[derive(Debug)]
+#[derive(Debug, Serialize)]
 pub struct Formula {
     /// The formula.
     pub notation: Text,
@@ -51,6 +45,26 @@ pub struct Formula {
 }
 
 impl Experiment {
+    /// Its title.
+    pub fn title(&self) -> Text {
+        self.texts.get("title")
+    }
+
+    /// The claim that it tests.
+    pub fn claim(&self) -> Text {
+        self.texts.get("claim")
+    }
+
+    /// Who makes the claim and who denies it.
+    pub fn sources(&self) -> Vec<Text> {
+        self.texts.list("source")
+    }
+
+    /// What a user's mesh is examined for; `None` if it takes none.
+    pub fn own_mesh(&self) -> Option<Text> {
+        self.takes.contains(&Knob::Mesh).then(|| self.texts.get("own-mesh"))
+    }
+
     /// Runs the experiment.
     ///
     /// The same setup gives the same bits at any number of threads. Where nothing of the artefact is measured, or no
@@ -67,14 +81,19 @@ impl Experiment {
         let is_shown = shows(&[Role::Bad]) && shows(&[Role::Cured, Role::Attempt]);
         let is_tested = outcome.moved.is_present() && is_shown;
         if !is_tested && !matches!(outcome.verdict, Verdict::Absent(_)) {
-            outcome.verdict = Verdict::Absent(self.shown_by.clone());
+            outcome.verdict = Verdict::Absent(self.texts.get("shown-by"));
         }
         Ok(outcome)
     }
 
-    /// The closed forms of what is looked at: none of a mesh of one's own.
-    pub fn closed_forms(&self, setup: &Setup) -> &'static [Formula] {
-        if setup.mesh.is_some() { &[] } else { self.formulas }
+    /// The closed forms of its shapes; none for a user's mesh.
+    pub fn closed_forms(&self, setup: &Setup) -> Vec<Formula> {
+        let formulas = || self.texts.list("formula").into_iter().enumerate();
+        let says = |index: usize| self.texts.get(&format!("formula-{}-says", index + 1));
+        match setup.mesh {
+            Some(_) => Vec::new(),
+            None => formulas().map(|(index, notation)| Formula { notation, says: says(index) }).collect(),
+        }
     }
 
     /// Whether it has an animation.

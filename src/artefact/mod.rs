@@ -70,21 +70,21 @@ pub use outcome::{
 pub use parameters::{Changes, Knob, Parameters, Setup, Taken, UserMesh};
 
 /// All experiments, in the order in which they are read.
-pub const EXPERIMENTS: &[Experiment] = &[
-    silhouette::EXPERIMENT,
-    mach_bands::EXPERIMENT,
-    orientation::EXPERIMENT,
-    false_smoothing::EXPERIMENT,
-    vertex_average::EXPERIMENT,
-    shared_vertices::EXPERIMENT,
-    perspective_distortion::EXPERIMENT,
-    lost_highlight::EXPERIMENT,
-    flat_validity::EXPERIMENT,
-    attenuation_and_overflow::EXPERIMENT,
-    reflection_models::EXPERIMENT,
-    shading_terminator::EXPERIMENT,
-    triangulation::EXPERIMENT,
-    precision::EXPERIMENT,
+pub static EXPERIMENTS: [&Experiment; 14] = [
+    &silhouette::EXPERIMENT,
+    &mach_bands::EXPERIMENT,
+    &orientation::EXPERIMENT,
+    &false_smoothing::EXPERIMENT,
+    &vertex_average::EXPERIMENT,
+    &shared_vertices::EXPERIMENT,
+    &perspective_distortion::EXPERIMENT,
+    &lost_highlight::EXPERIMENT,
+    &flat_validity::EXPERIMENT,
+    &attenuation_and_overflow::EXPERIMENT,
+    &reflection_models::EXPERIMENT,
+    &shading_terminator::EXPERIMENT,
+    &triangulation::EXPERIMENT,
+    &precision::EXPERIMENT,
 ];
 
 /// The experiment of an id.
@@ -92,7 +92,7 @@ pub const EXPERIMENTS: &[Experiment] = &[
 /// # Errors
 /// [`ArtefactError::Unknown`], with the id that is most like it.
 pub fn experiment(id: &str) -> Result<&'static Experiment, ArtefactError> {
-    EXPERIMENTS.iter().find(|experiment| experiment.id == id).ok_or_else(|| {
+    EXPERIMENTS.into_iter().find(|experiment| experiment.id == id).ok_or_else(|| {
         let shared =
             |other: &str| id.split('-').filter(|word| word.len() > 2 && other.contains(word)).count();
         let nearest = EXPERIMENTS.iter().map(|experiment| experiment.id).max_by_key(|other| shared(other));
@@ -113,11 +113,11 @@ mod tests {
             let is_plain =
                 experiment.id.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-');
             assert!(is_plain && ids.insert(experiment.id), "{}", experiment.id);
-            assert!(!experiment.sources.is_empty() && !experiment.takes.is_empty(), "{}", experiment.id);
+            assert!(!experiment.sources().is_empty() && !experiment.takes.is_empty(), "{}", experiment.id);
             assert_eq!(experiment.defaults.check(), Ok(()), "{}", experiment.id);
             assert!(self::experiment(experiment.id).is_ok());
             let takes_mesh = experiment.takes.contains(&Knob::Mesh);
-            assert_eq!(experiment.own_mesh.is_some(), takes_mesh, "{}", experiment.id);
+            assert_eq!(experiment.own_mesh().is_some(), takes_mesh, "{}", experiment.id);
         }
     }
 

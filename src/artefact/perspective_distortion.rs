@@ -2,51 +2,24 @@
 
 use super::stage::{draw, linear, map, picture, settings};
 use super::{
-    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Language, Measure, Moved, Outcome,
-    Parameters, Scale, Setup, Shot, Text, Threshold, Verdict,
+    ArtefactError, Chart, Curve, Drawn, Experiment, Knob, Language, Measure, Moved, Outcome, Parameters,
+    Scale, Setup, Shot, Text, Threshold, Verdict,
 };
 use crate::mesh::{Faces, Mesh, MeshBuilder};
 use crate::normals::Weight;
 use crate::num::LinearRgb;
 use crate::raster::{Camera, Image, Interpolation, Object, Paint, Projection, Shading, Shape};
 use crate::shade::Material;
+use crate::text::{Catalogue, catalogue};
 use glam::DVec3;
 
-pub(super) const EXPERIMENT: Experiment = Experiment {
+static TEXTS: Catalogue = catalogue!("perspective_distortion");
+
+pub(super) static EXPERIMENT: Experiment = Experiment {
     id: "perspective-distortion",
-    title: Text::new("Perspective distortion", "Distorção de perspectiva"),
-    claim: Text::new(
-        "Interpolating evenly on the picture is wrong under perspective: equal steps on the screen are not equal steps on the \
-         surface.",
-        "Interpolar por igual na imagem é errado em perspectiva: passos iguais na tela não são passos iguais na superfície.",
-    ),
-    sources: &[
-        Text::new("Lectures: 1.5.2.3, 1.6.15, 1.6.47", "Aulas: 1.5.2.3, 1.6.15, 1.6.47"),
-        Text::new(
-            "J. F. Blinn, Hyperbolic interpolation, IEEE CG&A 12(4), 1992",
-            "J. F. Blinn, Hyperbolic interpolation, IEEE CG&A 12(4), 1992 (em inglês)",
-        ),
-    ],
-    formulas: &[
-        Formula {
-            notation: Text::same("s(t) = \\frac{t}{t + ρ (1 − t)}"),
-            says: Text::new(
-                "the place s on the surface that is seen at the place t of the picture, both from 0 to 1; ρ = z_far/z_near",
-                "o lugar s na superfície que se vê no lugar t da imagem, ambos de 0 a 1; ρ = z_longe/z_perto",
-            ),
-        },
-        Formula {
-            notation: Text::same("max |t − s| = \\frac{\\sqrt{ρ} − 1}{\\sqrt{ρ} + 1}"),
-            says: Text::new(
-                "the largest error of even interpolation; ½ step of 255 as soon as ρ > 1.0079 for colours from 0 to 1",
-                "o maior erro da interpolação uniforme; ½ passo de 255 assim que ρ > 1,0079 para cores de 0 a 1",
-            ),
-        },
-    ],
+    texts: &TEXTS,
     takes: &[Knob::Size, Knob::Segments],
-    own_mesh: None,
     segments: Parameters::SEGMENTS,
-    shown_by: Text::new("a deeper wall would show it.", "uma parede mais funda o mostraria."),
     // As many as it takes for half a step of 8 bits.
     defaults: Parameters { segments: 20, ..Parameters::USUAL },
     run,
@@ -81,12 +54,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let in_pieces = error(RATIO, segments, Interpolation::Affine)?;
     let up = Wall::new(RATIO, 1)?.error_up(Interpolation::Affine)?;
     let up_in_pieces = Wall::new(RATIO, segments)?.error_up(Interpolation::Affine)?;
-    let by = || {
-        Text::new(
-            "(√ρ − 1)/(√ρ + 1); the nearest pixel of 4096, and single precision",
-            "(√ρ − 1)/(√ρ + 1); o pixel mais próximo de 4096, e precisão simples",
-        )
-    };
+    let by = || TEXTS.get("nearest-pixel-single");
     let mut measures: Vec<Measure> = RATIOS
         .into_iter()
         .zip(&measured)
@@ -98,99 +66,49 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             Measure::new(name, "", found).expect(law(ratio), TOLERANCE, by())
         })
         .collect();
-    measures.push(
-        Measure::new(Text::new("scanline, ρ = 4", "linha de varredura, ρ = 4"), "", scanline).expect(
-            law(RATIO),
-            TOLERANCE,
-            by(),
-        ),
-    );
-    measures.push(
-        Measure::new(Text::new("perspective-correct, ρ = 4", "correta em perspectiva, ρ = 4"), "", corrected)
-            .expect(
-                0.0,
-                TOLERANCE,
-                Text::new("a/w and 1/w are linear on the picture", "a/w e 1/w são lineares na imagem"),
-            ),
-    );
+    measures.push(Measure::new(TEXTS.get("measure-scanline"), "", scanline).expect(
+        law(RATIO),
+        TOLERANCE,
+        by(),
+    ));
+    measures.push(Measure::new(TEXTS.get("measure-perspective-correct"), "", corrected).expect(
+        0.0,
+        TOLERANCE,
+        TEXTS.get("by-w-w-linear"),
+    ));
     measures.push(
         Measure::new(
-            Text::made(
-                format!("affine, {segments} × {segments} pieces"),
-                format!("afim, {segments} × {segments} pedaços"),
-            ),
+            TEXTS.with("measure-affine-segments-segments", &[("segments", segments.into())]),
             "",
             in_pieces,
         )
-        .expect(
-            pieces_law(RATIO, segments),
-            TOLERANCE,
-            Text::new(
-                "the nearest piece has the largest depth ratio, 1 + (ρ − 1)/n; its error over n",
-                "o pedaço mais próximo tem a maior razão de profundidades, 1 + (ρ − 1)/n; o seu erro sobre n",
-            ),
-        ),
+        .expect(pieces_law(RATIO, segments), TOLERANCE, TEXTS.get("by-nearest-piece-largest")),
     );
     for (pieces, found) in [(1, up), (segments, up_in_pieces)] {
         measures.push(
-            Measure::new(
-                Text::made(
-                    format!("affine, {pieces} × {pieces} pieces: place up"),
-                    format!("afim, {pieces} × {pieces} pedaços: lugar na altura"),
-                ),
-                "",
-                found,
-            )
-            .at_most(
-                pieces_law(RATIO, pieces) + TOLERANCE,
-                Text::new(
-                    "as much as across, on the diagonal of a piece; pixels lie beside it",
-                    "tanto quanto na largura, na diagonal de um pedaço; os pixels ficam ao lado dela",
-                ),
-            ),
+            Measure::new(TEXTS.with("measure-affine-pieces-pieces", &[("pieces", pieces.into())]), "", found)
+                .at_most(pieces_law(RATIO, pieces) + TOLERANCE, TEXTS.get("by-much-across-diagonal")),
         );
     }
     let bad = measured[3];
     let moved = Moved {
-        name: Text::new("largest error of the place across", "maior erro do lugar na largura"),
+        name: TEXTS.get("moved"),
         unit: "",
         bad,
         present: Threshold::HALF_STEP,
-        cure: Text::new("perspective-correct interpolation", "interpolação correta em perspectiva"),
+        cure: TEXTS.get("cure"),
         cured: corrected,
         factor: 1000.0,
     };
     let cut_up = Moved { cured: in_pieces, ..moved.clone() };
     let shots = shots([&moved, &cut_up], [&affine, &right, &cut], segments);
     Ok(Outcome {
-        verdict: Verdict::HoldsOnlyIf(Text::new(
-            "the depths of a triangle's corners differ under a central projection. In a parallel projection, or facing the viewer, \
-             both ways are the same; and an error below half a step of 255 is not seen: depths within 0.8 % for colours from \
-             0 to 1.",
-            "as profundidades dos cantos de um triângulo diferem sob projeção central. Em projeção paralela, ou de frente para o \
-             observador, os dois modos são o mesmo; e um erro menor que meio passo de 255 não se vê: profundidades a menos de \
-             0,8 % para cores de 0 a 1.",
-        )),
+        verdict: Verdict::HoldsOnlyIf(TEXTS.get("holds-only-if-depths-triangle-corners")),
         moved,
         charts: vec![error_chart(&measured, law), place_chart(law_place)],
         measures,
         shots,
-        notes: vec![
-            Text::new(
-                "The board is not an image pasted on: two numbers are interpolated between the four corners of one face, the \
-                 places across and up, and a square's colour is read off them. Whatever is interpolated, colours and normals too, \
-                 goes wrong alike.",
-                "O tabuleiro não é uma imagem colada: dois números são interpolados entre os quatro cantos de uma face, os \
-                 lugares na largura e na altura, e deles se tira a cor de cada quadrado. O que quer que se interpole, também cores e \
-                 normais, erra do mesmo modo.",
-            ),
-            Text::new(
-                "Cut into more pieces both ways, each is smaller and has a smaller depth ratio: the error falls with the square of \
-                 their number along a side. Dividing by depth makes it vanish.",
-                "Cortada em mais pedaços nos dois sentidos, cada um é menor e tem razão de profundidades menor: o erro cai com o \
-                 quadrado do número deles ao longo de um lado. Dividir pela profundidade o faz sumir.",
-            ),
-        ],
+        notes: vec![TEXTS.get("note-board-not-image"), TEXTS.get("note-cut-into-more")],
     })
 }
 
@@ -314,63 +232,41 @@ fn shots([moved, cut_up]: [&Moved; 2], [affine, right, cut]: [&Image; 3], pieces
     vec![
         moved.bad_shot(
             "affine",
-            Text::new("affine", "afim"),
+            TEXTS.get("affine-title"),
             [
-                Text::new(
-                    "A wall that runs away to the right, to four times the depth.",
-                    "Uma parede que se afasta para a direita, até quatro vezes a profundidade.",
-                ),
-                Text::new(
-                    "Interpolated on the picture, squares bend at the diagonal and are as wide far away as near.",
-                    "Interpolados na imagem, os quadrados quebram na diagonal e são tão largos longe quanto perto.",
-                ),
+                TEXTS.get("affine-caption-wall-runs-away"),
+                TEXTS.get("affine-caption-interpolated-picture-squares"),
             ],
             board(affine),
         ),
         moved.cured_shot(
             "perspective",
-            Text::new("perspective-correct", "correta em perspectiva"),
+            TEXTS.get("perspective-title"),
             [
-                Text::new("The same face interpolated in the scene.", "A mesma face interpolada na cena."),
-                Text::new(
-                    "Squares become smaller with their distance.",
-                    "Os quadrados diminuem com a distância.",
-                ),
+                TEXTS.get("perspective-caption-same-face-interpolated"),
+                TEXTS.get("perspective-caption-squares-become-smaller"),
             ],
             board(right),
         ),
         cut_up.cured_shot(
             "pieces",
-            Text::new("affine, in pieces", "afim, em pedaços"),
+            TEXTS.get("pieces-title"),
             [
-                Text::made(
-                    format!("Affine again, but the wall is cut into {pieces} × {pieces} pieces."),
-                    format!("De novo afim, mas com a parede cortada em {pieces} × {pieces} pedaços."),
-                ),
-                Text::new(
-                    "Each errs so little that nothing of it is seen.",
-                    "Cada um erra tão pouco que nada disso se vê.",
-                ),
+                TEXTS.with("pieces-caption-affine-again-but", &[("pieces", pieces.into())]),
+                TEXTS.get("pieces-caption-each-errs-little"),
             ],
             board(cut),
         ),
         Shot::difference(
             "error",
-            Text::new("error of the affine one", "erro da afim"),
-            Text::new(
-                "How far the affine place is from the true one, across or up, whichever is more: yellow is 0.35 of the wall.",
-                "Quanto o lugar afim dista do verdadeiro, na largura ou na altura, o que for maior: amarelo é 0,35 da parede.",
-            ),
+            TEXTS.get("error-title"),
+            TEXTS.get("error-caption-how-far-affine"),
             off(affine),
         ),
         Shot::difference(
             "error-pieces",
-            Text::new("error in pieces", "erro em pedaços"),
-            Text::with(
-                "The same scale for the wall in pieces: {} at most.",
-                "A mesma escala para a parede em pedaços: no máximo {}.",
-                &[cut_up.cured],
-            ),
+            TEXTS.get("error-pieces-title"),
+            TEXTS.with("error-pieces-caption-same-scale-wall", &[("cured", cut_up.cured.into())]),
             off(cut),
         ),
     ]
@@ -380,24 +276,18 @@ fn error_chart(measured: &[f64], law: impl Fn(f64) -> f64) -> Chart {
     let ratios = (0..=60).map(|k| libm::exp10(f64::from(k) / 60.0));
     Chart {
         name: "largest-error",
-        title: Text::new(
-            "Largest error against the depth ratio",
-            "Maior erro em função da razão de profundidades",
-        ),
-        caption: Text::new(
-            "Measured errors lie on the curve (√ρ − 1)/(√ρ + 1): a third of the length at ρ = 4, half at 9.",
-            "Os erros medidos estão na curva (√ρ − 1)/(√ρ + 1): um terço do comprimento em ρ = 4, metade em 9.",
-        ),
-        x: Scale::log(Text::new("depth ratio ρ", "razão de profundidades ρ")),
-        y: Scale::linear(Text::new("largest |t − s|", "maior |t − s|")),
+        title: TEXTS.get("chart-title"),
+        caption: TEXTS.get("chart-caption"),
+        x: Scale::log(TEXTS.get("axis-depth-ratio")),
+        y: Scale::linear(TEXTS.get("axis-largest-t-s")),
         curves: vec![
             Curve {
-                name: Text::new("measured", "medido"),
+                name: TEXTS.get("curve-measured"),
                 drawn: Drawn::Points,
                 points: RATIOS.into_iter().zip(measured).map(|(ratio, &error)| [ratio, error]).collect(),
             },
             Curve {
-                name: Text::new("closed form", "fórmula"),
+                name: TEXTS.get("curve-closed-form"),
                 drawn: Drawn::Guide,
                 points: ratios.map(|ratio| [ratio, law(ratio)]).collect(),
             },
@@ -413,16 +303,10 @@ fn place_chart(place: impl Fn(f64, f64) -> f64) -> Chart {
     };
     Chart {
         name: "place",
-        title: Text::new(
-            "Place on the surface against place on the picture",
-            "Lugar na superfície em função do lugar na imagem",
-        ),
-        caption: Text::new(
-            "Even interpolation takes the straight line; what ought to be seen lies on the curves.",
-            "A interpolação uniforme toma a reta; o que se deveria ver está nas curvas.",
-        ),
-        x: Scale::linear(Text::new("t on the picture", "t na imagem")),
-        y: Scale::linear(Text::new("s on the surface", "s na superfície")),
+        title: TEXTS.get("chart-title-place-surface-against"),
+        caption: TEXTS.get("chart-caption-even-interpolation-takes"),
+        x: Scale::linear(TEXTS.get("axis-t-picture")),
+        y: Scale::linear(TEXTS.get("axis-s-surface")),
         curves: [1.0, 2.0, 4.0, 10.0].map(curve).to_vec(),
     }
 }

@@ -2,62 +2,25 @@
 
 use super::stage::{chalk, draw, front, light_at, linear, luminance, object, settings};
 use super::{
-    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters,
-    Scale, Setup, Shot, Text, Threshold, Verdict,
+    ArtefactError, Chart, Curve, Drawn, Experiment, Knob, Measure, Moved, Outcome, Parameters, Scale, Setup,
+    Shot, Threshold, Verdict,
 };
 use crate::mesh::{Faces, Mesh, MeshBuilder, Weld};
 use crate::normals::{Crease, NormalRecipe, Weight, compute};
 use crate::num::{Degrees, LinearRgb, Radians};
 use crate::raster::{Image, Interpolation, Object, Paint, RenderSettings, Samples, Shading, Shape};
 use crate::shade::Material;
+use crate::text::{Catalogue, catalogue};
 use glam::DVec3;
 use std::f64::consts::TAU;
 
-pub(super) const EXPERIMENT: Experiment = Experiment {
+static TEXTS: Catalogue = catalogue!("shared_vertices");
+
+pub(super) static EXPERIMENT: Experiment = Experiment {
     id: "shared-vertices",
-    title: Text::new("Vertices that are not shared", "Vértices não compartilhados"),
-    claim: Text::new(
-        "Where faces meet without sharing their vertices, interpolated shading has discontinuities.",
-        "Onde faces se encontram sem compartilhar os vértices, o sombreamento interpolado tem descontinuidades.",
-    ),
-    sources: &[
-        Text::new("Lectures: 1.5.2.3, 1.6.15, 1.6.47", "Aulas: 1.5.2.3, 1.6.15, 1.6.47"),
-        Text::new("Welding as the cure: crease normals --weld", "A solda como cura: crease normals --weld"),
-    ],
-    formulas: &[
-        Formula {
-            notation: Text::same("ΔI = |c − ((1 − t) a + t b)|"),
-            says: Text::new(
-                "the jump at a vertex of colour c that lies at the share t of an edge with the colours a and b at its ends",
-                "o salto num vértice de cor c que está na fração t de uma aresta com as cores a e b nas pontas",
-            ),
-        },
-        Formula {
-            notation: Text::same("ΔI = 2 |sin(θ − θ_L)| sin(Δ/2)"),
-            says: Text::new(
-                "the jump along an unwelded seam, at the angle θ from the viewer, of a tube of N facets, Δ = 2π/N, with the light at θ_L: \
-                 each side has the normal of its own facet; here θ = 0",
-                "o salto ao longo de uma emenda não soldada, no ângulo θ a partir do observador, de um tubo de N facetas, Δ = 2π/N, com a \
-                 luz em θ_L: cada lado tem a normal da sua faceta; aqui θ = 0",
-            ),
-        },
-        Formula {
-            notation: Text::same("A = \\frac{1}{2} L δ"),
-            says: Text::new(
-                "the area of the crack beside an edge of length L that a vertex is off by δ",
-                "a área da fenda ao lado de uma aresta de comprimento L da qual um vértice dista δ",
-            ),
-        },
-    ],
+    texts: &TEXTS,
     takes: &[Knob::Size, Knob::Segments, Knob::Light],
-    own_mesh: None,
     segments: Parameters::SEGMENTS,
-    shown_by: Text::new(
-        "light that comes from the side of the seam (--light 50), and fewer segments, would show it there; the T-junction and the \
-         crack are seen in any light.",
-        "luz que vem do lado da emenda (--light 50), e menos segmentos, o mostrariam ali; a junção em T e a fenda se veem sob \
-         qualquer luz.",
-    ),
     defaults: Parameters { segments: 16, light: Degrees(50.0), ..Parameters::USUAL },
     run,
     frame: None,
@@ -94,65 +57,48 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let (seam_open, seam_welded) = (seam_open?, seam_welded?);
 
     let measures = vec![
-        Measure::new(Text::new("T-junction: largest jump across the edge", "junção em T: maior salto através da aresta"), "", jump).expect(
+        Measure::new(TEXTS.get("measure-t-junction-largest"), "", jump).expect(
             law,
             1e-3,
-            Text::new(
-                "|c − ((1 − t)a + tb)|; the vertex lies on the row of pixels that is measured, within 1/256 of a pixel",
-                "|c − ((1 − t)a + tb)|; o vértice está na linha de pixels medida, a menos de 1/256 de pixel",
-            ),
+            TEXTS.get("by-c-t-tb"),
         ),
-        Measure::new(
-            Text::new("the same with the vertex in both faces", "o mesmo com o vértice nas duas faces"),
-            "",
-            mended,
-        )
-        .expect(law * beside / (HALF * f64::from(size) / 2.0), 2e-4, Text::new(
-            "on the edge none; a pixel's centre beside it, the large face is on its way to the colour of its far edge",
-            "na aresta nenhum; no centro do pixel ao lado, a face grande está a caminho da cor da sua aresta oposta",
-        )),
-        Measure::new(Text::new("crack: area not covered", "fenda: área não coberta"), "px²", crack).expect(
+        Measure::new(TEXTS.get("measure-same-vertex-both"), "", mended).expect(
+            law * beside / (HALF * f64::from(size) / 2.0),
+            2e-4,
+            TEXTS.get("by-edge-none-pixel"),
+        ),
+        Measure::new(TEXTS.get("measure-crack-area-not"), "px²", crack).expect(
             0.5 * edge * OFF,
             edge / 16.0 + 2.0,
-            Text::new(
-                "Lδ/2; a sixteenth of a pixel for every pixel of its length, and one at either end",
-                "Lδ/2; um dezesseis avos de pixel por pixel do comprimento, e um em cada ponta",
-            ),
+            TEXTS.get("by-l-sixteenth-pixel"),
         ),
-        Measure::new(
-            Text::new("the same with the vertex in both faces", "o mesmo com o vértice nas duas faces"),
-            "px²",
-            closed,
-        )
-        .expect(0.0, 0.0, Text::new(
-            "faces that share an edge cover each sample once",
-            "faces que compartilham uma aresta cobrem cada amostra uma vez",
-        )),
-        Measure::new(Text::new("seam: jump of luminance", "emenda: salto de luminância"), "", seam_open).expect(
+        Measure::new(TEXTS.get("measure-same-vertex-both"), "px²", closed).expect(
+            0.0,
+            0.0,
+            TEXTS.get("by-faces-share-edge"),
+        ),
+        Measure::new(TEXTS.get("measure-seam-jump-luminance"), "", seam_open).expect(
             seam_law,
             2e-3,
-            Text::new(
-                "2 |sin(θ − θ_L)| sin(Δ/2); measured a pixel and a half off the seam on both sides",
-                "2 |sin(θ − θ_L)| sin(Δ/2); medido a um pixel e meio da emenda dos dois lados",
-            ),
+            TEXTS.get("by-sin-l-sin"),
         ),
-        Measure::new(Text::new("seam, welded", "emenda soldada"), "", seam_welded).expect(
+        Measure::new(TEXTS.get("measure-seam-welded"), "", seam_welded).expect(
             0.0,
             2e-3,
-            Text::new("one normal a vertex; as above", "uma normal por vértice; como acima"),
+            TEXTS.get("by-normal-vertex-above"),
         ),
     ];
     let seam = Moved {
-        name: Text::new("jump of luminance across the seam", "salto de luminância através da emenda"),
+        name: TEXTS.get("moved"),
         unit: "",
         bad: seam_open,
         present: Threshold::HALF_STEP,
-        cure: Text::new("welded", "soldado"),
+        cure: TEXTS.get("cure"),
         cured: seam_welded,
         factor: 100.0,
     };
     let t_junction = Moved {
-        name: Text::new("largest jump across the edge", "maior salto através da aresta"),
+        name: TEXTS.get("moved-largest-jump-across"),
         bad: jump,
         cured: mended,
         // Beside the edge the large face has gone half a pixel towards its far edge: or a whole one: of the smallest picture a fourteenth.
@@ -160,20 +106,15 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         ..seam.clone()
     };
     let crack = Moved {
-        name: Text::new("area that is not covered", "área não coberta"),
+        name: TEXTS.get("moved-area-not-covered"),
         unit: "px²",
         bad: crack,
-        present: Threshold { value: 0.5, why: Text::new("half of one pixel", "metade de um pixel") },
+        present: Threshold { value: 0.5, why: TEXTS.get("why-half-pixel") },
         cured: closed,
         ..seam.clone()
     };
     Ok(Outcome {
-        verdict: Verdict::HoldsOnlyIf(Text::new(
-            "the colour or normal that one side has at a vertex is not what the other side interpolates there. A T-junction in a \
-             flat, evenly lit wall is not seen, and neither is a seam whose sides have the same normals.",
-            "a cor ou normal que um lado tem num vértice não é a que o outro lado interpola ali. Uma junção em T numa parede \
-             plana e iluminada por igual não se vê, nem uma emenda cujos lados têm as mesmas normais.",
-        )),
+        verdict: Verdict::HoldsOnlyIf(TEXTS.get("holds-only-if-colour-or-normal")),
         charts: vec![chart(&wall, &bad, &cured)],
         shots: shots(
             [&t_junction, &crack, &seam],
@@ -183,24 +124,9 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         moved: seam,
         measures,
         notes: vec![
-            Text::new(
-                "The vertex on the long edge belongs to the two small faces only. The large face knows nothing of its colour and \
-                 interpolates straight past it: beside it the two sides differ.",
-                "O vértice na aresta longa pertence só às duas faces pequenas. A face grande nada sabe da sua cor e interpola \
-                 direto por ele: ao seu lado, os dois lados diferem.",
-            ),
-            Text::new(
-                "Moved off the edge, as rounding does, it leaves a crack, through which the background shows. Put into the large \
-                 face as a corner of its own, it cures both.",
-                "Movido para fora da aresta, como faz o arredondamento, ele deixa uma fenda, pela qual se vê o fundo. Posto na \
-                 face grande como um canto seu, ele cura os dois.",
-            ),
-            Text::new(
-                "Along a seam two rows of vertices lie at the same places. Normals are means over the faces at a vertex, and each \
-                 row has the faces of one side only. Welding takes vertices at one place as one.",
-                "Numa emenda, duas fileiras de vértices estão nos mesmos lugares. Normais são médias das faces num vértice, e cada \
-                 fileira só tem as faces de um lado. A solda toma como um só os vértices no mesmo lugar.",
-            ),
+            TEXTS.get("note-vertex-long-edge"),
+            TEXTS.get("note-moved-off-edge"),
+            TEXTS.get("note-along-seam-rows"),
         ],
     })
 }
@@ -352,85 +278,58 @@ fn shots(
     vec![
         t_junction.bad_shot(
             "t-junction",
-            Text::new("T-junction", "junção em T"),
+            TEXTS.get("t-junction-title"),
             [
-                Text::new(
-                    "Three faces whose corners' colours depend on their height alone. The small ones at the right are brightest at their common \
-                     vertex, which the large one lacks.",
-                    "Três faces cujas cores nos cantos só dependem da altura deles. As pequenas à direita são mais claras no vértice comum, que falta à \
-                     grande.",
-                ),
-                Text::new("An edge is seen in the middle.", "Vê-se uma aresta no meio."),
+                TEXTS.get("t-junction-caption-three-faces-corners"),
+                TEXTS.get("t-junction-caption-edge-seen-middle"),
             ],
             bad,
         ),
         t_junction.cured_shot(
             "t-junction-shared",
-            Text::new("vertex in all faces", "vértice em todas as faces"),
+            TEXTS.get("t-junction-shared-title"),
             [
-                Text::new(
-                    "The vertex is a corner of the large face too.",
-                    "O vértice é também um canto da face grande.",
-                ),
-                Text::new(
-                    "There is no jump at the edge any more, only a bend of the slope.",
-                    "Não há mais salto na aresta, só uma quebra da inclinação.",
-                ),
+                TEXTS.get("t-junction-shared-caption-vertex-corner-large"),
+                TEXTS.get("t-junction-shared-caption-no-jump-edge"),
             ],
             cured,
         ),
         crack.bad_shot(
             "crack",
-            Text::new("crack", "fenda"),
+            TEXTS.get("crack-title"),
             [
-                Text::with(
-                    "The vertex δ = {} px off the long edge of L = {} px.",
-                    "O vértice a δ = {} px da aresta longa, de L = {} px.",
-                    &[OFF, edge],
-                ),
-                Text::new(
-                    "The background shows through a dark crack.",
-                    "O fundo aparece por uma fenda escura.",
-                ),
+                TEXTS.with("crack-caption-vertex-off-px", &[("off", OFF.into()), ("edge", edge.into())]),
+                TEXTS.get("crack-caption-background-shows-through"),
             ],
             cracked,
         ),
         crack.cured_shot(
             "crack-closed",
-            Text::new("crack closed", "fenda fechada"),
+            TEXTS.get("crack-closed-title"),
             [
-                Text::new(
-                    "The same vertex as a corner of all three faces.",
-                    "O mesmo vértice como canto das três faces.",
-                ),
-                Text::new("No sample is left open.", "Nenhuma amostra fica aberta."),
+                TEXTS.get("crack-closed-caption-same-vertex-corner"),
+                TEXTS.get("crack-closed-caption-no-sample-left"),
             ],
             whole,
         ),
         seam.bad_shot(
             "seam",
-            Text::new("seam", "emenda"),
+            TEXTS.get("seam-title"),
             [
-                Text::with(
-                    "A tube of N = {} facets, the light at θ_L = {}°. Its first and last column of vertices are at the same places (θ = 0) \
-                     but not the same.",
-                    "Um tubo de N = {} facetas, a luz em θ_L = {}°. A sua primeira e a sua última coluna de vértices estão nos mesmos lugares \
-                     (θ = 0) mas não são as mesmas.",
-                    &[facets, light],
+                TEXTS.with(
+                    "seam-caption-tube-n-facets",
+                    &[("facets", facets.into()), ("light", light.into())],
                 ),
-                Text::new("There is a line down its middle.", "Há uma linha no seu meio."),
+                TEXTS.get("seam-caption-line-down-middle"),
             ],
             open,
         ),
         seam.cured_shot(
             "seam-welded",
-            Text::new("seam welded", "emenda soldada"),
+            TEXTS.get("seam-welded-title"),
             [
-                Text::new(
-                    "Welded, so that normals are means over the faces of both sides.",
-                    "Soldado, e as normais são médias das faces dos dois lados.",
-                ),
-                Text::new("The line is gone.", "A linha sumiu."),
+                TEXTS.get("seam-welded-caption-welded-normals-means"),
+                TEXTS.get("seam-welded-caption-line-gone"),
             ],
             welded,
         ),
@@ -446,17 +345,11 @@ fn chart(wall: &Wall, bad: &Image, cured: &Image) -> Chart {
     };
     Chart {
         name: "jump",
-        title: Text::new("Jump across the long edge", "Salto através da aresta longa"),
-        caption: Text::new(
-            "The jump grows from both ends of the edge to the vertex that the large face lacks; shared, there is none.",
-            "O salto cresce das duas pontas da aresta até o vértice que falta à face grande; compartilhado, não há salto.",
-        ),
-        x: Scale::linear(Text::new("height along the edge", "altura ao longo da aresta")),
-        y: Scale::linear(Text::new("jump of luminance", "salto de luminância")),
-        curves: vec![
-            curve(Text::new("T-junction", "junção em T"), bad),
-            curve(Text::new("vertex shared", "vértice compartilhado"), cured),
-        ],
+        title: TEXTS.get("chart-title"),
+        caption: TEXTS.get("chart-caption"),
+        x: Scale::linear(TEXTS.get("axis-height-along-edge")),
+        y: Scale::linear(TEXTS.get("axis-jump-luminance")),
+        curves: vec![curve(TEXTS.get("t-junction-title"), bad), curve(TEXTS.get("vertex-shared"), cured)],
     }
 }
 

@@ -3,6 +3,9 @@
 use super::stage::linear;
 use super::{Amount, Moved, Role, Shot, Text, Threshold};
 use crate::raster::Image;
+use crate::text::{Catalogue, catalogue};
+
+static TEXTS: Catalogue = catalogue!("shown");
 
 impl Moved {
     /// A picture that is there for the artefact: `drawn` is what is drawn in it whatever came of it, `seen` what there is to see
@@ -15,8 +18,8 @@ impl Moved {
         image: Image,
     ) -> Shot {
         let (role, told) = match (is_lit(&image), self.is_present()) {
-            (false, _) => (Role::Absent, NOTHING_LIT),
-            (true, false) => (Role::Absent, NO_ARTEFACT),
+            (false, _) => (Role::Absent, TEXTS.get("nothing-lit-here")),
+            (true, false) => (Role::Absent, TEXTS.get("nothing-artefact-measured")),
             (true, true) => (Role::Bad, seen),
         };
         self.shot(name, role, label, [drawn, told], self.bad, image)
@@ -31,7 +34,7 @@ impl Moved {
         image: Image,
     ) -> Shot {
         let (role, told) = match (is_lit(&image), self.is_present(), self.is_cured()) {
-            (false, ..) => (Role::Absent, NOTHING_LIT),
+            (false, ..) => (Role::Absent, TEXTS.get("nothing-lit-here")),
             (true, false, _) => (Role::Absent, self.nothing_to_cure()),
             (true, true, true) => (Role::Cured, seen),
             (true, true, false) => (Role::Attempt, self.too_little()),
@@ -60,36 +63,17 @@ impl Moved {
     }
 
     fn nothing_to_cure(&self) -> Text {
-        let without = self.with_unit(self.bad);
-        Text::each(|language| {
-            let without = without.get(language);
-            Text::new(
-                "There was nothing to cure here, {} without it.",
-                "Não havia o que curar aqui, {} sem a cura.",
-            )
-            .get(language)
-            .replace("{}", without)
-        })
+        TEXTS.with("nothing-cure-here", &[("without", self.with_unit(self.bad).into())])
     }
 
     fn too_little(&self) -> Text {
-        let without = self.with_unit(self.bad);
-        Text::each(|language| {
-            let without = without.get(language);
-            Text::new("It does too little here, {} without it.", "Aqui isso não basta, {} sem isso.")
-                .get(language)
-                .replace("{}", without)
-        })
+        TEXTS.with("does-too-little", &[("without", self.with_unit(self.bad).into())])
     }
 
     fn with_unit(&self, value: f64) -> Text {
         Text::each(|language| language.short(self.told(value), self.unit))
     }
 }
-
-const NOTHING_LIT: Text = Text::new("Nothing is lit here.", "Nada está iluminado aqui.");
-const NO_ARTEFACT: Text =
-    Text::new("Nothing of the artefact is measured here.", "Nada do artefato se mede aqui.");
 
 /// Whether anything that is covered is brighter than half a step of 8 bits.
 fn is_lit(image: &Image) -> bool {

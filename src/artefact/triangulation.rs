@@ -3,66 +3,25 @@
 use super::body::{Body, Diagonal};
 use super::stage::{BACKGROUND, chalk, differences, draw, front, light_at, linear, map, picture, settings};
 use super::{
-    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters,
-    Scale, Setup, Shot, Text, Threshold, Verdict,
+    ArtefactError, Chart, Curve, Drawn, Experiment, Knob, Measure, Moved, Outcome, Parameters, Scale, Setup,
+    Shot, Text, Threshold, Verdict,
 };
 use crate::metric::image_error;
 use crate::num::{Degrees, LinearRgb, Radians};
 use crate::raster::{Image, Interpolation, Object, Paint, Shading};
+use crate::text::{Catalogue, catalogue};
 use glam::DVec3;
 use std::borrow::Cow;
 use std::f64::consts::TAU;
 
-pub(super) const EXPERIMENT: Experiment = Experiment {
+static TEXTS: Catalogue = catalogue!("triangulation");
+
+pub(super) static EXPERIMENT: Experiment = Experiment {
     id: "triangulation",
-    title: Text::new("Different diagonals", "Diagonais diferentes"),
-    claim: Text::new(
-        "Linear interpolation gives different results for different triangulations of the same polygon.",
-        "A interpolação linear dá resultados distintos para diferentes triangulações do mesmo polígono.",
-    ),
-    sources: &[
-        Text::new(
-            "Ting 2008: “resultados distintos para diferentes triangulações” (different results for different triangulations)",
-            "Ting 2008: “resultados distintos para diferentes triangulações”",
-        ),
-        Text::new(
-            "Lectures: exercise 1.6.25, whose diamond is used",
-            "Aulas: exercício 1.6.25, cujo losango é usado",
-        ),
-    ],
-    formulas: &[
-        Formula {
-            notation: Text::same("c_{13} = \\frac{c_1 + c_3}{2}, \\quad c_{24} = \\frac{c_2 + c_4}{2}"),
-            says: Text::new(
-                "the colour in the middle of the diamond, cut from corner 1 (right) to 3 (left) or from 2 (above) to 4 (below)",
-                "a cor no meio do losango, cortado do canto 1 (direito) ao 3 (esquerdo) ou do 2 (acima) ao 4 (abaixo)",
-            ),
-        },
-        Formula {
-            notation: Text::same("c = \\frac{c_1 + c_2 + c_3 + c_4}{4}"),
-            says: Text::new(
-                "with a vertex of the mean colour in the middle, whichever way it is cut",
-                "com um vértice da cor média no meio, seja como for cortado",
-            ),
-        },
-        Formula {
-            notation: Text::same("|ΔI| = O(h^2)"),
-            says: Text::new(
-                "on a smooth surface the two diagonals of a square of side h differ in the middle by h²/2 times the mixed second \
-                 derivative, and less elsewhere",
-                "numa superfície lisa as duas diagonais de um quadrado de lado h diferem no meio por h²/2 vezes a derivada segunda \
-                 mista, e menos no resto",
-            ),
-        },
-    ],
+    texts: &TEXTS,
     takes: &[Knob::Size, Knob::Segments, Knob::Light],
-    own_mesh: None,
     // More, and four times as many in the cured picture, would be hardly larger than pixels.
     segments: 3..=256,
-    shown_by: Text::new(
-        "fewer squares (--segments), and light from the side, would show it on the waves; the diamond shows it in any light.",
-        "menos quadrados (--segments), e luz de lado, o mostrariam nas ondas; o losango o mostra sob qualquer luz.",
-    ),
     defaults: Parameters { segments: 12, light: Degrees(50.0), ..Parameters::USUAL },
     run,
     frame: None,
@@ -124,10 +83,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             measures.push(Measure::new(Text::made(text(0), text(1)), "", centre(image)[axis]).expect(
                 mean(corners)[axis],
                 tolerance,
-                Text::new(
-                    "the mean of these corners; half a pixel's diagonal",
-                    "a média desses cantos; meia diagonal de pixel",
-                ),
+                TEXTS.get("by-mean-these-corners"),
             ));
         }
     }
@@ -136,34 +92,17 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let order = order(&orders, light, size);
     let is_square = order.as_ref().is_some_and(|order| order.agrees() == Some(true));
     measures.extend(order);
+    measures.push(Measure::new(TEXTS.get("measure-diamond-largest-difference"), "", blue));
+    measures.push(Measure::new(TEXTS.get("measure-waves-gouraud-difference"), "", apart(&rising, &falling)?));
     measures.push(Measure::new(
-        Text::new("diamond: largest difference of the middle", "losango: maior diferença do meio"),
-        "",
-        blue,
-    ));
-    measures.push(Measure::new(
-        Text::new(
-            "waves, Gouraud: difference of the diagonals (rms)",
-            "ondas, Gouraud: diferença das diagonais (rms)",
-        ),
-        "",
-        apart(&rising, &falling)?,
-    ));
-    measures.push(Measure::new(
-        Text::new(
-            "waves, Phong: difference of the diagonals (rms)",
-            "ondas, Phong: diferença das diagonais (rms)",
-        ),
+        TEXTS.get("measure-waves-phong-difference"),
         "",
         apart(&phong, &phong_falling)?,
     ));
     let full = 0.3;
     let difference = map([size; 2], &differences(&rising, &falling), full);
     let waves = Moved {
-        name: Text::new(
-            "light on the waves, off that of the surface itself (rms)",
-            "luz nas ondas, diferença à da própria superfície (rms)",
-        ),
+        name: TEXTS.get("moved"),
         unit: "",
         bad: apart(&rising, &exact)?,
         present: Threshold::HALF_STEP,
@@ -196,10 +135,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let of_all = mean(&[0, 1, 2, 3]);
     let from_mean = |image: &Image| (0..3).map(|k| (centre(image)[k] - of_all[k]).abs()).fold(0.0, f64::max);
     let diamond = Moved {
-        name: Text::new(
-            "colour of the middle, off the mean of all corners",
-            "cor do meio, diferença à média de todos os cantos",
-        ),
+        name: TEXTS.get("moved-colour-middle-off"),
         bad: from_mean(&across),
         cured: from_mean(&fan),
         // From 0.2 to what half a pixel's diagonal makes of it, an eighth of that in the smallest picture.
@@ -208,107 +144,71 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     };
     let off = |image: &Image| Moved { bad: from_mean(image), ..diamond.clone() };
     Ok(Outcome {
-        verdict: Verdict::Holds(Text::new(
-            "wherever the corners' values do not lie in one plane. The colours of triangles do not change as the polygon is turned, but \
-             how it is cut shows; on smooth surfaces the difference falls as the square of the facets' size.",
-            "sempre que os valores dos cantos não estão num plano. As cores dos triângulos não mudam quando o polígono gira, mas o seu \
-             corte aparece; em superfícies lisas a diferença cai com o quadrado do tamanho das facetas.",
-        )),
+        verdict: Verdict::Holds(TEXTS.get("holds-wherever-corners-values")),
         shots: vec![
             waves.bad_shot(
                 "waves-rising",
-                Text::new("waves, cut across", "ondas, cortadas de través"),
+                TEXTS.get("waves-rising-title"),
                 [
-                    Text::new(
-                        "Slanting waves with Gouraud's shading; each square is cut across them, from the lower left to the upper right.",
-                        "Ondas oblíquas com Gouraud; cada quadrado é cortado de través, do canto inferior esquerdo ao superior direito.",
-                    ),
-                    Text::new("They fall into beads.", "Elas se desfazem em contas."),
+                    TEXTS.get("waves-rising-caption-slanting-waves-gouraud"),
+                    TEXTS.get("waves-rising-caption-they-fall-into"),
                 ],
                 rising,
             ),
             along.cured_shot(
                 "waves-falling",
-                Text::new("waves, cut along", "ondas, cortadas ao longo"),
+                TEXTS.get("waves-falling-title"),
                 [
-                    Text::new(
-                        "The same vertices and normals; only the diagonals run the other way, along the waves.",
-                        "Os mesmos vértices e normais; só as diagonais vão no outro sentido, ao longo das ondas.",
-                    ),
-                    Text::new(
-                        "The stripes are straight, but not as soft as those of the waves themselves.",
-                        "As listras são retas, mas não tão suaves quanto as das próprias ondas.",
-                    ),
+                    TEXTS.get("waves-falling-caption-same-vertices-normals"),
+                    TEXTS.get("waves-falling-caption-stripes-straight-but"),
                 ],
                 falling,
             ),
             Shot::difference(
                 "waves-difference",
-                Text::new("difference", "diferença"),
-                Text::with(
-                    "How much both differ, from violet for 0 to yellow for {} and more.",
-                    "Quanto as duas diferem, de violeta para 0 a amarelo para {} ou mais.",
-                    &[full],
-                ),
+                TEXTS.get("waves-difference-title"),
+                TEXTS.with("waves-difference-caption-how-much-both", &[("full", full.into())]),
                 difference,
             ),
             waves.cured_shot(
                 "waves-fine",
-                Text::new("waves, finer", "ondas, mais finas"),
+                TEXTS.get("waves-fine-title"),
                 [
-                    Text::new(
-                        "Cut across as the first, with four times the squares along a side.",
-                        "Cortadas de través como as primeiras, com quatro vezes mais quadrados por lado.",
-                    ),
-                    Text::new("The cut is hardly seen any more.", "O corte quase não se vê mais."),
+                    TEXTS.get("waves-fine-caption-cut-across-first"),
+                    TEXTS.get("waves-fine-caption-cut-hardly-seen"),
                 ],
                 fine,
             ),
             Shot::truth(
                 "waves-themselves",
-                Text::new("the waves themselves", "as próprias ondas"),
-                Text::new(
-                    "The surface with its own normal at every pixel.",
-                    "A superfície com a sua própria normal em cada pixel.",
-                ),
+                TEXTS.get("waves-themselves-title"),
+                TEXTS.get("waves-themselves-caption-surface-own-normal"),
                 exact,
             ),
             off(&across).bad_shot(
                 "diamond-1-3",
-                Text::new("diamond, cut 1–3", "losango, corte 1–3"),
+                TEXTS.get("diamond-1-3-title"),
                 [
-                    Text::new(
-                        "Cut from the right to the left corner.",
-                        "Cortado do canto direito ao esquerdo.",
-                    ),
-                    Text::new("A light band runs across.", "Uma faixa clara corre na horizontal."),
+                    TEXTS.get("diamond-1-3-caption-cut-right-left"),
+                    TEXTS.get("diamond-1-3-caption-light-band-runs"),
                 ],
                 across,
             ),
             off(&upright).bad_shot(
                 "diamond-2-4",
-                Text::new("diamond, cut 2–4", "losango, corte 2–4"),
+                TEXTS.get("diamond-2-4-title"),
                 [
-                    Text::new(
-                        "Cut from the upper to the lower corner.",
-                        "Cortado do canto de cima ao de baixo.",
-                    ),
-                    Text::new(
-                        "A dark olive band runs upright, and the middle has another colour.",
-                        "Uma faixa oliva escura corre na vertical, e o meio tem outra cor.",
-                    ),
+                    TEXTS.get("diamond-2-4-caption-cut-upper-lower"),
+                    TEXTS.get("diamond-2-4-caption-dark-olive-band"),
                 ],
                 upright,
             ),
             diamond.cured_shot(
                 "diamond-fan",
-                Text::new("diamond, vertex in the middle", "losango, vértice no meio"),
+                TEXTS.get("diamond-fan-title"),
                 [
-                    Text::new(
-                        "Four triangles about a vertex with the mean of the corners.",
-                        "Quatro triângulos em torno de um vértice com a média dos cantos.",
-                    ),
-                    Text::new("No diagonal is preferred.", "Nenhuma diagonal é preferida."),
+                    TEXTS.get("diamond-fan-caption-four-triangles-about"),
+                    TEXTS.get("diamond-fan-caption-no-diagonal-preferred"),
                 ],
                 fan,
             ),
@@ -316,16 +216,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         moved: waves,
         measures,
         charts: vec![chart(orders, is_square)],
-        notes: vec![Text::new(
-            "Each of the two triangles knows nothing of the fourth corner: along the diagonal only its two ends count. The scanline algorithm on \
-             the whole polygon prefers no diagonal, but depends on how the polygon is turned (see the experiment on \
-             orientation). The number that moved is how far light on the triangles is off that of the surface itself, for both cuts \
-             err: at least one of them by half of what they differ by.",
-            "Cada um dos dois triângulos nada sabe do quarto canto: ao longo da diagonal só contam as suas pontas. O algoritmo de varredura no \
-             polígono inteiro não prefere diagonal, mas depende de como o polígono está girado (veja o experimento sobre \
-             orientação). O número que mudou é quanto a luz nos triângulos difere da luz da própria superfície, pois os dois cortes \
-             erram: ao menos um deles por metade do que diferem.",
-        )],
+        notes: vec![TEXTS.get("note-each-triangles-knows")],
     })
 }
 
@@ -337,41 +228,22 @@ fn order(by_cells: &[[f64; 2]], light: Degrees, size: u32) -> Option<Measure> {
         return None;
     }
     let order = Measure::new(
-        Text::new("waves: order of the difference in h", "ondas: ordem da diferença em h"),
+        TEXTS.get("measure-waves-order-difference"),
         "",
         libm::log2(coarse / fine) / libm::log2(most / half),
     );
     let steepest = 0.5 * TAU * WAVES * HEIGHT;
     let is_lit = light.0.abs() < 90.0 && libm::tan(Radians::from(light).0.abs()) * steepest < 1.0;
     Some(if !is_lit {
-        order.beyond(Text::new(
-            "not held against O(h²): slopes turned away from the light are black, and light has a kink at their borders",
-            "não comparado com O(h²): encostas viradas para longe da luz são pretas, e a luz tem uma quebra nas suas bordas",
-        ))
+        order.beyond(TEXTS.get("untested-not-held-against"))
     } else if *fine < 100.0 * f64::from(f32::EPSILON) {
-        order.beyond(Text::new(
-            "not held against O(h²): the finest squares differ by little more than single precision",
-            "não comparado com O(h²): os quadrados mais finos diferem por pouco mais que a precisão simples",
-        ))
+        order.beyond(TEXTS.get("untested-not-held-against-o"))
     } else if 2.0 * most > f64::from(size) {
-        order.beyond(Text::new(
-            "not held against O(h²): the finest squares are smaller than two pixels",
-            "não comparado com O(h²): os quadrados mais finos são menores que dois pixels",
-        ))
+        order.beyond(TEXTS.get("untested-not-held-against-o-h"))
     } else if *cells < 5.0 * WAVES {
-        order.beyond(Text::new(
-            "not held against O(h²): so few squares to a wave are not small",
-            "não comparado com O(h²): tão poucos quadrados por onda não são pequenos",
-        ))
+        order.beyond(TEXTS.get("untested-not-held-against-o-h-few"))
     } else {
-        order.expect(
-            2.0,
-            0.25,
-            Text::new(
-                "O(h²); facets of a twelfth of a wave are not small yet",
-                "O(h²); facetas de um doze avos de onda ainda não são pequenas",
-            ),
-        )
+        order.expect(2.0, 0.25, TEXTS.get("by-o-h-facets"))
     })
 }
 
@@ -452,26 +324,16 @@ fn chart(orders: Vec<[f64; 2]>, is_square: bool) -> Chart {
     let square = orders.iter().map(|&[cells, _]| [cells, least * (most / cells) * (most / cells)]).collect();
     Chart {
         name: "difference-by-cells",
-        title: Text::new("Difference of both diagonals", "Diferença das duas diagonais"),
+        title: TEXTS.get("chart-title"),
         caption: match is_square {
-            true => Text::new(
-                "The difference on the waves against the number of squares along a side: the more there are, the more nearly it falls as one over their square.",
-                "A diferença nas ondas em função do número de quadrados por lado: quanto mais há, mais ela cai como um sobre o seu quadrado.",
-            ),
-            false => Text::new(
-                "The difference on the waves against the number of squares along a side, beside one over its square.",
-                "A diferença nas ondas em função do número de quadrados por lado, junto a um sobre o seu quadrado.",
-            ),
+            true => TEXTS.get("chart-caption"),
+            false => TEXTS.get("chart-caption-difference-waves-against"),
         },
-        x: Scale::log(Text::new("squares along a side", "quadrados por lado")),
-        y: Scale::log(Text::new("rms difference", "diferença rms")),
+        x: Scale::log(TEXTS.get("axis-squares-along-side")),
+        y: Scale::log(TEXTS.get("axis-rms-difference")),
         curves: vec![
-            Curve { name: Text::new("measured", "medido"), drawn: Drawn::Points, points: orders },
-            Curve {
-                name: Text::new("as h², h = 1/number", "como h², h = 1/número"),
-                drawn: Drawn::Guide,
-                points: square,
-            },
+            Curve { name: TEXTS.get("curve-measured"), drawn: Drawn::Points, points: orders },
+            Curve { name: TEXTS.get("curve-h-h-number"), drawn: Drawn::Guide, points: square },
         ],
     }
 }

@@ -63,7 +63,7 @@ type Run = (&'static Experiment, Parameters, Outcome);
 /// All of them, once for all tests.
 static RUNS: LazyLock<Vec<Run>> = LazyLock::new(|| {
     let of = |experiment| cases(experiment).into_iter().map(move |parameters| (experiment, parameters));
-    let mut all: Vec<_> = EXPERIMENTS.iter().flat_map(of).collect();
+    let mut all: Vec<_> = EXPERIMENTS.into_iter().flat_map(of).collect();
     all.extend(pairs());
     assert!(all.len() > 100);
     let run = |(experiment, parameters): (&'static Experiment, Parameters)| {

@@ -2,11 +2,12 @@
 
 use super::body::{Body, Diagonal};
 mod plates;
+mod texts;
 
 use super::stage::{chalk, draw, front, linear, settings};
 use super::{
-    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters,
-    Scale, Setup, Text, Threshold, Verdict,
+    ArtefactError, Chart, Curve, Drawn, Experiment, Knob, Measure, Moved, Outcome, Parameters, Scale, Setup,
+    Text, Threshold, Verdict,
 };
 use crate::num::{LinearRgb, Srgb8};
 use crate::raster::{Image, Interpolation, RenderSettings, Shading};
@@ -14,47 +15,14 @@ use crate::shade::{Attenuation, Light, ToneRule};
 use glam::DVec3;
 use plates::{CUE, DEPTHS, obliqueness, plate_pixel, plate_value, plates};
 use std::f64::consts::PI;
+use std::sync::LazyLock;
+use texts::TEXTS;
 
-pub(super) const EXPERIMENT: Experiment = Experiment {
+pub(super) static EXPERIMENT: Experiment = Experiment {
     id: "attenuation-and-overflow",
-    title: Text::new("Attenuation and overflow", "Atenuação e estouro"),
-    claim: Text::new(
-        "Light that falls as one over the square of the distance changes too much near a lamp and too little far from it; \
-         1/(d\u{a0}+\u{a0}k) does better. Colours beyond 1 are clamped, or divided by their largest component.",
-        "A luz que cai com o quadrado da distância varia demais perto da lâmpada e de menos longe dela; 1/(d\u{a0}+\u{a0}k) é melhor. Cores \
-         acima de 1 são truncadas, ou divididas pela maior componente.",
-    ),
-    sources: &[Text::new(
-        "Lectures: 1.3.1.7, 1.6.6, 1.6.11, 1.6.17, 1.6.26, 1.6.41",
-        "Aulas: 1.3.1.7, 1.6.6, 1.6.11, 1.6.17, 1.6.26, 1.6.41",
-    )],
-    formulas: &[
-        Formula {
-            notation: Text::same("I(ρ) = \\frac{I_0 h}{\\sqrt{h^2 + ρ^2}} f(\\sqrt{h^2 + ρ^2})"),
-            says: Text::new(
-                "diffuse light on a floor at the distance ρ from the point below a lamp at the height h",
-                "luz difusa no chão à distância ρ do ponto sob uma lâmpada à altura h",
-            ),
-        },
-        Formula {
-            notation: Text::same("ρ^2 < (I_0 h)^{2/3} − h^2"),
-            says: Text::new(
-                "where f = 1/d² makes it more than 1; with f = 1/(d + k) it is I₀/(h + k) at most",
-                "onde f = 1/d² a faz maior que 1; com f = 1/(d + k) ela é no máximo I₀/(h + k)",
-            ),
-        },
-        Formula {
-            notation: Text::same("\\frac{I_1}{I_2} = \\frac{d_2 + k}{d_1 + k}"),
-            says: Text::new(
-                "depth cueing: the same surface at two distances from the viewer",
-                "depth cueing: a mesma superfície a duas distâncias do observador",
-            ),
-        },
-    ],
+    texts: &TEXTS,
     takes: &[Knob::Size],
-    own_mesh: None,
     segments: Parameters::SEGMENTS,
-    shown_by: Text::new("a larger picture would show it.", "uma imagem maior o mostraria."),
     defaults: Parameters::USUAL,
     run,
     frame: None,
@@ -67,11 +35,8 @@ const K: f64 = 1.0;
 /// The lamp's colour. Its components differ so much that clamping changes the hue.
 const WARM: LinearRgb = LinearRgb::new(1.0, 0.6, 0.2);
 /// Rules of attenuation.
-static NAMES: [Text; 3] = [
-    Text::new("inverse square: 1/d²", "inverso do quadrado: 1/d²"),
-    Text::new("quadratic: 1/(1 + d + d²)", "quadrática: 1/(1 + d + d²)"),
-    Text::new("offset: 1/(d + k)", "deslocada: 1/(d + k)"),
-];
+static NAMES: LazyLock<[Text; 3]> =
+    LazyLock::new(|| [TEXTS.get("inverse-square-d"), TEXTS.get("quadratic-d-d"), TEXTS.get("offset-d-k")]);
 /// The window's side.
 const WINDOW: f64 = 6.0;
 
@@ -109,244 +74,137 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let code = "the step of 8 bits at this colour";
     let code_pt = "o passo de 8 bits nesta cor";
     let measures = vec![
-        Measure::new(
-            Text::new("1/d²: share of the floor that overflows", "1/d²: parcela do chão que estoura"),
-            "",
-            overflow,
-        )
-        .expect(
+        Measure::new(TEXTS.get("measure-d-share-floor"), "", overflow).expect(
             PI * radius / (WINDOW * WINDOW),
             // Half of the pixels on the border may be counted wrong, all to one side.
             PI * radius.sqrt() * pixel / (WINDOW * WINDOW),
-            Text::new(
-                "π [(I₀h)^(2/3) − h²] over the window; half a pixel along the border",
-                "π [(I₀h)^(2/3) − h²] sobre a janela; meio pixel ao longo da borda",
-            ),
+            TEXTS.get("by-i-h-h"),
         ),
-        Measure::new(
-            Text::new(
-                "1/(d + k): share of the floor that overflows",
-                "1/(d + k): parcela do chão que estoura",
-            ),
-            "",
-            share(&offset),
-        )
-        .expect(
+        Measure::new(TEXTS.get("measure-d-k-share"), "", share(&offset)).expect(
             0.0,
             0.0,
-            Text::new(
-                "I₀/(h + k) ≤ 1: none, but for rounding in single precision",
-                "I₀/(h + k) ≤ 1: nenhuma, salvo arredondamento em precisão simples",
-            ),
+            TEXTS.get("by-i-h-k"),
         ),
-        Measure::new(
-            Text::new(
-                "1/d²: light below the lamp over that at the floor's edge",
-                "1/d²: luz sob a lâmpada sobre a da borda",
-            ),
-            "",
-            contrast(&square),
-        )
-        .expect(by_square, 2e-4 * by_square, formula_at_pixels()),
-        Measure::new(
-            Text::new(
-                "1/(d + k): light below the lamp over that at the floor's edge",
-                "1/(d + k): luz sob a lâmpada sobre a da borda",
-            ),
-            "",
-            contrast(&offset),
-        )
-        .expect(by_offset, 2e-4 * by_offset, formula_at_pixels()),
-        Measure::new(
-            Text::new(
-                "clamped: green over red below the lamp",
-                "truncada: verde sobre vermelho sob a lâmpada",
-            ),
-            "",
-            ratio(&clamped),
-        )
-        .expect(1.0, 1e-12, Text::new("both are cut at 1", "ambas são cortadas em 1")),
-        Measure::new(
-            Text::new(
-                "divided by the largest: green over red below the lamp",
-                "dividida pela maior: verde sobre vermelho sob a lâmpada",
-            ),
-            "",
-            ratio(&divided),
-        )
-        .expect(WARM.g / WARM.r, 0.005, Text::new(code, code_pt)),
-        Measure::new(
-            Text::new("exercise 1.6.17: red after clamping", "exercício 1.6.17: vermelho truncado"),
-            "",
-            c[0],
-        )
-        .expect(0.9, 0.0, Text::new("the lectures' [0.9, 1, 0.3]", "o (0,9; 1; 0,3) das aulas")),
-        Measure::new(
-            Text::new("exercise 1.6.17: red after division", "exercício 1.6.17: vermelho dividido"),
-            "",
-            d[0],
-        )
-        .expect(0.9 / 1.1, 1e-15, Text::new("0.9/1.1, printed as 0.818", "0,9/1,1, impresso 0,818")),
-        Measure::new(
-            Text::new(
-                "depth cueing: nearest plate over farthest plate",
-                "depth cueing: placa mais próxima sobre a mais distante",
-            ),
-            "",
-            contrast_of(&cued),
-        )
-        .expect(
+        Measure::new(TEXTS.get("measure-d-light-below"), "", contrast(&square)).expect(
+            by_square,
+            2e-4 * by_square,
+            formula_at_pixels(),
+        ),
+        Measure::new(TEXTS.get("measure-d-k-light"), "", contrast(&offset)).expect(
+            by_offset,
+            2e-4 * by_offset,
+            formula_at_pixels(),
+        ),
+        Measure::new(TEXTS.get("measure-clamped-green-over"), "", ratio(&clamped)).expect(
+            1.0,
+            1e-12,
+            TEXTS.get("by-both-cut"),
+        ),
+        Measure::new(TEXTS.get("measure-divided-largest-green"), "", ratio(&divided)).expect(
+            WARM.g / WARM.r,
+            0.005,
+            Text::new(code, code_pt),
+        ),
+        Measure::new(TEXTS.get("measure-exercise-red-after"), "", c[0]).expect(
+            0.9,
+            0.0,
+            TEXTS.get("by-lectures"),
+        ),
+        Measure::new(TEXTS.get("measure-exercise-red-after-division"), "", d[0]).expect(
+            0.9 / 1.1,
+            1e-15,
+            TEXTS.get("by-printed"),
+        ),
+        Measure::new(TEXTS.get("measure-depth-cueing-nearest"), "", contrast_of(&cued)).expect(
             by_depth,
             // A corner moved by 1/256 pixel moves the place seen by 2/(256 size) of half the window. There, less than 0.7 of it
             // off the middle, the share by which distance changes is less than 0.7 tan², tan² = 1/4; two plates.
             by_depth * (1.0 / (256.0 * f64::from(size)) + 1e-5),
-            Text::new(
-                "(d₂ + k)/(d₁ + k), d the distance to the pixel's centre in the middle of each plate; edges snap to 1/256 pixel",
-                "(d₂ + k)/(d₁ + k), d a distância ao centro do pixel no meio de cada placa; arestas ajustadas a 1/256 pixel",
-            ),
+            TEXTS.get("by-d-k-d"),
         ),
-        Measure::new(Text::new("1/d²: largest luminance", "1/d²: maior luminância"), "", peak(&square)),
+        Measure::new(TEXTS.get("measure-d-largest-luminance"), "", peak(&square)),
     ];
     let charts = vec![chart()];
     let moved = Moved {
-        name: Text::new("share of the floor that overflows", "parcela do chão que estoura"),
+        name: TEXTS.get("moved"),
         unit: "",
         bad: overflow,
-        present: Threshold {
-            value: 0.5 / f64::from(size * size),
-            why: Text::new("half of one pixel", "metade de um pixel"),
-        },
-        cure: Text::new("1/(d + k) with k = 1", "1/(d + k) com k = 1"),
+        present: Threshold { value: 0.5 / f64::from(size * size), why: TEXTS.get("why-half-pixel") },
+        cure: TEXTS.get("cure"),
         cured: share(&offset),
         factor: 10.0,
     };
     let hue = Moved {
-        name: Text::with(
-            "how far green over red below the lamp is from the lamp's own {}",
-            "quanto verde sobre vermelho sob a lâmpada dista do {} da própria lâmpada",
-            &[WARM.g / WARM.r],
-        ),
+        name: TEXTS.with("moved-how-far-green", &[("r", (WARM.g / WARM.r).into())]),
         bad: (ratio(&clamped) - WARM.g / WARM.r).abs(),
-        present: Threshold {
-            value: 0.02,
-            why: Text::new("a hue that is seen to differ", "um tom que se vê diferir"),
-        },
+        present: Threshold { value: 0.02, why: TEXTS.get("why-hue-seen-differ") },
         cured: (ratio(&divided) - WARM.g / WARM.r).abs(),
         ..moved.clone()
     };
     let fading = Moved {
-        name: Text::with(
-            "how far light of the nearest plate over that of the farthest is from the law's {}",
-            "quanto a luz da placa mais próxima sobre a da mais distante dista do {} da lei",
-            &[by_depth],
-        ),
+        name: TEXTS.with("moved-how-far-light", &[("by-depth", by_depth.into())]),
         bad: (contrast_of(&plain) - by_depth).abs(),
-        present: Threshold {
-            value: 0.1,
-            why: Text::new("a tenth of a plate's light", "um décimo da luz de uma placa"),
-        },
+        present: Threshold { value: 0.1, why: TEXTS.get("why-tenth-plate-light") },
         cured: (contrast_of(&cued) - by_depth).abs(),
         ..moved.clone()
     };
     Ok(Outcome {
-        verdict: Verdict::HoldsOnlyIf(Text::new(
-            "colours are shown as they are computed. 1/d² is what geometry says of a small lamp (not the atmosphere, as the \
-             lectures have it); what fails is the range of the screen. 1/(d + k) with k ≥ I₀ − h fits into it, at the price of \
-             being no lamp's law.",
-            "as cores são mostradas como calculadas. 1/d² é o que a geometria diz de uma lâmpada pequena (não a atmosfera, como nas \
-             aulas); o que falha é o alcance da tela. 1/(d + k) com k ≥ I₀ − h cabe nele, ao preço de não ser a lei de lâmpada \
-             alguma.",
-        )),
+        verdict: Verdict::HoldsOnlyIf(TEXTS.get("holds-only-if-colours-shown-they")),
         shots: vec![
             moved.bad_shot(
                 "inverse-square",
                 NAMES[0].clone(),
                 [
-                    Text::with(
-                        "A floor under a lamp of strength I₀ = {} at the height h = {}.",
-                        "Um chão sob uma lâmpada de força I₀ = {} à altura h = {}.",
-                        &[STRENGTH, HEIGHT],
+                    TEXTS.with(
+                        "inverse-square-title",
+                        &[("strength", STRENGTH.into()), ("height", HEIGHT.into())],
                     ),
-                    Text::new(
-                        "There is a white disc with a hard rim below the lamp, where light is more than 1, and darkness soon after.",
-                        "Há um disco branco de borda dura sob a lâmpada, onde a luz passa de 1, e escuridão logo depois.",
-                    ),
+                    TEXTS.get("inverse-square-caption-white-disc-hard"),
                 ],
                 square,
             ),
             Moved { cured: share(&quadratic), ..moved.clone() }.cured_shot(
                 "quadratic",
                 NAMES[1].clone(),
-                [
-                    Text::new(
-                        "Constant, linear and quadratic term together.",
-                        "Termos constante, linear e quadrático juntos.",
-                    ),
-                    Text::new("No disc, and still dark far away.", "Sem disco, e ainda escuro ao longe."),
-                ],
+                [TEXTS.get("quadratic-title"), TEXTS.get("quadratic-caption-no-disc-still")],
                 quadratic,
             ),
             moved.cured_shot(
                 "offset",
                 NAMES[2].clone(),
-                [
-                    Text::with("The same lamp, k = {}.", "A mesma lâmpada, k = {}.", &[K]),
-                    Text::new(
-                        "No disc, and the floor can be seen to its corners.",
-                        "Sem disco, e vê-se o chão até os cantos.",
-                    ),
-                ],
+                [TEXTS.with("offset-title", &[("k", K.into())]), TEXTS.get("offset-caption-no-disc-floor")],
                 offset,
             ),
             hue.bad_shot(
                 "clamped",
-                Text::new("warm lamp, clamped", "lâmpada quente, truncada"),
-                [
-                    Text::new("An orange lamp.", "Uma lâmpada laranja."),
-                    Text::new(
-                        "Its red and green are both cut at 1: towards the middle it turns yellow and then white.",
-                        "O seu vermelho e o seu verde são ambos cortados em 1: perto do meio ela fica amarela e depois branca.",
-                    ),
-                ],
+                TEXTS.get("clamped-title"),
+                [TEXTS.get("clamped-caption-orange-lamp"), TEXTS.get("clamped-caption-red-green-both")],
                 clamped,
             ),
             hue.cured_shot(
                 "divided",
-                Text::new("warm lamp, divided", "lâmpada quente, dividida"),
+                TEXTS.get("divided-title"),
                 [
-                    Text::new("Divided by the largest component.", "Dividida pela maior componente."),
-                    Text::new(
-                        "The hue is the lamp's everywhere. Only brightness is lost: a flat disc is left, as large as the white one under \
-                         1/d².",
-                        "O tom é o da lâmpada em toda parte. Só se perde o brilho: resta um disco liso, do tamanho do branco sob 1/d².",
-                    ),
+                    TEXTS.get("divided-caption-divided-largest-component"),
+                    TEXTS.get("divided-caption-hue-lamp-everywhere"),
                 ],
                 divided,
             ),
             fading.bad_shot(
                 "no-depth-cue",
-                Text::new("without depth cueing", "sem depth cueing"),
+                TEXTS.get("no-depth-cue-title"),
                 [
-                    Text::new(
-                        "Three plates at different distances, the farther the larger, so that all have one size here.",
-                        "Três placas a distâncias diferentes, tanto maiores quanto mais longe, de modo que aqui têm o mesmo tamanho.",
-                    ),
-                    Text::new("All are alike: which is the nearest?", "Todas são iguais: qual é a mais próxima?"),
+                    TEXTS.get("no-depth-cue-caption-three-plates-different"),
+                    TEXTS.get("no-depth-cue-caption-all-alike-nearest"),
                 ],
                 plain,
             ),
             fading.cured_shot(
                 "depth-cue",
-                Text::new("depth cueing", "com depth cueing"),
+                TEXTS.get("depth-cue-title"),
                 [
-                    Text::new(
-                        "Divided by the distance to the viewer plus k.",
-                        "Divididas pela distância ao observador mais k.",
-                    ),
-                    Text::new(
-                        "The near plate is bright and the far one is dark.",
-                        "A placa próxima é clara e a distante é escura.",
-                    ),
+                    TEXTS.get("depth-cue-caption-divided-distance-viewer"),
+                    TEXTS.get("depth-cue-caption-near-plate-bright"),
                 ],
                 cued,
             ),
@@ -354,28 +212,12 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         moved,
         measures,
         charts,
-        notes: vec![
-            Text::new(
-                "Under 1/d² light quadruples with each halving of the distance: what is just right far away is beyond the screen's white \
-                 close by, and is cut off there. A term added to d keeps light below white at the lamp, and falls more slowly far \
-                 away. Where a coloured light is cut off, it is cut off channel by channel, and its hue moves towards white.",
-                "Sob 1/d² a luz quadruplica a cada metade da distância: o que está certo ao longe passa do branco da tela de perto, e ali é \
-                 cortado. Um termo somado a d mantém a luz abaixo do branco junto à lâmpada, e cai mais devagar ao longe. Onde se corta \
-                 uma luz colorida, corta-se canal por canal, e o tom vai para o branco.",
-            ),
-            Text::new(
-                "The lectures use the letter d twice: for the distance to the lamp in attenuation, and to the viewer in depth cueing.",
-                "As aulas usam a letra d duas vezes: para a distância à lâmpada na atenuação, e ao observador no depth cueing.",
-            ),
-        ],
+        notes: vec![TEXTS.get("note-under-d-light"), TEXTS.get("note-lectures-use-letter")],
     })
 }
 
 fn formula_at_pixels() -> Text {
-    Text::new(
-        "the formula at the centres of these pixels; positions in single precision from a viewer 100 units away",
-        "a fórmula nos centros desses pixels; posições em precisão simples a partir de um observador a 100 unidades",
-    )
+    TEXTS.get("formula-centres-these")
 }
 
 /// A floor seen from above with a lamp over its middle.
@@ -439,22 +281,22 @@ fn chart() -> Chart {
     let crossing = 0.5 * (1.0 + (1.0 + 4.0 * K).sqrt());
     let mut curves: Vec<Curve> = NAMES.iter().zip(rules).map(curve).collect();
     curves.push(Curve {
-        name: Text::new("what a screen can show", "o que a tela mostra"),
+        name: TEXTS.get("curve-screen-can-show"),
         drawn: Drawn::Guide,
         points: vec![[0.0, 1.0], [4.0, 1.0]],
     });
     Chart {
         name: "light-on-the-floor",
-        title: Text::new("Light on the floor", "Luz no chão"),
-        caption: Text::with(
-            "Luminance against the distance from the point below the lamp: 1/d² is {} times what a screen shows there, and falls below \
-             1/(d + k) at ρ = {}.",
-            "Luminância em função da distância ao ponto sob a lâmpada: 1/d² é ali {} vezes o que a tela mostra, e cai abaixo de 1/(d + k) \
-             em ρ = {}.",
-            &[STRENGTH / (HEIGHT * HEIGHT), (crossing * crossing - HEIGHT * HEIGHT).sqrt()],
+        title: TEXTS.get("chart-title"),
+        caption: TEXTS.with(
+            "chart-caption",
+            &[
+                ("strength", (STRENGTH / (HEIGHT * HEIGHT)).into()),
+                ("value", ((crossing * crossing - HEIGHT * HEIGHT).sqrt()).into()),
+            ],
         ),
-        x: Scale::linear(Text::new("distance ρ", "distância ρ")),
-        y: Scale::log(Text::new("luminance", "luminância")),
+        x: Scale::linear(TEXTS.get("axis-distance")),
+        y: Scale::log(TEXTS.get("axis-luminance")),
         curves,
     }
 }

@@ -6,6 +6,7 @@ use super::super::{ArtefactError, Measure, Moved, Outcome, Parameters, Text, Thr
 use super::cure;
 use super::shots::{angle_map, labelled, light_map};
 use super::subject::{Subject, material};
+use super::texts::TEXTS;
 use crate::normals::{Crease, NormalRecipe, compute};
 
 pub(super) fn run(own: &UserMesh, parameters: &Parameters) -> Result<Outcome, ArtefactError> {
@@ -23,28 +24,16 @@ pub(super) fn run(own: &UserMesh, parameters: &Parameters) -> Result<Outcome, Ar
     let [angles, light] = smooth.maps();
     let of = ["mesh", "malha"];
     let moved = Moved {
-        name: Text::new(
-            "largest angle of a corner's normal to its face",
-            "maior ângulo da normal de um canto com a sua face",
-        ),
+        name: TEXTS.get("moved-largest-angle-corner"),
         unit: "°",
         bad: smooth.largest(),
-        present: Threshold {
-            value: crease.0,
-            why: Text::new(
-                "the crease angle; less may stand for something round",
-                "o ângulo de vinco; menos pode representar algo redondo",
-            ),
-        },
+        present: Threshold { value: crease.0, why: TEXTS.get("why-crease-angle-less") },
         cure: cure(crease),
         cured: sharp.largest(),
         factor: 2.0,
     };
     Ok(Outcome {
-        verdict: Verdict::Holds(Text::new(
-            "this mesh has corners whose mean is farther from their face than the crease angle.",
-            "esta malha tem cantos cuja média está mais longe da sua face do que o ângulo de vinco.",
-        )),
+        verdict: Verdict::Holds(TEXTS.get("holds-mesh-corners-mean")),
         measures: vec![
             measure(
                 "averaged: share of corners over the crease angle",
@@ -87,22 +76,13 @@ pub(super) fn run(own: &UserMesh, parameters: &Parameters) -> Result<Outcome, Ar
             moved.bad_shot(
                 "own",
                 labelled(of, ["averaged", "média"]),
-                [
-                    Text::new("Normals averaged over every edge.", "Normais médias sobre todas as arestas."),
-                    Text::new("Sharp edges are smoothed as well.", "Arestas vivas também são alisadas."),
-                ],
+                [TEXTS.get("own-title"), TEXTS.get("own-caption-sharp-edges-smoothed")],
                 smooth.lit,
             ),
             moved.cured_shot(
                 "own-split",
                 labelled(of, ["split", "separada"]),
-                [
-                    Text::new(
-                        "Vertices split where edges are sharper than the crease angle.",
-                        "Vértices separados onde as arestas são mais vivas que o ângulo de vinco.",
-                    ),
-                    Text::new("They are sharp again.", "Elas voltam a ser vivas."),
-                ],
+                [TEXTS.get("own-split-title"), TEXTS.get("own-split-caption-they-sharp-again")],
                 sharp.lit,
             ),
             angle_map("own-angles", of, angles),
@@ -110,11 +90,6 @@ pub(super) fn run(own: &UserMesh, parameters: &Parameters) -> Result<Outcome, Ar
         ],
         moved,
         charts: Vec::new(),
-        notes: vec![Text::new(
-            "Faces that stand for something round are off their means as well, by half the angle between them; only more than that \
-             is false.",
-            "Faces que representam algo redondo também diferem das suas médias, por metade do ângulo entre elas; só o que passa \
-             disso é falso.",
-        )],
+        notes: vec![TEXTS.get("note-faces-stand-something")],
     })
 }

@@ -3,6 +3,7 @@
 use super::super::{Moved, Shot, Text};
 use super::FULL_ANGLE;
 use super::subject::Case;
+use super::texts::TEXTS;
 use crate::raster::Image;
 
 /// The shots of each body, averaged and split; of the gear, whether all of it is split but the bore.
@@ -13,7 +14,7 @@ pub(super) fn all(
 ) -> Vec<Shot> {
     let of = |cases: &[Case; 2]| {
         let [bad, cured] = cases.each_ref().map(|case| case.deviation.mean);
-        let name = Text::new("mean error of the pixels' normals", "erro médio das normais dos pixels");
+        let name = TEXTS.get("mean-error-pixels");
         Moved { name, bad, cured, ..moved.clone() }
     };
     let averaged = |moved: &Moved, name, body, texts, image| {
@@ -35,13 +36,7 @@ pub(super) fn all(
             &of_gear,
             "gear",
             gear_name,
-            [
-                Text::new("A gear with one normal a vertex.", "Uma engrenagem com uma normal por vértice."),
-                Text::new(
-                    "The teeth look inflated, light runs round every edge.",
-                    "Os dentes parecem inflados, a luz corre por cima de cada aresta.",
-                ),
-            ],
+            [TEXTS.get("gear-normal-vertex"), TEXTS.get("teeth-look-inflated")],
             gear,
         ),
         split(
@@ -49,21 +44,11 @@ pub(super) fn all(
             "gear-split",
             gear_name,
             [
-                Text::new("Split at the crease angle.", "Separada pelo ângulo de vinco."),
+                TEXTS.get("split-crease-angle"),
                 match is_bore_round {
-                    true if is_bore_alone => Text::with(
-                        "Teeth and sides are flat; the bore stays round on purpose, with normals up to {}° off its facets.",
-                        "Dentes e lados são planos; o furo continua redondo de propósito, com normais a até {}° das suas facetas.",
-                        &[of_bore],
-                    ),
-                    true => Text::new(
-                        "Teeth and sides are flat, the bore stays round.",
-                        "Dentes e lados são planos, o furo continua redondo.",
-                    ),
-                    false => Text::new(
-                        "Teeth and sides are flat, but so are the facets of the bore, which is meant to be round.",
-                        "Dentes e lados são planos, mas também as facetas do furo, que devia ser redondo.",
-                    ),
+                    true if is_bore_alone => TEXTS.with("teeth-sides-flat", &[("of-bore", of_bore.into())]),
+                    true => TEXTS.get("teeth-sides-flat-bore"),
+                    false => TEXTS.get("teeth-sides-flat-but"),
                 },
             ],
             sharp_gear,
@@ -74,23 +59,14 @@ pub(super) fn all(
             &of_cube,
             "cube",
             cube_name,
-            [
-                Text::new(
-                    "A cube of eight vertices with eight normals.",
-                    "Um cubo de oito vértices com oito normais.",
-                ),
-                Text::new("It looks like a pillow.", "Ele parece uma almofada."),
-            ],
+            [TEXTS.get("cube-eight-vertices"), TEXTS.get("looks-like-pillow")],
             cube,
         ),
         split(
             &of_cube,
             "cube-split",
             cube_name,
-            [
-                Text::new("Split at the crease angle.", "Separado pelo ângulo de vinco."),
-                Text::new("Every face has one luminance.", "Cada face tem uma só luminância."),
-            ],
+            [TEXTS.get("split-crease-angle-v2"), TEXTS.get("every-face-luminance")],
             sharp_cube,
         ),
         angle_map("cube-angles", cube_name, cube_angles),
@@ -98,52 +74,28 @@ pub(super) fn all(
             &of_zigzag,
             "zigzag",
             zigzag_name,
-            [
-                Text::new(
-                    "Strips that lean to the left and to the right by 45°.",
-                    "Faixas inclinadas 45° para a esquerda e para a direita.",
-                ),
-                Text::new(
-                    "All means are parallel, and only the outline tells of them.",
-                    "Todas as médias são paralelas, e só o contorno as revela.",
-                ),
-            ],
+            [TEXTS.get("strips-lean-left"), TEXTS.get("all-means-parallel")],
             zigzag,
         ),
         split(
             &of_zigzag,
             "zigzag-split",
             zigzag_name,
-            [
-                Text::new(
-                    "The same sheet in the same light, split at the crease angle.",
-                    "A mesma chapa sob a mesma luz, separada pelo ângulo de vinco.",
-                ),
-                Text::new("The strips have their own normals.", "As faixas têm as suas próprias normais."),
-            ],
+            [TEXTS.get("same-sheet-same"), TEXTS.get("strips-their-own")],
             sharp_zigzag,
         ),
         averaged(
             &of_roof,
             "roof",
             roof_name,
-            [
-                Text::new("A corrugated roof of flat strips.", "Um telhado trapezoidal de faixas planas."),
-                Text::new("Averaged it looks like waves.", "Com a média parece feito de ondas."),
-            ],
+            [TEXTS.get("corrugated-roof-flat"), TEXTS.get("averaged-looks-like")],
             roof,
         ),
         split(
             &of_roof,
             "roof-split",
             roof_name,
-            [
-                Text::new(
-                    "The roof, split at the crease angle.",
-                    "O telhado, separado pelo ângulo de vinco.",
-                ),
-                Text::new("Even strips with sharp bends.", "Faixas uniformes com dobras vivas."),
-            ],
+            [TEXTS.get("roof-split-crease"), TEXTS.get("even-strips-sharp")],
             sharp_roof,
         ),
     ]
@@ -164,9 +116,6 @@ pub(super) fn angle_map(name: &'static str, of: [&'static str; 2], image: Image)
 }
 
 pub(super) fn light_map(name: &'static str, of: [&'static str; 2], image: Image) -> Shot {
-    let caption = Text::new(
-        "How far the light by Lambert's law is off: violet 0, yellow half of the full range and more.",
-        "Quanto erra a luz pela lei de Lambert: violeta 0, amarelo metade da faixa ou mais.",
-    );
+    let caption = TEXTS.get("how-far-light");
     Shot::difference(name, labelled(of, ["light", "luz"]), caption, image)
 }

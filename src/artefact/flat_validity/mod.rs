@@ -1,11 +1,12 @@
 //! When one colour a face is right.
 
 mod pictures;
+mod texts;
 
 use super::stage::{chalk, draw, front, object, settings};
 use super::{
-    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters,
-    Scale, Setup, Text, Threshold, Verdict,
+    ArtefactError, Chart, Curve, Drawn, Experiment, Knob, Measure, Moved, Outcome, Parameters, Scale, Setup,
+    Text, Threshold, Verdict,
 };
 use crate::mesh::{Faces, Mesh, MeshBuilder};
 use crate::metric::image_error;
@@ -15,43 +16,14 @@ use crate::raster::{Camera, Image, Interpolation, Projection, Shading};
 use crate::shade::{Attenuation, Light, Material, Reflectance, Reflection};
 use glam::DVec3;
 use std::f64::consts::SQRT_2;
+use texts::TEXTS;
 
-pub(super) const EXPERIMENT: Experiment = Experiment {
+pub(super) static EXPERIMENT: Experiment = Experiment {
     id: "flat-validity",
-    title: Text::new("When flat shading is right", "Quando o sombreamento plano está certo"),
-    claim: Text::new(
-        "Flat shading takes light and viewer to be infinitely far away. It is not realistic even for faceted objects: towards a \
-         near lamp, and for highlights towards a near viewer, the direction changes from point to point of a facet.",
-        "O sombreamento plano supõe luz e observador no infinito. Não é realístico nem para objetos facetados: para uma lâmpada \
-         próxima, e nos brilhos para um observador próximo, a direção varia de ponto a ponto da faceta.",
-    ),
-    sources: &[Text::new("Lectures: 1.5.1, 1.6.12, 1.6.45", "Aulas: 1.5.1, 1.6.12, 1.6.45")],
-    formulas: &[
-        Formula {
-            notation: Text::same("|ΔI_d| ≤ 2 k_d sin(ε/2), \\quad sin(ε) = \\frac{r}{D}"),
-            says: Text::new(
-                "the error of diffuse light on a face of circumradius r, with the light at the distance D from its middle",
-                "o erro da luz difusa numa face de circunraio r, com a luz à distância D do seu centro",
-            ),
-        },
-        Formula {
-            notation: Text::same(
-                "|ΔI_s| ≤ k_s M(n) ε, \\quad M(n) = \\sqrt{n} (1 − \\frac{1}{n})^{(n − 1)/2}",
-            ),
-            says: Text::new(
-                "the error of Phong's highlight with the viewer at the distance D; M is the steepest slope of cosⁿ",
-                "o erro do brilho de Phong com o observador à distância D; M é a maior inclinação de cosⁿ",
-            ),
-        },
-    ],
+    texts: &TEXTS,
     takes: &[Knob::Size, Knob::Segments, Knob::Light, Knob::Exponent],
-    own_mesh: None,
     // More would be hardly larger than pixels.
     segments: 3..=256,
-    shown_by: Text::new(
-        "light within 90° of the face, and more faces in the cured picture, would show it.",
-        "luz a menos de 90° da face, e mais faces na imagem curada, o mostrariam.",
-    ),
     defaults: Parameters { segments: 12, light: Degrees(45.0), exponent: 32.0, ..Parameters::USUAL },
     run,
     frame: None,
@@ -78,41 +50,27 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         let found = lamp.error(1, size)?;
         diffuse.push([ratio, found]);
         measures.push(
-            Measure::new(
-                Text::made(
-                    format!("lamp at {ratio} circumradii: largest error of diffuse light"),
-                    format!("lâmpada a {ratio} circunraios: maior erro da luz difusa"),
-                ),
-                "",
-                found,
-            )
-            .expect(lamp.law(1, size).1, 2e-6, single()),
+            Measure::new(TEXTS.with("measure-lamp-ratio-circumradii", &[("ratio", ratio.into())]), "", found)
+                .expect(lamp.law(1, size).1, 2e-6, single()),
         );
         let viewer = Viewer { angle: light, distance, exponent };
         let found = viewer.error(1, size)?;
         specular.push([ratio, found]);
         let measure = Measure::new(
-            Text::made(
-                format!("viewer at {ratio} circumradii: largest error of the highlight"),
-                format!("observador a {ratio} circunraios: maior erro do brilho"),
-            ),
+            TEXTS.with("measure-viewer-ratio-circumradii", &[("ratio", ratio.into())]),
             "",
             found,
         );
         measures.push(match libm::cos(Radians::from(light).0).abs() > 1e-6 {
             true => held(measure, viewer),
-            false => measure.beyond(Text::new(
-                "light along the plate: which side it is on is a matter of rounding",
-                "luz ao longo da placa: de que lado está depende de arredondamento",
-            )),
+            false => measure.beyond(TEXTS.get("untested-light-along-plate")),
         });
     }
     let aside = Viewer { angle: pictures::ASIDE, distance: RATIOS[0] * RADIUS, exponent };
     let measure = Measure::new(
-        Text::with(
-            "viewer at {} circumradii, light {}° to the side: largest error of the highlight",
-            "observador a {} circunraios, luz {}° ao lado: maior erro do brilho",
-            &[RATIOS[0], pictures::ASIDE.0],
+        TEXTS.with(
+            "measure-viewer-ratios-circumradii",
+            &[("ratios-0", (RATIOS[0]).into()), ("value", pictures::ASIDE.0.into())],
         ),
         "",
         aside.error(1, size)?,
@@ -127,35 +85,26 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         of_viewer.map(|&[ratio, error]| error / (steepest_slope(exponent) * libm::asin(1.0 / ratio)));
     let share = share.max(of_viewer.fold(0.0, f64::max));
     measures.push(
-        Measure::new(Text::new("largest error over its bound", "maior erro sobre o seu limite"), "", share)
-            .at_most(1.0, Text::new("the bounds hold", "os limites valem")),
+        Measure::new(TEXTS.get("measure-largest-error-over"), "", share)
+            .at_most(1.0, TEXTS.get("by-bounds-hold")),
     );
     let near = Lamp { angle: light, distance: RATIOS[0] * RADIUS };
     let cured = near.error(segments, size)?;
     let (least, most) = near.law(segments, size);
     measures.push(
         Measure::new(
-            Text::made(
-                format!("lamp at 2 circumradii, {segments} × {segments} faces: largest error"),
-                format!("lâmpada a 2 circunraios, {segments} × {segments} faces: maior erro"),
-            ),
+            TEXTS.with("measure-lamp-circumradii-segments", &[("segments", segments.into())]),
             "",
             cured,
         )
         .expect(0.5 * (least + most), 0.5 * (most - least) + 1e-5, single()),
     );
     let moved = Moved {
-        name: Text::new(
-            "largest error of flat shading of a plate under the near lamp",
-            "maior erro do sombreamento plano de uma placa sob a lâmpada próxima",
-        ),
+        name: TEXTS.get("moved"),
         unit: "",
         bad: diffuse[0][1],
         present: Threshold::HALF_STEP,
-        cure: Text::made(
-            format!("{segments} × {segments} smaller faces"),
-            format!("{segments} × {segments} faces menores"),
-        ),
+        cure: TEXTS.with("cure", &[("segments", segments.into())]),
         cured,
         // Both follow their laws to a few units of single precision.
         factor: (0.99 * near.law(1, size).0 / most).max(1.0),
@@ -164,33 +113,17 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     shots.extend(pictures::of_plate(&near, &moved, segments, size)?);
     shots.extend(pictures::of_highlight(exponent, segments, size)?);
     Ok(Outcome {
-        verdict: Verdict::HoldsOnlyIf(Text::new(
-            "light or viewer are near. From 510 circumradii of a face on, flat shading of plane faces under diffuse light is right \
-             to half a step of 8 bits by its bound, often sooner: then one colour a face is all there is to see.",
-            "a luz ou o observador estão próximos. A partir de 510 circunraios da face, o sombreamento plano de faces planas sob \
-             luz difusa está certo até meio passo de 8 bits por seu limite, muitas vezes antes: então uma cor por face é tudo o que \
-             há para ver.",
-        )),
+        verdict: Verdict::HoldsOnlyIf(TEXTS.get("holds-only-if-light-or-viewer")),
         moved,
         measures,
         shots,
         charts: vec![chart(diffuse, specular, exponent, is_bounded)],
-        notes: vec![Text::new(
-            "What counts is the light's distance over the size of the face, not of the object: cutting faces smaller cures as moving \
-             the lamp away does, the error falling in the end as one over their number along a side. Shading every pixel costs nothing in \
-             accuracy here: on a plane face the normal is known everywhere.",
-            "O que conta é a distância da luz sobre o tamanho da face, não do objeto: dividir as faces cura tanto quanto afastar a \
-             lâmpada, e o erro cai por fim como um sobre o número delas ao longo de um lado. Iluminar cada pixel é exato aqui: numa face \
-             plana a normal é conhecida em toda parte.",
-        )],
+        notes: vec![TEXTS.get("note-counts-light-distance")],
     })
 }
 
 fn single() -> Text {
-    Text::new(
-        "the formula of light at every pixel's centre in double precision; single precision",
-        "a fórmula da luz no centro de cada pixel em precisão dupla; precisão simples",
-    )
+    TEXTS.get("formula-light-every")
 }
 
 /// The plate of side 2 facing +z, cut into squares.
@@ -350,41 +283,27 @@ fn chart(diffuse: Vec<[f64; 2]>, specular: Vec<[f64; 2]>, exponent: f64, is_boun
     let curve = |name, drawn, points| Curve { name, drawn, points };
     Chart {
         name: "error-by-distance",
-        title: Text::new("Error of flat shading by distance", "Erro do sombreamento plano pela distância"),
+        title: TEXTS.get("chart-title"),
         caption: match is_bounded {
-            true => Text::new(
-                "Both errors stay below their bounds, which fall as one over the distance. The level line with squares is half a \
-                 step of 8 bits.",
-                "Ambos os erros ficam abaixo dos seus limites, que caem como um sobre a distância. A linha horizontal com quadrados é \
-                 meio passo de 8 bits.",
-            ),
-            false => Text::new(
-                "The error of diffuse light stays below its bound, which falls as one over the distance; that of the highlight is \
-                 held against none for exponents below 1 and where light does not come from the front. The level line with squares is half a step of 8 bits.",
-                "O erro da luz difusa fica abaixo do seu limite, que cai como um sobre a distância; o do brilho não é comparado com \
-                 limite para expoentes menores que 1 nem onde a luz não vem da frente. A linha horizontal com quadrados é meio passo de 8 bits.",
-            ),
+            true => TEXTS.get("chart-caption"),
+            false => TEXTS.get("chart-caption-error-diffuse-light"),
         },
-        x: Scale::log(Text::new("distance in circumradii of the face", "distância em circunraios da face")),
-        y: Scale::log(Text::new("largest error", "maior erro")),
+        x: Scale::log(TEXTS.get("axis-distance-circumradii-face")),
+        y: Scale::log(TEXTS.get("axis-largest-error")),
         curves: vec![
-            curve(Text::new("lamp, diffuse", "lâmpada, difusa"), Drawn::Points, diffuse),
-            curve(Text::new("viewer, highlight", "observador, brilho"), Drawn::Points, specular),
+            curve(TEXTS.get("lamp-diffuse"), Drawn::Points, diffuse),
+            curve(TEXTS.get("viewer-highlight"), Drawn::Points, specular),
             curve(
-                Text::new("bound, diffuse", "limite, difusa"),
+                TEXTS.get("bound-diffuse"),
                 Drawn::Guide,
                 bound(&|ratio| 2.0 * libm::sin(0.5 * angle(ratio))),
             ),
             curve(
-                Text::new("bound, highlight", "limite, brilho"),
+                TEXTS.get("bound-highlight"),
                 Drawn::Guide,
                 bound(&|ratio| steepest_slope(exponent) * angle(ratio)),
             ),
-            curve(
-                Text::new("half a step of 8 bits", "meio passo de 8 bits"),
-                Drawn::Guide,
-                bound(&|_| 0.5 / 255.0),
-            ),
+            curve(TEXTS.get("half-step-bits"), Drawn::Guide, bound(&|_| 0.5 / 255.0)),
         ],
     }
 }

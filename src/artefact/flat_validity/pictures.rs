@@ -1,7 +1,8 @@
 //! The pictures: a box and a plate under a near lamp, and a plate before a near viewer.
 
 use super::super::stage::{chalk, draw, front, object, settings};
-use super::super::{ArtefactError, Moved, Shot, Text, Threshold};
+use super::super::{ArtefactError, Moved, Shot, Threshold};
+use super::texts::TEXTS;
 use super::{Lamp, RADIUS, RATIOS, Viewer, paint_plate, squares};
 use crate::metric::image_error;
 use crate::normals::{NormalRecipe, compute};
@@ -21,25 +22,16 @@ pub(super) fn of_plate(
     Ok(vec![
         moved.bad_shot(
             "plate",
-            Text::new("plate, one face", "placa, uma face"),
-            [
-                Text::new(
-                    "A plate under a lamp at two circumradii.",
-                    "Uma placa sob uma lâmpada a dois circunraios.",
-                ),
-                Text::new("All of it has one grey.", "Toda ela tem um só cinza."),
-            ],
+            TEXTS.get("plate-title"),
+            [TEXTS.get("plate-caption-plate-under-lamp"), TEXTS.get("plate-caption-all-grey")],
             paint(1)?,
         ),
         moved.cured_shot(
             "plate-small-faces",
-            Text::new("plate, small faces", "placa, faces pequenas"),
+            TEXTS.get("plate-small-faces-title"),
             [
-                Text::made(
-                    format!("The same plate cut into {segments} × {segments} squares."),
-                    format!("A mesma placa dividida em {segments} × {segments} quadrados."),
-                ),
-                Text::new("The light falls off away from the lamp.", "A luz diminui para longe da lâmpada."),
+                TEXTS.with("plate-small-faces-caption-same-plate-cut", &[("segments", segments.into())]),
+                TEXTS.get("plate-small-faces-caption-light-falls-off"),
             ],
             paint(segments)?,
         ),
@@ -70,11 +62,11 @@ pub(super) fn of_box(size: u32, segments: u32) -> Result<Vec<Shot>, ArtefactErro
         Ok::<f64, ArtefactError>(image_error(image, truth, 0.5)?.linear.max / 255.0)
     };
     let small = Moved {
-        name: Text::new("largest error of a pixel's light", "maior erro da luz de um pixel"),
+        name: TEXTS.get("moved-largest-error-pixel"),
         unit: "",
         bad: off(&flat, &near)?,
         present: Threshold::HALF_STEP,
-        cure: Text::new("smaller faces", "faces menores"),
+        cure: TEXTS.get("cure-smaller-faces"),
         cured: off(&cut_up, &near)?,
         // Of faces a third as long already.
         factor: 2.0,
@@ -83,48 +75,31 @@ pub(super) fn of_box(size: u32, segments: u32) -> Result<Vec<Shot>, ArtefactErro
     Ok(vec![
         small.bad_shot(
             "flat",
-            Text::new("flat, lamp near", "plano, lâmpada próxima"),
-            [
-                Text::new("A lamp stands near the corner of the box.", "Há uma lâmpada perto do canto da caixa."),
-                Text::new(
-                    "But each side has one colour: nothing tells that the lamp is near.",
-                    "Mas cada lado tem uma só cor: nada mostra que a lâmpada está próxima.",
-                ),
-            ],
+            TEXTS.get("flat-title"),
+            [TEXTS.get("flat-caption-lamp-stands-near"), TEXTS.get("flat-caption-but-each-side")],
             flat,
         ),
         Shot::truth(
             "every-pixel",
-            Text::new("every pixel, lamp near", "cada pixel, lâmpada próxima"),
-            Text::new(
-                "Lit at every pixel, the sides are bright near the lamp and fade away from it, by the angle of the light alone: distance \
-                 takes nothing here.",
-                "Iluminados pixel a pixel, os lados são claros perto da lâmpada e escurecem longe dela, só pelo ângulo da luz: a \
-                 distância nada tira aqui.",
-            ),
+            TEXTS.get("every-pixel-title"),
+            TEXTS.get("every-pixel-caption-lit-every-pixel"),
             near,
         ),
         small.cured_shot(
             "flat-small-faces",
-            Text::new("flat, small faces", "plano, faces pequenas"),
+            TEXTS.get("flat-small-faces-title"),
             [
-                Text::made(
-                    format!("The same flat shading with each side cut into {segments} × {segments} squares."),
-                    format!("O mesmo sombreamento plano com cada lado dividido em {segments} × {segments} quadrados."),
-                ),
-                Text::new("Closer to the truth.", "Mais perto da verdade."),
+                TEXTS.with("flat-small-faces-caption-same-flat-shading", &[("segments", segments.into())]),
+                TEXTS.get("flat-small-faces-caption-closer-truth"),
             ],
             cut_up,
         ),
         away.cured_shot(
             "flat-lamp-far",
-            Text::new("flat, lamp far", "plano, lâmpada distante"),
+            TEXTS.get("flat-lamp-far-title"),
             [
-                Text::new(
-                    "The lamp moved a hundred times as far away, without fading: all points of a side see it at the same slant.",
-                    "A lâmpada cem vezes mais longe, sem enfraquecer: todos os pontos de um lado a veem com a mesma inclinação.",
-                ),
-                Text::new("Now one colour a side is almost right.", "Agora uma cor por lado está quase certa."),
+                TEXTS.get("flat-lamp-far-caption-lamp-moved-hundred"),
+                TEXTS.get("flat-lamp-far-caption-now-colour-side"),
             ],
             far,
         ),
@@ -140,15 +115,11 @@ pub(super) fn of_highlight(exponent: f64, segments: u32, size: u32) -> Result<Ve
     let (material, light, camera) = viewer.scene();
     let paint = |cells, shading| paint_plate(cells, material, light, camera, size, shading);
     let small = Moved {
-        name: Text::with(
-            "largest error of the highlight of light {}° to the side",
-            "maior erro do brilho de uma luz {}° ao lado",
-            &[ASIDE.0],
-        ),
+        name: TEXTS.with("moved-largest-error-highlight", &[("value", ASIDE.0.into())]),
         unit: "",
         bad: viewer.error(1, size)?,
         present: Threshold::HALF_STEP,
-        cure: Text::new("smaller faces", "faces menores"),
+        cure: TEXTS.get("cure-smaller-faces"),
         cured: viewer.error(segments, size)?,
         // Of a few steps less the squares are still seen.
         factor: 20.0,
@@ -156,38 +127,31 @@ pub(super) fn of_highlight(exponent: f64, segments: u32, size: u32) -> Result<Ve
     Ok(vec![
         small.bad_shot(
             "highlight",
-            Text::new("highlight, one face", "brilho, uma face"),
+            TEXTS.get("highlight-title"),
             [
-                Text::with(
-                    "A plate with nothing but a highlight (Phong's, n = {}) of a far light {}° to the side, the viewer at two circumradii.",
-                    "Uma placa só com um brilho (de Phong, n = {}) de uma luz distante {}° ao lado, o observador a dois circunraios.",
-                    &[exponent, ASIDE.0],
+                TEXTS.with(
+                    "highlight-caption-plate-nothing-but",
+                    &[("exponent", exponent.into()), ("value", ASIDE.0.into())],
                 ),
-                Text::new(
-                    "One grey, that of the middle: there is no highlight in its place.",
-                    "Um só cinza, o do meio: não há brilho no seu lugar.",
-                ),
+                TEXTS.get("highlight-caption-grey-middle-no"),
             ],
             paint(1, Shading::Flat)?,
         ),
         Shot::truth(
             "highlight-every-pixel",
-            Text::new("highlight, every pixel", "brilho, cada pixel"),
-            Text::new(
-                "Lit at every pixel: the direction to the viewer changes from point to point.",
-                "Iluminada pixel a pixel: a direção ao observador varia de ponto a ponto.",
-            ),
+            TEXTS.get("highlight-every-pixel-title"),
+            TEXTS.get("highlight-every-pixel-caption-lit-every-pixel"),
             paint(1, Shading::Phong)?,
         ),
         small.cured_shot(
             "highlight-small-faces",
-            Text::new("highlight, small faces", "brilho, faces pequenas"),
+            TEXTS.get("highlight-small-faces-title"),
             [
-                Text::made(
-                    format!("Flat shading of {segments} × {segments} squares."),
-                    format!("Sombreamento plano de {segments} × {segments} quadrados."),
+                TEXTS.with(
+                    "highlight-small-faces-caption-flat-shading-segments",
+                    &[("segments", segments.into())],
                 ),
-                Text::new("The highlight is in its place, in steps.", "O brilho está no lugar, em degraus."),
+                TEXTS.get("highlight-small-faces-caption-highlight-place-steps"),
             ],
             paint(segments, Shading::Flat)?,
         ),

@@ -1,12 +1,13 @@
 //! A highlight that falls between vertices.
 
 mod scene;
+mod texts;
 
 use super::body::Body;
 use super::stage::{GAP, tiles};
 use super::{
-    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Language, Measure, Moved, Outcome,
-    Parameters, Scale, Setup, Shot, Text, Threshold, Verdict,
+    ArtefactError, Chart, Curve, Drawn, Experiment, Knob, Language, Measure, Moved, Outcome, Parameters,
+    Scale, Setup, Shot, Text, Threshold, Verdict,
 };
 use crate::metric::Highlight;
 use crate::num::{Degrees, Radians};
@@ -14,51 +15,14 @@ use crate::raster::{Image, Object, Shading, Shape};
 use crate::surface::{Primitive, Sphere};
 use scene::{TILT, WINDOW, law, look, material, of_diffuse, paint, plate};
 use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2, TAU};
+use texts::TEXTS;
 
-pub(super) const EXPERIMENT: Experiment = Experiment {
+pub(super) static EXPERIMENT: Experiment = Experiment {
     id: "lost-highlight",
-    title: Text::new("The lost highlight", "O brilho perdido"),
-    claim: Text::new(
-        "If all vertices of a polygon are badly lit, Gouraud's shading shows all of it badly lit: a highlight inside is lost. \
-         Phong's shading finds it.",
-        "Se todos os vértices de um polígono estão mal iluminados, o sombreamento de Gouraud o mostra todo mal iluminado: um \
-         brilho no interior se perde. O sombreamento de Phong o encontra.",
-    ),
-    sources: &[
-        Text::new("Lectures: 1.6.7, 1.6.13, 1.6.15", "Aulas: 1.6.7, 1.6.13, 1.6.15"),
-        Text::new(
-            "Ting 2008: “perda de pontos de brilho” (loss of highlights)",
-            "Ting 2008: “perda de pontos de brilho”",
-        ),
-    ],
-    formulas: &[
-        Formula {
-            notation: Text::same("I_{max} = k_d cos(α) + k_s cos(α)^n"),
-            says: Text::new(
-                "all that Gouraud's shading can reach, α the angle from the true highlight to the nearest vertex's normal; here \
-                 k_d = 0.4 and k_s = 0.6",
-                "tudo o que o sombreamento de Gouraud alcança, α o ângulo do brilho verdadeiro à normal do vértice mais próximo; \
-                 aqui k_d = 0,4 e k_s = 0,6",
-            ),
-        },
-        Formula {
-            notation: Text::same("F = 1 − k_d cos(Δ/2) − k_s cos(Δ/2)^n"),
-            says: Text::new(
-                "how much the highlight of a turning sphere flickers: α goes from 0 to Δ/2 and back, Δ = 2π/N",
-                "quanto cintila o brilho de uma esfera que gira: α vai de 0 a Δ/2 e volta, Δ = 2π/N",
-            ),
-        },
-    ],
+    texts: &TEXTS,
     takes: &[Knob::Size, Knob::Segments, Knob::Exponent],
-    own_mesh: None,
     // More would be hardly larger than pixels.
     segments: 3..=256,
-    shown_by: Text::new(
-        "a highlight of some pixels on facets that are wider than it (exponents from 16 to 1000, in a picture large enough) \
-         would show it.",
-        "um brilho de alguns pixels em facetas mais largas que ele (expoentes de 16 a 1000, numa imagem bastante grande) o \
-         mostraria.",
-    ),
     defaults: Parameters { segments: 16, exponent: 32.0, ..Parameters::USUAL },
     run,
     frame: Some(frame),
@@ -148,10 +112,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let told = |lost: f64, value: f64| if is_seen(lost) { value } else { 0.0 };
     let held = |measure: Measure, lost: f64, law: f64, tolerance: f64, by: Text| match is_seen(lost) {
         true => measure.expect(law, tolerance + lost * law, by),
-        false => measure.beyond(Text::new(
-            "the true highlight is narrower than a pixel",
-            "o brilho verdadeiro é mais estreito que um pixel",
-        )),
+        false => measure.beyond(TEXTS.get("untested-true-highlight-narrower")),
     };
     // A pixel's centre is up to 0.71 pixels from a vertex, from which light falls along edges to the next one.
     let edge = 2.0 * libm::sin(delta / 2.0) * radius;
@@ -159,38 +120,26 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     // On facets of few pixels that would allow almost anything.
     let by_pixels = |measure: Measure, is_coarse: bool, held: &dyn Fn(Measure) -> Measure| match is_coarse {
         false => held(measure),
-        true => measure.beyond(Text::new(
-            "not held against the law: facets are hardly larger than pixels",
-            "não comparado com a lei: as facetas são pouco maiores que pixels",
-        )),
+        true => measure.beyond(TEXTS.get("untested-not-held-against")),
     };
-    let off_pixel = Text::new(
-        "a pixel's centre is up to 0.71 pixels from the vertex",
-        "o centro de um pixel fica a até 0,71 pixel do vértice",
-    );
+    let off_pixel = TEXTS.get("pixel-centre-up");
     let change = Highlight::change(&quarter, &truth)?;
     let displacement = radius * libm::sin(delta / 4.0);
     let measures = vec![
         held(
             Measure::new(
-                Text::new("plate: Gouraud's peak over Phong's", "placa: pico de Gouraud sobre o de Phong"),
+                TEXTS.get("measure-plate-gouraud-peak"),
                 "",
                 peak(&plate_gouraud)? / peak(&plate_phong)?,
             ),
             lost_on_plate,
             law(Radians::from(TILT).0, exponent),
             2e-3,
-            Text::new(
-                "k_d cos α + k_s cos(α)^n at the corners, α = 35°; single precision, and Phong's peak between pixels",
-                "k_d cos α + k_s cos(α)^n nos cantos, α = 35°; precisão simples, e o pico de Phong entre pixels",
-            ),
+            TEXTS.get("by-k-d-cos"),
         ),
         by_pixels(
             Measure::new(
-                Text::new(
-                    "sphere: Gouraud's peak over the true one, the highlight between two vertices",
-                    "esfera: pico de Gouraud sobre o verdadeiro, o brilho entre dois vértices",
-                ),
+                TEXTS.get("measure-sphere-gouraud-peak"),
                 "",
                 Highlight::change(&worst, &truth)?.peak_ratio,
             ),
@@ -198,67 +147,27 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             &|measure| held(measure, lost_on_sphere, of_nearest, tolerance, off_pixel.clone()),
         ),
         by_pixels(
-            Measure::new(
-                Text::new(
-                    "sphere turned by a quarter of a segment: displacement of the peak",
-                    "esfera girada de um quarto de segmento: deslocamento do pico",
-                ),
-                "px",
-                change.displacement,
-            ),
+            Measure::new(TEXTS.get("measure-sphere-turned-quarter"), "px", change.displacement),
             SQRT_2 > MOST_TOLERANCE * displacement,
-            &|measure| {
-                measure.expect(
-                    displacement,
-                    SQRT_2,
-                    Text::new(
-                        "R sin(Δ/4), to the nearest vertex; half a pixel's diagonal at either peak",
-                        "R sin(Δ/4), até o vértice mais próximo; meia diagonal de pixel em cada pico",
-                    ),
-                )
-            },
+            &|measure| measure.expect(displacement, SQRT_2, TEXTS.get("by-r-sin-nearest")),
         ),
         by_pixels(
-            Measure::new(
-                Text::new(
-                    "Gouraud: flicker of the peak over a turn",
-                    "Gouraud: cintilação do pico numa volta",
-                ),
-                "",
-                flicker_gouraud,
-            ),
+            Measure::new(TEXTS.get("measure-gouraud-flicker-peak"), "", flicker_gouraud),
             tolerance > MOST_TOLERANCE,
             &|measure| measure.expect(1.0 - of_nearest, tolerance, off_pixel.clone()),
         ),
-        Measure::new(
-            Text::new("Phong: flicker of the peak over a turn", "Phong: cintilação do pico numa volta"),
-            "",
-            flicker_phong,
-        ),
-        Measure::new(
-            Text::new(
-                "Gouraud: the same, beyond the flicker of diffuse light",
-                "Gouraud: o mesmo, além da cintilação da luz difusa",
-            ),
-            "",
-            beyond_diffuse(flicker_gouraud),
-        ),
+        Measure::new(TEXTS.get("measure-phong-flicker-peak"), "", flicker_phong),
+        Measure::new(TEXTS.get("measure-gouraud-same-beyond"), "", beyond_diffuse(flicker_gouraud)),
     ];
     let moved = Moved {
         name: match is_seen(lost_on_sphere) {
-            true => Text::new(
-                "flicker of the highlight's peak, beyond that of diffuse light",
-                "cintilação do pico do brilho, além da cintilação da luz difusa",
-            ),
-            false => Text::new(
-                "flicker of the highlight's peak, as far as pixels hold it",
-                "cintilação do pico do brilho, até onde os pixels o contêm",
-            ),
+            true => TEXTS.get("moved"),
+            false => TEXTS.get("moved-flicker-highlight-peak"),
         },
         unit: "",
         bad: told(lost_on_sphere, beyond_diffuse(flicker_gouraud)),
         present: Threshold::HALF_STEP,
-        cure: Text::new("Phong's shading", "sombreamento de Phong"),
+        cure: TEXTS.get("cure"),
         cured: told(lost_on_sphere, beyond_diffuse(flicker_phong)),
         factor: 100.0,
     };
@@ -266,14 +175,8 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let lacking = |[gouraud, phong]: [&Image; 2], lost: f64, angle: f64| -> Result<Moved, ArtefactError> {
         Ok(Moved {
             name: match is_seen(lost) {
-                true => Text::new(
-                    "what of the highlight is missing at its peak",
-                    "o que falta do brilho no seu pico",
-                ),
-                false => Text::new(
-                    "what of the highlight is missing at its peak, as far as pixels hold it",
-                    "o que falta do brilho no seu pico, até onde os pixels o contêm",
-                ),
+                true => TEXTS.get("moved-highlight-missing-peak"),
+                false => TEXTS.get("moved-highlight-missing-peak-far"),
             },
             bad: told(lost, (1.0 - peak(gouraud)? - of_diffuse(angle)).max(0.0)),
             // Of diffuse light nothing lacks there: the normals in the middle face the light.
@@ -290,99 +193,63 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         shots: vec![
             of_plate.bad_shot(
                 "plate-gouraud",
-                Text::new("plate, Gouraud", "placa, Gouraud"),
+                TEXTS.get("plate-gouraud-title"),
                 [
-                    Text::new(
-                        "All four corners of the plate lean away from the light.",
-                        "Os quatro cantos da placa estão inclinados para longe da luz.",
-                    ),
+                    TEXTS.get("plate-gouraud-caption-all-four-corners"),
                     match is_lost(Radians::from(TILT).0, exponent) {
-                        true => Text::new(
-                            "So the whole plate is evenly dull: the highlight in its middle is lost.",
-                            "A placa toda fica por igual opaca: o brilho no meio se perdeu.",
-                        ),
-                        false => Text::new(
-                            "The highlight is so wide that they have much of it: in the middle it is dulled, not lost.",
-                            "O brilho é tão largo que eles têm muito dele: no meio ele fica embaçado, não perdido.",
-                        ),
+                        true => TEXTS.get("plate-gouraud-caption-whole-plate-evenly"),
+                        false => TEXTS.get("plate-gouraud-caption-highlight-wide-they"),
                     },
                 ],
                 plate_gouraud,
             ),
             of_plate.cured_shot(
                 "plate-phong",
-                Text::new("plate, Phong", "placa, Phong"),
+                TEXTS.get("plate-phong-title"),
                 [
-                    Text::new(
-                        "The same two triangles: interpolated normals face the light in the middle.",
-                        "Os mesmos dois triângulos: no meio as normais interpoladas olham para a luz.",
-                    ),
-                    Text::new("The highlight is there.", "O brilho está lá."),
+                    TEXTS.get("plate-phong-caption-same-triangles-interpolated"),
+                    TEXTS.get("plate-phong-caption-highlight"),
                 ],
                 plate_phong,
             ),
             of_sphere.bad_shot(
                 "sphere-gouraud",
-                Text::new("sphere, Gouraud", "esfera, Gouraud"),
+                TEXTS.get("sphere-gouraud-title"),
                 [
-                    Text::with(
-                        "N = {} facets round, n = {}: the highlight falls between two vertices.",
-                        "N = {} facetas em volta, n = {}: o brilho cai entre dois vértices.",
-                        &[f64::from(segments), exponent],
+                    TEXTS.with(
+                        "sphere-gouraud-caption-n-facets-round",
+                        &[("from", (f64::from(segments)).into()), ("exponent", exponent.into())],
                     ),
                     match is_lost(0.5 * delta, exponent) {
-                        true => Text::new(
-                            "A dull bar between them is all that is left of it.",
-                            "Uma barra fosca entre eles é tudo o que resta dele.",
-                        ),
-                        false => Text::new(
-                            "It is wider than a facet: dulled, not lost.",
-                            "Ele é mais largo que uma faceta: embaçado, não perdido.",
-                        ),
+                        true => TEXTS.get("sphere-gouraud-caption-dull-bar-between"),
+                        false => TEXTS.get("sphere-gouraud-caption-wider-facet-dulled"),
                     },
                 ],
                 worst,
             ),
             of_sphere.cured_shot(
                 "sphere-phong",
-                Text::new("sphere, Phong", "esfera, Phong"),
+                TEXTS.get("sphere-phong-title"),
                 [
-                    Text::new("The same sphere with Phong's shading.", "A mesma esfera com o sombreamento de Phong."),
-                    Text::new(
-                        "The highlight is round and in its place.",
-                        "O brilho é redondo e está no lugar.",
-                    ),
+                    TEXTS.get("sphere-phong-caption-same-sphere-phong"),
+                    TEXTS.get("sphere-phong-caption-highlight-round-place"),
                 ],
                 cured,
             ),
             Shot::truth(
                 "sphere-exact",
-                Text::new("the sphere itself", "a própria esfera"),
-                Text::new(
-                    "Every pixel with the normal of the true sphere.",
-                    "Cada pixel com a normal da esfera verdadeira.",
-                ),
+                TEXTS.get("sphere-exact-title"),
+                TEXTS.get("sphere-exact-caption-every-pixel-normal"),
                 truth,
             ),
             moved.bad_shot(
                 "film",
-                Text::new("Gouraud above, Phong below", "Gouraud acima, Phong abaixo"),
+                TEXTS.get("film-title"),
                 [
-                    Text::new(
-                        "The highlight from close by while the sphere turns by one segment, from left to right, as in the animation \
-                         (--animate).",
-                        "O brilho visto de perto enquanto a esfera gira de um segmento, da esquerda para a direita, como na animação \
-                         (--animate).",
-                    ),
+                    TEXTS.get("film-caption-highlight-close-while"),
                     match moved.is_cured() {
-                        true => Text::new(
-                            "Gouraud's gets dimmer and comes back, Phong's stays.",
-                            "O de Gouraud escurece e volta, o de Phong fica.",
-                        ),
-                        false => Text::new(
-                            "Both get dimmer and come back.",
-                            "Os dois escurecem e voltam.",
-                        ),
+                        true => TEXTS.get("film-caption-gouraud-gets-dimmer"),
+                        false => TEXTS.get("film-caption-both-get-dimmer"),
                     },
                 ],
                 film(&setup.parameters)?,
@@ -392,14 +259,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         // What is black throughout does not flicker, but is not cured either.
         moved: if of_sphere.is_cured() { moved } else { of_sphere },
         measures,
-        notes: vec![Text::new(
-            "Gouraud's shading mixes colours of vertices, and no mixture is brighter than the brightest vertex. When the sphere \
-             turns, vertices pass under the highlight one by one and it pulses, once for each. Phong's shading mixes normals and \
-             lights every pixel anew.",
-            "O sombreamento de Gouraud mistura cores de vértices, e nenhuma mistura é mais clara que o vértice mais claro. Quando a \
-             esfera gira, os vértices passam um a um sob o brilho e ele pulsa, uma vez para cada. O de Phong mistura normais e \
-             ilumina cada pixel de novo.",
-        )],
+        notes: vec![TEXTS.get("note-gouraud-shading-mixes")],
     })
 }
 
@@ -435,27 +295,17 @@ fn chart([gouraud, phong]: [Vec<[f64; 2]>; 2], exponent: f64, delta: f64, moved:
     let curve = |name, drawn, points| Curve { name, drawn, points };
     Chart {
         name: "flicker",
-        title: Text::new("The highlight of a turning sphere", "O brilho de uma esfera que gira"),
+        title: TEXTS.get("chart-title"),
         caption: match moved.is_present() && moved.is_cured() {
-            true => Text::new(
-                "The brightest pixel against the turn: with Gouraud's shading it falls and rises again with every segment, as the \
-                 closed form says, which is of the very vertex: pixels have their centres up to half a pixel beside it, and their tops \
-                 are a little lower. With Phong's it stays.",
-                "O pixel mais claro em função do giro: com Gouraud ele cai e sobe de novo a cada segmento, como diz a fórmula, que é do \
-                 próprio vértice: os centros dos pixels ficam até meio pixel ao lado, e os seus máximos são um pouco mais baixos. Com Phong \
-                 fica como está.",
-            ),
-            false => Text::new(
-                "The brightest pixel against the turn, with Gouraud's shading and with Phong's, and the closed form of Gouraud's.",
-                "O pixel mais claro em função do giro, com Gouraud e com Phong, e a fórmula para Gouraud.",
-            ),
+            true => TEXTS.get("chart-caption"),
+            false => TEXTS.get("chart-caption-brightest-pixel-against"),
         },
-        x: Scale::linear(Text::new("turn in degrees", "giro em graus")),
-        y: Scale::linear(Text::new("peak luminance", "luminância do pico")),
+        x: Scale::linear(TEXTS.get("axis-turn-degrees")),
+        y: Scale::linear(TEXTS.get("axis-peak-luminance")),
         curves: vec![
             curve(Text::same("Gouraud"), Drawn::Points, gouraud),
             curve(Text::same("Phong"), Drawn::Points, phong),
-            curve(Text::new("closed form, Gouraud", "fórmula, Gouraud"), Drawn::Guide, theory.collect()),
+            curve(TEXTS.get("closed-form-gouraud"), Drawn::Guide, theory.collect()),
         ],
     }
 }

@@ -1,6 +1,7 @@
 //! The counter-example: light from so far aside that Phong's shading has the larger jumps of slope (Duff 1979).
 
-use super::super::{ArtefactError, Measure, Text};
+use super::super::{ArtefactError, Measure};
+use super::texts::TEXTS;
 use super::tube::Tube;
 use super::{GRAZING, gouraud_jump, phong_jump};
 use crate::num::{Degrees, Radians};
@@ -18,47 +19,16 @@ pub(super) fn measures(segments: u32) -> Result<[Measure; 2], ArtefactError> {
     let theta = half(GRAZING);
     let delta = 2.0 * PI / f64::from(segments);
     let law = phong_jump(theta, GRAZING, delta) / gouraud_jump(theta, GRAZING, delta);
-    let worst = Measure::new(
-        Text::new(
-            "light at 80°: slope jump of Phong over that of Gouraud at an edge turned to θ = 40° (a cylinder not shown)",
-            "luz a 80°: salto de Phong sobre o de Gouraud numa aresta girada a θ = 40° (cilindro não mostrado)",
-        ),
-        "",
-        worst,
-    );
-    let border = Measure::new(
-        Text::new(
-            "the light's angle beyond which Phong has the larger jump",
-            "ângulo da luz além do qual Phong tem o salto maior",
-        ),
-        "°",
-        border,
-    );
+    let worst = Measure::new(TEXTS.get("measure-light-slope-jump"), "", worst);
+    let border = Measure::new(TEXTS.get("measure-light-angle-beyond"), "°", border);
     // The facets beside the edge have to be lit as a whole: half of 80° and one facet are less than 90° then.
     if theta + delta > PI / 2.0 {
-        let why = Text::new(
-            "not held against sin(θ − θ_L) sin θ / cos θ_L: facets so wide are lit in part only",
-            "não comparado com sin(θ − θ_L) sin θ / cos θ_L: facetas tão largas só são iluminadas em parte",
-        );
+        let why = TEXTS.get("not-held-against");
         return Ok([worst.beyond(why.clone()), border.beyond(why)]);
     }
     Ok([
-        worst.expect(
-            law,
-            open,
-            Text::new(
-                "sin(θ − θ_L) sin θ / cos θ_L; roundings of both jumps",
-                "sin(θ − θ_L) sin θ / cos θ_L; arredondamentos dos dois saltos",
-            ),
-        ),
-        border.expect(
-            BORDER,
-            open_there / GROWTH + RESOLVED,
-            Text::new(
-                "arccos(1/3), found by halving in pictures; the ratio grows by 7.4 % a degree there",
-                "arccos(1/3), achado por bissecção em imagens; a razão cresce ali 7,4 % por grau",
-            ),
-        ),
+        worst.expect(law, open, TEXTS.get("by-sin-l-sin-cos")),
+        border.expect(BORDER, open_there / GROWTH + RESOLVED, TEXTS.get("by-arccos-found-halving")),
     ])
 }
 

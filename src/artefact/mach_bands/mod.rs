@@ -3,66 +3,23 @@
 mod duff;
 mod pictures;
 mod predicted;
+mod texts;
 mod tube;
 
 use super::{
-    ArtefactError, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters, Setup, Text, Threshold,
-    Verdict,
+    ArtefactError, Experiment, Knob, Measure, Moved, Outcome, Parameters, Setup, Text, Threshold, Verdict,
 };
 use crate::num::{Degrees, Radians};
 use crate::raster::Shading;
+use texts::TEXTS;
 use tube::{Found, Profile, Tube};
 
-pub(super) const EXPERIMENT: Experiment = Experiment {
+pub(super) static EXPERIMENT: Experiment = Experiment {
     id: "mach-bands",
-    title: Text::new("Mach bands on a cylinder", "Bandas de Mach num cilindro"),
-    claim: Text::new(
-        "Mach bands are worse with Gouraud's shading than with Phong's.",
-        "As bandas de Mach são piores no sombreamento de Gouraud do que no de Phong.",
-    ),
-    sources: &[
-        Text::new("Lectures: Table 1, 1.6.13, 1.6.46, 1.6.50", "Aulas: Tabela 1, 1.6.13, 1.6.46, 1.6.50"),
-        Text::new(
-            "Against it: T. Duff, Smoothly shaded renderings of polyhedral objects on raster displays, SIGGRAPH 1979",
-            "Em contrário: T. Duff, Smoothly shaded renderings of polyhedral objects on raster displays, SIGGRAPH 1979",
-        ),
-    ],
-    formulas: &[
-        Formula {
-            notation: Text::new(
-                "ΔI_{flat} = 2 |sin(θ − θ_L)| sin(Δ/2)",
-                "ΔI_{plano} = 2 |sin(θ − θ_L)| sin(Δ/2)",
-            ),
-            says: Text::new(
-                "the step between two flat facets whose common edge is at the angle θ; Δ = 2π/N",
-                "o degrau entre duas facetas planas cuja aresta comum está no ângulo θ; Δ = 2π/N",
-            ),
-        },
-        Formula {
-            notation: Text::same("ΔI′_{Gouraud} = −cos(θ_L) [tan(θ + Δ/2) − tan(θ − Δ/2)]"),
-            says: Text::new(
-                "the jump of the slope across the picture at that edge",
-                "o salto da inclinação, ao longo da imagem, nessa aresta",
-            ),
-        },
-        Formula {
-            notation: Text::same(
-                "\\frac{ΔI′_{Phong}}{ΔI′_{Gouraud}} = \\frac{sin(θ − θ_L) sin(θ)}{cos(θ_L)}",
-            ),
-            says: Text::new(
-                "so Phong's is the larger one somewhere as soon as cos(θ_L) < 1/3: θ_L > 70.5288°",
-                "portanto o de Phong é o maior em algum lugar assim que cos(θ_L) < 1/3: θ_L > 70,5288°",
-            ),
-        },
-    ],
+    texts: &TEXTS,
     takes: &[Knob::Size, Knob::Segments, Knob::Light],
-    own_mesh: None,
     // Of fewer facets no edge may be in sight; those of four times as many more would be a few pixels wide.
     segments: 6..=128,
-    shown_by: Text::new(
-        "light within 90° of the direction of view, and 8 to 32 segments, would show it.",
-        "luz a menos de 90° da direção de visão, e de 8 a 32 segmentos, o mostrariam.",
-    ),
     // So few that bands are seen with the naked eye; with an odd number of facets in the light no two neighbours are alike.
     defaults: Parameters { segments: 10, light: Degrees(30.0), ..Parameters::USUAL },
     run,
@@ -102,48 +59,18 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let (of_fine, by_fine) = fine_line.slope_jump(&fine, at);
 
     let jump = |name: &str, line: &Profile, found: Found, notation: Text| {
-        let name = Text::made(
-            format!("{name}: largest slope jump within 60° of the direction of view"),
-            format!("{name}: maior salto de inclinação a até 60° da direção de visão"),
-        );
+        let name = TEXTS.with("name-largest-slope", &[("name", name.into())]);
         let (_, tolerance) = line.slope_jump(&tube, found.theta);
         Measure::new(name, "1/R", found.measured).expect(found.law, tolerance, notation)
     };
     let mut measures = vec![
-        Measure::new(
-            Text::new(
-                "flat: largest step of luminance within 60° of the direction of view",
-                "plano: maior degrau de luminância a até 60° da direção de visão",
-            ),
-            "",
-            step.measured,
-        )
-        .expect(
+        Measure::new(TEXTS.get("measure-flat-largest-step"), "", step.measured).expect(
             step.law,
             1e-6,
-            Text::new(
-                "2 |sin(θ − θ_L)| sin(Δ/2); single precision",
-                "2 |sin(θ − θ_L)| sin(Δ/2); precisão simples",
-            ),
+            TEXTS.get("by-sin-l-sin"),
         ),
-        jump(
-            "Gouraud",
-            &lines.gouraud,
-            of_gouraud,
-            Text::new(
-                "−cos θ_L [tan(θ + Δ/2) − tan(θ − Δ/2)]; roundings of the samples that a slope is taken of",
-                "−cos θ_L [tan(θ + Δ/2) − tan(θ − Δ/2)]; arredondamentos das amostras de que se toma a inclinação",
-            ),
-        ),
-        jump(
-            "Phong",
-            &lines.phong,
-            of_phong,
-            Text::new(
-                "−sin(θ − θ_L) sin θ [tan(θ + Δ/2) − tan(θ − Δ/2)]; as for Gouraud",
-                "−sin(θ − θ_L) sin θ [tan(θ + Δ/2) − tan(θ − Δ/2)]; como em Gouraud",
-            ),
-        ),
+        jump("Gouraud", &lines.gouraud, of_gouraud, TEXTS.get("cos-l-tan")),
+        jump("Phong", &lines.phong, of_phong, TEXTS.get("sin-l-sin")),
         Measure::new(
             Text::made(
                 format!("{} with {} segments: slope jump at the same edge", worse.name, FINER * segments),
@@ -156,11 +83,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             "1/R",
             of_fine,
         )
-        .expect(
-            (worse.law)(at, light, fine.delta()),
-            by_fine,
-            Text::new("the same with the smaller Δ", "o mesmo com o Δ menor"),
-        ),
+        .expect((worse.law)(at, light, fine.delta()), by_fine, TEXTS.get("by-same-smaller")),
     ];
     measures.extend(duff::measures(segments)?);
     measures.extend(predicted::measures(&tube, &fine, light)?);
@@ -195,10 +118,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let [phong_at_80, gouraud_at_80] = jumps_at_80.each_ref().map(largest);
     // What another shading does need not make bands vanish, but be seen to be less.
     let other = |bad: f64, cured: f64, tube: &Tube| Moved {
-        name: Text::new(
-            "largest slope jump within 60° of the direction of view",
-            "maior salto de inclinação a até 60° da direção de visão",
-        ),
+        name: TEXTS.get("moved"),
         bad,
         cured,
         present: threshold(tube),
@@ -208,10 +128,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let shown = Shown {
         worse: &worse,
         step: Moved {
-            name: Text::new(
-                "largest step within 60° of the direction of view",
-                "maior degrau a até 60° da direção de visão",
-            ),
+            name: TEXTS.get("moved-largest-step-within"),
             unit: "",
             bad: step.measured.abs(),
             present: Threshold::HALF_STEP,
@@ -272,63 +189,23 @@ const DUFF: Degrees = Degrees(70.528_779_365_509_3);
 /// By what was measured at the edges, and whether Phong's jump is the larger one at any of them.
 fn verdict(is_gouraud_worse: bool, is_phong_worse_somewhere: bool, light: Degrees) -> Verdict {
     match is_gouraud_worse {
-        true if light.0.abs() > DUFF.0 && !is_phong_worse_somewhere => Verdict::HoldsOnlyIf(Text::new(
-            "no edge stands where it does not. The light is more than 70.5288° off the direction of view, so that Phong's slope \
-             jump would be the larger one at an edge halfway to the light; this cylinder has none there.",
-            "nenhuma aresta está onde ela não vale. A luz está a mais de 70,5288° da direção de visão, de modo que o salto de \
-             inclinação de Phong seria o maior em uma aresta a meio caminho da luz; este cilindro não tem nenhuma ali.",
-        )),
-        true if light.0.abs() > DUFF.0 => Verdict::HoldsOnlyIf(Text::new(
-            "the largest jumps are compared, as they are here. The light is more than 70.5288° off the direction of view, so that at \
-             some edges Phong's slope jump is the larger one already; a little farther off it is the largest of all.",
-            "se comparam os maiores saltos, como aqui. A luz está a mais de 70,5288° da direção de visão, de modo que em algumas \
-             arestas o salto de inclinação de Phong já é o maior; um pouco mais longe ele é o maior de todos.",
-        )),
-        true => Verdict::HoldsOnlyIf(Text::new(
-            "the light is less than 70.5288° off the direction of view, as it is here. Beyond that there are edges where Phong's \
-             slope jump is the larger one; at 90° Gouraud's shading of facets lit as a whole is exact, and only Phong's has bands.",
-            "a luz está a menos de 70,5288° da direção de visão, como aqui. Além desse ângulo há arestas em que o salto de inclinação \
-             de Phong é o maior; a 90° o sombreamento de Gouraud das facetas iluminadas por inteiro é exato, e só o de Phong \
-             tem bandas.",
-        )),
-        false => Verdict::Fails(Text::new(
-            "the light is so far off the direction of view that Phong's slope jumps are the larger ones, as they may be from \
-             70.5288° on.",
-            "a luz está tão longe da direção de visão que os saltos de inclinação de Phong são os maiores, como podem ser a partir \
-             de 70,5288°.",
-        )),
+        true if light.0.abs() > DUFF.0 && !is_phong_worse_somewhere => {
+            Verdict::HoldsOnlyIf(TEXTS.get("holds-only-if-no-edge-stands"))
+        }
+        true if light.0.abs() > DUFF.0 => {
+            Verdict::HoldsOnlyIf(TEXTS.get("holds-only-if-largest-jumps-compared"))
+        }
+        true => Verdict::HoldsOnlyIf(TEXTS.get("holds-only-if-light-less-off")),
+        false => Verdict::Fails(TEXTS.get("fails-light-far-off")),
     }
 }
 
 fn notes() -> Vec<Text> {
     vec![
-        Text::new(
-            "Where the slope of luminance jumps, the eye sees a dark line at the foot and a bright line at the knee, \
-             though no pixel there is darker or brighter than its neighbours on both sides. Flat shading jumps in \
-             luminance itself. Gouraud's and Phong's are continuous, but their slopes are not.",
-            "Onde a inclinação da luminância salta, o olho vê uma linha escura no pé e uma clara no joelho, embora \
-             nenhum pixel ali seja mais escuro ou mais claro que os vizinhos dos dois lados. O sombreamento plano salta na \
-             própria luminância. Os de Gouraud e de Phong são contínuos, mas as suas inclinações não.",
-        ),
-        Text::new(
-            "The overshoot called predicted is that of a difference of Gaussians, a model of lateral inhibition. It says where bands \
-             may be seen and how they compare on one picture, not how strongly they are seen.",
-            "O excesso chamado de previsto é o de uma diferença de gaussianas, um modelo da inibição lateral. Ele diz onde bandas podem \
-             ser vistas e como se comparam numa imagem, não com que força são vistas.",
-        ),
-        Text::new(
-            "Facets meet where the light ends: there the cylinder itself has a band. Edges are measured where both of their facets are \
-             lit, up to 60° from the direction of view; farther round facets are seen from the side, and slopes across the picture \
-             grow without bound, those of the cylinder too.",
-            "As facetas se encontram onde a luz acaba: ali o próprio cilindro tem uma banda. As arestas são medidas onde as suas duas \
-             facetas estão iluminadas, até 60° da direção de visão; mais adiante as facetas são vistas de lado, e as inclinações ao longo \
-             da imagem crescem sem limite, também as do cilindro.",
-        ),
-        Text::new(
-            "Jumps are of first order in the width of a facet: four times the segments make them about a quarter.",
-            "Os saltos são de primeira ordem na largura da faceta: quatro vezes mais segmentos os reduzem a cerca de um \
-             quarto.",
-        ),
+        TEXTS.get("slope-luminance-jumps"),
+        TEXTS.get("overshoot-called-predicted"),
+        TEXTS.get("facets-meet-light"),
+        TEXTS.get("jumps-first-order"),
     ]
 }
 
@@ -353,10 +230,7 @@ fn phong_jump(theta: f64, light: Degrees, delta: f64) -> f64 {
 fn threshold(tube: &Tube) -> Threshold {
     Threshold {
         value: 8.0 * Threshold::HALF_STEP.value / (2.0 * libm::sin(0.5 * tube.delta())),
-        why: Text::new(
-            "the luminance of a facet is then half a step of 8 bits off a round one",
-            "a luminância de uma faceta fica então a meio passo de 8 bits de uma curva",
-        ),
+        why: TEXTS.get("why-luminance-facet-half"),
     }
 }
 

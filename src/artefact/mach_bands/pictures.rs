@@ -2,6 +2,7 @@
 
 use super::super::stage::map;
 use super::super::{ArtefactError, Chart, Curve, Drawn, Language, Moved, Scale, Shot, Text};
+use super::texts::TEXTS;
 use super::tube::{Profile, Tube, WINDOW};
 use super::{GRAZING, Lines, Shown};
 use crate::num::Degrees;
@@ -16,19 +17,10 @@ pub(super) fn shots(
 ) -> Result<Vec<Shot>, ArtefactError> {
     let square = [size; 2];
     let worse = shown.worse;
-    let drawn_gouraud = Text::new(
-        "Gouraud's shading of the same facets: luminance is continuous, its slope is not.",
-        "O sombreamento de Gouraud das mesmas facetas: a luminância é contínua, a inclinação não.",
-    );
-    let drawn_phong = Text::new(
-        "Phong's shading of the same facets: luminance is bent on each of them.",
-        "O sombreamento de Phong das mesmas facetas: a luminância é curva em cada uma.",
-    );
-    let bands = Text::new("Bands stand at the edges.", "Há bandas nas arestas.");
-    let less = Text::new(
-        "Slopes jump less under this light than with the other shading.",
-        "As inclinações saltam menos sob esta luz do que no outro sombreamento.",
-    );
+    let drawn_gouraud = TEXTS.get("gouraud-shading-same");
+    let drawn_phong = TEXTS.get("phong-shading-same");
+    let bands = TEXTS.get("bands-stand-edges");
+    let less = TEXTS.get("slopes-jump-less");
     let [gouraud, phong] =
         [Shading::Gouraud, Shading::Phong].map(|shading| tube.draw(square, light, shading));
     let (gouraud, phong) = (gouraud?, phong?);
@@ -46,17 +38,13 @@ pub(super) fn shots(
     };
     let flat = shown.step.bad_shot(
         "flat",
-        Text::new("flat", "plano"),
+        TEXTS.get("flat-title"),
         [
-            Text::with(
-                "Flat shading of {} facets, the light {}° off the direction of view: one luminance for each facet.",
-                "Sombreamento plano de {} facetas, a luz a {}° da direção de visão: uma luminância para cada faceta.",
-                &[f64::from(tube.segments), light.0],
+            TEXTS.with(
+                "flat-caption-flat-shading-facets",
+                &[("from", (f64::from(tube.segments)).into()), ("value", light.0.into())],
             ),
-            Text::new(
-                "Each stands out as a stripe of one grey.",
-                "Cada uma se destaca como uma faixa de um só cinza.",
-            ),
+            TEXTS.get("flat-caption-each-stands-out"),
         ],
         tube.draw(square, light, Shading::Flat)?,
     );
@@ -71,20 +59,14 @@ pub(super) fn shots(
                 format!("{}'s shading with four times the segments.", worse.name),
                 format!("O sombreamento de {} com quatro vezes mais segmentos.", worse.name),
             ),
-            Text::new(
-                "Jumps are about a quarter of what they were.",
-                "Os saltos são cerca de um quarto do que eram.",
-            ),
+            TEXTS.get("fine-caption-jumps-about-quarter"),
         ],
         fine.draw(square, light, worse.shading)?,
     );
     let exact = Shot::truth(
         "exact",
-        Text::new("the cylinder itself", "o próprio cilindro"),
-        Text::new(
-            "The cylinder lit at every pixel with its own normal: no bands but where the light ends.",
-            "O cilindro iluminado em cada pixel com a sua própria normal: sem bandas senão onde a luz acaba.",
-        ),
+        TEXTS.get("exact-title"),
+        TEXTS.get("exact-caption-cylinder-lit-every"),
         tube.draw(square, light, Shading::Exact)?,
     );
     let [gouraud_80, phong_80] =
@@ -97,45 +79,25 @@ pub(super) fn shots(
         shown.at_80.bad_shot(
             "phong-80-jumps",
             jumps("Phong"),
-            [
-                bars(full),
-                Text::new(
-                    "The slope of Phong's luminance jumps more.",
-                    "A inclinação da luminância de Phong salta mais.",
-                ),
-            ],
+            [bars(full), TEXTS.get("phong-80-jumps-title")],
             of_phong_80,
         ),
         shown.at_80.cured_shot(
             "gouraud-80-jumps",
             jumps("Gouraud"),
-            [
-                bars(full),
-                Text::new(
-                    "Gouraud's shading has the smaller jumps here.",
-                    "O sombreamento de Gouraud tem aqui os saltos menores.",
-                ),
-            ],
+            [bars(full), TEXTS.get("gouraud-80-jumps-title")],
             of_gouraud_80,
         ),
         Shot::seen(
             "phong-80",
-            Text::new("Phong, light at 80°", "Phong, luz a 80°"),
-            Text::new(
-                "The light 80° off the direction of view, Phong's shading. Luminance bends within each facet; the jumps of its slope, \
-                 which the map shows, are hardly seen.",
-                "A luz a 80° da direção de visão, sombreamento de Phong. A luminância se curva dentro de cada faceta; os saltos da sua \
-                 inclinação, que o mapa mostra, quase não se veem.",
-            ),
+            TEXTS.get("phong-80-title"),
+            TEXTS.get("phong-80-caption-light-off-direction"),
             phong_80,
         ),
         Shot::seen(
             "gouraud-80",
-            Text::new("Gouraud, light at 80°", "Gouraud, luz a 80°"),
-            Text::new(
-                "The same light: where facets are lit as a whole, luminance is nearly linear across the picture.",
-                "A mesma luz: onde as facetas estão iluminadas por inteiro, a luminância é quase linear ao longo da imagem.",
-            ),
+            TEXTS.get("gouraud-80-title"),
+            TEXTS.get("gouraud-80-caption-same-light-facets"),
             gouraud_80,
         ),
     ];
@@ -164,20 +126,11 @@ fn jump_map(drawn: &Image, grazing: &Tube, jumps: &[[f64; 2]], full: f64) -> Ima
 }
 
 fn jumps(shading: &str) -> Text {
-    Text::made(
-        format!("{shading}, light at 80°: jumps of the slope"),
-        format!("{shading}, luz a 80°: saltos da inclinação"),
-    )
+    TEXTS.with("shading-light-jumps", &[("shading", shading.into())])
 }
 
 fn bars(full: f64) -> Text {
-    Text::with(
-        "Bars at the edges up to 60° round whose facets are lit all over, as light as the slope jumps there: violet 0, yellow {}. What \
-         is not measured is left out.",
-        "Barras nas arestas até 60° cujas facetas estão iluminadas por inteiro, tanto mais claras quanto mais a inclinação salta ali: \
-         violeta 0, amarelo {}. O que não se mede fica de fora.",
-        &[full],
-    )
+    TEXTS.with("bars-edges-up", &[("full", full.into())])
 }
 
 /// Luminance, its slope and its curvature.
@@ -198,17 +151,10 @@ pub(super) fn charts(lines: &Lines, shown: &Shown) -> Vec<Chart> {
             ),
         }
     });
-    let luminance = Text::new(
-        "Where there is light, flat shading has steps, Gouraud's is a polygon, Phong's is bent on each facet.",
-        "Onde há luz, o sombreamento plano tem degraus, o de Gouraud é uma poligonal, o de Phong é curvo em cada faceta.",
-    );
-    let three = [
-        (Text::same("Gouraud"), gouraud),
-        (Text::same("Phong"), phong),
-        (Text::new("exact", "exato"), exact),
-    ];
+    let luminance = TEXTS.get("light-flat-shading");
+    let three = [(Text::same("Gouraud"), gouraud), (Text::same("Phong"), phong), (TEXTS.get("exact"), exact)];
     let mut charts = derivatives(["luminance", "slope", "curvature"], None, [luminance, slopes], &three);
-    let steps = curve(Text::new("flat", "plano"), flat, &Derivative::Zeroth);
+    let steps = curve(TEXTS.get("flat-title"), flat, &Derivative::Zeroth);
     // Last, so that the others look alike in all plots.
     charts[0].curves.push(steps);
     charts
@@ -220,24 +166,11 @@ pub(super) fn charts_of_grazing_light(grazing: &Tube, at_80: &Moved) -> Result<V
     let lines = [line(Shading::Gouraud)?, line(Shading::Phong)?, line(Shading::Exact)?];
     let [gouraud, phong, exact] = &lines;
     let captions = [
-        Text::new(
-            "The light at 80°: the cylinder's luminance is nearly straight where it is lit, and so is Gouraud's. Phong's is bent.",
-            "A luz a 80°: a luminância do cilindro é quase reta onde há luz, e a de Gouraud também. A de Phong é curva.",
-        ),
-        Text::with(
-            "The slope of that, on the facets beside the edges that are measured: Phong's goes up and down on each facet and jumps back \
-             at edges, by up to {}; Gouraud's jumps by up to {}.",
-            "A inclinação disso, nas facetas junto às arestas medidas: a de Phong sobe e desce em cada faceta e salta de volta nas \
-             arestas, até {}; a de Gouraud salta até {}.",
-            &[at_80.bad, at_80.cured],
-        ),
+        TEXTS.get("light-cylinder-luminance"),
+        TEXTS.with("slope-facets-beside", &[("bad", at_80.bad.into()), ("cured", at_80.cured.into())]),
     ];
-    let three = [
-        (Text::same("Gouraud"), gouraud),
-        (Text::same("Phong"), phong),
-        (Text::new("exact", "exato"), exact),
-    ];
-    let of = Text::new("light at 80°", "luz a 80°");
+    let three = [(Text::same("Gouraud"), gouraud), (Text::same("Phong"), phong), (TEXTS.get("exact"), exact)];
+    let of = TEXTS.get("light");
     let mut charts = derivatives(["luminance-80", "slope-80", "curvature-80"], Some(of), captions, &three);
     // Where the light ends, and far round, slopes jump more, but there it is no matter of the shading.
     let (from, to) = grazing.beside_edges(GRAZING);
@@ -276,29 +209,16 @@ fn derivatives(
     [luminance, slope]: [Text; 2],
     lines: &[(Text, &Profile)],
 ) -> Vec<Chart> {
-    let spike = Text::new(
-        "The slope of the slope: where the slope jumps there is a narrow spike, and the larger the jump the higher the spike.",
-        "A inclinação da inclinação: onde a inclinação salta há um pico estreito, tanto mais alto quanto maior é o salto.",
-    );
+    let spike = TEXTS.get("slope-slope-slope");
     let all = [
         (
             Derivative::Zeroth,
-            Text::new("Luminance along a scanline", "Luminância ao longo de uma linha de varredura"),
+            TEXTS.get("luminance-along-scanline"),
             luminance,
-            Text::new("linear luminance Y", "luminância linear Y"),
+            TEXTS.get("linear-luminance-y"),
         ),
-        (
-            Derivative::First,
-            Text::new("First derivative", "Primeira derivada"),
-            slope,
-            Text::new("dY/dx, per radius", "dY/dx, por raio"),
-        ),
-        (
-            Derivative::Second,
-            Text::new("Second derivative", "Segunda derivada"),
-            spike,
-            Text::new("d²Y/dx², per radius²", "d²Y/dx², por raio²"),
-        ),
+        (Derivative::First, TEXTS.get("first-derivative"), slope, TEXTS.get("dy-dx-per")),
+        (Derivative::Second, TEXTS.get("second-derivative"), spike, TEXTS.get("d-y-dx")),
     ];
     let chart =
         |(name, (derivative, title, caption, y)): (&'static str, (Derivative, Text, Text, Text))| Chart {
@@ -308,7 +228,7 @@ fn derivatives(
                 Some(of) => Text::each(|language| format!("{}, {}", title.get(language), of.get(language))),
             },
             caption,
-            x: Scale::linear(Text::new("x across the picture, in radii", "x ao longo da imagem, em raios")),
+            x: Scale::linear(TEXTS.get("axis-x-across-picture")),
             y: Scale::linear(y),
             curves: lines.iter().map(|(name, line)| curve(name.clone(), line, &derivative)).collect(),
         };

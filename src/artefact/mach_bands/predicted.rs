@@ -1,6 +1,7 @@
 //! What lateral inhibition predicts at the edges. It is called predicted, for it is a model's answer and nobody's sight.
 
 use super::super::{ArtefactError, Chart, Curve, Drawn, Language, Measure, Scale, Text};
+use super::texts::TEXTS;
 use super::tube::{Tube, WINDOW, is_drawn};
 use super::{Law, flat_step, gouraud_jump, phong_jump};
 use crate::metric::{DifferenceOfGaussians, MetricError, PIXELS_PER_DEGREE, Profile};
@@ -93,18 +94,8 @@ pub(super) fn measures(tube: &Tube, fine: &Tube, light: Degrees) -> Result<Vec<M
         });
         let measure = Measure::new(name, "", found.measured);
         Ok::<_, ArtefactError>(match tube.narrowest() * radius() > 2.0 * REACH {
-            true => measure.expect(
-                found.law,
-                law(found.theta).open,
-                Text::new(
-                    "ΔI′ (σ_s − σ_c)/√(2π) for a jump of slope, 0.111682 ΔI for a step; up to 11.6 % less where the edge lies between two pixels",
-                    "ΔI′ (σ_s − σ_c)/√(2π) para um salto de inclinação, 0,111682 ΔI para um degrau; até 11,6 % menos onde a aresta fica entre dois pixels",
-                ),
-            ),
-            false => measure.beyond(Text::new(
-                "facets are so narrow that the model sees two edges at once",
-                "as facetas são tão estreitas que o modelo vê duas arestas ao mesmo tempo",
-            )),
+            true => measure.expect(found.law, law(found.theta).open, TEXTS.get("by-i-s-c")),
+            false => measure.beyond(TEXTS.get("untested-facets-narrow-model")),
         })
     };
     let corner = |law: Law, delta: f64| {
@@ -135,36 +126,26 @@ pub(super) fn charts(tube: &Tube, light: Degrees) -> Result<Vec<Chart>, Artefact
         name,
         title,
         caption,
-        x: Scale::linear(Text::new("x across the picture, in radii", "x ao longo da imagem, em raios")),
-        y: Scale::linear(Text::new("predicted overshoot, in luminance", "excesso previsto, em luminância")),
+        x: Scale::linear(TEXTS.get("axis-x-across-picture")),
+        y: Scale::linear(TEXTS.get("axis-predicted-overshoot-luminance")),
         curves,
     };
     Ok(vec![
         chart(
             "predicted",
-            Text::new("Predicted overshoot: slopes", "Excesso previsto: inclinações"),
-            Text::new(
-                "What a difference of two Gaussians (σ of 1 and 1.6 pixels, 67 pixels per degree) predicts: a line at each edge in the light, \
-                 about as high as the slope jumps there. It is a model: the eye does not follow it in strength.",
-                "O que prevê uma diferença de duas gaussianas (σ de 1 e 1,6 pixel, 67 pixels por grau): uma linha em cada aresta sob a luz, \
-                 tão alta quanto a inclinação salta ali. É um modelo: o olho não o segue na intensidade.",
-            ),
+            TEXTS.get("predicted-overshoot-slopes"),
+            TEXTS.get("difference-gaussians-pixels"),
             vec![
                 curve(Text::same("Gouraud"), Shading::Gouraud)?,
                 curve(Text::same("Phong"), Shading::Phong)?,
-                curve(Text::new("exact", "exato"), Shading::Exact)?,
+                curve(TEXTS.get("exact"), Shading::Exact)?,
             ],
         ),
         chart(
             "predicted-flat",
-            Text::new("Predicted overshoot: steps", "Excesso previsto: degraus"),
-            Text::new(
-                "The same model on flat shading: a bright and a dark line beside every step that there is. There the model is known to be wrong: the bands \
-                 that it predicts beside steps are hardly seen (Kingdom 2014).",
-                "O mesmo modelo no sombreamento plano: uma linha clara e uma escura junto a cada degrau que houver. Ali se sabe que o modelo erra: \
-                 as bandas que prevê junto a degraus quase não são vistas (Kingdom 2014).",
-            ),
-            vec![curve(Text::new("flat", "plano"), Shading::Flat)?],
+            TEXTS.get("predicted-overshoot-steps"),
+            TEXTS.get("same-model-flat"),
+            vec![curve(TEXTS.get("flat-title"), Shading::Flat)?],
         ),
     ])
 }

@@ -2,6 +2,7 @@
 
 use super::centre;
 use super::polygon::Polygon;
+use super::texts::TEXTS;
 use crate::artefact::{ArtefactError, Measure, Text};
 use crate::num::{Degrees, Radians};
 use crate::raster::{Camera, Interpolation, Projection};
@@ -47,40 +48,22 @@ pub(super) fn measures(diamond: &Polygon, size: u32, tolerance: f64) -> Result<V
     let upright = mixed(c3, c1);
     let cases = [
         (
-            Text::new(
-                "aslant, change by a quarter turn: scanline",
-                "em vista oblíqua, mudança por um quarto de volta: varredura",
-            ),
+            TEXTS.get("aslant-change-quarter"),
             (diamond, Interpolation::Scanline),
             largest(mixed(c2, c4), upright),
-            Text::new(
-                "the line from corner 3 to 1, then that from 2 to 4, mixed by distances in the picture",
-                "a linha do canto 3 ao 1, depois a do 2 ao 4, misturada por distâncias na imagem",
-            ),
+            TEXTS.get("line-corner-mixed"),
         ),
         (
-            Text::new(
-                "aslant, change by a quarter turn: triangles",
-                "em vista oblíqua, mudança por um quarto de volta: triângulos",
-            ),
+            TEXTS.get("aslant-change-quarter-turn"),
             (&triangles, Interpolation::Affine),
             largest(0.5 * (c1 + c3), upright),
-            Text::new(
-                "s/2d of what corners 1 and 3 differ by: the edge between them runs into depth in one position only",
-                "s/2d da diferença dos cantos 1 e 3: a aresta entre eles entra na profundidade numa posição só",
-            ),
+            TEXTS.get("s-d-corners"),
         ),
         (
-            Text::new(
-                "aslant, change by a quarter turn: triangles by perspective",
-                "em vista oblíqua, mudança por um quarto de volta: triângulos com perspectiva",
-            ),
+            TEXTS.get("aslant-change-quarter-turn-triangles"),
             (&triangles, Interpolation::Perspective),
             0.0,
-            Text::new(
-                "colours that are mixed by 1/depth are of the place on the polygon",
-                "cores misturadas por 1/profundidade são do lugar no polígono",
-            ),
+            TEXTS.get("colours-mixed-depth"),
         ),
     ];
     let measure =

@@ -3,6 +3,7 @@
 use super::super::stage::{BACKGROUND, linear, picture};
 use super::super::{ArtefactError, Language, Measure, Text};
 use super::polygon::{Polygon, sin_cos};
+use super::texts::TEXTS;
 use crate::metric::image_error;
 use crate::num::Degrees;
 use crate::raster::{Image, Interpolation};
@@ -26,10 +27,7 @@ pub(super) fn measures(polygon: &Polygon, size: u32, tolerance: f64) -> Result<V
             Interpolation::Scanline => law(polygon, &upright, &back, tolerance),
             _ => 0.0,
         };
-        let by = Text::new(
-            "the law of the scanline at every pixel, 0 in triangles; corners snap to 256ths of pixels",
-            "a lei da linha de varredura em cada pixel, 0 em triângulos; os cantos se ajustam a 1/256 de pixel",
-        );
+        let by = TEXTS.get("law-scanline-every");
         Ok(Measure::new(name, "", found).expect(law, tolerance, by))
     };
     [

@@ -4,54 +4,23 @@ mod aslant;
 mod back;
 mod pictures;
 mod polygon;
+mod texts;
 
 use super::stage::linear;
 use super::{
-    ArtefactError, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters, Setup, Text, Threshold,
-    Verdict,
+    ArtefactError, Experiment, Knob, Measure, Moved, Outcome, Parameters, Setup, Text, Threshold, Verdict,
 };
 use crate::num::Degrees;
 use crate::raster::{Image, Interpolation};
 use glam::{DVec2, DVec3};
 use polygon::Polygon;
+use texts::TEXTS;
 
-pub(super) const EXPERIMENT: Experiment = Experiment {
+pub(super) static EXPERIMENT: Experiment = Experiment {
     id: "orientation",
-    title: Text::new("Dependence on orientation", "Dependência da orientação"),
-    claim: Text::new(
-        "Interpolation along scanlines depends on how a polygon is turned: the centre of the diamond of exercise 1.6.25 has \
-         the colour (0.1, 0.5, 0.5) in one position and (0.2, 0.3, 0.1) a quarter turn later.",
-        "A interpolação por linhas de varredura depende da orientação do polígono: o centro do losango do exercício 1.6.25 \
-         tem a cor (0,1; 0,5; 0,5) numa posição e (0,2; 0,3; 0,1) um quarto de volta depois.",
-    ),
-    sources: &[
-        Text::new("Lectures: 1.5.2.1, 1.5.2.3, 1.6.15, 1.6.25", "Aulas: 1.5.2.1, 1.5.2.3, 1.6.15, 1.6.25"),
-        Text::new(
-            "Ting 2008: “different results for different triangulations”",
-            "Ting 2008: “Resultados distintos para diferentes triangulações”",
-        ),
-    ],
-    formulas: &[Formula {
-        notation: Text::same(
-            "c(θ) = \\frac{|cos(θ)| (c_1 + c_3)/2 + |sin(θ)| (c_2 + c_4)/2}{|cos(θ)| + |sin(θ)|}",
-        ),
-        says: Text::new(
-            "the colour at the centre of the diamond turned by θ; c₁ to c₄ are the colours of its corners, counter-clockwise from the \
-             right one, and θ = 0 is position 1",
-            "a cor no centro do losango girado de θ; c₁ a c₄ são as cores dos cantos, no sentido anti-horário a partir do direito, e \
-             θ = 0 é a posição 1",
-        ),
-    }],
+    texts: &TEXTS,
     takes: &[Knob::Size, Knob::Interpolation, Knob::Mesh],
-    own_mesh: Some(Text::new(
-        "its first face of four corners or more, with the colours of its vertices if it has them",
-        "a sua primeira face de quatro cantos ou mais, com as cores dos seus vértices se as tiver",
-    )),
     segments: Parameters::SEGMENTS,
-    shown_by: Text::new(
-        "a polygon of four corners or more, whose colours do not lie in one plane over it, would show it.",
-        "um polígono de quatro cantos ou mais, cujas cores não estão num plano sobre ele, o mostraria.",
-    ),
     defaults: Parameters { size: 321, interpolation: Interpolation::Scanline, ..Parameters::USUAL },
     run,
     frame: Some(frame),
@@ -88,43 +57,23 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let (most, mean) = spread(&scanline);
     let (most_law, mean_law) = spread(&laws);
     let (of_triangles, _) = spread(&triangles);
-    let as_law = || {
-        Text::new(
-            "the law of the scanline; corners snap to 256ths of pixels",
-            "a lei da linha de varredura; os cantos se ajustam a 1/256 de pixel",
-        )
-    };
+    let as_law = || TEXTS.get("law-scanline-corners");
     let mut measures = vec![
-        Measure::new(
-            Text::new("largest distance from the law, over 72 turns", "maior distância da lei, em 72 giros"),
-            "",
-            off,
-        )
-        .expect(0.0, tolerance, as_law()),
-        Measure::new(
-            Text::new("largest change of the centre's colour", "maior mudança da cor do centro"),
-            "",
-            most,
-        )
-        .expect(most_law, 2.0 * tolerance, as_law()),
-        Measure::new(
-            Text::new("mean change of the centre's colour", "mudança média da cor do centro"),
-            "",
-            mean,
-        )
-        .expect(mean_law, 2.0 * tolerance, as_law()),
-        Measure::new(
-            Text::new("largest change, in triangles", "maior mudança, em triângulos"),
-            "",
-            of_triangles,
-        )
-        .expect(
+        Measure::new(TEXTS.get("measure-largest-distance-law"), "", off).expect(0.0, tolerance, as_law()),
+        Measure::new(TEXTS.get("measure-largest-change-centre"), "", most).expect(
+            most_law,
+            2.0 * tolerance,
+            as_law(),
+        ),
+        Measure::new(TEXTS.get("measure-mean-change-centre"), "", mean).expect(
+            mean_law,
+            2.0 * tolerance,
+            as_law(),
+        ),
+        Measure::new(TEXTS.get("measure-largest-change-triangles"), "", of_triangles).expect(
             0.0,
             2.0 * tolerance,
-            Text::new(
-                "barycentric coordinates do not turn; corners snap to 256ths of pixels",
-                "coordenadas baricêntricas não giram; os cantos se ajustam a 1/256 de pixel",
-            ),
+            TEXTS.get("by-barycentric-coordinates-do"),
         ),
     ];
     measures.extend(back::measures(&polygon, size, tolerance)?);
@@ -145,24 +94,16 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         back::turned_back(&first.draw(size, Degrees(90.0), Interpolation::Affine)?, Degrees(90.0));
     let half = polygon.draw(size, Degrees(45.0), Interpolation::Scanline)?;
     let moved = Moved {
-        name: Text::new(
-            "largest change of the centre's colour while it turns",
-            "maior mudança da cor do centro durante o giro",
-        ),
+        name: TEXTS.get("moved"),
         unit: "",
         bad: most,
         present: Threshold::HALF_STEP,
-        cure: Text::new("cut into triangles", "cortado em triângulos"),
+        cure: TEXTS.get("cure"),
         cured: of_triangles,
         factor: 50.0,
     };
     Ok(Outcome {
-        verdict: Verdict::Holds(Text::new(
-            "for polygons of four corners and more, whose colours are not those of one plane. Triangles do not depend on \
-             how they are turned, but a polygon's colours then depend on how it is cut into them.",
-            "para polígonos de quatro cantos ou mais, cujas cores não são as de um plano. Triângulos não dependem de \
-             como são girados, mas as cores de um polígono passam a depender de como ele é cortado neles.",
-        )),
+        verdict: Verdict::Holds(TEXTS.get("holds-polygons-four-corners")),
         charts: vec![pictures::chart(&scanline, &laws, &triangles, &moved)],
         shots: pictures::shots(
             [upright, half, turned, back],
@@ -175,30 +116,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         moved,
         measures,
         notes: vec![
-            Text::new(
-                "Seen from in front all triangles are alike. Aslant their colours have to be mixed by 1/depth (perspective): mixed by \
-                 distances in the picture they change with the turn, too, by less than scanlines' do.",
-                "Vistos de frente todos os triângulos são iguais. Em vista oblíqua as suas cores têm de ser misturadas por 1/profundidade \
-                 (perspectiva): misturadas por distâncias na imagem também mudam com o giro, menos que as da linha de varredura.",
-            ),
-            Text::new(
-                "The algorithm interpolates down the two edges that a scanline cuts, then across between them. Turn the \
-                 polygon, and the scanline through its centre cuts other edges at other places.",
-                "O algoritmo interpola ao longo das duas arestas que a linha de varredura corta, e depois entre elas. Gire o \
-                 polígono, e a linha pelo seu centro corta outras arestas em outros lugares.",
-            ),
-            Text::new(
-                "The animation (--animate) shows the turn; --interpolation affine or perspective shows it in triangles, where nothing \
-                 changes but the place.",
-                "A animação (--animate) mostra o giro; --interpolation affine ou perspective o mostra em triângulos, onde nada muda \
-                 senão o lugar.",
-            ),
-            Text::new(
-                "Triangles cure that: three corners determine a plane of colours. The price is the choice of the diagonal: \
-                 the diamond's centre has the mean of the corners that the diagonal joins.",
-                "Triângulos curam isso: três cantos determinam um plano de cores. O preço é a escolha da diagonal: o centro \
-                 do losango tem a média dos cantos que a diagonal liga.",
-            ),
+            TEXTS.get("note-seen-front-all"),
+            TEXTS.get("note-algorithm-interpolates-down"),
+            TEXTS.get("note-animation-animate-shows"),
+            TEXTS.get("note-triangles-cure-three"),
         ],
     })
 }
@@ -217,36 +138,20 @@ fn held(measures: Vec<Measure>, polygon: &Polygon, size: u32) -> Vec<Measure> {
     if shortest >= 1.0 {
         return measures;
     }
-    let why = Text::new(
-        "this polygon has edges shorter than a pixel, which scanlines may pass over",
-        "este polígono tem arestas menores que um pixel, que as linhas de varredura podem saltar",
-    );
+    let why = TEXTS.get("polygon-edges-shorter");
     measures.into_iter().map(|measure| Measure { expected: None, ..measure }.beyond(why.clone())).collect()
 }
 
 /// The answers of exercise 1.6.25, and the centre in triangles.
 fn of_the_diamond(scanline: &[DVec3], one: &Image, other: &Image, tolerance: f64) -> Vec<Measure> {
-    let exercise = Text::new("exercise 1.6.25 b, answer C", "exercício 1.6.25 b, resposta C");
-    let diagonal = Text::new(
-        "the mean of the corners that the diagonal joins",
-        "a média dos cantos que a diagonal liga",
-    );
+    let exercise = TEXTS.get("exercise-b-answer");
+    let diagonal = TEXTS.get("mean-corners-diagonal");
     let quarter = scanline.len() / 4;
     let cases = [
-        (Text::new("position 1", "posição 1"), scanline[0], [0.1, 0.5, 0.5], &exercise),
-        (Text::new("position 2", "posição 2"), scanline[quarter], [0.2, 0.3, 0.1], &exercise),
-        (
-            Text::new("diagonal 1–3 (triangles)", "diagonal 1–3 (triângulos)"),
-            centre(one),
-            [0.1, 0.5, 0.5],
-            &diagonal,
-        ),
-        (
-            Text::new("diagonal 2–4 (triangles)", "diagonal 2–4 (triângulos)"),
-            centre(other),
-            [0.2, 0.3, 0.1],
-            &diagonal,
-        ),
+        (TEXTS.get("position"), scanline[0], [0.1, 0.5, 0.5], &exercise),
+        (TEXTS.get("position-v2"), scanline[quarter], [0.2, 0.3, 0.1], &exercise),
+        (TEXTS.get("diagonal-triangles"), centre(one), [0.1, 0.5, 0.5], &diagonal),
+        (TEXTS.get("diagonal-triangles-v2"), centre(other), [0.2, 0.3, 0.1], &diagonal),
     ];
     let components = |(name, found, law, by): (Text, DVec3, [f64; 3], &Text)| {
         use super::Language::{English, Portuguese};

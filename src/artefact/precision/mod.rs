@@ -2,12 +2,13 @@
 
 mod needles;
 mod plate;
+mod texts;
 
 use super::body::{Body, Diagonal};
 use super::stage::{draw, front, settings};
 use super::{
-    ArtefactError, Experiment, Formula, Knob, Language, Measure, Moved, Outcome, Parameters, Setup, Text,
-    Threshold, Verdict,
+    ArtefactError, Experiment, Knob, Language, Measure, Moved, Outcome, Parameters, Setup, Text, Threshold,
+    Verdict,
 };
 use crate::metric::{NormalDeviation, image_error, normal_deviation};
 use crate::normals::encoding::{Encoding, Snorm};
@@ -17,51 +18,13 @@ use crate::shade::{Light, Material, Reflectance, Reflection};
 use crate::surface::{Primitive, Sphere};
 use glam::{DVec3, Vec3};
 use std::f64::consts::FRAC_1_SQRT_2;
+use texts::TEXTS;
 
-pub(super) const EXPERIMENT: Experiment = Experiment {
+pub(super) static EXPERIMENT: Experiment = Experiment {
     id: "precision",
-    title: Text::new("Normals of too few digits", "Normais com poucos dígitos"),
-    claim: Text::new(
-        "Rounding shows in highlights first: a normal that is off by δ changes diffuse light by k_d δ at most, but Blinn's highlight \
-         by up to about k_s √(n/e) δ, and Phong's by twice that, for the mirrored ray turns twice as far as the normal.",
-        "O arredondamento aparece primeiro nos brilhos: uma normal com erro δ muda a luz difusa no máximo por k_d δ, mas o brilho de \
-         Blinn por até cerca de k_s √(n/e) δ, e o de Phong pelo dobro, pois o raio espelhado gira o dobro da normal.",
-    ),
-    sources: &[
-        Text::new(
-            "Lectures: 1.3.1.2, 1.6.21 (normals and exponents; they do not speak of digits)",
-            "Aulas: 1.3.1.2, 1.6.21 (normais e expoentes; não falam de dígitos)",
-        ),
-        Text::new(
-            "Paper: Z. H. Cigolle et al., A survey of efficient representations for independent unit vectors, JCGT 3(2), 2014",
-            "Artigo: Z. H. Cigolle et al., A survey of efficient representations for independent unit vectors, JCGT 3(2), 2014",
-        ),
-    ],
-    formulas: &[
-        Formula {
-            notation: Text::same("|ΔI_s| ≤ k_s M(n) δ, \\quad M(n) ≈ \\sqrt{n/e}"),
-            says: Text::new(
-                "the change of Blinn's highlight when the normal is off by δ",
-                "a mudança do brilho de Blinn quando a normal erra por δ",
-            ),
-        },
-        Formula {
-            notation: Text::same("δ_{rms} = \\frac{u}{\\sqrt{12}} \\frac{\\sqrt{a^2 + b^2 + c^2}}{2A}"),
-            says: Text::new(
-                "the error of the normal of a triangle with the sides a, b, c and the area A when its positions are rounded to \
-                 multiples of u, which for single precision is the distance from the origin over 2²³ to 2²⁴",
-                "o erro da normal de um triângulo de lados a, b, c e área A quando as posições são arredondadas a múltiplos de u, que \
-                 em precisão simples é a distância à origem sobre 2²³ a 2²⁴",
-            ),
-        },
-    ],
+    texts: &TEXTS,
     takes: &[Knob::Size, Knob::Segments, Knob::Exponent],
-    own_mesh: None,
     segments: Parameters::SEGMENTS,
-    shown_by: Text::new(
-        "a sharp highlight of some pixels (exponents from 100 to 10\u{a0}000) would show it.",
-        "um brilho nítido de alguns pixels (expoentes de 100 a 10\u{a0}000) o mostraria.",
-    ),
     defaults: Parameters { segments: 24, exponent: 2000.0, ..Parameters::USUAL },
     run,
     frame: None,
@@ -113,118 +76,55 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let bound = |degrees: f64| bound(exponent, degrees);
     let [naive, careful] = needles::errors();
     let mut measures = vec![
-        Measure::new(
-            Text::new("three times 8 bits: mean error at vertices", "três vezes 8 bits: erro médio nos vértices"),
-            "°",
-            mean,
-        )
-        .expect(
+        Measure::new(TEXTS.get("measure-three-times-bits"), "°", mean).expect(
             mean_law,
             of_one + 1e-5,
-            Text::new(
-                "every component to the nearest 127th; for normals near an axis, as these are, (√2 + ln(1 + √2))/6 of such a step in \
-                 the mean, 0.1726°, and 0.1701° over normals of all directions",
-                "cada componente ao 1/127 mais próximo; para normais perto de um eixo, como estas, em média (√2 + ln(1 + √2))/6 de um \
-                 tal passo, 0,1726°, e 0,1701° em normais de todas as direções",
-            ),
+            TEXTS.get("by-every-component-nearest"),
         ),
-        Measure::new(
-            Text::new("three times 8 bits: largest error at vertices", "três vezes 8 bits: maior erro nos vértices"),
-            "°",
-            largest,
-        )
-        .expect(
+        Measure::new(TEXTS.get("measure-three-times-bits-largest"), "°", largest).expect(
             largest_law,
             1e-5,
-            Text::new(
-                "the same; half a step in each of three components at most, √3/254 or 0.391°",
-                "o mesmo; no máximo meio passo em cada uma de três componentes, √3/254 ou 0,391°",
-            ),
+            TEXTS.get("by-same-half-step"),
         ),
-        Measure::new(
-            Text::new("8 bits: change of the highlight over its bound", "8 bits: mudança do brilho sobre o seu limite"),
-            "",
-            worst_eight / bound(largest),
-        )
-        .at_most(1.0, Text::new("the bound (k_d + k_s M(n)) δ holds", "o limite (k_d + k_s M(n)) δ vale")),
-        Measure::new(
-            Text::new("8 bits: largest change of the light", "8 bits: maior mudança da luz"),
-            "",
-            worst_eight,
-        ),
-        Measure::new(
-            Text::new("8 bits: largest change of diffuse light alone, k_d = 1", "8 bits: maior mudança só da luz difusa, k_d = 1"),
-            "",
-            of_diffuse,
-        ),
-        Measure::new(
-            Text::new("8 bits: largest change of Blinn's highlight alone, k_s = 1", "8 bits: maior mudança só do brilho de Blinn, k_s = 1"),
-            "",
-            of_highlight,
-        ),
-        Measure::new(
-            Text::new(
-                "8 bits: largest change of Phong's highlight alone, k_s = 1",
-                "8 bits: maior mudança só do brilho de Phong, k_s = 1",
-            ),
-            "",
-            of_phong,
-        )
-        .at_most(
+        Measure::new(TEXTS.get("measure-bits-change-highlight"), "", worst_eight / bound(largest))
+            .at_most(1.0, TEXTS.get("by-bound-k-d")),
+        Measure::new(TEXTS.get("measure-bits-largest-change"), "", worst_eight),
+        Measure::new(TEXTS.get("measure-bits-largest-change-diffuse"), "", of_diffuse),
+        Measure::new(TEXTS.get("measure-bits-largest-change-blinn"), "", of_highlight),
+        Measure::new(TEXTS.get("measure-bits-largest-change-phong"), "", of_phong).at_most(
             2.0 * steepest_slope(exponent) * Radians::from(Degrees(largest)).0,
-            Text::new(
-                "2 M(n) δ: twice the bound of Blinn's, k_s = 1, for the mirrored ray turns by 2 δ",
-                "2 M(n) δ: o dobro do limite do de Blinn, k_s = 1, pois o raio espelhado gira 2 δ",
-            ),
+            TEXTS.get("by-m-n-twice"),
         ),
-        Measure::new(
-            Text::new("twice 16 bits: largest change of the light", "duas vezes 16 bits: maior mudança da luz"),
-            "",
-            worst_sixteen,
-        )
-        .at_most(
+        Measure::new(TEXTS.get("measure-twice-bits-largest"), "", worst_sixteen).at_most(
             // Cosines of two pictures, each rounded to single precision, times n.
             bound(SIXTEEN) + 1e-5 + 1.2e-7 * exponent,
-            Text::new(
-                "bound for 0.0037°, the largest error of this code; and single precision, n times as large",
-                "limite para 0,0037°, o maior erro deste código; e precisão simples, n vezes maior",
-            ),
+            TEXTS.get("by-bound-largest-error"),
         ),
         far_from_the_origin(globe.face_angles(&far), globe.rounded_faces(AWAY), segments),
+        Measure::new(TEXTS.get("measure-needle-plain-arithmetic"), "°", naive[4][1]),
         Measure::new(
-            Text::new("needle of 1 : 10⁶, plain arithmetic: error", "agulha de 1 : 10⁶, aritmética simples: erro"),
-            "°",
-            naive[4][1],
-        ),
-        Measure::new(
-            Text::new("needles, exact differences of products: largest error", "agulhas, diferenças exatas de produtos: maior erro"),
+            TEXTS.get("measure-needles-exact-differences"),
             "°",
             careful.iter().map(|point| point[1]).fold(0.0, f64::max),
         )
-        .at_most(6e-6, Text::new("one rounding of the result", "um arredondamento do resultado")),
-        Measure::new(Text::new("pixels, 8 bits: mean error", "pixels, 8 bits: erro médio"), "°", of_eight.mean),
-        Measure::new(Text::new("pixels, twice 16 bits: mean error", "pixels, duas vezes 16 bits: erro médio"), "°", of_sixteen.mean),
-        Measure::new(Text::new("pixels, single precision: mean error", "pixels, precisão simples: erro médio"), "°", of_single.mean),
-        Measure::new(Text::new("pixels, far from the origin: mean error", "pixels, longe da origem: erro médio"), "°", of_far.mean),
+        .at_most(6e-6, TEXTS.get("by-rounding-result")),
+        Measure::new(TEXTS.get("measure-pixels-bits-mean"), "°", of_eight.mean),
+        Measure::new(TEXTS.get("measure-pixels-twice-bits"), "°", of_sixteen.mean),
+        Measure::new(TEXTS.get("measure-pixels-single-precision"), "°", of_single.mean),
+        Measure::new(TEXTS.get("measure-pixels-far-origin"), "°", of_far.mean),
     ];
     let moved = Moved {
-        name: Text::new(
-            "largest change of the light from that of the sphere's own normals",
-            "maior mudança da luz em relação à das normais da própria esfera",
-        ),
+        name: TEXTS.get("moved"),
         unit: "",
         bad: worst_eight,
         present: Threshold::HALF_STEP,
-        cure: Text::new("normals as twice 16 bits", "normais como duas vezes 16 bits"),
+        cure: TEXTS.get("cure"),
         cured: worst_sixteen,
         factor: 20.0,
     };
     let far_off = Moved {
         bad: error(&lit_far)?,
-        cure: Text::new(
-            "positions centred before they are rounded",
-            "posições centradas antes de arredondar",
-        ),
+        cure: TEXTS.get("cure-positions-centred-before"),
         cured: error(&lit_centred)?,
         ..moved.clone()
     };
@@ -235,52 +135,40 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         shots: vec![
             moved.bad_shot(
                 "eight-bits",
-                Text::new("3 × 8 bits a normal", "3 × 8 bits por normal"),
+                TEXTS.get("eight-bits-title"),
                 [
-                    Text::new(
-                        "A highlight seen from close by, normals rounded to 8 bits a component.",
-                        "Um brilho visto de perto, normais arredondadas a 8 bits por componente.",
-                    ),
-                    Text::new("It is dented and blotchy.", "Ele fica amassado e manchado."),
+                    TEXTS.get("eight-bits-caption-highlight-seen-close"),
+                    TEXTS.get("eight-bits-caption-dented-blotchy"),
                 ],
                 lit_eight,
             ),
             moved.cured_shot(
                 "sixteen-bits",
-                Text::new("2 × 16 bits a normal", "2 × 16 bits por normal"),
+                TEXTS.get("sixteen-bits-title"),
                 [
-                    Text::new(
-                        "The same normals on an octahedron with twice 16 bits, in a byte more.",
-                        "As mesmas normais num octaedro com duas vezes 16 bits, com um byte a mais.",
-                    ),
-                    Text::new("The dents are all but gone.", "Os amassados quase sumiram."),
+                    TEXTS.get("sixteen-bits-caption-same-normals-octahedron"),
+                    TEXTS.get("sixteen-bits-caption-dents-all-but"),
                 ],
                 lit_sixteen,
             ),
             far_off.bad_shot(
                 "far-away",
-                Text::new("positions far away", "posições distantes"),
+                TEXTS.get("far-away-title"),
                 [
                     Text::made(
                         format!("Positions stored in single precision {AWAY} radii from the origin."),
                         format!("Posições guardadas em precisão simples a {AWAY} raios da origem."),
                     ),
-                    Text::new(
-                        "Normals computed from them make the light rough.",
-                        "As normais calculadas delas tornam a luz áspera.",
-                    ),
+                    TEXTS.get("far-away-caption-normals-computed-them"),
                 ],
                 lit_far,
             ),
             far_off.cured_shot(
                 "centred",
-                Text::new("positions centred", "posições centradas"),
+                TEXTS.get("centred-title"),
                 [
-                    Text::new(
-                        "The same sphere with positions centred before they were rounded.",
-                        "A mesma esfera com as posições centradas antes de arredondar.",
-                    ),
-                    Text::new("Nothing is rough.", "Nada é áspero."),
+                    TEXTS.get("centred-caption-same-sphere-positions"),
+                    TEXTS.get("centred-caption-nothing-rough"),
                 ],
                 lit_centred,
             ),
@@ -290,14 +178,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         moved,
         measures,
         charts: vec![needles::chart(naive, careful)],
-        notes: vec![Text::new(
-            "Far from the origin no better arithmetic helps: differences of rounded positions are exact, what was lost was lost \
-             when they were stored. For needles it does: with plain products the cross product of two nearly parallel edges \
-             cancels, with exact differences of products it is right to the last digit.",
-            "Longe da origem nenhuma aritmética melhor ajuda: as diferenças das posições arredondadas são exatas, o que se perdeu foi \
-             ao guardá-las. Para agulhas ajuda: com produtos simples o produto vetorial de duas arestas quase paralelas se \
-             cancela, com diferenças exatas de produtos ele está certo até o último dígito.",
-        )],
+        notes: vec![TEXTS.get("note-far-origin-no")],
     })
 }
 
@@ -308,11 +189,7 @@ const SIXTEEN: f64 = 0.0037;
 /// degrees.
 fn verdict([of_diffuse, of_highlight]: [f64; 2], exponent: f64, errors: [f64; 2]) -> Verdict {
     if of_highlight <= of_diffuse {
-        return Verdict::Fails(Text::new(
-            "diffuse light changes more here: √(n/e) is the slope where cos^n is steepest, which is out of sight for a highlight so \
-             wide.",
-            "a luz difusa muda mais aqui: √(n/e) é a inclinação onde cos^n é mais íngreme, o que está fora de vista num brilho tão largo.",
-        ));
+        return Verdict::Fails(TEXTS.get("fails-diffuse-light-changes"));
     }
     let needed = needed(exponent);
     Verdict::Holds(Text::each(|language| {
@@ -363,21 +240,13 @@ fn far_from_the_origin(found: f64, law: f64, segments: u32) -> Measure {
     // squares scatters by half of one over the root of their number; three times that.
     let quarter = f64::from(segments / 2 + 1);
     if segments < 10 {
-        return measure.beyond(Text::new(
-            "so few faces are no mean over rounding errors",
-            "tão poucas faces não são uma média de erros de arredondamento",
-        ));
+        return measure.beyond(TEXTS.get("untested-few-faces-no"));
     }
     measure.expect(
         law,
         // And terms of second order in the angle.
         law * (1.5 / quarter + 2.0 * Radians::from(Degrees(law)).0),
-        Text::new(
-            "u √(a² + b² + c²)/(2A√12) of every face, u the distance of neighbouring numbers there; three standard deviations of the \
-             sample of rounding errors",
-            "u √(a² + b² + c²)/(2A√12) de cada face, u a distância entre números vizinhos ali; três desvios padrão da amostra dos \
-             erros de arredondamento",
-        ),
+        TEXTS.get("by-u-b-c"),
     )
 }
 

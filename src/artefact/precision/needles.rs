@@ -1,6 +1,7 @@
 //! Triangles that are much lower than long, whose normals cancel in plain arithmetic.
 
-use super::super::{Chart, Curve, Drawn, Scale, Text};
+use super::super::{Chart, Curve, Drawn, Scale};
+use super::texts::TEXTS;
 use crate::normals::{Scratch, face_normals};
 use crate::num::{Degrees, Radians};
 use glam::{DVec3, Vec3};
@@ -53,31 +54,18 @@ pub(super) fn chart(naive: Vec<[f64; 2]>, careful: Vec<[f64; 2]>) -> Chart {
     let guide = NEEDLES.iter().map(|&ratio| [ratio, rounding(ratio)]).collect();
     Chart {
         name: "needles",
-        title: Text::new("Normals of needles", "Normais de agulhas"),
-        caption: Text::new(
-            "Largest error of a triangle's normal against its height over its length, positions in single precision: plain products \
-             lose a digit with each digit of slimness, exact differences of products none.",
-            "Maior erro da normal de um triângulo em função da altura sobre o comprimento, posições em precisão simples: produtos \
-             simples perdem um dígito a cada dígito de finura, diferenças exatas de produtos nenhum.",
-        ),
-        x: Scale::log(Text::new("height over length", "altura sobre comprimento")),
-        y: Scale::log(Text::new("largest error in degrees", "maior erro em graus")),
+        title: TEXTS.get("chart-title"),
+        caption: TEXTS.get("chart-caption"),
+        x: Scale::log(TEXTS.get("axis-height-over-length")),
+        y: Scale::log(TEXTS.get("axis-largest-error-degrees")),
         curves: vec![
+            Curve { name: TEXTS.get("curve-plain-products"), drawn: Drawn::Points, points: naive },
             Curve {
-                name: Text::new("plain products", "produtos simples"),
-                drawn: Drawn::Points,
-                points: naive,
-            },
-            Curve {
-                name: Text::new("exact differences of products", "diferenças exatas de produtos"),
+                name: TEXTS.get("curve-exact-differences-products"),
                 drawn: Drawn::Points,
                 points: careful,
             },
-            Curve {
-                name: Text::new("one rounding over r: 2⁻²⁴/r", "um arredondamento sobre r: 2⁻²⁴/r"),
-                drawn: Drawn::Guide,
-                points: guide,
-            },
+            Curve { name: TEXTS.get("curve-rounding-over-r"), drawn: Drawn::Guide, points: guide },
         ],
     }
 }

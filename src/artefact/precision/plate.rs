@@ -2,7 +2,8 @@
 
 use super::super::body::Body;
 use super::super::stage::{draw, front, settings};
-use super::super::{ArtefactError, Measure, Moved, Shot, Text};
+use super::super::{ArtefactError, Measure, Moved, Shot};
+use super::texts::TEXTS;
 use super::{DIFFUSE, SPECULAR, angle, bound, surface};
 use crate::metric::image_error;
 use crate::normals::{Scratch, face_normals};
@@ -90,55 +91,31 @@ pub(super) fn plate(
     let error = |image: &Image| image_error(image, &reference, 0.5).map(|error| error.linear.max / 255.0);
     let largest = plain.iter().map(|&normal| angle(normal, DVec3::Z)).fold(0.0, f64::max);
     let moved = Moved {
-        name: Text::new(
-            "largest change of the light from that of the plate's one normal",
-            "maior mudança da luz em relação à da única normal da placa",
-        ),
+        name: TEXTS.get("moved-largest-change-light"),
         bad: error(&lit_plain)?,
-        cure: Text::new("exact differences of products", "diferenças exatas de produtos"),
+        cure: TEXTS.get("curve-exact-differences-products"),
         cured: error(&lit_careful)?,
         ..moved.clone()
     };
-    let measure = Measure::new(
-        Text::new(
-            "plate of needles, plain arithmetic: change of the highlight over its bound",
-            "placa de agulhas, aritmética simples: mudança do brilho sobre o seu limite",
-        ),
-        "",
-        moved.bad / bound(exponent, largest),
-    )
-    .at_most(
-        1.0,
-        Text::with(
-            "the bound (k_d + k_s M(n)) δ holds for the largest error, {}°",
-            "o limite (k_d + k_s M(n)) δ vale para o maior erro, {}°",
-            &[largest],
-        ),
-    );
+    let measure =
+        Measure::new(TEXTS.get("measure-plate-needles-plain"), "", moved.bad / bound(exponent, largest))
+            .at_most(1.0, TEXTS.with("by-bound-k-d-k", &[("largest", largest.into())]));
     let shots = [
         moved.bad_shot(
             "needles-plain",
-            Text::new("needles, plain products", "agulhas, produtos simples"),
+            TEXTS.get("needles-plain-title"),
             [
-                Text::new(
-                    "A flat plate in a light close by. Each stripe is the middle of a needle 300\u{a0}000 times as long as high, with the \
-                     normal that plain products of single precision give it.",
-                    "Uma placa plana sob uma luz próxima. Cada faixa é o meio de uma agulha 300\u{a0}000 vezes mais comprida que alta, com \
-                     a normal que lhe dão produtos simples em precisão simples.",
-                ),
-                Text::new("The highlight is torn into stripes.", "O brilho se rasga em faixas."),
+                TEXTS.get("needles-plain-caption-flat-plate-light"),
+                TEXTS.get("needles-plain-caption-highlight-torn-into"),
             ],
             lit_plain,
         ),
         moved.cured_shot(
             "needles-exact",
-            Text::new("needles, exact differences", "agulhas, diferenças exatas"),
+            TEXTS.get("needles-exact-title"),
             [
-                Text::new(
-                    "The same needles with normals from exact differences of products.",
-                    "As mesmas agulhas com normais de diferenças exatas de produtos.",
-                ),
-                Text::new("The highlight is a round spot.", "O brilho é uma mancha redonda."),
+                TEXTS.get("needles-exact-caption-same-needles-normals"),
+                TEXTS.get("needles-exact-caption-highlight-round-spot"),
             ],
             lit_careful,
         ),

@@ -2,6 +2,7 @@
 
 use super::super::stage::linear;
 use super::super::{ArtefactError, Measure, Moved, Shot, Text};
+use super::texts::TEXTS;
 use super::{WINDOW, ball};
 use crate::num::{Degrees, Radians};
 use crate::raster::Image;
@@ -70,10 +71,7 @@ impl Behind {
         let [unguarded, guarded] = [off, on].map(|guards| ball(reflection, exponent, BEHIND, guards, size));
         let (unguarded, guarded) = (unguarded?, guarded?);
         let moved = Moved {
-            name: Text::new(
-                "brightest pixel that faces away from the light",
-                "pixel mais claro voltado para longe da luz",
-            ),
+            name: TEXTS.get("moved-brightest-pixel-faces"),
             bad: brightest(&unguarded),
             cured: brightest(&guarded),
             ..moved.clone()
@@ -92,32 +90,18 @@ impl Behind {
         let name = self.name();
         let size = self.unguarded.size[0];
         let by = match self.reflection {
-            Reflection::Phong => Text::new(
-                "(R·V)^n at the centres of these pixels, at most (−cos(β))^n; single precision",
-                "(R·V)^n nos centros desses pixels, no máximo (−cos(β))^n; precisão simples",
-            ),
-            Reflection::Blinn => Text::new(
-                "(N·H)^n at the centres of these pixels, at most sin(β/2)^n; single precision",
-                "(N·H)^n nos centros desses pixels, no máximo sin(β/2)^n; precisão simples",
-            ),
+            Reflection::Phong => TEXTS.get("r-v-n"),
+            Reflection::Blinn => TEXTS.get("n-h-n"),
         };
-        let unguarded = Text::made(
-            format!("{name}, light at 150°, no guard: brightest pixel that faces away from the light"),
-            format!("{name}, luz a 150°, sem guarda: pixel mais claro voltado para longe da luz"),
-        );
-        let guarded =
-            Text::made(format!("{name}, the same with the guard"), format!("{name}, o mesmo com a guarda"));
+        let unguarded = TEXTS.with("name-light-no", &[("name", name.into())]);
+        let guarded = TEXTS.with("name-same-guard", &[("name", name.into())]);
         [
             Measure::new(unguarded, "", self.moved.bad).expect(
                 law(self.reflection, self.exponent, size),
                 1e-6 * (1.0 + self.exponent),
                 by,
             ),
-            Measure::new(guarded, "", self.moved.cured).expect(
-                0.0,
-                0.0,
-                Text::new("nothing from behind", "nada por trás"),
-            ),
+            Measure::new(guarded, "", self.moved.cured).expect(0.0, 0.0, TEXTS.get("by-nothing-behind")),
         ]
     }
 
@@ -133,11 +117,8 @@ impl Behind {
                 format!("{name}, luz atrás, {}", guard[1]),
             )
         };
-        let lit = Text::with(
-            "'s highlight with n = {}, the light at {}°, almost behind the sphere.",
-            " com n = {}, a luz a {}°, quase atrás da esfera.",
-            &[self.exponent, BEHIND.0],
-        );
+        let lit = TEXTS
+            .with("highlight-n-exponent", &[("exponent", self.exponent.into()), ("value", BEHIND.0.into())]);
         use super::super::Language::{English, Portuguese};
         let lit = Text::made(
             format!("{name}{}", lit.get(English)),
@@ -147,25 +128,13 @@ impl Behind {
             self.moved.bad_shot(
                 names[0],
                 label(["no guard", "sem guarda"]),
-                [
-                    lit,
-                    Text::new(
-                        "Yet the highlight spreads over its dark side.",
-                        "Mas o brilho se espalha pelo lado escuro.",
-                    ),
-                ],
+                [lit, TEXTS.get("shot-yet-highlight-spreads")],
                 self.unguarded,
             ),
             self.moved.cured_shot(
                 names[1],
                 label(["guard", "com guarda"]),
-                [
-                    Text::new("With the guard N·L > 0.", "Com a guarda N·L > 0."),
-                    Text::new(
-                        "The highlight ends where the light does, at a hard edge.",
-                        "O brilho termina onde a luz termina, numa borda dura.",
-                    ),
-                ],
+                [TEXTS.get("shot-guard-n-l"), TEXTS.get("shot-highlight-ends-light")],
                 self.guarded,
             ),
         ]

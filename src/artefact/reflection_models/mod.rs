@@ -1,12 +1,13 @@
 //! Phong's and Blinn's highlights.
 
 mod behind;
+mod texts;
 mod widths;
 
 use super::stage::{draw, front, light_at, settings};
 use super::{
-    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters,
-    Scale, Setup, Shot, Text, Threshold, Verdict,
+    ArtefactError, Chart, Curve, Drawn, Experiment, Knob, Measure, Moved, Outcome, Parameters, Scale, Setup,
+    Shot, Text, Threshold, Verdict,
 };
 use crate::metric::image_error;
 use crate::num::{Degrees, LinearRgb, Radians};
@@ -15,66 +16,13 @@ use crate::shade::{Guards, Material, Reflectance, Reflection, blinn_exponent};
 use crate::surface::{Primitive, Sphere};
 use behind::Behind;
 use std::f64::consts::FRAC_PI_2;
+use texts::TEXTS;
 
-pub(super) const EXPERIMENT: Experiment = Experiment {
+pub(super) static EXPERIMENT: Experiment = Experiment {
     id: "reflection-models",
-    title: Text::new("Phong's highlight and Blinn's", "O brilho de Phong e o de Blinn"),
-    claim: Text::new(
-        "Blinn's half-vector gives about the highlight of Phong's mirrored ray, but with a different exponent, for the \
-         angle at the half-vector is half of that at the mirrored ray.",
-        "O vetor intermediário de Blinn dá mais ou menos o brilho do raio espelhado de Phong, mas com outro expoente, \
-         pois o ângulo ao vetor intermediário é a metade do ângulo ao raio espelhado.",
-    ),
-    sources: &[
-        Text::new("Lectures: 1.3.1.2, 1.3.1.3, 1.6.19, 1.6.23", "Aulas: 1.3.1.2, 1.3.1.3, 1.6.19, 1.6.23"),
-        Text::new("Ting 2008: “Phong modificado” (modified Phong)", "Ting 2008: “Phong modificado”"),
-        Text::new(
-            "Paper: F. Fisher, A. Woo, R·E versus N·H specular highlights, Graphics Gems IV, 1994",
-            "Artigo: F. Fisher, A. Woo, R·E versus N·H specular highlights, Graphics Gems IV, 1994",
-        ),
-    ],
-    formulas: &[
-        Formula {
-            notation: Text::same("(V·R)^n = cos(φ)^n ≈ cos(φ/2)^{4n} = (N·H)^{4n}"),
-            says: Text::new(
-                "in the plane of L and V, φ the angle from the mirrored ray to the viewer",
-                "no plano de L e V, φ o ângulo do raio espelhado ao observador",
-            ),
-        },
-        Formula {
-            notation: Text::new(
-                "\\frac{w_{across}}{w_{along}} ≈ \\frac{1}{cos(β/2)}",
-                "\\frac{w_{transversal}}{w_{longitudinal}} ≈ \\frac{1}{cos(β/2)}",
-            ),
-            says: Text::new(
-                "how much Phong's highlight on a sphere is stretched at right angles to the plane of L and V, β the angle between \
-                 them; Blinn's is round",
-                "quanto o brilho de Phong numa esfera se alonga na direção perpendicular ao plano de L e V, β o ângulo entre eles; o \
-                 de Blinn é redondo",
-            ),
-        },
-        Formula {
-            notation: Text::new("I_{behind} = k_s sin(β/2)^n", "I_{trás} = k_s sin(β/2)^n"),
-            says: Text::new(
-                "Blinn's highlight at the border of light, N·L = 0: without a guard it goes on behind",
-                "o brilho de Blinn na fronteira da luz, N·L = 0: sem guarda ele continua atrás",
-            ),
-        },
-        Formula {
-            notation: Text::new("I_{behind} = k_s (−cos(β))^n", "I_{trás} = k_s (−cos(β))^n"),
-            says: Text::new(
-                "the same of Phong's, where the light is behind at all, β > 90°",
-                "o mesmo do de Phong, onde a luz está de fato atrás, β > 90°",
-            ),
-        },
-    ],
+    texts: &TEXTS,
     takes: &[Knob::Size, Knob::Exponent],
-    own_mesh: None,
     segments: Parameters::SEGMENTS,
-    shown_by: Text::new(
-        "a highlight of some pixels (exponents from 1 to 100, or a larger picture) would show it.",
-        "um brilho de alguns pixels (expoentes de 1 a 100, ou uma imagem maior) o mostraria.",
-    ),
     defaults: Parameters { exponent: 10.0, ..Parameters::USUAL },
     run,
     frame: None,
@@ -115,40 +63,25 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     // Half a pixel turns the normal by 1/R over the cosine of its angle to the viewer, and the mirrored ray by twice that. Powers
     // change by √n of it at most, and by 1 for the smallest n.
     let pixel = 0.5 / radius * 2.0 * exponent.sqrt().max(1.0);
-    let by_scan = Text::new(
-        "the largest over φ, by a scan of 10\u{a0}001 angles; half a pixel",
-        "o maior em φ, por uma varredura de 10\u{a0}001 ângulos; meio pixel",
-    );
+    let by_scan = TEXTS.get("largest-over-scan");
     let compared = |measure: Measure, law: f64, tolerance: f64| match pixel < 0.5 {
         true => measure.expect(law, tolerance, by_scan.clone()),
-        false => measure.beyond(Text::new(
-            "the highlight is hardly wider than a pixel",
-            "o brilho mal é mais largo que um pixel",
-        )),
+        false => measure.beyond(TEXTS.get("untested-highlight-hardly-wider")),
     };
     let [across_phong, across_blinn] = [
         widths::measure(
-            Text::new(
-                "light at 120°: Phong's highlight, width across over width along",
-                "luz a 120°: brilho de Phong, largura transversal sobre a longitudinal",
-            ),
+            TEXTS.get("light-phong-highlight"),
             &grazing_phong,
             widths::of_phong(exponent),
             widths::phong_at(exponent),
-            Text::new(
-                "half-widths at half height in closed form; 2 for narrow highlights",
-                "meias larguras à meia altura em forma fechada; 2 para brilhos estreitos",
-            ),
+            TEXTS.get("half-widths-half"),
         ),
         widths::measure(
-            Text::new(
-                "light at 120°: Blinn's highlight, width across over width along",
-                "luz a 120°: brilho de Blinn, largura transversal sobre a longitudinal",
-            ),
+            TEXTS.get("light-blinn-highlight"),
             &grazing_blinn,
             widths::of_blinn(blinn_exponent(exponent)),
             widths::blinn_at(blinn_exponent(exponent)),
-            Text::new("round", "redondo"),
+            TEXTS.get("round"),
         ),
     ];
     // Where widths cannot be told nothing is said of them.
@@ -157,29 +90,21 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         Some(_) => 0.0,
     };
     let moved = Moved {
-        name: Text::new("largest difference from Phong's highlight", "maior diferença do brilho de Phong"),
+        name: TEXTS.get("moved"),
         unit: "",
         bad: same,
         present: Threshold::HALF_STEP,
-        cure: Text::new("four times the exponent", "expoente quatro vezes maior"),
+        cure: TEXTS.get("cure"),
         cured: fourfold,
         factor: FACTOR,
     };
     let stretched = Moved {
         name: match across_phong.beyond.is_none() && across_blinn.beyond.is_none() {
-            true => Text::new(
-                "width across over width along, less 1",
-                "largura transversal sobre a longitudinal, menos 1",
-            ),
-            false => Text::new(
-                "width across over width along, less 1, where both can be told",
-                "largura transversal sobre a longitudinal, menos 1, onde ambas se podem medir",
-            ),
+            true => TEXTS.get("moved-width-across-over"),
+            false => TEXTS.get("moved-width-across-over-width"),
         },
         bad: stretch(&across_phong),
-        present: Threshold {
-            value: 0.1, why: Text::new("a tenth of its width", "um décimo da sua largura")
-        },
+        present: Threshold { value: 0.1, why: TEXTS.get("why-tenth-width") },
         cured: stretch(&across_blinn),
         ..moved.clone()
     };
@@ -187,17 +112,9 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         .map(|reflection| Behind::new(reflection, exponent, size, &moved));
     let (phong_behind, blinn_behind) = (phong_behind?, blinn_behind?);
     let mut measures = vec![
+        compared(Measure::new(TEXTS.get("measure-same-n-largest"), "", same), law(exponent), 0.5 * pixel),
         compared(
-            Measure::new(Text::new("same n: largest difference", "mesmo n: maior diferença"), "", same),
-            law(exponent),
-            0.5 * pixel,
-        ),
-        compared(
-            Measure::new(
-                Text::new("Blinn with 4n: largest difference", "Blinn com 4n: maior diferença"),
-                "",
-                fourfold,
-            ),
+            Measure::new(TEXTS.get("measure-blinn-n-largest"), "", fourfold),
             law(blinn_exponent(exponent)),
             // Near its largest the difference is flat; where powers are steep it is not.
             (0.1 * law(blinn_exponent(exponent)) + 1e-5).max(if exponent < 2.0 { 0.5 * pixel } else { 0.0 }),
@@ -212,19 +129,15 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         shots: [vec![
             Shot::truth(
                 "phong",
-                Text::new("Phong, exponent n", "Phong, expoente n"),
-                Text::with(
-                    "Phong's highlight on a sphere, light and viewer in front; n = {}.",
-                    "O brilho de Phong numa esfera, luz e observador em frente; n = {}.",
-                    &[exponent],
-                ),
+                TEXTS.get("phong-title"),
+                TEXTS.with("phong-caption-phong-highlight-sphere", &[("exponent", exponent.into())]),
                 phong,
             ),
             moved.bad_shot(
                 "blinn-same-n",
-                Text::new("Blinn, exponent n", "Blinn, expoente n"),
+                TEXTS.get("blinn-same-n-title"),
                 [
-                    Text::new("Blinn's with the same exponent.", "O de Blinn com o mesmo expoente."),
+                    TEXTS.get("blinn-same-n-caption-blinn-same-exponent"),
                     Text::with(
                         "It is wider: at half its height where the normal is {}° off the viewer, Phong's at {}°.",
                         "É mais largo: à meia altura onde a normal está a {}° do observador, o de Phong a {}°.",
@@ -235,47 +148,28 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             ),
             moved.cured_shot(
                 "blinn-4n",
-                Text::new("Blinn, exponent 4n", "Blinn, expoente 4n"),
+                TEXTS.get("blinn-4n-title"),
                 [
-                    Text::new(
-                        "Blinn's with four times the exponent.",
-                        "O de Blinn com expoente quatro vezes maior.",
-                    ),
-                    Text::new("It is much closer to Phong's.", "Fica muito mais perto do de Phong."),
+                    TEXTS.get("blinn-4n-caption-blinn-four-times"),
+                    TEXTS.get("blinn-4n-caption-much-closer-phong"),
                 ],
                 matched,
             ),
             stretched.bad_shot(
                 "phong-grazing",
-                Text::new("Phong, light at 120°", "Phong, luz a 120°"),
+                TEXTS.get("phong-grazing-title"),
                 [
-                    Text::with(
-                        "Light from far round, n = {}.",
-                        "Luz vinda de trás e de lado, n = {}.",
-                        &[exponent],
-                    ),
-                    Text::new(
-                        "Here it is Phong's highlight that errs: it is drawn out up and down, across the plane of light and view, as \
-                         real rough surfaces do not show it.",
-                        "Aqui é o brilho de Phong que erra: ele se alonga para cima e para baixo, através do plano da luz e da visão, \
-                         como superfícies ásperas reais não o mostram.",
-                    ),
+                    TEXTS.with("phong-grazing-caption-light-far-round", &[("exponent", exponent.into())]),
+                    TEXTS.get("phong-grazing-caption-here-phong-highlight"),
                 ],
                 grazing_phong,
             ),
             stretched.cured_shot(
                 "blinn-grazing",
-                Text::new("Blinn 4n, light at 120°", "Blinn 4n, luz a 120°"),
+                TEXTS.get("blinn-grazing-title"),
                 [
-                    Text::with(
-                        "Blinn's under the same light, with 4n = {}.",
-                        "O de Blinn sob a mesma luz, com 4n = {}.",
-                        &[blinn_exponent(exponent)],
-                    ),
-                    Text::new(
-                        "It is a circle on the sphere, cut where the sphere turns away from the light.",
-                        "É um círculo na esfera, cortado onde a esfera se vira para longe da luz.",
-                    ),
+                    TEXTS.with("blinn-grazing-caption-blinn-under-same", &[("blinn-exponent", (blinn_exponent(exponent)).into())]),
+                    TEXTS.get("blinn-grazing-caption-circle-sphere-cut"),
                 ],
                 grazing_blinn,
             ),
@@ -283,14 +177,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         charts: vec![chart(exponent, moved.is_cured())],
         moved,
         measures,
-        notes: vec![Text::new(
-            "The lectures (1.6.19) give both models one exponent, though with the same one Blinn's highlight is wider; Ting 2008 gives \
-             Blinn's one of its own. The guard stops light from behind but leaves an edge, for neither model goes to 0 where N·L \
-             does.",
-            "As aulas (1.6.19) dão aos dois modelos um só expoente, embora com o mesmo o brilho de Blinn seja mais largo; Ting 2008 dá \
-             ao de Blinn um expoente próprio. A guarda retém a luz por trás mas deixa uma borda, pois nenhum dos modelos vai a 0 junto com \
-             N·L.",
-        )],
+        notes: vec![TEXTS.get("note-lectures-give-both")],
     })
 }
 
@@ -318,18 +205,8 @@ fn ball(
 /// By whether four times the exponent brings Blinn's highlight to Phong's.
 fn verdict(moved: &Moved) -> Verdict {
     match moved.is_cured() {
-        true => Verdict::HoldsOnlyIf(Text::new(
-            "Blinn's exponent is 4n and the light is near the direction of view. With the same n his highlight is twice as wide; at \
-             grazing light Phong's is stretched where Blinn's stays round. Both need a guard against light from behind.",
-            "o expoente de Blinn é 4n e a luz está perto da direção de visão. Com o mesmo n o seu brilho é duas vezes mais largo; com \
-             luz rasante o de Phong se alonga onde o de Blinn fica redondo. Ambos precisam de guarda contra a luz por trás.",
-        )),
-        false => Verdict::Fails(Text::new(
-            "with so small an exponent no other one makes both alike: cos(φ)^n and cos(φ/2)^4n agree near φ = 0, and this highlight \
-             is as wide as the sphere.",
-            "com um expoente tão pequeno nenhum outro iguala os dois: cos(φ)^n e cos(φ/2)^4n concordam perto de φ = 0, e este \
-             brilho é tão largo quanto a esfera.",
-        )),
+        true => Verdict::HoldsOnlyIf(TEXTS.get("holds-only-if-blinn-exponent-n")),
+        false => Verdict::Fails(TEXTS.get("fails-small-exponent-no")),
     }
 }
 
@@ -347,31 +224,19 @@ fn chart(exponent: f64, is_covered: bool) -> Chart {
     let power = |cosine: f64, n: f64| libm::pow(cosine, n);
     Chart {
         name: "highlights",
-        title: Text::new("Height of the highlight", "Altura do brilho"),
+        title: TEXTS.get("chart-title"),
         caption: match is_covered {
-            true => Text::new(
-                "Against the angle from mirrored ray to viewer: Blinn's with the same exponent is wide, with four times the exponent \
-                 its curve comes close to Phong's.",
-                "Em função do ângulo do raio espelhado ao observador: o de Blinn com o mesmo expoente é largo; com expoente quatro \
-                 vezes maior a curva se aproxima da de Phong.",
-            ),
-            false => Text::new(
-                "Against the angle from mirrored ray to viewer: with so small an exponent Blinn's curve leaves Phong's, with four times \
-                 the exponent too.",
-                "Em função do ângulo do raio espelhado ao observador: com um expoente tão pequeno a curva de Blinn se afasta da de \
-                 Phong, também com expoente quatro vezes maior.",
-            ),
+            true => TEXTS.get("chart-caption"),
+            false => TEXTS.get("chart-caption-against-angle-mirrored"),
         },
-        x: Scale::linear(Text::new("φ in degrees", "φ em graus")),
-        y: Scale::linear(Text::new("highlight", "brilho")),
+        x: Scale::linear(TEXTS.get("axis-degrees")),
+        y: Scale::linear(TEXTS.get("axis-highlight")),
         curves: vec![
-            curve(Text::new("Phong, exponent n", "Phong, expoente n"), Drawn::Curve, &|phi| {
-                power(libm::cos(phi), exponent)
-            }),
-            curve(Text::new("Blinn, exponent n", "Blinn, expoente n"), Drawn::Curve, &|phi| {
+            curve(TEXTS.get("phong-title"), Drawn::Curve, &|phi| power(libm::cos(phi), exponent)),
+            curve(TEXTS.get("blinn-same-n-title"), Drawn::Curve, &|phi| {
                 power(libm::cos(0.5 * phi), exponent)
             }),
-            curve(Text::new("Blinn, exponent 4n", "Blinn, expoente 4n"), Drawn::Curve, &|phi| {
+            curve(TEXTS.get("blinn-4n-title"), Drawn::Curve, &|phi| {
                 power(libm::cos(0.5 * phi), blinn_exponent(exponent))
             }),
         ],

@@ -2,6 +2,7 @@
 
 use super::super::stage::{BACKGROUND, linear};
 use super::super::{Measure, Text};
+use super::texts::TEXTS;
 use super::{GRAZING, WINDOW};
 use crate::num::{Degrees, Radians};
 use crate::raster::Image;
@@ -55,16 +56,10 @@ pub(super) fn measure(
     // The highlight stands at β/2, where the picture shows cos(β/2) of its length.
     let pixels = law.along * libm::cos(0.5 * beta) * f64::from(size) / WINDOW;
     if law.along >= std::f64::consts::FRAC_PI_2 - 0.5 * beta || law.across > 1.0 {
-        return measure.beyond(Text::new(
-            "the highlight is as wide as the part of the sphere that is lit and seen",
-            "o brilho é tão largo quanto a parte iluminada e visível da esfera",
-        ));
+        return measure.beyond(TEXTS.get("untested-highlight-wide-part"));
     }
     if pixels < 1.5 {
-        return measure.beyond(Text::new(
-            "the highlight is narrower than three pixels",
-            "o brilho é mais estreito que três pixels",
-        ));
+        return measure.beyond(TEXTS.get("untested-highlight-narrower-three"));
     }
     // Straight lines between pixel centres cut bells off, and near the sphere's outline they reach beyond it: by as much as they
     // are off where heights at pixel centres are the closed form's. The rest is single precision.
@@ -77,7 +72,7 @@ pub(super) fn measure(
     });
     let ratio = law.across / law.along;
     let by = Text::each(|language| {
-        let cut = Text::new("straight lines between pixel centres", "retas entre centros de pixels");
+        let cut = TEXTS.get("straight-lines-between");
         format!("{}; {}", by.get(language), cut.get(language))
     });
     measure.expect(ratio, (lines - ratio).abs() + 1e-3 * ratio, by)

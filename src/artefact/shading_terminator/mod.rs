@@ -1,71 +1,28 @@
 //! The border of light on a coarse mesh.
 
+mod texts;
 mod tube;
 
 use super::body::Body;
 use super::stage::{chalk, differences, draw, front, linear, map, settings, tiles};
 use super::{
-    ArtefactError, Experiment, Formula, Knob, Measure, Moved, Outcome, Parameters, Setup, Shot, Text,
-    Threshold, Verdict,
+    ArtefactError, Experiment, Knob, Measure, Moved, Outcome, Parameters, Setup, Shot, Text, Threshold,
+    Verdict,
 };
 use crate::num::{Degrees, LinearRgb, Radians};
 use crate::raster::{Image, Interpolation, Object, RenderSettings, Shading, Shape, Show};
 use crate::shade::{Light, Terminator};
 use crate::surface::{Primitive, Sphere};
 use glam::DVec3;
+use texts::TEXTS;
 use tube::Tube;
 
-pub(super) const EXPERIMENT: Experiment = Experiment {
+pub(super) static EXPERIMENT: Experiment = Experiment {
     id: "shading-terminator",
-    title: Text::new("The shading terminator", "O terminador de sombreamento"),
-    claim: Text::new(
-        "Where interpolated normals still face the light and the facet itself does not, shading and geometry disagree. If facets \
-         shade themselves, the border of light runs along their edges, and whole facets pop when the light moves.",
-        "Onde as normais interpoladas ainda olham para a luz e a própria faceta já não, sombreamento e geometria discordam. Se as \
-         facetas se sombreiam, a fronteira da luz corre pelas arestas, e facetas inteiras saltam quando a luz se move.",
-    ),
-    sources: &[
-        Text::new(
-            "Paper: M. J.-Y. Chiang, Y. K. Li, B. Burley, Taming the shadow terminator, SIGGRAPH 2019 Talks",
-            "Artigo: M. J.-Y. Chiang, Y. K. Li, B. Burley, Taming the shadow terminator, SIGGRAPH 2019 Talks",
-        ),
-        Text::new(
-            "Lectures: 1.5.2.2, 1.6.13 (errors of vertex normals that Phong's shading keeps)",
-            "Aulas: 1.5.2.2, 1.6.13 (erros das normais nos vértices que o sombreamento de Phong mantém)",
-        ),
-    ],
-    formulas: &[
-        Formula {
-            notation: Text::same("N·L > 0 ≥ N_g·L"),
-            says: Text::new(
-                "the pixels concerned: N interpolated, N_g that of the facet",
-                "os pixels em questão: N interpolada, N_g a da faceta",
-            ),
-        },
-        Formula {
-            notation: Text::same("G = −g^3 + g^2 + g, \\quad g = \\frac{N_g·L}{(N·L) (N_g·N)}"),
-            says: Text::new(
-                "Chiang, Li and Burley's factor for 0 ≤ g < 1, 0 below and 1 from 1 on: light goes out gradually as the facet turns away",
-                "o fator de Chiang, Li e Burley para 0 ≤ g < 1, 0 abaixo e 1 a partir de 1: a luz se apaga aos poucos quando a faceta \
-                 se vira",
-            ),
-        },
-        Formula {
-            notation: Text::same("ΔI = sin(Δ/2)"),
-            says: Text::new(
-                "how much a facet of the angle Δ lights up at once without it, at its bright edge",
-                "quanto uma faceta de ângulo Δ acende de uma vez sem ele, na aresta clara",
-            ),
-        },
-    ],
+    texts: &TEXTS,
     takes: &[Knob::Size, Knob::Segments, Knob::Light],
-    own_mesh: None,
     // More, and four times as many in the cured picture, would be hardly larger than pixels.
     segments: 3..=256,
-    shown_by: Text::new(
-        "light from the side (--light 80), on no more than 16 segments, would show it.",
-        "luz de lado (--light 80), em não mais que 16 segmentos, o mostraria.",
-    ),
     defaults: Parameters { segments: 16, light: Degrees(80.0), ..Parameters::USUAL },
     run,
     frame: Some(frame),
@@ -103,24 +60,18 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let truth = picture(sphere, towards(light, HEIGHT), (Shading::Exact, Terminator::Smooth), [size; 2])?;
     let off = |image: &Image| mean_where(&coarse_map, &differences(image, &truth));
     let self_shadow = Moved {
-        name: Text::new(
-            "mean error of light against the sphere itself, on the pixels concerned",
-            "erro médio da luz em relação à própria esfera, nos pixels em questão",
-        ),
+        name: TEXTS.get("moved"),
         unit: "",
         bad: off(&hard),
         present: Threshold::HALF_STEP,
-        cure: Text::new("no shadow of their own", "nenhuma sombra própria"),
+        cure: TEXTS.get("cure"),
         cured: off(&smooth),
         factor: 10.0,
     };
     let price = Moved {
-        name: Text::new(
-            "most light that the softening takes from a pixel",
-            "máximo de luz que a suavização tira de um pixel",
-        ),
+        name: TEXTS.get("moved-most-light-softening"),
         bad: taken(&soft, &smooth),
-        cure: Text::new("finer facets", "facetas mais finas"),
+        cure: TEXTS.get("cure-finer-facets"),
         cured: taken(&finer, &finer_smooth),
         // Of a quarter the teeth are still seen.
         factor: 10.0,
@@ -133,37 +84,19 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             &turn,
         ),
         bad: pop_hard,
-        cure: Text::new(
-            "Chiang, Li and Burley's softening term",
-            "o termo de suavização de Chiang, Li e Burley",
-        ),
+        cure: TEXTS.get("cure-chiang-li-burley"),
         cured: pop_soft,
         ..self_shadow.clone()
     };
     let (share_law, share_open) = tube.share_law(light);
-    let by_formula = Text::new(
-        "the formula at every pixel's centre in double precision; edges snap to 1/256 pixel",
-        "a fórmula no centro de cada pixel em precisão dupla; arestas ajustadas a 1/256 pixel",
-    );
+    let by_formula = TEXTS.get("formula-every-pixel");
     let measures = vec![
-        Measure::new(
-            Text::new("prism: share of pixels concerned", "prisma: parcela dos pixels em questão"),
-            "",
-            on_tube,
-        )
-        .expect(
+        Measure::new(TEXTS.get("measure-prism-share-pixels"), "", on_tube).expect(
             share_law,
             share_open,
-            Text::new(
-                "the two cosines at every pixel's centre in double precision; pixels with an edge or a change of sign within 1/256 pixel",
-                "os dois cossenos no centro de cada pixel em precisão dupla; pixels com aresta ou mudança de sinal a menos de 1/256 pixel",
-            ),
+            TEXTS.get("by-cosines-every-pixel"),
         ),
-        Measure::new(
-            Text::new("sphere: share of pixels concerned", "esfera: parcela dos pixels em questão"),
-            "",
-            share(&coarse_map),
-        ),
+        Measure::new(TEXTS.get("measure-sphere-share-pixels"), "", share(&coarse_map)),
         Measure::new(
             Text::made(
                 format!("sphere with {} segments: share of pixels concerned", finest(segments)),
@@ -172,14 +105,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             "",
             share(&fine_map),
         ),
-        Measure::new(
-            Text::new(
-                "sphere: most light that facets' own shadow takes from a pixel",
-                "esfera: máximo de luz que a sombra própria das facetas tira de um pixel",
-            ),
-            "",
-            taken(&hard, &smooth),
-        ),
+        Measure::new(TEXTS.get("measure-sphere-most-light"), "", taken(&hard, &smooth)),
         Measure::new(
             Text::with(
                 "prism, light turned by {}°: largest change on a facet, hard",
@@ -204,15 +130,8 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let difference = map([size; 2], &coarse_map, 1.0);
     // The prism has a light of its own. What it does there is seen on the sphere only if facets of that take light away in this.
     let verdict = match self_shadow.is_present() {
-        false => Verdict::Absent(EXPERIMENT.shown_by.clone()),
-        true => Verdict::HoldsOnlyIf(Text::new(
-            "facets shade themselves, as they do where shadows are cast. Without shadows, as in the lectures, light on facets that \
-             face away is no fault that is seen. The softening term takes away the popping, not the corners of the border, \
-             and darkens facets that are lit askew: both go with finer meshes, as their facets' size.",
-            "as facetas se sombreiam, como fazem onde há sombras projetadas. Sem sombras, como nas aulas, a luz em facetas viradas \
-             não é defeito visível. O termo de suavização tira os saltos, não os cantos da fronteira, e escurece facetas \
-             iluminadas de lado: ambos somem com malhas mais finas, com o tamanho das facetas.",
-        )),
+        false => Verdict::Absent(TEXTS.get("shown-by")),
+        true => Verdict::HoldsOnlyIf(TEXTS.get("holds-only-if-facets-shade-themselves")),
     };
     let Degrees(step) = tube.step();
     Ok(Outcome {
@@ -221,93 +140,61 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         shots: vec![
             self_shadow.bad_shot(
                 "hard",
-                Text::new("facets shade themselves", "facetas se sombreiam"),
+                TEXTS.get("hard-title"),
                 [
-                    Text::new(
-                        "Smooth normals, but light ends where facets turn away.",
-                        "Normais lisas, mas a luz termina onde as facetas se viram.",
-                    ),
-                    Text::new("The border is a saw of triangles.", "A fronteira é um serrote de triângulos."),
+                    TEXTS.get("hard-caption-smooth-normals-but"),
+                    TEXTS.get("hard-caption-border-saw-triangles"),
                 ],
                 hard,
             ),
             self_shadow.cured_shot(
                 "smooth",
-                Text::new("no shadow of their own", "sem sombra própria"),
+                TEXTS.get("smooth-title"),
                 [
-                    Text::new(
-                        "Interpolated normals alone decide, as in the lectures.",
-                        "Só as normais interpoladas decidem, como nas aulas.",
-                    ),
-                    Text::new(
-                        "Smooth, with light on facets that face away.",
-                        "Liso, com luz em facetas viradas para longe.",
-                    ),
+                    TEXTS.get("smooth-caption-interpolated-normals-alone"),
+                    TEXTS.get("smooth-caption-smooth-light-facets"),
                 ],
                 smooth,
             ),
             Shot::difference(
                 "concerned",
-                Text::new("pixels concerned", "pixels em questão"),
-                Text::new(
-                    "Yellow where the interpolated normal faces the light and the facet does not.",
-                    "Amarelo onde a normal interpolada olha para a luz e a faceta não.",
-                ),
+                TEXTS.get("concerned-title"),
+                TEXTS.get("concerned-caption-yellow-interpolated-normal"),
                 difference,
             ),
             popping.bad_shot(
                 "film-hard",
-                Text::new("the light turns: it pops", "a luz gira: salta"),
+                TEXTS.get("film-hard-title"),
                 [
-                    Text::with(
-                        "A prism from picture to picture, downwards: the light turns by {}° each time.",
-                        "Um prisma de imagem em imagem, para baixo: a luz gira {}° de cada vez.",
-                        &[step],
-                    ),
-                    Text::new(
-                        "The facet left of the middle has light in the upper four and is black in the lower four: it goes out at once.",
-                        "A faceta à esquerda do meio tem luz nas quatro de cima e é preta nas quatro de baixo: apaga-se de uma vez.",
-                    ),
+                    TEXTS.with("film-hard-caption-prism-picture-picture", &[("step", step.into())]),
+                    TEXTS.get("film-hard-caption-facet-left-middle"),
                 ],
                 tube.film(Terminator::Hard)?,
             ),
             popping.cured_shot(
                 "film-soft",
-                Text::new("softened: it fades", "suavizado: esmaece"),
+                TEXTS.get("film-soft-title"),
                 [
-                    Text::new("The same with the softening term.", "O mesmo com o termo de suavização."),
-                    Text::new(
-                        "That facet gets darker from picture to picture, and nothing pops.",
-                        "A faceta escurece de imagem em imagem, e nada salta.",
-                    ),
+                    TEXTS.get("film-soft-caption-same-softening-term"),
+                    TEXTS.get("film-soft-caption-facet-gets-darker"),
                 ],
                 tube.film(Terminator::Soft)?,
             ),
             price.bad_shot(
                 "soft",
-                Text::new("softened, as coarse", "suavizado, mesma malha"),
-                [
-                    Text::new("What the softening term costs.", "O que custa o termo de suavização."),
-                    Text::new(
-                        "Facets that are about to turn away are dim already, and show even in the light. A still picture is none the better \
-                         for it.",
-                        "Facetas que estão para se virar já são escuras, e aparecem até na luz. Uma imagem parada nada ganha com ele.",
-                    ),
-                ],
+                TEXTS.get("soft-title"),
+                [TEXTS.get("soft-caption-softening-term-costs"), TEXTS.get("soft-caption-facets-about-turn")],
                 soft,
             ),
             price.cured_shot(
                 "soft-fine",
-                Text::new("softened, finer", "suavizado, mais fino"),
+                TEXTS.get("soft-fine-title"),
                 [
                     Text::made(
                         format!("{} segments and the softening term.", finest(segments)),
                         format!("{} segmentos e o termo de suavização.", finest(segments)),
                     ),
-                    Text::new(
-                        "Facets are hardly larger than pixels, and the border is smooth.",
-                        "As facetas quase não são maiores que pixels, e a fronteira é lisa.",
-                    ),
+                    TEXTS.get("soft-fine-caption-facets-hardly-larger"),
                 ],
                 finer,
             ),
@@ -320,23 +207,8 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
 
 fn notes(light: Degrees) -> Vec<Text> {
     vec![
-        Text::new(
-            "The factor is continuous: it is 0 where the facet's own cosine N_g·L is, and 1 where that is at least (N·L) (N_g·N). It \
-             needs nothing but the two normals.",
-            "O fator é contínuo: vale 0 onde o cosseno da própria faceta, N_g·L, é 0, e 1 onde este é ao menos (N·L) (N_g·N). \
-             Precisa só das duas normais.",
-        ),
-        Text::with(
-            "There are three lights. The sphere's comes from {}° to the side of the viewer and 25° up, so that its border crosses \
-             facets askew. The one in which pixels of the prism are counted comes from {}° too, but level: where the prism's border \
-             is out of sight it concerns none. That of the films is level and turns about the angle at which the facet left of the \
-             middle turns away.",
-            "Há três luzes. A da esfera vem de {}° ao lado do observador e 25° acima, de modo que a sua fronteira cruza facetas de \
-             viés. Aquela em que se contam pixels do prisma vem também de {}°, mas horizontal: quando a fronteira do prisma não se \
-             vê, nenhum está em questão. A dos filmes é horizontal e gira em torno do ângulo em que a faceta à esquerda do meio se \
-             vira.",
-            &[light.0, light.0],
-        ),
+        TEXTS.get("factor-continuous-facet"),
+        TEXTS.with("three-lights-sphere", &[("value", light.0.into()), ("value-2", light.0.into())]),
     ]
 }
 

@@ -2,7 +2,8 @@
 
 use super::super::body::{Body, Diagonal};
 use super::super::stage::{GAP, linear, tiles};
-use super::super::{ArtefactError, Chart, Curve, Drawn, Scale, Text};
+use super::super::{ArtefactError, Chart, Curve, Drawn, Scale};
+use super::texts::TEXTS;
 use super::{LEVEL, WINDOW, paint, towards};
 use crate::num::{Degrees, Radians};
 use crate::raster::Image;
@@ -150,13 +151,9 @@ impl Tube {
         let pixel = self.facet().last().map_or(0, |(pixel, _)| pixel);
         let mut curves = Vec::new();
         for (name, terminator, drawn) in [
-            (
-                Text::new("interpolated normal alone", "só a normal interpolada"),
-                Terminator::Smooth,
-                Drawn::Guide,
-            ),
-            (Text::new("facets shade themselves", "facetas se sombreiam"), Terminator::Hard, Drawn::Line),
-            (Text::new("softened", "suavizado"), Terminator::Soft, Drawn::Line),
+            (TEXTS.get("interpolated-normal-alone"), Terminator::Smooth, Drawn::Guide),
+            (TEXTS.get("hard-title"), Terminator::Hard, Drawn::Line),
+            (TEXTS.get("softened"), Terminator::Soft, Drawn::Line),
         ] {
             let mut points = Vec::new();
             for k in -20..=10 {
@@ -167,15 +164,10 @@ impl Tube {
         }
         Ok(Chart {
             name: "popping",
-            title: Text::new("One facet as the light turns", "Uma faceta quando a luz gira"),
-            caption: Text::new(
-                "Luminance at the bright edge of one facet against the angle of the light: where the facet turns away it goes out at \
-                 once; softened, it fades.",
-                "Luminância na aresta clara de uma faceta em função do ângulo da luz: onde a faceta se vira, ela se apaga de uma vez; \
-                 suavizada, esmaece.",
-            ),
-            x: Scale::linear(Text::new("angle of the light in degrees", "ângulo da luz em graus")),
-            y: Scale::linear(Text::new("luminance", "luminância")),
+            title: TEXTS.get("chart-title"),
+            caption: TEXTS.get("chart-caption"),
+            x: Scale::linear(TEXTS.get("axis-angle-light-degrees")),
+            y: Scale::linear(TEXTS.get("axis-luminance")),
             curves,
         })
     }

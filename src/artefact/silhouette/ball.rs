@@ -6,6 +6,7 @@ use super::super::{
     ArtefactError, Chart, Curve, Drawn, Language, Measure, Moved, Outcome, Parameters, Scale, Shot, Text,
     Threshold, Verdict,
 };
+use super::texts::TEXTS;
 use super::{Outline, View, between, material};
 use crate::metric::ContourDistance;
 use crate::raster::{Image, Object, Shading, Shape};
@@ -40,66 +41,35 @@ pub(super) fn run(parameters: &Parameters) -> Result<Outcome, ArtefactError> {
     let (of_torus, of_fine_torus) = (of_torus?, of_fine_torus?);
     let found = ball.found_enough(enough, &circle)?;
     let measures = vec![
-        largest(Text::new("ball", "bola"), segments, &of_coarse, radius, open),
-        Measure::new(
-            Text::new("ball: mean distance of the outlines", "bola: distância média dos contornos"),
-            "px",
-            of_coarse.mean,
-        )
-        .expect(
+        largest(TEXTS.get("ball"), segments, &of_coarse, radius, open),
+        Measure::new(TEXTS.get("measure-ball-mean-distance"), "px", of_coarse.mean).expect(
             mean(segments, radius),
             open,
-            Text::new(
-                "the mean of e over the polygon and over the circle; a third of the outlines' own pixels from either",
-                "a média de e sobre o polígono e sobre o círculo; um terço dos pixels dos próprios contornos de cada um",
-            ),
+            TEXTS.get("by-mean-e-over"),
         ),
-        area(Text::new("ball", "bola"), segments, &of_coarse, open * 2.0 / radius),
-        largest(Text::new("ball", "bola"), fine, &of_fine, radius, open),
-        Measure::new(
-            Text::new(
-                "ball: fewest segments whose outline is off by at most half a pixel more than that of a very fine ball",
-                "bola: menor número de segmentos cujo contorno erra no máximo meio pixel a mais que o de uma bola muito fina",
-            ),
-            "",
-            f64::from(found),
-        )
-        .expect(
+        area(TEXTS.get("ball"), segments, &of_coarse, open * 2.0 / radius),
+        largest(TEXTS.get("ball"), fine, &of_fine, radius, open),
+        Measure::new(TEXTS.get("measure-ball-fewest-segments"), "", f64::from(found)).expect(
             f64::from(enough),
             (f64::from(enough) * ((0.5 / (0.5 - 0.5 * open)).sqrt() - 1.0)).ceil(),
-            Text::new(
-                "π/(2 arcsin(1/(2√R))), found by halving in pictures, whose own pixels keep even a circle's outline from being right; \
-                 what distances leave open beside that, in segments",
-                "π/(2 arcsin(1/(2√R))), achado por bissecção em imagens, cujos próprios pixels impedem até o contorno de um círculo de \
-                 estar certo; o que as distâncias deixam em aberto além disso, em segmentos",
-            ),
+            TEXTS.get("by-arcsin-r-found"),
         ),
-        largest(Text::new("torus", "toro"), segments, &of_torus, radius, open),
-        largest(Text::new("torus", "toro"), fine, &of_fine_torus, radius, open),
+        largest(TEXTS.get("torus"), segments, &of_torus, radius, open),
+        largest(TEXTS.get("torus"), fine, &of_fine_torus, radius, open),
         // Between two outlines, 1 and 3/7 of the radius.
-        area(Text::new("torus", "toro"), segments, &of_torus, open * 2.0 / (radius * (1.0 - 3.0 / 7.0))),
-        Measure::new(
-            Text::new(
-                "flat shading against Phong's: distance of the outlines",
-                "sombreamento plano contra o de Phong: distância dos contornos",
-            ),
-            "px",
-            flat.distance(&outline)?.hausdorff,
-        )
-        .expect(0.0, 0.0, Text::new("shading does not move edges", "o sombreamento não move arestas")),
+        area(TEXTS.get("torus"), segments, &of_torus, open * 2.0 / (radius * (1.0 - 3.0 / 7.0))),
+        Measure::new(TEXTS.get("measure-flat-shading-against"), "px", flat.distance(&outline)?.hausdorff)
+            .expect(0.0, 0.0, TEXTS.get("by-shading-does-not")),
     ];
     let moved = Moved {
-        name: Text::new("largest distance of the outline", "maior distância do contorno"),
+        name: TEXTS.get("moved"),
         unit: "px",
         bad: of_coarse.hausdorff,
         present: Threshold {
             value: Threshold::HALF_PIXEL.value + open,
-            why: Text::new(
-                "half a pixel, and what outlines of pixels leave open",
-                "meio pixel, e o que contornos de pixels deixam em aberto",
-            ),
+            why: TEXTS.get("why-half-pixel-outlines"),
         },
-        cure: Text::made(format!("{fine} segments"), format!("{fine} segmentos")),
+        cure: TEXTS.with("cure", &[("fine", fine.into())]),
         cured: of_fine.hausdorff,
         factor: (sagitta(segments, radius) / (left + open)).max(1.0),
     };
@@ -123,20 +93,7 @@ pub(super) fn run(parameters: &Parameters) -> Result<Outcome, ArtefactError> {
         shots: shots([&ball, &torus], [segments, fine], [left, open], [&moved, &of_torus])?,
         moved,
         measures,
-        notes: vec![
-            Text::new(
-                "The vertices have the ball's own normals, so light runs over the faces as over a ball. But the picture ends where \
-                 the faces end, and the eye looks at outlines first.",
-                "Os vértices têm as normais da própria bola, e a luz corre sobre as faces como sobre uma bola. Mas a imagem \
-                 acaba onde as faces acabam, e o olho olha primeiro os contornos.",
-            ),
-            Text::new(
-                "Near the outline faces are seen from the side: they are few pixels wide there, and every one of them is a \
-                 side of the polygon. So meshes are best refined where they turn away from the viewer.",
-                "Perto do contorno as faces são vistas de lado: ali têm poucos pixels de largura, e cada uma é um lado do \
-                 polígono. Por isso vale mais refinar a malha onde ela se vira para longe do observador.",
-            ),
-        ],
+        notes: vec![TEXTS.get("note-vertices-ball-own"), TEXTS.get("note-near-outline-faces")],
     })
 }
 
@@ -177,14 +134,7 @@ fn largest(of: Text, segments: u32, found: &ContourDistance, radius: f64, open: 
         (Language::English, of) => format!("{of}, {segments} segments: largest distance of the outline"),
         (Language::Portuguese, of) => format!("{of}, {segments} segmentos: maior distância do contorno"),
     });
-    Measure::new(name, "px", found.hausdorff).expect(
-        sagitta(segments, radius),
-        open,
-        Text::new(
-            "R (1 − cos(π/n)); a third of the outlines' own pixels from either",
-            "R (1 − cos(π/n)); um terço dos pixels dos próprios contornos de cada um",
-        ),
-    )
+    Measure::new(name, "px", found.hausdorff).expect(sagitta(segments, radius), open, TEXTS.get("by-r-cos-n"))
 }
 
 /// `open` is the share of the area that outlines leave open.
@@ -193,14 +143,7 @@ fn area(of: Text, segments: u32, found: &ContourDistance, open: f64) -> Measure 
         (Language::English, of) => format!("{of}, {segments} segments: area over the true one"),
         (Language::Portuguese, of) => format!("{of}, {segments} segmentos: área sobre a verdadeira"),
     });
-    Measure::new(name, "", found.area_ratio).expect(
-        area_ratio(segments),
-        open,
-        Text::new(
-            "n/(2π) sin(2π/n); the outline's length times what distances leave open",
-            "n/(2π) sin(2π/n); o comprimento do contorno vezes o que as distâncias deixam em aberto",
-        ),
-    )
+    Measure::new(name, "", found.area_ratio).expect(area_ratio(segments), open, TEXTS.get("by-n-sin-n"))
 }
 
 /// A surface that is round about the y axis, seen along it.
@@ -273,28 +216,15 @@ impl Subject {
         let curve = |name, drawn, points| Curve { name, drawn, points };
         Ok(Chart {
             name: "error-by-segments",
-            title: Text::new("Error of the outline", "Erro do contorno"),
-            caption: Text::new(
-                "How far the outline of the ball is from the circle against the number of segments: both the largest and the mean \
-                 distance fall as 1/n², as the closed forms say, until the outlines' own pixels are all that is left.",
-                "Quanto o contorno da bola se afasta do círculo em função do número de segmentos: a maior distância e a média caem \
-                 como 1/n², como dizem as fórmulas, até que só restem os pixels dos próprios contornos.",
-            ),
-            x: Scale::log(Text::new("segments n", "segmentos n")),
-            y: Scale::log(Text::new("distance in pixels", "distância em pixels")),
+            title: TEXTS.get("chart-title"),
+            caption: TEXTS.get("chart-caption"),
+            x: Scale::log(TEXTS.get("axis-segments-n")),
+            y: Scale::log(TEXTS.get("axis-distance-pixels")),
             curves: vec![
-                curve(Text::new("largest", "maior"), Drawn::Points, farthest),
-                curve(Text::new("mean", "média"), Drawn::Points, means),
-                curve(
-                    Text::new("largest, closed form", "maior, fórmula"),
-                    Drawn::Guide,
-                    law(&|n| sagitta(n, radius)),
-                ),
-                curve(
-                    Text::new("mean, closed form", "média, fórmula"),
-                    Drawn::Guide,
-                    law(&|n| mean(n, radius)),
-                ),
+                curve(TEXTS.get("largest"), Drawn::Points, farthest),
+                curve(TEXTS.get("mean"), Drawn::Points, means),
+                curve(TEXTS.get("largest-closed-form"), Drawn::Guide, law(&|n| sagitta(n, radius))),
+                curve(TEXTS.get("mean-closed-form"), Drawn::Guide, law(&|n| mean(n, radius))),
             ],
         })
     }
@@ -320,65 +250,40 @@ fn shots(
         of_ball.bad_shot(
             "ball",
             label("ball", "bola", segments),
-            [
-                Text::new(
-                    "Phong's shading with the ball's own normals: within, all is round.",
-                    "O sombreamento de Phong com as normais da própria bola: por dentro tudo é redondo.",
-                ),
-                Text::new("Its outline is a polygon.", "O contorno é um polígono."),
-            ],
+            [TEXTS.get("ball-title"), TEXTS.get("ball-caption-outline-polygon")],
             coarse,
         ),
         Shot::difference(
             "lacking",
-            Text::new("what is lacking", "o que falta"),
-            Text::new(
-                "Yellow where the ball covers the picture and the polygons do not: a sickle over every side, the thinner the more \
-                 sides there are.",
-                "Amarelo onde a bola cobre a imagem e os polígonos não: uma lua fina sobre cada lado, tanto mais fina quanto mais lados há.",
-            ),
+            TEXTS.get("lacking-title"),
+            TEXTS.get("lacking-caption-yellow-ball-covers"),
             lacking,
         ),
         of_ball.cured_shot(
             "ball-fine",
             label("ball", "bola", fine),
             [
-                Text::with(
-                    "At least twice as many segments as before, and enough for an error below {} px by the closed form; what is measured \
-                     may be up to {} px more, as outlines are made of pixels.",
-                    "Ao menos o dobro de segmentos de antes, e bastantes para um erro abaixo de {} px pela fórmula; o que se mede pode ser \
-                     até {} px maior, pois contornos são feitos de pixels.",
-                    &[left, open],
-                ),
-                Text::new("The outline is round to the eye.", "O contorno é redondo para o olho."),
+                TEXTS.with("ball-fine-title", &[("left", left.into()), ("open", open.into())]),
+                TEXTS.get("ball-fine-caption-outline-round-eye"),
             ],
             ball.picture(fine)?,
         ),
         Shot::truth(
             "ball-itself",
-            Text::new("the ball itself", "a própria bola"),
-            Text::new("The ball by its equation, without faces.", "A bola pela sua equação, sem faces."),
+            TEXTS.get("ball-itself-title"),
+            TEXTS.get("ball-itself-caption-ball-equation-without"),
             round,
         ),
         of_torus.bad_shot(
             "torus",
             label("torus", "toro", segments),
-            [
-                Text::new("A torus along its axis.", "Um toro visto ao longo do eixo."),
-                Text::new(
-                    "Outside as inside the outline is a polygon.",
-                    "Por fora como por dentro o contorno é um polígono.",
-                ),
-            ],
+            [TEXTS.get("torus-title"), TEXTS.get("torus-caption-outside-inside-outline")],
             torus.picture(segments)?,
         ),
         of_torus.cured_shot(
             "torus-fine",
             label("torus", "toro", fine),
-            [
-                Text::new("The torus with as many segments as the finer ball.", "O toro com tantos segmentos quanto a bola mais fina."),
-                Text::new("It is round to the eye.", "É redondo para o olho."),
-            ],
+            [TEXTS.get("torus-fine-title"), TEXTS.get("torus-fine-caption-round-eye")],
             torus.picture(fine)?,
         ),
     ])

@@ -5,61 +5,19 @@ mod curved;
 mod own;
 
 use super::stage::{chalk, draw, map, settings};
-use super::{ArtefactError, Experiment, Formula, Knob, Outcome, Parameters, Setup, Text};
+use super::{ArtefactError, Experiment, Knob, Outcome, Parameters, Setup};
 use crate::metric::{Contour, ContourDistance, contour_distance};
 use crate::num::Degrees;
 use crate::raster::{Camera, Image, Interpolation, Object, RenderSettings, Samples, Shading};
 use crate::shade::{Light, Material};
+use texts::TEXTS;
 
-pub(super) const EXPERIMENT: Experiment = Experiment {
+pub(super) static EXPERIMENT: Experiment = Experiment {
     id: "silhouette",
-    title: Text::new("Polygonal silhouettes", "Silhuetas poligonais"),
-    claim: Text::new(
-        "Interpolated shading makes faces look round, but silhouettes stay markedly polygonal: normals do not move vertices.",
-        "O sombreamento interpolado faz as faces parecerem redondas, mas as silhuetas continuam marcadamente poligonais: \
-         normais não movem vértices.",
-    ),
-    sources: &[
-        Text::new(
-            "Lectures: 1.5.2.3, 1.6.15, 1.6.47 (figure 56)",
-            "Aulas: 1.5.2.3, 1.6.15, 1.6.47 (figura 56)",
-        ),
-        Text::new(
-            "For the cure of meshes without a formula: A. Vlachos et al., Curved PN triangles, I3D 2001",
-            "Para a cura de malhas sem fórmula: A. Vlachos et al., Curved PN triangles, I3D 2001",
-        ),
-    ],
-    formulas: &[
-        Formula {
-            notation: Text::same("e = R (1 − cos(π/n))"),
-            says: Text::new(
-                "how far the middles of the sides of an n-gon lie within its circle of R pixels",
-                "quanto os meios dos lados de um n-ágono ficam para dentro do seu círculo de R pixels",
-            ),
-        },
-        Formula {
-            notation: Text::same("\\frac{A}{A_0} = \\frac{n}{2π} sin(2π/n)"),
-            says: Text::new("its area over the circle's", "a sua área sobre a do círculo"),
-        },
-        Formula {
-            notation: Text::same("n_{1/2} = \\frac{π}{2 arcsin(1/(2 \\sqrt{R}))} ≈ π \\sqrt{R}"),
-            says: Text::new(
-                "the n from which e is below half a pixel",
-                "o n a partir do qual e é menor que meio pixel",
-            ),
-        },
-    ],
+    texts: &TEXTS,
     takes: &[Knob::Size, Knob::Segments, Knob::Light, Knob::Crease, Knob::Mesh],
-    own_mesh: Some(Text::new(
-        "its outline against that of --finer FILE, or of itself in curved triangles",
-        "o seu contorno contra o de --finer ARQUIVO, ou o dela mesma em triângulos curvos",
-    )),
     // More would be hardly larger than pixels.
     segments: 3..=256,
-    shown_by: Text::new(
-        "fewer segments, a larger picture or a coarser mesh would show it.",
-        "menos segmentos, uma imagem maior ou uma malha mais grosseira o mostrariam.",
-    ),
     defaults: Parameters { segments: 12, light: Degrees(40.0), ..Parameters::USUAL },
     run,
     frame: None,
@@ -146,3 +104,4 @@ fn material() -> Material {
 
 #[cfg(test)]
 mod tests;
+mod texts;

@@ -5,6 +5,7 @@ use super::super::{
     ArtefactError, Language, Measure, Moved, Outcome, Parameters, Shot, Text, Threshold, UserMesh, Verdict,
 };
 use super::curved::curved;
+use super::texts::TEXTS;
 use super::{View, between, material};
 use crate::mesh::Mesh;
 use crate::metric::MetricError;
@@ -56,7 +57,7 @@ fn measure(own: &UserMesh, parameters: &Parameters) -> Result<Outcome, ArtefactE
     let is_off = of_coarse.hausdorff > Threshold::HALF_PIXEL.value;
     let number = |en, pt, unit, value| Measure::new(Text::new(en, pt), unit, value);
     let moved = Moved {
-        name: Text::new("largest distance of the outline", "maior distância do contorno"),
+        name: TEXTS.get("moved"),
         unit: "px",
         bad: of_coarse.hausdorff,
         present: Threshold::HALF_PIXEL,
@@ -68,29 +69,14 @@ fn measure(own: &UserMesh, parameters: &Parameters) -> Result<Outcome, ArtefactE
         factor: 2.0,
     };
     let is_beside = own.finer.is_some() && moved.is_present() && !moved.is_cured();
-    let control_mesh = is_beside.then_some(Text::new(
-        "Curved triangles leave the mesh's vertices where they are. If this is the control mesh of a subdivision surface, they do \
-         not lie on that surface, so that no curve through them is its outline: what helps is to subdivide it, or to move its \
-         vertices to where the subdivision brings them.",
-        "Triângulos curvos deixam os vértices da malha onde estão. Se esta é a malha de controle de uma superfície de subdivisão, eles \
-         não estão nessa superfície, e nenhuma curva por eles é o seu contorno: o que ajuda é subdividi-la, ou mover os vértices para \
-         onde a subdivisão os leva.",
-    ));
+    let control_mesh = is_beside.then_some(TEXTS.get("curved-triangles-leave"));
     Ok(Outcome {
         verdict: match (is_off, own.finer) {
             (true, _) => Verdict::Holds(Text::each(|language| {
-                let off = Text::new(
-                    "the outline of this mesh is off by more than half a pixel here.",
-                    "o contorno desta malha erra mais de meio pixel aqui.",
-                );
+                let off = TEXTS.get("holds-outline-mesh-off");
                 format!("{} {}", off.get(language), told.get(language))
             })),
-            (false, Some(_)) => Verdict::Absent(Text::new(
-                "the two meshes have the same outline at this size: a larger picture (--size) or a finer mesh for --finer would \
-                 show more.",
-                "as duas malhas têm o mesmo contorno neste tamanho: uma imagem maior (--size) ou uma malha mais fina em --finer \
-                 mostraria mais.",
-            )),
+            (false, Some(_)) => Verdict::Absent(TEXTS.get("absent-meshes-same-outline")),
             (false, None) => Verdict::Absent(sharp.advice()),
         },
         measures: vec![
@@ -129,53 +115,35 @@ fn measure(own: &UserMesh, parameters: &Parameters) -> Result<Outcome, ArtefactE
         shots: vec![
             moved.bad_shot(
                 "own",
-                Text::new("the mesh", "a malha"),
-                [
-                    Text::new(
-                        "The mesh as it is, with Phong's shading.",
-                        "A malha como ela é, com o sombreamento de Phong.",
-                    ),
-                    Text::new("Its outline is off.", "O seu contorno erra."),
-                ],
+                TEXTS.get("own-title"),
+                [TEXTS.get("own-caption-mesh-phong-shading"), TEXTS.get("own-caption-outline-off")],
                 coarse,
             ),
             Shot::difference(
                 "lacking",
-                Text::new("between the outlines", "entre os contornos"),
+                TEXTS.get("lacking-title-between-outlines"),
                 match own.finer {
-                    Some(_) => Text::new(
-                        "Yellow where only one of the two covers the picture, the mesh or the finer one.",
-                        "Amarelo onde só uma das duas cobre a imagem, a malha ou a mais fina.",
-                    ),
-                    None => Text::new(
-                        "Yellow where only one of the two covers the picture, the mesh or its own curved triangles.",
-                        "Amarelo onde só uma das duas cobre a imagem, a malha ou os seus próprios triângulos curvos.",
-                    ),
+                    Some(_) => TEXTS.get("lacking-caption-yellow-only-covers"),
+                    None => TEXTS.get("lacking-caption-yellow-only-covers-picture"),
                 },
                 lacking,
             ),
             moved.cured_shot(
                 "own-curved",
-                Text::new("curved triangles", "triângulos curvos"),
+                TEXTS.get("own-curved-title"),
                 [
-                    Text::new(
-                        "The same mesh in curved triangles that its normals determine.",
-                        "A mesma malha em triângulos curvos que as suas normais determinam.",
-                    ),
-                    Text::new("Its outline comes closer.", "O seu contorno se aproxima."),
+                    TEXTS.get("own-curved-caption-same-mesh-curved"),
+                    TEXTS.get("own-curved-caption-outline-comes-closer"),
                 ],
                 cured,
             ),
             Shot::truth(
                 "finer",
                 match own.finer {
-                    Some(_) => Text::new("the finer mesh", "a malha mais fina"),
-                    None => Text::new("what it is held against", "aquilo com que é comparada"),
+                    Some(_) => TEXTS.get("finer-title"),
+                    None => TEXTS.get("finer-caption-held-against"),
                 },
-                Text::new(
-                    "What the outlines are held against.",
-                    "Aquilo com que os contornos são comparados.",
-                ),
+                TEXTS.get("finer-caption-outlines-held-against"),
                 truth,
             ),
         ],
@@ -196,12 +164,7 @@ impl Sharp {
     fn advice(&self) -> Text {
         let &Self { edges, crease } = self;
         match edges {
-            0 => Text::new(
-                "no finer mesh was given, and in curved triangles the outline is the same: give one with --finer FILE, or a larger \
-                 picture (--size).",
-                "não foi dada malha mais fina, e em triângulos curvos o contorno é o mesmo: indique uma com --finer ARQUIVO, ou uma \
-                 imagem maior (--size).",
-            ),
+            0 => TEXTS.get("no-finer-mesh"),
             _ => Text::each(|language| {
                 let angle = language.number(crease.0);
                 match language {
@@ -224,24 +187,8 @@ impl Sharp {
 /// What was taken for the truth.
 fn told(own: &UserMesh, parts: u32) -> Text {
     match own.finer {
-        Some((finer, _)) => Text::made(
-            format!("It is held against the finer mesh `{finer}`."),
-            format!("Ela é comparada com a malha mais fina `{finer}`."),
-        ),
-        None => Text::made(
-            format!(
-                "No finer mesh was given, so it is held against itself in curved triangles, every edge cut into {parts}: Bézier \
-                 triangles of third order that leave its vertices at right angles to its normals (curved PN triangles), and \
-                 along creases at right angles to the normals of both sides. What it stands for may be another shape; \
-                 --finer FILE gives that."
-            ),
-            format!(
-                "Não foi dada malha mais fina, e ela é comparada consigo mesma em triângulos curvos, cada aresta cortada em \
-                 {parts}: triângulos de Bézier de terceira ordem que saem dos vértices em ângulo reto com as normais (curved PN \
-                 triangles), e nos vincos em ângulo reto com as normais dos dois lados. Aquilo que ela representa pode ter outra \
-                 forma; --finer ARQUIVO a indica."
-            ),
-        ),
+        Some((finer, _)) => TEXTS.with("held-against-finer", &[("finer", finer.into())]),
+        None => TEXTS.with("no-finer-mesh-given", &[("parts", parts.into())]),
     }
 }
 

@@ -3,10 +3,11 @@
 mod cuts;
 mod shots;
 mod specimen;
+mod texts;
 
 use super::{
-    ArtefactError, Chart, Curve, Drawn, Experiment, Formula, Knob, Language, Measure, Moved, Outcome,
-    Parameters, Scale, Setup, Text, Threshold, Verdict,
+    ArtefactError, Chart, Curve, Drawn, Experiment, Knob, Language, Measure, Moved, Outcome, Parameters,
+    Scale, Setup, Text, Threshold, Verdict,
 };
 use crate::normals::Weight;
 use crate::num::Degrees;
@@ -14,60 +15,14 @@ use crate::surface::{Pattern, Sphere, Tessellation, Torus};
 use cuts::{law, measured};
 use glam::DVec3;
 use specimen::{Look, Specimen};
+use std::sync::LazyLock;
+use texts::TEXTS;
 
-pub(super) const EXPERIMENT: Experiment = Experiment {
+pub(super) static EXPERIMENT: Experiment = Experiment {
     id: "vertex-average",
-    title: Text::new("The mean at a vertex", "A média no vértice"),
-    claim: Text::new(
-        "The normal at a vertex is the mean of the normals of all faces at it. So it depends on how the surface happens to be cut into \
-         faces: a face that is cut through the vertex counts twice.",
-        "A normal num vértice é a média das normais de todas as faces nele. Ela depende então de como a superfície foi cortada em \
-         faces: uma face cortada através do vértice conta duas vezes.",
-    ),
-    sources: &[
-        Text::new(
-            "Lectures: 1.5.2.1 (figure 33), 1.6.13, 1.6.21 b (figure 47)",
-            "Aulas: 1.5.2.1 (figura 33), 1.6.13, 1.6.21 b (figura 47)",
-        ),
-        Text::new(
-            "Weights: G. Thürmer, C. A. Wüthrich, Computing vertex normals from polygonal facets, JGT 3(1), 1998; N. Max, Weights for \
-             computing vertex normals from facet normals, JGT 4(2), 1999",
-            "Pesos: G. Thürmer, C. A. Wüthrich, Computing vertex normals from polygonal facets, JGT 3(1), 1998; N. Max, Weights for \
-             computing vertex normals from facet normals, JGT 4(2), 1999",
-        ),
-    ],
-    formulas: &[
-        Formula {
-            notation: Text::same("N = \\frac{Σ w_i N_i}{|Σ w_i N_i|}"),
-            says: Text::new(
-                "the mean at a vertex: w = 1 in the lectures, the angle at the vertex by Thürmer and Wüthrich, sin(α)/(|e_1| |e_2|) by Max",
-                "a média num vértice: w = 1 nas aulas, o ângulo no vértice em Thürmer e Wüthrich, sin(α)/(|e_1| |e_2|) em Max",
-            ),
-        },
-        Formula {
-            notation: Text::same(
-                "cos(δ_{211}) = \\frac{4}{\\sqrt{6} \\sqrt{3}}, cos(δ_{221}) = \\frac{5}{3 \\sqrt{3}}",
-            ),
-            says: Text::new(
-                "the corner of a cube of which one face or two are cut: δ = 19.4712° and 15.7932° off the diagonal with w = 1",
-                "o vértice de um cubo do qual uma face ou duas estão cortadas: δ = 19,4712° e 15,7932° da diagonal com w = 1",
-            ),
-        },
-        Formula {
-            notation: Text::same("w = α: δ = 0"),
-            says: Text::new(
-                "angles of the parts of a flat face add up to that of the face, however it is cut",
-                "os ângulos das partes de uma face plana somam o da face, seja como for cortada",
-            ),
-        },
-    ],
+    texts: &TEXTS,
     takes: &[Knob::Size, Knob::Light, Knob::Exponent, Knob::Weight],
-    own_mesh: None,
     segments: Parameters::SEGMENTS,
-    shown_by: Text::new(
-        "other weights (--weight uniform) would show it.",
-        "outros pesos (--weight uniform) o mostrariam.",
-    ),
     defaults: Parameters {
         weight: Weight::Uniform,
         light: Degrees(-25.0),
@@ -79,14 +34,16 @@ pub(super) const EXPERIMENT: Experiment = Experiment {
 };
 
 /// The weights that are means over triangles, with their names.
-static MEANS: [(Weight, Text); 6] = [
-    (Weight::Uniform, Text::new("equal weights", "pesos iguais")),
-    (Weight::Area, Text::new("area weights", "pesos pela área")),
-    (Weight::Angle, Text::new("angle weights", "pesos pelo ângulo")),
-    (Weight::AngleArea, Text::new("weights angle × area", "pesos ângulo × área")),
-    (Weight::Max, Text::new("Max's weights", "pesos de Max")),
-    (Weight::Edge, Text::new("weights 1/(|e₁| |e₂|) of edges", "pesos 1/(|e₁| |e₂|) das arestas")),
-];
+static MEANS: LazyLock<[(Weight, Text); 6]> = LazyLock::new(|| {
+    [
+        (Weight::Uniform, TEXTS.get("equal-weights")),
+        (Weight::Area, TEXTS.get("area-weights")),
+        (Weight::Angle, TEXTS.get("angle-weights")),
+        (Weight::AngleArea, TEXTS.get("weights-angle-area")),
+        (Weight::Max, TEXTS.get("max-weights")),
+        (Weight::Edge, TEXTS.get("weights-e-e")),
+    ]
+});
 /// What they are called.
 fn name_of(weight: Weight, language: Language) -> &'static str {
     MEANS.iter().find(|(known, _)| *known == weight).map_or(weight.name(), |(_, name)| name.get(language))
@@ -107,39 +64,33 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let torus = Specimen::new(Torus::default().into(), Torus::default().into(), &irregular, &look)?;
     let ball = ball(SLIVERS, &look)?;
     let mut measures = Vec::new();
-    for (weight, name) in &MEANS {
+    for (weight, name) in MEANS.iter() {
         measures.extend(of_boxes(*weight, name)?);
     }
     measures.extend(of_torus(&torus));
     measures.extend(of_ball(&ball));
     let slivers = Moved {
-        name: Text::new(
-            "ball of slivers: error of the normals at vertices (rms)",
-            "bola de lascas: erro das normais nos vértices (rms)",
-        ),
+        name: TEXTS.get("moved"),
         unit: "°",
         bad: ball.at_vertices(weight).rms,
         present: Threshold::HALF_STEP_OF_TILT,
-        cure: Text::new("Max's weights", "pesos de Max"),
+        cure: TEXTS.get("max-weights"),
         cured: ball.at_vertices(ROUND).rms,
         factor: 1000.0,
     };
     let off = |sides, weight| measured(sides, weight).map(|range| range.largest);
     let of_boxes = |name, sides, weight| -> Result<Moved, ArtefactError> {
         let (bad, cured) = (off(sides, weight)?, off(sides, FLAT)?);
-        let cure = Text::new("angle weights", "pesos pelo ângulo");
+        let cure = TEXTS.get("angle-weights");
         Ok(Moved { name, bad, cured, cure, ..slivers.clone() })
     };
-    let of_cube = Text::new("cube: largest angle to the diagonal", "cubo: maior ângulo com a diagonal");
-    let of_long = Text::new("box: largest angle to the diagonal", "caixa: maior ângulo com a diagonal");
+    let of_cube = TEXTS.get("cube-largest-angle");
+    let of_long = TEXTS.get("box-largest-angle");
     let shown = Shown {
         cube: of_boxes(of_cube, DVec3::ONE, weight)?,
         long: of_boxes(of_long.clone(), LONG, ROUND)?,
         torus: Moved {
-            name: Text::new(
-                "irregular torus: error of the normals at vertices (rms)",
-                "toro irregular: erro das normais nos vértices (rms)",
-            ),
+            name: TEXTS.get("moved-irregular-torus-error"),
             bad: torus.at_vertices(weight).rms,
             cured: torus.at_vertices(ROUND).rms,
             // No weights are exact on a torus.
@@ -159,22 +110,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         charts: vec![chart(&look)?],
         shots: shots::all(weight, &look, [&torus, &ball], &shown)?,
         moved,
-        notes: vec![
-            Text::new(
-                "On the cube each corner has three faces. Where one of them is cut through the corner, two triangles vote for it and the \
-             mean leans over. The angle at the corner is shared out between the two, so that their votes add up to one again.",
-                "No cubo cada vértice tem três faces. Onde uma delas é cortada através do vértice, dois triângulos votam por ela e a \
-             média se inclina. O ângulo no vértice se divide entre os dois, e os seus votos voltam a somar um.",
-            ),
-            Text::new(
-                "Not to depend on the cut is not yet to be right: on the box of 1 × 1 × 10 Max's weights give the same normal for all 64 \
-             cuts, 46.7° off, for they favour small faces. On a ball, where the mean is meant to stand for something round, they \
-             are exact, and angles are not.",
-                "Não depender do corte ainda não é estar certo: na caixa de 1 × 1 × 10 os pesos de Max dão a mesma normal para os 64 \
-             cortes, com erro de 46,7°, pois favorecem faces pequenas. Numa bola, onde a média representa algo redondo, eles são \
-             exatos, e os ângulos não.",
-            ),
-        ],
+        notes: vec![TEXTS.get("note-cube-each-corner"), TEXTS.get("note-not-depend-cut")],
     })
 }
 
@@ -205,12 +141,7 @@ fn verdict(weight: Weight, cube: f64) -> Verdict {
                 ),
             }
         })),
-        false => Verdict::Fails(Text::new(
-            "these weights give the cube the same normals however its faces are cut. On round surfaces the mean depends on the \
-             triangles still.",
-            "estes pesos dão ao cubo as mesmas normais, como quer que as faces sejam cortadas. Em superfícies redondas a média ainda \
-             depende dos triângulos.",
-        )),
+        false => Verdict::Fails(TEXTS.get("fails-these-weights-give")),
     }
 }
 
@@ -228,16 +159,8 @@ fn of_boxes(weight: Weight, weighting: &Text) -> Result<Vec<Measure>, ArtefactEr
         let name = Text::each(|language| format!("{}, {}", what.get(language), weighting.get(language)));
         let measure = Measure::new(name, "°", found);
         let by = match weight {
-            Weight::Angle | Weight::AngleArea | Weight::Max => Text::new(
-                "both parts of a face cut through the corner count together as much as the one part of a face cut the other way; a few \
-                 roundings",
-                "as duas partes de uma face cortada pelo vértice contam juntas tanto quanto a única parte de uma face cortada do outro \
-                 modo; poucos arredondamentos",
-            ),
-            _ => Text::new(
-                "each face counts as one triangle or as two; a few roundings",
-                "cada face conta como um triângulo ou como dois; poucos arredondamentos",
-            ),
+            Weight::Angle | Weight::AngleArea | Weight::Max => TEXTS.get("both-parts-face"),
+            _ => TEXTS.get("each-face-counts"),
         };
         match law {
             Some(law) => measure.expect(law, 1e-9, by),
@@ -279,7 +202,7 @@ fn of_boxes(weight: Weight, weighting: &Text) -> Result<Vec<Measure>, ArtefactEr
 fn of_torus(torus: &Specimen) -> Vec<Measure> {
     const KNOWN: [(Weight, [f64; 2]); 2] = [(Weight::Uniform, [1.644, 4.677]), (Weight::Max, [0.498, 2.054])];
     let mut measures = Vec::new();
-    for (weight, name) in &MEANS {
+    for (weight, name) in MEANS.iter() {
         let errors = torus.at_vertices(*weight);
         let known = KNOWN.iter().find(|(known, _)| known == weight).map(|(_, known)| known);
         let figures = [("rms", "rms", errors.rms), ("largest", "maior", errors.max)];
@@ -290,14 +213,7 @@ fn of_torus(torus: &Specimen) -> Vec<Measure> {
             );
             let measure = Measure::new(name, "°", found);
             measures.push(match known {
-                Some(known) => measure.expect(
-                    known[figure],
-                    5e-4,
-                    Text::new(
-                        "another program on the same mesh, to the digits that it printed",
-                        "outro programa na mesma malha, até os dígitos que imprimiu",
-                    ),
-                ),
+                Some(known) => measure.expect(known[figure], 5e-4, TEXTS.get("by-another-program-same")),
                 None => measure,
             });
         }
@@ -313,14 +229,7 @@ fn of_ball(ball: &Specimen) -> Vec<Measure> {
         );
         let measure = Measure::new(name, "°", ball.at_vertices(*weight).rms);
         match *weight {
-            ROUND => measure.expect(
-                0.0,
-                1e-9,
-                Text::new(
-                    "exact where all vertices of a fan lie on a sphere (Max 1999)",
-                    "exatos onde todos os vértices de um leque estão numa esfera (Max 1999)",
-                ),
-            ),
+            ROUND => measure.expect(0.0, 1e-9, TEXTS.get("by-exact-all-vertices")),
             _ => measure,
         }
     };
@@ -335,24 +244,16 @@ fn chart(look: &Look) -> Result<Chart, ArtefactError> {
         .collect();
     for ratio in [1.0, 2.0, 4.0, 8.0, 16.0, 32.0] {
         let ball = ball(ratio, look)?;
-        for (curve, (weight, _)) in curves.iter_mut().zip(&MEANS) {
+        for (curve, (weight, _)) in curves.iter_mut().zip(MEANS.iter()) {
             curve.points.push([ratio, ball.at_vertices(*weight).rms]);
         }
     }
     Ok(Chart {
         name: "error-by-slivers",
-        title: Text::new("Weights on a ball of slivers", "Pesos numa bola de lascas"),
-        caption: Text::new(
-            "The error of normals at vertices (rms) when every other row of triangles is so many times narrower: it grows with most \
-             weights, and stays 0 with Max's.",
-            "O erro das normais nos vértices (rms) quando uma fileira de triângulos sim, outra não, é tantas vezes mais estreita: \
-             cresce com quase todos os pesos, e fica 0 com os de Max.",
-        ),
-        x: Scale::log(Text::new(
-            "height of a wide row over that of a narrow one",
-            "altura da fileira larga sobre a da estreita",
-        )),
-        y: Scale::linear(Text::new("error in degrees", "erro em graus")),
+        title: TEXTS.get("chart-title"),
+        caption: TEXTS.get("chart-caption"),
+        x: Scale::log(TEXTS.get("axis-height-wide-row")),
+        y: Scale::linear(TEXTS.get("axis-error-degrees")),
         curves,
     })
 }

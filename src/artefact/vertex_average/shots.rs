@@ -5,6 +5,7 @@ use super::super::stage::{chalk, differences, draw, map, object, settings, smoot
 use super::super::{ArtefactError, Language, Moved, Shot, Text};
 use super::cuts::{CUTS, cut_box};
 use super::specimen::{Look, Specimen};
+use super::texts::TEXTS;
 use super::{FLAT, LONG, ROUND, Shown, name_of};
 use crate::normals::Weight;
 use crate::raster::{Image, Interpolation, Shading, Show};
@@ -43,71 +44,37 @@ fn of_boxes(weight: Weight, look: &Look, shown: &Shown) -> Result<Vec<Shot>, Art
         cube.bad_shot(
             "cube-1",
             label(["cube cut one way", "cubo cortado de um modo"], weight),
-            [
-                Text::new(
-                    "The cube smoothed, its faces cut along one diagonal.",
-                    "O cubo alisado, as faces cortadas por uma diagonal.",
-                ),
-                Text::new("Some corners lean to one side.", "Alguns cantos se inclinam para um lado."),
-            ],
+            [TEXTS.get("cube-1-title"), TEXTS.get("cube-1-caption-some-corners-lean")],
             one,
         ),
         cube.bad_shot(
             "cube-2",
             label(["cut the other way", "cortado do outro modo"], weight),
-            [
-                Text::new(
-                    "The same cube with all faces cut along the other diagonal.",
-                    "O mesmo cubo com todas as faces cortadas pela outra diagonal.",
-                ),
-                Text::new("Light and shadow are elsewhere.", "Luz e sombra estão em outro lugar."),
-            ],
+            [TEXTS.get("cube-2-title"), TEXTS.get("cube-2-caption-light-shadow-elsewhere")],
             other,
         ),
         Shot::difference(
             "cube-difference",
-            Text::new("between both", "entre os dois"),
-            Text::with(
-                "How far both pictures differ: violet 0, yellow {} of the full range and more.",
-                "Quanto as duas imagens diferem: violeta 0, amarelo {} da faixa ou mais.",
-                &[FULL_LIGHT],
-            ),
+            TEXTS.get("cube-difference-title"),
+            TEXTS.with("cube-difference-caption-how-far-both", &[("full-light", FULL_LIGHT.into())]),
             between,
         ),
         cube.cured_shot(
             "cube-angle",
             label(["cube", "cubo"], FLAT),
-            [
-                Text::new("Weights by the angle.", "Pesos pelo ângulo."),
-                Text::new(
-                    "Every corner has the diagonal for its normal, however the faces are cut.",
-                    "Cada canto tem a diagonal como normal, como quer que as faces sejam cortadas.",
-                ),
-            ],
+            [TEXTS.get("cube-angle-title"), TEXTS.get("cube-angle-caption-every-corner-diagonal")],
             cut(DVec3::ONE, 0, FLAT, look)?,
         ),
         long.bad_shot(
             "box-max",
             label(["box", "caixa"], ROUND),
-            [
-                Text::new("The box of 1 × 1 × 10 with Max's weights.", "A caixa de 1 × 1 × 10 com os pesos de Max."),
-                Text::new(
-                    "Normals lean towards the small faces at the ends, and the long faces look bent.",
-                    "As normais se inclinam para as faces pequenas das pontas, e as faces longas parecem curvas.",
-                ),
-            ],
+            [TEXTS.get("box-max-title"), TEXTS.get("box-max-caption-normals-lean-towards")],
             cut(LONG, 0, ROUND, look)?,
         ),
         long.cured_shot(
             "box-angle",
             label(["box", "caixa"], FLAT),
-            [
-                Text::new("The box with weights by the angle.", "A caixa com pesos pelo ângulo."),
-                Text::new(
-                    "Each of the three faces at a corner counts alike.",
-                    "Cada uma das três faces num canto conta igual.",
-                ),
-            ],
+            [TEXTS.get("box-angle-title"), TEXTS.get("box-angle-caption-each-three-faces")],
             cut(LONG, 0, FLAT, look)?,
         ),
     ])
@@ -121,37 +88,19 @@ fn of_ball(weight: Weight, ball: &Specimen, shown: &Shown) -> Result<Vec<Shot>, 
         slivers.bad_shot(
             "slivers",
             label(of, weight),
-            [
-                Text::new(
-                    "A ball of which every other row of triangles is twelve times narrower.",
-                    "Uma bola em que uma fileira de triângulos sim, outra não, é doze vezes mais estreita.",
-                ),
-                Text::new("The rows show as bands in the light.", "As fileiras aparecem como faixas na luz."),
-            ],
+            [TEXTS.get("slivers-title"), TEXTS.get("slivers-caption-rows-show-bands")],
             ball.picture(weight)?,
         ),
         by_angle.bad_shot(
             "slivers-angle",
             label(of, FLAT),
-            [
-                Text::new("Weights by the angle do not help here.", "Pesos pelo ângulo não ajudam aqui."),
-                Text::new(
-                    "A sliver between two vertices has as large an angle as a wide triangle.",
-                    "Uma lasca entre dois vértices tem um ângulo tão grande quanto um triângulo largo.",
-                ),
-            ],
+            [TEXTS.get("slivers-angle-title"), TEXTS.get("slivers-angle-caption-sliver-between-vertices")],
             ball.picture(FLAT)?,
         ),
         by_angle.cured_shot(
             "slivers-max",
             label(of, ROUND),
-            [
-                Text::new("Max's weights on the same triangles.", "Os pesos de Max nos mesmos triângulos."),
-                Text::new(
-                    "They are exact at every vertex of a sphere, and round between them.",
-                    "São exatos em cada vértice de uma esfera, e redondos entre eles.",
-                ),
-            ],
+            [TEXTS.get("slivers-max-title"), TEXTS.get("slivers-max-caption-they-exact-every")],
             ball.picture(ROUND)?,
         ),
         error_map("slivers-error", of, ball, weight)?,
@@ -164,32 +113,20 @@ fn of_torus(weight: Weight, torus: &Specimen, moved: &Moved) -> Result<Vec<Shot>
         moved.bad_shot(
             "torus",
             label(of, weight),
-            [
-                Text::new("A torus of triangles cut at random.", "Um toro de triângulos cortados ao acaso."),
-                Text::new("The light is uneven.", "A luz é irregular."),
-            ],
+            [TEXTS.get("torus-title"), TEXTS.get("torus-caption-light-uneven")],
             torus.picture(weight)?,
         ),
         moved.cured_shot(
             "torus-max",
             label(of, ROUND),
-            [
-                Text::new(
-                    "The same triangles with Max's weights.",
-                    "Os mesmos triângulos com os pesos de Max.",
-                ),
-                Text::new("The light is more even.", "A luz é mais regular."),
-            ],
+            [TEXTS.get("torus-max-title"), TEXTS.get("torus-max-caption-light-more-even")],
             torus.picture(ROUND)?,
         ),
         error_map("torus-error", of, torus, weight)?,
         Shot::truth(
             "torus-itself",
-            Text::new("the torus itself", "o próprio toro"),
-            Text::new(
-                "The torus with its own normal at every pixel.",
-                "O toro com a sua própria normal em cada pixel.",
-            ),
+            TEXTS.get("torus-itself-title"),
+            TEXTS.get("torus-itself-caption-torus-own-normal"),
             torus.truth(Show::Shaded)?,
         ),
     ])

@@ -133,9 +133,9 @@ const LANGUAGES: &[Choice<Language>] =
     &[("en", Language::English, "English"), ("pt", Language::Portuguese, "Portuguese")];
 
 fn experiments() -> PossibleValuesParser {
-    let named = EXPERIMENTS
-        .iter()
-        .map(|experiment| PossibleValue::new(experiment.id).help(experiment.title.get(Language::English)));
+    let named = EXPERIMENTS.iter().map(|experiment| {
+        PossibleValue::new(experiment.id).help(experiment.title().get(Language::English).to_owned())
+    });
     let others = [(ALL, "every experiment, with an index"), (LIST, "tell what there is")];
     let others = others.map(|(name, help)| PossibleValue::new(name).help(help));
     PossibleValuesParser::new(named.chain(others).collect::<Vec<_>>())

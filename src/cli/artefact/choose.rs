@@ -17,7 +17,7 @@ pub fn chosen(args: &ArtefactArgs) -> Result<Chosen, String> {
         refuse_other_than_gif(path)?;
     }
     match args.experiment.as_str() {
-        LIST => refuse_to_list(args).map(|()| Chosen { run: EXPERIMENTS.iter().collect(), left_out: vec![] }),
+        LIST => refuse_to_list(args).map(|()| Chosen { run: EXPERIMENTS.to_vec(), left_out: vec![] }),
         ALL => all(args),
         name => one(name, args).map_err(|error| error.to_string()),
     }

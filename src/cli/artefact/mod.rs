@@ -206,8 +206,9 @@ fn tell(run: &Run, files: Vec<String>, agrees: bool, args: &ArtefactArgs, consol
         };
         console.report(&json_line(&report));
     } else if console.verbosity > Verbosity::Quiet {
-        let title = console.report_style().paint(Style::BOLD, experiment.title.get(language));
-        let claim = experiment.claim.get(language);
+        let title = console.report_style().paint(Style::BOLD, experiment.title().get(language));
+        let claim = experiment.claim();
+        let claim = claim.get(language);
         let [verdict, condition] = verdict_text(outcome, language);
         let numbers = measure_table(outcome, language).to_text();
         let files = match files.len() {

@@ -32,7 +32,7 @@
 
 use super::super::report::ErrorReport;
 use crate::cli::render::INTERPOLATIONS;
-use crease::artefact::{Experiment, Knob, Outcome, Setup, Taken, Text};
+use crease::artefact::{Experiment, Formula, Knob, Outcome, Setup, Taken, Text};
 use crease::normals::Weight;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -45,14 +45,14 @@ pub struct Report<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub error: Option<ErrorReport>,
     pub experiment: &'static str,
-    pub title: &'static Text,
-    pub claim: &'static Text,
-    pub sources: &'static [Text],
-    pub formulas: Vec<FormulaReport>,
+    pub title: Text,
+    pub claim: Text,
+    pub sources: Vec<Text>,
+    pub formulas: Vec<Formula>,
     pub takes: &'static [Knob],
     pub ranges: BTreeMap<&'static str, Range>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub own_mesh: Option<&'static Text>,
+    pub own_mesh: Option<Text>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mesh: Option<&'a str>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -68,12 +68,6 @@ pub struct Report<'a> {
     pub files: Vec<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub seconds: Option<f64>,
-}
-
-#[derive(Debug, Serialize)]
-pub struct FormulaReport {
-    notation: &'static Text,
-    says: &'static Text,
 }
 
 /// What may be given for a parameter.
@@ -96,9 +90,6 @@ impl Range {
 
 impl<'a> Report<'a> {
     pub fn new(experiment: &'static Experiment, setup: &'a Setup<'a>) -> Self {
-        let formulas = experiment.closed_forms(setup).iter();
-        let formulas =
-            formulas.map(|formula| FormulaReport { notation: &formula.notation, says: &formula.says });
         let ranges =
             experiment.takes.iter().filter_map(|&knob| Some((knob.name(), Range::of(experiment, knob)?)));
         Self {
@@ -107,13 +98,13 @@ impl<'a> Report<'a> {
             status: "ok",
             error: None,
             experiment: experiment.id,
-            title: &experiment.title,
-            claim: &experiment.claim,
-            sources: experiment.sources,
-            formulas: formulas.collect(),
+            title: experiment.title(),
+            claim: experiment.claim(),
+            sources: experiment.sources(),
+            formulas: experiment.closed_forms(setup),
             takes: experiment.takes,
             ranges: ranges.collect(),
-            own_mesh: experiment.own_mesh.as_ref(),
+            own_mesh: experiment.own_mesh(),
             mesh: setup.mesh.map(|own| own.name),
             finer: setup.mesh.and_then(|own| own.finer).map(|(name, _)| name),
             parameters: Taken { knobs: experiment.takes, parameters: &setup.parameters },

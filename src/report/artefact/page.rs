@@ -25,7 +25,7 @@ pub fn experiment_page(
     language: Language,
     in_gallery: bool,
 ) -> Result<String, ReportError> {
-    let mut page = page(experiment.title.get(language), experiment.claim.get(language), language);
+    let mut page = page(experiment.title().get(language), experiment.claim().get(language), language);
     if in_gallery {
         let all = words::ALL;
         let all = escape_html(all.get(language));
@@ -92,8 +92,8 @@ pub fn index_page(found: &[(&Experiment, &Outcome)], language: Language) -> Resu
              </a>\n",
             escape_html(&page_name(experiment)),
             thumbnails.join(""),
-            escape_html(experiment.title.get(language)),
-            running(experiment.claim.get(language)),
+            escape_html(experiment.title().get(language)),
+            running(experiment.claim().get(language)),
             running(&verdict_in_short(outcome, language)),
         ));
     }
@@ -108,8 +108,8 @@ fn page(title: &str, lead: &str, language: Language) -> Page {
 /// Who claims it, and the closed forms.
 fn claim(experiment: &Experiment, setup: &Setup, language: Language, page: &mut Page) {
     page.heading(words::CLAIM.get(language));
-    page.paragraph(experiment.claim.get(language));
-    page.list(experiment.sources.iter().map(|source| source.get(language)));
+    page.paragraph(experiment.claim().get(language));
+    page.list(experiment.sources().iter().map(|source| source.get(language)));
     if setup.mesh.is_some() {
         page.paragraph(words::NO_FORMULAS.get(language));
     }

@@ -56,9 +56,9 @@ pub fn list_table(language: Language) -> Table {
         let options: Vec<String> = experiment.takes.iter().map(|knob| format!("--{}", knob.name())).collect();
         let animated = if experiment.is_animated() { " --animate" } else { "" };
         let options = options.join(" ") + animated;
-        let own_mesh = experiment.own_mesh.as_ref().map_or("", |text| text.get(language));
-        let title = experiment.title.get(language);
-        table.push([experiment.id, title, &options, own_mesh]);
+        let own_mesh = experiment.own_mesh().map_or(String::new(), |text| text.get(language).to_owned());
+        let title = experiment.title();
+        table.push([experiment.id, title.get(language), &options, &own_mesh]);
     }
     table
 }

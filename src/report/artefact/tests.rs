@@ -14,7 +14,7 @@ static OUTCOMES: LazyLock<Vec<Outcome>> = LazyLock::new(|| {
         let parameters = Parameters { size: 48, ..experiment.defaults };
         experiment.run(&Setup { parameters, mesh: None }).unwrap()
     };
-    EXPERIMENTS.iter().map(run).collect()
+    EXPERIMENTS.into_iter().map(run).collect()
 });
 
 fn pages(language: Language) -> Vec<(String, String)> {
@@ -22,8 +22,8 @@ fn pages(language: Language) -> Vec<(String, String)> {
         let setup = Setup { parameters: experiment.defaults, mesh: None };
         (page_name(experiment), experiment_page(experiment, &setup, outcome, language, true).unwrap())
     };
-    let mut pages: Vec<(String, String)> = EXPERIMENTS.iter().zip(&*OUTCOMES).map(page).collect();
-    let found: Vec<_> = EXPERIMENTS.iter().zip(&*OUTCOMES).collect();
+    let mut pages: Vec<(String, String)> = EXPERIMENTS.into_iter().zip(&*OUTCOMES).map(page).collect();
+    let found: Vec<_> = EXPERIMENTS.into_iter().zip(&*OUTCOMES).collect();
     pages.push(("index.html".into(), index_page(&found, language).unwrap()));
     pages
 }
@@ -110,14 +110,15 @@ fn is_alike(text: &str) -> bool {
 #[test]
 fn portuguese_pages_have_no_english_left() {
     let pages = pages(Language::Portuguese);
-    for (number, (experiment, outcome)) in EXPERIMENTS.iter().zip(&*OUTCOMES).enumerate() {
+    for (number, (experiment, outcome)) in EXPERIMENTS.into_iter().zip(&*OUTCOMES).enumerate() {
         let mut all = Vec::new();
-        let said = [&experiment.title, &experiment.claim];
-        let said = said
+        let setup = Setup { parameters: experiment.defaults, mesh: None };
+        let formulas = experiment.closed_forms(&setup).into_iter();
+        let said = [experiment.title(), experiment.claim()]
             .into_iter()
-            .chain(experiment.sources)
-            .chain(experiment.formulas.iter().flat_map(|formula| [&formula.notation, &formula.says]));
-        said.for_each(|text| texts(&serde_json::to_value(text).unwrap(), &mut all));
+            .chain(experiment.sources())
+            .chain(formulas.flat_map(|formula| [formula.notation, formula.says]));
+        said.for_each(|text| texts(&serde_json::to_value(&text).unwrap(), &mut all));
         texts(&serde_json::to_value(outcome).unwrap(), &mut all);
         assert!(all.len() > 20, "{}: only {} texts", experiment.id, all.len());
         let (_, page) = &pages[number];
@@ -195,7 +196,7 @@ fn portuguese_numbers_have_a_comma() {
 
 #[test]
 fn sheets_and_names_are_made_of_every_picture() {
-    for (experiment, outcome) in EXPERIMENTS.iter().zip(&*OUTCOMES) {
+    for (experiment, outcome) in EXPERIMENTS.into_iter().zip(&*OUTCOMES) {
         assert!(experiment_sheet(outcome, Language::English).unwrap().size[0] > 96, "{}", experiment.id);
         let names =
             outcome.shots.iter().map(|shot| shot.name).chain(outcome.charts.iter().map(|chart| chart.name));
@@ -209,7 +210,7 @@ fn sheets_and_names_are_made_of_every_picture() {
 #[test]
 fn every_experiment_shows_its_artefact_and_its_cure() {
     use crate::artefact::Role;
-    for (experiment, outcome) in EXPERIMENTS.iter().zip(&*OUTCOMES) {
+    for (experiment, outcome) in EXPERIMENTS.into_iter().zip(&*OUTCOMES) {
         let has = |role| outcome.shots.iter().any(|shot| shot.role == role);
         assert!(has(Role::Bad) && has(Role::Cured), "{}", experiment.id);
         assert!(
