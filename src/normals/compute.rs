@@ -1,24 +1,24 @@
 //! From a mesh and a recipe to a field of normals.
 
-use super::crease::CreaseTest;
-use super::digits::turns_by_rounding;
-use super::face::face_normals;
-use super::face_field::FaceField;
-use super::fans::{FanWalker, MeshFans};
-use super::gather::TermTable;
-use super::groups::{Members, SmoothGroups};
-use super::hard::{Marks, applied_angle};
-use super::made_up::{MadeUp, face_faults};
-use super::positions::Positions;
-use super::quadric::{QuadricRequest, quadric_normals};
-use super::single::Single;
-use super::sums::{SlotState, SumRequest, Sums, weighted_sums};
-use super::tally::edge_counts;
-use super::{
-    CreaseRule, FaceNormals, Fault, FaultReason, Faults, Groups, NormalField, NormalRecipe, Precision, Scope,
-    Summary, Weight,
-};
 use crate::mesh::{Column, Mesh, Storage, Topology};
+use crate::normals::creases::coordinate_rounding::turns_by_rounding;
+use crate::normals::creases::dihedral_test::CreaseTest;
+use crate::normals::creases::edge_counts::edge_counts;
+use crate::normals::creases::fans::{FanWalker, MeshFans};
+use crate::normals::creases::hard_edges::{Marks, applied_angle};
+use crate::normals::creases::smooth_groups::{Members, SmoothGroups};
+use crate::normals::faces::face_normals::FaceNormals;
+use crate::normals::faces::face_normals::face_normals;
+use crate::normals::faces::field::FaceField;
+use crate::normals::faces::positions::Positions;
+use crate::normals::fallback::fallback_normals::{MadeUp, face_faults};
+use crate::normals::fault::{Fault, FaultReason, Faults};
+use crate::normals::field::{NormalField, Summary};
+use crate::normals::fits::quadric::{QuadricRequest, quadric_normals};
+use crate::normals::recipe::{CreaseRule, Groups, NormalRecipe, Precision, Scope, Weight};
+use crate::normals::sums::corner_sums::TermTable;
+use crate::normals::sums::f32_path::Single;
+use crate::normals::sums::weighted::{SlotState, SumRequest, Sums, weighted_sums};
 use crate::num::Degrees;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -299,7 +299,7 @@ fn unreferenced(entry_vertex: &[u32], vertex_count: usize) -> Vec<Fault> {
 mod tests {
     use super::*;
     use crate::mesh::{Columns, Faces, MeshBuilder, SmoothingGroups, Weld};
-    use crate::normals::{Crease, HardEdges, Weight};
+    use crate::normals::recipe::{Crease, HardEdges, Weight};
 
     const CUBE: [[u32; 4]; 6] =
         [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];

@@ -1,11 +1,11 @@
 //! Face normals against exact arithmetic: rational cross products, a 256-bit root.
 
-use super::face::FaceNormals;
-use super::face::face_normals;
-use super::face_shape::FaceState;
-use super::positions::Positions;
-use super::{Scratch, slices};
 use crate::mesh::{Faces, Storage};
+use crate::normals::faces::face_normals::FaceNormals;
+use crate::normals::faces::face_normals::face_normals;
+use crate::normals::faces::positions::Positions;
+use crate::normals::faces::shape::FaceState;
+use crate::normals::slices::vertex_normals::Scratch;
 use crate::num::power_of_two;
 use crate::num::test_numbers::Numbers;
 use crate::trade::exact::{distance, error_in_ulps, face_normal};
@@ -76,9 +76,13 @@ fn triangles_of_f32_are_right_to_an_ulp_or_exactly_degenerate() {
         let triangles: Vec<[u32; 3]> =
             (0..polygons.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
         let mut normals = vec![[0.0; 3]; polygons.len()];
-        let faults = slices::face_normals(&positions, &triangles, &mut Scratch::new(), &mut normals).unwrap();
-        let mut without =
-            faults.faces.iter().filter(|fault| fault.reason == super::FaultReason::ZeroArea).peekable();
+        let faults =
+            crate::normals::face_normals(&positions, &triangles, &mut Scratch::new(), &mut normals).unwrap();
+        let mut without = faults
+            .faces
+            .iter()
+            .filter(|fault| fault.reason == crate::normals::FaultReason::ZeroArea)
+            .peekable();
         for (i, polygon) in polygons.iter().enumerate() {
             let reported = without.next_if(|fault| fault.index as usize == i).is_some();
             let Some(truth) = face_normal(polygon) else {

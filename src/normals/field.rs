@@ -1,7 +1,7 @@
 //! The result: one normal per (vertex, smooth group).
 
-use super::Faults;
 use crate::mesh::Column;
+use crate::normals::fault::Faults;
 use glam::DVec3;
 
 /// The normals of a mesh.

@@ -1,59 +1,42 @@
 //! Face, vertex and corner normals (layer 2).
 
-mod again;
-mod block;
+// From a mesh and a recipe to a field of normals.
 mod compute;
-mod cone;
-mod corner_slices;
-mod corner_terms;
-mod crease;
-mod digits;
-mod emit;
-pub mod encoding;
-#[cfg(test)]
-mod exact_tests;
-mod face;
-mod face_field;
-mod face_shape;
-mod fallback;
-mod fans;
-mod fault;
-mod field;
-mod finish;
-mod gather;
-mod groups;
-mod hard;
-mod made_up;
-mod nearest;
-mod part;
-mod partition;
-mod positions;
-mod quadric;
+// What determines a normal.
 mod recipe;
-mod replace;
-mod ring_groups;
-mod select;
-mod single;
-mod slices;
-mod sliver;
-mod sums;
-mod tally;
-mod term;
+// Why a corner has a fallback normal.
+mod fault;
+// The result.
+mod field;
+// Meshes for tests of kernels.
 #[cfg(test)]
 mod test_meshes;
-mod weight;
+// Face normals against exact arithmetic.
+#[cfg(test)]
+mod exact_tests;
+// Faces: positions as the kernels read them, direction and area, slivers.
+mod faces;
+// Sums: weighted sums of face normals over vertices or smooth groups.
+mod sums;
+// Creases: which edges are sharp, and which corners share a normal.
+mod creases;
+// Fits: normals of surfaces fitted to the neighbourhood of a vertex.
+mod fits;
+// Fallback: normals for corners whose sum has no direction, and the choice between stored and computed normals.
+mod fallback;
+// Slices: the same kernels for the caller's own arrays.
+pub mod encoding;
+mod slices;
 
 pub use crate::mesh::Weld;
 pub(crate) use compute::compute_from;
 pub use compute::{compute, compute_on};
-pub use corner_slices::corner_normals;
-pub(crate) use crease::CreaseTest;
-pub(crate) use face::FaceNormals;
-pub(crate) use face_field::FaceField;
-pub(crate) use face_shape::FaceState;
+pub(crate) use creases::dihedral_test::CreaseTest;
+pub(crate) use faces::field::FaceField;
+pub use fallback::replace::{Broken, LENGTH_TOLERANCE, Replacement, When, replace};
+pub use fallback::select::{Selection, select};
 pub use fault::{Fault, FaultReason, Faults};
 pub use field::{EdgeCounts, NormalField, Summary};
 pub use recipe::{Crease, CreaseRule, Groups, HardEdges, NormalRecipe, Precision, Scope, Slivers, Weight};
-pub use replace::{Broken, LENGTH_TOLERANCE, Replacement, When, replace};
-pub use select::{Selection, select};
-pub use slices::{Coordinate, Scratch, SliceError, face_normals, vertex_normals};
+pub use slices::corner_normals::corner_normals;
+pub use slices::vertex_normals::{Coordinate, Scratch, SliceError, face_normals, vertex_normals};

@@ -23,7 +23,7 @@ pub enum Weight {
     /// The normal of a least-squares quadric through the two-ring: second order, slow. The angle mean stands where there are
     /// fewer than six neighbours, where they lie on a conic, as on two rings of points, or where the fit turns the mean
     /// more than twice as far as the means of the neighbours turn in that direction, so that rounding of positions is not
-    /// taken for shape: [`Summary::quadric_fallbacks`](super::Summary::quadric_fallbacks) counts these.
+    /// taken for shape: [`Summary::quadric_fallbacks`](crate::normals::Summary::quadric_fallbacks) counts these.
     Quadric,
 }
 

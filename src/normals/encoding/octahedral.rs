@@ -1,6 +1,6 @@
 //! The octahedron, unfolded to a square.
 
-use super::{largest_code, unit};
+use crate::normals::encoding::{largest_code, unit};
 use glam::{DVec2, DVec3};
 
 /// How a place between codes becomes a code.

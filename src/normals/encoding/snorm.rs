@@ -1,6 +1,6 @@
 //! Signed normalised integers.
 
-use super::{largest_code, unit};
+use crate::normals::encoding::{largest_code, unit};
 use glam::DVec3;
 
 /// Each component by itself: c = round((2^(bits−1) − 1) x), and back max(c / (2^(bits−1) − 1), −1), made unit.

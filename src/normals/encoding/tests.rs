@@ -1,4 +1,4 @@
-use super::*;
+use crate::normals::encoding::*;
 use crate::num::test_numbers::Numbers;
 
 fn angle(a: DVec3, b: DVec3) -> f64 {

@@ -1,0 +1,148 @@
+//! Counting edges by what they are, for reports.
+
+use crate::mesh::Link;
+use crate::normals::creases::dihedral_test::CreaseTest;
+use crate::normals::creases::fans::{Fans, MeshWalker, Stretch};
+use crate::normals::field::EdgeCounts;
+use rayon::prelude::*;
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// Counts the edges of a mesh, each once, and those near the crease angle.
+///
+/// An edge counts as a crease if it is hard at either end: beside a face that has no say, the faces that decide may be
+/// others at each end. An edge is near the crease angle within 0.1°, or within what `turns` allows, the angle in radians that
+/// the normal of each face may be off by: of the two faces that decide.
+pub(crate) fn edge_counts(walker: &MeshWalker, turns: Option<&[f64]>) -> (EdgeCounts, usize) {
+    const CHUNK: usize = 1 << 14;
+    let corner_count = walker.fans.faces.corners().len();
+    let Tally { mut counts, near, undecided } = (0..corner_count.div_ceil(CHUNK))
+        .into_par_iter()
+        .map(|chunk| {
+            let mut tally = Tally::default();
+            for half_edge in chunk * CHUNK..((chunk + 1) * CHUNK).min(corner_count) {
+                tally.add(walker, turns, half_edge as u32);
+            }
+            tally
+        })
+        .reduce(Tally::default, Tally::join);
+    let (creases, nears) = decided_by_others(walker, turns, &undecided);
+    counts.crease += creases;
+    counts.smooth += undecided.len() - creases;
+    counts.non_manifold = walker.fans.topology.non_manifold_edges();
+    counts.ambiguous = walker.fans.topology.ambiguous_edges();
+    (counts, near + nears)
+}
+
+#[derive(Default)]
+struct Tally {
+    counts: EdgeCounts,
+    near: usize,
+    /// Edges beside a face that may have no say, by the lower of their half-edges.
+    undecided: Vec<u32>,
+}
+
+impl Tally {
+    fn join(mut self, other: Self) -> Self {
+        self.undecided.extend(other.undecided);
+        Self { counts: self.counts + other.counts, near: self.near + other.near, undecided: self.undecided }
+    }
+
+    fn add(&mut self, walker: &MeshWalker, turns: Option<&[f64]>, half_edge: u32) {
+        let Self { counts, near, undecided } = self;
+        let across = match walker.fans.topology.link(half_edge) {
+            Link::Twin(across) => across,
+            Link::Welded(across) => {
+                counts.welded += usize::from(half_edge < across);
+                across
+            }
+            Link::Inconsistent(across) => {
+                counts.inconsistent += usize::from(half_edge < across);
+                return;
+            }
+            Link::Boundary => {
+                counts.boundary += 1;
+                return;
+            }
+            Link::NonManifold | Link::Ambiguous | Link::Collapsed => return,
+        };
+        if half_edge > across {
+            return;
+        }
+        if walker.fans.marks.is_marked(half_edge, across) {
+            counts.marked += 1;
+            return;
+        }
+        let is_crease = match walker.crease {
+            CreaseTest::Every => true,
+            CreaseTest::None => false,
+            CreaseTest::Over { limit, .. } => {
+                if !walker.is_counted(half_edge) || !walker.is_counted(across) {
+                    undecided.push(half_edge);
+                    return;
+                }
+                *near += usize::from(is_near(walker, turns, half_edge, across));
+                limit.exceeded(walker.normal(half_edge), walker.normal(across))
+            }
+        };
+        if is_crease { counts.crease += 1 } else { counts.smooth += 1 }
+    }
+}
+
+/// Whether the angle between the faces of two corners is near the crease angle.
+fn is_near(walker: &MeshWalker, turns: Option<&[f64]>, a: u32, b: u32) -> bool {
+    let (normal, other) = (walker.normal(a), walker.normal(b));
+    let turn = |turns: &[f64], corner| turns[walker.fans.face_of(corner) as usize];
+    match turns {
+        None => walker.crease.is_near(normal, other),
+        Some(turns) => walker.crease.is_near_if_turned(normal, other, turn(turns, a) + turn(turns, b)),
+    }
+}
+
+/// How many edges are creases, and near ones, by the faces that decide in the stretches of fan at their two ends. Each
+/// stretch is walked once.
+fn decided_by_others(walker: &MeshWalker, turns: Option<&[f64]>, edges: &[u32]) -> (usize, usize) {
+    let mut verdicts: FxHashMap<u32, Verdict> = FxHashMap::default();
+    let mut walked: FxHashSet<u32> = FxHashSet::default();
+    let (mut stretch, mut places) = (Stretch::default(), Vec::new());
+    for &edge in edges {
+        let across = walker.fans.topology.across(edge).expect("such an edge has two faces");
+        for corner in [edge, across] {
+            if walked.contains(&corner) {
+                continue;
+            }
+            walker.stretch(corner, &mut stretch);
+            walked.extend(&stretch.corners);
+            walker.for_each_decision(&stretch, &mut places, |corner, a, b| {
+                let across = walker.fans.topology.across(corner).unwrap_or(corner);
+                let verdict = verdicts.entry(corner.min(across)).or_default();
+                verdict.is_crease |= walker.crease.is_over(walker.normal(a), walker.normal(b));
+                verdict.is_near |= is_near(walker, turns, a, b);
+            });
+        }
+    }
+    let of_edges = || edges.iter().filter_map(|edge| verdicts.get(edge));
+    (of_edges().filter(|v| v.is_crease).count(), of_edges().filter(|v| v.is_near).count())
+}
+
+#[derive(Default)]
+struct Verdict {
+    is_crease: bool,
+    is_near: bool,
+}
+
+impl std::ops::Add for EdgeCounts {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            smooth: self.smooth + other.smooth,
+            boundary: self.boundary + other.boundary,
+            non_manifold: self.non_manifold + other.non_manifold,
+            inconsistent: self.inconsistent + other.inconsistent,
+            ambiguous: self.ambiguous + other.ambiguous,
+            marked: self.marked + other.marked,
+            crease: self.crease + other.crease,
+            welded: self.welded + other.welded,
+        }
+    }
+}

@@ -1,0 +1,18 @@
+//! Creases: which edges are sharp, and which corners share a normal.
+
+// Whether the dihedral angle exceeds the crease angle.
+pub(super) mod dihedral_test;
+// By how much rounding of the coordinates may change a dihedral angle.
+pub(super) mod coordinate_rounding;
+// Edges that are sharp at any angle.
+pub(super) mod hard_edges;
+// The fans of corners around a vertex.
+pub(super) mod fans;
+// Smooth groups: corners that share a normal.
+pub(super) mod smooth_groups;
+// Smooth groups of triangles, vertex by vertex.
+pub(super) mod triangle_groups;
+// The cone rule.
+pub(super) mod cone;
+// Counts of edges by kind, for reports.
+pub(super) mod edge_counts;

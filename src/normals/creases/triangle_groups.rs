@@ -1,0 +1,337 @@
+//! Smooth groups of plain triangles, vertex by vertex.
+//!
+//! All edges at a vertex are seen from its own corners, so the fans round it can be told without a topology of the whole
+//! mesh. Most vertices lie inside a smooth surface: their triangles follow each other once round, and no crease is among
+//! them. That takes one comparison of vertex numbers and one of normals a triangle; what is left is matched and walked in
+//! full.
+
+use crate::mesh::{
+    EdgeMatcher, FacesRef, Link, NONE, Rings, Scatter, next_in_triangle, previous_in_triangle,
+};
+use crate::normals::creases::dihedral_test::{AngleLimit, CreaseTest};
+use crate::normals::creases::fans::{FanWalker, Fans};
+use crate::normals::creases::smooth_groups::{FanScratch, label_ring};
+use crate::normals::faces::face_normals::FaceNormals;
+use crate::normals::faces::shape::FaceState;
+use crate::normals::recipe::Slivers;
+use crate::num::{self, Kernel, LANES, Lanes};
+use rayon::prelude::*;
+
+/// Memory that can be used again by the next call.
+#[derive(Default)]
+pub(crate) struct GroupMemory {
+    rings: Rings,
+    /// For each vertex its first entry, with [`SPLIT`] if there are others.
+    firsts: Vec<u32>,
+    /// The group of each corner at a vertex that is split; elsewhere left to chance.
+    labels: Scatter,
+}
+
+/// The vertex has several groups: its corners have labels. Above all numbers of corners that a mesh may have.
+const SPLIT: u32 = 1 << 31;
+
+/// Vertices that one task looks at.
+const TASK: usize = 1024;
+/// Vertices whose corners are laid out before any is looked at: vectors read right behind the writes of their elements
+/// would wait for them.
+const BLOCK: usize = 16;
+
+/// What decides about groups.
+#[derive(Clone, Copy)]
+pub(crate) struct TriangleCreases<'a> {
+    pub(crate) faces: FacesRef<'a>,
+    pub(crate) normals: &'a FaceNormals,
+    pub(crate) crease: CreaseTest,
+    pub(crate) slivers: Slivers,
+}
+
+impl TriangleCreases<'_> {
+    /// Writes the entry of each corner, as [`SmoothGroups::by_fan`](crate::normals::creases::smooth_groups::SmoothGroups::by_fan) numbers them, and
+    /// gives how many there are.
+    pub(crate) fn entries(self, vertex_count: usize, memory: &mut GroupMemory, entries: &mut [u32]) -> usize {
+        let GroupMemory { rings, firsts, labels } = memory;
+        let vertices = self.faces.corners();
+        rings.fill(vertices, vertex_count);
+        labels.reserve(vertices.len());
+        firsts.resize(vertex_count, 0);
+        let all_counted = self.normals.state.par_iter().all(|&state| state == FaceState::Counted);
+        let (rings, labels) = (&*rings, &*labels);
+        let context = Context {
+            creases: self,
+            matcher: &EdgeMatcher::new(self.faces, &[]),
+            rings,
+            labels,
+            all_counted,
+        };
+        firsts.par_chunks_mut(TASK).enumerate().for_each_init(
+            || Walk::new(context),
+            |walk, (task, counts)| num::dispatch(CountGroups { walk, first: task * TASK, counts }),
+        );
+        let mut total = 0;
+        for first in firsts.iter_mut() {
+            let count = *first & !SPLIT;
+            *first = total | *first & SPLIT;
+            total += count;
+        }
+        let entry = |corner: usize, vertex: u32| match firsts[vertex as usize] {
+            first if first & SPLIT == 0 => first,
+            first => (first & !SPLIT) + labels.get(corner as u32),
+        };
+        let rows = entries.par_chunks_mut(3 * TASK).zip(vertices.par_chunks(3 * TASK)).enumerate();
+        rows.for_each(|(task, (entries, vertices))| {
+            for (i, (to, &vertex)) in entries.iter_mut().zip(vertices).enumerate() {
+                *to = entry(task * 3 * TASK + i, vertex);
+            }
+        });
+        total as usize
+    }
+}
+
+/// What all tasks share.
+#[derive(Clone, Copy)]
+struct Context<'a> {
+    creases: TriangleCreases<'a>,
+    matcher: &'a EdgeMatcher<'a>,
+    rings: &'a Rings,
+    labels: &'a Scatter,
+    /// Whether no triangle is a sliver or worse.
+    all_counted: bool,
+}
+
+/// Counts the groups at some vertices in a row, and labels the corners of those that have several.
+struct CountGroups<'a, 'w> {
+    walk: &'w mut Walk<'a>,
+    first: usize,
+    /// One number a vertex.
+    counts: &'w mut [u32],
+}
+
+impl Kernel for CountGroups<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<A: Lanes>(self, arch: A) {
+        let Self { walk, first, counts } = self;
+        let context = walk.context;
+        let limit = match context.creases.crease {
+            CreaseTest::Over { limit, .. } => Some(limit),
+            CreaseTest::None | CreaseTest::Every => None,
+        };
+        let every = matches!(context.creases.crease, CreaseTest::Every);
+        let mut block = [const { Spokes::NONE }; BLOCK];
+        for (first, counts) in (first..).step_by(BLOCK).zip(counts.chunks_mut(BLOCK)) {
+            for (vertex, spokes) in (first..first + counts.len()).zip(&mut block) {
+                spokes.lay_out(context.creases.faces.corners(), context.rings.at(vertex));
+            }
+            for ((vertex, count), spokes) in (first..).zip(counts).zip(&block) {
+                let is_smooth = !every && spokes.are_one_smooth_fan(arch, &context, limit);
+                *count = if is_smooth { 1 } else { walk.count_groups(vertex) };
+            }
+        }
+    }
+}
+
+/// The corners at a vertex, laid out side by side: their triangles, and the vertices after and before theirs.
+#[repr(align(32))]
+struct Spokes {
+    to: [u32; LANES],
+    from: [u32; LANES],
+    faces: [u32; LANES],
+    /// How many; 0 as well if they are too many.
+    count: usize,
+}
+
+impl Spokes {
+    const NONE: Self = Self { to: [NONE; LANES], from: [NONE; LANES], faces: [0; LANES], count: 0 };
+
+    #[inline(always)]
+    fn lay_out(&mut self, vertices: &[u32], ring: &[u32]) {
+        *self = Self::NONE;
+        let Some(first) = ring.first().filter(|_| ring.len() <= LANES) else { return };
+        self.count = ring.len();
+        self.faces = [first / 3; LANES];
+        for (i, &corner) in ring.iter().enumerate() {
+            self.to[i] = vertices[next_in_triangle(corner) as usize];
+            self.from[i] = vertices[previous_in_triangle(corner) as usize];
+            self.faces[i] = corner / 3;
+        }
+    }
+
+    /// Whether the triangles follow each other once round the vertex, each across an edge of just the two, all add to
+    /// sums, and no edge is over the limit, nor so near to it that it needs a closer look. (A triangle that has two corners
+    /// here adds to no sum.)
+    #[inline(always)]
+    fn are_one_smooth_fan<A: Lanes>(&self, arch: A, context: &Context, limit: Option<AngleLimit>) -> bool {
+        let FaceNormals { unit, state } = context.creases.normals;
+        if self.count == 0 {
+            return false;
+        }
+        let mut at = 0;
+        let mut normal = unit[self.faces[0] as usize];
+        for step in 1..=self.count {
+            // The triangle that arrives from where this one leaves to. Were there another that leaves the same way, both
+            // would lead to one triangle, and the walk would not come back after as many steps as there are triangles.
+            let met = arch.equal_bits(&self.from, self.to[at]);
+            at = met.trailing_zeros() as usize % LANES;
+            let face = self.faces[at] as usize;
+            let before = std::mem::replace(&mut normal, unit[face]);
+            let is_smooth = limit.is_none_or(|limit| limit.surely_within(before, normal));
+            let is_counted = context.all_counted || state[face] == FaceState::Counted;
+            if !(met.is_power_of_two() && is_smooth && is_counted) {
+                return false;
+            }
+            if at == 0 {
+                return step == self.count;
+            }
+        }
+        false
+    }
+}
+
+/// Looks at one vertex after the other in full.
+struct Walk<'a> {
+    context: Context<'a>,
+    walker: FanWalker<'a, RingFans>,
+    scratch: FanScratch,
+}
+
+impl<'a> Walk<'a> {
+    fn new(context: Context<'a>) -> Self {
+        let TriangleCreases { normals, crease, slivers, .. } = context.creases;
+        let walker = FanWalker { fans: RingFans::default(), normals, crease, slivers };
+        Self { context, walker, scratch: FanScratch::default() }
+    }
+
+    /// How many groups there are at a vertex, with [`SPLIT`] if they are several; then its corners are labelled.
+    #[inline(never)]
+    fn count_groups(&mut self, vertex: usize) -> u32 {
+        let Context { matcher, rings, labels, .. } = self.context;
+        let ring = rings.at(vertex);
+        self.walker.fans.find(matcher, vertex as u32, ring);
+        ring.iter().for_each(|&corner| labels.set(corner, NONE));
+        let count = label_ring(&self.walker, ring, labels, &mut self.scratch);
+        if count > 1 { count | SPLIT } else { count }
+    }
+}
+
+/// The fans round one vertex.
+#[derive(Default)]
+struct RingFans {
+    /// Ascending.
+    corners: Vec<u32>,
+    /// For each the corner before it and the one after it in its fan.
+    neighbours: Vec<[Option<u32>; 2]>,
+    strays: Vec<bool>,
+}
+
+impl RingFans {
+    /// Matches the edges at a vertex.
+    fn find(&mut self, matcher: &EdgeMatcher, vertex: u32, ring: &[u32]) {
+        self.corners.clear();
+        self.corners.extend_from_slice(ring);
+        self.neighbours.clear();
+        self.neighbours.resize(ring.len(), [None; 2]);
+        self.strays.clear();
+        self.strays.resize(ring.len(), false);
+        matcher.match_ring(vertex, ring, |corner, link| {
+            let place = self.place(corner);
+            match link {
+                Link::Twin(across) => {
+                    let next = next_in_triangle(across);
+                    let next_place = self.place(next);
+                    self.neighbours[place][1] = Some(next);
+                    self.neighbours[next_place][0] = Some(corner);
+                }
+                Link::Collapsed => self.strays[place] = true,
+                _ => {}
+            }
+        });
+    }
+
+    fn place(&self, corner: u32) -> usize {
+        self.corners.binary_search(&corner).expect("a corner at this vertex")
+    }
+}
+
+impl Fans for RingFans {
+    fn forward(&self, corner: u32) -> Option<u32> {
+        self.neighbours[self.place(corner)][1]
+    }
+
+    fn backward(&self, corner: u32) -> Option<u32> {
+        self.neighbours[self.place(corner)][0]
+    }
+
+    fn is_stray(&self, corner: u32) -> bool {
+        self.strays[self.place(corner)]
+    }
+
+    fn face_of(&self, corner: u32) -> u32 {
+        corner / 3
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{Faces, MeshBuilder, Topology};
+    use crate::normals::creases::fans::MeshFans;
+    use crate::normals::creases::hard_edges::Marks;
+    use crate::normals::creases::smooth_groups::SmoothGroups;
+    use crate::normals::faces::face_normals::face_normals;
+    use crate::normals::faces::positions::Positions;
+    use crate::normals::recipe::NormalRecipe;
+    use crate::num::{Degrees, test_numbers::Numbers};
+    use glam::DVec3;
+
+    /// Few vertices, so that triangles meet in every way: edges of three and more, fans that touch in a point, triangles that
+    /// are wound against each other or have a vertex twice, fans of more triangles than lanes. Flat places make slivers.
+    fn soup(numbers: &mut Numbers) -> (Vec<DVec3>, Vec<[u32; 3]>) {
+        let vertices = 3 + numbers.below(12);
+        let mut coordinate = || f64::from(numbers.below(5) as u8);
+        let positions =
+            (0..vertices).map(|_| DVec3::new(coordinate(), coordinate(), 0.1 * coordinate())).collect();
+        let mut triangles: Vec<[u32; 3]> = Vec::new();
+        if numbers.below(2) == 0 {
+            // A fan round the first vertex: closed, or a piece of it.
+            let rim = vertices as u32 - 1;
+            let present = 1 + numbers.below(rim as usize) as u32;
+            triangles.extend((0..present).map(|i| [0, 1 + i, 1 + (i + 1) % rim]));
+        }
+        for _ in 0..numbers.below(10) {
+            triangles.push([(); 3].map(|()| numbers.below(vertices) as u32));
+        }
+        (positions, triangles)
+    }
+
+    #[test]
+    fn groups_are_those_that_the_whole_topology_gives() {
+        let mut numbers = Numbers::new(5);
+        let mut memory = GroupMemory::default();
+        for round in 0..20_000 {
+            let (positions, triangles) = soup(&mut numbers);
+            let faces = FacesRef::triangles(&triangles);
+            let normals = face_normals(faces, Positions::F64(&positions, crate::mesh::Storage::F32));
+            let crease = CreaseTest::new(Some(Degrees([0.0, 10.0, 40.0, 100.0, 180.0][round % 5])));
+            let slivers = [Slivers::Exclude, Slivers::Keep][round % 2];
+
+            let mesh = MeshBuilder {
+                positions: positions.clone(),
+                faces: Faces::triangles(triangles.as_flattened().to_vec()),
+                ..MeshBuilder::default()
+            };
+            let mesh = mesh.build().unwrap();
+            let topology = Topology::by_index(mesh.faces(), positions.len());
+            let marks = Marks::new(&mesh, &topology, &NormalRecipe::default());
+            let fans = MeshFans { faces, topology: &topology, marks: &marks };
+            let walker = FanWalker { fans, normals: &normals, crease, slivers };
+            let expected = SmoothGroups::by_fan(&walker, positions.len());
+
+            let creases = TriangleCreases { faces, normals: &normals, crease, slivers };
+            let mut entries = vec![0; 3 * triangles.len()];
+            let count = creases.entries(positions.len(), &mut memory, &mut entries);
+            assert_eq!(entries, expected.corner_entry, "{triangles:?} {positions:?} {crease:?}");
+            assert_eq!(count, expected.entry_vertex.len());
+        }
+    }
+}

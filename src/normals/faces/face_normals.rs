@@ -1,0 +1,127 @@
+//! Normals of faces.
+
+use crate::mesh::FacesRef;
+use crate::normals::faces::output::Emit;
+use crate::normals::faces::positions::{Positions, Source, Visitor};
+use crate::normals::faces::shape::FaceState;
+use crate::normals::sums::block::{GroupTerms, are_inner, group_terms};
+use crate::normals::sums::corner_terms::CornerTerms;
+use crate::normals::sums::weight::Uniform;
+use crate::num::{self, Kernel, LANES, Lanes};
+use glam::DVec3;
+use rayon::prelude::*;
+
+/// Normals of all faces of a mesh.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct FaceNormals {
+    /// Unit normal of each face; the zero vector where there is no direction.
+    pub(crate) unit: Vec<DVec3>,
+    /// What each face is worth.
+    pub(crate) state: Vec<FaceState>,
+}
+
+/// Computes the normal of every face.
+pub(crate) fn face_normals(faces: FacesRef, positions: Positions) -> FaceNormals {
+    let mut normals =
+        FaceNormals { unit: bytemuck::zeroed_vec(faces.len()), state: vec![FaceState::Counted; faces.len()] };
+    normals.fill(faces, positions);
+    normals
+}
+
+impl FaceNormals {
+    /// As [`face_normals`], in memory that has served before.
+    pub(crate) fn fill(&mut self, faces: FacesRef, positions: Positions) {
+        self.unit.resize(faces.len(), DVec3::ZERO);
+        self.state.resize(faces.len(), FaceState::Counted);
+        face_normals_into(faces, positions, &mut self.unit, &mut self.state);
+    }
+}
+
+/// The same into the caller's slices, one entry a face; zero vectors where there is no direction.
+pub(crate) fn face_normals_into<O: Emit>(
+    faces: FacesRef,
+    positions: Positions,
+    unit: &mut [O],
+    state: &mut [FaceState],
+) {
+    positions.visit(AllFaces { faces, unit, state });
+}
+
+/// Faces that one task computes.
+const TASK: usize = 1024;
+
+struct AllFaces<'a, O> {
+    faces: FacesRef<'a>,
+    unit: &'a mut [O],
+    state: &'a mut [FaceState],
+}
+
+impl<O: Emit> Visitor for AllFaces<'_, O> {
+    type Output = ();
+
+    fn visit<S: Source>(self, source: S) {
+        let Self { faces, unit, state } = self;
+        let task = |(task, (unit, state)): (usize, (&mut [O], &mut [FaceState]))| {
+            num::dispatch(SomeFaces { faces, source, first: task * TASK, unit, state });
+        };
+        if rayon::current_num_threads() <= 1 {
+            unit.chunks_mut(TASK).zip(state.chunks_mut(TASK)).enumerate().for_each(task);
+        } else {
+            unit.par_chunks_mut(TASK).zip(state.par_chunks_mut(TASK)).enumerate().for_each(task);
+        }
+    }
+}
+
+/// The faces from `first` on, as many as there is room for.
+struct SomeFaces<'a, S, O> {
+    faces: FacesRef<'a>,
+    source: S,
+    first: usize,
+    unit: &'a mut [O],
+    state: &'a mut [FaceState],
+}
+
+impl<S: Source, O: Emit> Kernel for SomeFaces<'_, S, O> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<A: Lanes>(mut self, arch: A) {
+        let mut scalar = CornerTerms::default();
+        let (groups, rest): (&[[[u32; 3]; LANES]], usize) = if self.faces.is_triangles() {
+            let triangles = self.faces.corners().as_chunks::<3>().0;
+            let groups = triangles[self.first..self.first + self.unit.len()].as_chunks().0;
+            (groups, groups.len() * LANES)
+        } else {
+            (&[], 0)
+        };
+        let all_inner = are_inner(&self.source, groups.as_flattened());
+        let mut terms = GroupTerms::ZERO;
+        for (start, triangles) in (0..).step_by(LANES).zip(groups) {
+            let inner = all_inner || are_inner(&self.source, triangles);
+            let settled = if inner {
+                group_terms::<A, S, Uniform>(arch, triangles, &self.source, &mut terms)
+            } else {
+                0
+            };
+            for (row, vector) in terms.vectors.0.iter().enumerate() {
+                if settled >> row & 1 == 1 {
+                    self.unit[start + row] = O::emit_row(arch, vector, 1.0);
+                    self.state[start + row] = FaceState::Counted;
+                } else {
+                    self.face(start + row, &mut scalar);
+                }
+            }
+        }
+        for at in rest..self.unit.len() {
+            self.face(at, &mut scalar);
+        }
+    }
+}
+
+impl<S: Source, O: Emit> SomeFaces<'_, S, O> {
+    fn face(&mut self, at: usize, scalar: &mut CornerTerms) {
+        let shape = scalar.shape(self.faces, self.source, self.first + at);
+        self.unit[at] = O::emit(shape.unit);
+        self.state[at] = shape.state;
+    }
+}

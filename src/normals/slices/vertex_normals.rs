@@ -1,0 +1,325 @@
+//! Normals of triangles in the caller's own slices: the same kernels, without building a mesh.
+
+use crate::mesh::{FacesRef, NONE, Storage};
+use crate::normals::creases::triangle_groups::GroupMemory;
+use crate::normals::faces::face_normals::FaceNormals;
+use crate::normals::faces::face_normals::face_normals_into;
+use crate::normals::faces::output::Emit;
+use crate::normals::faces::positions::Positions;
+use crate::normals::faces::shape::FaceState;
+use crate::normals::fallback::neighbours::{neighbour_normals, orphans};
+use crate::normals::fault::{Fault, FaultReason, Faults};
+use crate::normals::recipe::{Slivers, Weight};
+use crate::normals::sums::weighted::{SlotState, SumRequest, SumScratch, weighted_sums_into};
+use crate::num::{self, Kernel, Lanes};
+use glam::DVec3;
+
+/// The type of coordinates: `f32` or `f64`.
+#[expect(private_bounds, reason = "sealed: the kernels know these two types")]
+pub trait Coordinate: Vector {}
+
+impl Coordinate for f32 {}
+impl Coordinate for f64 {}
+
+/// What the kernels need of a coordinate type.
+pub(in crate::normals) trait Vector: Copy + Sized + Send + Sync {
+    type Normal: Emit;
+
+    /// Room for a normal that is not there yet.
+    const NOTHING: [Self; 3];
+
+    fn positions(points: &[[Self; 3]]) -> Positions<'_>;
+    fn normals(normals: &mut [[Self; 3]]) -> &mut [Self::Normal];
+    fn widen(normal: [Self; 3]) -> DVec3;
+}
+
+impl Vector for f32 {
+    type Normal = [f32; 3];
+    const NOTHING: [f32; 3] = [0.0; 3];
+
+    fn positions(points: &[[f32; 3]]) -> Positions<'_> {
+        Positions::F32(points)
+    }
+
+    fn normals(normals: &mut [[f32; 3]]) -> &mut [[f32; 3]] {
+        normals
+    }
+
+    fn widen(normal: [f32; 3]) -> DVec3 {
+        DVec3::from(normal.map(f64::from))
+    }
+}
+
+impl Vector for f64 {
+    type Normal = DVec3;
+    const NOTHING: [f64; 3] = [0.0; 3];
+
+    fn positions(points: &[[f64; 3]]) -> Positions<'_> {
+        Positions::F64(bytemuck::cast_slice(points), Storage::F64)
+    }
+
+    fn normals(normals: &mut [[f64; 3]]) -> &mut [DVec3] {
+        bytemuck::cast_slice_mut(normals)
+    }
+
+    fn widen(normal: [f64; 3]) -> DVec3 {
+        DVec3::from(normal)
+    }
+}
+
+/// Why slices do not go together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum SliceError {
+    /// A triangle names a vertex that is not there.
+    #[error("triangle {triangle} refers to vertex {vertex}, but there are only {count}")]
+    VertexOutOfRange {
+        /// The triangle, counted from 0.
+        triangle: usize,
+        /// The vertex that it asks for, counted from 0.
+        vertex: u32,
+        /// How many positions there are.
+        count: usize,
+    },
+    /// The slice for normals does not have one entry for each element.
+    #[error("there is room for {found} normals; {expected} were expected")]
+    OutputLength {
+        /// Entries of the slice.
+        found: usize,
+        /// Entries needed.
+        expected: usize,
+    },
+    /// More vertices than 32-bit indices can count, or more corners: 2^32 without edges, 2^30 with them.
+    #[error("{count} {what} are more than can be numbered; divide the mesh")]
+    TooLarge {
+        /// What there is too much of.
+        what: &'static str,
+        /// How much.
+        count: usize,
+    },
+    /// [`Weight::Quadric`] looks past the faces of a vertex, which takes a mesh with its topology.
+    #[error("the quadric weight needs a mesh with topology; compute it from a NormalRecipe")]
+    QuadricNeedsMesh,
+}
+
+/// Memory for intermediate results, to be used again: a second call of the same size allocates next to nothing.
+#[derive(Default)]
+pub struct Scratch {
+    pub(in crate::normals) sums: SumScratch,
+    pub(in crate::normals) slots: Vec<SlotState>,
+    pub(in crate::normals) faces: FaceNormals,
+    pub(in crate::normals) groups: GroupMemory,
+}
+
+impl Scratch {
+    /// Empty.
+    pub fn new() -> Self {
+        Self::default()
+    }
+}
+
+/// Computes the unit normal of every triangle, (P1−P0)×(P2−P0) made unit.
+///
+/// With `f32` each component is within 1 ulp of the true one, at any magnitude, offset or thinness; with `f64` the normal
+/// is within 1e-12 rad. A triangle without direction gets the unit sum of those that share an edge (two vertices) with it,
+/// else +Z. Every normal is finite and unit.
+///
+/// Uses the threads of rayon's current pool; the result does not depend on their number. Time is linear in triangles.
+///
+/// `Faults::faces` of the result lists the triangles whose normal is made up, and with
+/// [`BelowStorage`](FaultReason::BelowStorage) those whose own normal is noise of the rounding of their coordinates.
+///
+/// ```
+/// use crease::normals::{Scratch, face_normals};
+///
+/// let positions = [[0.0_f32, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0]];
+/// let mut normals = [[0.0; 3]];
+/// let faults = face_normals(&positions, &[[0, 1, 2]], &mut Scratch::new(), &mut normals)?;
+/// assert_eq!(normals, [[0.0, 0.0, 1.0]]);
+/// assert!(faults.is_empty());
+/// # Ok::<(), crease::normals::SliceError>(())
+/// ```
+///
+/// # Errors
+/// If slices do not go together; see [`SliceError`]. Nothing is written then.
+pub fn face_normals<T: Coordinate>(
+    positions: &[[T; 3]],
+    triangles: &[[u32; 3]],
+    scratch: &mut Scratch,
+    normals: &mut [[T; 3]],
+) -> Result<Faults, SliceError> {
+    check(positions.len(), triangles, triangles.len(), normals.len())?;
+    let faces = FacesRef::triangles(triangles);
+    let states = &mut scratch.faces.state;
+    states.resize(triangles.len(), FaceState::Counted);
+    face_normals_into(faces, T::positions(positions), T::normals(normals), states);
+
+    let odd = |(face, &state): (usize, &FaceState)| fault(face as u32, state);
+    let faults = Faults { faces: states.iter().enumerate().filter_map(odd).collect(), ..Faults::default() };
+    let without: Vec<u32> = faults
+        .faces
+        .iter()
+        .map(|fault| fault.index)
+        .filter(|&face| !states[face as usize].has_direction())
+        .collect();
+    if !without.is_empty() {
+        let defined = |face: usize| states[face].has_direction().then(|| T::widen(normals[face]));
+        let made_up = neighbour_normals(faces, &without, defined);
+        let normals = T::normals(normals);
+        for (&face, normal) in without.iter().zip(made_up) {
+            normals[face as usize] = T::Normal::emit(normal);
+        }
+    }
+    Ok(faults)
+}
+
+/// Computes a unit normal for every vertex: the mean of the normals of its triangles by a weight. No edge is hard, and
+/// vertices that lie at the same place stay apart.
+///
+/// With `f32` positions everything is computed in double precision and rounded once. Triangles of zero area add
+/// nothing; nor do slivers with [`Slivers::Exclude`], unless a vertex has no other triangle. A vertex with one triangle gets
+/// its normal to the bit. Where a sum cancels (κ = Σ|w|/|Σ w n̂| > 10⁶) or nothing adds to it, the vertex gets the unit
+/// sum of the defined normals at it, else the first of them by lexicographic value, else +Z. Every normal is finite
+/// and unit.
+///
+/// Each sum runs in ascending triangle index on the threads of rayon's current pool: their number does not change a bit.
+/// Multiplying positions by a power of two does not either, as long as they stay normal numbers. Time is linear in
+/// triangles.
+///
+/// `Faults::vertices` of the result lists the vertices whose normal is made up, `Faults::faces` the triangles that
+/// added nothing.
+///
+/// ```
+/// use crease::normals::{FaultReason, Scratch, Slivers, Weight, vertex_normals};
+///
+/// // A roof of two slopes, and a vertex that nothing uses.
+/// let positions = [[0.0_f32, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, -1.0], [-1.0, 0.0, -1.0], [9.0, 9.0, 9.0]];
+/// let triangles = [[0, 2, 1], [0, 1, 3]];
+/// let mut normals = [[0.0; 3]; 5];
+/// let mut scratch = Scratch::new();
+/// let faults =
+///     vertex_normals(&positions, &triangles, Weight::Angle, Slivers::Exclude, &mut scratch, &mut normals)?;
+/// assert_eq!(normals[0], [0.0, 0.0, 1.0]);
+/// assert_eq!(faults.vertices.len(), 1);
+/// assert_eq!(faults.vertices[0].reason, FaultReason::Unreferenced);
+/// # Ok::<(), crease::normals::SliceError>(())
+/// ```
+///
+/// # Errors
+/// If slices do not go together; see [`SliceError`]. Nothing is written then.
+pub fn vertex_normals<T: Coordinate>(
+    positions: &[[T; 3]],
+    triangles: &[[u32; 3]],
+    weight: Weight,
+    slivers: Slivers,
+    scratch: &mut Scratch,
+    normals: &mut [[T; 3]],
+) -> Result<Faults, SliceError> {
+    if weight == Weight::Quadric {
+        return Err(SliceError::QuadricNeedsMesh);
+    }
+    check_lengths(positions.len(), triangles, positions.len(), normals.len())?;
+    let (faces, points) = (FacesRef::triangles(triangles), T::positions(positions));
+    let request = SumRequest {
+        faces,
+        positions: points,
+        target: faces.corners(),
+        slots: positions.len(),
+        weight,
+        slivers,
+    };
+    let states = &mut scratch.slots;
+    states.resize(positions.len(), SlotState::Empty);
+    let normals = T::normals(normals);
+    let outcome = weighted_sums_into(&request, &mut scratch.sums, normals, states);
+    if outcome.vertex_missing {
+        return Err(no_such_vertex(positions.len(), triangles));
+    }
+
+    let added = |state: FaceState| state == FaceState::Sliver && slivers == Slivers::Keep;
+    let odd = outcome.odd.into_iter().filter(|&(_, state)| !added(state));
+    let mut faults =
+        Faults { faces: odd.filter_map(|(face, state)| fault(face, state)).collect(), ..Faults::default() };
+    if outcome.all_good {
+        return Ok(faults);
+    }
+    let undefined =
+        |(vertex, &state): (usize, &SlotState)| (state != SlotState::Good).then_some(vertex as u32);
+    let undefined: Vec<u32> = states.iter().enumerate().filter_map(undefined).collect();
+    for orphan in orphans(faces, points, &undefined) {
+        normals[orphan.vertex as usize] = T::Normal::emit(orphan.stand_in);
+        let reason = match states[orphan.vertex as usize] {
+            SlotState::Cancelling => FaultReason::CancellingFan,
+            _ if !orphan.referenced => FaultReason::Unreferenced,
+            _ => fault_reason(orphan.cause).unwrap_or(FaultReason::CancellingFan),
+        };
+        faults.vertices.push(Fault { index: orphan.vertex, reason });
+    }
+    Ok(faults)
+}
+
+/// What a face's state is called in reports.
+pub(crate) fn fault_reason(state: FaceState) -> Option<FaultReason> {
+    match state {
+        FaceState::Counted => None,
+        FaceState::Sliver => Some(FaultReason::BelowStorage),
+        FaceState::ZeroArea => Some(FaultReason::ZeroArea),
+        FaceState::OutOfRange => Some(FaultReason::OutOfRange),
+        FaceState::NonFinite => Some(FaultReason::NonFinite),
+    }
+}
+
+fn fault(index: u32, state: FaceState) -> Option<Fault> {
+    fault_reason(state).map(|reason| Fault { index, reason })
+}
+
+/// That every vertex exists and the output has the right length.
+pub(in crate::normals) fn check(
+    vertices: usize,
+    triangles: &[[u32; 3]],
+    expected: usize,
+    found: usize,
+) -> Result<(), SliceError> {
+    check_lengths(vertices, triangles, expected, found)?;
+    match num::dispatch(Highest(triangles)) {
+        Some(highest) if highest as usize >= vertices => Err(no_such_vertex(vertices, triangles)),
+        _ => Ok(()),
+    }
+}
+
+/// That the output has the right length.
+fn check_lengths(
+    vertices: usize,
+    triangles: &[[u32; 3]],
+    expected: usize,
+    found: usize,
+) -> Result<(), SliceError> {
+    for (what, count) in [("vertices", vertices), ("corners", 3 * triangles.len())] {
+        if count >= NONE as usize {
+            return Err(SliceError::TooLarge { what, count });
+        }
+    }
+    if found != expected {
+        return Err(SliceError::OutputLength { found, expected });
+    }
+    Ok(())
+}
+
+/// The first vertex that does not exist.
+fn no_such_vertex(count: usize, triangles: &[[u32; 3]]) -> SliceError {
+    let mut all = triangles.iter().enumerate().flat_map(|(triangle, corners)| corners.map(|v| (triangle, v)));
+    let (triangle, vertex) = all.find(|&(_, vertex)| vertex as usize >= count).unwrap_or_default();
+    SliceError::VertexOutOfRange { triangle, vertex, count }
+}
+
+/// The highest vertex number; a kernel so that it is compiled with the widest instructions.
+struct Highest<'a>(&'a [[u32; 3]]);
+
+impl Kernel for Highest<'_> {
+    type Output = Option<u32>;
+
+    #[inline(always)]
+    fn run<A: Lanes>(self, _: A) -> Option<u32> {
+        let corners = self.0.as_flattened();
+        (!corners.is_empty()).then(|| corners.iter().fold(0, |highest, &vertex| highest.max(vertex)))
+    }
+}

@@ -1,0 +1,86 @@
+//! The sum of a few faces at a corner, by the rules of all sums.
+
+use crate::normals::faces::shape::FaceState;
+use crate::normals::recipe::Slivers;
+use crate::normals::sums::weighted::{CANCELLING, SlotState};
+use crate::num;
+use glam::DVec3;
+
+/// What one face adds to one sum: `vector` · `weight`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Term {
+    /// The face's vector and its length; see [`CornerTerms`](crate::normals::sums::corner_terms::CornerTerms).
+    pub(crate) vector: [f64; 4],
+    /// The weight of the corner.
+    pub(crate) weight: f64,
+    /// The face.
+    pub(crate) face: u32,
+    /// What the face is worth.
+    pub(crate) state: FaceState,
+}
+
+impl Term {
+    /// The face's unit normal, to the bit.
+    pub(crate) fn unit(&self) -> DVec3 {
+        let [x, y, z, length] = self.vector;
+        let vector = DVec3::new(x, y, z);
+        // A unit vector comes with the length 1 and must not be rounded again.
+        if length == 1.0 { vector } else { num::direction(vector).0 }
+    }
+}
+
+/// Whether a face adds to sums in the first place.
+#[inline(always)]
+pub(crate) fn adds(state: FaceState, slivers: Slivers) -> bool {
+    state == FaceState::Counted || (state == FaceState::Sliver && slivers == Slivers::Keep)
+}
+
+/// The direction of a sum of terms, which come in ascending face index.
+///
+/// Slivers that are excluded count after all if there is nothing else; if all weights vanish, faces count the same;
+/// one face alone gives its normal.
+pub(crate) fn mean(terms: &[Term], slivers: Slivers) -> (DVec3, SlotState) {
+    let firm = terms.iter().any(|term| adds(term.state, slivers));
+    let used = || {
+        terms
+            .iter()
+            .filter(move |term| if firm { adds(term.state, slivers) } else { term.state.has_direction() })
+    };
+    let Some(first) = used().next() else { return (DVec3::ZERO, SlotState::Empty) };
+    if used().all(|term| term.face == first.face) {
+        return (first.unit(), SlotState::Good);
+    }
+    let (mut vector, mut weights) = (DVec3::ZERO, 0.0);
+    for term in used() {
+        let [x, y, z, length] = term.vector;
+        vector += DVec3::new(x, y, z) * term.weight;
+        weights += length * term.weight;
+    }
+    if weights == 0.0 {
+        return uniform_mean(used().map(Term::unit));
+    }
+    let (direction, state, _) = classify(vector, weights);
+    (direction, state)
+}
+
+/// The direction of a plain sum of unit vectors.
+pub(crate) fn uniform_mean(units: impl Iterator<Item = DVec3>) -> (DVec3, SlotState) {
+    let (vector, count) = units.fold((DVec3::ZERO, 0.0), |(sum, count), unit| (sum + unit, count + 1.0));
+    if count == 0.0 {
+        return (DVec3::ZERO, SlotState::Empty);
+    }
+    let (direction, state, _) = classify(vector, count);
+    (direction, state)
+}
+
+/// Direction and worth of Σ w n̂, given Σ w > 0, and its length.
+#[inline(always)]
+pub(crate) fn classify(vector: DVec3, weights: f64) -> (DVec3, SlotState, f64) {
+    if vector == DVec3::ZERO {
+        // What cancelled to nothing has no direction at all.
+        return (vector, SlotState::Cancelling, 0.0);
+    }
+    let (direction, length) = num::direction(vector);
+    let state = if weights > CANCELLING * length { SlotState::Cancelling } else { SlotState::Good };
+    (direction, state, length)
+}

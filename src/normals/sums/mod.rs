@@ -1,0 +1,24 @@
+//! Sums: weighted sums of face normals over vertices or smooth groups.
+
+// How much a face counts at each of its corners.
+pub(super) mod weight;
+// The block kernel: terms of eight triangles at a time.
+pub(super) mod block;
+// The scalar path: terms of one face, the same bits as the block kernel.
+pub(super) mod corner_terms;
+// The sum of a few faces at one corner.
+pub(super) mod corner_mean;
+// Division of the work among threads without changing a bit.
+pub(super) mod partition;
+// One thread's share of the sums.
+pub(super) mod accumulate;
+// From sums to unit vectors.
+pub(super) mod finish;
+// A second evaluation of sums that may have cancelled.
+pub(super) mod recheck;
+// The weighted sums of all vertices or groups.
+pub(super) mod weighted;
+// Sums in which each corner chooses its own faces.
+pub(super) mod corner_sums;
+// The `fast` path, entirely in f32.
+pub(super) mod f32_path;

@@ -1,0 +1,172 @@
+//! A second look at the slots whose sums do not say all.
+
+use crate::mesh::NONE;
+use crate::normals::faces::positions::Source;
+use crate::normals::sums::accumulate::{OddFace, OddFaces, repeats};
+use crate::normals::sums::corner_mean::{Term, adds, mean};
+use crate::normals::sums::corner_terms::CornerTerms;
+use crate::normals::sums::finish::Doubts;
+use crate::normals::sums::partition::Bounds;
+use crate::normals::sums::weight::CornerWeight;
+use crate::normals::sums::weighted::{SlotState, SumRequest};
+use crate::num;
+use glam::DVec3;
+use rayon::prelude::*;
+use std::marker::PhantomData;
+
+/// Faces walked at a time.
+const BLOCK_FACES: usize = 1024;
+/// Slots whose notes are kept together.
+const CHUNK: usize = 512;
+
+fn chunk_of(slot: u32) -> usize {
+    slot as usize / CHUNK
+}
+
+/// Gives the results that sums alone do not: of slots of one face, which get its normal to the bit, of those that nothing
+/// was added to, and of those that seem to cancel.
+pub(crate) struct LookAgain<'a, S, W> {
+    pub(crate) request: &'a SumRequest<'a>,
+    pub(crate) source: S,
+    /// Faces not simply counted, ascending.
+    pub(crate) odd: &'a [OddFace],
+    pub(crate) weight: PhantomData<W>,
+}
+
+impl<S: Source, W: CornerWeight> LookAgain<'_, S, W> {
+    /// Results by slot.
+    pub(crate) fn run(&self, doubts: &Doubts) -> Vec<(u32, DVec3, SlotState)> {
+        let mut slots: Vec<Doubt> = Vec::new();
+        slots.extend(doubts.perhaps_one_face.iter().map(|&slot| (slot, notes::NO_FACE)));
+        slots.extend(doubts.recount.iter().map(|&slot| (slot, notes::RECOUNT)));
+        slots.sort_unstable();
+        // Each thread looks after some slots in a row.
+        let share = slots.len().div_ceil(rayon::current_num_threads()).max(CHUNK);
+        slots.par_chunks(share).flat_map_iter(|doubts| self.look(doubts)).collect()
+    }
+
+    fn look(&self, doubts: &[Doubt]) -> Vec<(u32, DVec3, SlotState)> {
+        let (alone, mut terms) = self.collect(doubts);
+        let mut scalar = CornerTerms::default();
+        let mut results = Vec::with_capacity(alone.len());
+        for slots in alone.chunk_by(|a, b| a.0 == b.0) {
+            let unit = scalar.shape(self.request.faces, self.source, slots[0].0 as usize).unit;
+            results.extend(slots.iter().map(|&(_, slot)| (slot, unit, SlotState::Good)));
+        }
+        // Stable: the terms of a slot stay in ascending face index.
+        terms.sort_by_key(|&(slot, _)| slot);
+        let mut of_slot = Vec::new();
+        for terms in terms.chunk_by(|a, b| a.0 == b.0) {
+            of_slot.clear();
+            of_slot.extend(terms.iter().map(|&(_, term)| term));
+            let (unit, state) = mean(&of_slot, self.request.slivers);
+            results.push((terms[0].0, unit, state));
+        }
+        results
+    }
+
+    /// Walks the faces once more: slots of one face, as (face, slot) sorted by face, and the terms of slots to recount.
+    #[expect(clippy::type_complexity, reason = "two lists of pairs, named in the line above")]
+    fn collect(&self, doubts: &[Doubt]) -> (Vec<(u32, u32)>, Vec<(u32, Term)>) {
+        let Self { request, source, .. } = *self;
+        let (mut scalar, mut terms) = (CornerTerms::default(), Vec::new());
+        let mut notes = Notes::new(doubts);
+        for first in (0..request.faces.len()).step_by(BLOCK_FACES) {
+            let faces = first..(first + BLOCK_FACES).min(request.faces.len());
+            let slots = request.faces.start(faces.start)..request.faces.start(faces.end);
+            if !notes.touch(num::dispatch(Bounds(&request.target[slots]))) {
+                continue;
+            }
+            let mut odd = OddFaces::new(self.odd, faces.start);
+            for face in faces {
+                let state = odd.state(face);
+                let slots = &request.target[request.faces.range(face)];
+                let mut filled = false;
+                for (corner, &slot) in slots.iter().enumerate() {
+                    let Some(note) = notes.of(slot) else { continue };
+                    if *note != notes::RECOUNT {
+                        if adds(state, request.slivers) {
+                            notes::one_more_face(note, face as u32);
+                        }
+                    } else if state.has_direction() {
+                        if !filled {
+                            scalar.fill::<S, W>(request.faces, source, face, |at| repeats(slots, at));
+                            filled = true;
+                        }
+                        let (vector, weight) = (scalar.vector, scalar.weights[corner]);
+                        terms.push((slot, Term { vector, weight, face: face as u32, state }));
+                    }
+                }
+            }
+        }
+        let alone = doubts.iter().filter_map(|&(slot, _)| {
+            let face = notes.of(slot).copied().filter(|&note| note < notes::RECOUNT)?;
+            Some((face, slot))
+        });
+        let mut alone: Vec<(u32, u32)> = alone.collect();
+        alone.sort_unstable();
+        (alone, terms)
+    }
+}
+
+/// A slot, and the note on it to begin with.
+type Doubt = (u32, u32);
+
+mod notes {
+    //! What is known of a slot: the number of its only face so far, or one of these, which no face has.
+
+    /// To be gone through term by term.
+    pub(in crate::normals) const RECOUNT: u32 = u32::MAX - 3;
+    /// Several faces.
+    pub(in crate::normals) const FACES: u32 = u32::MAX - 2;
+    /// No face so far.
+    pub(in crate::normals) const NO_FACE: u32 = u32::MAX - 1;
+    /// There is no doubt about it.
+    pub(in crate::normals) const NOTHING: u32 = u32::MAX;
+
+    /// Takes note of a face.
+    pub(in crate::normals) fn one_more_face(note: &mut u32, face: u32) {
+        if *note == NO_FACE {
+            *note = face;
+        } else if *note != face {
+            *note = FACES;
+        }
+    }
+}
+
+/// Notes on slots, for the chunks in which there are doubts.
+struct Notes<'a> {
+    /// Where the notes of each chunk begin.
+    starts: Vec<u32>,
+    notes: Vec<u32>,
+    /// The slots in doubt, ascending.
+    doubts: &'a [Doubt],
+}
+
+impl<'a> Notes<'a> {
+    fn new(doubts: &'a [Doubt]) -> Self {
+        let (mut starts, mut notes) = (Vec::new(), Vec::new());
+        for doubts in doubts.chunk_by(|a, b| chunk_of(a.0) == chunk_of(b.0)) {
+            let start = notes.len();
+            starts.resize(chunk_of(doubts[0].0), NONE);
+            starts.push(start as u32);
+            notes.resize(start + CHUNK, notes::NOTHING);
+            for &(slot, note) in doubts {
+                notes[start + slot as usize % CHUNK] = note;
+            }
+        }
+        Self { starts, notes, doubts }
+    }
+
+    /// Whether a slot in doubt lies between these two.
+    fn touch(&self, (low, high): (u32, u32)) -> bool {
+        let next = self.doubts.partition_point(|&(slot, _)| slot < low);
+        self.doubts.get(next).is_some_and(|&(slot, _)| slot <= high)
+    }
+
+    /// The note on a slot in doubt.
+    fn of(&mut self, slot: u32) -> Option<&mut u32> {
+        let start = self.starts.get(chunk_of(slot)).copied().filter(|&start| start != NONE)?;
+        self.notes.get_mut(start as usize + slot as usize % CHUNK).filter(|note| **note != notes::NOTHING)
+    }
+}
