@@ -59,8 +59,8 @@ const OUTSIDE: &[(&str, &[&str])] = &[
     (
         "libm",
         &[
-            "num", "mesh", "surface", "io", "normals", "shade", "quality", "raster", "metric", "artefact",
-            "trade", "report",
+            "num", "text", "mesh", "surface", "io", "normals", "shade", "quality", "raster", "metric",
+            "artefact", "trade", "report",
         ],
     ),
     ("maud", &["report"]),

@@ -1,19 +1,25 @@
 //! From a file to its findings.
 
-use super::around::Around;
-use super::catalogue::{Kind, entries};
-use super::facts::Facts;
-use super::finding::{Element, Finding, Severity, Site};
-use super::gloss::{self, Gloss};
-use super::light::key_light_lost;
-use super::spaces::Spaces;
-use super::tally::{Gauge, Milder, Remark, Spot, Tallies, Tally, least, weightier};
-use super::{
-    Estimate, Precision, Thresholds, attributes, geometry, key_light_steps, mixing, shading, smoothing,
-    stored,
-};
 use crate::io::{Document, FileNode, Format, Loaded};
 use crate::mesh::{Mesh, NONE, normal_matrix};
+use crate::quality::catalogue::{Kind, entries};
+use crate::quality::counts::{Gauge, Milder, Remark, Spot, Tallies, Tally, least, weightier};
+use crate::quality::effect::lost_light::key_light_lost;
+use crate::quality::effect::lost_light::key_light_steps;
+use crate::quality::effect::risk_findings;
+use crate::quality::effect::specular_exponent::{self, Gloss};
+use crate::quality::estimate::other_programs;
+use crate::quality::estimate::recipe::Estimate;
+use crate::quality::facts::Facts;
+use crate::quality::finding::{Element, Finding, Severity, Site};
+use crate::quality::geometry::geometry_findings;
+use crate::quality::smoothing::smoothing_findings;
+use crate::quality::storage::quantisation::Precision;
+use crate::quality::stored::attributes;
+use crate::quality::stored::coordinate_space::Spaces;
+use crate::quality::stored::neighbours::Around;
+use crate::quality::stored::stored_findings;
+use crate::quality::thresholds::Thresholds;
 use glam::DMat3;
 
 /// What was found in a file.
@@ -81,7 +87,7 @@ pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) 
     let nodes_of_parts = nodes_of_parts(loaded);
     let around = Around::new(loaded, thresholds.weld);
     let spaces = Spaces::new(loaded);
-    let materials = gloss::materials(loaded, thresholds.exponent);
+    let materials = specular_exponent::materials(loaded, thresholds.exponent);
     for (number, part) in loaded.parts.iter().enumerate() {
         let mut own = PartDiagnosis { name: part.name.clone(), ..PartDiagnosis::default() };
         if part.mesh.face_count() > 0 {
@@ -184,10 +190,10 @@ fn look(
     thresholds: &Thresholds,
     found: &mut Tallies,
 ) -> Option<Precision> {
-    let precision = stored::find(facts, thresholds, found);
-    smoothing::find(facts, thresholds, found);
-    geometry::find(facts, thresholds, found);
-    shading::find(facts, thresholds, found);
+    let precision = stored_findings::find(facts, thresholds, found);
+    smoothing_findings::find(facts, thresholds, found);
+    geometry_findings::find(facts, thresholds, found);
+    risk_findings::find(facts, thresholds, found);
     for (number, node) in nodes.iter().enumerate() {
         place(number, node, found);
     }
@@ -291,7 +297,7 @@ impl Merged {
         self.turn = self.turn.into_iter().chain(tally.turn).reduce(f64::max);
         let site = |spot: Spot| {
             let mut site = site(facts.mesh, spot, part);
-            site.degrees = site.degrees.or_else(|| mixing::beside(facts, kind, &spot));
+            site.degrees = site.degrees.or_else(|| other_programs::beside(facts, kind, &spot));
             (spot, site)
         };
         self.sites.extend(tally.worst.into_iter().map(site));

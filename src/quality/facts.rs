@@ -1,18 +1,18 @@
 //! What all findings about a part are made from, worked out once.
 
-use super::apart::Apart;
-use super::around::Around;
-use super::catalogue::Kind;
-use super::duplicates::Doubles;
-use super::estimate::{Estimate, estimate};
-use super::finding::Severity;
-use super::gloss::Gloss;
 use crate::mesh::{
     Column, Confidence, Link, Mesh, Orientation, Orientations, Topology, normals_oppose, place_key,
     stored_unit, vector_area,
 };
 use crate::normals::{FaceField, Fault, FaultReason, Groups, NormalField, NormalRecipe, compute_from};
 use crate::num::{UnitVec3, unit_scale};
+use crate::quality::catalogue::Kind;
+use crate::quality::effect::specular_exponent::Gloss;
+use crate::quality::estimate::recipe::{Estimate, estimate};
+use crate::quality::finding::Severity;
+use crate::quality::geometry::duplicates::Doubles;
+use crate::quality::stored::neighbours::Around;
+use crate::quality::stored::regions::Apart;
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 use rustc_hash::FxHashSet;

@@ -1,7 +1,7 @@
 //! What a diagnosis says: findings with causes, counts and places.
 
-use super::catalogue::Kind;
 use crate::io::shell_word;
+use crate::quality::catalogue::Kind;
 use glam::DVec3;
 use serde::Serialize;
 
@@ -94,7 +94,7 @@ pub struct Site {
 /// Something that is wrong, or worth knowing, and where.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
-    /// What it is: the key to the [catalogue](super::catalogue).
+    /// What it is: the key to the [catalogue](crate::quality::catalogue).
     pub kind: Kind,
     /// How much it matters here.
     pub severity: Severity,
@@ -108,7 +108,7 @@ pub struct Finding {
     pub area_share: Option<f64>,
     /// The largest angle, in degrees, if an angle measures it.
     pub degrees: Option<f64>,
-    /// What that angle does to the grey value under a key light at most ([`key_light_steps`](super::key_light_steps)); for
+    /// What that angle does to the grey value under a key light at most ([`key_light_steps`](crate::quality::key_light_steps)); for
     /// normals that give no light, or too much, what that does. `None` where no normal is off.
     pub steps: Option<f64>,
     /// How bad it is at the worst place, in the [kind's unit](Kind::unit), if it has one.
@@ -116,7 +116,7 @@ pub struct Finding {
     /// How sure it is, from ½ to 1, at the least sure place, where that is a question: which side of a surface is its
     /// outer one ([`Confidence`](crate::mesh::Confidence)).
     pub confidence: Option<f64>,
-    /// The worst places, worst first: as many as [`Thresholds::places`](super::Thresholds::places).
+    /// The worst places, worst first: as many as [`Thresholds::places`](crate::quality::Thresholds::places).
     pub places: Vec<Site>,
     /// Options of `crease normals` that mend it; `None` if none does.
     pub remedy: Option<String>,

@@ -58,50 +58,38 @@
 //!
 #![doc = include_str!("measured/recall.md")]
 
-mod apart;
-mod around;
-mod attributes;
-mod bends;
-mod bent;
-mod borders;
+// From which size a deviation is a finding.
+mod thresholds;
+// A finding: cause, count, positions.
+mod finding;
+// The analysis of one part that all findings use.
+mod facts;
+// Counts of findings in parallel.
+mod counts;
+// Data for pictures and histograms of a report.
+mod survey;
+// From a file to its findings.
+mod diagnosis;
+// Geometry: faces, edges and vertices that spoil normals.
+mod geometry;
+// Smoothing: what stored normals do across edges.
+mod smoothing;
+// Stored: the normals of the file, corner by corner.
+mod stored;
+// Storage: the precision in which normals are stored.
+mod storage;
+// Estimate: which recipe made the stored normals.
+mod estimate;
+// Effect: what a wrong normal does to a picture.
 pub mod catalogue;
 mod comparison;
-mod diagnosis;
-mod duplicates;
-mod estimate;
-mod facets;
-mod facts;
-mod finding;
-mod fit;
-mod geometry;
-mod gloss;
-mod grid;
-mod light;
-mod limit;
-mod means;
-mod mixing;
-mod needles;
-mod orbits;
-mod polygons;
-mod quadrics;
-mod quantisation;
-mod rotation;
-mod runs;
-mod shading;
-mod smoothing;
-mod spaces;
-mod stored;
-mod strays;
-mod survey;
-mod tally;
-mod thresholds;
-mod turned;
+mod effect;
 
 pub use comparison::{Comparison, Incomparable, compare};
 pub use diagnosis::{Diagnosis, PartDiagnosis, diagnose};
-pub use estimate::{Estimate, SAMPLE};
+pub use effect::lost_light::key_light_steps;
+pub use estimate::recipe::{Estimate, SAMPLE};
 pub use finding::{Element, Finding, Severity, Site};
-pub use light::key_light_steps;
-pub use quantisation::Precision;
+pub use storage::quantisation::Precision;
 pub use survey::{Survey, survey};
 pub use thresholds::Thresholds;

@@ -1,12 +1,12 @@
 //! What pictures and histograms of a report are made of.
 
-use super::Thresholds;
-use super::around::Around;
-use super::facts::{Facts, Worth};
-use super::gloss::Gloss;
 use crate::io::Loaded;
 use crate::mesh::{Confidence, Mesh, place_key};
 use crate::num::{Degrees, angle_between};
+use crate::quality::effect::specular_exponent::Gloss;
+use crate::quality::facts::{Facts, Worth};
+use crate::quality::stored::neighbours::Around;
+use crate::quality::thresholds::Thresholds;
 use glam::DVec3;
 use rayon::prelude::*;
 

@@ -1,6 +1,6 @@
 //! What cannot be drawn.
 
-use super::camera::CameraError;
+use crate::raster::view::camera::CameraError;
 use crate::shade::{NotFinite, ShadeError};
 use glam::DVec3;
 
@@ -32,7 +32,7 @@ pub enum RenderError {
     /// A transform that is not finite or cannot be undone.
     #[error("object {}: its transform flattens space or is not finite; normals have no direction then", .0 + 1)]
     Singular(usize),
-    /// [`Shading::Exact`](super::Shading::Exact) of an object without an analytic surface.
+    /// [`Shading::Exact`](crate::raster::Shading::Exact) of an object without an analytic surface.
     #[error("object {}: exact shading needs an analytic surface; choose another shading or say which surface it is", .0 + 1)]
     NoSurface(usize),
     /// Colours of vertices where none are: of an analytic surface that rays are cast at.

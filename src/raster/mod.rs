@@ -4,52 +4,39 @@
 //! picture and snapped, triangles are clipped and sorted into tiles of 64 × 64 pixels, and tile by tile it is found out
 //! what is seen; only that is shaded.
 
-mod bins;
-mod camera;
-mod cast;
-mod clip;
-mod coverage;
-mod draw;
+// Why a scene cannot be drawn.
 mod error;
-mod fixed;
-mod framing;
-mod ink;
-mod interpolate;
-mod job;
-mod light;
-mod line_ends;
-mod lines;
-mod list;
-mod load;
-mod output;
-mod paint;
-mod picture;
-mod probe;
-mod project;
-mod records;
-mod render;
-mod samples;
-mod scanline;
-mod scene;
-mod seen_point;
+// Everything that changes the picture, apart from the scene.
 mod settings;
-mod setup;
-mod shape;
-mod show;
-mod tile;
-mod triangles;
-mod unseen;
+// Objects, lights and lines.
+mod scene;
+// The finished picture and its statistics.
+mod picture;
+// Sample positions within a pixel.
+mod samples;
+// From the scene to the screen: camera, projection, clipping, framing.
 mod view;
+// Coverage: which triangle is visible at each sample.
+mod coverage;
+// Shading: colours of samples.
+mod shading;
+// Lines: wireframes and normals drawn over the picture.
+mod lines;
+// Frame: tiles in parallel, then the picture.
+mod frame;
+// Inspection: the numbers behind one sample.
+mod inspect;
+mod load;
 
-pub use camera::{Camera, CameraError, Projection};
 pub use error::RenderError;
+pub use frame::render::render;
+pub use frame::visibility::Unseen;
+pub use inspect::probe::{LitPoint, ProbePoint, probe};
 pub use load::{
     LoadOptions, Recentring, SceneFile, SceneMesh, SceneObject, SceneShape, default_lights, load, rotation,
 };
 pub use picture::{Image, Pixels, Statistics, Times};
-pub use probe::{LitPoint, ProbePoint, probe};
-pub use render::render;
 pub use samples::Samples;
 pub use scene::{LinePath, Lines, Object, Paint, Scene, Shape, Triangles};
 pub use settings::{Bits, Cull, FlatSample, Interpolation, LineStyle, RenderSettings, Shading, Show};
-pub use unseen::Unseen;
+pub use view::camera::{Camera, CameraError, Projection};

@@ -22,7 +22,7 @@ pub struct Image {
     /// hides what is behind.
     pub coverage: Vec<u8>,
     /// Linear colours before tone and transfer, the mean of a pixel's samples; only if they were asked for
-    /// ([`RenderSettings::keep_linear`](super::RenderSettings::keep_linear)).
+    /// ([`RenderSettings::keep_linear`](crate::raster::RenderSettings::keep_linear)).
     pub linear: Option<Vec<[f32; 3]>>,
     /// What was done.
     pub statistics: Statistics,
@@ -47,7 +47,7 @@ impl Image {
 /// Counts and times of a drawing. Only the times differ from run to run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Statistics {
-    /// Pixels with at least one covered sample; under [`Shading::Wireframe`](super::Shading::Wireframe) those that show an
+    /// Pixels with at least one covered sample; under [`Shading::Wireframe`](crate::raster::Shading::Wireframe) those that show an
     /// edge.
     pub covered_pixels: u64,
     /// Triangles handed to the tiles.

@@ -1,6 +1,6 @@
 //! Where in a pixel it is looked at.
 
-use super::fixed::{HALF, ONE};
+use crate::raster::view::fixed_point::{HALF, ONE};
 
 /// How many places of each pixel are drawn; the pixel is their mean. Each is shaded by itself.
 ///

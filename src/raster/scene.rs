@@ -1,10 +1,10 @@
 //! What there is to draw.
 
-use super::camera::Camera;
-use super::settings::LineStyle;
 use crate::mesh::Mesh;
 use crate::normals::NormalField;
 use crate::num::LinearRgb;
+use crate::raster::settings::LineStyle;
+use crate::raster::view::camera::Camera;
 use crate::shade::{Light, Material};
 use crate::surface::Primitive;
 use glam::{DMat4, DVec3};
@@ -15,7 +15,7 @@ use std::borrow::Cow;
 pub struct Scene<'a> {
     /// What is seen. Where two are equally near, the earlier one shows.
     pub objects: Vec<Object<'a>>,
-    /// Lines beside those of [`Shading::Wireframe`](super::Shading::Wireframe): overlays.
+    /// Lines beside those of [`Shading::Wireframe`](crate::raster::Shading::Wireframe): overlays.
     pub lines: Vec<Lines>,
     /// What lights them.
     pub lights: Vec<Light>,
@@ -36,7 +36,7 @@ pub struct Object<'a> {
     /// Its colour.
     pub paint: Paint<'a>,
     /// The analytic surface that the shape stands for, in the same space: what
-    /// [`Shading::Exact`](super::Shading::Exact) draws and deviations are measured from.
+    /// [`Shading::Exact`](crate::raster::Shading::Exact) draws and deviations are measured from.
     pub surface: Option<Primitive>,
 }
 

@@ -1,7 +1,7 @@
 //! What of a scene is drawn, and how: everything that changes the picture.
 
-use super::samples::Samples;
 use crate::num::{Degrees, LinearRgb, Transfer};
+use crate::raster::samples::Samples;
 use crate::shade::{DepthCue, Guards, Terminator, ToneRule};
 
 /// Where a surface's colour is computed.

@@ -1,12 +1,16 @@
 //! All surfaces as one type.
 
-use super::chart::Parametric;
-use super::height::Height;
-use super::implicit::Implicit;
-use super::marching::Room;
-use super::star::StarShaped;
-use super::teapot::teapot;
-use super::{BezierPatch, Catenoid, MonkeySaddle, Primitive, Superquadric, Wave};
+use crate::surface::meshing::marching::Room;
+use crate::surface::rays::primitive::Primitive;
+use crate::surface::shapes::bezier::BezierPatch;
+use crate::surface::shapes::catenoid::Catenoid;
+use crate::surface::shapes::chart::Parametric;
+use crate::surface::shapes::height::Height;
+use crate::surface::shapes::height::{MonkeySaddle, Wave};
+use crate::surface::shapes::implicit::Implicit;
+use crate::surface::shapes::star::StarShaped;
+use crate::surface::shapes::superquadric::Superquadric;
+use crate::surface::shapes::teapot::teapot;
 use glam::{DVec2, DVec3};
 
 /// Any surface of this module.

@@ -7,55 +7,37 @@
 //!
 //! Where surfaces stand: what turns, turns about the y axis, which is up; heights over a plane rise along z.
 
-mod bezier;
-mod catalogue;
-mod catenoid;
-mod chart;
-mod cone;
-mod cylinder;
-mod dual;
-mod ellipsoid;
+// What makes a surface or its tessellation impossible.
 mod error;
-mod grid;
-mod hash;
-mod height;
-mod icosphere;
-mod implicit;
-mod marching;
-mod net;
-mod patches;
-mod plane;
-mod polynomial;
-mod primitive;
-mod ray;
-mod scattered;
-mod sphere;
-mod star;
-mod superquadric;
-mod teapot;
-mod tessellation;
+// All surfaces as one type.
+mod catalogue;
+// Normals against differences of points.
 #[cfg(test)]
 mod tests;
-mod torus;
-
-pub use bezier::BezierPatch;
+// Shapes: the analytic surfaces.
+mod shapes;
+// Rays: intersections with the surfaces.
+mod rays;
+// Meshing: tessellations with chosen irregularity.
+mod meshing;
 pub use catalogue::Surface;
-pub use catenoid::Catenoid;
-pub use chart::{Chart, Parametric, Sample};
-pub use cone::Cone;
-pub use cylinder::Cylinder;
-pub use ellipsoid::Ellipsoid;
 pub use error::SurfaceError;
-pub use hash::GridHash;
-pub use height::{Height, MonkeySaddle, Wave};
-pub use implicit::Implicit;
-pub use plane::Plane;
-pub use primitive::{Placed, Primitive};
-pub use ray::{Hit, Ray};
-pub use scattered::height_field;
-pub use sphere::Sphere;
-pub use star::StarShaped;
-pub use superquadric::Superquadric;
-pub use teapot::teapot;
-pub use tessellation::{Pattern, Tessellation};
-pub use torus::Torus;
+pub use meshing::hash::GridHash;
+pub use meshing::scattered::height_field;
+pub use meshing::tessellation::{Pattern, Tessellation};
+pub use rays::primitive::{Placed, Primitive};
+pub use rays::ray::{Hit, Ray};
+pub use shapes::bezier::BezierPatch;
+pub use shapes::catenoid::Catenoid;
+pub use shapes::chart::{Chart, Parametric, Sample};
+pub use shapes::cone::Cone;
+pub use shapes::cylinder::Cylinder;
+pub use shapes::ellipsoid::Ellipsoid;
+pub use shapes::height::{Height, MonkeySaddle, Wave};
+pub use shapes::implicit::Implicit;
+pub use shapes::plane::Plane;
+pub use shapes::sphere::Sphere;
+pub use shapes::star::StarShaped;
+pub use shapes::superquadric::Superquadric;
+pub use shapes::teapot::teapot;
+pub use shapes::torus::Torus;

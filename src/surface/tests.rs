@@ -1,7 +1,7 @@
 //! Exactness: normals against differences of points, and the descriptions of one surface against each other.
 
-use super::*;
 use crate::num::test_numbers::Numbers;
+use crate::surface::*;
 use glam::DVec3;
 
 pub(super) fn all() -> Vec<(&'static str, Surface)> {

@@ -1,7 +1,7 @@
 //! What is known about extensions: which may be required, and which refer to the order of vertices or triangles.
 
-use super::fields::Fields;
-use super::json::Value;
+use crate::io::gltf::json::fields::Fields;
+use crate::io::gltf::json::tree::Value;
 use crate::io::{Note, Place, Problem, ReadError};
 
 /// Extensions that say nothing about where surfaces are, by name or family. A document may require them.

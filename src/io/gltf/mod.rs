@@ -7,45 +7,32 @@
 //!
 //! Standard: Khronos, *glTF 2.0 Specification*, 2021, with `KHR_mesh_quantization`.
 
-mod accessor;
-mod appearance;
-mod attributes;
-mod beside;
-mod buffers;
-mod camera;
-mod columns;
-mod container;
-mod data;
-mod document;
-mod edit;
+// Known extensions.
 mod extensions;
-mod fields;
-mod fresh;
+// JSON: a document with the position of every value.
 mod json;
-mod material;
-mod mesh;
-mod nodes;
-mod objects;
-mod package;
-mod primitive;
-mod shape;
-mod splice;
-mod uri;
+// Container: GLB chunks, buffers and their addresses.
+mod container;
+// Document: the typed records of a file.
+mod document;
+// Writer: new files from meshes.
+mod edit;
+mod writer;
 
-pub(super) use appearance::appearance;
+pub(super) use document::appearance::appearance;
+pub(crate) use document::nodes::NodeTree;
 pub use edit::edit;
-pub use fresh::write;
-pub(super) use fresh::write_with_materials;
-pub(crate) use nodes::NodeTree;
+pub use writer::new_file::write;
+pub(super) use writer::new_file::write_with_materials;
 
 use super::text::counted;
 use super::{Document, Format, Loaded, Note, Place, Problem, ReadError, ReadOptions};
-use buffers::Buffers;
-use container::Glb;
-use document::Records;
-use fields::{At, Fields};
-use json::Json;
-use mesh::{Assembler, Layout, Materials, VertexSource};
+use container::buffers::Buffers;
+use container::glb::Glb;
+use document::mesh::{Assembler, Layout, Materials, VertexSource};
+use document::records::Records;
+use json::fields::{At, Fields};
+use json::tree::Json;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::cell::Cell;
 use std::collections::BTreeMap;
@@ -130,7 +117,7 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
         let found = format!("{} bytes, more than the limit of {}", bytes.len(), options.limits.bytes);
         return Err(ReadError::new(Problem::Limit, Place::File, found, "split the file"));
     }
-    let (glb, json, file) = if container::is_glb(&bytes) {
+    let (glb, json, file) = if container::glb::is_glb(&bytes) {
         let glb = Glb::parse(&bytes, &mut notes)?;
         let span = glb.json();
         let json = Json::parse(bytes[span.clone()].to_vec(), span.start as u64, options.limits.json_depth)?;
@@ -150,16 +137,26 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
     let root = Fields { json, object: json.root(), at: At::default() };
     extensions::check(&root, &mut notes)?;
     let bin = glb.as_ref().and_then(Glb::bin);
-    let buffers = buffers::load(json, &records.buffers, file, bin, base, options)?;
-    let images = buffers::check_images(json, &document::list(&root, "images")?, base, options, &mut notes)?;
+    let buffers = container::buffers::load(json, &records.buffers, file, bin, base, options)?;
+    let images = container::buffers::check_images(
+        json,
+        &document::records::list(&root, "images")?,
+        base,
+        options,
+        &mut notes,
+    )?;
     check_primitive_count(&records, input + buffers.total())?;
-    let nodes = nodes::read(json, records.meshes.len(), &mut notes)?;
+    let nodes = document::nodes::read(json, records.meshes.len(), &mut notes)?;
 
     // A value takes at most six times its stored bytes when decoded; twelve times allows for shared ones.
     let memory = 12 * (input + buffers.total()) + 24 * options.limits.implied_elements;
     let implied_limit = options.limits.implied_elements;
-    let source =
-        accessor::Source { records: &records, buffers: &buffers, implied_limit, memory: Cell::new(memory) };
+    let source = document::accessor::Source {
+        records: &records,
+        buffers: &buffers,
+        implied_limit,
+        memory: Cell::new(memory),
+    };
     let mut assembler = Assembler {
         source,
         non_finite: options.non_finite,

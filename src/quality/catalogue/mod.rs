@@ -7,8 +7,8 @@ mod shading;
 mod smoothing;
 mod stored;
 
-use super::finding::{Element, Severity};
 use crate::num::three_digits;
+use crate::quality::finding::{Element, Severity};
 
 /// A kind of finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

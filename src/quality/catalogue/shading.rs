@@ -1,7 +1,7 @@
 //! Findings about what even right normals will show.
 
-use super::super::finding::Severity;
-use super::{Entry, Kind, entry};
+use crate::quality::catalogue::{Entry, Kind, entry};
+use crate::quality::finding::Severity;
 
 const fn risk(
     kind: Kind,

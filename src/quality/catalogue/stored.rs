@@ -1,7 +1,7 @@
 //! Findings about the normals that a file has.
 
-use super::super::finding::Severity;
-use super::{Entry, Kind, entry};
+use crate::quality::catalogue::{Entry, Kind, entry};
+use crate::quality::finding::Severity;
 
 pub(super) const ENTRIES: &[Entry] = &[
     entry(

@@ -1,7 +1,7 @@
 //! Polygons that are triangles in another file, whichever way they were cut.
 
-use super::matching::{MOST_STARTS, Side};
 use crate::mesh::Faces;
+use crate::quality::comparison::matching::{MOST_STARTS, Side};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 

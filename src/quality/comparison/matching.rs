@@ -5,8 +5,8 @@
 //! place are matched in their order. Of what is left over, polygons are matched with the triangles that they became, and
 //! polygons that became other polygons as triangles.
 
-use super::cut::cuts;
 use crate::mesh::{Faces, Mesh, triangulate};
+use crate::quality::comparison::cut::cuts;
 use rayon::prelude::*;
 
 /// Faces of one place that are looked through for one that runs the same way, before any is taken.

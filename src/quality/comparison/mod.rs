@@ -3,13 +3,14 @@
 mod cut;
 mod matching;
 
-use super::catalogue::Kind;
-use super::diagnosis::{Diagnosis, locate, site};
-use super::tally::Spot;
-use super::{Site, key_light_steps};
 use crate::io::Loaded;
 use crate::mesh::{Mesh, stored_unit};
 use crate::num::{CompensatedSum, Degrees, angle_between};
+use crate::quality::catalogue::Kind;
+use crate::quality::counts::Spot;
+use crate::quality::diagnosis::{Diagnosis, locate, site};
+use crate::quality::effect::lost_light::key_light_steps;
+use crate::quality::finding::Site;
 use glam::DVec3;
 use matching::{Matching, Side};
 use rayon::prelude::*;
@@ -179,7 +180,7 @@ pub fn compare(
 /// How often each kind was found before and after.
 fn changed_findings(diagnoses: [&Diagnosis; 2]) -> Vec<(Kind, [u64; 2])> {
     let count = |kind| diagnoses.map(|found| found.get(kind).map_or(0, |finding| finding.count));
-    let kinds = super::catalogue::entries().map(|entry| entry.kind);
+    let kinds = crate::quality::catalogue::entries().map(|entry| entry.kind);
     kinds
         .map(|kind| (kind, count(kind)))
         .filter(|(_, counts)| counts.iter().any(|&count| count > 0))

@@ -1,12 +1,13 @@
 //! From a mesh file to a scene.
 
-use super::lights::plain_material;
-use super::{LoadOptions, SceneFile, SceneMesh, SceneObject, SceneShape, looks, split};
 use crate::io::{Appearance, FileMaterial, FileNode, FileReflection, Format, Loaded, Note, Part};
 use crate::io::{FileCamera, Place, Problem, ReadError, Severity};
 use crate::mesh::{NONE, normal_matrix};
 use crate::num::LinearRgb;
-use crate::raster::{Camera, RenderSettings};
+use crate::raster::load::lights::plain_material;
+use crate::raster::load::{LoadOptions, SceneFile, SceneMesh, SceneObject, SceneShape, looks, split};
+use crate::raster::settings::RenderSettings;
+use crate::raster::view::camera::Camera;
 use crate::shade::{Light, Material};
 use glam::{DMat3, DMat4, DVec3};
 use rayon::prelude::*;
@@ -34,7 +35,7 @@ impl SceneFile {
     /// Images and transparency are not drawn, and nothing is cut off at the far distance of a camera, which notes tell where it
     /// matters. Colours of vertices show where they are [given](SceneObject::given), which of materials only unlit ones are.
     ///
-    /// [`default_lights`]: super::default_lights
+    /// [`default_lights`]: crate::raster::load::default_lights
     ///
     /// # Errors
     /// If it has no faces, places beyond all measure, or a first camera that the format does not allow, unless

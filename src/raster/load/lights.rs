@@ -1,7 +1,7 @@
 //! The light of scenes that have none of their own.
 
 use crate::num::LinearRgb;
-use crate::raster::Camera;
+use crate::raster::view::camera::Camera;
 use crate::shade::{Light, Material, Reflectance};
 use glam::DVec3;
 

@@ -1,12 +1,12 @@
 //! From what files say of looks to materials, cameras and lights of this crate.
 
-use super::lights::plain_material;
 use crate::io::{
     Appearance, FileCamera, FileLight, FileLightKind, FileMaterial, FileProjection, FileReflection, Note,
     Place, Problem, ReadError, Severity,
 };
 use crate::num::{LinearRgb, Radians};
-use crate::raster::{Camera, Projection};
+use crate::raster::load::lights::plain_material;
+use crate::raster::view::camera::{Camera, Projection};
 use crate::shade::{Attenuation, Cone, Light, Material, Reflectance, Reflection, roughness_exponent};
 use glam::DVec3;
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_2};

@@ -1,10 +1,10 @@
 //! From a part of a file to a mesh with the normals that it would be written with.
 
-use super::{LoadOptions, SceneMesh};
 use crate::io::{Format, Part};
 use crate::mesh::FaceEdit;
 use crate::normals::compute;
 use crate::num::{LinearRgb, Transfer};
+use crate::raster::load::{LoadOptions, SceneMesh};
 use rayon::prelude::*;
 
 impl SceneMesh {

@@ -125,7 +125,8 @@ const LARGEST_SCENE: u64 = 64 << 20;
 mod tests {
     use super::*;
     use crate::io::read_bytes;
-    use crate::raster::{RenderSettings, render};
+    use crate::raster::frame::render::render;
+    use crate::raster::settings::RenderSettings;
 
     fn scene(text: &str) -> SceneFile {
         let loaded = read_bytes(text.as_bytes().to_vec(), Some(Format::Obj), None, &ReadOptions::default());

@@ -1,8 +1,8 @@
 //! Scenes where single lengths or places leave the range that a picture's arithmetic has.
 
-use super::SceneFile;
 use crate::io::Note;
 use crate::num::unit_scale;
+use crate::raster::load::SceneFile;
 use crate::shade::Light;
 use glam::{DMat4, DVec3};
 

@@ -1,11 +1,13 @@
 //! A scene that owns what it shows.
 
-use super::lights::default_lights;
 use crate::io::Note;
 use crate::mesh::Mesh;
 use crate::normals::NormalField;
 use crate::num::LinearRgb;
-use crate::raster::{Camera, Object, Paint, RenderSettings, Scene, Shape};
+use crate::raster::load::lights::default_lights;
+use crate::raster::scene::{Object, Paint, Scene, Shape};
+use crate::raster::settings::RenderSettings;
+use crate::raster::view::camera::Camera;
 use crate::shade::{Light, Material};
 use crate::surface::Primitive;
 use glam::{DMat4, DVec3};
@@ -72,7 +74,7 @@ pub enum SceneShape {
 }
 
 impl SceneFile {
-    /// What [`render`](crate::raster::render) and [`probe`](crate::raster::probe) take. The camera that frames the
+    /// What [`render`](crate::raster::frame::render) and [`probe`](crate::raster::inspect::probe) take. The camera that frames the
     /// objects goes by the picture's size in [`settings`](Self::settings).
     pub fn scene(&self) -> Scene<'_> {
         let mut scene = self.unframed();

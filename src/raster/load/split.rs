@@ -1,8 +1,8 @@
 //! Meshes of several materials, taken apart.
 
-use super::SceneMesh;
 use crate::mesh::{Column, Columns, Faces, MeshBuilder, NONE};
 use crate::normals::{Faults, NormalField};
+use crate::raster::load::SceneMesh;
 
 /// The faces of a mesh by their label, in the order of the labels ([`NONE`] last): each a mesh of its own with the
 /// vertices that it uses, in their old order, and the normals that the whole had there. `None` if all faces have the

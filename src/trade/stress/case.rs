@@ -1,6 +1,6 @@
 //! What a case is, and what came out of it.
 
-use super::group::Group;
+use crate::trade::stress::group::Group;
 
 /// In what an error is counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

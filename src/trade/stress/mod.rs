@@ -7,7 +7,7 @@
 //! what the formula gives as it is usually written, in plain `f32`.
 //!
 //! ```
-//! use crease::trade::stress::{Group, catalogue};
+//! use normals::crease::trade::stress::{Group, catalogue};
 //!
 //! for case in catalogue().iter().filter(|case| case.group == Group::Product) {
 //!     let result = case.run();
@@ -21,30 +21,14 @@
 //! [`Precision::Faithful`]: crate::normals::Precision::Faithful
 //! [`Precision::Fast`]: crate::normals::Precision::Fast
 
-mod angle;
-mod attenuation;
-mod case;
-mod crease;
-mod degenerate;
-mod encoding;
-mod fan;
-mod fans;
+// The groups of cases.
 mod group;
-mod highlight;
-mod lit;
-mod magnitude;
-mod needle;
-mod non_finite;
-mod offset;
-mod plain;
-mod product;
-mod quadric;
-mod raster;
-mod scan;
-mod triangles;
-mod unit;
-mod valence;
-
+// A case and its outcome.
+mod case;
+// Cases about normals.
+mod normals;
+// Cases about lighting and drawing.
+mod pictures;
 pub use case::{Bound, Measured, StressCase, StressResult, Unit, Worst};
 pub use group::Group;
 
@@ -56,20 +40,20 @@ pub fn catalogue() -> Vec<StressCase> {
 /// The cases of one group.
 pub fn cases_of(group: Group) -> Vec<StressCase> {
     match group {
-        Group::Magnitude => magnitude::cases(),
-        Group::Offset => offset::cases(),
-        Group::Needle => needle::cases(),
-        Group::Degenerate => degenerate::cases(),
-        Group::NonFinite => non_finite::cases(),
-        Group::Valence => valence::cases(),
-        Group::Fan => fan::cases().into_iter().chain(quadric::cases()).collect(),
-        Group::Angle => angle::cases(),
-        Group::Crease => crease::cases(),
-        Group::Unit => unit::cases(),
-        Group::Product => product::cases(),
-        Group::Highlight => highlight::cases(),
-        Group::Attenuation => attenuation::cases(),
-        Group::Raster => raster::cases(),
-        Group::Encoding => encoding::cases(),
+        Group::Magnitude => normals::magnitude::cases(),
+        Group::Offset => normals::offset::cases(),
+        Group::Needle => normals::sliver::cases(),
+        Group::Degenerate => normals::degenerate::cases(),
+        Group::NonFinite => normals::non_finite::cases(),
+        Group::Valence => normals::valence::cases(),
+        Group::Fan => normals::fan::cases().into_iter().chain(normals::quadric::cases()).collect(),
+        Group::Angle => normals::angle::cases(),
+        Group::Crease => normals::crease::cases(),
+        Group::Unit => normals::unit::cases(),
+        Group::Product => normals::product::cases(),
+        Group::Highlight => pictures::highlight::cases(),
+        Group::Attenuation => pictures::attenuation::cases(),
+        Group::Raster => pictures::triangles::cases(),
+        Group::Encoding => normals::encoding::cases(),
     }
 }

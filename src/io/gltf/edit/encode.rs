@@ -1,7 +1,7 @@
 //! Normals as they are stored.
 
 use crate::io::NormalFormat;
-use crate::io::gltf::document::{Component, Format};
+use crate::io::gltf::document::records::{Component, Format};
 use glam::DVec3;
 
 /// How the normals of a primitive are to be stored, from how they were.

@@ -1,17 +1,17 @@
 //! New normals for the primitives that share one set of vertices.
 
-use super::Remarks;
-use super::indices::rewrite_indices;
-use super::member::Member;
-use super::rows::{Rows, SlotTables, Stored};
-use super::store::{NewData, Store};
-use super::tangents::{Corners, tangents};
-use crate::io::gltf::accessor::{Elements, Source};
-use crate::io::gltf::data::Target;
-use crate::io::gltf::document::{Component, Format};
-use crate::io::gltf::fields::{At, Fields};
-use crate::io::gltf::json::Value;
-use crate::io::gltf::mesh::VertexSource;
+use crate::io::gltf::document::accessor::{Elements, Source};
+use crate::io::gltf::document::mesh::VertexSource;
+use crate::io::gltf::document::records::{Component, Format};
+use crate::io::gltf::edit::Remarks;
+use crate::io::gltf::edit::indices::rewrite_indices;
+use crate::io::gltf::edit::member::Member;
+use crate::io::gltf::edit::rows::{Rows, SlotTables, Stored};
+use crate::io::gltf::edit::store::{NewData, Store};
+use crate::io::gltf::edit::tangents::{Corners, tangents};
+use crate::io::gltf::json::fields::{At, Fields};
+use crate::io::gltf::json::tree::Value;
+use crate::io::gltf::writer::data::Target;
 use crate::io::{ReadError, TangentPolicy, WriteError, WriteOptions};
 use crate::mesh::{NONE, VertexSplit, split_vertices};
 use rustc_hash::FxHashMap;

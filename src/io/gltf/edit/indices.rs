@@ -1,12 +1,12 @@
 //! New indices for a primitive.
 
-use super::Remarks;
-use super::member::Member;
-use super::store::{NewData, Store};
 use crate::io::WriteError;
-use crate::io::gltf::data::Target;
-use crate::io::gltf::document::{Component, Format};
-use crate::io::gltf::primitive::mode;
+use crate::io::gltf::document::primitive::mode;
+use crate::io::gltf::document::records::{Component, Format};
+use crate::io::gltf::edit::Remarks;
+use crate::io::gltf::edit::member::Member;
+use crate::io::gltf::edit::store::{NewData, Store};
+use crate::io::gltf::writer::data::Target;
 use std::borrow::Cow;
 
 /// Gives a primitive new triangles, as plain ones, if they are not what it has. Their type is as wide as it was, or

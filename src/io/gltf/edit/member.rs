@@ -1,8 +1,8 @@
 //! Which corners of which primitives an edit concerns.
 
 use crate::io::gltf::GltfDocument;
-use crate::io::gltf::document::Primitive;
-use crate::io::gltf::mesh::{Block, Piece};
+use crate::io::gltf::document::mesh::{Block, Piece};
+use crate::io::gltf::document::records::Primitive;
 use crate::io::{Loaded, PartEdit};
 use crate::mesh::{Column, Mesh};
 use glam::DVec3;

@@ -10,9 +10,9 @@ mod rows;
 pub(super) mod store;
 mod tangents;
 
-use super::GltfDocument;
-use super::extensions::QUANTIZATION;
-use super::package;
+use crate::io::gltf::GltfDocument;
+use crate::io::gltf::container::package;
+use crate::io::gltf::extensions::QUANTIZATION;
 use crate::io::{Format, Loaded, Note, Part, PartEdit, Place, WriteError, WriteOptions, Written};
 pub(super) use encode::steps;
 use group::Group;

@@ -1,9 +1,9 @@
 //! Who refers to what: which accessors, views and bytes may be changed without touching anything else.
 
 use crate::io::gltf::GltfDocument;
-use crate::io::gltf::accessor::Source;
-use crate::io::gltf::buffers::Storage;
-use crate::io::gltf::json::{Json, Kind, Value};
+use crate::io::gltf::container::buffers::Storage;
+use crate::io::gltf::document::accessor::Source;
+use crate::io::gltf::json::tree::{Json, Kind, Value};
 use rustc_hash::FxHashSet;
 use std::ops::Range;
 

@@ -1,10 +1,10 @@
 //! What an edit has to say, and what it must not do.
 
-use super::member::Member;
-use super::store::Store;
 use crate::io::gltf::GltfDocument;
+use crate::io::gltf::edit::member::Member;
+use crate::io::gltf::edit::store::Store;
 use crate::io::gltf::extensions::{DRACO, ORDERED, has_implicit_features};
-use crate::io::gltf::fields::Fields;
+use crate::io::gltf::json::fields::Fields;
 use crate::io::text::counted;
 use crate::io::{Note, Place, WriteError};
 

@@ -1,10 +1,10 @@
 //! The values that a vertex can have: a stored normal and the deltas of each morph target, as bytes.
 
-use super::encode;
-use super::member::Member;
-use crate::io::gltf::accessor::Source;
-use crate::io::gltf::document::Format;
-use crate::io::gltf::mesh::VertexSource;
+use crate::io::gltf::document::accessor::Source;
+use crate::io::gltf::document::mesh::VertexSource;
+use crate::io::gltf::document::records::Format;
+use crate::io::gltf::edit::encode;
+use crate::io::gltf::edit::member::Member;
 use crate::io::{NormalFormat, ReadError};
 use crate::mesh::{Column, NONE};
 use glam::{DVec3, Vec3};

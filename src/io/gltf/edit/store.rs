@@ -1,13 +1,13 @@
 //! New data for accessors, in the least invasive place: over the old bytes, or appended.
 
-use super::refs::References;
 use crate::io::gltf::GltfDocument;
-use crate::io::gltf::buffers::Storage;
-use crate::io::gltf::container::padded;
-use crate::io::gltf::data::{Bounds, Target, accessor_json, number_list, view_json};
-use crate::io::gltf::document::{Component, Format};
-use crate::io::gltf::json::{Value, quoted};
-use crate::io::gltf::splice::{Changes, Splices, changed_object};
+use crate::io::gltf::container::buffers::Storage;
+use crate::io::gltf::container::glb::padded;
+use crate::io::gltf::document::records::{Component, Format};
+use crate::io::gltf::edit::refs::References;
+use crate::io::gltf::json::splice::{Changes, Splices, changed_object};
+use crate::io::gltf::json::tree::{Value, quoted};
+use crate::io::gltf::writer::data::{Bounds, Target, accessor_json, number_list, view_json};
 use rustc_hash::FxHashSet;
 use std::borrow::Cow;
 use std::ops::Range;

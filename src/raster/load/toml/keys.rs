@@ -1,6 +1,6 @@
 //! What a scene file may say: its tables and keys.
 
-use super::values::{Colour, Number, Reflects, Step, Vector};
+use crate::raster::load::toml::values::{Colour, Number, Reflects, Step, Vector};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use toml::Spanned;

@@ -1,10 +1,10 @@
 //! The lights of a scene file.
 
-use super::keys::{AttenuationKeys, LightKeys, PointKeys, SpotKeys};
-use super::place::Source;
-use super::values::Number;
 use crate::io::ReadError;
 use crate::num::{Degrees, LinearRgb, Radians};
+use crate::raster::load::toml::keys::{AttenuationKeys, LightKeys, PointKeys, SpotKeys};
+use crate::raster::load::toml::place::Source;
+use crate::raster::load::toml::values::Number;
 use crate::shade::{AreaShape, Attenuation, Cone, Light, ShadeError};
 use glam::DVec4;
 use std::f64::consts::PI;

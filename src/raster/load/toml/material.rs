@@ -1,12 +1,12 @@
 //! The materials of a scene file.
 
-use super::choose;
-use super::keys::MaterialKeys;
-use super::lights::wrong;
-use super::place::Source;
-use super::values::{Number, Reflects};
 use crate::io::ReadError;
 use crate::num::LinearRgb;
+use crate::raster::load::toml::choose;
+use crate::raster::load::toml::keys::MaterialKeys;
+use crate::raster::load::toml::lights::wrong;
+use crate::raster::load::toml::place::Source;
+use crate::raster::load::toml::values::{Number, Reflects};
 use crate::shade::{Material, Reflectance, Reflection};
 use toml::Spanned;
 

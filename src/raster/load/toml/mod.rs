@@ -1,6 +1,6 @@
 //! Scenes written in TOML.
 //!
-//! `data/scenes` of the repository has annotated examples; [`load`](super::load()) documents every key.
+//! `data/scenes` of the repository has annotated examples; [`load`](crate::raster::load::load()) documents every key.
 
 mod keys;
 mod lights;
@@ -11,10 +11,10 @@ mod settings;
 mod surfaces;
 mod values;
 
-use super::{LoadOptions, SceneFile};
 use crate::io::ReadError;
 use crate::num::LinearRgb;
-use crate::raster::RenderSettings;
+use crate::raster::load::{LoadOptions, SceneFile};
+use crate::raster::settings::RenderSettings;
 use keys::SceneKeys;
 use objects::Builder;
 use place::Source;

@@ -1,17 +1,17 @@
 //! The objects of a scene file.
 
-use super::choose;
-use super::keys::{ObjectKeys, PolygonKeys, SurfaceKeys, TessellationKeys};
-use super::material::{Colouring, material};
-use super::place::Source;
-use super::surfaces::{surface, tessellation};
-use super::values::Vector;
 use crate::io::{self, Note, Place, Problem, ReadError, ReadOptions};
 use crate::mesh::{Column, Columns, Faces, Mesh, MeshBuilder, normal_matrix};
 use crate::normals::{When, compute};
 use crate::num::{LinearRgb, UnitVec3};
 use crate::raster::load::bare::{MOST_OBJECTS, MOST_PLACED_CORNERS};
 use crate::raster::load::lights::plain_material;
+use crate::raster::load::toml::choose;
+use crate::raster::load::toml::keys::{ObjectKeys, PolygonKeys, SurfaceKeys, TessellationKeys};
+use crate::raster::load::toml::material::{Colouring, material};
+use crate::raster::load::toml::place::Source;
+use crate::raster::load::toml::surfaces::{surface, tessellation};
+use crate::raster::load::toml::values::Vector;
 use crate::raster::load::{LoadOptions, SceneFile, SceneMesh, SceneObject, SceneShape};
 use crate::surface::{Primitive, Surface};
 use glam::{DMat3, DMat4};

@@ -1,17 +1,16 @@
 //! The settings and the camera of a scene file.
 
-use super::choose;
-use super::keys::{CameraKeys, SettingsKeys, WireKeys};
-use super::material::Colouring;
-use super::place::Source;
-use super::values::Number;
 use crate::io::ReadError;
 use crate::num::{Degrees, Transfer};
+use crate::raster::load::toml::choose;
+use crate::raster::load::toml::keys::{CameraKeys, SettingsKeys, WireKeys};
+use crate::raster::load::toml::material::Colouring;
+use crate::raster::load::toml::place::Source;
+use crate::raster::load::toml::values::Number;
 use crate::raster::load::{SceneFile, SceneObject, SceneShape};
-use crate::raster::{
-    Bits, Camera, CameraError, Cull, FlatSample, Interpolation, LineStyle, Projection, RenderSettings,
-    Samples, Shading,
-};
+use crate::raster::samples::Samples;
+use crate::raster::settings::{Bits, Cull, FlatSample, Interpolation, LineStyle, RenderSettings, Shading};
+use crate::raster::view::camera::{Camera, CameraError, Projection};
 use crate::shade::{DepthCue, Guards, Terminator, ToneRule};
 use glam::DVec3;
 use toml::Spanned;
@@ -202,7 +201,7 @@ pub(super) fn camera(source: Source, keys: &Spanned<CameraKeys>) -> Result<Camer
     let camera = Camera {
         eye,
         target,
-        up: keys.up.map_or(DVec3::Y, super::values::Vector::get),
+        up: keys.up.map_or(DVec3::Y, crate::raster::load::toml::values::Vector::get),
         projection,
         near: keys.near.map_or(near, |Number(near)| near),
     };

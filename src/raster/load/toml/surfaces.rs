@@ -1,7 +1,7 @@
 //! The analytic surfaces of a scene file.
 
-use super::keys::{PatternKeys, SurfaceKeys, TessellationKeys};
-use super::values::Number;
+use crate::raster::load::toml::keys::{PatternKeys, SurfaceKeys, TessellationKeys};
+use crate::raster::load::toml::values::Number;
 use crate::surface::{
     Catenoid, Cone, Cylinder, Ellipsoid, MonkeySaddle, Pattern, Plane, Sphere, Superquadric, Surface,
     SurfaceError, Tessellation, Torus, Wave,

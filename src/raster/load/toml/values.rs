@@ -1,7 +1,7 @@
 //! Values of scene files: numbers that are finite, colours, reflectances, transforms.
 
 use crate::num::{LinearRgb, Srgb8};
-use crate::raster::rotation;
+use crate::raster::load::rotation;
 use crate::shade::Reflectance;
 use glam::{DMat4, DVec3};
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};

@@ -1,0 +1,278 @@
+//! A changed document as files: the same spelling again, or `.gltf` as `.glb` and the other way round.
+
+use crate::io::companion::{leads_to, output_name};
+use crate::io::gltf::GltfDocument;
+use crate::io::gltf::container::buffers::Storage;
+use crate::io::gltf::container::glb;
+use crate::io::gltf::container::uri;
+use crate::io::gltf::edit::store::{Changed, Store};
+use crate::io::gltf::json::splice::{Splices, changed_object};
+use crate::io::gltf::json::tree::{Json, Value, quoted};
+use crate::io::text::counted;
+use crate::io::{Format, Note, OutputContent, OutputFile, Place, WriteError, WriteOptions, Written};
+use std::path::Path;
+
+/// Makes the output of a changed document.
+pub(in crate::io::gltf) fn package(
+    document: &GltfDocument,
+    mut store: Store<'_>,
+    to: Format,
+    options: &WriteOptions,
+) -> Result<Written, WriteError> {
+    let mut written = Written::default();
+    let into_one = to == Format::Glb && document.glb.is_none();
+    if !into_one {
+        settle_buffers(document, &mut store, options, &mut written);
+    }
+    match (&document.glb, to) {
+        (Some(_), Format::Glb) => same_glb(document, store, &mut written)?,
+        (Some(_), _) => as_gltf(document, store, options, &mut written)?,
+        (None, Format::Glb) => as_glb(document, store, &mut written)?,
+        (None, _) => same_gltf(document, store, options, &mut written),
+    }
+    copy_images(document, options, &mut written);
+    Ok(written)
+}
+
+/// Sees to it that the output finds the buffers that are files: beside it under the name that they have, or where they
+/// are if their name leads there. Else they get a name that does not lead out of the output's folder, or, in a
+/// stream, a place in the document itself.
+fn settle_buffers(
+    document: &GltfDocument,
+    store: &mut Store<'_>,
+    options: &WriteOptions,
+    written: &mut Written,
+) {
+    for (buffer, &object) in document.buffers.list.iter().zip(&document.records.buffers) {
+        let Storage::File { name, path, bytes } = &buffer.storage else { continue };
+        let Some(stem) = &options.stem else {
+            store.splices.set(object, "uri", quoted(&uri::encode_data(bytes)));
+            continue;
+        };
+        let beside = output_name(Path::new(""), name);
+        if beside.is_none() && leads_to(options.folder.as_deref(), name, path) {
+            continue;
+        }
+        let beside = beside.unwrap_or_else(|| {
+            let taken =
+                |other: &OutputFile| matches!(&other.content, OutputContent::CopyOf(file) if file == path);
+            let known = written.companions.iter().find(|other| taken(other)).map(|other| other.name.clone());
+            let safe = known.unwrap_or_else(|| free_name(document, written, stem, &bare_name(path)));
+            store.splices.set(object, "uri", quoted(&uri::percent_encoded(&safe)));
+            safe
+        });
+        add_copy(beside, path, written);
+    }
+}
+
+/// The last part of a path, without what would make it lead elsewhere.
+fn bare_name(path: &Path) -> String {
+    path.file_name().map_or_else(|| "buffer.bin".into(), |name| name.to_string_lossy().into_owned())
+}
+
+fn add_copy(name: String, path: &Path, written: &mut Written) {
+    if !written.companions.iter().any(|file| file.name == name) {
+        written.companions.push(OutputFile { name, content: OutputContent::CopyOf(path.to_owned()) });
+    }
+}
+
+fn same_glb(document: &GltfDocument, store: Store<'_>, written: &mut Written) -> Result<(), WriteError> {
+    let Some(glb) = &document.glb else { return Ok(()) };
+    if store.is_empty() {
+        written.bytes = document.buffers.file.clone();
+        return Ok(());
+    }
+    // A GLB keeps to one file even where it has no BIN chunk to append to.
+    let changed = store.finish(None, |extra| Some(uri::encode_data(extra)));
+    let json =
+        if changed.json == document.records.json.text() { &changed.json } else { unpadded(&changed.json) };
+    written.bytes = glb.rewrite(&document.buffers.file, json, changed.bin.as_deref())?;
+    Ok(())
+}
+
+fn same_gltf(document: &GltfDocument, store: Store<'_>, options: &WriteOptions, written: &mut Written) {
+    // A document that is one file stays one.
+    let external = document.buffers.list.iter().any(|buffer| matches!(buffer.storage, Storage::File { .. }));
+    let stem = options.stem.as_ref().filter(|_| external);
+    let name = stem.map(|stem| free_name(document, written, stem, "normals.bin"));
+    let stale = stem.and_then(|stem| own_earlier(document, stem));
+    let changed = store.finish(stale, |extra| {
+        Some(name.as_ref().map_or_else(|| uri::encode_data(extra), |name| uri::percent_encoded(name)))
+    });
+    written.bytes = changed.json.into_bytes();
+    if let (Some(name), Some(extra)) = (name, changed.extra) {
+        if let Some(Storage::File { path, .. }) =
+            changed.replaced.map(|buffer| &document.buffers.list[buffer].storage)
+        {
+            written.companions.retain(|file| file.content != OutputContent::CopyOf(path.clone()));
+        }
+        written.companions.insert(0, OutputFile { name, content: OutputContent::Bytes(extra) });
+    }
+}
+
+/// The last buffer whose file an earlier edit of this document wrote, which the next may replace. The file itself gets
+/// another name all the same: until the document is stored, the old one has to find what it refers to.
+fn own_earlier(document: &GltfDocument, stem: &str) -> Option<usize> {
+    let is_own = |name: &str| {
+        let number = name.strip_prefix(stem).and_then(|name| name.strip_prefix(".normals"));
+        let number = number.and_then(|name| name.strip_suffix(".bin"));
+        number.is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()))
+    };
+    document
+        .buffers
+        .list
+        .iter()
+        .rposition(|buffer| matches!(&buffer.storage, Storage::File { name, .. } if is_own(name)))
+}
+
+/// A name for a file beside the output, `<stem>.<name>` or with a number in it, that no other such file has.
+fn free_name(document: &GltfDocument, written: &Written, stem: &str, name: &str) -> String {
+    let is_taken = |name: &String| {
+        let of_input = document.buffers.list.iter().any(|buffer| match &buffer.storage {
+            Storage::File { name: other, .. } => output_name(Path::new(""), other).as_ref() == Some(name),
+            _ => false,
+        });
+        of_input || written.companions.iter().any(|file| file.name == *name)
+    };
+    let (front, extension) = name.rsplit_once('.').unwrap_or((name, "bin"));
+    let front = if front.is_empty() { stem.to_owned() } else { format!("{stem}.{front}") };
+    let numbered = (2_u64..).map(|number| format!("{front}{number}.{extension}"));
+    let mut names = std::iter::once(format!("{front}.{extension}")).chain(numbered);
+    names.find(|name| !is_taken(name)).unwrap_or_default()
+}
+
+/// `.glb` from `.gltf`: all buffers become one, and views move with them.
+fn as_glb(document: &GltfDocument, store: Store<'_>, written: &mut Written) -> Result<(), WriteError> {
+    let Changed { json, extra, .. } = store.finish(None, |_| None);
+    let json = reparsed(json)?;
+    let lists = |name: &str| -> Vec<Value> {
+        json.member(json.root(), name).into_iter().flat_map(|list| json.elements(list)).collect()
+    };
+    let objects = lists("buffers");
+    let contents: Vec<Option<&[u8]>> = (0..document.buffers.list.len())
+        .map(|buffer| document.buffers.bytes(buffer))
+        .chain([extra.as_deref()])
+        .collect();
+    let mut splices = Splices::new(&json);
+    let mut pieces: Vec<&[u8]> = Vec::new();
+    let mut homes: Vec<(usize, u64)> = Vec::new();
+    let (mut length, mut absent) = (0_usize, Vec::new());
+    for (&object, content) in objects.iter().zip(&contents) {
+        match content {
+            Some(bytes) => {
+                homes.push((0, length as u64));
+                pieces.extend([bytes, &[0; 4][..glb::padded(bytes.len()) - bytes.len()]]);
+                length += glb::padded(bytes.len());
+            }
+            None => {
+                absent.push(json.raw(object).to_owned());
+                homes.push((absent.len(), 0));
+            }
+        }
+    }
+    for view in lists("bufferViews") {
+        move_reference(&json, view, &homes, &mut splices);
+        let extensions = json.member(view, "extensions");
+        for (_, compressed) in extensions.into_iter().flat_map(|extensions| json.members(extensions)) {
+            move_reference(&json, compressed, &homes, &mut splices);
+        }
+    }
+    if let (Some(list), Some(&first)) = (json.member(json.root(), "buffers"), objects.first()) {
+        // The first buffer's object stands for all, so that its name and extras survive.
+        let changes = vec![("uri".to_owned(), None), ("byteLength".to_owned(), Some(length.to_string()))];
+        let merged = std::iter::once(changed_object(&json, first, &changes)).chain(absent);
+        splices.replace(list, format!("[{}]", merged.collect::<Vec<_>>().join(",")));
+        let named = |object: &Value| {
+            json.members(*object).any(|(key, _)| !matches!(json.raw(key), "\"uri\"" | "\"byteLength\""))
+        };
+        if objects[1..].iter().any(named) {
+            written.notes.push(Note::remark(
+                "buffers were merged into one; what the others said of themselves is lost",
+            ));
+        }
+    }
+    written.bytes = glb::glb(unpadded(&splices.apply()), &pieces)?;
+    Ok(())
+}
+
+/// Points what has `buffer` and `byteOffset` at the merged buffer.
+fn move_reference(json: &Json, object: Value, homes: &[(usize, u64)], splices: &mut Splices<'_>) {
+    let integer = |name: &str| json.integer(json.member(object, name)?);
+    let Some(buffer) = integer("buffer") else { return };
+    let Some(&(home, offset)) = usize::try_from(buffer).ok().and_then(|buffer| homes.get(buffer)) else {
+        return;
+    };
+    if home as u64 != buffer {
+        splices.set(object, "buffer", home);
+    }
+    if offset > 0 {
+        splices.set(object, "byteOffset", integer("byteOffset").unwrap_or(0).saturating_add(offset));
+    }
+}
+
+/// `.gltf` from `.glb`: the BIN chunk becomes a file, or part of the text.
+fn as_gltf(
+    document: &GltfDocument,
+    store: Store<'_>,
+    options: &WriteOptions,
+    written: &mut Written,
+) -> Result<(), WriteError> {
+    let Some(glb) = &document.glb else { return Ok(()) };
+    let changed = store.finish(None, |extra| Some(uri::encode_data(extra)));
+    let json = reparsed(changed.json)?;
+    let mut splices = Splices::new(&json);
+    let buffers = json.member(json.root(), "buffers");
+    let first = buffers.and_then(|buffers| json.elements(buffers).next());
+    if let Some(first) = first.filter(|&first| json.member(first, "uri").is_none()) {
+        let bin = match (&changed.bin, glb.bin()) {
+            (Some(bin), _) => bin.as_slice(),
+            (None, Some(range)) => &document.buffers.file[range],
+            (None, None) => &[],
+        };
+        let length = json.member(first, "byteLength").and_then(|length| json.integer(length)).unwrap_or(0);
+        let bin = &bin[..bin.len().min(length as usize)];
+        match &options.stem {
+            Some(stem) => {
+                let name = free_name(document, written, stem, ".bin");
+                splices.set(first, "uri", quoted(&uri::percent_encoded(&name)));
+                let content = OutputContent::Bytes(bin.to_vec());
+                written.companions.push(OutputFile { name, content });
+            }
+            None => splices.set(first, "uri", quoted(&uri::encode_data(bin))),
+        }
+    }
+    if glb.other_chunks() > 0 {
+        let chunks = counted(glb.other_chunks(), "chunk", "chunks");
+        let text = format!("left out, because only a GLB can hold it: {chunks}");
+        written.notes.push(Note::warning(Place::File, text));
+    }
+    written.bytes = unpadded(&splices.apply()).as_bytes().to_vec();
+    Ok(())
+}
+
+/// Lists the images that the output refers to as the input does.
+fn copy_images(document: &GltfDocument, options: &WriteOptions, written: &mut Written) {
+    let mut left: Vec<&str> = Vec::new();
+    for (name, path) in &document.images {
+        match output_name(Path::new(""), name).filter(|_| options.stem.is_some()) {
+            Some(name) => add_copy(name, path, written),
+            None if leads_to(options.folder.as_deref(), name, path) => {}
+            None => left.push(name),
+        }
+    }
+    if let Some(first) = left.first() {
+        let images = counted(left.len(), "image", "images");
+        let text = format!("not copied, though the output refers to them: {images} (the first is {first:?})");
+        written.notes.push(Note::warning(Place::File, text));
+    }
+}
+
+fn reparsed(json: String) -> Result<Json, WriteError> {
+    // Splicing keeps JSON JSON; its depth was bounded when it was read.
+    Json::parse(json.into_bytes(), 0, usize::MAX).map_err(|error| WriteError::TooLarge(error.to_string()))
+}
+
+/// Without the blanks that filled up a GLB chunk.
+fn unpadded(json: &str) -> &str {
+    json.trim_end_matches(' ')
+}

@@ -1,0 +1,260 @@
+//! Changes to a JSON text that leave every other byte alone.
+
+use crate::io::gltf::json::tree::{Json, Value, quoted};
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// What becomes of the members of an object: a new text, or `None` to leave the member out.
+pub(in crate::io::gltf) type Changes = Vec<(String, Option<String>)>;
+
+/// Changes to objects and arrays of a text, to be made all at once.
+///
+/// New members and elements take over the blanks of the one before them, so that indented text stays indented.
+pub(in crate::io::gltf) struct Splices<'a> {
+    json: &'a Json,
+    objects: BTreeMap<Value, Changes>,
+    arrays: BTreeMap<Value, Vec<String>>,
+    values: BTreeMap<Value, String>,
+    /// Arrays that an object does not have yet.
+    new_arrays: BTreeMap<(Value, &'static str), Vec<String>>,
+}
+
+impl<'a> Splices<'a> {
+    pub(in crate::io::gltf) fn new(json: &'a Json) -> Self {
+        Self {
+            json,
+            objects: BTreeMap::new(),
+            arrays: BTreeMap::new(),
+            values: BTreeMap::new(),
+            new_arrays: BTreeMap::new(),
+        }
+    }
+
+    /// Gives a member of an object a new text, or adds the member.
+    pub(in crate::io::gltf) fn set(&mut self, object: Value, name: &str, text: impl ToString) {
+        self.change(object, name, Some(text.to_string()));
+    }
+
+    /// Takes a member out of an object, if it is there.
+    pub(in crate::io::gltf) fn remove(&mut self, object: Value, name: &str) {
+        self.change(object, name, None);
+    }
+
+    /// Makes several changes to an object.
+    pub(in crate::io::gltf) fn change_all(&mut self, object: Value, changes: Changes) {
+        for (name, text) in changes {
+            self.change(object, &name, text);
+        }
+    }
+
+    /// Adds an element to an array.
+    pub(in crate::io::gltf) fn push(&mut self, array: Value, text: String) {
+        self.arrays.entry(array).or_default().push(text);
+    }
+
+    /// Adds an element to a list of an object that does not have the list yet.
+    pub(in crate::io::gltf) fn push_new(&mut self, object: Value, name: &'static str, text: String) {
+        self.new_arrays.entry((object, name)).or_default().push(text);
+    }
+
+    /// Whether no change was asked for.
+    pub(in crate::io::gltf) fn is_empty(&self) -> bool {
+        self.objects.is_empty()
+            && self.arrays.is_empty()
+            && self.values.is_empty()
+            && self.new_arrays.is_empty()
+    }
+
+    /// Replaces a whole value that is in no other change.
+    pub(in crate::io::gltf) fn replace(&mut self, value: Value, text: String) {
+        self.values.insert(value, text);
+    }
+
+    /// The text with all changes made.
+    pub(in crate::io::gltf) fn apply(mut self) -> String {
+        let mut splices: Vec<(Range<usize>, String)> = Vec::new();
+        for ((object, name), elements) in std::mem::take(&mut self.new_arrays) {
+            self.set(object, name, format!("[{}]", elements.join(",")));
+        }
+        for (&object, changes) in &self.objects {
+            object_splices(self.json, object, changes, &mut splices);
+        }
+        for (&array, elements) in &self.arrays {
+            array_splices(self.json, array, elements, &mut splices);
+        }
+        splices.extend(self.values.into_iter().map(|(value, text)| (self.json.span(value), text)));
+        spliced(self.json.text(), 0..self.json.text().len(), splices)
+    }
+
+    fn change(&mut self, object: Value, name: &str, text: Option<String>) {
+        let changes = self.objects.entry(object).or_default();
+        match changes.iter_mut().find(|(other, _)| other == name) {
+            Some((_, old)) => *old = text,
+            None => changes.push((name.to_owned(), text)),
+        }
+    }
+}
+
+/// An object's text with changes made to it.
+pub(in crate::io::gltf) fn changed_object(json: &Json, object: Value, changes: &Changes) -> String {
+    let mut splices = Vec::new();
+    object_splices(json, object, changes, &mut splices);
+    spliced(json.text(), json.span(object), splices)
+}
+
+fn spliced(text: &str, range: Range<usize>, mut splices: Vec<(Range<usize>, String)>) -> String {
+    splices.sort_by_key(|(span, _)| (span.start, span.end));
+    let mut out =
+        String::with_capacity(range.len() + splices.iter().map(|(_, text)| text.len()).sum::<usize>());
+    let mut at = range.start;
+    for (span, replacement) in splices {
+        out.push_str(&text[at..span.start]);
+        out.push_str(&replacement);
+        at = span.end;
+    }
+    out.push_str(&text[at..range.end]);
+    out
+}
+
+fn object_splices(json: &Json, object: Value, changes: &Changes, out: &mut Vec<(Range<usize>, String)>) {
+    let members: Vec<(Range<usize>, Range<usize>)> =
+        json.members(object).map(|(key, value)| (json.span(key), json.span(value))).collect();
+    let names: Vec<_> = json.members(object).map(|(key, _)| json.string(key).unwrap_or_default()).collect();
+    let change = |name: &str| changes.iter().find(|(changed, _)| changed == name);
+    let mut kept = false;
+    for (number, (key, value)) in members.iter().enumerate() {
+        match change(&names[number]) {
+            Some((_, None)) => {
+                // A member leaves with the comma before it, or the one after it if none before it stays.
+                let span = match (kept, members.get(number + 1)) {
+                    (true, _) => members[number - 1].1.end..value.end,
+                    (false, Some((next, _))) => key.start..next.start,
+                    (false, None) => key.start..value.end,
+                };
+                out.push((span, String::new()));
+            }
+            Some((name, Some(text))) => {
+                kept = true;
+                // Of duplicates the last one counts.
+                if !names[number + 1..].iter().any(|later| later == name) {
+                    out.push((value.clone(), text.clone()));
+                }
+            }
+            None => kept = true,
+        }
+    }
+    let new = changes.iter().filter(|(name, _)| !names.iter().any(|old| old == name));
+    let new = new.filter_map(|(name, text)| Some((name, text.as_ref()?)));
+    let text = json.text();
+    let (colon, blanks, at) = match members.last() {
+        Some((key, value)) => (&text[key.end..value.start], blanks_before(text, key.start), value.end),
+        None => (":", "", json.span(object).end - 1),
+    };
+    let mut insertion = String::new();
+    for (name, text) in new {
+        if kept {
+            insertion.push(',');
+            insertion.push_str(blanks);
+        }
+        insertion.push_str(&quoted(name));
+        insertion.push_str(colon);
+        insertion.push_str(text);
+        kept = true;
+    }
+    if !insertion.is_empty() {
+        out.push((at..at, insertion));
+    }
+}
+
+fn array_splices(json: &Json, array: Value, elements: &[String], out: &mut Vec<(Range<usize>, String)>) {
+    let last = json.elements(array).last().map(|value| json.span(value));
+    let (at, separator) = match last {
+        Some(last) => (last.end, format!(",{}", blanks_before(json.text(), last.start))),
+        None => (json.span(array).end - 1, ",".to_owned()),
+    };
+    let mut insertion = elements.join(&separator);
+    if at != json.span(array).end - 1 || json.elements(array).next().is_some() {
+        insertion.insert_str(0, &separator);
+    }
+    out.push((at..at, insertion));
+}
+
+fn blanks_before(text: &str, at: usize) -> &str {
+    let blanks = text.as_bytes()[..at].iter().rev().take_while(|byte| byte.is_ascii_whitespace()).count();
+    &text[at - blanks..at]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parse(text: &str) -> Json {
+        Json::parse(text.as_bytes().to_vec(), 0, 32).unwrap()
+    }
+
+    fn changed(text: &str, changes: &[(&str, Option<&str>)]) -> String {
+        let json = parse(text);
+        let mut splices = Splices::new(&json);
+        for &(name, text) in changes {
+            match text {
+                Some(text) => splices.set(json.root(), name, text),
+                None => splices.remove(json.root(), name),
+            }
+        }
+        splices.apply()
+    }
+
+    #[test]
+    fn members_change_and_nothing_else_does() {
+        let text = "{ \"a\" : 1.0,\n  \"b\": [2] ,\n  \"c\": {} }";
+        assert_eq!(changed(text, &[("b", Some("3"))]), text.replace("[2]", "3"));
+        assert_eq!(
+            changed(text, &[("d", Some("4"))]),
+            "{ \"a\" : 1.0,\n  \"b\": [2] ,\n  \"c\": {},\n  \"d\": 4 }"
+        );
+        assert_eq!(changed(text, &[("zz", None)]), text);
+        assert_eq!(changed("{}", &[("d", Some("4")), ("e", Some("5"))]), "{\"d\":4,\"e\":5}");
+        assert_eq!(changed("{\"a\":1,\"a\":2}", &[("a", Some("3"))]), "{\"a\":1,\"a\":3}");
+    }
+
+    #[test]
+    fn every_way_to_take_members_out_leaves_json() {
+        let text = "{ \"a\" : 1 , \"b\":2,\"c\": 3 }";
+        for taken in 0..8_u32 {
+            for added in 0..3 {
+                let mut changes: Vec<(&str, Option<&str>)> = Vec::new();
+                let names = ["a", "b", "c"];
+                changes.extend((0..3).filter(|bit| taken >> bit & 1 == 1).map(|bit| (names[bit], None)));
+                changes.extend([("x", Some("8")), ("y", Some("9"))].into_iter().take(added));
+                let result: serde_json::Value = serde_json::from_str(&changed(text, &changes)).unwrap();
+                let members = result.as_object().unwrap();
+                assert_eq!(members.len(), 3 - taken.count_ones() as usize + added);
+                assert!(
+                    names
+                        .iter()
+                        .enumerate()
+                        .all(|(bit, name)| members.contains_key(*name) == (taken >> bit & 1 == 0))
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn arrays_grow_at_their_end() {
+        let json = parse("{\"a\":[ ],\"b\":[\n  1,\n  2\n]}");
+        let (a, b) = (json.member(json.root(), "a").unwrap(), json.member(json.root(), "b").unwrap());
+        let mut splices = Splices::new(&json);
+        splices.push(a, "7".into());
+        splices.push(a, "8".into());
+        splices.push(b, "3".into());
+        assert_eq!(splices.apply(), "{\"a\":[ 7,8],\"b\":[\n  1,\n  2,\n  3\n]}");
+    }
+
+    #[test]
+    fn a_copy_of_an_object_takes_changes() {
+        let json = parse("[{\"a\":1,\"b\":2}]");
+        let object = json.elements(json.root()).next().unwrap();
+        let changes = vec![("a".to_owned(), None), ("c".to_owned(), Some("3".to_owned()))];
+        assert_eq!(changed_object(&json, object, &changes), "{\"b\":2,\"c\":3}");
+    }
+}

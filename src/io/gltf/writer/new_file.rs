@@ -1,0 +1,328 @@
+//! A new glTF file from meshes.
+
+use crate::io::gltf::container::glb;
+use crate::io::gltf::container::uri;
+use crate::io::gltf::document::primitive::mode;
+use crate::io::gltf::edit::steps;
+use crate::io::gltf::extensions::QUANTIZATION;
+use crate::io::gltf::json::tree::quoted;
+use crate::io::gltf::writer::data::{Array, Blob, Bounds, Target, accessor_json, view_json};
+use crate::io::gltf::writer::material;
+use crate::io::gltf::writer::objects::pieces;
+use crate::io::gltf::writer::vertices::Shape;
+use crate::io::left_out::{Feature, left_out};
+use crate::io::rounding::displacement_note;
+use crate::io::text::counted;
+use crate::io::{
+    FileMaterial, Format, NormalFormat, Note, OutputContent, OutputFile, Part, Place, WriteError,
+    WriteOptions, Written,
+};
+use crate::mesh::{Column, FaceLabels, Mesh, NONE, VertexSplit};
+use glam::DVec3;
+use rayon::prelude::*;
+use rustc_hash::FxHashMap;
+use std::borrow::Cow;
+use std::fmt::Write as _;
+
+/// What glTF cannot hold. Smoothing groups live on in the normals that they led to.
+const NOT_HELD: [Feature; 2] = [Feature::HardEdges, Feature::MorphTargets];
+
+/// Writes a new `.glb` or `.gltf` of meshes: one mesh and one node a part, or an object of a part; one primitive a
+/// material.
+///
+/// Positions are rounded to `f32`, normals to the format that is asked for. Vertices are split where corners differ in normal or uv; polygons
+/// are cut into triangles. Faces with a corner without a normal become a primitive without normals, which glTF
+/// draws flat. A `.gltf` keeps its data in a companion `<stem>.bin`, or inside if there is no stem.
+///
+/// # Errors
+/// [`WriteError::Unsupported`] for a position beyond the range of `f32`; [`WriteError::TooLarge`] for a GLB
+/// beyond 4 GiB.
+pub fn write(parts: &[Part], to: Format, options: &WriteOptions) -> Result<Written, WriteError> {
+    write_with_materials(parts, &[], to, options)
+}
+
+/// As [`write`], with the colour and roughness of materials where they are known.
+pub(in crate::io) fn write_with_materials(
+    parts: &[Part],
+    materials: &[FileMaterial],
+    to: Format,
+    options: &WriteOptions,
+) -> Result<Written, WriteError> {
+    let (pieces, unused) = pieces(parts);
+    let known = materials.iter().map(|material| (material.name.as_str(), material)).collect();
+    let mut file = File { known, normal_format: options.normal_format, ..File::default() };
+    let mut written = Written::default();
+    for part in &pieces {
+        file.part(part, &mut written)?;
+    }
+    let old: usize = parts.iter().map(|part| part.mesh.vertex_count()).sum();
+    written.added_vertices = written.vertices.saturating_sub(old as u64);
+    written.notes.extend(notes(parts, unused, file.textures));
+    let embed = |data: &[&[u8]]| uri::encode_data(&data.concat());
+    if to == Format::Glb {
+        let json = file.json(None);
+        written.bytes = glb::glb(&json, &file.blob.pieces())?;
+    } else if file.blob.length == 0 {
+        written.bytes = file.json(None).into_bytes();
+    } else if let Some(stem) = &options.stem {
+        let name = format!("{stem}.bin");
+        written.bytes = file.json(Some(&uri::percent_encoded(&name))).into_bytes();
+        let content = OutputContent::Bytes(file.blob.pieces().concat());
+        written.companions.push(OutputFile { name, content });
+    } else {
+        written.bytes = file.json(Some(&embed(&file.blob.pieces()))).into_bytes();
+    }
+    Ok(written)
+}
+
+#[derive(Default)]
+struct File<'a> {
+    blob: Blob<'a>,
+    views: Vec<String>,
+    accessors: Vec<String>,
+    meshes: Vec<String>,
+    nodes: Vec<String>,
+    materials: Vec<String>,
+    material_numbers: FxHashMap<&'a str, usize>,
+    /// What is known of materials, by name.
+    known: FxHashMap<&'a str, &'a FileMaterial>,
+    /// Textures of the materials that are used.
+    textures: usize,
+    /// How normals are stored.
+    normal_format: NormalFormat,
+    /// Some are stored as integers.
+    is_quantized: bool,
+}
+
+impl<'a> File<'a> {
+    fn json(&self, buffer_uri: Option<&str>) -> String {
+        let generator = concat!("crease ", env!("CARGO_PKG_VERSION"));
+        let mut json = format!("{{\"asset\":{{\"version\":\"2.0\",\"generator\":{}}}", quoted(generator));
+        if self.is_quantized {
+            for list in ["extensionsUsed", "extensionsRequired"] {
+                let _ = write!(json, ",\"{list}\":[\"{QUANTIZATION}\"]");
+            }
+        }
+        if !self.nodes.is_empty() {
+            let all: Vec<String> = (0..self.nodes.len()).map(|node| node.to_string()).collect();
+            let _ = write!(json, ",\"scene\":0,\"scenes\":[{{\"nodes\":[{}]}}]", all.join(","));
+        }
+        let lists = [
+            ("nodes", &self.nodes),
+            ("meshes", &self.meshes),
+            ("materials", &self.materials),
+            ("accessors", &self.accessors),
+            ("bufferViews", &self.views),
+        ];
+        for (name, list) in lists.into_iter().filter(|(_, list)| !list.is_empty()) {
+            let _ = write!(json, ",\"{name}\":[{}]", list.join(","));
+        }
+        if self.blob.length > 0 {
+            let uri = buffer_uri.map_or(String::new(), |uri| format!(",\"uri\":{}", quoted(uri)));
+            let _ = write!(json, ",\"buffers\":[{{\"byteLength\":{}{uri}}}]", self.blob.length);
+        }
+        json.push('}');
+        json
+    }
+
+    fn part(&mut self, part: &'a Part, written: &mut Written) -> Result<(), WriteError> {
+        let mesh = &part.mesh;
+        if mesh.vertex_count() == 0 {
+            return Ok(());
+        }
+        let shape = Shape::new(mesh, written);
+        let attributes = self.attributes(mesh, &shape, written)?;
+        let mut primitives = Vec::new();
+        self.solids(mesh, shape, &attributes, &mut primitives);
+        self.loose(mesh, &attributes, &mut primitives);
+        let name =
+            if part.name.is_empty() { String::new() } else { format!(",\"name\":{}", quoted(&part.name)) };
+        self.nodes.push(format!("{{\"mesh\":{}{name}}}", self.meshes.len()));
+        self.meshes.push(format!("{{\"primitives\":[{}]{name}}}", primitives.join(",")));
+        Ok(())
+    }
+
+    /// Stores the vertex attributes, which all primitives of the part share.
+    fn attributes(
+        &mut self,
+        mesh: &Mesh,
+        shape: &Shape<'_>,
+        written: &mut Written,
+    ) -> Result<Attributes, WriteError> {
+        let columns = mesh.columns();
+        let vertices = shape.vertex_count(mesh);
+        written.vertices += vertices as u64;
+        let (positions, bounds) = positions(mesh, shape.split.as_ref(), &mut written.notes)?;
+        let mut loose =
+            format!("\"POSITION\":{}", self.store(Array::Vec3(positions), Target::Vertices, Some(&bounds)));
+        if let Some(colors) = &columns.colors {
+            let clamped = |color: &[f32; 4]| color.map(|c| if c > 0.0 { c.min(1.0) } else { 0.0 });
+            let colors = (0..vertices).map(|v| clamped(&colors[shape.source(v)])).collect();
+            let _ = write!(loose, ",\"COLOR_0\":{}", self.store(Array::Vec4(colors), Target::Vertices, None));
+        }
+        let mut flat = loose.clone();
+        if let Some(uvs) = &columns.uvs {
+            // glTF counts v from the top of the image, meshes count from the bottom.
+            let finite = |x: f64| if (x as f32).is_finite() { x as f32 } else { 0.0 };
+            let values = shape.values(mesh, uvs, [0.0; 2], |uv| [finite(uv.x), finite(1.0 - uv.y)]);
+            let _ =
+                write!(flat, ",\"TEXCOORD_0\":{}", self.store(Array::Vec2(values), Target::Vertices, None));
+        }
+        let mut full = flat.clone();
+        if let Some(normals) = &columns.normals {
+            let values = self.normals(mesh, shape, normals);
+            let _ = write!(full, ",\"NORMAL\":{}", self.store(values, Target::Vertices, None));
+        }
+        Ok(Attributes { loose, flat, full })
+    }
+
+    /// The normal of every vertex as it is to be stored, +z where there is none.
+    fn normals(&mut self, mesh: &Mesh, shape: &Shape<'_>, normals: &Column<DVec3>) -> Array<'a> {
+        let padded = |[x, y, z]: [i32; 3]| [x, y, z, 0];
+        self.is_quantized |= matches!(self.normal_format, NormalFormat::I8 | NormalFormat::I16);
+        match self.normal_format {
+            NormalFormat::Same | NormalFormat::F32 => {
+                Array::Vec3(shape.values(mesh, normals, [0.0, 0.0, 1.0], |n| n.as_vec3().to_array()))
+            }
+            NormalFormat::I16 => {
+                let coded = |n: &DVec3| padded(steps(*n, i32::from(i16::MAX))).map(|step| step as i16);
+                Array::Shorts3(shape.values(mesh, normals, coded(&DVec3::Z), coded))
+            }
+            NormalFormat::I8 => {
+                let coded = |n: &DVec3| padded(steps(*n, i32::from(i8::MAX))).map(|step| step as i8);
+                Array::Bytes3(shape.values(mesh, normals, coded(&DVec3::Z), coded))
+            }
+        }
+    }
+
+    /// The triangles, a primitive for each material, apart for faces without normals.
+    fn solids(
+        &mut self,
+        mesh: &'a Mesh,
+        shape: Shape<'a>,
+        attributes: &Attributes,
+        primitives: &mut Vec<String>,
+    ) {
+        let vertices = shape.vertex_count(mesh);
+        let groups = shape.groups(mesh);
+        let mut vertex_of = shape.vertex_of;
+        for (group, corners) in groups {
+            let indices = match corners {
+                None => std::mem::take(&mut vertex_of),
+                Some(corners) => corners.iter().map(|&corner| vertex_of[corner as usize]).collect(),
+            };
+            let indices = self.store(Array::indices(indices, vertices), Target::Indices, None);
+            let list = if group.flat { &attributes.flat } else { &attributes.full };
+            let mut json = format!("{{\"attributes\":{{{list}}},\"indices\":{indices}");
+            if let (Some(labels), true) = (&mesh.columns().materials, group.label != NONE) {
+                let _ = write!(json, ",\"material\":{}", self.material(labels, group.label));
+            }
+            json.push('}');
+            primitives.push(json);
+        }
+    }
+
+    /// Points and lines; a mesh with nothing but vertices is drawn as points.
+    fn loose(&mut self, mesh: &'a Mesh, attributes: &Attributes, primitives: &mut Vec<String>) {
+        let columns = mesh.columns();
+        let vertices = mesh.vertex_count();
+        let mut primitive = |file: &mut Self, mode: u64, indices: Cow<'a, [u32]>| {
+            let indices = file.store(Array::indices(indices, vertices), Target::Indices, None);
+            let list = &attributes.loose;
+            primitives.push(format!("{{\"attributes\":{{{list}}},\"indices\":{indices},\"mode\":{mode}}}"));
+        };
+        if !columns.points.is_empty() {
+            primitive(self, mode::POINTS, Cow::Borrowed(&columns.points));
+        }
+        match columns.lines.as_slice() {
+            [] => {}
+            [line] => primitive(self, mode::LINE_STRIP, Cow::Borrowed(line)),
+            lines => {
+                let segments = lines.iter().flat_map(|line| line.windows(2)).flatten();
+                primitive(self, mode::LINES, segments.copied().collect());
+            }
+        }
+        if mesh.face_count() == 0 && columns.points.is_empty() && columns.lines.is_empty() {
+            let list = &attributes.loose;
+            primitives.push(format!("{{\"attributes\":{{{list}}},\"mode\":{}}}", mode::POINTS));
+        }
+    }
+
+    fn material(&mut self, labels: &'a FaceLabels, label: u32) -> usize {
+        let name = labels.names[label as usize].as_str();
+        *self.material_numbers.entry(name).or_insert_with(|| {
+            let known = self.known.get(name);
+            self.textures += known.map_or(0, |material| material.textures);
+            let members = known.map(|known| material::members(known)).unwrap_or_default();
+            self.materials.push(format!("{{\"name\":{}{members}}}", quoted(name)));
+            self.materials.len() - 1
+        })
+    }
+
+    fn store(&mut self, array: Array<'a>, target: Target, bounds: Option<&Bounds>) -> usize {
+        let (format, length, count, stride) =
+            (array.format(), array.bytes().len(), array.count(), array.stride());
+        let offset = self.blob.push(array);
+        self.views.push(view_json(0, offset, length, stride, target));
+        self.accessors.push(accessor_json(self.views.len() - 1, format, count, bounds));
+        self.accessors.len() - 1
+    }
+}
+
+/// What did not come along.
+fn notes(parts: &[Part], unused: usize, textures: usize) -> Vec<Note> {
+    let mut notes = left_out("glTF", &NOT_HELD, parts);
+    if parts.iter().any(|part| part.mesh.columns().smoothing.is_some()) {
+        notes.push(Note::remark("glTF has no smoothing groups: the normals keep what they say"));
+    }
+    if textures > 0 {
+        let textures = counted(textures, "texture", "textures");
+        notes.push(Note::warning(Place::File, format!("left out, though materials name them: {textures}")));
+    }
+    if unused > 0 {
+        let vertices = counted(unused, "vertex", "vertices");
+        notes.push(Note::remark(format!("left out, because no object uses them: {vertices}")));
+    }
+    notes
+}
+
+/// The members of a primitive's `attributes`: of points and lines, of flat faces, of faces with normals.
+struct Attributes {
+    loose: String,
+    flat: String,
+    full: String,
+}
+
+/// Positions as `f32`, and their bounds.
+fn positions(
+    mesh: &Mesh,
+    split: Option<&VertexSplit>,
+    notes: &mut Vec<Note>,
+) -> Result<(Vec<[f32; 3]>, Bounds), WriteError> {
+    let round = |p: &DVec3| [p.x as f32, p.y as f32, p.z as f32];
+    let rounded: Vec<[f32; 3]> = mesh.positions().par_iter().map(round).collect();
+    let none = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
+    let join = |(low, high): ([f32; 3], [f32; 3]), (l, h): ([f32; 3], [f32; 3])| {
+        let axes = [0, 1, 2];
+        (axes.map(|axis| low[axis].min(l[axis])), axes.map(|axis| high[axis].max(h[axis])))
+    };
+    // One zero only: which of two wins would depend on how the work is divided.
+    let plain = |p: &[f32; 3]| p.map(|x| x + 0.0);
+    let (low, high) = rounded.par_iter().map(plain).map(|p| (p, p)).reduce(|| none, join);
+    if low.iter().chain(&high).any(|bound| bound.is_infinite()) {
+        let vertex = rounded.iter().position(|p| p.iter().any(|x| x.is_infinite())).unwrap_or(0);
+        let DVec3 { x, y, z } = mesh.positions()[vertex];
+        let text = format!(
+            "vertex {vertex}, counted from 0, at ({x:e}, {y:e}, {z:e}) is beyond the range of the 32-bit floats of glTF"
+        );
+        return Err(WriteError::Unsupported(format!("{text}; scale the model, or write PLY or OBJ")));
+    }
+    notes.extend(displacement_note(mesh));
+    let double = |bound: [f32; 3]| bound.map(f64::from).to_vec();
+    let bounds = Bounds { low: double(low), high: double(high) };
+    let rounded = match split {
+        Some(split) => split.source.iter().map(|&v| rounded[v as usize]).collect(),
+        None => rounded,
+    };
+    Ok((rounded, bounds))
+}

@@ -1,0 +1,264 @@
+//! The objects of a part as parts of their own, for a format where a node is what an object is.
+
+use crate::io::Part;
+use crate::mesh::{Column, Columns, FaceLabels, Faces, Mesh, MeshBuilder, NONE, SmoothingGroups};
+use glam::DVec3;
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+/// A part for each object, in the order of their first faces, and one for points and lines, which belong to none.
+/// Vertices that nothing uses are left out, and counted. `None` if all faces are of one object, or of none.
+///
+/// Normals are as they are: what was smoothed across objects stays smooth across them.
+pub(in crate::io::gltf) fn by_object(part: &Part) -> Option<(Vec<Part>, usize)> {
+    let mesh = &part.mesh;
+    let labels = mesh.columns().objects.as_ref()?;
+    let first = *labels.of_face.first()?;
+    if labels.of_face.iter().all(|&label| label == first) {
+        return None;
+    }
+    let mut faces_of: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+    let mut order = Vec::new();
+    for (face, &label) in labels.of_face.iter().enumerate() {
+        let faces = faces_of.entry(label).or_default();
+        if faces.is_empty() {
+            order.push(label);
+        }
+        faces.push(face as u32);
+    }
+    let mut cutter = Cutter::new(mesh);
+    let mut pieces = Vec::with_capacity(order.len() + 1);
+    for label in order {
+        let name = labels.names.get(label as usize).unwrap_or(&part.name).clone();
+        pieces.push(Part { name, mesh: cutter.piece(&faces_of[&label])?, non_finite_faces: Vec::new() });
+    }
+    if let Some(mesh) = cutter.loose()? {
+        pieces.push(Part { name: part.name.clone(), mesh, non_finite_faces: Vec::new() });
+    }
+    let unused = cutter.vertices.never_used();
+    Some((pieces, unused))
+}
+
+/// Cuts pieces out of a mesh, with numbers of their own.
+struct Cutter<'a> {
+    mesh: &'a Mesh,
+    vertices: Numbers,
+    normals: Numbers,
+    uvs: Numbers,
+    materials: Numbers,
+}
+
+/// Numbers of a list, counted anew for each piece in the order in which it asks for them.
+struct Numbers {
+    /// The number within the last piece that asked, and which piece that was.
+    known: Vec<(u32, u32)>,
+    piece: u32,
+    /// What the present piece has, by old numbers.
+    list: Vec<u32>,
+}
+
+impl Numbers {
+    fn new(count: usize) -> Self {
+        Self { known: vec![(0, 0); count], piece: 0, list: Vec::new() }
+    }
+
+    fn begin(&mut self) {
+        self.piece += 1;
+        self.list.clear();
+    }
+
+    fn of(&mut self, old: u32) -> u32 {
+        let (number, piece) = &mut self.known[old as usize];
+        if *piece != self.piece {
+            (*number, *piece) = (self.list.len() as u32, self.piece);
+            self.list.push(old);
+        }
+        *number
+    }
+
+    fn values<T: Clone>(&self, values: &[T]) -> Vec<T> {
+        self.list.iter().map(|&old| values[old as usize].clone()).collect()
+    }
+
+    fn never_used(&self) -> usize {
+        self.known.iter().filter(|(_, piece)| *piece == 0).count()
+    }
+}
+
+impl<'a> Cutter<'a> {
+    fn new(mesh: &'a Mesh) -> Self {
+        let columns = mesh.columns();
+        Self {
+            mesh,
+            vertices: Numbers::new(mesh.vertex_count()),
+            normals: Numbers::new(columns.normals.as_ref().map_or(0, |column| column.values.len())),
+            uvs: Numbers::new(columns.uvs.as_ref().map_or(0, |column| column.values.len())),
+            materials: Numbers::new(columns.materials.as_ref().map_or(0, |labels| labels.names.len())),
+        }
+    }
+
+    /// Some faces, with all that belongs to them. The pieces of a right mesh are right.
+    fn piece(&mut self, numbers: &[u32]) -> Option<Mesh> {
+        let (mesh, old) = (self.mesh, self.mesh.columns());
+        self.vertices.begin();
+        let mut faces = Faces::with_capacity(3 * numbers.len());
+        let mut corners = Vec::with_capacity(3 * numbers.len());
+        let mut face_corners = Vec::new();
+        for &face in numbers {
+            corners.extend(mesh.faces().range(face as usize));
+            face_corners.clear();
+            face_corners
+                .extend(mesh.faces().face(face as usize).iter().map(|&vertex| self.vertices.of(vertex)));
+            faces.push(&face_corners);
+        }
+        let columns = Columns {
+            normals: old.normals.as_ref().map(|column| cut(mesh, column, &corners, &mut self.normals)),
+            uvs: old.uvs.as_ref().map(|column| cut(mesh, column, &corners, &mut self.uvs)),
+            smoothing: old.smoothing.as_ref().map(|groups| SmoothingGroups {
+                of_face: numbers.iter().map(|&face| groups.of_face[face as usize]).collect(),
+                before_first: numbers.partition_point(|&face| (face as usize) < groups.before_first),
+            }),
+            materials: old.materials.as_ref().map(|labels| cut_labels(labels, numbers, &mut self.materials)),
+            ..Columns::default()
+        };
+        self.finish(faces, columns)
+    }
+
+    /// Points and lines, if there are any.
+    fn loose(&mut self) -> Option<Option<Mesh>> {
+        let old = self.mesh.columns();
+        if old.points.is_empty() && old.lines.is_empty() {
+            return Some(None);
+        }
+        self.vertices.begin();
+        let points = old.points.iter().map(|&vertex| self.vertices.of(vertex)).collect();
+        let line = |line: &Vec<u32>| line.iter().map(|&vertex| self.vertices.of(vertex)).collect();
+        let lines = old.lines.iter().map(line).collect();
+        let columns = Columns { points, lines, ..Columns::default() };
+        self.finish(Faces::new(), columns).map(Some)
+    }
+
+    fn finish(&self, faces: Faces, mut columns: Columns) -> Option<Mesh> {
+        let (mesh, old) = (self.mesh, self.mesh.columns());
+        columns.colors = old.colors.as_ref().map(|colors| self.vertices.values(colors));
+        let targets = old.morph_targets.iter();
+        columns.morph_targets = targets.map(|target: &Vec<DVec3>| self.vertices.values(target)).collect();
+        let positions = self.vertices.values(mesh.positions());
+        MeshBuilder { positions, storage: mesh.storage(), faces, columns }.build().ok()
+    }
+}
+
+fn cut<T: Clone>(mesh: &Mesh, column: &Column<T>, corners: &[usize], numbers: &mut Numbers) -> Column<T> {
+    numbers.begin();
+    let index = corners.iter().map(|&corner| {
+        let slot = column.slot(corner, mesh.faces().corners()[corner]);
+        slot.map_or(NONE, |slot| numbers.of(slot))
+    });
+    let index = index.collect();
+    Column::per_corner(numbers.values(&column.values), index)
+}
+
+fn cut_labels(labels: &FaceLabels, faces: &[u32], numbers: &mut Numbers) -> FaceLabels {
+    numbers.begin();
+    let label = |&face: &u32| match labels.of_face[face as usize] {
+        NONE => NONE,
+        label => numbers.of(label),
+    };
+    let of_face = faces.iter().map(label).collect();
+    FaceLabels { of_face, names: numbers.values(&labels.names) }
+}
+
+/// The parts to write: those given, or where one has several objects, these.
+pub(in crate::io::gltf) fn pieces(parts: &[Part]) -> (Vec<Cow<'_, Part>>, usize) {
+    let mut all = Vec::with_capacity(parts.len());
+    let mut unused = 0;
+    for part in parts {
+        match by_object(part) {
+            None => all.push(Cow::Borrowed(part)),
+            Some((pieces, left)) => {
+                unused += left;
+                all.extend(pieces.into_iter().map(Cow::Owned));
+            }
+        }
+    }
+    (all, unused)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec2;
+
+    #[test]
+    fn every_object_takes_along_what_its_faces_use() {
+        let labels = |of_face: &[u32], names: &[&str]| {
+            let names = names.iter().map(|&name| name.to_owned()).collect();
+            Some(FaceLabels { of_face: of_face.to_vec(), names })
+        };
+        let columns = Columns {
+            normals: Some(Column::per_corner(
+                vec![DVec3::X, DVec3::Y, DVec3::Z],
+                vec![2, 2, 2, 1, 1, NONE, 2, 2, 2, 2],
+            )),
+            uvs: Some(Column::per_vertex((0..6).map(|v| DVec2::splat(v.into())).collect())),
+            colors: Some((0..6).map(|v| [v as f32, 0.0, 0.0, 1.0]).collect()),
+            materials: labels(&[NONE, 1, 0], &["red", "blue"]),
+            objects: labels(&[0, 1, 0], &["a", "b"]),
+            smoothing: Some(SmoothingGroups { of_face: vec![0, 4, 5], before_first: 1 }),
+            lines: vec![vec![4, 1]],
+            ..Columns::default()
+        };
+        let mesh = MeshBuilder {
+            positions: (0..6).map(|v| DVec3::new(v.into(), (v * v).into(), 0.0)).collect(),
+            faces: Faces::polygons(vec![0, 1, 2, 3, 2, 1, 0, 3, 2, 1], vec![0, 3, 6, 10]),
+            columns,
+            ..MeshBuilder::default()
+        };
+        let part = Part { name: "all".into(), mesh: mesh.build().unwrap(), non_finite_faces: Vec::new() };
+        let (pieces, unused) = by_object(&part).unwrap();
+        assert_eq!(unused, 1, "vertex 5");
+        let names: Vec<&str> = pieces.iter().map(|piece| piece.name.as_str()).collect();
+        assert_eq!(names, ["a", "b", "all"]);
+
+        // Corner by corner all is as it was, but the numbers.
+        let old = &part.mesh;
+        for (piece, corners) in pieces.iter().zip([vec![0, 1, 2, 6, 7, 8, 9], vec![3, 4, 5], vec![]]) {
+            let mesh = &piece.mesh;
+            assert_eq!(mesh.faces().corner_count(), corners.len());
+            for (corner, before) in corners.into_iter().enumerate() {
+                let (vertex, old_vertex) = (mesh.faces().corners()[corner], old.faces().corners()[before]);
+                assert_eq!(mesh.positions()[vertex as usize], old.positions()[old_vertex as usize]);
+                let (new, old) = (mesh.columns(), old.columns());
+                assert_eq!(new.colors.as_ref().unwrap()[vertex as usize][0], old_vertex as f32);
+                let normal = |columns: &Columns, corner, vertex| {
+                    columns.normals.as_ref().unwrap().get(corner, vertex).copied()
+                };
+                assert_eq!(normal(new, corner, vertex), normal(old, before, old_vertex));
+                let uv = new.uvs.as_ref().unwrap().get(corner, vertex).unwrap();
+                assert_eq!(*uv, DVec2::splat(old_vertex.into()));
+            }
+        }
+        let material = |piece: usize| pieces[piece].mesh.columns().materials.clone().unwrap();
+        assert_eq!((material(0).of_face, material(0).names), (vec![NONE, 0], vec!["red".to_owned()]));
+        assert_eq!((material(1).of_face, material(1).names), (vec![0], vec!["blue".to_owned()]));
+        let smoothing = pieces[0].mesh.columns().smoothing.as_ref().unwrap();
+        assert_eq!((&smoothing.of_face[..], smoothing.before_first), (&[0, 5][..], 1));
+        let loose = &pieces[2].mesh;
+        assert_eq!((loose.vertex_count(), &loose.columns().lines[..]), (2, &[vec![0, 1]][..]));
+        assert_eq!(loose.positions()[0], old.positions()[4]);
+    }
+
+    #[test]
+    fn one_object_is_no_reason_to_cut() {
+        let with = |of_face: Vec<u32>| {
+            let names = vec!["a".to_owned()];
+            let columns = Columns { objects: Some(FaceLabels { of_face, names }), ..Columns::default() };
+            let faces = Faces::triangles(vec![0, 1, 2, 2, 1, 0]);
+            let mesh =
+                MeshBuilder { positions: vec![DVec3::ZERO; 3], faces, columns, ..MeshBuilder::default() };
+            Part { name: String::new(), mesh: mesh.build().unwrap(), non_finite_faces: Vec::new() }
+        };
+        assert!(by_object(&with(vec![0, 0])).is_none());
+        assert_eq!(by_object(&with(vec![0, NONE])).unwrap().0.len(), 2);
+    }
+}

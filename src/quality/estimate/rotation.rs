@@ -1,0 +1,155 @@
+//! The one rotation or reflection that brings directions closest to others.
+
+use crate::num::{Degrees, Radians};
+use glam::{DMat3, DVec3};
+
+/// How much the plane of directions that lie in one counts against a reflection in it: so little that it decides only where
+/// nothing else does.
+const IN_PLANE: f64 = 1e-3;
+
+/// Below this determinant of the mean of a·bᵀ directions are taken to lie on one line, which leaves a rotation about it free.
+const ON_A_LINE: f64 = 1e-9;
+
+/// Σ a · bᵀ, a term of it.
+pub(in crate::quality) fn outer(a: DVec3, b: DVec3) -> DMat3 {
+    DMat3::from_cols(a * b.x, a * b.y, a * b.z)
+}
+
+/// The rotation or reflection that brings each b closest to its a, from the mean of a · bᵀ: its orthogonal factor, by Newton's
+/// iteration (N. Higham, *Computing the polar decomposition*, 1986). Where all lie in a plane, which a reflection in it
+/// leaves as they are, the rotation; `None` if all lie on a line.
+pub(in crate::quality) fn closest_turn(mean: DMat3) -> Option<DMat3> {
+    let [a, b, c] = [mean.x_axis, mean.y_axis, mean.z_axis];
+    // With singular values s and t in the plane, the cofactors have s·t across it, and the sign that makes a rotation.
+    let cofactors = DMat3::from_cols(b.cross(c), c.cross(a), a.cross(b));
+    let mut x = mean + cofactors * IN_PLANE;
+    if x.determinant().abs() < ON_A_LINE {
+        return None;
+    }
+    for _ in 0..60 {
+        let next = (x + x.inverse().transpose()) * 0.5;
+        let change = (next - x).to_cols_array().iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
+        x = next;
+        if change < 1e-14 {
+            break;
+        }
+    }
+    x.is_finite().then_some(x)
+}
+
+/// The same from pairs of unit vectors a and b of which up to half may have nothing to do with it: those that are further off
+/// than most are left out, until that changes nothing.
+pub(in crate::quality) fn steady_turn(pairs: &[(DVec3, DVec3)]) -> Option<DMat3> {
+    /// Squared distances of unit vectors that are 1° apart: these always stay.
+    const NEAR: f64 = 3e-4;
+    const ROUNDS: usize = 20;
+    let mut bound = f64::INFINITY;
+    let mut turn: Option<DMat3> = None;
+    for _ in 0..ROUNDS {
+        let distance = |&(a, b): &(DVec3, DVec3)| turn.map_or(0.0, |turn| (a - turn * b).length_squared());
+        let (mut sum, mut count) = (DMat3::ZERO, 0);
+        for &(a, b) in pairs.iter().filter(|pair| distance(pair) <= bound) {
+            sum += outer(a, b);
+            count += 1;
+        }
+        let next = closest_turn(sum * (1.0 / f64::from(count.max(1))))?;
+        let mut distances: Vec<f64> = pairs.iter().map(|&(a, b)| (a - next * b).length_squared()).collect();
+        if turn.is_some_and(|turn| turn == next) || distances.is_empty() {
+            break;
+        }
+        let middle = distances.len() / 2;
+        let (_, median, _) = distances.select_nth_unstable_by(middle, f64::total_cmp);
+        // Twice the median angle.
+        bound = (4.0 * *median).max(NEAR);
+        turn = Some(next);
+    }
+    turn
+}
+
+/// Whether directions lie on three lines at least: one turn then has more to explain than any turn can.
+pub(in crate::quality) fn are_spread(directions: impl IntoIterator<Item = DVec3>) -> bool {
+    /// The sine of 5°: lines that are closer count as one.
+    const APART: f64 = 0.087;
+    let mut lines: Vec<DVec3> = Vec::new();
+    for direction in directions {
+        if lines.iter().all(|line| line.cross(direction).length() > APART) {
+            lines.push(direction);
+        }
+        if lines.len() == 3 {
+            return true;
+        }
+    }
+    false
+}
+
+/// The angle of a rotation, in degrees; of a reflection that of what remains after the sign is taken off.
+pub(in crate::quality) fn rotation_angle(turn: DMat3) -> f64 {
+    let turn = if turn.determinant() < 0.0 { -turn } else { turn };
+    let axis = DVec3::new(
+        turn.y_axis.z - turn.z_axis.y,
+        turn.z_axis.x - turn.x_axis.z,
+        turn.x_axis.y - turn.y_axis.x,
+    );
+    let trace = turn.x_axis.x + turn.y_axis.y + turn.z_axis.z;
+    Degrees::from(Radians(libm::atan2(axis.length(), trace - 1.0))).0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn turn() -> DMat3 {
+        DMat3::from_axis_angle(DVec3::new(2.0, -1.0, 3.0).normalize(), 0.4)
+    }
+
+    fn mean(pairs: &[(DVec3, DVec3)]) -> DMat3 {
+        let sum = pairs.iter().fold(DMat3::ZERO, |sum, &(a, b)| sum + outer(a, b));
+        sum * (1.0 / pairs.len() as f64)
+    }
+
+    /// Unit vectors all round, on a spiral.
+    fn directions(count: u32) -> Vec<DVec3> {
+        let one = |i: u32| {
+            let height = 1.0 - 2.0 * (f64::from(i) + 0.5) / f64::from(count);
+            let (sine, cosine) = libm::sincos(2.4 * f64::from(i));
+            DVec3::new(cosine, sine, 0.0) * (1.0 - height * height).sqrt() + DVec3::Z * height
+        };
+        (0..count).map(one).collect()
+    }
+
+    #[test]
+    fn rotations_and_reflections_are_found() {
+        for turn in [turn(), -turn(), DMat3::from_diagonal(DVec3::new(1.0, -1.0, 1.0))] {
+            let pairs: Vec<_> = directions(50).into_iter().map(|b| (turn * b, b)).collect();
+            let found = closest_turn(mean(&pairs)).unwrap();
+            assert!((found - turn).to_cols_array().iter().all(|off| off.abs() < 1e-12), "{found} for {turn}");
+        }
+    }
+
+    #[test]
+    fn in_a_plane_it_is_a_rotation_and_on_a_line_none() {
+        let flat = [DVec3::X, DVec3::Y, DVec3::new(0.6, 0.8, 0.0)].map(|b| (turn() * b, b));
+        let found = closest_turn(mean(&flat)).unwrap();
+        assert!((found - turn()).to_cols_array().iter().all(|off| off.abs() < 1e-12), "{found}");
+        assert_eq!(closest_turn(mean(&[(DVec3::X, DVec3::Y), (DVec3::NEG_X, DVec3::NEG_Y)])), None);
+    }
+
+    #[test]
+    fn what_has_nothing_to_do_with_it_does_not_pull() {
+        let aside = DMat3::from_axis_angle(DVec3::X, 1.5);
+        let pairs = directions(100).into_iter().enumerate();
+        let pairs: Vec<_> =
+            pairs.map(|(i, b)| (if i % 3 == 0 { aside * b } else { turn() * b }, b)).collect();
+        let pulled = closest_turn(mean(&pairs)).unwrap();
+        assert!((rotation_angle(pulled) - rotation_angle(turn())).abs() > 1.0);
+        let steady = steady_turn(&pairs).unwrap();
+        assert!((steady - turn()).to_cols_array().iter().all(|off| off.abs() < 1e-9), "{steady}");
+    }
+
+    #[test]
+    fn two_lines_are_not_spread() {
+        let bent = [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::new(1.0, 0.01, 0.0).normalize()];
+        assert!(!are_spread(bent));
+        assert!(are_spread([DVec3::X, DVec3::Y, DVec3::new(0.6, 0.8, 0.0)]));
+    }
+}

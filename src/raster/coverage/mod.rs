@@ -1,0 +1,14 @@
+//! Coverage: which triangle is visible at each sample.
+
+// Edge functions and depth plane of a triangle.
+pub(super) mod setup;
+// The visible triangle at each sample of a tile.
+pub(super) mod visible_triangle;
+// Distribution of triangles over tiles.
+pub(super) mod bins;
+// The triangles of one tile, and which are visible.
+pub(super) mod tile_list;
+// Attributes of the visible triangles.
+pub(super) mod records;
+// Objects made of triangles.
+pub(super) mod triangles;

@@ -1,0 +1,147 @@
+//! What a tile has to draw, and what of it is seen.
+
+use crate::raster::coverage::bins::{Bins, CLIPPED, Clipper, Piece, tiles};
+use crate::raster::coverage::records::Record;
+use crate::raster::frame::job::Job;
+use crate::raster::view::project::ScreenVertex;
+use std::ops::Range;
+
+/// The triangles of a tile and the objects that rays are cast at, numbered through: first the triangles, then the
+/// pieces of those that are clipped, then the objects. These numbers are the owners of pixels.
+#[derive(Default)]
+pub(in crate::raster) struct TileList {
+    /// As the bins have them.
+    pub(in crate::raster) triangles: Vec<u32>,
+    /// Each with its triangle's place in the list.
+    pub(in crate::raster) pieces: Vec<(u32, Piece)>,
+    /// The objects' numbers in the scene.
+    pub(in crate::raster) casts: Vec<usize>,
+    clipper: Clipper,
+}
+
+/// What a number in a [`TileList`] stands for.
+pub(in crate::raster) enum Owner {
+    /// A triangle of one of [`Job::drawn`], or a piece of it, and its corners on the picture.
+    Triangle { object: usize, triangle: u32, corners: [ScreenVertex; 3] },
+    /// An analytic surface: the object's number in the scene.
+    Cast(usize),
+}
+
+/// Records of one object that follow one another.
+#[derive(Clone, Debug)]
+pub(in crate::raster) struct Run {
+    /// Its number in the scene.
+    pub(in crate::raster) object: usize,
+    /// Its number among [`Job::drawn`]; `None` for analytic surfaces.
+    pub(in crate::raster) drawn: Option<usize>,
+    pub(in crate::raster) records: Range<usize>,
+}
+
+impl TileList {
+    /// Takes the tile's triangles from the bins and clips those that need it.
+    pub(in crate::raster) fn fill(&mut self, job: &Job, bins: &Bins, tile: [usize; 2]) {
+        self.triangles.clear();
+        self.pieces.clear();
+        self.casts.clear();
+        bins.tile(tile[1] * tiles(job.view.size)[0] + tile[0], &mut self.triangles);
+        self.casts.extend(job.cast_objects());
+        if bins.counts.clipped == 0 {
+            return;
+        }
+        for (at, &triangle) in self.triangles.iter().enumerate().filter(|(_, t)| *t & CLIPPED != 0) {
+            let object = &job.drawn[job.owner(triangle & !CLIPPED)];
+            let pieces = self.clipper.pieces(object, (triangle & !CLIPPED) - object.first, &job.view);
+            self.pieces.extend(pieces.iter().map(|piece| (at as u32, *piece)));
+        }
+    }
+
+    /// How many owners there may be.
+    pub(in crate::raster) fn len(&self) -> usize {
+        self.triangles.len() + self.pieces.len() + self.casts.len()
+    }
+
+    /// The number of the first object that rays are cast at.
+    pub(in crate::raster) fn first_cast(&self) -> usize {
+        self.triangles.len() + self.pieces.len()
+    }
+
+    /// The piece that an owner is, if it is one.
+    #[inline(always)]
+    pub(in crate::raster) fn piece(&self, owner: u32) -> Option<&Piece> {
+        let piece = (owner as usize).checked_sub(self.triangles.len())?;
+        self.pieces.get(piece).map(|(_, piece)| piece)
+    }
+
+    /// What an owner is.
+    pub(in crate::raster) fn look_up(&self, job: &Job, owner: u32) -> Owner {
+        let number = owner as usize;
+        if number >= self.first_cast() {
+            return Owner::Cast(self.casts[number - self.first_cast()]);
+        }
+        let piece = number.checked_sub(self.triangles.len()).map(|piece| &self.pieces[piece]);
+        let triangle = self.triangles[piece.map_or(number, |&(at, _)| at as usize)] & !CLIPPED;
+        let object = job.owner(triangle);
+        let triangle = triangle - job.drawn[object].first;
+        let corners = piece.map_or_else(|| job.drawn[object].screen(triangle), |(_, piece)| piece.vertices);
+        Owner::Triangle { object, triangle, corners }
+    }
+
+    /// The record of one owner.
+    pub(in crate::raster) fn record(&self, job: &Job, owner: u32) -> Record {
+        match self.look_up(job, owner) {
+            Owner::Triangle { object, triangle, corners } => {
+                let mut record = Record::new(job, &job.drawn[object], triangle, &corners);
+                if let Some(piece) = self.piece(owner) {
+                    record.nearness = piece.nearness;
+                }
+                record
+            }
+            Owner::Cast(object) => Record::cast(object),
+        }
+    }
+
+    /// Records of owners in ascending order, and the runs of those that are of one object.
+    pub(in crate::raster) fn records(
+        &self,
+        job: &Job,
+        owners: &[u32],
+        records: &mut Vec<Record>,
+        runs: &mut Vec<Run>,
+    ) {
+        records.clear();
+        runs.clear();
+        let (whole, rest) =
+            owners.split_at(owners.partition_point(|&owner| (owner as usize) < self.triangles.len()));
+        let number = |owner: u32| self.triangles[owner as usize] & !CLIPPED;
+        let mut from = 0;
+        // Of whole triangles there are many: object by object, so that little is left to do for each.
+        for (at, object) in job.drawn.iter().enumerate() {
+            let end = match job.drawn.get(at + 1) {
+                None => whole.len(),
+                Some(next) => from + whole[from..].partition_point(|&owner| number(owner) < next.first),
+            };
+            if from < end {
+                // Written where they stay: appending to a list copies each once more.
+                records.resize(end, Record::cast(object.object));
+                for (record, &owner) in records[from..].iter_mut().zip(&whole[from..end]) {
+                    let triangle = number(owner) - object.first;
+                    *record = Record::new(job, object, triangle, &object.screen(triangle));
+                }
+                runs.push(Run { object: object.object, drawn: Some(at), records: from..end });
+            }
+            from = end;
+        }
+        for &owner in rest {
+            let record = self.record(job, owner);
+            let (object, end) = (record.object as usize, records.len() + 1);
+            records.push(record);
+            match runs.last_mut() {
+                Some(run) if run.object == object => run.records.end = end,
+                _ => {
+                    let drawn = job.drawn.iter().position(|drawn| drawn.object == object);
+                    runs.push(Run { object, drawn, records: end - 1..end });
+                }
+            }
+        }
+    }
+}

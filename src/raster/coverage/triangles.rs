@@ -1,0 +1,127 @@
+//! Objects made of triangles, ready to be drawn.
+
+use crate::mesh::{Triangulation, triangulate};
+use crate::num::unit_scale;
+use crate::raster::scene::Shape;
+use crate::raster::settings::Cull;
+use crate::raster::view::project::{Points, ScreenVertex, project};
+use crate::raster::view::screen_transform::{ObjectMap, View, ViewPoint};
+use glam::{DMat4, DVec3};
+use rayon::prelude::*;
+
+/// The triangles of an object and where its vertices are on the picture.
+pub(in crate::raster) struct DrawnObject<'a> {
+    /// Its number in the scene.
+    pub(in crate::raster) object: usize,
+    /// The number of its first triangle, all objects counted through.
+    pub(in crate::raster) first: u32,
+    pub(in crate::raster) list: TriangleList<'a>,
+    pub(in crate::raster) points: Points<'a>,
+    pub(in crate::raster) vertices: Vec<ScreenVertex>,
+    /// The clipping planes that any of them is outside of.
+    pub(in crate::raster) outside: u32,
+    pub(in crate::raster) map: ObjectMap,
+    /// Whether its transform turns faces inside out.
+    pub(in crate::raster) mirrored: bool,
+}
+
+impl<'a> DrawnObject<'a> {
+    /// Cuts and projects the shape of an object; `None` for analytic surfaces.
+    pub(in crate::raster) fn new(
+        shape: &Shape<'a>,
+        object: usize,
+        first: u32,
+        transform: DMat4,
+        mirrored: bool,
+        view: &View,
+    ) -> Option<Self> {
+        let points = shape.points()?;
+        let list = match *shape {
+            Shape::Mesh { mesh, .. } if mesh.faces().is_triangles() => {
+                TriangleList::Whole(mesh.faces().corners().as_chunks().0)
+            }
+            Shape::Mesh { mesh, .. } => {
+                TriangleList::Cut { corner_vertices: mesh.faces().corners(), cut: triangulate(mesh) }
+            }
+            Shape::Triangles(triangles) => TriangleList::Whole(triangles.triangles),
+            Shape::Surface(_) => return None,
+        };
+        let near = points.first().unwrap_or_default();
+        let map = ObjectMap::about(view, transform, near);
+        let (vertices, outside) = project(points, &map, view);
+        Some(Self { object, first, list, points, vertices, outside, map, mirrored })
+    }
+
+    /// Whether each of so many faces shows the side that is kept, or one of the triangles that it is cut into does. Told from
+    /// vertices that are not snapped, which small triangles need, and also behind the eye.
+    pub(in crate::raster) fn kept_faces(&self, count: usize, cull: Cull) -> Vec<bool> {
+        let is_kept = |triangle: u32| {
+            let [a, b, c] = self.list.vertices(triangle).map(|vertex| {
+                let ViewPoint { x, y, h, .. } = self.map.view(self.points.get(vertex));
+                DVec3::new(x, y, h)
+            });
+            // Twice the area on the picture, times all three h: which side of its plane the eye is on. No product overflows.
+            let [a, b, c] = [a, b - a, c - a].map(|v| v * unit_scale(v.abs().max_element()));
+            let volume = b.cross(c).dot(a);
+            volume != 0.0 && cull.keeps((volume < 0.0) != self.mirrored)
+        };
+        let of_triangles: Vec<bool> = (0..self.list.len() as u32).into_par_iter().map(is_kept).collect();
+        let mut of_faces = vec![false; count];
+        for (triangle, is_kept) in of_triangles.into_iter().enumerate() {
+            of_faces[self.list.face(triangle as u32) as usize] |= is_kept;
+        }
+        of_faces
+    }
+
+    /// The corners of a triangle on the picture.
+    #[inline(always)]
+    pub(in crate::raster) fn screen(&self, triangle: u32) -> [ScreenVertex; 3] {
+        self.list.vertices(triangle).map(|vertex| self.vertices[vertex as usize])
+    }
+}
+
+/// Triangles, and what they are parts of.
+pub(in crate::raster) enum TriangleList<'a> {
+    /// Each is a face.
+    Whole(&'a [[u32; 3]]),
+    /// Polygons have been cut.
+    Cut { corner_vertices: &'a [u32], cut: Triangulation },
+}
+
+impl TriangleList<'_> {
+    pub(in crate::raster) fn len(&self) -> usize {
+        match self {
+            Self::Whole(triangles) => triangles.len(),
+            Self::Cut { cut, .. } => cut.triangles.len(),
+        }
+    }
+
+    /// The vertices of a triangle.
+    #[inline(always)]
+    pub(in crate::raster) fn vertices(&self, triangle: u32) -> [u32; 3] {
+        match self {
+            Self::Whole(triangles) => triangles[triangle as usize],
+            Self::Cut { corner_vertices, cut } => {
+                cut.triangles[triangle as usize].map(|corner| corner_vertices[corner as usize])
+            }
+        }
+    }
+
+    /// The corner numbers of a triangle.
+    #[inline(always)]
+    pub(in crate::raster) fn corners(&self, triangle: u32) -> [u32; 3] {
+        match self {
+            Self::Whole(_) => [0, 1, 2].map(|k| 3 * triangle + k),
+            Self::Cut { cut, .. } => cut.triangles[triangle as usize],
+        }
+    }
+
+    /// The face that a triangle is part of.
+    #[inline(always)]
+    pub(in crate::raster) fn face(&self, triangle: u32) -> u32 {
+        match self {
+            Self::Whole(_) => triangle,
+            Self::Cut { cut, .. } => cut.source_face[triangle as usize],
+        }
+    }
+}

@@ -1,0 +1,327 @@
+//! A scene and settings checked and made ready: what all tiles share.
+
+use crate::mesh::{ColumnIndex, NONE, NormalMatrix, normal_matrix};
+use crate::num::unit_scale;
+use crate::raster::coverage::triangles::DrawnObject;
+use crate::raster::error::RenderError;
+use crate::raster::scene::{Object, Paint, Scene, Shape};
+use crate::raster::settings::{RenderSettings, Shading, Show};
+use crate::raster::shading::surface_colour::{Ink, LitInk};
+use crate::raster::view::project::NOT_FINITE;
+use crate::raster::view::screen_transform::{Rays, View};
+use crate::shade::{Frame, Guards, ShadeSettings, Terminator, Viewer};
+use crate::surface::Placed;
+use glam::{DMat3, DVec3, Vec3};
+use rayon::prelude::*;
+
+/// Everything that drawing a tile looks at.
+pub(in crate::raster) struct Job<'a> {
+    pub(in crate::raster) settings: &'a RenderSettings,
+    pub(in crate::raster) view: View,
+    /// Rays in units of the frame.
+    pub(in crate::raster) rays: Rays,
+    pub(in crate::raster) frame: Frame,
+    pub(in crate::raster) background: [f32; 3],
+    pub(in crate::raster) objects: Vec<Prepared<'a>>,
+    /// The objects made of triangles, in order.
+    pub(in crate::raster) drawn: Vec<DrawnObject<'a>>,
+    /// Smallest and largest distance of a vertex along the axis, for [`Show::Depth`].
+    pub(in crate::raster) distances: [f64; 2],
+}
+
+/// An object and what shading it needs.
+pub(in crate::raster) struct Prepared<'a> {
+    pub(in crate::raster) shape: &'a Shape<'a>,
+    /// How normals reach the scene; `None` if they are there already.
+    normals: Option<NormalMatrix>,
+    pub(in crate::raster) ink: Ink<'a>,
+    /// What the object stands for.
+    pub(in crate::raster) truth: Option<Placed>,
+    /// Whether it is drawn by casting rays at its truth.
+    pub(in crate::raster) is_cast: bool,
+}
+
+/// The largest side of a picture.
+const LARGEST: u32 = crate::raster::view::fixed_point::GUARD as u32;
+
+impl<'a> Job<'a> {
+    pub(in crate::raster) fn new(
+        scene: &'a Scene<'a>,
+        settings: &'a RenderSettings,
+    ) -> Result<Self, RenderError> {
+        let [width, height] = settings.size;
+        if !settings.size.iter().all(|side| (1..=LARGEST).contains(side)) {
+            return Err(RenderError::Size(width, height));
+        }
+        let view = View::new(&scene.camera, settings.size)?;
+        // In single precision, in which it is drawn.
+        if !scene.background.to_array().iter().all(|&component| (component as f32).is_finite()) {
+            return Err(RenderError::Number {
+                what: "the background",
+                found: format!("{:?}", scene.background.to_array()),
+                expected: "finite",
+            });
+        }
+        let frame = frame(scene, &view);
+        let objects = scene.objects.iter().enumerate();
+        let objects = objects
+            .map(|(number, object)| Prepared::new(number, object, scene, settings, &view, frame))
+            .collect::<Result<Vec<_>, _>>()?;
+        let (mut drawn, mut first) = (Vec::new(), 0);
+        for (number, object) in scene.objects.iter().enumerate().filter(|&(n, _)| !objects[n].is_cast) {
+            let mirrored = normal_matrix(DMat3::from_mat4(object.transform)).is_some_and(|n| n.mirrored());
+            let ready =
+                DrawnObject::new(&object.shape, number, first as u32, object.transform, mirrored, &view);
+            let Some(ready) = ready else { continue };
+            first += ready.list.len();
+            if first > i32::MAX as usize {
+                return Err(RenderError::TooManyTriangles(first));
+            }
+            check_range(&ready)?;
+            drawn.push(ready);
+        }
+        let distances = match settings.show {
+            Show::Depth => distances(&drawn, &view, scene),
+            _ => [0.0, 1.0],
+        };
+        let background = scene.background.to_array().map(|c| c as f32);
+        let rays = Rays::new(&view, frame.unit);
+        Ok(Self { settings, view, rays, frame, background, objects, drawn, distances })
+    }
+
+    /// The number among [`drawn`](Self::drawn) of the object that a triangle is of.
+    pub(in crate::raster) fn owner(&self, triangle: u32) -> usize {
+        self.drawn.partition_point(|object| object.first <= triangle) - 1
+    }
+
+    /// The objects that rays are cast at.
+    pub(in crate::raster) fn cast_objects(&self) -> impl Iterator<Item = usize> {
+        self.objects.iter().enumerate().filter(|(_, object)| object.is_cast).map(|(number, _)| number)
+    }
+}
+
+/// Positions are given to shaders relative to the view's origin, in a power of two near the camera's distance from its
+/// target or, if it is far from it, near the size of what it shows: single precision then serves scenes of any size at any
+/// place.
+pub(in crate::raster) fn frame(scene: &Scene, view: &View) -> Frame {
+    let distance = (scene.camera.target - scene.camera.eye).length();
+    // The viewer stays within the 2³¹ units that shaders take in single precision.
+    let size = if view.away == 0.0 { distance } else { view.shown().max(distance / f64::from(1 << 29)) };
+    let unit = 1.0 / unit_scale(size.clamp(f64::MIN_POSITIVE, f64::MAX));
+    Frame { origin: view.origin, unit: unit.clamp(f64::MIN_POSITIVE, f64::MAX) }
+}
+
+impl RenderSettings {
+    /// The guards of what is lit where rays are cast, or of faces: only normals that are interpolated are made unit vectors again.
+    fn guards(&self, is_cast: bool) -> Guards {
+        let interpolates = self.shading == Shading::Phong && !is_cast;
+        Guards { renormalise: self.guards.renormalise || !interpolates, ..self.guards }
+    }
+
+    /// Whether what lights a sample depends on the normal of its face as well.
+    pub(in crate::raster) fn asks_faces(&self) -> bool {
+        self.shading == Shading::Phong && self.terminator != Terminator::Smooth
+    }
+}
+
+/// What shaders are made with, of objects that rays are cast at or of faces.
+pub(in crate::raster) fn shade_settings(
+    settings: &RenderSettings,
+    view: &View,
+    frame: Frame,
+    is_cast: bool,
+) -> ShadeSettings {
+    let is_far = !view.perspective || settings.infinite_viewer;
+    ShadeSettings {
+        viewer: if is_far { Viewer::Towards(-view.axes[2]) } else { Viewer::At(view.eye) },
+        frame,
+        guards: settings.guards(is_cast),
+        terminator: settings.terminator,
+        depth_cue: settings.depth_cue,
+        // Faces know which side is seen: see `Prepared::corner_normal`.
+        two_sided: false,
+        tone: settings.tone,
+    }
+}
+
+impl<'a> Prepared<'a> {
+    fn new(
+        number: usize,
+        object: &'a Object<'a>,
+        scene: &Scene,
+        settings: &RenderSettings,
+        view: &View,
+        frame: Frame,
+    ) -> Result<Self, RenderError> {
+        check_lists(number, object, settings)?;
+        let linear = DMat3::from_mat4(object.transform);
+        let singular = RenderError::Singular(number);
+        let matrix = normal_matrix(linear).filter(|_| object.transform.is_finite());
+        let normals = Some(matrix.ok_or(singular.clone())?).filter(|_| linear != DMat3::IDENTITY);
+        let is_cast = settings.shading == Shading::Exact || matches!(object.shape, Shape::Surface(_));
+        let ink = match &object.paint {
+            Paint::Lit(material) => {
+                let shade = shade_settings(settings, view, frame, is_cast);
+                let ink = LitInk::new(&scene.lights, material, &shade);
+                Ink::Lit(Box::new(ink.map_err(|error| RenderError::Shade { object: number, error })?))
+            }
+            Paint::Given(colours) => Ink::Given(colours),
+        };
+        let surface = match object.shape {
+            Shape::Surface(primitive) => Some(primitive),
+            _ => object.surface,
+        };
+        let truth = surface.map(|primitive| Placed::new(primitive, object.transform)).transpose();
+        let truth = truth.map_err(|_| singular)?;
+        if settings.shading == Shading::Exact && truth.is_none() {
+            return Err(RenderError::NoSurface(number));
+        }
+        if is_cast && settings.show == Show::Shaded && matches!(ink, Ink::Given(_)) {
+            return Err(RenderError::Uncoloured(number));
+        }
+        Ok(Self { shape: &object.shape, normals, ink, truth, is_cast })
+    }
+
+    /// The normal at a corner, in the scene's axes; of the other side, if `turned`.
+    #[inline(always)]
+    pub(in crate::raster) fn corner_normal(&self, corner: u32, vertex: u32, turned: bool) -> Vec3 {
+        match (self.shape, &self.normals) {
+            // What is single already stays so: this is most of what gathering costs.
+            (Shape::Triangles(triangles), None) => {
+                side(Vec3::from(triangles.normals[vertex as usize]), turned)
+            }
+            _ => self.exact_corner_normal(corner, vertex, turned).as_vec3(),
+        }
+    }
+
+    /// The normal of a face, likewise.
+    #[inline(always)]
+    pub(in crate::raster) fn face_normal(&self, face: u32, turned: bool) -> Vec3 {
+        match (self.shape, &self.normals) {
+            (Shape::Triangles(triangles), None) => {
+                side(Vec3::from(triangles.face_normals[face as usize]), turned)
+            }
+            _ => self.exact_face_normal(face, turned).as_vec3(),
+        }
+    }
+
+    /// What tells a corner's normal from others of its object: equal numbers, equal normals at the same vertex.
+    #[inline(always)]
+    pub(in crate::raster) fn entry(&self, corner: u32, vertex: u32) -> u32 {
+        match self.shape {
+            Shape::Mesh { normals, .. } => normals.normals.slot(corner as usize, vertex).unwrap_or(NONE),
+            _ => vertex,
+        }
+    }
+
+    /// [`corner_normal`](Self::corner_normal) in doubles.
+    pub(in crate::raster) fn exact_corner_normal(&self, corner: u32, vertex: u32, turned: bool) -> DVec3 {
+        let normal = match self.shape {
+            Shape::Mesh { normals, .. } => {
+                normals.normals.get(corner as usize, vertex).copied().unwrap_or(DVec3::ZERO)
+            }
+            shape => shape.normal(vertex),
+        };
+        side(self.in_scene(normal), turned)
+    }
+
+    /// [`face_normal`](Self::face_normal) in doubles.
+    pub(in crate::raster) fn exact_face_normal(&self, face: u32, turned: bool) -> DVec3 {
+        side(self.in_scene(self.shape.face_normal(face)), turned)
+    }
+
+    /// Whether faces have normals of their own; triangles of slices need not.
+    pub(in crate::raster) fn has_face_normals(&self) -> bool {
+        !matches!(self.shape, Shape::Triangles(triangles) if triangles.face_normals.is_empty())
+    }
+
+    fn in_scene(&self, normal: DVec3) -> DVec3 {
+        match &self.normals {
+            None => normal,
+            Some(matrix) => matrix.apply(normal).unwrap_or(normal),
+        }
+    }
+}
+
+/// A normal, or that of the other side.
+#[inline(always)]
+fn side<T: std::ops::Neg<Output = T>>(normal: T, turned: bool) -> T {
+    if turned { -normal } else { normal }
+}
+
+/// Lists that do not fit one another.
+fn check_lists(number: usize, object: &Object, settings: &RenderSettings) -> Result<(), RenderError> {
+    let count = |what, found, per, expected| {
+        let error = RenderError::Count { object: number, what, found, per, expected };
+        if found == expected { Ok(()) } else { Err(error) }
+    };
+    let vertices = match &object.shape {
+        Shape::Mesh { mesh, normals } => {
+            count("face normals", normals.face_normals.len(), "faces", mesh.face_count())?;
+            match &normals.normals.index {
+                ColumnIndex::PerVertex => {
+                    count("normals", normals.normals.values.len(), "vertices", mesh.vertex_count())?;
+                }
+                ColumnIndex::PerCorner(index) => {
+                    count("normals", index.len(), "corners", mesh.faces().corner_count())?;
+                }
+            }
+            mesh.vertex_count()
+        }
+        Shape::Triangles(triangles) => {
+            let vertices = triangles.positions.len();
+            count("normals", triangles.normals.len(), "vertices", vertices)?;
+            let wants_faces = settings.shading == Shading::Flat
+                || matches!(settings.show, Show::Deviation(_))
+                || settings.asks_faces();
+            if wants_faces || !triangles.face_normals.is_empty() {
+                count("face normals", triangles.face_normals.len(), "triangles", triangles.triangles.len())?;
+            }
+            check_indices(triangles.triangles, vertices)?;
+            vertices
+        }
+        Shape::Surface(_) => return Ok(()),
+    };
+    match &object.paint {
+        Paint::Given(colours) => count("vertex colours", colours.len(), "vertices", vertices),
+        Paint::Lit(_) => Ok(()),
+    }
+}
+
+/// Triangles that name vertices which are not there.
+fn check_indices(triangles: &[[u32; 3]], count: usize) -> Result<(), RenderError> {
+    // The largest index first: a search that may stop anywhere takes several times as long.
+    let parts = triangles.as_flattened().par_chunks(1 << 16);
+    let largest = parts.map(|part| part.iter().fold(0, |largest, &index| index.max(largest))).max();
+    if largest.is_none_or(|largest| (largest as usize) < count) {
+        return Ok(());
+    }
+    let indices = triangles.as_flattened();
+    let wrong = indices.iter().position(|&index| index as usize >= count).unwrap_or(0);
+    Err(RenderError::Index { what: "triangle", number: wrong / 3, index: indices[wrong], count })
+}
+
+/// Vertices without a place.
+fn check_range(object: &DrawnObject) -> Result<(), RenderError> {
+    if object.outside & NOT_FINITE == 0 {
+        return Ok(());
+    }
+    let vertex = object.vertices.iter().position(|vertex| vertex.outside & NOT_FINITE != 0).unwrap_or(0);
+    let position = object.points.get(vertex as u32);
+    Err(RenderError::OutOfRange { object: object.object, vertex, position })
+}
+
+/// The range of distances that [`Show::Depth`] spreads over.
+fn distances(drawn: &[DrawnObject], view: &View, scene: &Scene) -> [f64; 2] {
+    let each = drawn.iter().flat_map(|object| {
+        (0..object.points.len() as u32).map(|vertex| object.map.view(object.points.get(vertex)).z)
+    });
+    let [low, high] = each
+        .filter(|&z| z >= view.near)
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], z| [low.min(z), high.max(z)]);
+    if low < high {
+        return [low, high];
+    }
+    let distance = (scene.camera.target - scene.camera.eye).length();
+    [0.5 * distance, 1.5 * distance]
+}

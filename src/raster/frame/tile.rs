@@ -1,0 +1,298 @@
+//! One tile: what is seen, its colours, its lines.
+
+use crate::num;
+use crate::raster::coverage::bins::{Bins, tile_origin, tiles};
+use crate::raster::coverage::records::Record;
+use crate::raster::coverage::setup::{TILE, depth_plane, double_area};
+use crate::raster::coverage::tile_list::{Owner, Run, TileList};
+use crate::raster::coverage::visible_triangle::{NOTHING, PIXELS, Visible, number, place};
+use crate::raster::error::RenderError;
+use crate::raster::frame::job::Job;
+use crate::raster::frame::tile_triangles::DrawTriangles;
+use crate::raster::lines::draw_lines::{LineJob, LineSet, Segment};
+use crate::raster::settings::{Shading, Show};
+use crate::raster::shading::interpolate::Seen;
+use crate::raster::shading::ray_cast::{Hits, cast};
+use crate::raster::shading::shade_samples::{Painter, Tile};
+use crate::raster::view::fixed_point::ONE;
+
+/// Works on one tile after the other and keeps its memory in between.
+pub(in crate::raster) struct Worker {
+    list: TileList,
+    visible: Visible,
+    hits: Option<Hits>,
+    /// The record of each owner that is seen, [`NOTHING`] for others; and one place more, for no owner.
+    record_of: Vec<u32>,
+    /// The owners that are seen, ascending.
+    owners: Vec<u32>,
+    /// A record of each.
+    records: Vec<Record>,
+    runs: Vec<Run>,
+    /// The samples at which something is seen.
+    seen: Vec<Seen>,
+    /// Those of one of several objects.
+    seen_of_run: Vec<Seen>,
+    painter: Painter,
+    /// Colours of the samples in hand.
+    colour: Colours,
+    /// Sums over the samples done.
+    sum: Colours,
+    covered: Box<[u8; PIXELS]>,
+    /// The pixels that edges of a wireframe are drawn in.
+    edged: Box<[bool; PIXELS]>,
+}
+
+/// Whether faces hide edges, but are not shown themselves.
+fn shows_edges_alone(job: &Job) -> bool {
+    job.settings.shading == Shading::Wireframe && job.settings.show == Show::Shaded
+}
+
+/// A row of each component.
+pub(in crate::raster) type Colours = [Box<[f32; PIXELS]>; 3];
+
+fn colours() -> Colours {
+    [(); 3].map(|()| Box::new([0.0; PIXELS]))
+}
+
+/// A finished tile with something in it.
+pub(in crate::raster) struct Finished<'a> {
+    /// Linear colours, the mean of the samples.
+    pub(in crate::raster) colours: &'a Colours,
+    /// How many samples of each pixel are covered.
+    pub(in crate::raster) covered: &'a [u8; PIXELS],
+    /// The pixels that show a wireframe's edge; `None` where faces are shown.
+    pub(in crate::raster) edged: Option<&'a [bool; PIXELS]>,
+}
+
+impl Worker {
+    pub(in crate::raster) fn new() -> Self {
+        Self {
+            list: TileList::default(),
+            visible: Visible::new(),
+            hits: None,
+            record_of: Vec::new(),
+            owners: Vec::new(),
+            records: Vec::new(),
+            runs: Vec::new(),
+            seen: Vec::new(),
+            seen_of_run: Vec::new(),
+            painter: Painter::new(),
+            colour: colours(),
+            sum: colours(),
+            covered: Box::new([0; PIXELS]),
+            edged: Box::new([false; PIXELS]),
+        }
+    }
+
+    /// Draws a tile; `None` if there is nothing but background.
+    pub(in crate::raster) fn draw(
+        &mut self,
+        job: &Job,
+        bins: &Bins,
+        lines: &LineJob,
+        tile: [usize; 2],
+    ) -> Result<Option<Finished<'_>>, RenderError> {
+        let number = tile[1] * tiles(job.view.size)[0] + tile[0];
+        if bins.is_empty(number) && lines.is_empty(number) && job.cast_objects().next().is_none() {
+            return Ok(None);
+        }
+        let count = job.settings.samples.count();
+        self.list.fill(job, bins, tile);
+        self.covered.fill(0);
+        self.edged.fill(false);
+        for (number, sample) in job.settings.samples.offsets().enumerate() {
+            let origin = tile_origin(tile, sample);
+            self.see(job, origin);
+            self.collect(job, tile);
+            self.paint(job, origin)?;
+            self.draw_lines(job, lines, tile, sample);
+            if count == 1 {
+                return Ok(Some(self.finished(job, &self.colour)));
+            }
+            for (sum, colour) in self.sum.iter_mut().zip(&self.colour) {
+                if number == 0 {
+                    sum.fill(0.0);
+                }
+                sum.iter_mut().zip(colour.iter()).for_each(|(sum, &colour)| *sum += colour);
+            }
+        }
+        let share = 1.0 / count as f32;
+        self.sum.iter_mut().flat_map(|sum| sum.iter_mut()).for_each(|sum| *sum *= share);
+        Ok(Some(self.finished(job, &self.sum)))
+    }
+
+    fn finished<'a>(&'a self, job: &Job, colours: &'a Colours) -> Finished<'a> {
+        let edged = shows_edges_alone(job).then_some(&*self.edged);
+        Finished { colours, covered: &self.covered, edged }
+    }
+
+    /// What a sample of a pixel shows.
+    pub(in crate::raster) fn look(
+        &mut self,
+        job: &Job,
+        bins: &Bins,
+        pixel: [u32; 2],
+        sample: [i32; 2],
+    ) -> Option<Record> {
+        let tile = pixel.map(|n| n as usize / TILE);
+        self.list.fill(job, bins, tile);
+        self.see(job, tile_origin(tile, sample));
+        let owner = self.visible.owner[number(pixel.map(|n| n as usize % TILE))];
+        (owner != NOTHING).then(|| self.list.record(job, owner))
+    }
+
+    /// Finds what is seen at one sample of each pixel.
+    fn see(&mut self, job: &Job, origin: [i32; 2]) {
+        let Self { visible, list, hits, .. } = self;
+        visible.clear();
+        num::dispatch(DrawTriangles { job, list, origin, visible });
+        for (at, &object) in list.casts.iter().enumerate() {
+            let hits = hits.get_or_insert_with(Hits::new);
+            hits.cast(job, object, (list.first_cast() + at) as u32, origin, visible);
+        }
+    }
+
+    /// Lists what is seen and makes a record of each triangle that is.
+    ///
+    /// In a dense mesh every other pixel shows another triangle, which no branch predictor foresees: so first all owners
+    /// are marked, then the marked ones are numbered, then pixels take the numbers, all without asking.
+    fn collect(&mut self, job: &Job, tile: [usize; 2]) {
+        self.hide_outside(job, tile);
+        let none = self.list.len();
+        self.record_of.clear();
+        self.record_of.resize(none + 1, NOTHING);
+        let owners = &self.visible.owner[..];
+        for (covered, &owner) in self.covered.iter_mut().zip(owners) {
+            *covered += u8::from(owner != NOTHING);
+        }
+        for &owner in owners {
+            self.record_of[(owner as usize).min(none)] = 0;
+        }
+        self.owners.clear();
+        self.owners.resize(none + 1, 0);
+        let mut count = 0;
+        for (owner, record) in self.record_of[..none].iter_mut().enumerate() {
+            self.owners[count] = owner as u32;
+            let is_seen = *record == 0;
+            *record = count as u32;
+            count += usize::from(is_seen);
+        }
+        self.owners.truncate(count);
+        self.list.records(job, &self.owners, &mut self.records, &mut self.runs);
+        self.seen.clear();
+        self.seen.resize(PIXELS + 1, Seen { pixel: 0, record: 0 });
+        let mut count = 0;
+        for (pixel, &owner) in owners.iter().enumerate() {
+            let record = self.record_of[(owner as usize).min(none)];
+            self.seen[count] = Seen { pixel: pixel as u16, record };
+            count += usize::from(owner != NOTHING);
+        }
+        self.seen.truncate(count);
+    }
+
+    /// Takes away what lies beyond the picture's right and lower border.
+    fn hide_outside(&mut self, job: &Job, tile: [usize; 2]) {
+        let room = [0, 1].map(|axis| job.view.size[axis] as usize - tile[axis] * TILE);
+        if room.iter().all(|&room| room >= TILE) {
+            return;
+        }
+        for (pixel, owner) in self.visible.owner.iter_mut().enumerate() {
+            let [x, y] = place(pixel);
+            if x >= room[0] || y >= room[1] {
+                *owner = NOTHING;
+            }
+        }
+    }
+
+    /// Colours of all samples.
+    fn paint(&mut self, job: &Job, origin: [i32; 2]) -> Result<(), RenderError> {
+        for (row, background) in self.colour.iter_mut().zip(job.background) {
+            row.fill(background);
+        }
+        if shows_edges_alone(job) {
+            return Ok(());
+        }
+        for run in &self.runs {
+            self.painter.prepare(job, run, &self.list, &self.owners, &mut self.records)?;
+            let seen = if self.runs.len() == 1 {
+                &self.seen
+            } else {
+                let is_its = |seen: &&Seen| run.records.contains(&(seen.record as usize));
+                self.seen_of_run.clear();
+                self.seen_of_run.extend(self.seen.iter().filter(is_its));
+                &self.seen_of_run
+            };
+            let tile = Tile {
+                seen,
+                records: &self.records,
+                depth: &self.visible.depth[..],
+                hits: self.hits.as_ref(),
+                origin,
+            };
+            self.painter.paint(job, run.object, &tile, &mut self.colour)?;
+        }
+        Ok(())
+    }
+
+    fn draw_lines(&mut self, job: &Job, lines: &LineJob, tile: [usize; 2], sample: [i32; 2]) {
+        let columns = tiles(job.view.size)[0];
+        let corner = tile.map(|n| (n * TILE) as f64);
+        let offset = sample.map(|n| f64::from(n) / f64::from(ONE));
+        for (set, segment) in lines.tile(job, tile[1] * columns + tile[0]) {
+            for row in 0..TILE {
+                let y = corner[1] + row as f64 + offset[1];
+                let Some([low, high]) = segment.columns(y, set.radius, offset[0]) else { continue };
+                // Pixels of the tile from the first one not left of the line to the last one not right of it.
+                let first = (low - corner[0]).ceil().max(0.0) as usize;
+                let end = (high - corner[0]).floor().min(TILE as f64 - 1.0);
+                for column in (first..TILE).take_while(|&column| column as f64 <= end) {
+                    self.draw_line(
+                        job,
+                        set,
+                        &segment,
+                        [column, row],
+                        [corner[0] + column as f64 + offset[0], y],
+                    );
+                }
+            }
+        }
+    }
+
+    fn draw_line(&mut self, job: &Job, set: &LineSet, segment: &Segment, pixel: [usize; 2], at: [f64; 2]) {
+        let Some((place, depth)) = segment.nearest(at, set.radius) else { return };
+        let pixel = number(pixel);
+        if set.hide && self.hides(job, self.visible.owner[pixel], place, depth) {
+            return;
+        }
+        for (row, component) in self.colour.iter_mut().zip(set.colour.to_array()) {
+            row[pixel] = component;
+        }
+        self.edged[pixel] |= set.is_wireframe;
+    }
+
+    /// Whether what is seen at a sample is in front of a line. A line in a surface is not behind it: the surface is
+    /// taken at the line's own place, not at the sample's, with room for the snapping of corners.
+    fn hides(&self, job: &Job, owner: u32, place: [f64; 2], depth: f64) -> bool {
+        /// Pixels that a corner may be off by snapping, with some room.
+        const SNAPPED: f64 = 1.0 / 64.0;
+        /// Roundings of single-precision depths.
+        const ROUNDED: f64 = 1e-6;
+        /// How far behind the true surface, as a share of the distance, a mesh's edges may lie and still show.
+        const CHORD: f64 = 1e-3;
+        if owner == NOTHING {
+            return false;
+        }
+        let v = match self.list.look_up(job, owner) {
+            Owner::Triangle { corners, .. } => corners,
+            Owner::Cast(object) => {
+                let hit = cast(job, object, place);
+                let behind = |z: f64| z + CHORD * z.min(job.view.reach);
+                return hit.is_some_and(|(_, z)| job.view.depth(behind(z)) > depth);
+            }
+        };
+        let at = place.map(crate::raster::view::fixed_point::snap);
+        let [surface, right, down] = depth_plane(&v, double_area(&v), at).map(f64::from);
+        let room = (right.abs() + down.abs()) * SNAPPED + surface.abs() * ROUNDED;
+        depth < surface - room
+    }
+}

@@ -1,0 +1,283 @@
+//! Where lines begin and end. Those along an object are found when they are asked for: the million normals of a dense mesh
+//! need no list of points.
+
+use crate::mesh::{NormalMatrix, normal_matrix};
+use crate::raster::coverage::triangles::DrawnObject;
+use crate::raster::error::RenderError;
+use crate::raster::scene::{LinePath, Object, Scene, Shape};
+use crate::raster::settings::Cull;
+use crate::raster::view::project::Points;
+use glam::{DMat3, DMat4, DVec3};
+use std::borrow::Cow;
+
+/// The ends of many lines, which are in one space.
+pub(in crate::raster) struct Ends<'a> {
+    points: Points<'a>,
+    /// From the points' space to the scene's.
+    transform: DMat4,
+    course: Course<'a>,
+}
+
+enum Course<'a> {
+    /// Between points, in their own space.
+    Between(Cow<'a, [[u32; 2]]>),
+    /// From points along normals by their numbers, in the scene.
+    FromVertices(Along<'a>, &'a [[u32; 2]]),
+    /// From the middles of faces along theirs, in the scene.
+    FromFaces(Along<'a>, usize),
+}
+
+/// What leads along the normals of an object.
+struct Along<'a> {
+    shape: &'a Shape<'a>,
+    matrix: NormalMatrix,
+    length: f64,
+}
+
+impl<'a> Ends<'a> {
+    /// The edges of an object's faces but those that are left out.
+    pub(in crate::raster) fn edges(object: &'a Object<'a>, drawn: &DrawnObject<'a>, cull: Cull) -> Self {
+        let edges = match cull {
+            Cull::None => object.shape.edges(),
+            Cull::Back | Cull::Front => {
+                let is_kept = drawn.kept_faces(object.shape.face_count(), cull);
+                object.shape.edges_of(|face| is_kept[face])
+            }
+        };
+        let course = Course::Between(Cow::Owned(edges));
+        Self { points: drawn.points, transform: object.transform, course }
+    }
+
+    /// The ends of the scene's `number`-th set of lines, checked.
+    pub(in crate::raster) fn new(
+        scene: &'a Scene<'a>,
+        number: usize,
+        path: &'a LinePath,
+    ) -> Result<Self, RenderError> {
+        let of_object = |object: usize| {
+            let owner = scene.objects.get(object);
+            let found = owner.and_then(|owner| Some((owner, owner.shape.points()?)));
+            found.ok_or(RenderError::NoVertices { lines: number, object })
+        };
+        Ok(match *path {
+            LinePath::Points { ref points, ref segments } => {
+                check_finite(points)?;
+                check_numbers(segments.as_flattened().iter().copied(), 2, points.len())?;
+                let course = Course::Between(Cow::Borrowed(segments));
+                Self { points: Points::F64(points), transform: DMat4::IDENTITY, course }
+            }
+            LinePath::Edges { object, ref edges } => {
+                let (owner, points) = of_object(object)?;
+                check_numbers(edges.as_flattened().iter().copied(), 2, points.len())?;
+                let course = Course::Between(Cow::Borrowed(edges));
+                Self { points, transform: owner.transform, course }
+            }
+            LinePath::VertexNormals { object, ref normals, length } => {
+                let (owner, points) = of_object(object)?;
+                check_numbers(normals.iter().map(|&[vertex, _]| vertex), 1, points.len())?;
+                check_numbers(normals.iter().map(|&[_, normal]| normal), 1, owner.shape.normal_count())?;
+                let course = Course::FromVertices(Along::new(owner, object, length)?, normals);
+                Self { points, transform: owner.transform, course }
+            }
+            LinePath::FaceNormals { object, length } => {
+                let (owner, points) = of_object(object)?;
+                let along = Along::new(owner, object, length)?;
+                let course = Course::FromFaces(along, owner.shape.face_normal_count());
+                Self { points, transform: owner.transform, course }
+            }
+        })
+    }
+
+    /// How many lines there are.
+    pub(in crate::raster) fn len(&self) -> u32 {
+        match &self.course {
+            Course::Between(pairs) => pairs.len() as u32,
+            Course::FromVertices(_, normals) => normals.len() as u32,
+            Course::FromFaces(_, count) => *count as u32,
+        }
+    }
+
+    /// From the space of what [`get`](Self::get) gives to the scene's, and a point of that space near the lines.
+    pub(in crate::raster) fn space(&self) -> (DMat4, DVec3) {
+        let first = self.points.first().unwrap_or_default();
+        match self.course {
+            Course::Between(_) => (self.transform, first),
+            _ => (DMat4::IDENTITY, self.transform.transform_point3(first)),
+        }
+    }
+
+    /// Where a line begins and ends; `None` for a normal without direction.
+    pub(in crate::raster) fn get(&self, line: u32) -> Option<[DVec3; 2]> {
+        let place = |vertex: u32| self.transform.transform_point3(self.points.get(vertex));
+        match &self.course {
+            Course::Between(pairs) => Some(pairs[line as usize].map(|point| self.points.get(point))),
+            Course::FromVertices(along, normals) => {
+                let [vertex, normal] = normals[line as usize];
+                along.line(place(vertex), along.shape.normal(normal))
+            }
+            Course::FromFaces(along, _) => {
+                let face = along.shape.face(line);
+                let share = 1.0 / face.len() as f64;
+                let middle = face.iter().map(|&vertex| place(vertex) * share).sum::<DVec3>();
+                along.line(middle, along.shape.face_normal(line))
+            }
+        }
+    }
+}
+
+impl<'a> Along<'a> {
+    fn new(owner: &'a Object<'a>, object: usize, length: f64) -> Result<Self, RenderError> {
+        let matrix = normal_matrix(DMat3::from_mat4(owner.transform)).ok_or(RenderError::Singular(object))?;
+        match length.is_finite() {
+            true => Ok(Self { shape: &owner.shape, matrix, length }),
+            false => Err(number("the length of lines", length.to_string())),
+        }
+    }
+
+    fn line(&self, from: DVec3, normal: DVec3) -> Option<[DVec3; 2]> {
+        Some([from, from + self.matrix.apply(normal)? * self.length])
+    }
+}
+
+fn check_finite(points: &[DVec3]) -> Result<(), RenderError> {
+    let wrong = points.iter().find(|point| !point.is_finite());
+    wrong.map_or(Ok(()), |point| Err(number("the end of a line", point.to_string())))
+}
+
+fn number(what: &'static str, found: String) -> RenderError {
+    RenderError::Number { what, found, expected: "finite" }
+}
+
+/// Holds numbers, so many for each line, to how many there are of what they name.
+fn check_numbers(numbers: impl Iterator<Item = u32>, each: usize, count: usize) -> Result<(), RenderError> {
+    let wrong = numbers.enumerate().find(|&(_, index)| index as usize >= count);
+    wrong.map_or(Ok(()), |(at, index)| {
+        Err(RenderError::Index { what: "line", number: at / each, index, count })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{Faces, Mesh, MeshBuilder};
+    use crate::normals::{Crease, NormalField, NormalRecipe, compute};
+    use crate::num::LinearRgb;
+    use crate::raster::frame::job::Job;
+    use crate::raster::settings::RenderSettings;
+    use crate::raster::view::camera::{Camera, Projection};
+    use crate::shade::Material;
+    use crate::surface::Sphere;
+
+    /// An octahedron, its corners at ±1.
+    fn octahedron() -> (Mesh, NormalField) {
+        let positions = [DVec3::X, DVec3::Y, DVec3::Z].into_iter().flat_map(|axis| [axis, -axis]).collect();
+        let faces = [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
+        let faces = Faces::triangles(faces.into_iter().flatten().collect());
+        let mesh = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap();
+        let normals = compute(&mesh, &NormalRecipe { crease: Crease::OFF, ..NormalRecipe::default() });
+        (mesh, normals)
+    }
+
+    fn scene<'a>(shape: Shape<'a>, transform: DMat4) -> Scene<'a> {
+        let object = Object { transform, ..Object::new(shape, Material::default()) };
+        let camera = Camera::framing((DVec3::splat(-1.0), DVec3::splat(1.0)), 1.0);
+        let background = LinearRgb::BLACK;
+        Scene { objects: vec![object], lines: Vec::new(), lights: Vec::new(), camera, background }
+    }
+
+    #[test]
+    fn normals_stand_outward_on_moved_and_mirrored_objects() {
+        let middle = DVec3::new(5.0, 0.0, 0.0);
+        let moved = DMat4::from_translation(middle) * DMat4::from_scale(DVec3::new(-1.0, 2.0, 1.0));
+        let (mesh, normals) = octahedron();
+        let scene = scene(Shape::Mesh { mesh: &mesh, normals: &normals }, moved);
+        let of_vertices = scene.objects[0].shape.vertex_normals();
+        assert_eq!(of_vertices.len(), 6);
+        let paths = [
+            (LinePath::VertexNormals { object: 0, normals: of_vertices, length: 0.25 }, 6),
+            (LinePath::FaceNormals { object: 0, length: 0.25 }, 8),
+        ];
+        for (path, count) in &paths {
+            let ends = Ends::new(&scene, 0, path).unwrap();
+            assert_eq!(ends.len(), *count);
+            assert_eq!(ends.space().0, DMat4::IDENTITY);
+            for [from, to] in (0..*count).map(|line| ends.get(line).unwrap()) {
+                assert!(to.distance(middle) > from.distance(middle), "{from} {to}");
+                assert!((to.distance(from) - 0.25).abs() < 1e-15);
+            }
+        }
+    }
+
+    #[test]
+    fn an_edge_is_there_once() {
+        let (mesh, normals) = octahedron();
+        let scene = scene(Shape::Mesh { mesh: &mesh, normals: &normals }, DMat4::IDENTITY);
+        let settings = RenderSettings::default();
+        let job = Job::new(&scene, &settings).unwrap();
+        let ends = Ends::edges(&scene.objects[0], &job.drawn[0], Cull::None);
+        assert_eq!(ends.len(), 12);
+        let long = (0..12).map(|line| ends.get(line).unwrap()).filter(|[a, b]| a.distance_squared(*b) != 2.0);
+        assert_eq!(long.count(), 0);
+    }
+
+    /// Faces that are left out take with them the edges that only they have, on either side of a mirror and of the eye, at
+    /// any size. All faces of the octahedron look away from its middle.
+    #[test]
+    fn faces_that_are_left_out_have_no_edges() {
+        let (mesh, normals) = octahedron();
+        for (across, size, inside) in
+            [(1.0, 1.0, 0.0), (-1.0, 1.0, 0.0), (1.0, 1e100, 0.0), (-1.0, 1e-100, 0.0), (1.0, 1.0, 0.9)]
+        {
+            let transform = DMat4::from_scale(DVec3::new(across, 1.0, 1.0) * size);
+            let mut scene = scene(Shape::Mesh { mesh: &mesh, normals: &normals }, transform);
+            let corner = DVec3::splat(size);
+            let framing = Camera::framing((-corner, corner), 1.0);
+            let eye = framing.eye.lerp(DVec3::new(0.1, 0.2, 0.3) * size, inside);
+            for projection in [framing.projection, Projection::Orthographic(3.0 * size)] {
+                scene.camera = Camera { eye, projection, ..framing };
+                let place =
+                    |vertex: u32| transform.transform_point3(mesh.positions()[vertex as usize]) / size;
+                let is_front = |face: &[u32]| {
+                    let middle = face.iter().map(|&vertex| place(vertex)).sum::<DVec3>();
+                    let towards = match projection {
+                        Projection::Perspective(_) => eye / size - place(face[0]),
+                        Projection::Orthographic(_) => eye / size,
+                    };
+                    middle.dot(towards) > 0.0
+                };
+                for (cull, kept) in [(Cull::Back, true), (Cull::Front, false)] {
+                    let settings = RenderSettings { cull, ..RenderSettings::default() };
+                    let job = Job::new(&scene, &settings).unwrap();
+                    let ends = Ends::edges(&scene.objects[0], &job.drawn[0], cull);
+                    let mut expected: Vec<[u32; 2]> = (0..8)
+                        .map(|face| mesh.faces().face(face))
+                        .filter(|face| is_front(face) == kept)
+                        .flat_map(|face| [[0, 1], [1, 2], [0, 2]].map(|ends| ends.map(|end| face[end])))
+                        .map(|[a, b]| [a.min(b), a.max(b)])
+                        .collect();
+                    expected.sort_unstable();
+                    expected.dedup();
+                    let Course::Between(found) = &ends.course else { panic!("edges") };
+                    assert_eq!(**found, *expected, "{across} {size} {inside} {projection:?} {cull:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn lines_of_nothing_are_refused() {
+        let (mesh, normals) = octahedron();
+        let solid = scene(Shape::Surface(Sphere::default().into()), DMat4::IDENTITY);
+        let scene = scene(Shape::Mesh { mesh: &mesh, normals: &normals }, DMat4::IDENTITY);
+        let refused = |scene: &Scene, path: LinePath| Ends::new(scene, 3, &path).err().unwrap().to_string();
+        let along = |object| LinePath::FaceNormals { object, length: 1.0 };
+        assert_eq!(refused(&scene, along(1)), "lines 4 run along object 2, which has no vertices");
+        assert_eq!(refused(&solid, along(0)), "lines 4 run along object 1, which has no vertices");
+        let edges = LinePath::Edges { object: 0, edges: vec![[0, 1], [5, 6]] };
+        assert_eq!(refused(&scene, edges), "line 1 refers to point 6, but there are only 6");
+        let beyond = LinePath::VertexNormals { object: 0, normals: vec![[0, 6]], length: 1.0 };
+        assert!(refused(&scene, beyond).contains("point 6"));
+        let endless = LinePath::FaceNormals { object: 0, length: f64::INFINITY };
+        assert!(refused(&scene, endless).contains("length of lines is inf"));
+    }
+}

@@ -1,0 +1,106 @@
+//! What is shown in place of shaded colours: normals, sides, distances, faces, deviations.
+
+use crate::num::{Degrees, Radians};
+use crate::raster::coverage::records::Record;
+use crate::raster::frame::job::{Job, Prepared};
+use crate::raster::settings::Show;
+use crate::raster::shading::ray_cast::CastHit;
+use glam::{DVec3, Vec3};
+
+/// A sample that is seen.
+pub(in crate::raster) struct Sample<'a> {
+    pub(in crate::raster) record: &'a Record,
+    /// What its ray hit, if it was cast.
+    pub(in crate::raster) hit: Option<&'a CastHit>,
+    /// Its normal, of any length.
+    pub(in crate::raster) value: Vec3,
+    /// Relative to the view's origin, in units of the frame; only for deviations from an analytic surface.
+    pub(in crate::raster) position: Vec3,
+    pub(in crate::raster) depth: f32,
+    /// Its place on the picture, in 256ths of a pixel.
+    pub(in crate::raster) at: [i32; 2],
+}
+
+impl Sample<'_> {
+    fn is_front(&self) -> bool {
+        self.hit.map_or(self.record.front, |hit| hit.front)
+    }
+
+    /// Whether its normal is that of the other side.
+    fn turned(&self, job: &Job) -> bool {
+        self.hit.map_or(self.record.turned, |hit| job.settings.two_sided && !hit.front)
+    }
+
+    /// Distance along the camera's axis.
+    fn distance(&self, job: &Job) -> f64 {
+        let distance = match self.hit {
+            Some(hit) => hit.position.as_dvec3().dot(job.view.axes[2]),
+            None => {
+                let has_level = job.view.has_level();
+                let nearness = if has_level { self.record.nearness_at(self.at) } else { self.depth };
+                f64::from(job.rays.distance(self.depth, nearness))
+            }
+        };
+        distance * job.frame.unit + job.view.away
+    }
+}
+
+// Apart in lightness too, for eyes and printers without colour: 0.48 and 0.15 of white.
+const FRONT: Vec3 = Vec3::new(0.25, 0.5, 1.0);
+const BACK: Vec3 = Vec3::new(0.6, 0.03, 0.02);
+
+/// The colour of a sample.
+pub(in crate::raster) fn colour(job: &Job, object: &Prepared, sample: &Sample) -> Vec3 {
+    match job.settings.show {
+        // Shaded samples do not come here: the values of their rows are their colours.
+        Show::Shaded => sample.value,
+        Show::Normals => (sample.value.normalize_or_zero() + 1.0) * 0.5,
+        Show::Facing if sample.is_front() => FRONT,
+        Show::Facing => BACK,
+        Show::Depth => {
+            let [low, high] = job.distances;
+            Vec3::splat(((high - sample.distance(job)) / (high - low)).clamp(0.0, 1.0) as f32)
+        }
+        Show::FaceId => face_colour(sample.record.object, sample.record.face),
+        Show::Deviation(full) => {
+            let share = deviation(job, object, sample).0 / Radians::from(full).0;
+            heat(share as f32)
+        }
+    }
+}
+
+/// The angle between a sample's normal and the true one.
+fn deviation(job: &Job, object: &Prepared, sample: &Sample) -> Radians {
+    let turned = if sample.turned(job) { -1.0 } else { 1.0 };
+    let truth = match &object.truth {
+        Some(surface) => {
+            let point = job.frame.to_world(sample.position.as_dvec3());
+            surface.normal_at(point).map_or(DVec3::ZERO, |normal| normal.get() * turned)
+        }
+        None => object.face_normal(sample.record.face, sample.record.turned).as_dvec3(),
+    };
+    let normal = sample.value.as_dvec3();
+    Radians(libm::atan2(normal.cross(truth).length(), normal.dot(truth)))
+}
+
+/// Black, red, yellow, white for 0 to 1.
+fn heat(share: f32) -> Vec3 {
+    let ramp = |from: f32| (3.0 * share - from).clamp(0.0, 1.0);
+    Vec3::new(ramp(0.0), ramp(1.0), ramp(2.0))
+}
+
+/// A colour that tells a face from its neighbours: not too dark, and the same in every picture of the scene.
+fn face_colour(object: u32, face: u32) -> Vec3 {
+    // The finaliser of splitmix64 (Steele, Lea & Flood 2014).
+    let mut hash = (u64::from(object) << 32 | u64::from(face)).wrapping_add(0x9e37_79b9_7f4a_7c15);
+    hash = (hash ^ (hash >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    hash = (hash ^ (hash >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    hash ^= hash >> 31;
+    let component = |shift: u32| 0.1 + 0.9 * (hash >> shift & 0xff) as f32 / 255.0;
+    Vec3::new(component(0), component(8), component(16))
+}
+
+impl Show {
+    /// Deviations up to 15°: what is beyond is white.
+    pub const DEVIATION: Show = Show::Deviation(Degrees(15.0));
+}

@@ -1,0 +1,245 @@
+//! Light on corners and faces: on points that are not samples.
+
+use crate::mesh::NONE;
+use crate::num::{self, Kernel, Lanes};
+use crate::raster::coverage::triangles::DrawnObject;
+use crate::raster::error::RenderError;
+use crate::raster::frame::job::{Job, Prepared};
+use crate::raster::shading::surface_colour::LitInk;
+use crate::raster::view::project::Points;
+use crate::raster::view::screen_transform::ObjectMap;
+use crate::shade::SurfaceRows;
+use glam::{DVec3, Vec3};
+
+/// An object and what lights it.
+#[derive(Clone, Copy)]
+pub(in crate::raster) struct Lit<'a> {
+    pub(in crate::raster) job: &'a Job<'a>,
+    pub(in crate::raster) object: &'a Prepared<'a>,
+    pub(in crate::raster) drawn: &'a DrawnObject<'a>,
+    pub(in crate::raster) ink: &'a LitInk,
+}
+
+/// A corner of a face.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::raster) struct Corner {
+    pub(in crate::raster) number: u32,
+    pub(in crate::raster) vertex: u32,
+    /// Whether it is lit on the other side.
+    pub(in crate::raster) turned: bool,
+}
+
+/// Lights points and keeps its memory.
+pub(in crate::raster) struct PointLight {
+    vertices: Vec<u32>,
+    /// Where the vertices of each point end, if points are means of several.
+    ends: Vec<usize>,
+    positions: [Vec<f32>; 3],
+    normals: [Vec<f32>; 3],
+    colours: [Vec<f32>; 3],
+    /// Which point each corner asked for is.
+    point_of: Vec<u32>,
+    memo: Box<[Known; MEMO]>,
+}
+
+/// A corner that has a point.
+#[derive(Clone, Copy)]
+struct Known {
+    entry: u32,
+    vertex: u32,
+    turned: bool,
+    point: u32,
+}
+
+/// Corners remembered, by the low bits of their entries: neighbours share most of theirs, and one forgotten is only lit
+/// again.
+const MEMO: usize = 4096;
+const UNKNOWN: Known = Known { entry: 0, vertex: NONE, turned: false, point: 0 };
+
+impl PointLight {
+    pub(in crate::raster) fn new() -> Self {
+        Self {
+            vertices: Vec::new(),
+            ends: Vec::new(),
+            positions: Default::default(),
+            normals: Default::default(),
+            colours: Default::default(),
+            point_of: Vec::new(),
+            memo: Box::new([UNKNOWN; MEMO]),
+        }
+    }
+
+    /// Lights corners of faces with their normals; [`colour`](Self::colour) then has the light on each.
+    pub(in crate::raster) fn corners(
+        &mut self,
+        lit: &Lit,
+        corners: impl Iterator<Item = Corner>,
+    ) -> Result<(), RenderError> {
+        self.clear();
+        self.memo.fill(UNKNOWN);
+        for Corner { number, vertex, turned } in corners {
+            let entry = lit.object.entry(number, vertex);
+            let known = &mut self.memo[entry as usize % MEMO];
+            if (known.entry, known.vertex, known.turned) != (entry, vertex, turned) {
+                *known = Known { entry, vertex, turned, point: self.vertices.len() as u32 };
+                self.vertices.push(vertex);
+                let normal = lit.object.corner_normal(number, vertex, turned).to_array();
+                self.normals.iter_mut().zip(normal).for_each(|(row, component)| row.push(component));
+            }
+            self.point_of.push(known.point);
+        }
+        self.place(lit);
+        self.light(lit)
+    }
+
+    /// Lights one point for each face: the mean of its corners, with the face's normal.
+    pub(in crate::raster) fn faces<C: Iterator<Item = u32>>(
+        &mut self,
+        lit: &Lit,
+        faces: impl Iterator<Item = (C, Vec3)>,
+    ) -> Result<(), RenderError> {
+        self.clear();
+        for (vertices, normal) in faces {
+            self.vertices.extend(vertices);
+            self.point_of.push(self.ends.len() as u32);
+            self.ends.push(self.vertices.len());
+            self.normals.iter_mut().zip(normal.to_array()).for_each(|(row, component)| row.push(component));
+        }
+        self.place(lit);
+        if lit.ink.needs_positions() {
+            for row in &mut self.positions {
+                let mut from = 0;
+                // In place: a face has three corners or more, so a mean never overtakes what it is of.
+                for (face, &end) in self.ends.iter().enumerate() {
+                    let sum: f32 = row[from..end].iter().sum();
+                    row[face] = sum / (end - from) as f32;
+                    from = end;
+                }
+                row.truncate(self.ends.len());
+            }
+        }
+        self.light(lit)
+    }
+
+    /// The light on one of the corners or faces asked for last.
+    #[inline(always)]
+    pub(in crate::raster) fn colour(&self, number: usize) -> Vec3 {
+        let point = self.point_of[number] as usize;
+        let [red, green, blue] = &self.colours;
+        Vec3::new(red[point], green[point], blue[point])
+    }
+
+    fn clear(&mut self) {
+        self.vertices.clear();
+        self.ends.clear();
+        self.point_of.clear();
+        self.positions.iter_mut().chain(&mut self.normals).for_each(Vec::clear);
+    }
+
+    /// Positions of the vertices, if anything depends on them.
+    fn place(&mut self, lit: &Lit) {
+        if lit.ink.needs_positions() {
+            let count = self.vertices.len();
+            self.positions.iter_mut().for_each(|row| row.resize(count, 0.0));
+            let out = self.positions.each_mut().map(|row| &mut row[..]);
+            let per_unit = 1.0 / lit.job.frame.unit;
+            let DrawnObject { points, map, .. } = lit.drawn;
+            num::dispatch(FromOrigin { points: *points, map, per_unit, vertices: &self.vertices, out });
+        }
+    }
+
+    /// Brings points farther away than [`REACH`] nearer to the view's origin, on the way to it.
+    fn bring_into_reach(&mut self) {
+        let is_far = |row: &Vec<f32>| row.iter().any(|x| x.abs() > REACH);
+        if !self.positions.iter().any(is_far) {
+            return;
+        }
+        let [x, y, z] = &mut self.positions;
+        for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
+            let largest = x.abs().max(y.abs()).max(z.abs());
+            if largest > REACH {
+                for coordinate in [x, y, z] {
+                    *coordinate = *coordinate / largest * REACH;
+                }
+            }
+        }
+    }
+
+    fn light(&mut self, lit: &Lit) -> Result<(), RenderError> {
+        self.bring_into_reach();
+        let count = self.normals[0].len();
+        self.colours.iter_mut().for_each(|row| row.resize(count, 0.0));
+        let rows = SurfaceRows {
+            positions: self.positions.each_ref().map(|row| &row[..]),
+            normals: self.normals.each_ref().map(|row| &row[..]),
+        };
+        let colours = self.colours.each_mut().map(|row| &mut row[..]);
+        let exactly = |point| exactly(lit, vertices_of(&self.vertices, &self.ends, point));
+        let object = lit.drawn.object;
+        let done = lit.ink.shade_rows(&rows, None, colours, exactly);
+        done.map_err(|error| RenderError::NotFinite { object, error })
+    }
+}
+
+/// The vertices that a point is the mean of.
+fn vertices_of<'a>(vertices: &'a [u32], ends: &[usize], point: usize) -> &'a [u32] {
+    match ends.get(point) {
+        Some(&end) => &vertices[point.checked_sub(1).map_or(0, |before| ends[before])..end],
+        None => &vertices[point..=point],
+    }
+}
+
+/// The mean of some vertices as shaders take it, before anything is rounded.
+fn exactly(lit: &Lit, vertices: &[u32]) -> DVec3 {
+    let place = |&vertex: &u32| lit.drawn.map.scene_point(lit.drawn.points.get(vertex)) / lit.job.frame.unit;
+    vertices.iter().map(place).sum::<DVec3>() / vertices.len() as f64
+}
+
+/// Positions of vertices relative to the view's origin, as shaders take them.
+struct FromOrigin<'a> {
+    points: Points<'a>,
+    map: &'a ObjectMap,
+    per_unit: f64,
+    vertices: &'a [u32],
+    out: [&'a mut [f32]; 3],
+}
+
+/// Vertices computed side by side.
+const LANES: usize = 32;
+
+/// As far away as single precision is asked for: a point that is farther has the same V, the same L and no more light
+/// to be told from none, but a square that overflows.
+pub(in crate::raster) const REACH: f32 = (1_u64 << 50) as f32;
+
+/// The largest coordinate in single precision that leaves room for sums over the corners of a face.
+const LARGEST: f64 = 1e30;
+
+impl Kernel for FromOrigin<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<A: Lanes>(self, _: A) {
+        let Self { points, map, per_unit, vertices, out: [out_x, out_y, out_z] } = self;
+        let mut rows = [[0.0; LANES]; 3];
+        for (block, vertices) in vertices.chunks(LANES).enumerate() {
+            for (lane, &vertex) in vertices.iter().enumerate().take(LANES) {
+                let point = points.get(vertex);
+                (rows[0][lane], rows[1][lane], rows[2][lane]) = (point.x, point.y, point.z);
+            }
+            let mut single = [[0.0; LANES]; 3];
+            for lane in 0..LANES {
+                let point = DVec3::new(rows[0][lane], rows[1][lane], rows[2][lane]);
+                let from_origin = map.scene_point(point) * per_unit;
+                let largest = from_origin.abs().max_element();
+                let from_origin = from_origin * if largest > LARGEST { LARGEST / largest } else { 1.0 };
+                single[0][lane] = from_origin.x as f32;
+                single[1][lane] = from_origin.y as f32;
+                single[2][lane] = from_origin.z as f32;
+            }
+            let range = block * LANES..block * LANES + vertices.len();
+            out_x[range.clone()].copy_from_slice(&single[0][..vertices.len()]);
+            out_y[range.clone()].copy_from_slice(&single[1][..vertices.len()]);
+            out_z[range].copy_from_slice(&single[2][..vertices.len()]);
+        }
+    }
+}

@@ -1,0 +1,337 @@
+//! Colours of the samples that are seen.
+
+use crate::num;
+use crate::raster::coverage::records::{
+    Record, Wanted, face_corners, mean_colour, piece_values, single, takes_mean,
+};
+use crate::raster::coverage::tile_list::{Run, TileList};
+use crate::raster::coverage::visible_triangle::{PIXELS, place};
+use crate::raster::error::RenderError;
+use crate::raster::frame::job::Job;
+use crate::raster::frame::tile::Colours;
+use crate::raster::inspect::hit_point::seen_point;
+use crate::raster::settings::{Interpolation, Show};
+use crate::raster::shading::false_colour;
+use crate::raster::shading::interpolate::{BATCH, Interpolate, Positions, Row, Seen};
+use crate::raster::shading::lighting::{Corner, Lit, PointLight};
+use crate::raster::shading::ray_cast::{Hits, cast};
+use crate::raster::shading::scanline::ScanPolygon;
+use crate::raster::shading::surface_colour::Ink;
+use crate::raster::view::fixed_point::{BITS, ONE};
+use crate::shade::SurfaceRows;
+use glam::{DVec3, Vec3};
+
+/// Makes colours; keeps its memory.
+pub(in crate::raster) struct Painter {
+    values: Box<[Row; 3]>,
+    positions: Box<[Row; 3]>,
+    colours: Box<[Row; 3]>,
+    /// Normals of faces.
+    faces: Box<[Row; 3]>,
+    light: PointLight,
+    /// Polygons of the scanline algorithm, by ascending face.
+    polygons: Vec<(u32, ScanPolygon)>,
+}
+
+/// What is seen of one object in a tile.
+pub(in crate::raster) struct Tile<'a> {
+    pub(in crate::raster) seen: &'a [Seen],
+    pub(in crate::raster) records: &'a [Record],
+    pub(in crate::raster) depth: &'a [f32],
+    pub(in crate::raster) hits: Option<&'a Hits>,
+    /// The sample of the tile's first pixel, in 256ths of a pixel of the picture.
+    pub(in crate::raster) origin: [i32; 2],
+}
+
+impl Painter {
+    pub(in crate::raster) fn new() -> Self {
+        let rows = || Box::new([[0.0; BATCH]; 3]);
+        Self {
+            values: rows(),
+            positions: rows(),
+            colours: rows(),
+            faces: rows(),
+            light: PointLight::new(),
+            polygons: Vec::new(),
+        }
+    }
+
+    /// Fills in what the corners of the triangles of a run carry.
+    pub(in crate::raster) fn prepare(
+        &mut self,
+        job: &Job,
+        run: &Run,
+        list: &TileList,
+        owners: &[u32],
+        records: &mut [Record],
+    ) -> Result<(), RenderError> {
+        self.polygons.clear();
+        let (object, Some(drawn)) = (&job.objects[run.object], run.drawn) else { return Ok(()) };
+        let drawn = &job.drawn[drawn];
+        let (records, owners) = (&mut records[run.records.clone()], &owners[run.records.clone()]);
+        let wanted = Wanted::new(job, object);
+        match wanted {
+            Wanted::Nothing => return Ok(()),
+            Wanted::FaceNormal => {
+                for record in records {
+                    record.values = [object.face_normal(record.face, record.turned); 3];
+                }
+                return Ok(());
+            }
+            Wanted::FaceColour => return self.face_colours(job, run, records),
+            Wanted::CornerNormals => {
+                for record in records.iter_mut() {
+                    let corners = drawn.list.corners(record.triangle);
+                    record.values = [0, 1, 2]
+                        .map(|k| object.corner_normal(corners[k], record.vertices[k], record.turned));
+                }
+            }
+            Wanted::CornerColours => match &object.ink {
+                Ink::Given(colours) => {
+                    for record in records.iter_mut() {
+                        record.values = record.vertices.map(|vertex| single(colours[vertex as usize]));
+                    }
+                }
+                Ink::Lit(ink) => {
+                    let corners = records.iter().flat_map(|record| {
+                        let numbers = drawn.list.corners(record.triangle);
+                        [0, 1, 2].map(|k| Corner {
+                            number: numbers[k],
+                            vertex: record.vertices[k],
+                            turned: record.turned,
+                        })
+                    });
+                    self.light.corners(&Lit { job, object, drawn, ink }, corners)?;
+                    for (at, record) in records.iter_mut().enumerate() {
+                        record.values = [0, 1, 2].map(|k| self.light.colour(3 * at + k));
+                    }
+                }
+            },
+        }
+        if !list.pieces.is_empty() {
+            for (record, &owner) in records.iter_mut().zip(owners) {
+                if let Some(piece) = list.piece(owner) {
+                    record.values = piece_values(record.values, piece, job.settings.interpolation);
+                }
+            }
+        }
+        match job.settings.interpolation {
+            Interpolation::Scanline => self.make_polygons(job, run, records, wanted),
+            Interpolation::Affine | Interpolation::Perspective => Ok(()),
+        }
+    }
+
+    /// The colour of each face that is seen, under flat shading.
+    fn face_colours(&mut self, job: &Job, run: &Run, records: &mut [Record]) -> Result<(), RenderError> {
+        let (object, Some(drawn)) = (&job.objects[run.object], run.drawn) else { return Ok(()) };
+        let drawn = &job.drawn[drawn];
+        match &object.ink {
+            Ink::Given(colours) => {
+                for record in records {
+                    record.values = [mean_colour(colours, face_corners(object, drawn, record)); 3];
+                }
+            }
+            Ink::Lit(ink) if takes_mean(job, object) => {
+                let corners = records.iter().flat_map(|record| {
+                    let turned = record.turned;
+                    let corners = face_corners(object, drawn, record);
+                    corners.map(move |(number, vertex)| Corner { number, vertex, turned })
+                });
+                self.light.corners(&Lit { job, object, drawn, ink }, corners)?;
+                let mut first = 0;
+                for record in records {
+                    let count = face_corners(object, drawn, record).len();
+                    let colours = (first..first + count).map(|corner| self.light.colour(corner).as_dvec3());
+                    record.values = [(colours.sum::<DVec3>() / count as f64).as_vec3(); 3];
+                    first += count;
+                }
+            }
+            Ink::Lit(ink) => {
+                let faces = records.iter().map(|record| {
+                    let vertices = face_corners(object, drawn, record).map(|(_, vertex)| vertex);
+                    (vertices, object.face_normal(record.face, record.turned))
+                });
+                self.light.faces(&Lit { job, object, drawn, ink }, faces)?;
+                for (at, record) in records.iter_mut().enumerate() {
+                    record.values = [self.light.colour(at); 3];
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The polygons of faces with four corners or more, for the scanline algorithm.
+    fn make_polygons(
+        &mut self,
+        job: &Job,
+        run: &Run,
+        records: &[Record],
+        wanted: Wanted,
+    ) -> Result<(), RenderError> {
+        let (object, Some(drawn)) = (&job.objects[run.object], run.drawn) else { return Ok(()) };
+        let drawn = &job.drawn[drawn];
+        let mut faces: Vec<&Record> = records.iter().collect();
+        faces.retain(|record| face_corners(object, drawn, record).len() > 3);
+        faces.sort_by_key(|record| record.face);
+        faces.dedup_by_key(|record| record.face);
+        let corners = || {
+            faces.iter().flat_map(|record| {
+                let turned = record.turned;
+                let corners = face_corners(object, drawn, record);
+                corners.map(move |(number, vertex)| Corner { number, vertex, turned })
+            })
+        };
+        if let (Wanted::CornerColours, Ink::Lit(ink)) = (wanted, &object.ink) {
+            self.light.corners(&Lit { job, object, drawn, ink }, corners())?;
+        }
+        let value = |(at, corner): (usize, Corner)| match (wanted, &object.ink) {
+            (Wanted::CornerNormals, _) => object.corner_normal(corner.number, corner.vertex, corner.turned),
+            (_, Ink::Given(colours)) => single(colours[corner.vertex as usize]),
+            (_, Ink::Lit(_)) => self.light.colour(at),
+        };
+        let place = |corner: Corner| drawn.map.view(drawn.points.get(corner.vertex));
+        let mut placed =
+            corners().enumerate().map(|(at, corner)| (place(corner), value((at, corner)).as_dvec3()));
+        for record in &faces {
+            let count = face_corners(object, drawn, record).len();
+            let polygon = ScanPolygon::new(&job.view, placed.by_ref().take(count));
+            self.polygons.push((record.face, polygon));
+        }
+        Ok(())
+    }
+
+    /// Colours of the samples of one object.
+    pub(in crate::raster) fn paint(
+        &mut self,
+        job: &Job,
+        object: usize,
+        tile: &Tile,
+        out: &mut Colours,
+    ) -> Result<(), RenderError> {
+        let prepared = &job.objects[object];
+        let wanted = Wanted::new(job, prepared);
+        let ink = match (&prepared.ink, job.settings.show) {
+            (Ink::Lit(ink), Show::Shaded) if wanted == Wanted::CornerNormals || prepared.is_cast => Some(ink),
+            _ => None,
+        };
+        let needs_positions = ink.is_some_and(|ink| ink.needs_positions())
+            || matches!(job.settings.show, Show::Deviation(_)) && prepared.truth.is_some();
+        let hits = tile.hits.filter(|_| prepared.is_cast);
+        let Tile { records, depth, origin, .. } = *tile;
+        for seen in tile.seen.chunks(BATCH) {
+            let count = seen.len();
+            if let Some(hits) = hits {
+                self.take_hits(hits, seen);
+            } else {
+                self.take_values(job, wanted, seen, tile);
+                if needs_positions {
+                    num::dispatch(Positions {
+                        rays: &job.rays,
+                        seen,
+                        depth,
+                        records: job.view.has_level().then_some(records),
+                        origin,
+                        out: &mut self.positions,
+                    });
+                }
+            }
+            let by_faces = job.settings.asks_faces() && !prepared.is_cast && ink.is_some();
+            if by_faces {
+                for (lane, seen) in seen.iter().enumerate() {
+                    let record = &records[seen.record as usize];
+                    let normal = prepared.face_normal(record.face, record.turned).to_array();
+                    self.faces.iter_mut().zip(normal).for_each(|(row, component)| row[lane] = component);
+                }
+            }
+            let Self { values, positions, colours, faces, .. } = self;
+            if let Some(ink) = ink {
+                let rows = SurfaceRows {
+                    positions: positions.each_ref().map(|row| &row[..count]),
+                    normals: values.each_ref().map(|row| &row[..count]),
+                };
+                let faces = by_faces.then(|| faces.each_ref().map(|row| &row[..count]));
+                let colours = colours.each_mut().map(|row| &mut row[..count]);
+                ink.shade_rows(&rows, faces, colours, |lane| seen_exactly(job, object, tile, seen[lane]))
+                    .map_err(|error| RenderError::NotFinite { object, error })?;
+            } else if job.settings.show != Show::Shaded {
+                for (lane, seen) in seen.iter().enumerate() {
+                    let at = |rows: &[Row; 3]| Vec3::new(rows[0][lane], rows[1][lane], rows[2][lane]);
+                    let sample = false_colour::Sample {
+                        record: &records[seen.record as usize],
+                        hit: hits.map(|hits| hits.at(seen.pixel)),
+                        value: at(values),
+                        position: at(positions),
+                        depth: depth[usize::from(seen.pixel)],
+                        at: tile.place(*seen),
+                    };
+                    let colour = false_colour::colour(job, prepared, &sample).to_array();
+                    colours.iter_mut().zip(colour).for_each(|(row, component)| row[lane] = component);
+                }
+            }
+            // What is neither lit here nor shown in another way is a colour already.
+            let is_colour = ink.is_none() && job.settings.show == Show::Shaded;
+            let colours = if is_colour { values } else { colours };
+            for (out, colours) in out.iter_mut().zip(colours.iter()) {
+                for (seen, &colour) in seen.iter().zip(colours.iter()) {
+                    out[usize::from(seen.pixel) % PIXELS] = colour;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// What the corners carry, at the samples.
+    fn take_values(&mut self, job: &Job, wanted: Wanted, seen: &[Seen], tile: &Tile) {
+        let Tile { records, origin, .. } = *tile;
+        if !wanted.varies() {
+            let [x, y, z] = &mut *self.values;
+            for (((seen, x), y), z) in seen.iter().zip(x).zip(y).zip(z) {
+                [*x, *y, *z] = records[seen.record as usize].values[0].to_array();
+            }
+            return;
+        }
+        // In a parallel projection the picture is the scene seen from far away: nothing to correct.
+        let perspective = job.settings.interpolation == Interpolation::Perspective && job.view.perspective;
+        num::dispatch(Interpolate { records, seen, origin, perspective, out: &mut self.values });
+        if self.polygons.is_empty() {
+            return;
+        }
+        for (lane, seen) in seen.iter().enumerate() {
+            let face = records[seen.record as usize].face;
+            let Ok(found) = self.polygons.binary_search_by_key(&face, |&(face, _)| face) else { continue };
+            let at = tile.place(*seen).map(|n| f64::from(n) / f64::from(ONE));
+            let value = self.polygons[found].1.value(at);
+            self.values.iter_mut().zip(value.to_array()).for_each(|(row, value)| row[lane] = value as f32);
+        }
+    }
+
+    /// What rays hit.
+    fn take_hits(&mut self, hits: &Hits, seen: &[Seen]) {
+        for (lane, seen) in seen.iter().enumerate() {
+            let hit = hits.at(seen.pixel);
+            self.values.iter_mut().zip(hit.normal.to_array()).for_each(|(row, value)| row[lane] = value);
+            self.positions.iter_mut().zip(hit.position.to_array()).for_each(|(row, value)| row[lane] = value);
+        }
+    }
+}
+
+impl Tile<'_> {
+    /// Where a sample is, in 256ths of a pixel of the picture.
+    fn place(&self, seen: Seen) -> [i32; 2] {
+        let [column, row] = place(usize::from(seen.pixel)).map(|n| n as i32);
+        [self.origin[0] + (column << BITS), self.origin[1] + (row << BITS)]
+    }
+}
+
+/// Where a sample sees an object, in the frame of the shaders, before depth and corners are rounded.
+fn seen_exactly(job: &Job, object: usize, tile: &Tile, seen: Seen) -> DVec3 {
+    let at = tile.place(seen).map(|n| f64::from(n) / f64::from(ONE));
+    let position = match job.drawn.iter().find(|drawn| drawn.object == object) {
+        Some(drawn) => {
+            let triangle = tile.records[seen.record as usize].vertices;
+            seen_point(job, drawn, triangle, at).from_eye + (job.view.eye - job.view.origin)
+        }
+        None => cast(job, object, at).map_or(DVec3::NAN, |(hit, _)| hit.position - job.view.origin),
+    };
+    position / job.frame.unit
+}

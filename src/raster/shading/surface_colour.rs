@@ -1,0 +1,95 @@
+//! What makes the colour of an object.
+
+use crate::num::LinearRgb;
+use crate::shade::{
+    Light, Material, NotFinite, ShadeError, ShadeSettings, Shader, SurfacePoint, SurfaceRows,
+};
+use glam::DVec3;
+
+/// What makes the colour of an object.
+pub(in crate::raster) enum Ink<'a> {
+    /// Light on a material.
+    Lit(Box<LitInk>),
+    /// A colour for each vertex.
+    Given(&'a [LinearRgb]),
+}
+
+/// Light on a material, in single precision for rows of points and in double precision for what that cannot tell apart.
+pub(in crate::raster) struct LitInk {
+    single: Shader<f32>,
+    double: Shader<f64>,
+}
+
+impl LitInk {
+    pub(in crate::raster) fn new(
+        lights: &[Light],
+        material: &Material,
+        settings: &ShadeSettings,
+    ) -> Result<Self, ShadeError> {
+        let single = Shader::new(lights, material, settings)?;
+        Ok(Self { single, double: Shader::new(lights, material, settings)? })
+    }
+
+    /// Whether the colour of a point depends on where it is.
+    pub(in crate::raster) fn needs_positions(&self) -> bool {
+        self.single.needs_positions()
+    }
+
+    /// Shades rows of points, on faces with normals if there are any.
+    ///
+    /// A point without a finite colour may have been rounded to where a lamp is: it is shaded again in double precision,
+    /// where `exactly` says that it is, in the frame of the settings, and refused only then.
+    pub(in crate::raster) fn shade_rows(
+        &self,
+        rows: &SurfaceRows,
+        faces: Option<[&[f32]; 3]>,
+        mut out: [&mut [f32]; 3],
+        exactly: impl Fn(usize) -> DVec3,
+    ) -> Result<(), NotFinite> {
+        let in_rows = out.each_mut().map(|row| &mut **row);
+        let done = match faces {
+            Some(faces) => self.single.shade_rows_on(rows, faces, in_rows),
+            None => self.single.shade_rows(rows, in_rows),
+        };
+        match done {
+            Err(_) if self.needs_positions() => {
+                // One by one: what is finite has the bits that it has in rows, whatever lies beside it.
+                (0..out[0].len()).try_for_each(|index| {
+                    let at = |rows: [&[f32]; 3]| rows.map(|row| row[index]);
+                    let colour =
+                        self.shade_alone(at(rows.positions), at(rows.normals), faces.map(at), || {
+                            exactly(index)
+                        });
+                    let colour = colour.map_err(|error| NotFinite { index, ..error })?;
+                    out.iter_mut().zip(colour).for_each(|(row, component)| row[index] = component);
+                    Ok(())
+                })
+            }
+            done => done,
+        }
+    }
+
+    fn shade_alone(
+        &self,
+        position: [f32; 3],
+        normal: [f32; 3],
+        face: Option<[f32; 3]>,
+        exactly: impl FnOnce() -> DVec3,
+    ) -> Result<[f32; 3], NotFinite> {
+        let point = SurfacePoint { position, normal };
+        let single = match face {
+            Some(face) => self.single.shade_on(&point, face),
+            None => self.single.shade(&point),
+        };
+        single.or_else(|rounded| {
+            let wide = |v: [f32; 3]| v.map(f64::from);
+            let point = SurfacePoint { position: exactly().to_array(), normal: wide(normal) };
+            let double = match face {
+                Some(face) => self.double.shade_on(&point, wide(face)),
+                None => self.double.shade(&point),
+            };
+            let colour = double?.map(|component| component as f32);
+            if colour.iter().all(|component| component.is_finite()) { Ok(colour) } else { Err(rounded) }
+        })
+    }
+}

@@ -1,0 +1,165 @@
+//! Grids of parameters.
+
+use crate::surface::error::SurfaceError;
+use crate::surface::meshing::hash::{GridHash, cuts_upwards};
+use crate::surface::meshing::net::{Net, sample};
+use crate::surface::meshing::tessellation::{MOST_CELLS, Pattern, Tessellation};
+use crate::surface::shapes::chart::{Chart, Parametric, Sample};
+use glam::DVec2;
+use rayon::prelude::*;
+
+/// Grids on charts, one after the other, not joined.
+pub(in crate::surface) fn net(
+    charts: &[&dyn Parametric],
+    tessellation: &Tessellation,
+) -> Result<Net, SurfaceError> {
+    let mut net = Net::default();
+    for (part, chart) in charts.iter().enumerate() {
+        let grid = Grid::new(chart.chart(), tessellation, part as u32);
+        grid.check(charts.len() as u64)?;
+        let base = net.samples.len() as u32;
+        let places = grid.places();
+        let samples: Result<Vec<Sample>, SurfaceError> =
+            places.par_iter().map(|&(i, j)| sample(*chart, grid.parameters(i, j))).collect();
+        net.samples.extend(samples?);
+        net.first_faces.push(net.faces.len());
+        for (i, j) in (0..grid.segments[1]).flat_map(|j| (0..grid.segments[0]).map(move |i| (i, j))) {
+            grid.cut(i, j, &mut |corners| {
+                let mut vertices = [0; 4];
+                vertices.iter_mut().zip(corners).for_each(|(slot, corner)| *slot = base + corner.vertex);
+                net.push(&vertices[..corners.len()], corners.iter().map(|corner| corner.parameters));
+            });
+        }
+    }
+    Ok(net)
+}
+
+/// A corner of a cell.
+#[derive(Clone, Copy)]
+struct Corner {
+    vertex: u32,
+    parameters: DVec2,
+}
+
+/// A grid over one chart. Vertex (i, j) is at u = i / segments, v = j / segments but for jitter; cell (i, j) has it at
+/// its lower left.
+pub(in crate::surface) struct Grid {
+    chart: Chart,
+    pub(in crate::surface) segments: [u32; 2],
+    jitter: f64,
+    pattern: Pattern,
+    hash: GridHash,
+}
+
+impl Grid {
+    pub(in crate::surface) fn new(chart: Chart, tessellation: &Tessellation, part: u32) -> Self {
+        let Tessellation { pattern, segments, jitter, seed, .. } = *tessellation;
+        let segments = match pattern {
+            Pattern::Stretched(ratio) => {
+                let [u, v] = segments.map(f64::from);
+                // The counts are checked against their limits afterwards; casts of too large numbers saturate.
+                [(u / ratio.sqrt()).round().max(1.0), (v * ratio.sqrt()).round()].map(|count| count as u32)
+            }
+            _ => segments,
+        };
+        Self { chart, segments, jitter, pattern, hash: GridHash { seed }.of_part(part) }
+    }
+
+    fn check(&self, charts: u64) -> Result<(), SurfaceError> {
+        let [u, v] = self.segments.map(u64::from);
+        let Chart { wraps_u, wraps_v, pole_low, pole_high } = self.chart;
+        let least = |wraps, poles| if wraps { 3 } else { 1 + u64::from(poles) };
+        let limits = [
+            ("segments round", u, least(wraps_u, false)),
+            ("segments along", v, least(wraps_v, pole_low && pole_high)),
+        ];
+        if let Some(&(what, found, limit)) = limits.iter().find(|(_, found, least)| found < least) {
+            return Err(SurfaceError::Segments { what, found, limit });
+        }
+        let cells = u.saturating_mul(v).saturating_mul(charts);
+        if cells > MOST_CELLS {
+            return Err(SurfaceError::Segments { what: "cells", found: cells, limit: MOST_CELLS });
+        }
+        Ok(())
+    }
+
+    /// Columns of vertices.
+    fn columns(&self) -> u32 {
+        self.segments[0] + u32::from(!self.chart.wraps_u)
+    }
+
+    /// Whether a row of vertices is one point.
+    fn is_pole(&self, j: u32) -> bool {
+        self.chart.pole_low && j == 0 || self.chart.pole_high && j == self.segments[1]
+    }
+
+    /// The place of each vertex, in their order.
+    fn places(&self) -> Vec<(u32, u32)> {
+        let rows = self.segments[1] + u32::from(!self.chart.wraps_v);
+        let columns = |j: u32| if self.is_pole(j) { 1 } else { self.columns() };
+        (0..rows).flat_map(|j| (0..columns(j)).map(move |i| (i, j))).collect()
+    }
+
+    /// How many vertices there are.
+    pub(in crate::surface) fn vertex_count(&self) -> u32 {
+        let last_row = self.segments[1] - u32::from(self.chart.wraps_v);
+        let last_column = self.columns() - 1;
+        self.vertex(last_column, last_row) + 1
+    }
+
+    /// The number of the vertex at a place.
+    pub(in crate::surface) fn vertex(&self, i: u32, j: u32) -> u32 {
+        let i = if self.is_pole(j) { 0 } else { i % self.columns() };
+        let j = if self.chart.wraps_v { j % self.segments[1] } else { j };
+        match j {
+            0 => i,
+            _ if self.chart.pole_low => 1 + (j - 1) * self.columns() + i,
+            _ => j * self.columns() + i,
+        }
+    }
+
+    /// The parameters of a place. On the far side of a chart that wraps they are above 1.
+    fn parameters(&self, i: u32, j: u32) -> DVec2 {
+        let [columns, rows] = self.segments;
+        let inside = |k: u32, count: u32, wraps: bool| wraps || (1..count).contains(&k);
+        let moves = inside(i, columns, self.chart.wraps_u) && inside(j, rows, self.chart.wraps_v);
+        let offset = match self.pattern {
+            Pattern::Slivers(ratio) if j % 2 == 1 && j < rows => DVec2::new(0.0, 1.0 - 1.0 / ratio),
+            _ if moves && self.jitter > 0.0 => {
+                let (i, j) = (i % columns, j % rows);
+                (DVec2::new(self.hash.at(i, j, 1), self.hash.at(i, j, 2)) - 0.5) * self.jitter
+            }
+            _ => DVec2::ZERO,
+        };
+        (DVec2::new(i.into(), j.into()) + offset) / DVec2::new(columns.into(), rows.into())
+    }
+
+    fn corner(&self, i: u32, j: u32) -> Corner {
+        Corner { vertex: self.vertex(i, j), parameters: self.parameters(i, j) }
+    }
+
+    /// The pole at one end of a cell; its u is that of the cell's middle.
+    fn pole(&self, i: u32, j: u32) -> Corner {
+        let [columns, rows] = self.segments.map(f64::from);
+        let parameters = DVec2::new((f64::from(i) + 0.5) / columns, f64::from(j) / rows);
+        Corner { vertex: self.vertex(i, j), parameters }
+    }
+
+    /// The faces of a cell.
+    fn cut(&self, i: u32, j: u32, face: &mut impl FnMut(&[Corner])) {
+        let [a, b, c, d] = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(|(i, j)| self.corner(i, j));
+        if self.is_pole(j) {
+            face(&[self.pole(i, j), c, d]);
+        } else if self.is_pole(j + 1) {
+            face(&[a, b, self.pole(i, j + 1)]);
+        } else if self.pattern == Pattern::Quads {
+            face(&[a, b, c, d]);
+        } else if self.jitter == 0.0 || cuts_upwards(self.hash, i, j) {
+            face(&[a, b, c]);
+            face(&[a, c, d]);
+        } else {
+            face(&[a, b, d]);
+            face(&[b, c, d]);
+        }
+    }
+}

@@ -1,0 +1,183 @@
+//! Marching tetrahedra: meshes that know nothing of the surface's own lines.
+
+use crate::mesh::Faces;
+use crate::surface::error::SurfaceError;
+use crate::surface::meshing::hash::GridHash;
+use crate::surface::meshing::net::Net;
+use crate::surface::meshing::tessellation::MOST_CELLS;
+use crate::surface::shapes::chart::Sample;
+use crate::surface::shapes::implicit::Implicit;
+use glam::{DVec3, UVec3};
+use rayon::prelude::*;
+use rustc_hash::FxHashMap;
+
+/// The box that a surface fills.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::surface) struct Room {
+    pub(in crate::surface) low: DVec3,
+    pub(in crate::surface) high: DVec3,
+    /// The axes along which the surface ends at the box, open; else it closes within.
+    pub(in crate::surface) ends: [bool; 3],
+}
+
+/// The six tetrahedra of a cube, one for each order in which to go along the axes from its lowest corner to its highest
+/// (H. W. Kuhn 1960). A corner of the cube is named by its bits, x lowest; all run the same way round.
+const TETRAHEDRA: [[usize; 4]; 6] =
+    [[0, 1, 3, 7], [0, 2, 6, 7], [0, 4, 5, 7], [0, 5, 1, 7], [0, 3, 2, 7], [0, 6, 4, 7]];
+
+/// The surface within its box, cut by a cubic lattice with so many cells along the longest side. Where the surface closes
+/// within the box the lattice is shifted by a random part of a cell, so that it meets no symmetry.
+pub(in crate::surface) fn net(
+    surface: &dyn Implicit,
+    room: Room,
+    cells: u32,
+    hash: GridHash,
+) -> Result<Net, SurfaceError> {
+    let lattice = Lattice::new(room, cells, hash)?;
+    let counts = lattice.cells + UVec3::ONE;
+    let total = counts.x as usize * counts.y as usize * counts.z as usize;
+    let inside: Vec<bool> = (0..total)
+        .into_par_iter()
+        .map(|index| surface.value(lattice.point(lattice.place(index))) < 0.0)
+        .collect();
+    let mut crossings = Crossings::default();
+    let mut triangles: Vec<[u32; 3]> = Vec::new();
+    for cell in (0..total).map(|index| lattice.place(index)).filter(|place| place.cmplt(lattice.cells).all())
+    {
+        let corners: [usize; 8] = std::array::from_fn(|bits| lattice.index(cell + offset(bits)));
+        let is_inside = corners.map(|corner| inside[corner]);
+        if is_inside == [is_inside[0]; 8] {
+            continue;
+        }
+        for tetrahedron in TETRAHEDRA {
+            let mut cross = |a: usize, b: usize| crossings.vertex(corners[a], corners[b], is_inside[a]);
+            cut(tetrahedron, |corner| is_inside[corner], &mut cross, &mut triangles);
+        }
+    }
+    let sample = |&[within, without]: &[usize; 2]| {
+        let [within, without] = [within, without].map(|index| lattice.point(lattice.place(index)));
+        on_surface(surface, within, without)
+    };
+    let samples: Option<Vec<Sample>> = crossings.ends.par_iter().map(sample).collect();
+    let reason = "the surface has no normal at a point where the lattice meets it";
+    let samples = samples.ok_or(SurfaceError::Pattern { pattern: "marching", reason })?;
+    Ok(Net::without_parameters(samples, Faces::triangles(triangles.as_flattened().to_vec())))
+}
+
+/// The offset of a corner of a cube.
+fn offset(bits: usize) -> UVec3 {
+    UVec3::new(bits as u32 & 1, bits as u32 >> 1 & 1, bits as u32 >> 2 & 1)
+}
+
+struct Lattice {
+    origin: DVec3,
+    spacing: DVec3,
+    cells: UVec3,
+}
+
+impl Lattice {
+    fn new(room: Room, cells: u32, hash: GridHash) -> Result<Self, SurfaceError> {
+        const CHANNEL: u32 = 5;
+        if cells == 0 {
+            return Err(SurfaceError::Segments { what: "cells along a side of the box", found: 0, limit: 1 });
+        }
+        let size = room.high - room.low;
+        let edge = size.max_element() / f64::from(cells);
+        let (mut origin, mut spacing, mut counts) = (room.low, DVec3::splat(edge), UVec3::ONE);
+        for axis in 0..3 {
+            let needed = (size[axis] / edge).ceil().max(1.0);
+            counts[axis] = if room.ends[axis] {
+                spacing[axis] = size[axis] / needed;
+                needed as u32
+            } else {
+                // Between a quarter and three quarters of a cell is left free below, at least a quarter above.
+                origin[axis] -= edge * (0.25 + 0.5 * hash.at(axis as u32, 0, CHANNEL));
+                needed as u32 + 1
+            };
+        }
+        let total = counts.to_array().iter().fold(1_u64, |total, &count| total.saturating_mul(count.into()));
+        if total > MOST_CELLS {
+            return Err(SurfaceError::Segments { what: "cells of the box", found: total, limit: MOST_CELLS });
+        }
+        Ok(Self { origin, spacing, cells: counts })
+    }
+
+    fn point(&self, place: UVec3) -> DVec3 {
+        self.origin + self.spacing * place.as_dvec3()
+    }
+
+    /// The place of a lattice point, numbered along x first.
+    fn place(&self, index: usize) -> UVec3 {
+        let (columns, rows) = (self.cells.x as usize + 1, self.cells.y as usize + 1);
+        let (x, y, z) = (index % columns, index / columns % rows, index / columns / rows);
+        UVec3::new(x as u32, y as u32, z as u32)
+    }
+
+    fn index(&self, place: UVec3) -> usize {
+        let UVec3 { x, y, z } = place;
+        let (columns, rows) = (self.cells.x as usize + 1, self.cells.y as usize + 1);
+        x as usize + columns * (y as usize + rows * z as usize)
+    }
+}
+
+/// Where lattice edges cross the surface: one vertex each, numbered as they are met.
+#[derive(Default)]
+struct Crossings {
+    number: FxHashMap<[usize; 2], u32>,
+    /// The lattice points inside and outside.
+    ends: Vec<[usize; 2]>,
+}
+
+impl Crossings {
+    fn vertex(&mut self, a: usize, b: usize, a_is_inside: bool) -> u32 {
+        let ends = if a_is_inside { [a, b] } else { [b, a] };
+        *self.number.entry(ends).or_insert_with(|| {
+            self.ends.push(ends);
+            self.ends.len() as u32 - 1
+        })
+    }
+}
+
+/// The triangles within a tetrahedron, facing outside. Even permutations bring the corners that are alone or inside to
+/// the front without turning the tetrahedron inside out.
+fn cut(
+    corners: [usize; 4],
+    inside: impl Fn(usize) -> bool,
+    cross: &mut impl FnMut(usize, usize) -> u32,
+    triangles: &mut Vec<[u32; 3]>,
+) {
+    let mask = (0..4).filter(|&k| inside(corners[k])).fold(0, |mask, k| mask | 1 << k);
+    let [a, b, c, d] = match mask {
+        0b0001 | 0b1110 | 0b0011 => [0, 1, 2, 3],
+        0b0010 | 0b1101 => [1, 0, 3, 2],
+        0b0100 | 0b1011 => [2, 0, 1, 3],
+        0b1000 | 0b0111 => [3, 0, 2, 1],
+        0b0101 => [0, 2, 3, 1],
+        0b1001 => [0, 3, 1, 2],
+        0b0110 => [1, 2, 0, 3],
+        0b1010 => [1, 3, 2, 0],
+        0b1100 => [2, 3, 0, 1],
+        _ => return,
+    }
+    .map(|k: usize| corners[k]);
+    if (mask as u32).count_ones() == 2 {
+        let [ac, ad, bd, bc] = [cross(a, c), cross(a, d), cross(b, d), cross(b, c)];
+        triangles.extend([[ac, ad, bd], [ac, bd, bc]]);
+    } else {
+        let [ab, ac, ad] = [cross(a, b), cross(a, c), cross(a, d)];
+        triangles.push(if inside(a) { [ab, ac, ad] } else { [ab, ad, ac] });
+    }
+}
+
+/// The point of the surface between a point inside and one outside, by bisection to the last bits.
+fn on_surface(surface: &dyn Implicit, within: DVec3, without: DVec3) -> Option<Sample> {
+    const STEPS: usize = 54;
+    let at = |t: f64| within + (without - within) * t;
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..STEPS {
+        let middle = f64::midpoint(low, high);
+        if surface.value(at(middle)) < 0.0 { low = middle } else { high = middle }
+    }
+    let position = at(f64::midpoint(low, high));
+    Some(Sample { position, normal: surface.normal_at(position)? })
+}
