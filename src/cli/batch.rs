@@ -35,13 +35,21 @@ pub fn run(request: &Request, console: &Console) -> Exit {
     drop(progress);
     if request.jobs.len() > 1 {
         if !console.json && console.verbosity > Verbosity::Quiet {
-            console.report(&text::of_batch(request.jobs.len(), failed));
+            console.report(&summary(request.jobs.len(), failed));
         }
         exit = if failed > 0 { Exit::PartOfBatch } else { Exit::Done };
     }
     match exit {
         Exit::Done if !console.has_reported() => Exit::OutputFailed,
         exit => exit,
+    }
+}
+
+/// The line that ends the report on a batch.
+fn summary(inputs: usize, failed: usize) -> String {
+    match failed {
+        0 => format!("{} done\n", text::count(inputs, "file")),
+        _ => format!("{} of {} done, {failed} failed\n", inputs - failed, text::count(inputs, "file")),
     }
 }
 

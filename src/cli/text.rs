@@ -9,14 +9,6 @@ use std::fmt::Write;
 /// How many places of faults, and of broken normals, are printed when details are asked for.
 const SPOTS: usize = 10;
 
-/// A batch in one line.
-pub fn of_batch(inputs: usize, failed: usize) -> String {
-    match failed {
-        0 => format!("{} done\n", count(inputs, "file")),
-        _ => format!("{} of {} done, {failed} failed\n", inputs - failed, count(inputs, "file")),
-    }
-}
-
 /// One input of a batch in one line.
 pub fn line(report: &Report, style: Style) -> String {
     let total = Total::of(&report.parts);
