@@ -7,7 +7,7 @@
 //! what the formula gives as it is usually written, in plain `f32`.
 //!
 //! ```
-//! use normals::crease::trade::stress::{Group, catalogue};
+//! use crease::trade::stress::{Group, catalogue};
 //!
 //! for case in catalogue().iter().filter(|case| case.group == Group::Product) {
 //!     let result = case.run();
