@@ -97,6 +97,12 @@ const OUTSIDE: &[(&str, &[&str])] = &[
     ("zmij", &["io"]),
 ];
 
+/// Words that no file, type, function, constant or test is named with; CONTRIBUTING.md says what to write.
+const NOT_IN_NAMES: &[&str] = &[
+    "told", "tells", "odd", "again", "apart", "abroad", "doubts", "beside", "plainly", "nobody", "made_up",
+    "bent", "strays", "orbits", "worth", "aslant", "hollows", "reads",
+];
+
 /// The longest a file may be, unit tests not counted.
 const LONGEST: usize = 400;
 
@@ -123,6 +129,55 @@ fn no_folder_has_more_than_twenty_files() {
     }
     let crowded: Vec<_> = counts.iter().filter(|&(_, &count)| count > MOST).collect();
     assert!(counts.len() > 20 && crowded.is_empty(), "more than {MOST} files side by side: {crowded:?}");
+}
+
+#[test]
+fn names_are_the_terms_of_the_field() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let contributing = fs::read_to_string(root.join("CONTRIBUTING.md")).unwrap();
+    for word in NOT_IN_NAMES {
+        assert!(contributing.contains(word), "CONTRIBUTING.md does not list {word}");
+    }
+    let mut files = Vec::new();
+    for folder in ["src", "tests", "benches"] {
+        collect(root, &root.join(folder), &mut files);
+    }
+    let mut found = Vec::new();
+    for (path, source) in &files {
+        let stems = path.split('/').map(|part| part.trim_end_matches(".rs").to_owned());
+        let names = stems.chain(declared_names(&tokens(source)));
+        let words = names.filter_map(|name| Some((forbidden_word(&name)?, name.clone())));
+        found.extend(words.map(|(word, name)| format!("{path}: {name} has the word {word}")));
+    }
+    assert!(found.is_empty(), "{}", found.join("\n"));
+    for (name, word) in
+        [("is_told", "told"), ("LookAgain", "again"), ("with_made_up", "made_up"), ("ODD", "odd")]
+    {
+        assert_eq!(forbidden_word(name), Some(word), "{name}");
+    }
+    assert_eq!(["threads", "bend", "toldyou"].map(forbidden_word), [None; 3]);
+}
+
+/// The names that a file declares: functions, types, modules and constants.
+fn declared_names(tokens: &[Token]) -> Vec<String> {
+    const KEYWORDS: [&str; 8] = ["fn", "struct", "enum", "trait", "type", "mod", "const", "static"];
+    let is_keyword = |token: &Token| KEYWORDS.contains(&token.text.as_str());
+    tokens.windows(2).filter(move |pair| is_keyword(&pair[0])).map(|pair| pair[1].text.clone()).collect()
+}
+
+/// The first word of a name that is not a term: between underscores, or from one capital to the next.
+fn forbidden_word(name: &str) -> Option<&'static str> {
+    let mut words = String::from("_");
+    let mut was_lower = false;
+    for c in name.chars() {
+        if c.is_uppercase() && was_lower {
+            words.push('_');
+        }
+        was_lower = c.is_lowercase();
+        words.extend(c.to_lowercase());
+    }
+    words.push('_');
+    NOT_IN_NAMES.iter().copied().find(|word| words.contains(&format!("_{word}_")))
 }
 
 #[test]

@@ -122,17 +122,20 @@ mod tests {
     }
 
     #[test]
-    fn unknown_ids_are_told_what_there_is() {
-        let told = experiment("mach-band").unwrap_err().to_string();
-        assert!(told.contains("did you mean `mach-bands`") && told.contains("artefact list"), "{told}");
+    fn unknown_ids_are_reported_what_there_is() {
+        let reported = experiment("mach-band").unwrap_err().to_string();
+        assert!(
+            reported.contains("did you mean `mach-bands`") && reported.contains("artefact list"),
+            "{reported}"
+        );
         assert!(!experiment("x").unwrap_err().to_string().contains("did you mean"));
     }
 
     #[test]
     fn parameters_are_checked() {
         let mach_bands = experiment("mach-bands").unwrap();
-        let told = mach_bands.refuse([Knob::Size, Knob::Crease]).unwrap_err().to_string();
-        assert!(told.contains("no crease") && told.contains("--segments"), "{told}");
+        let reported = mach_bands.refuse([Knob::Size, Knob::Crease]).unwrap_err().to_string();
+        assert!(reported.contains("no crease") && reported.contains("--segments"), "{reported}");
         let parameters = Parameters { segments: 2, ..mach_bands.defaults };
         let error = mach_bands.run(&Setup { parameters, mesh: None }).unwrap_err();
         assert!(matches!(error, ArtefactError::Range { knob: Knob::Segments, .. }));

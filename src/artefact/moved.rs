@@ -56,7 +56,7 @@ impl Moved {
 
     /// A value of it as it is told: 0 where it is less than a thousandth of what is seen. Of light from 0 to 1, and of tilts in
     /// radians, that is 2·10⁻⁶ or some sixteen roundings of single precision.
-    pub(crate) fn told(&self, value: f64) -> f64 {
+    pub(crate) fn reported(&self, value: f64) -> f64 {
         if value.abs() < 1e-3 * self.present.value { 0.0 } else { value }
     }
 
@@ -97,7 +97,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn roundings_are_told_as_nothing() {
+    fn roundings_are_reported_as_nothing() {
         let moved = Moved {
             name: Text::same("x"),
             unit: "",
@@ -107,7 +107,10 @@ mod tests {
             cured: 0.0,
             factor: 4.0,
         };
-        assert_eq!([8.87e-7, -1e-7, 2e-6, 0.0019].map(|value| moved.told(value)), [0.0, 0.0, 2e-6, 0.0019]);
+        assert_eq!(
+            [8.87e-7, -1e-7, 2e-6, 0.0019].map(|value| moved.reported(value)),
+            [0.0, 0.0, 2e-6, 0.0019]
+        );
     }
 
     #[test]

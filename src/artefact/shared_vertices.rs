@@ -47,7 +47,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let [crack, closed] = [&cracked, &whole].map(|image| wall.uncovered(image));
     let edge = 2.0 * HALF * f64::from(size) / 2.0;
     // How far the pixel to the left of the edge is from it: of an odd number of pixels the middle one has its centre on the edge.
-    let beside = if size.is_multiple_of(2) { 0.5 } else { 1.0 };
+    let next_to = if size.is_multiple_of(2) { 0.5 } else { 1.0 };
 
     let tube = Tube::new(segments)?;
     let [open, welded] = [Weld::Off, Weld::Exact].map(|weld| tube.draw(size, light, weld));
@@ -63,7 +63,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             TEXTS.get("by-c-t-tb"),
         ),
         Measure::new(TEXTS.get("measure-same-vertex-both"), "", mended).expect(
-            law * beside / (HALF * f64::from(size) / 2.0),
+            law * next_to / (HALF * f64::from(size) / 2.0),
             2e-4,
             TEXTS.get("by-edge-none-pixel"),
         ),

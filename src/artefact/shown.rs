@@ -17,12 +17,12 @@ impl Moved {
         [drawn, seen]: [Text; 2],
         image: Image,
     ) -> Shot {
-        let (role, told) = match (is_lit(&image), self.is_present()) {
+        let (role, reported) = match (is_lit(&image), self.is_present()) {
             (false, _) => (Role::Absent, TEXTS.get("nothing-lit-here")),
             (true, false) => (Role::Absent, TEXTS.get("nothing-artefact-measured")),
             (true, true) => (Role::Bad, seen),
         };
-        self.shot(name, role, label, [drawn, told], self.bad, image)
+        self.shot(name, role, label, [drawn, reported], self.bad, image)
     }
 
     /// A picture that is there for the cure: `drawn` as above, `seen` what there is to see if the cure does what it has to.
@@ -33,13 +33,13 @@ impl Moved {
         [drawn, seen]: [Text; 2],
         image: Image,
     ) -> Shot {
-        let (role, told) = match (is_lit(&image), self.is_present(), self.is_cured()) {
+        let (role, reported) = match (is_lit(&image), self.is_present(), self.is_cured()) {
             (false, ..) => (Role::Absent, TEXTS.get("nothing-lit-here")),
             (true, false, _) => (Role::Absent, self.nothing_to_cure()),
             (true, true, true) => (Role::Cured, seen),
             (true, true, false) => (Role::Attempt, self.too_little()),
         };
-        self.shot(name, role, label, [drawn, told], self.cured, image)
+        self.shot(name, role, label, [drawn, reported], self.cured, image)
     }
 
     /// A picture with its number behind its caption.
@@ -48,13 +48,13 @@ impl Moved {
         name: &'static str,
         role: Role,
         label: Text,
-        [drawn, told]: [Text; 2],
+        [drawn, reported]: [Text; 2],
         value: f64,
         image: Image,
     ) -> Shot {
         let caption = Text::each(|language| {
-            let said = format!("{} {}", drawn.get(language), told.get(language));
-            let value = language.short(self.told(value), self.unit);
+            let said = format!("{} {}", drawn.get(language), reported.get(language));
+            let value = language.short(self.reported(value), self.unit);
             format!("{} ({}: {value}).", said.trim().trim_end_matches('.'), self.name.get(language))
         });
         let (name_of_measure, present) = (self.name.clone(), self.present.clone());
@@ -71,7 +71,7 @@ impl Moved {
     }
 
     fn with_unit(&self, value: f64) -> Text {
-        Text::each(|language| language.short(self.told(value), self.unit))
+        Text::each(|language| language.short(self.reported(value), self.unit))
     }
 }
 

@@ -45,7 +45,7 @@ pub enum Exit {
 pub fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
-        Err(error) => return told(&error),
+        Err(error) => return reported(&error),
     };
     let exit = match cli.verb {
         Verb::Artefact(ref args) => artefact::main(args, cli.color),
@@ -76,7 +76,7 @@ fn normals_verb(args: &NormalsArgs, cli: &Cli) -> Exit {
 }
 
 /// Prints wrong usage, or the help or version that was asked for; the latter can fail as any output can.
-fn told(error: &clap::Error) -> ExitCode {
+fn reported(error: &clap::Error) -> ExitCode {
     let printed = output::forgive_broken_pipe(error.print().and_then(|()| std::io::stdout().flush()));
     match printed {
         Err(_) if !error.use_stderr() => ExitCode::from(Exit::OutputFailed as u8),

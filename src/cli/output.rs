@@ -124,7 +124,7 @@ impl Store {
         };
         check_place(path)?;
         let could_not = || format!("could not write {}", path.display());
-        let mut file = temporary_beside(path)?;
+        let mut file = temporary_in_folder(path)?;
         let mut out = BufWriter::new(file.as_file_mut());
         make(&mut out)?;
         out.flush().with_context(could_not)?;
@@ -199,7 +199,7 @@ impl Store {
         if fs::metadata(path).is_ok_and(|existing| !existing.is_file()) {
             return Ok(Staged::Direct(path.to_path_buf(), bytes));
         }
-        let mut file = temporary_beside(path)?;
+        let mut file = temporary_in_folder(path)?;
         let written = file.write_all(&bytes).and_then(|()| self.finish(&file, path));
         written.with_context(|| format!("could not write {}", path.display()))?;
         Ok(Staged::Temporary(file, path.to_path_buf()))
@@ -215,7 +215,7 @@ impl Store {
 }
 
 /// An empty file in the folder of another, which is made if it is not there.
-fn temporary_beside(path: &Path) -> Result<NamedTempFile> {
+fn temporary_in_folder(path: &Path) -> Result<NamedTempFile> {
     let folder = folder_of(path);
     fs::create_dir_all(&folder).with_context(|| format!("could not make the folder {}", folder.display()))?;
     let mut builder = tempfile::Builder::new();
@@ -355,7 +355,7 @@ mod tests {
     }
 
     #[test]
-    fn companions_go_beside_the_output_and_equal_ones_meet() {
+    fn companions_go_next_to_the_output_and_equal_ones_meet() {
         let folder = tempfile::tempdir().unwrap();
         let source = folder.path().join("source.png");
         fs::write(&source, "picture").unwrap();

@@ -43,7 +43,7 @@ pub fn write<'a>(
         return Ok(written);
     }
     let parts = placed(loaded, edits, format, options, &mut notes)?;
-    let left = dispatch::beside_meshes(&loaded.document);
+    let left = dispatch::outside_meshes(&loaded.document);
     if !left.is_empty() {
         let text = format!("a new file is made of the meshes alone; left out: {}", left.join(", "));
         notes.push(Note::warning(Place::File, text));

@@ -61,12 +61,12 @@ pub(super) fn materials(document: &Document) -> &[FileMaterial] {
 }
 
 /// What a document holds beside the meshes that a new file is made of, and so does not reach it, in words.
-pub(super) fn beside_meshes(document: &Document) -> Vec<String> {
+pub(super) fn outside_meshes(document: &Document) -> Vec<String> {
     match document {
         Document::None | Document::Obj(_) => Vec::new(),
-        Document::Gltf(document) => document.beside_meshes(),
-        Document::Ply(document) => document.beside_meshes(),
-        Document::Stl(document) => document.beside_meshes(),
+        Document::Gltf(document) => document.outside_meshes(),
+        Document::Ply(document) => document.outside_meshes(),
+        Document::Stl(document) => document.outside_meshes(),
     }
 }
 

@@ -233,7 +233,7 @@ mod tests {
     }
 
     #[test]
-    fn odd_numbers_are_numbers_and_others_are_not() {
+    fn unusual_numbers_are_numbers_and_others_are_not() {
         for (text, expected) in [
             ("1.", 1.0),
             (".5", 0.5),

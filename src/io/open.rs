@@ -136,7 +136,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn content_tells_before_the_name() {
+    fn content_reports_before_the_name() {
         let mut binary = b"solid but binary".to_vec();
         binary.resize(84, 0);
         let stl = b"SOLID x\nfacet normal 0 0 1\n";

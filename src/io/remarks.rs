@@ -38,7 +38,7 @@ mod tests {
     use crate::io::{Format, ReadOptions, read_bytes};
 
     #[test]
-    fn files_without_faces_and_faces_that_come_back_are_told() {
+    fn files_without_faces_and_faces_that_come_back_are_reported() {
         let notes = |faces: &str| {
             let text = format!("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 2 0\n{faces}");
             let loaded = read_bytes(text.into(), Some(Format::Obj), None, &ReadOptions::default()).unwrap();
@@ -46,7 +46,7 @@ mod tests {
         };
         assert_eq!(notes(""), ["it has no faces, and so no normals"]);
         assert_eq!(notes("f 1 2 3 4\nf 1 2 3\n"), [] as [&str; 0]);
-        let told = "polygon passes through a vertex more than once; what they enclose counts";
-        assert_eq!(notes("f 1 2 3 4\nf 1 2 3 5 3 4\n"), [format!("1 {told}")]);
+        let reported = "polygon passes through a vertex more than once; what they enclose counts";
+        assert_eq!(notes("f 1 2 3 4\nf 1 2 3 5 3 4\n"), [format!("1 {reported}")]);
     }
 }

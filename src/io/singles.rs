@@ -204,7 +204,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_printed_from_singles_is_singles_again() {
+    fn what_was_printed_from_singles_is_single_precision() {
         let exact = |x: f64| f64::from(x as f32).to_string();
         let printed = |x: f64| (x as f32).to_string();
         let mut read = positions(printed);

@@ -26,7 +26,7 @@ pub use faces::Faces;
 pub(crate) use faces::{FacesRef, next_in_triangle, previous_in_triangle};
 pub(crate) use obstacles::Obstacles;
 pub use orient::{Confidence, Orient, Orientation, orient};
-pub(crate) use orient::{Orientations, Placed, hollows};
+pub(crate) use orient::{Orientations, Placed, cavities};
 pub(crate) use rings::{Rings, Scatter};
 pub use select::FaceEdit;
 pub(crate) use sets::DisjointSets;

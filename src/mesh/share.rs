@@ -79,7 +79,7 @@ mod tests {
     }
 
     #[test]
-    fn what_vertices_have_keeps_them_apart() {
+    fn what_vertices_have_keeps_them_separate() {
         let normals = Some(Column::per_vertex(vec![DVec3::Z; 7]));
         for columns in [
             Columns { normals, ..Columns::default() },

@@ -370,7 +370,7 @@ mod tests {
     }
 
     #[test]
-    fn sheets_back_to_back_stay_apart() {
+    fn sheets_back_to_back_stay_separate() {
         let positions: Vec<[f64; 3]> = [SOUP, SOUP].concat();
         let faces: [&[u32]; 4] = [&[0, 1, 2], &[3, 4, 5], &[7, 6, 8], &[10, 9, 11]];
         let topology = Topology::build(&mesh(&positions, &faces), Weld::Exact);
@@ -406,7 +406,7 @@ mod tests {
     }
 
     #[test]
-    fn a_morph_target_keeps_coincident_edges_apart() {
+    fn a_morph_target_keeps_coincident_edges_separate() {
         let soup = mesh(&SOUP, &[&[0, 1, 2], &[3, 4, 5]]);
         let moved = |by: f64| {
             MeshBuilder {

@@ -162,7 +162,7 @@ mod tests {
     }
 
     #[test]
-    fn holes_are_taken_off_and_corners_kept_apart() {
+    fn holes_are_taken_off_and_corners_kept_separate() {
         // A square of 8 with a hole of 2: corners lose an eighth of a pixel each, those of the hole gain it.
         let ring = |x: f64, y: f64| {
             let inside = |low: f64, high: f64| x > low && x < high && y > low && y < high;

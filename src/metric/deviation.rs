@@ -113,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_in_both_is_told_apart() {
+    fn what_is_not_in_both_is_distinguished() {
         let mut picture = normals(&[DVec3::X, DVec3::Y, DVec3::Z, DVec3::ZERO]);
         let mut truth = normals(&[DVec3::X; 4]);
         picture.coverage = vec![1, 0, 0, 1];

@@ -204,7 +204,7 @@ mod tests {
 
     /// Something added is far from the truth, but the truth is near everywhere.
     #[test]
-    fn sides_are_told_apart() {
+    fn sides_are_distinguished() {
         let square = |x: f64, y: f64| x > 10.0 && x < 30.0 && y > 10.0 && y < 30.0;
         let dot = |x: f64, y: f64| x > 40.0 && x < 42.0 && y > 19.0 && y < 21.0;
         let truth = Contour::of(&shape([50, 40], Samples::One, square), Samples::One);

@@ -77,7 +77,7 @@ impl DifferenceOfGaussians {
 
     /// The largest answer beside a step of ΔI, and its distance: ΔI (Φ(x/σc) − Φ(x/σs)) is largest at
     /// x = σcσs √(2 ln(σs/σc)/(σs² − σc²)). For 1 and 1.6 that is 0.111682 ΔI at 1.2420 pixels.
-    pub fn beside_step(&self, step: f64) -> (f64, f64) {
+    pub fn near_step(&self, step: f64) -> (f64, f64) {
         let Self { centre, surround } = *self;
         let spread = (surround - centre) * (surround + centre);
         let at = centre * surround * (2.0 * libm::log(surround / centre) / spread).sqrt();
@@ -141,10 +141,10 @@ mod tests {
             [(1.6, 0.239_365, 0.111_682), (2.0, 0.398_942, 0.161_337), (5.0, 1.595_769, 0.323_558)]
         {
             assert!((of(surround).at_corner(-1.0) - corner).abs() < 1e-6);
-            assert!((of(surround).beside_step(1.0).0 - beside).abs() < 1e-6);
+            assert!((of(surround).near_step(1.0).0 - beside).abs() < 1e-6);
         }
-        assert!((of(3.0).beside_step(2.0).0 - 2.0 * 0.242_164).abs() < 2e-6);
-        assert!((of(1.6).beside_step(1.0).1 - 1.242_0).abs() < 1e-4);
+        assert!((of(3.0).near_step(2.0).0 - 2.0 * 0.242_164).abs() < 2e-6);
+        assert!((of(1.6).near_step(1.0).1 - 1.242_0).abs() < 1e-4);
         let [centre, surround] = DifferenceOfGaussians::default().degrees(PIXELS_PER_DEGREE);
         assert!((60.0 * centre - 0.895_5).abs() < 1e-4 && (60.0 * surround - 1.432_8).abs() < 1e-4);
     }
@@ -172,7 +172,7 @@ mod tests {
                 let expected = 0.4 * (share(1.0) - share(surround));
                 assert!((answer - expected).abs() < 1e-6, "{surround} {x}: {answer} {expected}");
             }
-            let (largest, at) = model.beside_step(0.4);
+            let (largest, at) = model.near_step(0.4);
             let overshoot = model.predicted_overshoot(&step).unwrap();
             assert!(overshoot.bright <= largest + 1e-6 && overshoot.bright > 0.9 * largest);
             assert!((overshoot.bright_at - 100.0 - at).abs() < 1.0, "nearest pixel");

@@ -11,7 +11,7 @@ use crate::normals::faces::face_normals::FaceNormals;
 use crate::normals::faces::face_normals::face_normals;
 use crate::normals::faces::field::FaceField;
 use crate::normals::faces::positions::Positions;
-use crate::normals::fallback::fallback_normals::{MadeUp, face_faults};
+use crate::normals::fallback::fallback_normals::{FallbackNormals, face_faults};
 use crate::normals::fault::{Fault, FaultReason, Faults};
 use crate::normals::field::{NormalField, Summary};
 use crate::normals::fits::quadric::{QuadricRequest, quadric_normals};
@@ -136,7 +136,7 @@ fn try_compute(
     Some(NormalField {
         normals: Column::per_corner(filled.values, groups.corner_entry),
         entry_vertex: groups.entry_vertex,
-        face_normals: FaceField::with_made_up(mesh, topology, shape.faces).into_units(),
+        face_normals: FaceField::with_fallbacks(mesh, topology, shape.faces).into_units(),
         morph_normals,
         faults,
         summary,
@@ -198,7 +198,7 @@ impl<'a> Shape<'a> {
         } else {
             0
         };
-        let mut makeup = MadeUp::new(mesh.faces().view(), topology, &self.faces);
+        let mut makeup = FallbackNormals::new(mesh.faces().view(), topology, &self.faces);
         let made_up = makeup.for_slots(&target, &sums.state, |slot, normal| sums.unit[slot] = normal);
         let values = match &groups.entry_slot {
             None => sums.unit,
@@ -420,7 +420,7 @@ mod tests {
     }
 
     #[test]
-    fn edges_beside_a_face_without_a_say_are_counted_as_they_are_cut() {
+    fn edges_next_to_a_face_without_a_say_are_counted_as_they_are_cut() {
         for gap in [0.0, 1e-15] {
             let field = compute(&floor_and_wall(gap), &NormalRecipe::default());
             // The floor meets the wall across the face between them, at every edge of that face.
@@ -438,7 +438,7 @@ mod tests {
     /// In text of two decimals the right angle of floor and wall is off by up to a degree: the edges between them are near
     /// it all the same, also across the face without a say.
     #[test]
-    fn edges_beside_a_face_without_a_say_are_near_within_what_digits_allow() {
+    fn edges_next_to_a_face_without_a_say_are_near_within_what_digits_allow() {
         let exact = floor_and_wall(0.0);
         let (mut numbers, mut farthest) = (crate::num::test_numbers::Numbers::new(41), 0.0_f64);
         for _ in 0..30 {

@@ -39,7 +39,7 @@ pub(crate) fn dispatch<K: Kernel>(kernel: K) -> K::Output {
     } else if let Some(arch) = Avx2::new() {
         arch.token().vectorize(With { kernel, arch })
     } else {
-        plainly(kernel)
+        portable(kernel)
     }
 }
 
@@ -47,7 +47,7 @@ pub(crate) fn dispatch<K: Kernel>(kernel: K) -> K::Output {
 /// that is inlined into it takes most of a megabyte of stack, and twice that does not fit into a thread's.
 #[cfg(target_arch = "x86_64")]
 #[inline(never)]
-fn plainly<K: Kernel>(kernel: K) -> K::Output {
+fn portable<K: Kernel>(kernel: K) -> K::Output {
     kernel.run(Plain::<super::product::Split>::new())
 }
 

@@ -3,7 +3,7 @@
 use super::Task;
 use super::faces::applied;
 use crate::io::Loaded;
-use crate::mesh::{FaceEdit, Mesh, Orient, Orientation, Orientations, Placed, Topology, hollows, orient};
+use crate::mesh::{FaceEdit, Mesh, Orient, Orientation, Orientations, Placed, Topology, cavities, orient};
 use rayon::prelude::*;
 use std::borrow::Cow;
 
@@ -23,10 +23,10 @@ pub(super) fn find(loaded: &Loaded, task: &Task) -> Vec<Option<Orientation>> {
     if found.iter().any(|found| found.inside_out + found.rooms > 0) {
         let parts = present.iter().zip(loaded.places());
         let parts: Vec<Placed<'_>> = parts.map(|(mesh, places)| Placed { mesh, places }).collect();
-        for ((found, mesh), hollows) in found.iter_mut().zip(&present).zip(hollows(&parts, weld)) {
-            if !hollows.is_empty() {
+        for ((found, mesh), cavities) in found.iter_mut().zip(&present).zip(cavities(&parts, weld)) {
+            if !cavities.is_empty() {
                 let orientations = Orientations::new(mesh, &Topology::build(mesh, weld));
-                *found = orientations.outward(mesh, task.confidence, &hollows);
+                *found = orientations.outward(mesh, task.confidence, &cavities);
             }
         }
     }

@@ -149,8 +149,8 @@ pub(super) fn locate<'a>(sites: impl Iterator<Item = &'a mut Site>, loaded: &Loa
             nodes[site.part].get(place).map(|node| node.number)
         };
         let numbers: Vec<usize> = sites.iter().filter_map(|site| first(site)).collect();
-        let told = sites.iter_mut().filter(|site| first(site).is_some());
-        told.zip(loaded.node_paths(&numbers)).for_each(|(site, path)| site.node = Some(path));
+        let reported = sites.iter_mut().filter(|site| first(site).is_some());
+        reported.zip(loaded.node_paths(&numbers)).for_each(|(site, path)| site.node = Some(path));
     }
     if loaded.format == Format::Stl {
         sites.iter_mut().for_each(|site| site.vertex = vertex_in_stl(site, loaded));
@@ -297,7 +297,7 @@ impl Merged {
         self.turn = self.turn.into_iter().chain(tally.turn).reduce(f64::max);
         let site = |spot: Spot| {
             let mut site = site(facts.mesh, spot, part);
-            site.degrees = site.degrees.or_else(|| other_programs::beside(facts, kind, &spot));
+            site.degrees = site.degrees.or_else(|| other_programs::next_to(facts, kind, &spot));
             (spot, site)
         };
         self.sites.extend(tally.worst.into_iter().map(site));
@@ -322,12 +322,12 @@ impl Merged {
             1 => Some(format!("in 1 {what} component")),
             many => Some(format!("in {many} {what} components")),
         };
-        let of_components = of_components.map(|told| match self.milder {
-            Milder { components: 0, .. } => told,
+        let of_components = of_components.map(|reported| match self.milder {
+            Milder { components: 0, .. } => reported,
             Milder { components, count } => {
                 let plural = if components == 1 { "" } else { "s" };
                 format!(
-                    "{told}, against the stored normals; not counted: {components} other{plural} of {count} faces, which no stored \
+                    "{reported}, against the stored normals; not counted: {components} other{plural} of {count} faces, which no stored \
                      normals contradict"
                 )
             }

@@ -12,14 +12,14 @@ use crate::quality::estimate::recipe::{Estimate, estimate};
 use crate::quality::finding::Severity;
 use crate::quality::geometry::duplicates::Doubles;
 use crate::quality::stored::neighbours::Around;
-use crate::quality::stored::regions::Apart;
+use crate::quality::stored::regions::Region;
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 use rustc_hash::FxHashSet;
 
 /// What a face is good for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Worth {
+pub(super) enum Significance {
     /// It has a direction, and its neighbours agree with it.
     Sound,
     /// It runs against its neighbours, or its whole component is inside out: its direction is the opposite.
@@ -51,7 +51,7 @@ pub(super) struct Facts<'a> {
     pub(super) field: NormalField,
     /// Those of faces, as long as that recipe is not known.
     faces: FaceField,
-    pub(super) worth: Vec<Worth>,
+    pub(super) worth: Vec<Significance>,
     /// Area of each face, in units that keep it in range.
     pub(super) area: Vec<f64>,
     /// The area of all faces.
@@ -67,9 +67,9 @@ pub(super) struct Facts<'a> {
     /// Faces that `--orient consistent` would turn, ascending.
     pub(super) minority: Vec<u32>,
     /// Pieces of surface that the rule says nothing about.
-    pub(super) apart: Apart,
+    pub(super) apart: Region,
     /// Of each vertex whether a turned face is at it, so that the mean there says nothing; empty if there are none.
-    beside_turned: Vec<bool>,
+    near_reoriented: Vec<bool>,
     /// The corners whose faces cancel: nothing is known of what normal they should have. Ascending.
     cancelling: Vec<u32>,
     /// Where edges without length end and faces stand twice, by their bits.
@@ -103,13 +103,13 @@ impl<'a> Facts<'a> {
         let orientations = Orientations::new(mesh, &topology);
         let minority = orientations.consistent(mesh).reversed;
         let mut outward = orientations.outward(mesh, confidence, &[]);
-        if outward.inside_out + outward.rooms > 0 && !around.hollows(part).is_empty() {
-            outward = orientations.outward(mesh, confidence, around.hollows(part));
+        if outward.inside_out + outward.rooms > 0 && !around.cavities(part).is_empty() {
+            outward = orientations.outward(mesh, confidence, around.cavities(part));
         }
         let inside_out = InsideOut::all(&orientations, &outward, |faces| {
             normals_oppose(mesh, faces.iter().map(|&face| (face, false)))
         });
-        let worth = worth(mesh, &faces.faults(), &minority, &inside_out);
+        let worth = significance(mesh, &faces.faults(), &minority, &inside_out);
         let extent = mesh.bounds().map_or(0.0, |(low, high)| (high - low).max_element());
         let scale = unit_scale(extent);
         let area: Vec<f64> = (0..mesh.face_count())
@@ -137,8 +137,8 @@ impl<'a> Facts<'a> {
             outward,
             inside_out,
             minority,
-            apart: Apart::default(),
-            beside_turned: Vec::new(),
+            apart: Region::default(),
+            near_reoriented: Vec::new(),
             cancelling: Vec::new(),
             two_fans: FxHashSet::default(),
             doubles: Doubles::default(),
@@ -163,24 +163,24 @@ impl<'a> Facts<'a> {
         let cancelling = cancelling.filter(|fault| fault.reason == FaultReason::CancellingFan);
         facts.cancelling = cancelling.map(|fault| fault.index).collect();
         facts.cancelling.sort_unstable();
-        facts.apart = Apart::new(&facts, &orientations);
+        facts.apart = Region::new(&facts, &orientations);
         facts
     }
 
     fn mark_turned(&mut self) {
         let turned: Vec<usize> =
-            (0..self.worth.len()).filter(|&face| self.worth[face] == Worth::Turned).collect();
+            (0..self.worth.len()).filter(|&face| self.worth[face] == Significance::Turned).collect();
         if !turned.is_empty() {
-            self.beside_turned = vec![false; self.mesh.vertex_count()];
+            self.near_reoriented = vec![false; self.mesh.vertex_count()];
         }
         for half_edge in turned.into_iter().flat_map(|face| self.mesh.faces().range(face)) {
             let corners = self.mesh.faces().corners();
-            self.beside_turned[corners[half_edge] as usize] = true;
+            self.near_reoriented[corners[half_edge] as usize] = true;
             // Beyond a seam it is another vertex.
             if let Link::Inconsistent(other) = self.topology.link(half_edge as u32) {
                 let (tail, head) = self.topology.ends(corners, other);
-                self.beside_turned[tail as usize] = true;
-                self.beside_turned[head as usize] = true;
+                self.near_reoriented[tail as usize] = true;
+                self.near_reoriented[head as usize] = true;
             }
         }
     }
@@ -190,7 +190,7 @@ impl<'a> Facts<'a> {
         let faces = self.mesh.faces();
         let place = |vertex: u32| place_key(self.mesh.positions()[vertex as usize]);
         // A triangle with such an edge has no area; a polygon may.
-        let may_have = |&face: &usize| self.worth[face] == Worth::Silent || faces.face(face).len() > 3;
+        let may_have = |&face: &usize| self.worth[face] == Significance::Silent || faces.face(face).len() > 3;
         let edges = |face: usize| {
             let corners = faces.face(face);
             let pairs = corners.iter().zip(corners.iter().cycle().skip(1));
@@ -228,15 +228,15 @@ impl<'a> Facts<'a> {
     }
 
     /// Whether faces with directions disagree round a corner's vertex, the corner's own among them, but for those that cancel.
-    pub(super) fn is_beside_turned(&self, corner: usize) -> bool {
+    pub(super) fn is_near_reoriented(&self, corner: usize) -> bool {
         let face = self.topology.face_of(corner as u32) as usize;
-        self.has_turned(corner) && self.worth[face] != Worth::Silent && !self.is_cancelling(corner)
+        self.has_turned(corner) && self.worth[face] != Significance::Silent && !self.is_cancelling(corner)
     }
 
     fn has_turned(&self, corner: usize) -> bool {
         let vertex = self.mesh.faces().corners()[corner] as usize;
         // Facets have the normals of their own faces, whatever is beside them.
-        !self.are_facets() && self.beside_turned.get(vertex).is_some_and(|&is| is)
+        !self.are_facets() && self.near_reoriented.get(vertex).is_some_and(|&is| is)
     }
 
     fn are_facets(&self) -> bool {
@@ -316,11 +316,11 @@ impl InsideOut {
         is_opposed: impl Fn(&[u32]) -> Option<bool>,
     ) -> Vec<Self> {
         let all = orientations.inside_out(&outward.reversed).into_iter();
-        let told = |faces: Vec<u32>| {
+        let reported = |faces: Vec<u32>| {
             let is_open = faces.first().is_some_and(|face| outward.reversed_open.binary_search(face).is_ok());
             Self { is_opposed: is_opposed(&faces), is_open, faces }
         };
-        all.map(told).collect()
+        all.map(reported).collect()
     }
 
     /// What it is told as.
@@ -353,16 +353,21 @@ fn units(mesh: &Mesh, stored: &Column<DVec3>) -> Vec<DVec3> {
     stored.values.par_iter().map(unit).collect()
 }
 
-fn worth(mesh: &Mesh, faults: &[Fault], minority: &[u32], inside_out: &[InsideOut]) -> Vec<Worth> {
-    let mut worth = vec![Worth::Sound; mesh.face_count()];
+fn significance(
+    mesh: &Mesh,
+    faults: &[Fault],
+    minority: &[u32],
+    inside_out: &[InsideOut],
+) -> Vec<Significance> {
+    let mut worth = vec![Significance::Sound; mesh.face_count()];
     let wholes = inside_out.iter().filter(|component| component.is_fault());
     for &face in wholes.flat_map(|component| &component.faces).chain(minority) {
-        worth[face as usize] = Worth::Turned;
+        worth[face as usize] = Significance::Turned;
     }
     let silent =
         [FaultReason::ZeroArea, FaultReason::BelowStorage, FaultReason::OutOfRange, FaultReason::NonFinite];
     for fault in faults.iter().filter(|fault| silent.contains(&fault.reason)) {
-        worth[fault.index as usize] = Worth::Silent;
+        worth[fault.index as usize] = Significance::Silent;
     }
     worth
 }

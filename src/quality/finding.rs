@@ -9,7 +9,7 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Severity {
-    /// Worth knowing; may well be meant.
+    /// Significance knowing; may well be meant.
     Note,
     /// Shows in pictures, in some light or some viewer.
     Warning,

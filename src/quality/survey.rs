@@ -4,7 +4,7 @@ use crate::io::Loaded;
 use crate::mesh::{Confidence, Mesh, place_key};
 use crate::num::{Degrees, angle_between};
 use crate::quality::effect::specular_exponent::Gloss;
-use crate::quality::facts::{Facts, Worth};
+use crate::quality::facts::{Facts, Significance};
 use crate::quality::stored::neighbours::Around;
 use crate::quality::thresholds::Thresholds;
 use glam::DVec3;
@@ -51,7 +51,7 @@ fn measured(facts: &Facts<'_>) -> Survey {
     let between = |a: DVec3, b: DVec3| Degrees::from(angle_between(a, b)).0;
     let edge = |corner: usize| facts.place(facts.topology.next(corner as u32) as usize) - facts.place(corner);
     let deviation = |corner: usize| {
-        let is_silent = facts.worth[facts.topology.face_of(corner as u32) as usize] == Worth::Silent;
+        let is_silent = facts.worth[facts.topology.face_of(corner as u32) as usize] == Significance::Silent;
         let off = |stored: DVec3| if is_silent { 0.0 } else { between(stored, facts.expected(corner)) };
         facts.stored_unit(corner).map(off)
     };

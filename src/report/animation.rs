@@ -128,7 +128,7 @@ mod tests {
 
     /// 2048 × 2048 pixels of three bytes are 12 MiB: two frames are kept, and the others drawn twice.
     #[test]
-    fn frames_beyond_what_is_kept_are_drawn_again() {
+    fn frames_beyond_what_is_kept_are_redrawn() {
         let size = [2048, 2048];
         let mut asked = Vec::new();
         let file = gif(4, |number| {

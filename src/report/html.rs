@@ -374,7 +374,7 @@ mod tests {
 
     /// What begins with a digit may be words all the same.
     #[test]
-    fn columns_of_words_are_told_from_numbers() {
+    fn columns_of_words_are_distinguished_from_numbers() {
         let table = Table::new("t", &["quantity", "found", "others"])
             .row(["1/d²: share of the floor", "0.5 px", "8.7 to 9.7"])
             .row(["8 bits: largest change", "-3", "0.5 (12 %)"]);

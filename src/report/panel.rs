@@ -123,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn panels_stand_apart_with_captions() {
+    fn panels_are_separate_with_captions() {
         let sheet = panels(&[panel("flat", [96, 96], 1.0), panel("Gouraud", [96, 96], 0.0)]).unwrap();
         // Gaps of 11 (0.75 of 14 pixels of text, rounded half up), captions of 14 and half a gap above them.
         assert_eq!(sheet.size, [11 + 2 * (96 + 11), 11 + (96 + 5 + 14) + 11]);

@@ -50,11 +50,11 @@ mod tests {
         let (a, b, c) = (DVec3::ZERO, DVec3::X, DVec3::Y);
         let up = Rim::new((a, DVec3::Z), (b, DVec3::Z));
         // The same place the other way round, with zero's other sign.
-        let beside = |normal| Rim::new((b, normal), (-a, DVec3::Z));
+        let next_to = |normal| Rim::new((b, normal), (-a, DVec3::Z));
         let elsewhere = Rim::new((a, DVec3::X), (c, DVec3::X));
         let unlike = |a: DVec3, b: DVec3| a != b;
-        assert_eq!(seams(vec![up, elsewhere, beside(DVec3::Z)], unlike), [] as [[DVec3; 2]; 0]);
-        assert_eq!(seams(vec![up, elsewhere, beside(DVec3::X)], unlike), [[a, b]]);
-        assert_eq!(seams(vec![beside(DVec3::X)], unlike), [] as [[DVec3; 2]; 0]);
+        assert_eq!(seams(vec![up, elsewhere, next_to(DVec3::Z)], unlike), [] as [[DVec3; 2]; 0]);
+        assert_eq!(seams(vec![up, elsewhere, next_to(DVec3::X)], unlike), [[a, b]]);
+        assert_eq!(seams(vec![next_to(DVec3::X)], unlike), [] as [[DVec3; 2]; 0]);
     }
 }

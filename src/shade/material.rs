@@ -140,12 +140,12 @@ pub struct EnergyGain {
 impl std::fmt::Display for EnergyGain {
     fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
         // Rounded up, so that what is over 1 does not read as 1.
-        let told = |sum: f64| match sum {
+        let reported = |sum: f64| match sum {
             _ if sum >= 1e4 => format!("{sum:.3e}"),
             _ if sum > 1.0 => format!("{:.3}", (1e3 * sum).ceil() / 1e3),
             _ => format!("{sum:.3}"),
         };
-        let [red, green, blue] = self.sum.to_array().map(told);
+        let [red, green, blue] = self.sum.to_array().map(reported);
         write!(
             f,
             "the material reflects more light than it gets: K_d + K_s, coefficients times colours, is "

@@ -26,5 +26,5 @@ pub struct Progress {
     pub total: usize,
 }
 
-/// Told of each step, from any thread.
+/// Reported of each step, from any thread.
 pub type Observer<'a> = &'a (dyn Fn(Progress) + Sync);

@@ -71,7 +71,7 @@ const FEWEST: (usize, f64) = (20, 0.05);
 const WELL_COVERED: f64 = 0.5;
 /// In degrees: the quadric is more accurate than the best sum where that is off by less than about half a degree, as on the
 /// torus of [`OwnMesh`]. From twice that on it is no judge.
-const MOST_TOLD: f64 = 1.0;
+const MOST_REPORTED: f64 = 1.0;
 /// In degrees: where the best sum is this close to the quadric, the quadric is the more accurate of the two. On the same torus
 /// of 128 × 64 that is 0.23.
 const QUADRIC_WINS: f64 = 0.3;
@@ -80,7 +80,7 @@ const SAFE: &str =
 /// Below so many triangles a run is over in microseconds, and what it costs is not the weight's doing.
 const SMALL: usize = 10_000;
 /// The usual weight is not worth leaving for less than a tenth.
-const WORTH_LEAVING: f64 = 1.1;
+const SIGNIFICANT: f64 = 1.1;
 
 impl OwnMesh {
     /// Measures all weights on the parts of a mesh, with the recipe's creases and groups.
@@ -104,13 +104,13 @@ impl OwnMesh {
             &fields[place.expect("all weights are computed")]
         };
         let (angle, quadric) = (of(Weight::Angle), of(Weight::Quadric));
-        let told: Vec<usize> = (0..quadric.len()).filter(|&i| quadric[i] != angle[i]).collect();
+        let reported: Vec<usize> = (0..quadric.len()).filter(|&i| quadric[i] != angle[i]).collect();
         let methods: Vec<OwnMethod> = Weight::ALL
             .into_iter()
             .zip(&fields)
             .map(|(weight, normals)| {
                 let angles: Vec<Radians> =
-                    told.iter().map(|&i| angle_between(normals[i], quadric[i])).collect();
+                    reported.iter().map(|&i| angle_between(normals[i], quadric[i])).collect();
                 let cost = |of: fn(&super::CostRow) -> f64| {
                     costs.rows.iter().find(|row| row.weight == weight && row.way == Way::Mesh).map_or(0.0, of)
                 };
@@ -125,7 +125,7 @@ impl OwnMesh {
             .collect();
         let alike = share_alike(&fields);
         let (recommended, mut reasons) =
-            recommend(&methods, [told.len(), quadric.len(), without_quadric], alike);
+            recommend(&methods, [reported.len(), quadric.len(), without_quadric], alike);
         if (1..SMALL).contains(&costs.triangles) {
             reasons.push(format!(
                 "Costs were taken on {} triangles: on so few most of it is what every call takes, and ratios change from run to \
@@ -138,7 +138,7 @@ impl OwnMesh {
             faces: parts.iter().map(|mesh| mesh.face_count()).sum(),
             normals: quadric.len(),
             alike,
-            estimated_from: told.len(),
+            estimated_from: reported.len(),
             without_quadric,
             methods,
             differences: fields.iter().map(|a| fields.iter().map(|b| rms_between(a, b)).collect()).collect(),
@@ -199,7 +199,7 @@ fn share_alike(fields: &[Vec<DVec3>]) -> f64 {
 /// The weight to use, and why: from how many normals tell something, of how many, and for how many there is no quadric.
 fn recommend(
     methods: &[OwnMethod],
-    [told, all, without_quadric]: [usize; 3],
+    [reported, all, without_quadric]: [usize; 3],
     alike: f64,
 ) -> (Weight, Vec<String>) {
     let mut reasons = Vec::new();
@@ -215,18 +215,18 @@ fn recommend(
         ));
     }
     let (fewest, share) = FEWEST;
-    if told < fewest || (told as f64) < share * all as f64 {
+    if reported < fewest || (reported as f64) < share * all as f64 {
         reasons.push(format!(
-            "Quadrics tell something of only {told} of {all} normals, too few to rank weights by: the mesh is flat between \
+            "Quadrics tell something of only {reported} of {all} normals, too few to rank weights by: the mesh is flat between \
              its creases, or has too few vertices."
         ));
         reasons.push(SAFE.into());
         return (Weight::Angle, reasons);
     }
-    if (told as f64) < WELL_COVERED * all as f64 {
+    if (reported as f64) < WELL_COVERED * all as f64 {
         reasons.push(format!(
-            "Estimates are from {told} of {all} normals ({}): they say nothing of the rest.",
-            percent(told as f64 / all as f64)
+            "Estimates are from {reported} of {all} normals ({}): they say nothing of the rest.",
+            percent(reported as f64 / all as f64)
         ));
     }
     let of = |weight: Weight| methods.iter().find(|method| method.weight == weight);
@@ -236,9 +236,9 @@ fn recommend(
         return (Weight::Angle, reasons);
     };
     let degrees = |method: &OwnMethod| three_digits(method.estimate.rms);
-    if best.estimate.rms > MOST_TOLD {
+    if best.estimate.rms > MOST_REPORTED {
         reasons.push(format!(
-            "Even {}, the closest, is {}° from the quadric normals of {told} normals: on a mesh as coarse as that the quadric is \
+            "Even {}, the closest, is {}° from the quadric normals of {reported} normals: on a mesh as coarse as that the quadric is \
              no nearer to the truth than the sums, and weights cannot be ranked by it.",
             best.weight.name(),
             degrees(best)
@@ -246,10 +246,10 @@ fn recommend(
         reasons.push(SAFE.into());
         return (Weight::Angle, reasons);
     }
-    let recommended = if usual.estimate.rms <= WORTH_LEAVING * best.estimate.rms { usual } else { best };
+    let recommended = if usual.estimate.rms <= SIGNIFICANT * best.estimate.rms { usual } else { best };
     reasons.push(match recommended.weight == best.weight {
         true => format!(
-            "{} is closest to the quadric normals: rms {}° of {told} normals.",
+            "{} is closest to the quadric normals: rms {}° of {reported} normals.",
             best.weight.name(),
             degrees(best)
         ),
@@ -276,7 +276,7 @@ fn recommend(
     }
     reasons.push(
         "Estimates take the quadric for the truth, which it nears as edges grow short beside the surface's curves; on a coarse \
-         mesh, weights that are close to each other cannot be told apart by it."
+         mesh, weights that are close to each other cannot be reported apart by it."
             .into(),
     );
     if recommended.estimate.rms < 0.1 {

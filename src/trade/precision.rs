@@ -118,8 +118,8 @@ mod tests {
             // Max's weights are exact on grids of the torus's own parameters: there nothing is lost but to storage.
             let is_exact =
                 row.weight == Weight::Max && (case.contains("stretched") || case.contains("slivers"));
-            let beside = if is_exact { 0.01 } else { 0.1 * row.faithful.rms };
-            assert!(fast.rms <= beside, "{case} {}: {fast:?}", row.weight.name());
+            let next_to = if is_exact { 0.01 } else { 0.1 * row.faithful.rms };
+            assert!(fast.rms <= next_to, "{case} {}: {fast:?}", row.weight.name());
         }
         assert!(rows.iter().any(|row| row.declined) && rows.iter().any(|row| row.fast.max > 0.0));
         // Far away the stored positions themselves are coarse: what no arithmetic gets back.

@@ -68,7 +68,7 @@ fn all_experiments_agree_with_their_checks_and_any_number_of_threads_writes_the_
 }
 
 #[test]
-fn what_acts_on_the_animation_alone_is_told() {
+fn what_acts_on_the_animation_alone_is_reported() {
     let args = ["orientation", "--size", "33", "--interpolation", "affine"];
     let output = artefact(&args);
     assert_eq!(code(&output), 0, "{}", text(&output.stderr));
@@ -188,8 +188,8 @@ fn all_leaves_out_what_does_not_take_a_value() {
         let status = if is_out { "left-out" } else { "ok" };
         assert_eq!((&report["status"], report["outcome"].is_null()), (&status.into(), is_out), "{report}");
         let id = report["experiment"].as_str().unwrap();
-        let told = text(&output.stderr).contains(&format!("`{id}` is left out: --segments is 3"));
-        assert_eq!(told, is_out, "{id}: {}", text(&output.stderr));
+        let reported = text(&output.stderr).contains(&format!("`{id}` is left out: --segments is 3"));
+        assert_eq!(reported, is_out, "{id}: {}", text(&output.stderr));
     }
     let left_out = reports.iter().filter(|report| report["status"] == "left-out").count();
     assert!((1..14).contains(&left_out), "{left_out}");
@@ -197,7 +197,7 @@ fn all_leaves_out_what_does_not_take_a_value() {
 
 /// An option that only some take is told with their names.
 #[test]
-fn all_tells_what_an_option_changes() {
+fn all_reports_what_an_option_changes() {
     let output = artefact(&["all", "--crease", "30", "--exponent", "9", "--size", "32", "--json"]);
     assert_eq!(code(&output), 0, "{}", text(&output.stderr));
     for knob in ["crease", "exponent"] {
@@ -206,8 +206,9 @@ fn all_tells_what_an_option_changes() {
         let ids: Vec<&str> =
             reports.iter().filter(takes).map(|it| it["experiment"].as_str().unwrap()).collect();
         assert!((1..14).contains(&ids.len()), "{ids:?}");
-        let told = format!("note: --{knob} changes {} only; the others are as without it\n", ids.join(", "));
-        assert!(text(&output.stderr).contains(&told), "{told} in {}", text(&output.stderr));
+        let reported =
+            format!("note: --{knob} changes {} only; the others are as without it\n", ids.join(", "));
+        assert!(text(&output.stderr).contains(&reported), "{reported} in {}", text(&output.stderr));
         for report in &reports {
             let unheeded = report["unheeded"].as_array().is_some_and(|all| all.contains(&knob.into()));
             assert_ne!(unheeded, takes(&report), "{}: {knob}", report["experiment"]);
@@ -218,7 +219,7 @@ fn all_tells_what_an_option_changes() {
 }
 
 #[test]
-fn the_list_tells_parameters_and_their_ranges() {
+fn the_list_reports_parameters_and_their_ranges() {
     let listed = reports(&artefact(&["list", "--json"]));
     assert_eq!(listed.len(), 14);
     for report in &listed {

@@ -79,11 +79,11 @@ fn no_legal_parameter_contradicts_a_closed_form() {
             // What is not a number agrees with nothing.
             measure.agrees() == Some(false) || !measure.value.is_finite()
         });
-        let told = |measure: &crease::artefact::Measure| {
+        let reported = |measure: &crease::artefact::Measure| {
             let name = measure.name.get(Language::English);
             format!("{} {parameters:?}: {name} {} {:?}", experiment.id, measure.value, measure.expected)
         };
-        bad.map(told).collect::<Vec<_>>()
+        bad.map(reported).collect::<Vec<_>>()
     };
     let wrong: Vec<String> = RUNS.iter().flat_map(wrong).collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
@@ -126,22 +126,22 @@ fn disagreement(shot: &Shot) -> Option<String> {
 fn roles_captions_and_verdicts_agree_with_what_was_measured() {
     let mut wrong = Vec::new();
     for (experiment, parameters, outcome) in &*RUNS {
-        let told = |what: String| format!("{} {parameters:?}: {what}", experiment.id);
-        wrong.extend(outcome.shots.iter().filter_map(disagreement).map(told));
+        let reported = |what: String| format!("{} {parameters:?}: {what}", experiment.id);
+        wrong.extend(outcome.shots.iter().filter_map(disagreement).map(reported));
         let has = |role| outcome.shots.iter().any(|shot| shot.role == role);
         let (moved, is_absent) = (&outcome.moved, matches!(outcome.verdict, Verdict::Absent(_)));
         let is_shown = moved.is_present() && has(Role::Bad);
         if !is_absent && !is_shown {
-            wrong.push(told(format!("a verdict on nothing: {:?}", outcome.verdict)));
+            wrong.push(reported(format!("a verdict on nothing: {:?}", outcome.verdict)));
         }
         // What is black is told to be so, cured or not.
         if !is_absent && moved.is_cured() && !has(Role::Cured) && !has(Role::Absent) {
-            wrong.push(told("a cure without a picture".into()));
+            wrong.push(reported("a cure without a picture".into()));
         }
         for (language, fails) in Language::ALL.into_iter().zip(["The cure fails here", "A cura falha aqui"]) {
             let [_, condition] = verdict_text(outcome, language);
             if condition.contains(fails) != (!is_absent && !moved.is_cured()) {
-                wrong.push(told(condition));
+                wrong.push(reported(condition));
             }
         }
     }
@@ -151,11 +151,11 @@ fn roles_captions_and_verdicts_agree_with_what_was_measured() {
 /// Settings at which captions and roles once said other than what was measured: what pictures show there, and what is no more
 /// said of them.
 #[test]
-fn pictures_are_told_as_they_are() {
+fn pictures_are_reported_as_they_are() {
     type Change = fn(&mut Parameters);
     /// A picture's name, its role, and what is not said of it.
-    type Told = (&'static str, Role, &'static str);
-    let told: &[(&str, Change, &[Told])] = &[
+    type Reported = (&'static str, Role, &'static str);
+    let reported: &[(&str, Change, &[Reported])] = &[
         (
             "vertex-average",
             |p| p.weight = Weight::Angle,
@@ -212,7 +212,7 @@ fn pictures_are_told_as_they_are() {
         ("triangulation", |p| p.light = Degrees(180.0), &[("waves-rising", Role::Absent, "beads")]),
         ("shared-vertices", |p| p.light = Degrees(0.0), &[("seam", Role::Absent, "line down")]),
     ];
-    for (id, change, pictures) in told {
+    for (id, change, pictures) in reported {
         let experiment = crease::artefact::experiment(id).unwrap();
         let mut parameters = Parameters { size: SIZE, ..experiment.defaults };
         change(&mut parameters);
@@ -286,7 +286,7 @@ const KEPT: [(&str, &str, &str); 14] = [
 
 /// A number that was written and not measured would be round, and the same with all parameters.
 #[test]
-fn what_is_told_beside_pictures_is_measured() {
+fn what_is_reported_next_to_pictures_is_measured() {
     let mut values: BTreeMap<(&str, String), BTreeSet<u64>> = BTreeMap::new();
     for (experiment, _, outcome) in RUNS.iter() {
         let moved = [("bad", outcome.moved.bad), ("cured", outcome.moved.cured)];
@@ -299,9 +299,9 @@ fn what_is_told_beside_pictures_is_measured() {
     let still = values.iter().filter(|(_, values)| values.len() == 1 && values.iter().all(is_round));
     let unexplained =
         still.filter(|((id, name), _)| !KEPT.iter().any(|kept| (kept.0, kept.1) == (*id, name)));
-    let told = |((id, name), values): (&(&str, String), &BTreeSet<u64>)| {
+    let reported = |((id, name), values): (&(&str, String), &BTreeSet<u64>)| {
         format!("{id}, {name}: {:?}", values.iter().map(|&bits| f64::from_bits(bits)).collect::<Vec<_>>())
     };
-    let unexplained: Vec<String> = unexplained.map(told).collect();
+    let unexplained: Vec<String> = unexplained.map(reported).collect();
     assert!(unexplained.is_empty(), "{unexplained:#?}");
 }

@@ -64,7 +64,7 @@ fn difference(a: [f64; 3], b: [f64; 3]) -> f64 {
 }
 
 /// Every two of these colours differ by so much, whoever looks.
-fn assert_apart(what: &str, colours: &[[f64; 3]], least: f64) {
+fn assert_distinct(what: &str, colours: &[[f64; 3]], least: f64) {
     for (name, sight) in &SIGHT {
         let seen: Vec<[f64; 3]> = colours.iter().map(|&colour| lab(colour, sight)).collect();
         for (i, j) in (0..seen.len()).flat_map(|i| (i + 1..seen.len()).map(move |j| (i, j))) {
@@ -97,7 +97,7 @@ fn simulations_are_right() {
 
 /// Lines differ in dashes and signs as well, so that five times what is just noticed side by side is enough apart.
 #[test]
-fn lines_of_plots_are_told_apart() {
+fn lines_of_plots_are_distinguished() {
     let series = |k: u32, mark| Series {
         name: k.to_string(),
         points: vec![[0.0, f64::from(k)], [1.0, f64::from(k)]],
@@ -118,12 +118,12 @@ fn lines_of_plots_are_told_apart() {
     assert!(colours.len() >= 9, "{colours:?} of {svg}");
     let mut colours: Vec<[f64; 3]> = colours.into_iter().map(hexadecimal).collect();
     colours.push([1.0; 3]);
-    assert_apart("lines", &colours, 11.0);
+    assert_distinct("lines", &colours, 11.0);
 }
 
 /// Lines over a picture have nothing but their colour.
 #[test]
-fn overlays_are_told_apart() {
+fn overlays_are_distinguished() {
     let mesh = Surface::from(Sphere::default()).tessellate(&Tessellation::default()).unwrap();
     let normals = compute(&mesh, &NormalRecipe::default());
     let scene = Scene {
@@ -141,7 +141,7 @@ fn overlays_are_told_apart() {
     };
     let kinds = [Overlay::Wire, Overlay::Creases, Overlay::VertexNormals, Overlay::FaceNormals];
     let colours = kinds.map(|kind| overlay(&scene, [64; 2], kind)[0].style.colour.to_array());
-    assert_apart("overlays", &colours, 25.0);
+    assert_distinct("overlays", &colours, 25.0);
 }
 
 /// The linear colours of what is covered, each once.
@@ -156,14 +156,14 @@ fn colours_of(image: &Image) -> Vec<[f64; 3]> {
 
 /// The squares of the board, and maps: what is larger is lighter, whoever looks.
 #[test]
-fn maps_and_squares_are_told_apart() {
+fn maps_and_squares_are_distinguished() {
     let experiment = experiment("perspective-distortion").unwrap();
     let parameters = Parameters { size: 64, ..experiment.defaults };
     let outcome = experiment.run(&Setup { parameters, mesh: None }).unwrap();
     let shot = |name| &outcome.shots.iter().find(|shot| shot.name == name).unwrap().image;
     let squares = colours_of(shot("perspective"));
     assert_eq!(squares.len(), 2);
-    assert_apart("squares", &squares, 40.0);
+    assert_distinct("squares", &squares, 40.0);
     let mut map = colours_of(shot("error"));
     assert!(map.len() > 20, "{}", map.len());
     map.sort_by(|a, b| lab(*a, &SIGHT[0].1)[0].total_cmp(&lab(*b, &SIGHT[0].1)[0]));

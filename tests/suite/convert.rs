@@ -230,7 +230,7 @@ fn objects_and_materials_of_obj_become_those_of_gltf() {
 }
 
 #[test]
-fn what_stays_behind_is_told_by_name_and_only_then() {
+fn what_stays_behind_is_identified_by_name_and_only_then() {
     let ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
                property float quality\nelement face 1\nproperty list uchar int vertex_indices\nproperty int flags\n\
                element camera 1\nproperty float view\nend_header\n0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2 7\n5\n";
@@ -274,7 +274,7 @@ fn what_stays_behind_is_told_by_name_and_only_then() {
 }
 
 #[test]
-fn positions_that_are_let_pass_are_told() {
+fn positions_that_are_let_pass_are_reported() {
     let options = ReadOptions { non_finite: io::NonFinite::DropFaces, ..ReadOptions::default() };
     let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nf 1 2 3\n";
     let loaded = io::read_bytes(obj.as_bytes().to_vec(), None, None, &options).unwrap();

@@ -185,7 +185,7 @@ pub fn buffers(document: &gltf::Gltf, folder: &Path) -> Vec<Vec<u8>> {
 }
 
 #[test]
-fn a_new_file_reads_back_as_the_mesh_that_it_was_made_of() {
+fn a_new_file_loads_back_as_the_mesh_that_it_was_made_of() {
     for entry in entries("gltf/").into_iter().filter(|entry| entry.expect == "load") {
         let loaded = load(&entry.path).unwrap();
         for to in [Format::Glb, Format::Gltf] {

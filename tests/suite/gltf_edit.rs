@@ -412,7 +412,7 @@ fn corners_of_the_files_own_normals_keep_their_bits() {
 }
 
 #[test]
-fn a_corner_without_a_normal_is_told() {
+fn a_corner_without_a_normal_is_reported() {
     let Some((_, loaded)) = good().find(|(entry, _)| entry.name.contains("Fox")) else { return };
     let mut edits = all(&loaded, faceted);
     let mut index = edits[0].normals.as_ref().unwrap().corner_index(loaded.parts[0].mesh.faces().corners());

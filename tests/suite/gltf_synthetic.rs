@@ -147,7 +147,7 @@ fn a_glb_whose_buffer_is_in_the_json_gets_another_such_buffer() {
 }
 
 #[test]
-fn external_buffers_are_left_alone_beside_a_file_and_taken_in_for_a_stream() {
+fn external_buffers_are_left_alone_next_to_a_file_and_taken_in_for_a_stream() {
     let folder = tempfile::tempdir().unwrap();
     let plain = open(&square("", ""));
     let options = WriteOptions { stem: Some("in put".into()), ..WriteOptions::default() };
@@ -336,8 +336,8 @@ fn new_files_have_normals_in_the_format_that_is_asked_for() {
         }
         for format in [Format::Obj, Format::Ply] {
             let written = crease::io::write(&obj, vec![], format, &options).unwrap();
-            let told = written.notes.iter().any(|note| note.text.contains("only glTF has a choice"));
-            assert_eq!(told, normal_format != NormalFormat::Same, "{format}");
+            let reported = written.notes.iter().any(|note| note.text.contains("only glTF has a choice"));
+            assert_eq!(reported, normal_format != NormalFormat::Same, "{format}");
         }
     }
 }
@@ -433,9 +433,9 @@ fn nothing_points_and_far_away_things_are_written_right() {
         assert_eq!(!written.notes.is_empty(), warned, "{:?}", written.notes);
     }
     let options = WriteOptions { stem: Some("a b".into()), ..WriteOptions::default() };
-    let beside = write(&cloud(near.to_vec(), Storage::F32), Format::Gltf, &options).unwrap();
-    assert_eq!(beside.companions[0].name, "a b.bin");
-    assert_eq!(parse(&beside.bytes)["buffers"][0]["uri"], "a%20b.bin");
+    let next_to = write(&cloud(near.to_vec(), Storage::F32), Format::Gltf, &options).unwrap();
+    assert_eq!(next_to.companions[0].name, "a b.bin");
+    assert_eq!(parse(&next_to.bytes)["buffers"][0]["uri"], "a%20b.bin");
 }
 
 /// Positions of the corners of all faces, each face turned to begin with its smallest corner, sorted.

@@ -14,6 +14,7 @@ mod handmade;
 mod lightened;
 mod mended;
 mod mixing;
+mod outliers;
 mod own;
 mod page;
 mod planted;
@@ -24,7 +25,6 @@ mod rotated;
 mod seams;
 mod soft;
 mod spaces;
-mod strays;
 mod wholes;
 
 use crease::io::{Document, FileNode, Format, Loaded, Part};

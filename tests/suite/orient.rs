@@ -149,7 +149,7 @@ fn plane(height: f64, half: f64) -> Mesh {
 }
 
 /// One mesh of several, each so far from the one before.
-fn beside(meshes: &[Mesh], step: DVec3) -> Mesh {
+fn next_to(meshes: &[Mesh], step: DVec3) -> Mesh {
     let (mut positions, mut faces) = (Vec::new(), Faces::new());
     for (number, mesh) in meshes.iter().enumerate() {
         let first = positions.len() as u32;
@@ -208,7 +208,7 @@ fn each_component_has_its_own_vote() {
     let ball = Surface::from(Sphere::default()).tessellate(&Tessellation::default()).unwrap();
     let reversed_cup = turned(&cup(), &all_of(&cup()));
     let meshes = [cup(), plane(0.0, 1.0), reversed_cup, turned(&ball, &all_of(&ball))];
-    let mesh = beside(&meshes, DVec3::X * 20.0);
+    let mesh = next_to(&meshes, DVec3::X * 20.0);
     let found = find(&mesh, Orient::Outward);
     assert_eq!((found.components, found.closed, found.open_told, found.open_left), (4, 1, 2, 1));
     assert_eq!((found.open_inside_out, found.inside_out), (1, 1));
@@ -221,19 +221,19 @@ fn each_component_has_its_own_vote() {
 /// What lies within a closed box is seen from nowhere; the hood over an engine is seen from above.
 #[test]
 fn other_components_hide_sides() {
-    let above = |mesh: &Mesh| beside(&[mesh.clone(), plane(0.3, 1.0)], DVec3::ZERO);
+    let above = |mesh: &Mesh| next_to(&[mesh.clone(), plane(0.3, 1.0)], DVec3::ZERO);
     // Two sheets: each sees more on the side away from the other.
     let found = find(&above(&plane(0.0, 1.0)), Orient::Outward);
     assert_eq!((found.reversed.as_slice(), found.open_told), (&[0][..], 2));
     let ball = Surface::from(Sphere::default()).tessellate(&Tessellation::default()).unwrap();
-    let found = find(&beside(&[ball, plane(0.0, 0.3)], DVec3::ZERO), Orient::Outward);
+    let found = find(&next_to(&[ball, plane(0.0, 0.3)], DVec3::ZERO), Orient::Outward);
     assert_eq!((found.reversed.len(), found.open_left), (0, 1), "within a ball");
 }
 
 #[test]
 fn votes_do_not_depend_on_threads_or_size() {
     let meshes: Vec<Mesh> = with_rims().into_iter().map(|(_, mesh)| mesh).collect();
-    let mesh = beside(&meshes, DVec3::new(7.0, 1.0, 0.5));
+    let mesh = next_to(&meshes, DVec3::new(7.0, 1.0, 0.5));
     let with = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| find(&mesh, Orient::Outward))
@@ -251,7 +251,7 @@ fn votes_do_not_depend_on_threads_or_size() {
 #[test]
 fn votes_have_a_budget() {
     let cups: Vec<Mesh> = (0..1000).map(|_| cup()).collect();
-    let found = find(&beside(&cups, DVec3::new(3.0, 0.0, 0.0)), Orient::Outward);
+    let found = find(&next_to(&cups, DVec3::new(3.0, 0.0, 0.0)), Orient::Outward);
     assert_eq!((found.open_told, found.open_left), (256, 744));
     assert_eq!(found.reversed.len(), 0);
 }
@@ -260,8 +260,9 @@ fn votes_have_a_budget() {
 fn the_confidence_asked_for_decides() {
     let (_, mesh) = with_rims().remove(0);
     let topology = Topology::build(&mesh, Weld::Exact);
-    let told = |confidence: f64| orient(&mesh, &topology, Orient::Outward, Confidence(confidence)).open_told;
+    let reported =
+        |confidence: f64| orient(&mesh, &topology, Orient::Outward, Confidence(confidence)).open_told;
     // 64 points that agree: 65/66.
-    assert_eq!([0.5, 0.9, 0.98, 0.99, 1.0].map(told), [1, 1, 1, 0, 0]);
-    assert_eq!(told(65.0 / 66.0), 0, "it has to be above");
+    assert_eq!([0.5, 0.9, 0.98, 0.99, 1.0].map(reported), [1, 1, 1, 0, 0]);
+    assert_eq!(reported(65.0 / 66.0), 0, "it has to be above");
 }

@@ -93,7 +93,7 @@ fn keys(value: &Value) -> Vec<&str> {
 }
 
 #[test]
-fn the_table_tells_case_bound_error_and_verdict() {
+fn the_table_reports_case_bound_error_and_verdict() {
     let output = stress(&["--only", "product,non-finite"]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     let table = text(&output.stdout);

@@ -180,7 +180,7 @@ fn a_mesh_without_faces_is_nothing_to_measure() {
 }
 
 #[test]
-fn what_cannot_be_read_or_written_is_told() {
+fn what_cannot_be_read_or_written_is_reported() {
     let missing = crease(&["trade", "data/no-such.obj"]).output().unwrap();
     assert_eq!(missing.status.code(), Some(3));
     assert!(String::from_utf8_lossy(&missing.stderr).contains("data/no-such.obj"));

@@ -42,8 +42,8 @@ fn is_lost(angle: f64, exponent: f64) -> bool {
 /// By whether the highlight is narrower than half a segment, where a vertex is at the farthest.
 fn verdict(segments: u32, exponent: f64) -> Verdict {
     let least = (f64::from(segments) / PI) * (f64::from(segments) / PI);
-    let told = |language: Language| [language.number(exponent), language.number(least.round())];
-    let (en, pt) = (told(Language::English), told(Language::Portuguese));
+    let reported = |language: Language| [language.number(exponent), language.number(least.round())];
+    let (en, pt) = (reported(Language::English), reported(Language::Portuguese));
     match is_lost(PI / f64::from(segments), exponent) {
         true => Verdict::Holds(Text::made(
             format!(
@@ -109,7 +109,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
         [libm::asin(between), libm::atan(between * lean)].map(|angle| 1.0 - law(angle, exponent));
     // Where that is more than a fifth, the true peak falls between pixels, and nothing is told of what others lack.
     let is_seen = |lost: f64| lost < 0.2;
-    let told = |lost: f64, value: f64| if is_seen(lost) { value } else { 0.0 };
+    let reported = |lost: f64, value: f64| if is_seen(lost) { value } else { 0.0 };
     let held = |measure: Measure, lost: f64, law: f64, tolerance: f64, by: Text| match is_seen(lost) {
         true => measure.expect(law, tolerance + lost * law, by),
         false => measure.beyond(TEXTS.get("untested-true-highlight-narrower")),
@@ -165,10 +165,10 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
             false => TEXTS.get("moved-flicker-highlight-peak"),
         },
         unit: "",
-        bad: told(lost_on_sphere, beyond_diffuse(flicker_gouraud)),
+        bad: reported(lost_on_sphere, beyond_diffuse(flicker_gouraud)),
         present: Threshold::HALF_STEP,
         cure: TEXTS.get("cure"),
-        cured: told(lost_on_sphere, beyond_diffuse(flicker_phong)),
+        cured: reported(lost_on_sphere, beyond_diffuse(flicker_phong)),
         factor: 100.0,
     };
     // The light that the highlight has in its middle is 1.
@@ -178,9 +178,9 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
                 true => TEXTS.get("moved-highlight-missing-peak"),
                 false => TEXTS.get("moved-highlight-missing-peak-far"),
             },
-            bad: told(lost, (1.0 - peak(gouraud)? - of_diffuse(angle)).max(0.0)),
+            bad: reported(lost, (1.0 - peak(gouraud)? - of_diffuse(angle)).max(0.0)),
             // Of diffuse light nothing lacks there: the normals in the middle face the light.
-            cured: told(lost, (1.0 - peak(phong)?).max(0.0)),
+            cured: reported(lost, (1.0 - peak(phong)?).max(0.0)),
             // The highlight's middle may lie between four pixels.
             factor: 5.0,
             ..moved.clone()

@@ -114,7 +114,7 @@ const HALF_BAR: f64 = 2.5;
 /// measured are left out.
 fn jump_map(drawn: &Image, grazing: &Tube, jumps: &[[f64; 2]], full: f64) -> Image {
     let pixel = WINDOW / f64::from(drawn.size[0]);
-    let (from, to) = grazing.beside_edges(GRAZING);
+    let (from, to) = grazing.near_edges(GRAZING);
     let column = |index: usize| (index as u32 % drawn.size[0], drawn.coverage[index] > 0);
     let value = |(column, is_covered): (u32, bool)| {
         let x = (f64::from(column) + 0.5) * pixel - 0.5 * WINDOW;
@@ -173,7 +173,7 @@ pub(super) fn charts_of_grazing_light(grazing: &Tube, at_80: &Moved) -> Result<V
     let of = TEXTS.get("light");
     let mut charts = derivatives(["luminance-80", "slope-80", "curvature-80"], Some(of), captions, &three);
     // Where the light ends, and far round, slopes jump more, but there it is no matter of the shading.
-    let (from, to) = grazing.beside_edges(GRAZING);
+    let (from, to) = grazing.near_edges(GRAZING);
     let curves = charts.iter_mut().skip(1).flat_map(|chart| &mut chart.curves);
     curves.for_each(|curve| curve.points.retain(|[x, _]| (from..to).contains(x)));
     Ok(charts)

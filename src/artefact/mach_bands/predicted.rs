@@ -102,7 +102,7 @@ pub(super) fn measures(tube: &Tube, fine: &Tube, light: Degrees) -> Result<Vec<M
         move |theta| Expected::at_edge(model.at_corner(law(theta, light, delta) / radius()))
     };
     let delta = tube.delta();
-    let step = |theta| Expected::at_edge(model.beside_step(flat_step(theta, light, delta)).0);
+    let step = |theta| Expected::at_edge(model.near_step(flat_step(theta, light, delta)).0);
     let segments = fine.segments;
     Ok(vec![
         of(tube, Shading::Flat, ["flat", "plano"], &step)?,

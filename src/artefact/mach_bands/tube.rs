@@ -103,7 +103,7 @@ impl Tube {
 
     /// From where to where across the picture, in radii, the facets beside those edges lie, but for a little at both ends, where
     /// differences would reach beyond; everywhere if there is no such edge.
-    pub(super) fn beside_edges(&self, light: Degrees) -> (f64, f64) {
+    pub(super) fn near_edges(&self, light: Degrees) -> (f64, f64) {
         let edges: Vec<f64> = self.edges(light).collect();
         let from = edges.iter().copied().fold(f64::INFINITY, f64::min) - self.delta();
         let to = edges.iter().copied().fold(f64::NEG_INFINITY, f64::max) + self.delta();

@@ -1,7 +1,7 @@
 //! The lectures' diamond: turning a polygon changes its colours under the scanline algorithm.
 
-mod aslant;
 mod back;
+mod oblique;
 mod pictures;
 mod polygon;
 mod texts;
@@ -85,7 +85,7 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let (one, other) = (one?, other?);
     if is_diamond {
         measures.extend(of_the_diamond(&scanline, &one, &other, tolerance));
-        measures.extend(aslant::measures(&polygon, size, tolerance)?);
+        measures.extend(oblique::measures(&polygon, size, tolerance)?);
     }
     let upright = polygon.draw(size, Degrees(0.0), Interpolation::Scanline)?;
     let turned = polygon.draw(size, Degrees(90.0), Interpolation::Scanline)?;
@@ -314,7 +314,7 @@ mod tests {
 
     /// A dart has one diagonal inside, a convex quadrilateral two.
     #[test]
-    fn a_second_cut_is_told_only_where_there_is_one() {
+    fn a_second_cut_is_reported_only_where_there_is_one() {
         for (notch, has_one_cut) in [([0.5, 0.5, 0.0], true), ([3.0, 3.0, 0.0], false)] {
             let positions = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], notch, [0.0, 4.0, 0.0]];
             let builder = MeshBuilder {

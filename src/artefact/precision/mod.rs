@@ -393,7 +393,7 @@ mod tests {
 
     /// The two means that are told, over a spiral of evenly spread normals: of all directions, and of those of the cap.
     #[test]
-    fn errors_of_8_bits_are_those_told() {
+    fn errors_of_8_bits_are_those_reported() {
         let golden = std::f64::consts::PI * (3.0 - 5_f64.sqrt());
         let mean = |least: f64| {
             const COUNT: u32 = 200_000;

@@ -52,7 +52,7 @@ fn measure(own: &UserMesh, parameters: &Parameters) -> Result<Outcome, ArtefactE
     let picture = |object| view.draw(object, Shading::Phong);
     let (truth, coarse, cured) = (picture(truth)?, picture(object(&mesh, &field))?, picture(cure())?);
     let lacking = between(&coarse, &truth);
-    let told = told(own, parts);
+    let reported = reported(own, parts);
     let sharp = Sharp { edges: field.summary.edges.crease, crease };
     let is_off = of_coarse.hausdorff > Threshold::HALF_PIXEL.value;
     let number = |en, pt, unit, value| Measure::new(Text::new(en, pt), unit, value);
@@ -74,7 +74,7 @@ fn measure(own: &UserMesh, parameters: &Parameters) -> Result<Outcome, ArtefactE
         verdict: match (is_off, own.finer) {
             (true, _) => Verdict::Holds(Text::each(|language| {
                 let off = TEXTS.get("holds-outline-mesh-off");
-                format!("{} {}", off.get(language), told.get(language))
+                format!("{} {}", off.get(language), reported.get(language))
             })),
             (false, Some(_)) => Verdict::Absent(TEXTS.get("absent-meshes-same-outline")),
             (false, None) => Verdict::Absent(sharp.advice()),
@@ -149,7 +149,7 @@ fn measure(own: &UserMesh, parameters: &Parameters) -> Result<Outcome, ArtefactE
         ],
         moved,
         charts: Vec::new(),
-        notes: [Some(told), control_mesh].into_iter().flatten().collect(),
+        notes: [Some(reported), control_mesh].into_iter().flatten().collect(),
     })
 }
 
@@ -185,7 +185,7 @@ impl Sharp {
 }
 
 /// What was taken for the truth.
-fn told(own: &UserMesh, parts: u32) -> Text {
+fn reported(own: &UserMesh, parts: u32) -> Text {
     match own.finer {
         Some((finer, _)) => TEXTS.with("held-against-finer", &[("finer", finer.into())]),
         None => TEXTS.with("no-finer-mesh-given", &[("parts", parts.into())]),

@@ -61,7 +61,7 @@ fn a_mesh_of_ones_own_is_held_against_a_finer_one_or_itself() {
 
 /// The edges of a coarse ball are sharper than the usual crease angle, so that it is compared with itself: what it is told helps.
 #[test]
-fn a_coarse_mesh_is_told_what_shows_its_outline() {
+fn a_coarse_mesh_is_reported_what_shows_its_outline() {
     let (coarse, fine) = (ball(0), ball(4));
     let run = |crease: f64, finer| {
         let own = UserMesh { name: "ball.obj", mesh: &coarse, finer };
@@ -72,8 +72,8 @@ fn a_coarse_mesh_is_told_what_shows_its_outline() {
     let alone = run(40.0, None);
     assert!(matches!(alone.verdict, super::super::Verdict::Absent(_)), "{:?}", alone.moved);
     for (language, says) in Language::ALL.into_iter().zip(["30 edges stay sharp", "30 arestas ficam vivas"]) {
-        let told = alone.verdict.condition().get(language);
-        assert!([says, "--crease 180", "--finer "].iter().all(|part| told.contains(part)), "{told}");
+        let reported = alone.verdict.condition().get(language);
+        assert!([says, "--crease 180", "--finer "].iter().all(|part| reported.contains(part)), "{reported}");
     }
     for helped in [run(180.0, None), run(40.0, Some(("fine.obj", &fine)))] {
         assert!(helped.moved.bad > 3.0 && matches!(helped.verdict, super::super::Verdict::Holds(_)));

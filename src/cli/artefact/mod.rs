@@ -84,7 +84,7 @@ fn typed(args: &ArtefactArgs) -> impl Iterator<Item = Knob> {
     let has_mesh = args.own.mesh.is_some();
     Knob::ALL.into_iter().filter(move |&knob| match knob {
         Knob::Mesh => has_mesh,
-        // Told beside.
+        // Reported beside.
         Knob::Interpolation => false,
         _ => changes.only(&[knob]) != Changes::default(),
     })
@@ -92,7 +92,7 @@ fn typed(args: &ArtefactArgs) -> impl Iterator<Item = Knob> {
 
 /// Which of the options that were typed change only some of the experiments, in words.
 fn unheeded(args: &ArtefactArgs, experiments: &[&'static Experiment]) -> Vec<String> {
-    let told = typed(args).filter_map(|knob| {
+    let reported = typed(args).filter_map(|knob| {
         let takes = |experiment: &&&Experiment| experiment.takes.contains(&knob);
         let ids: Vec<&str> = experiments.iter().filter(takes).map(|experiment| experiment.id).collect();
         (ids.len() < experiments.len()).then(|| match &ids[..] {
@@ -100,7 +100,7 @@ fn unheeded(args: &ArtefactArgs, experiments: &[&'static Experiment]) -> Vec<Str
             ids => format!("--{} changes {} only; the others are as without it", knob.name(), ids.join(", ")),
         })
     });
-    told.collect()
+    reported.collect()
 }
 
 /// Tells that an experiment is left out where all are run.

@@ -95,10 +95,10 @@ impl AgainstReport {
             let _ = writeln!(out, "    at {}", place(site));
         }
         let list = |name: &str, wanted: fn(&FindingChange) -> bool| {
-            let told = self.findings.iter().filter(|it| wanted(it));
-            let told: Vec<String> =
-                told.map(|it| format!("{} {} → {}", it.id, it.before, it.after)).collect();
-            if told.is_empty() { String::new() } else { format!("    {name}: {}\n", told.join(", ")) }
+            let reported = self.findings.iter().filter(|it| wanted(it));
+            let reported: Vec<String> =
+                reported.map(|it| format!("{} {} → {}", it.id, it.before, it.after)).collect();
+            if reported.is_empty() { String::new() } else { format!("    {name}: {}\n", reported.join(", ")) }
         };
         out.push_str(&list("gone", |it| it.after == 0));
         out.push_str(&list("new", |it| it.before == 0));

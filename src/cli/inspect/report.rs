@@ -136,7 +136,7 @@ pub struct MeasureReport {
     pub unit: &'static str,
     /// The value as the text has it.
     #[serde(skip)]
-    pub told: String,
+    pub reported: String,
 }
 
 #[derive(Debug, Serialize)]
@@ -237,8 +237,8 @@ impl FindingReport {
             degrees: finding.degrees,
             steps: finding.steps,
             measure: (finding.amount.zip(finding.kind.unit())).map(|(value, unit)| {
-                let told = finding.kind.write_amount(value);
-                MeasureReport { value, unit, told }
+                let reported = finding.kind.write_amount(value);
+                MeasureReport { value, unit, reported }
             }),
             confidence: finding.confidence,
             command: finding.command(input, output),

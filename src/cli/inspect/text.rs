@@ -10,28 +10,29 @@ use std::fmt::Write;
 /// The verdict in one line.
 pub fn line(report: &InspectReport, style: Style) -> String {
     let name = style.paint(Style::BOLD, &escaped(&report.input.path));
-    let (told, hidden) = (counted(report.counts, style), counted(report.hidden, style));
-    let told = match (told.is_empty(), hidden.is_empty()) {
+    let (reported, hidden) = (counted(report.counts, style), counted(report.hidden, style));
+    let reported = match (reported.is_empty(), hidden.is_empty()) {
         (true, true) => "nothing found".into(),
         (true, false) => format!("nothing of what was asked for; not told: {hidden}"),
-        (false, true) => told,
-        (false, false) => format!("{told}; not told: {hidden}"),
+        (false, true) => reported,
+        (false, false) => format!("{reported}; not told: {hidden}"),
     };
-    format!("{name}: {told}\n")
+    format!("{name}: {reported}\n")
 }
 
 fn counted(counts: Counts, style: Style) -> String {
-    let mut told = Vec::new();
+    let mut reported = Vec::new();
     for (count, name, colour) in [
         (counts.error, "error", Style::RED),
         (counts.warning, "warning", Style::YELLOW),
         (counts.note, "note", Style::BOLD),
     ] {
         if count > 0 {
-            told.push(style.paint(colour, &format!("{count} {name}{}", if count == 1 { "" } else { "s" })));
+            reported
+                .push(style.paint(colour, &format!("{count} {name}{}", if count == 1 { "" } else { "s" })));
         }
     }
-    told.join(", ")
+    reported.join(", ")
 }
 
 /// The verdict, how the normals were made, and every finding.
@@ -100,8 +101,8 @@ fn paragraph(finding: &FindingReport, report: &InspectReport, style: Style, plac
         let angle = finding.degrees.map_or(String::new(), |degrees| format!("{}°: ", three_digits(degrees)));
         let _ = writeln!(out, "    up to {angle}{steps} of 255 grey steps under a key light");
     }
-    if let Some(measure) = finding.measure.as_ref().filter(|it| !finding.cause.contains(&it.told)) {
-        let _ = writeln!(out, "    at worst {} {}", measure.told, measure.unit);
+    if let Some(measure) = finding.measure.as_ref().filter(|it| !finding.cause.contains(&it.reported)) {
+        let _ = writeln!(out, "    at worst {} {}", measure.reported, measure.unit);
     }
     if let Some(confidence) = finding.confidence {
         let _ = writeln!(out, "    confidence {confidence:.2}");

@@ -1,7 +1,7 @@
 //! What decides which options a drawing reads: its objects, as they were and as they are.
 
 use super::args::{RenderArgs, Variant};
-use super::reads::LIGHT;
+use super::option_effects::LIGHT;
 use crease::num::LinearRgb;
 use crease::raster::{
     Camera, Interpolation, RenderSettings, SceneFile, SceneObject, SceneShape, Shading, Show, default_lights,
@@ -141,7 +141,7 @@ impl Case<'_> {
     }
 
     /// Whether normals of corners are told, or drawn as lines.
-    pub fn tells_normals(&self) -> bool {
+    pub fn reports_normals(&self) -> bool {
         let draws = |overlay: &Overlay| matches!(overlay, Overlay::VertexNormals | Overlay::Creases);
         self.probes() || self.args.shading.overlay.iter().any(draws)
     }

@@ -320,7 +320,7 @@ mod tests {
     }
 
     #[test]
-    fn materials_are_plastic_unless_told() {
+    fn materials_are_plastic_unless_specified() {
         let red = material("colour=1,0,0 ks=0 exponent=5").unwrap();
         assert_eq!(red.diffuse.merged(), LinearRgb::new(0.7, 0.0, 0.0));
         assert_eq!((red.specular.merged(), red.exponent), (LinearRgb::BLACK, 5.0));

@@ -5,7 +5,7 @@ mod case;
 mod contrast;
 mod draw;
 mod fields;
-mod reads;
+mod option_effects;
 mod report;
 mod request;
 mod text;

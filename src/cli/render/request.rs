@@ -150,8 +150,8 @@ impl<'a> Request<'a> {
             // The same codes as behind the lit picture.
             file.background = file.background.to_array().map(|light| Transfer::Srgb.encode(light)).into();
         }
-        let told = |wire| contrast(wire, file.background, file.settings.transfer);
-        if !self.has_settings() && told(LinearRgb::BLACK) > told(LinearRgb::WHITE) {
+        let reported = |wire| contrast(wire, file.background, file.settings.transfer);
+        if !self.has_settings() && reported(LinearRgb::BLACK) > reported(LinearRgb::WHITE) {
             file.settings.wire.colour = LinearRgb::BLACK;
         }
         if let Some(degrees) = scene.rotate {
@@ -358,7 +358,7 @@ mod tests {
     use glam::DVec3;
 
     #[test]
-    fn lights_and_ambient_light_are_replaced_apart() {
+    fn lights_and_ambient_light_are_replaced_separately() {
         let ambient = |grey| Light::Ambient { colour: LinearRgb::grey(grey) };
         let sun = |x| Light::Directional { towards: DVec3::new(x, 0.0, 0.0), colour: LinearRgb::WHITE };
         let before = [ambient(0.1), sun(1.0), sun(2.0)];

@@ -3,7 +3,7 @@
 use super::args::Variant;
 use super::case::{Case, Stage, is_solid, shows_no_values};
 use super::contrast::{LEAST, code, contrast};
-use super::reads::{INTERPOLATION, readers};
+use super::option_effects::{INTERPOLATION, readers};
 use super::request::Request;
 use crate::cli::report::NoteReport;
 use crease::io::Note;
@@ -85,8 +85,8 @@ fn shading(request: &Request, stage: &Stage, cases: &[Case]) -> Option<String> {
         false => (&[Shading::Gouraud, Shading::Phong], "Gouraud and Phong"),
     };
     let shown = if show == Show::Shaded { "the colours of vertices are" } else { "what --show shows is" };
-    let is_told = compared.len() > 1 && compared.iter().all(|shading| alike.contains(shading));
-    is_told.then(|| format!("{what}: {shown} the same under {names} shading"))
+    let is_reported = compared.len() > 1 && compared.iter().all(|shading| alike.contains(shading));
+    is_reported.then(|| format!("{what}: {shown} the same under {names} shading"))
 }
 
 fn interpolations(request: &Request, cases: &[Case]) -> Option<String> {
@@ -114,11 +114,11 @@ fn wire_colour(file: &SceneFile, cases: &[Case]) -> Option<String> {
         return None;
     }
     // Not up to what is asked for.
-    let told = (found * 100.0).floor() / 100.0;
+    let reported = (found * 100.0).floor() / 100.0;
     let what = match code(wire, transfer) == code(background, transfer) {
         true => "has the colour of the background".into(),
         false => format!(
-            "is hard to tell from the background: their contrast is {told:.2}:1, and WCAG 2.1 asks for {LEAST}:1"
+            "is hard to tell from the background: their contrast is {reported:.2}:1, and WCAG 2.1 asks for {LEAST}:1"
         ),
     };
     Some(format!("the wireframe {what}; choose another --background"))

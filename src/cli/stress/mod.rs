@@ -61,7 +61,7 @@ mod tests {
 
     /// No expectation of the catalogue breaks, so one is made to.
     #[test]
-    fn an_expectation_that_breaks_is_told_and_ends_with_1() {
+    fn an_expectation_that_breaks_is_reported_and_ends_with_1() {
         let cases = cases_of(Group::Product);
         let mut results: Vec<StressResult> = cases.iter().map(StressCase::run).collect();
         assert_eq!(verdict(&results), Exit::Done);
@@ -72,10 +72,10 @@ mod tests {
         assert_eq!(verdict(&results), Exit::Findings);
         let text = table::table(&results, 0.0, false, Style::PLAIN);
         assert!(text.contains("BREAKS") && text.contains("3 cases: 1 do not hold."), "{text}");
-        let told = table::breach(&results[1]);
+        let reported = table::breach(&results[1]);
         assert!(
-            told.starts_with("product: nearly equal products: faithful is off by 0.5 rel, NaN x3"),
-            "{told}"
+            reported.starts_with("product: nearly equal products: faithful is off by 0.5 rel, NaN x3"),
+            "{reported}"
         );
         assert!(json_line(&Report::new(&results, 0.0)).contains("\"status\":\"broken\""));
     }

@@ -51,7 +51,7 @@ impl PlyDocument {
     }
 
     /// The elements and properties that have no part in the mesh.
-    pub(super) fn beside_meshes(&self) -> Vec<String> {
+    pub(super) fn outside_meshes(&self) -> Vec<String> {
         let mut left = Vec::new();
         for (number, element) in self.header.elements.iter().enumerate() {
             match self.roles.used(number) {

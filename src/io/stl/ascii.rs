@@ -106,7 +106,7 @@ struct Parser<'a> {
     solid: Solid,
     /// The loops of the facet that is open.
     facet: Option<Loops>,
-    odd: Odd,
+    odd: Unusual,
 }
 
 /// Whether a solid is open.
@@ -127,7 +127,7 @@ enum Loops {
 
 /// What was odd but could be read.
 #[derive(Default)]
-struct Odd {
+struct Unusual {
     unknown: Tally,
     without_normal: Tally,
     polygons: Tally,
@@ -137,7 +137,7 @@ struct Odd {
 
 impl<'a> Parser<'a> {
     fn new(text: &'a [u8]) -> Self {
-        let (solids, solid, facet, odd) = (Vec::new(), Solid::None, None, Odd::default());
+        let (solids, solid, facet, odd) = (Vec::new(), Solid::None, None, Unusual::default());
         Self { text, words: Words::new(text), solids, solid, facet, odd }
     }
 

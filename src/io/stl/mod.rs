@@ -32,7 +32,7 @@ impl StlDocument {
     }
 
     /// The attribute bytes behind facets, in which some programs keep colours.
-    pub(super) fn beside_meshes(&self) -> Vec<String> {
+    pub(super) fn outside_meshes(&self) -> Vec<String> {
         let Layout::Binary { facets } = self.layout else { return Vec::new() };
         let count = binary::attributes(&self.bytes, facets);
         if count == 0 {

@@ -41,7 +41,7 @@ const ASCII: &str = "# made by hand\nsolid a part # of it\n facet normal 0.00e0 
     0 OUTER LOOP VERTEX 0 0 2 VERTEX 1 0 2 VERTEX 0 1 2 ENDLOOP ENDFACET\nENDSOLID\n";
 
 #[test]
-fn binary_is_told_by_its_length() {
+fn binary_is_identified_by_its_length() {
     let loaded = load(binary(3));
     let mesh = &loaded.parts[0].mesh;
     assert_eq!((mesh.face_count(), mesh.vertex_count(), mesh.storage()), (3, 9, Storage::F32));
@@ -204,7 +204,7 @@ fn faults_say_where() {
 }
 
 #[test]
-fn odd_texts_are_read_with_a_warning() {
+fn unusual_texts_are_read_with_a_warning() {
     let facet =
         "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
     let four = facet.replace("vertex 0 1 0\n", "vertex 1 1 0\nvertex 0 1 0\n");

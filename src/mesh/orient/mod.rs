@@ -1,7 +1,7 @@
 //! Turning faces round until they agree.
 
+mod cavities;
 mod components;
-mod hollows;
 mod nesting;
 mod probe;
 mod rooms;
@@ -10,8 +10,8 @@ mod volume;
 
 use super::{Mesh, Topology, vector_area};
 use crate::num::unit_scale;
+pub(crate) use cavities::{Placed, cavities};
 use components::Components;
-pub(crate) use hollows::{Placed, hollows};
 use rayon::prelude::*;
 use rooms::{Role, Shell, roles};
 use visibility::votes;
@@ -185,9 +185,9 @@ impl Orientations {
 
     /// What [`Orient::Outward`] turns, where some components, ascending, are known to lie [inside of another
     /// mesh](hollows()) as well as they lie in their own.
-    pub(crate) fn outward(&self, mesh: &Mesh, confidence: Confidence, hollows: &[usize]) -> Orientation {
+    pub(crate) fn outward(&self, mesh: &Mesh, confidence: Confidence, cavities: &[usize]) -> Orientation {
         let mut found = self.nothing();
-        self.turn_closed(mesh, hollows, &mut found);
+        self.turn_closed(mesh, cavities, &mut found);
         self.turn_open(mesh, confidence, &mut found);
         found.reversed.extend_from_slice(&found.reversed_open);
         found.reversed.par_sort_unstable();
@@ -232,10 +232,10 @@ impl Orientations {
         2 * turned > self.components.faces(component).len()
     }
 
-    fn turn_closed(&self, mesh: &Mesh, hollows: &[usize], found: &mut Orientation) {
+    fn turn_closed(&self, mesh: &Mesh, cavities: &[usize], found: &mut Orientation) {
         let shells = self.shells(mesh);
         found.flat = self.closed.len() - shells.len();
-        for (&Shell { component, outward, .. }, role) in shells.iter().zip(roles(&shells, hollows)) {
+        for (&Shell { component, outward, .. }, role) in shells.iter().zip(roles(&shells, cavities)) {
             match role {
                 Role::Unknown => {
                     found.undecided += 1;
@@ -454,8 +454,8 @@ mod tests {
     fn shells_alternate_with_depth() {
         let radii = [4.0, 3.0, 2.0, 1.0];
         let shells = radii.map(|radius| sphere(2, DVec3::new(0.3, 0.2, 0.1), radius));
-        let beside = sphere(1, DVec3::new(9.0, 0.0, 0.0), 2.0);
-        let mesh = union(&[shells.to_vec(), vec![beside]].concat());
+        let next_to = sphere(1, DVec3::new(9.0, 0.0, 0.0), 2.0);
+        let mesh = union(&[shells.to_vec(), vec![next_to]].concat());
         let found = run(&mesh, Orient::Outward);
         let cavities: Vec<u32> = (128..256).chain(384..512).collect();
         assert_eq!(found.reversed, cavities);
@@ -466,7 +466,7 @@ mod tests {
 
     /// Boxes on a grid: rays through corners and along walls, faces in one plane.
     #[test]
-    fn boxes_that_share_planes_are_told_apart() {
+    fn boxes_that_share_planes_are_distinguished() {
         let cube = |low: [f64; 3], size: f64| cuboid(low.into(), DVec3::from(low) + size);
         let depths = |meshes: &[Mesh]| {
             let mesh = union(meshes);

@@ -128,7 +128,7 @@ mod tests {
         assert_eq!(probe(2.0, 0.0, 0.0).crossing(A, B, C), Some(0), "only in line with it");
         let blurred = Probe { at: DVec3::new(0.2, 0.3, 1.0 - 1e-12), blur: 1e-11 };
         assert_eq!(blurred.crossing(A, B, C), None);
-        let beside = Probe { at: DVec3::new(0.2, -1e-12, 0.0), blur: 1e-11 };
-        assert_eq!(beside.crossing(A, B, C), None);
+        let next_to = Probe { at: DVec3::new(0.2, -1e-12, 0.0), blur: 1e-11 };
+        assert_eq!(next_to.crossing(A, B, C), None);
     }
 }

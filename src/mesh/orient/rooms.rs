@@ -128,9 +128,9 @@ impl Orientations {
 }
 
 /// What each shell is, where some components, ascending, are known to lie [inside of another mesh](super::hollows()).
-pub(super) fn roles(shells: &[Shell], hollows: &[usize]) -> Vec<Role> {
+pub(super) fn roles(shells: &[Shell], cavities: &[usize]) -> Vec<Role> {
     let mut is_air: Vec<bool> =
-        shells.iter().map(|shell| hollows.binary_search(&shell.component).is_ok()).collect();
+        shells.iter().map(|shell| cavities.binary_search(&shell.component).is_ok()).collect();
     let mut outermost_first: Vec<usize> =
         (0..shells.len()).filter(|&shell| shells[shell].seems_room).collect();
     outermost_first.sort_by_key(|&shell| shells[shell].nest.as_ref().map(|nest| nest.depth));

@@ -56,11 +56,11 @@ pub(super) fn votes(mesh: &Mesh, components: &Components, open: &[usize]) -> Vec
     let obstacles = Obstacles::new(mesh);
     let rays = largest.len() * points * 2 * RAYS;
     let booth = Booth { mesh, obstacles, directions: directions(), budget: (STEPS.0 / rays).max(STEPS.1) };
-    let told: Vec<(usize, Vote)> = largest
+    let reported: Vec<(usize, Vote)> = largest
         .into_par_iter()
         .map(|i| (i, booth.vote(components.faces(open[i]), components.against(), points)))
         .collect();
-    told.into_iter().for_each(|(i, vote)| votes[i] = vote);
+    reported.into_iter().for_each(|(i, vote)| votes[i] = vote);
     votes
 }
 

@@ -221,7 +221,7 @@ struct RingFans {
     corners: Vec<u32>,
     /// For each the corner before it and the one after it in its fan.
     neighbours: Vec<[Option<u32>; 2]>,
-    strays: Vec<bool>,
+    outliers: Vec<bool>,
 }
 
 impl RingFans {
@@ -231,8 +231,8 @@ impl RingFans {
         self.corners.extend_from_slice(ring);
         self.neighbours.clear();
         self.neighbours.resize(ring.len(), [None; 2]);
-        self.strays.clear();
-        self.strays.resize(ring.len(), false);
+        self.outliers.clear();
+        self.outliers.resize(ring.len(), false);
         matcher.match_ring(vertex, ring, |corner, link| {
             let place = self.place(corner);
             match link {
@@ -242,7 +242,7 @@ impl RingFans {
                     self.neighbours[place][1] = Some(next);
                     self.neighbours[next_place][0] = Some(corner);
                 }
-                Link::Collapsed => self.strays[place] = true,
+                Link::Collapsed => self.outliers[place] = true,
                 _ => {}
             }
         });
@@ -263,7 +263,7 @@ impl Fans for RingFans {
     }
 
     fn is_stray(&self, corner: u32) -> bool {
-        self.strays[self.place(corner)]
+        self.outliers[self.place(corner)]
     }
 
     fn face_of(&self, corner: u32) -> u32 {

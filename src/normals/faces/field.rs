@@ -4,7 +4,7 @@ use crate::mesh::{Mesh, Topology};
 use crate::normals::faces::face_normals::FaceNormals;
 use crate::normals::faces::face_normals::face_normals;
 use crate::normals::faces::positions::Positions;
-use crate::normals::fallback::fallback_normals::{MadeUp, face_faults};
+use crate::normals::fallback::fallback_normals::{FallbackNormals, face_faults};
 use crate::normals::fault::Fault;
 use crate::normals::recipe::Slivers;
 use glam::DVec3;
@@ -21,12 +21,16 @@ impl FaceField {
     /// Of a mesh as it stands, faithful.
     pub(crate) fn new(mesh: &Mesh, topology: &Topology) -> Self {
         let positions = Positions::F64(mesh.positions(), mesh.storage());
-        Self::with_made_up(mesh, topology, face_normals(mesh.faces().view(), positions))
+        Self::with_fallbacks(mesh, topology, face_normals(mesh.faces().view(), positions))
     }
 
     /// Makes up what is missing.
-    pub(in crate::normals) fn with_made_up(mesh: &Mesh, topology: &Topology, mut faces: FaceNormals) -> Self {
-        let makeup = MadeUp::new(mesh.faces().view(), topology, &faces);
+    pub(in crate::normals) fn with_fallbacks(
+        mesh: &Mesh,
+        topology: &Topology,
+        mut faces: FaceNormals,
+    ) -> Self {
+        let makeup = FallbackNormals::new(mesh.faces().view(), topology, &faces);
         let bare = (0..faces.unit.len() as u32).filter(|&face| faces.unit[face as usize] == DVec3::ZERO);
         let (made_up, normals): (Vec<u32>, Vec<DVec3>) =
             bare.map(|face| (face, makeup.for_face(face))).unzip();

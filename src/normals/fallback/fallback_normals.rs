@@ -24,7 +24,7 @@ use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 
 /// Makes up normals. Fans are summed once, however many of their corners ask.
-pub(crate) struct MadeUp<'a> {
+pub(crate) struct FallbackNormals<'a> {
     faces: FacesRef<'a>,
     topology: &'a Topology,
     normals: &'a FaceNormals,
@@ -39,7 +39,7 @@ struct FanSum {
     first: Option<DVec3>,
 }
 
-impl<'a> MadeUp<'a> {
+impl<'a> FallbackNormals<'a> {
     pub(crate) fn new(faces: FacesRef<'a>, topology: &'a Topology, normals: &'a FaceNormals) -> Self {
         Self { faces, topology, normals, fan_of: FxHashMap::default(), fans: Vec::new() }
     }

@@ -151,13 +151,13 @@ impl<'a> Rings<'a> {
     }
 
     /// The two corners of the same face beside one.
-    fn beside(&self, corner: u32) -> [u32; 2] {
+    fn next_to(&self, corner: u32) -> [u32; 2] {
         [self.request.topology.next(corner), self.request.topology.previous(corner)]
     }
 
     fn append_ring(&self, group: u32, into: &mut Vec<DVec3>) {
         for &corner in self.request.group_corners.row(group) {
-            into.extend(self.beside(corner).map(|beside| self.place(beside)));
+            into.extend(self.next_to(corner).map(|next_to| self.place(next_to)));
         }
     }
 
@@ -187,8 +187,8 @@ impl<'a> Rings<'a> {
             chosen.extend_from_slice(candidates);
         };
         groups.clear();
-        let beside = corners.iter().flat_map(|&corner| self.beside(corner));
-        groups.extend(beside.map(|corner| self.request.corner_group[corner as usize]));
+        let next_to = corners.iter().flat_map(|&corner| self.next_to(corner));
+        groups.extend(next_to.map(|corner| self.request.corner_group[corner as usize]));
         groups.sort_unstable();
         groups.dedup();
         take_nearest(first);

@@ -4,7 +4,7 @@ use crate::mesh::{FacesRef, MAX_CORNERS, Topology};
 use crate::normals::creases::dihedral_test::CreaseTest;
 use crate::normals::creases::triangle_groups::TriangleCreases;
 use crate::normals::faces::output::Emit;
-use crate::normals::fallback::fallback_normals::{MadeUp, face_faults};
+use crate::normals::fallback::fallback_normals::{FallbackNormals, face_faults};
 use crate::normals::fault::{Fault, Faults};
 use crate::normals::recipe::{Slivers, Weight};
 use crate::normals::slices::vertex_normals::{Coordinate, Scratch, SliceError, check};
@@ -84,7 +84,7 @@ pub fn corner_normals<T: Coordinate>(
         Vec::new()
     } else {
         let topology = Topology::of_view(faces, positions.len());
-        MadeUp::new(faces, &topology, face_normals).for_slots(index, states, set)
+        FallbackNormals::new(faces, &topology, face_normals).for_slots(index, states, set)
     };
     let reason = |slot: &u32| made_up.binary_search_by_key(slot, |&(s, _)| s).ok().map(|i| made_up[i].1);
     let corners = index.iter().enumerate().filter(|_| !made_up.is_empty());

@@ -5,7 +5,7 @@ use crate::normals::faces::shape::FaceState;
 use crate::normals::sums::block::{ALL, GroupTerms, are_inner, group_terms};
 use crate::normals::sums::corner_mean::adds;
 use crate::normals::sums::corner_terms::CornerTerms;
-use crate::normals::sums::finish::Doubts;
+use crate::normals::sums::finish::UncertainSlots;
 use crate::normals::sums::partition::{BLOCK, Touched};
 use crate::normals::sums::weight::CornerWeight;
 use crate::normals::sums::weighted::SumRequest;
@@ -14,7 +14,7 @@ use std::marker::PhantomData;
 use std::ops::Range;
 
 /// A face that is not simply counted.
-pub(crate) type OddFace = (u32, FaceState);
+pub(crate) type UnusualFace = (u32, FaceState);
 
 /// A running sum: Σ w n̂ and Σ w.
 pub(crate) type Sum = [f64; 4];
@@ -26,8 +26,8 @@ pub(crate) struct Part {
     /// The slots that its share touches.
     pub(crate) touched: Touched,
     /// Faces of its share that are not simply counted.
-    pub(crate) odd: Vec<OddFace>,
-    pub(crate) doubts: Doubts,
+    pub(crate) odd: Vec<UnusualFace>,
+    pub(crate) doubts: UncertainSlots,
 }
 
 impl Part {
@@ -35,16 +35,16 @@ impl Part {
     /// added to their owners' sums.
     pub(crate) fn hand_over(&mut self, request: &SumRequest, share: Range<usize>, own: usize) -> Vec<u32> {
         let SumRequest { faces, target, slots, .. } = *request;
-        let abroad = self.touched.abroad(share, own, faces, target);
+        let outside_range = self.touched.outside_range(share, own, faces, target);
         let sums = &mut self.sums.get(slots)[..own];
-        for &face in &abroad {
+        for &face in &outside_range {
             for &slot in &target[faces.range(face as usize)] {
                 if let Some(sum) = sums.get_mut(slot as usize) {
                     *sum = [0.0; 4];
                 }
             }
         }
-        abroad
+        outside_range
     }
 }
 
@@ -86,7 +86,7 @@ pub(crate) struct Accumulate<'a, S, W> {
     /// Slots beyond its end are left alone.
     pub(crate) sums: &'a mut [Sum],
     /// Takes the faces that are not simply counted.
-    pub(crate) odd: &'a mut Vec<OddFace>,
+    pub(crate) odd: &'a mut Vec<UnusualFace>,
     pub(crate) weight: PhantomData<W>,
 }
 
@@ -148,14 +148,14 @@ impl<S: Source, W: CornerWeight> Kernel for Accumulate<'_, S, W> {
 struct Terms<'a, S, W> {
     request: &'a SumRequest<'a>,
     source: S,
-    odd: &'a mut Vec<OddFace>,
+    odd: &'a mut Vec<UnusualFace>,
     groups: [GroupTerms; BLOCK / LANES],
     scalar: CornerTerms,
     weight: PhantomData<W>,
 }
 
 impl<'a, S: Source, W: CornerWeight> Terms<'a, S, W> {
-    fn new(request: &'a SumRequest<'a>, source: S, odd: &'a mut Vec<OddFace>) -> Self {
+    fn new(request: &'a SumRequest<'a>, source: S, odd: &'a mut Vec<UnusualFace>) -> Self {
         let groups = [GroupTerms::ZERO; BLOCK / LANES];
         Self { request, source, odd, groups, scalar: CornerTerms::default(), weight: PhantomData }
     }
@@ -266,10 +266,10 @@ pub(crate) fn repeats(slots: &[u32], corner: usize) -> bool {
 }
 
 /// Looks states up for faces that come in ascending order.
-pub(crate) struct OddFaces<'a>(&'a [OddFace]);
+pub(crate) struct UnusualFaces<'a>(&'a [UnusualFace]);
 
-impl<'a> OddFaces<'a> {
-    pub(crate) fn new(odd: &'a [OddFace], first: usize) -> Self {
+impl<'a> UnusualFaces<'a> {
+    pub(crate) fn new(odd: &'a [UnusualFace], first: usize) -> Self {
         Self(&odd[odd.partition_point(|&(face, _)| (face as usize) < first)..])
     }
 

@@ -9,7 +9,7 @@ use glam::DVec3;
 
 /// Slots whose sums do not say all, by their numbers in the mesh.
 #[derive(Default)]
-pub(crate) struct Doubts {
+pub(crate) struct UncertainSlots {
     /// All faces at them point the same way: it may be only one.
     pub(crate) perhaps_one_face: Vec<u32>,
     /// Nothing was added to them, or perhaps it cancelled.
@@ -18,7 +18,7 @@ pub(crate) struct Doubts {
     pub(crate) not_all_good: bool,
 }
 
-impl Doubts {
+impl UncertainSlots {
     /// Takes others over.
     pub(crate) fn join(&mut self, other: &Self) {
         self.perhaps_one_face.extend_from_slice(&other.perhaps_one_face);
@@ -46,7 +46,7 @@ pub(crate) struct Finish<'a, O> {
     pub(crate) unit: &'a mut [O],
     /// What those are worth.
     pub(crate) state: &'a mut [SlotState],
-    pub(crate) doubts: &'a mut Doubts,
+    pub(crate) doubts: &'a mut UncertainSlots,
     /// Whether the sums are of plain area vectors. Then a slot of one face comes to that face's bits by itself, but Σ w is
     /// only an upper bound.
     pub(crate) areas: bool,
@@ -97,7 +97,12 @@ fn finish_group<A: Lanes, O: Emit>(arch: A, sums: &[Sum], unit: &mut [O], same_w
 }
 
 /// One sum.
-fn finish_one([x, y, z, weights]: Sum, slot: u32, areas: bool, doubts: &mut Doubts) -> (DVec3, SlotState) {
+fn finish_one(
+    [x, y, z, weights]: Sum,
+    slot: u32,
+    areas: bool,
+    doubts: &mut UncertainSlots,
+) -> (DVec3, SlotState) {
     if weights == 0.0 {
         doubts.recount.push(slot);
         doubts.not_all_good = true;

@@ -85,7 +85,7 @@ impl Touched {
     }
 
     /// Those faces of the share that touch slots below `own`.
-    pub(crate) fn abroad(
+    pub(crate) fn outside_range(
         &self,
         share: Range<usize>,
         own: usize,

@@ -2,10 +2,10 @@
 
 use crate::mesh::NONE;
 use crate::normals::faces::positions::Source;
-use crate::normals::sums::accumulate::{OddFace, OddFaces, repeats};
+use crate::normals::sums::accumulate::{UnusualFace, UnusualFaces, repeats};
 use crate::normals::sums::corner_mean::{Term, adds, mean};
 use crate::normals::sums::corner_terms::CornerTerms;
-use crate::normals::sums::finish::Doubts;
+use crate::normals::sums::finish::UncertainSlots;
 use crate::normals::sums::partition::Bounds;
 use crate::normals::sums::weight::CornerWeight;
 use crate::normals::sums::weighted::{SlotState, SumRequest};
@@ -25,17 +25,17 @@ fn chunk_of(slot: u32) -> usize {
 
 /// Gives the results that sums alone do not: of slots of one face, which get its normal to the bit, of those that nothing
 /// was added to, and of those that seem to cancel.
-pub(crate) struct LookAgain<'a, S, W> {
+pub(crate) struct Recheck<'a, S, W> {
     pub(crate) request: &'a SumRequest<'a>,
     pub(crate) source: S,
     /// Faces not simply counted, ascending.
-    pub(crate) odd: &'a [OddFace],
+    pub(crate) odd: &'a [UnusualFace],
     pub(crate) weight: PhantomData<W>,
 }
 
-impl<S: Source, W: CornerWeight> LookAgain<'_, S, W> {
+impl<S: Source, W: CornerWeight> Recheck<'_, S, W> {
     /// Results by slot.
-    pub(crate) fn run(&self, doubts: &Doubts) -> Vec<(u32, DVec3, SlotState)> {
+    pub(crate) fn run(&self, doubts: &UncertainSlots) -> Vec<(u32, DVec3, SlotState)> {
         let mut slots: Vec<Doubt> = Vec::new();
         slots.extend(doubts.perhaps_one_face.iter().map(|&slot| (slot, notes::NO_FACE)));
         slots.extend(doubts.recount.iter().map(|&slot| (slot, notes::RECOUNT)));
@@ -77,7 +77,7 @@ impl<S: Source, W: CornerWeight> LookAgain<'_, S, W> {
             if !notes.touch(num::dispatch(Bounds(&request.target[slots]))) {
                 continue;
             }
-            let mut odd = OddFaces::new(self.odd, faces.start);
+            let mut odd = UnusualFaces::new(self.odd, faces.start);
             for face in faces {
                 let state = odd.state(face);
                 let slots = &request.target[request.faces.range(face)];

@@ -4,10 +4,10 @@ use crate::mesh::FacesRef;
 use crate::normals::faces::output::Emit;
 use crate::normals::faces::positions::{Positions, Source, Visitor};
 use crate::normals::recipe::{Slivers, Weight};
-use crate::normals::sums::accumulate::{Accumulate, OddFace, Part, Sum, Walk};
-use crate::normals::sums::finish::{Doubts, Finish};
+use crate::normals::sums::accumulate::{Accumulate, Part, Sum, UnusualFace, Walk};
+use crate::normals::sums::finish::{Finish, UncertainSlots};
 use crate::normals::sums::partition::Partition;
-use crate::normals::sums::recheck::LookAgain;
+use crate::normals::sums::recheck::Recheck;
 use crate::normals::sums::weight::{CornerWeight, WeightVisitor, visit_weight};
 use crate::num;
 use glam::DVec3;
@@ -68,7 +68,7 @@ pub(crate) struct SumScratch {
 #[derive(Default)]
 pub(crate) struct Outcome {
     /// The faces that are not simply counted, ascending.
-    pub(crate) odd: Vec<OddFace>,
+    pub(crate) odd: Vec<UnusualFace>,
     /// Whether it is certain that every slot is [`SlotState::Good`].
     pub(crate) all_good: bool,
     /// Whether a face has a vertex that does not exist. Then nothing was computed.
@@ -129,7 +129,7 @@ impl<S: Source, O: Emit> WeightVisitor for WithWeight<'_, S, O> {
         let parts = &mut memory[..partition.parts()];
         let alone = parts.len() == 1;
 
-        let accumulate = |walk: Walk, sums: &mut [Sum], odd: &mut Vec<OddFace>| {
+        let accumulate = |walk: Walk, sums: &mut [Sum], odd: &mut Vec<UnusualFace>| {
             num::dispatch(Accumulate { request, source, walk, sums, odd, weight: PhantomData::<W> })
         };
         let add_share = |(number, part): (usize, &mut Part)| {
@@ -145,7 +145,7 @@ impl<S: Source, O: Emit> WeightVisitor for WithWeight<'_, S, O> {
         }
 
         let owned = owned_slots(parts, slots);
-        let abroad = for_each_part(parts, |(number, part)| {
+        let outside_range = for_each_part(parts, |(number, part)| {
             part.hand_over(request, partition.share(number), owned[number].start)
         });
         let (mut unit_left, mut state_left, mut work) = (&mut *unit, &mut *state, Vec::new());
@@ -158,7 +158,7 @@ impl<S: Source, O: Emit> WeightVisitor for WithWeight<'_, S, O> {
             let Part { sums, odd, doubts, .. } = &mut **part;
             let sums = &mut sums.get(slots)[..owned.end];
             let found = odd.len();
-            for faces in &abroad[number + 1..] {
+            for faces in &outside_range[number + 1..] {
                 accumulate(Walk::Listed(faces, owned.start), sums, odd);
             }
             // The parts in whose share these faces are have found them too.
@@ -169,11 +169,11 @@ impl<S: Source, O: Emit> WeightVisitor for WithWeight<'_, S, O> {
         });
 
         // Shares ascend, and so do the faces in them; slots do too.
-        let odd: Vec<OddFace> = parts.iter().flat_map(|part| part.odd.iter().copied()).collect();
-        let mut doubts = Doubts::default();
+        let odd: Vec<UnusualFace> = parts.iter().flat_map(|part| part.odd.iter().copied()).collect();
+        let mut doubts = UncertainSlots::default();
         parts.iter().for_each(|part| doubts.join(&part.doubts));
         scratch.parts = memory;
-        let again = LookAgain::<S, W> { request, source, odd: &odd, weight: PhantomData };
+        let again = Recheck::<S, W> { request, source, odd: &odd, weight: PhantomData };
         for (slot, vector, worth) in again.run(&doubts) {
             unit[slot as usize] = O::emit(vector);
             state[slot as usize] = worth;

@@ -36,7 +36,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         "cracked-seam",
         Severity::Warning,
         "edges that miss each other by the rounding of their vertices",
-        "Two open edges, each at both ends closer to the other than a millionth of the bounding box's diagonal and not at equal places, as when positions were printed with few digits or pieces were moved by different matrices. What goes by equal places, as `crease normals` without `--weld` does, sees a rim there and shades the two sides apart: a line shows where the surface goes on. Told where the stored normals of such edges differ, as a warning or a note like `split-seam`; as a note where none are stored, by the bend of the edge.",
+        "Two open edges, each at both ends closer to the other than a millionth of the bounding box's diagonal and not at equal places, as when positions were printed with few digits or pieces were moved by different matrices. What goes by equal places, as `crease normals` without `--weld` does, sees a rim there and shades the two sides apart: a line shows where the surface goes on. Reported where the stored normals of such edges differ, as a warning or a note like `split-seam`; as a note where none are stored, by the bend of the edge.",
         "Compute normals with such edges joined; vertices stay where they are.",
         Some(""),
     ),

@@ -4,7 +4,7 @@ use crate::num::{angle_between, three_digits};
 use crate::quality::catalogue::Kind;
 use crate::quality::counts::{Gauge, Remark, Spot, Tallies, scan};
 use crate::quality::effect::lost_light::slope_jump;
-use crate::quality::facts::{Facts, Worth};
+use crate::quality::facts::{Facts, Significance};
 use crate::quality::geometry::angle_limit::Limit;
 use crate::quality::thresholds::Thresholds;
 use glam::DVec3;
@@ -25,7 +25,7 @@ const SMOOTH: f64 = 0.9998;
 pub(in crate::quality) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found: &mut Tallies) {
     let terminator = Limit::new(thresholds.terminator.0);
     let risks = scan(facts.mesh.face_count(), thresholds.places, |faces, found| {
-        for face in faces.filter(|&face| facts.worth[face] == Worth::Sound) {
+        for face in faces.filter(|&face| facts.worth[face] == Significance::Sound) {
             corners(facts, face, terminator, found);
             for half_edge in facts.mesh.faces().range(face) {
                 edge(facts, face, half_edge as u32, thresholds, found);
@@ -73,7 +73,7 @@ fn edge(facts: &Facts<'_>, face: usize, half_edge: u32, thresholds: &Thresholds,
     let topology = &facts.topology;
     let Some(across) = topology.across(half_edge).filter(|&across| half_edge < across) else { return };
     let other = topology.face_of(across) as usize;
-    if facts.worth[other] != Worth::Sound {
+    if facts.worth[other] != Significance::Sound {
         return;
     }
     let ends = [half_edge, topology.next(half_edge)];

@@ -7,9 +7,9 @@ use crate::quality::estimate::means::{MEANS, Smoothness, Sums, sums};
 use crate::quality::estimate::quadrics::Patch;
 use crate::quality::estimate::recipe::{Estimate, LEFT, LETTER, NEARLY_ALL, REPRODUCED, SAME, SAMPLE};
 use crate::quality::estimate::rotation::{are_spread, rotation_angle, steady_turn};
-use crate::quality::facts::{Facts, Worth};
+use crate::quality::facts::{Facts, Significance};
 use crate::quality::smoothing::crease_angle::{Bend, exact_separating_angle, separating_angle};
-use crate::quality::stored::vertex_fans::Orbits;
+use crate::quality::stored::vertex_fans::VertexFans;
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 
@@ -99,7 +99,7 @@ impl<'a> Sample<'a> {
         if plain.estimate.reproduced < 1.0 {
             let known = [separating];
             // Many single faults at the ends of edges shift what separates best.
-            for other in candidates(&self.bends, &known).into_iter().chain(beside(separating)) {
+            for other in candidates(&self.bends, &known).into_iter().chain(next_to(separating)) {
                 let other = self.by_rule(sharp_from(other), turned_back);
                 plain = if other.cost < plain.cost { other } else { plain };
             }
@@ -118,7 +118,7 @@ impl<'a> Sample<'a> {
     }
 
     fn by_rule(&self, rule: Smoothness<'_>, turned_back: bool) -> Fit {
-        let poles = Orbits::default();
+        let poles = VertexFans::default();
         let sums = |&corner: &u32| sums(self.facts, corner, rule, &poles);
         let sums: Vec<Sums> = self.corners.par_iter().map(sums).collect();
         let turn = |weight| if turned_back { steady_turn(&self.pairs(&sums, weight)) } else { None };
@@ -172,11 +172,11 @@ impl<'a> Sample<'a> {
         let few: Vec<usize> = (0..count.min(FITTED)).map(|i| i * count / count.min(FITTED)).collect();
         let corners: Vec<u32> = few.iter().map(|&i| self.corners[i]).collect();
         let patch = Patch::around(self.facts, &corners);
-        let told = || patch.places().map(|place| few[place]);
+        let reported = || patch.places().map(|place| few[place]);
         let few = Sample {
             facts: self.facts,
-            corners: told().map(|i| self.corners[i]).collect(),
-            normals: told().map(|i| self.normals[i]).collect(),
+            corners: reported().map(|i| self.corners[i]).collect(),
+            normals: reported().map(|i| self.normals[i]).collect(),
             bends: self.bends.clone(),
         };
         if few.corners.is_empty() {
@@ -200,7 +200,7 @@ impl<'a> Sample<'a> {
         if best.estimate.exactly < 1.0 {
             let bends = if means.groups { self.in_one_group() } else { self.bends.clone() };
             let known = [means.crease, Crease::DEFAULT_ANGLE, Degrees(180.0)];
-            for other in candidates(&bends, &known).into_iter().chain(beside(means.crease)) {
+            for other in candidates(&bends, &known).into_iter().chain(next_to(means.crease)) {
                 let other = by_quadric(other);
                 best = if other.cost < best.cost { other } else { best };
             }
@@ -252,7 +252,7 @@ fn candidates(bends: &[Bend], known: &[Degrees]) -> Vec<Degrees> {
 }
 
 /// The crease angles one degree less and more.
-fn beside(crease: Degrees) -> [Degrees; 2] {
+fn next_to(crease: Degrees) -> [Degrees; 2] {
     [-1.0, 1.0].map(|by| Degrees((crease.0 + by).clamp(0.0, 180.0)))
 }
 
@@ -261,7 +261,7 @@ fn corners(facts: &Facts<'_>) -> Vec<u32> {
     let count = facts.mesh.faces().corner_count();
     let is_usable = |&corner: &u32| {
         let face = facts.topology.face_of(corner) as usize;
-        facts.worth[face] == Worth::Sound && facts.stored_unit(corner as usize).is_some()
+        facts.worth[face] == Significance::Sound && facts.stored_unit(corner as usize).is_some()
     };
     if count <= SAMPLE {
         return (0..count as u32).filter(is_usable).collect();

@@ -2,8 +2,8 @@
 
 use crate::normals::{CreaseTest, Weight};
 use crate::num::{Degrees, angle_between};
-use crate::quality::facts::{Facts, Worth};
-use crate::quality::stored::vertex_fans::{Orbits, SHORT};
+use crate::quality::facts::{Facts, Significance};
+use crate::quality::stored::vertex_fans::{SHORT, VertexFans};
 use glam::DVec3;
 
 /// All weightings but the quadric, which is a fit.
@@ -42,7 +42,7 @@ pub(in crate::quality) fn sums(
     facts: &Facts<'_>,
     corner: u32,
     rule: Smoothness<'_>,
-    poles: &Orbits<Sums>,
+    poles: &VertexFans<Sums>,
 ) -> Sums {
     let add = |sums: &mut Sums, corner| {
         sums.iter_mut().zip(pulls(facts, corner)).for_each(|(sum, pull)| *sum += pull);
@@ -116,7 +116,7 @@ impl Pull {
         let here = facts.place(corner as usize);
         let to = |other: u32| facts.place(other as usize) - here;
         let [ahead, behind] = [facts.topology.next(corner), facts.topology.previous(corner)].map(to);
-        (facts.worth[face] != Worth::Silent).then(|| Self {
+        (facts.worth[face] != Significance::Silent).then(|| Self {
             normal: facts.face_normal(face),
             ahead,
             behind,

@@ -44,7 +44,7 @@ pub(in crate::quality) fn fan(places: &[DVec3], normal: DVec3) -> f64 {
 }
 
 /// The angle at a place of a kind that goes by another measure, in degrees; `None` for all other kinds.
-pub(in crate::quality) fn beside(facts: &Facts<'_>, kind: Kind, spot: &Spot) -> Option<f64> {
+pub(in crate::quality) fn next_to(facts: &Facts<'_>, kind: Kind, spot: &Spot) -> Option<f64> {
     match kind {
         Kind::Needles => Some(slenderness::by_rounding(facts, spot.face as usize)),
         Kind::NonManifold => Some(largest_bend(facts, spot.corner)),
@@ -91,7 +91,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_fan_from_beside_the_hollow_of_an_arrow_turns_one_triangle_over() {
+    fn a_fan_from_next_to_the_hollow_of_an_arrow_turns_one_triangle_over() {
         let arrow = [[0.0, 0.0], [1.0, 0.0], [0.2, 0.2], [0.0, 1.0]].map(|[x, y]| DVec3::new(x, y, 0.0));
         let from = |first: usize| {
             let mut places = arrow;

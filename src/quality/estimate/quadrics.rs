@@ -34,8 +34,8 @@ impl Patch {
             let own = faces.binary_search(&face).expect("a corner's own face is round it");
             mesh.faces().range(own).start + corner as usize - facts.mesh.faces().range(face as usize).start
         };
-        let told = around.iter().zip(corners).enumerate().filter(|(_, (faces, _))| faces.is_some());
-        let corners = told.map(|(i, (_, &corner))| (i, in_patch(corner))).collect();
+        let reported = around.iter().zip(corners).enumerate().filter(|(_, (faces, _))| faces.is_some());
+        let corners = reported.map(|(i, (_, &corner))| (i, in_patch(corner))).collect();
         Self { topology: Topology::build(&mesh, Weld::Exact), mesh, corners }
     }
 

@@ -69,10 +69,10 @@ pub(in crate::quality) fn steady_turn(pairs: &[(DVec3, DVec3)]) -> Option<DMat3>
 /// Whether directions lie on three lines at least: one turn then has more to explain than any turn can.
 pub(in crate::quality) fn are_spread(directions: impl IntoIterator<Item = DVec3>) -> bool {
     /// The sine of 5°: lines that are closer count as one.
-    const APART: f64 = 0.087;
+    const SEPARATE: f64 = 0.087;
     let mut lines: Vec<DVec3> = Vec::new();
     for direction in directions {
-        if lines.iter().all(|line| line.cross(direction).length() > APART) {
+        if lines.iter().all(|line| line.cross(direction).length() > SEPARATE) {
             lines.push(direction);
         }
         if lines.len() == 3 {

@@ -70,14 +70,14 @@ pub(in crate::quality) fn faces(facts: &Facts<'_>, found: &mut Tallies) {
 /// Faces that may have their corners at the same places as another: the only ones worth comparing corner by corner, and in most
 /// meshes next to none.
 fn crowded_faces(facts: &Facts<'_>) -> Vec<usize> {
-    const ODD: u64 = 0x9e37_79b9_7f4a_7c15;
+    const UNUSUAL: u64 = 0x9e37_79b9_7f4a_7c15;
     let key = |face: usize| {
         let range = facts.mesh.faces().range(face);
         // The sum of the places does not depend on their order if it is one of whole numbers.
         let hash = |place: [u64; 3]| {
-            place.iter().fold(0u64, |hash, &bits| (hash ^ bits).wrapping_mul(ODD).rotate_left(29))
+            place.iter().fold(0u64, |hash, &bits| (hash ^ bits).wrapping_mul(UNUSUAL).rotate_left(29))
         };
-        range.fold(0u64, |sum, corner| sum.wrapping_add(hash(place(facts, corner)))).wrapping_mul(ODD)
+        range.fold(0u64, |sum, corner| sum.wrapping_add(hash(place(facts, corner)))).wrapping_mul(UNUSUAL)
     };
     // 32 bits of the key before the face: what they take for alike is compared by places, and is little.
     let packed = |face: usize| match facts.area[face] > 0.0 {

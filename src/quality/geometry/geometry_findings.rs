@@ -7,7 +7,7 @@ use crate::quality::catalogue::Kind;
 use crate::quality::counts::{Gauge, Remark, Spot, Tallies, scan};
 use crate::quality::effect::lost_light::key_light_lost;
 use crate::quality::estimate::other_programs;
-use crate::quality::facts::{Facts, InsideOut, Worth};
+use crate::quality::facts::{Facts, InsideOut, Significance};
 use crate::quality::finding::Severity;
 use crate::quality::geometry::angle_limit::Limit;
 use crate::quality::geometry::duplicates;
@@ -56,7 +56,7 @@ fn winding(facts: &Facts<'_>, found: &mut Tallies) {
     // A face that stands twice runs the same way as its double: that is told as what it is.
     let is_single = |face: &&u32| facts.doubles.same_way().binary_search(face).is_err();
     // What has no direction shows none.
-    let is_seen = |face: &&u32| facts.worth[**face as usize] != Worth::Silent;
+    let is_seen = |face: &&u32| facts.worth[**face as usize] != Significance::Silent;
     for &face in facts.minority.iter().filter(is_single).filter(is_seen) {
         certain |= facts.mesh.faces().range(face as usize).any(by_index);
         found.add(

@@ -3,7 +3,7 @@
 use crate::mesh::Column;
 use crate::num::{Degrees, angle_between};
 use crate::quality::estimate::recipe::SAME;
-use crate::quality::facts::{Facts, Worth};
+use crate::quality::facts::{Facts, Significance};
 use glam::DVec3;
 
 /// Edges that bend by less, in degrees, tell nothing about creases.
@@ -24,7 +24,7 @@ impl Bend {
         let across = facts.topology.across(corner)?;
         let beyond = facts.topology.next(across) as usize;
         let faces = [corner, across].map(|corner| facts.topology.face_of(corner) as usize);
-        if faces.iter().any(|&face| facts.worth[face] != Worth::Sound) {
+        if faces.iter().any(|&face| facts.worth[face] != Significance::Sound) {
             return None;
         }
         let degrees =

@@ -3,7 +3,7 @@
 use crate::mesh::Column;
 use crate::quality::facts::Facts;
 use crate::quality::smoothing::smoothing_findings::{Edge, SAME, WAYS};
-use crate::quality::stored::vertex_fans::{Orbits, SHORT};
+use crate::quality::stored::vertex_fans::{SHORT, VertexFans};
 use crate::quality::thresholds::Thresholds;
 use glam::DVec3;
 
@@ -24,7 +24,7 @@ pub(in crate::quality) struct Runs<'a> {
     thresholds: &'a Thresholds,
     /// The bend in degrees from which on averaged edges are told.
     told_from: f64,
-    long: Orbits<Run>,
+    long: VertexFans<Run>,
 }
 
 impl<'a> Runs<'a> {
@@ -32,7 +32,7 @@ impl<'a> Runs<'a> {
     pub(in crate::quality) fn new(facts: &'a Facts<'a>, thresholds: &'a Thresholds) -> Option<Self> {
         let stored = facts.stored.filter(|_| facts.shares_vertices)?;
         let told_from = facts.estimate?.sharp_from() + thresholds.crease.0;
-        Some(Self { facts, stored, thresholds, told_from, long: Orbits::default() })
+        Some(Self { facts, stored, thresholds, told_from, long: VertexFans::default() })
     }
 
     /// The one that a corner is of.

@@ -6,7 +6,7 @@ use crate::num::{Degrees, angle_between};
 use crate::quality::catalogue::Kind;
 use crate::quality::counts::{Spot, Tallies, scan};
 use crate::quality::estimate::recipe::REPRODUCED;
-use crate::quality::facts::{Facts, Worth};
+use crate::quality::facts::{Facts, Significance};
 use crate::quality::finding::Severity;
 use crate::quality::geometry::angle_limit::Limit;
 use crate::quality::geometry::polygons;
@@ -72,10 +72,10 @@ pub(in crate::quality) fn find(
             return;
         }
         let mut soft = softened(facts, stored, sharp_from, thresholds.places);
-        let told = soft.get(Kind::Soft).count as f64;
+        let reported = soft.get(Kind::Soft).count as f64;
         // Where some are kept sharp, those that are not are told one by one.
         let kept = kept_sharp(facts, stored, sharp_from, estimate.is_rule()) as f64;
-        if told < 0.5 * beyond || told < ALL * (told + kept) {
+        if reported < 0.5 * beyond || reported < ALL * (reported + kept) {
             return;
         }
         let has_groups = facts.mesh.columns().smoothing.is_some();
@@ -127,7 +127,7 @@ fn is_gentle(facts: &Facts<'_>) -> bool {
 fn bend(facts: &Facts<'_>, half_edge: u32, limit: Limit) -> Option<f64> {
     let across = facts.topology.across(half_edge).filter(|&across| half_edge < across)?;
     let faces = [half_edge, across].map(|corner| facts.topology.face_of(corner) as usize);
-    let is_sound = faces.iter().all(|&face| facts.worth[face] == Worth::Sound);
+    let is_sound = faces.iter().all(|&face| facts.worth[face] == Significance::Sound);
     let [a, b] = faces.map(|face| facts.face_normal(face));
     limit.exceeded(a, b).filter(|_| is_sound)
 }
@@ -184,7 +184,7 @@ fn level_with(facts: &Facts<'_>, face: usize) -> impl Iterator<Item = usize> {
     let across = |corner: usize| Some(facts.topology.face_of(facts.topology.across(corner as u32)?) as usize);
     let others = facts.mesh.faces().range(face).filter_map(across);
     others.filter(move |&other| {
-        let is_sound = facts.worth[other] == Worth::Sound;
+        let is_sound = facts.worth[other] == Significance::Sound;
         is_sound && bent.exceeded(facts.face_normal(face), facts.face_normal(other)).is_none()
     })
 }

@@ -5,7 +5,7 @@ use crate::normals::Crease;
 use crate::num::{Degrees, angle_between};
 use crate::quality::catalogue::Kind;
 use crate::quality::counts::{Spot, Tallies, scan};
-use crate::quality::facts::{Facts, Worth};
+use crate::quality::facts::{Facts, Significance};
 use crate::quality::finding::Severity;
 use crate::quality::stored::outliers::Ground;
 use crate::quality::thresholds::Thresholds;
@@ -203,7 +203,7 @@ impl Edge {
     fn either_way(facts: &Facts<'_>, stored: &Column<DVec3>, half_edge: u32) -> Option<Edge> {
         let across = facts.topology.across(half_edge)?;
         let faces = [half_edge, across].map(|corner| facts.topology.face_of(corner) as usize);
-        if faces.iter().any(|&face| facts.worth[face] != Worth::Sound) {
+        if faces.iter().any(|&face| facts.worth[face] != Significance::Sound) {
             return None;
         }
         let ends = [
@@ -280,19 +280,19 @@ impl Edge {
     ) -> bool {
         // A stray that is not asked for is no seam either.
         let told_from = thresholds.deviation.0.min(Thresholds::default().deviation.0);
-        let is_told = |&corner: &usize| {
+        let is_reported = |&corner: &usize| {
             let Some(unit) = facts.stored_unit(corner) else { return false };
             // Between two seams a face may stand alone, with its own normal.
-            let strays = || {
+            let outliers = || {
                 !WAYS.into_iter().any(|way| way.shares(facts, stored, corner as u32))
                     && Ground::of(facts, corner, unit) != Some(Ground::Run)
             };
             degrees(unit, facts.expected(corner)) > told_from
-                && (facts.leaning(corner) > 90.0 + thresholds.against.0 || strays())
+                && (facts.leaning(corner) > 90.0 + thresholds.against.0 || outliers())
         };
         self.gaps[0].min(self.gaps[1]) > thresholds.seam.0
             && self.goes_on(facts)
-            && !self.ends.as_flattened().iter().any(is_told)
+            && !self.ends.as_flattened().iter().any(is_reported)
     }
 
     /// Whether both sides have one normal where the rule of the mesh has two, at an end where faces that run against the others

@@ -270,7 +270,7 @@ mod tests {
     }
 
     #[test]
-    fn grids_are_told_apart() {
+    fn grids_are_distinguished() {
         let over = |steps: f64| move |n: DVec3| (n * steps).round() / steps;
         let unsigned = |most: f64| move |n: DVec3| (n * 0.5 * most + 0.5 * most).round() * (2.0 / most) - 1.0;
         for (steps, name) in [
@@ -301,7 +301,7 @@ mod tests {
 
     /// Against the codec that stores them.
     #[test]
-    fn octahedral_codes_are_told() {
+    fn octahedral_codes_are_reported() {
         for (bits, name) in [(8, 127), (10, 511), (12, 2047), (16, 32767)] {
             let codec = Octahedral::new(bits).unwrap();
             let expected = format!("octahedral codes of 2 × {bits}-bit signed integers over {name}");
@@ -353,18 +353,18 @@ mod tests {
         for count in [12, 16, 20, 24, 32, 48, 64, 96, 128, 360] {
             for lean in [0.0, 0.4] {
                 let sides: Vec<DVec3> = side(count, lean).collect();
-                let told = |round| named(&sides, round);
+                let reported = |round| named(&sides, round);
                 assert_eq!(named(&sides, |n| n), None, "{count} sides, {lean}");
                 assert_eq!(
-                    told(signed).as_deref(),
+                    reported(signed).as_deref(),
                     Some("8-bit signed integers over 127"),
                     "{count}, {lean}"
                 );
                 if count >= 48 {
                     let expected = Some("8-bit signed integers over 127, made unit again");
-                    assert_eq!(told(unit).as_deref(), expected, "{count}, {lean}");
+                    assert_eq!(reported(unit).as_deref(), expected, "{count}, {lean}");
                     let expected = Some("octahedral codes of 2 × 8-bit signed integers over 127");
-                    assert_eq!(told(octahedral).as_deref(), expected, "{count}, {lean}");
+                    assert_eq!(reported(octahedral).as_deref(), expected, "{count}, {lean}");
                 }
             }
         }

@@ -4,7 +4,7 @@ use crate::mesh::Column;
 use crate::num::{Degrees, angle_between, largest_exponent, three_digits};
 use crate::quality::catalogue::Kind;
 use crate::quality::counts::{Remark, Spot, Tallies, scan};
-use crate::quality::facts::{Facts, Worth};
+use crate::quality::facts::{Facts, Significance};
 use crate::quality::storage::grid::Grid;
 use crate::quality::thresholds::Thresholds;
 use glam::DVec3;
@@ -33,7 +33,7 @@ pub struct Precision {
     pub exponent: Option<u64>,
 }
 
-/// The precision of stored normals, as far as they tell. Told as a finding if it is below the threshold, with the highest
+/// The precision of stored normals, as far as they tell. Reported as a finding if it is below the threshold, with the highest
 /// exponent that it serves.
 pub(in crate::quality) fn find(
     facts: &Facts<'_>,
@@ -119,7 +119,7 @@ impl Measured {
         // A finding of each: corners that are compared, and those within the bound with their squares for areas.
         let (compared, explained) = (Kind::Custom, Kind::Quantised);
         let all = scan(facts.mesh.face_count(), places.max(1), |faces, found| {
-            for face in faces.filter(|&face| facts.worth[face] == Worth::Sound) {
+            for face in faces.filter(|&face| facts.worth[face] == Significance::Sound) {
                 for corner in facts.mesh.faces().range(face).filter(|&corner| facts.is_judged(corner)) {
                     let Some(unit) = facts.stored_unit(corner) else { continue };
                     let off = Degrees::from(angle_between(unit, facts.expected(corner))).0;

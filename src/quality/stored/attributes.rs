@@ -4,7 +4,7 @@ use crate::io::Loaded;
 use crate::num::{Degrees, UnitVec3, angle_between};
 use crate::quality::catalogue::Kind;
 use crate::quality::counts::{Gauge, Spot, Tallies, scan};
-use crate::quality::facts::{Facts, Worth};
+use crate::quality::facts::{Facts, Significance};
 use crate::quality::thresholds::Thresholds;
 use glam::DVec4;
 
@@ -32,7 +32,7 @@ fn tangents(facts: &Facts<'_>, tangents: &[Option<DVec4>], thresholds: &Threshol
     }
     let corners = facts.mesh.faces().corners();
     let off = scan(facts.mesh.face_count(), thresholds.places, |faces, found| {
-        for face in faces.filter(|&face| facts.worth[face] != Worth::Silent) {
+        for face in faces.filter(|&face| facts.worth[face] != Significance::Silent) {
             let range = facts.mesh.faces().range(face);
             let area = facts.area[face] / range.len() as f64;
             for corner in range {
@@ -68,7 +68,7 @@ fn morphed(
     let Some(expected) = facts.field.morph_normals.get(target).filter(|_| !added.is_empty()) else { return };
     let corners = facts.mesh.faces().corners();
     let off = scan(facts.mesh.face_count(), thresholds.places, |faces, found| {
-        for face in faces.filter(|&face| facts.worth[face] == Worth::Sound) {
+        for face in faces.filter(|&face| facts.worth[face] == Significance::Sound) {
             let range = facts.mesh.faces().range(face);
             let area = facts.area[face] / range.len() as f64;
             for corner in range {

@@ -6,7 +6,7 @@ use crate::num::{Degrees, UnitVec3, angle_between};
 use crate::quality::catalogue::Kind;
 use crate::quality::counts::{Remark, Tallies};
 use crate::quality::estimate::recipe::Estimate;
-use crate::quality::facts::{Facts, Worth};
+use crate::quality::facts::{Facts, Significance};
 use crate::quality::stored::rotated::{explains, least, worst};
 use crate::quality::thresholds::Thresholds;
 use glam::{DMat3, DVec3};
@@ -56,11 +56,11 @@ impl<'a> Spaces<'a> {
             return None;
         }
         let or = if is_only { "" } else { ", or something else that these matrices do not tell from it" };
-        let told = mistake.told(|node| self.tree().map(|tree| tree.name(node)));
+        let reported = mistake.reported(|node| self.tree().map(|tree| tree.name(node)));
         Some(Mistaken {
             taken_back: taken_back(facts.mesh, mistake.map),
             turn: mistake.turn,
-            told: told.map(|told| told + or),
+            reported: reported.map(|reported| reported + or),
             is_certain,
         })
     }
@@ -73,7 +73,7 @@ pub(in crate::quality) struct Mistaken {
     /// How far the matrices turn normals at most, in degrees.
     turn: f64,
     /// What is wrong with which node's matrix.
-    told: Option<String>,
+    reported: Option<String>,
     /// Whether the normals agree so well with the faces then that it needs no other proof.
     is_certain: bool,
 }
@@ -95,7 +95,7 @@ impl Mistaken {
         found.add_mesh(Kind::Untransformed, stored.total_area, worst(stored, most));
         found.tally(Kind::Untransformed).turn = Some(self.turn);
         let remark = |text: String| Remark { weight: self.turn, text };
-        found.tally(Kind::Untransformed).remark = self.told.clone().map(remark);
+        found.tally(Kind::Untransformed).remark = self.reported.clone().map(remark);
     }
 }
 
@@ -185,7 +185,7 @@ struct Mistake {
 
 impl Mistake {
     /// In words, with names for nodes; `None` if these have none.
-    fn told(&self, name: impl Fn(usize) -> Option<String>) -> Option<String> {
+    fn reported(&self, name: impl Fn(usize) -> Option<String>) -> Option<String> {
         let [first, last] = self.ends;
         let (them, nodes) = if first == last {
             ("the matrix", format!("of node `{}`", name(last)?))
@@ -245,7 +245,7 @@ impl<'a> Agreement<'a> {
 /// Visits stored and expected normals of each so many-th face, with the areas of their faces.
 fn each(facts: &Facts<'_>, step: usize, mut visit: impl FnMut(DVec3, DVec3, f64)) {
     let faces = (0..facts.mesh.face_count()).step_by(step);
-    for face in faces.filter(|&face| facts.worth[face] != Worth::Silent) {
+    for face in faces.filter(|&face| facts.worth[face] != Significance::Silent) {
         for corner in facts.mesh.faces().range(face) {
             if let Some(stored) = facts.stored_unit(corner) {
                 visit(stored, facts.right_way(face, corner), facts.area[face]);

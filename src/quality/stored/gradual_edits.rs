@@ -2,7 +2,7 @@
 
 use crate::num::{Degrees, angle_between};
 use crate::quality::estimate::recipe::SAME;
-use crate::quality::facts::{Facts, Worth};
+use crate::quality::facts::{Facts, Significance};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -20,7 +20,7 @@ pub(in crate::quality) fn regions(facts: &Facts<'_>, near: f64, left_out: &[bool
     let is_off = |(stored, right): (DVec3, DVec3)| Degrees::from(angle_between(stored, right)).0 > near;
     let departs = |face: usize| {
         let mut corners = facts.mesh.faces().range(face);
-        facts.worth[face] == Worth::Sound
+        facts.worth[face] == Significance::Sound
             && !left_out.get(face).is_some_and(|&is| is)
             && corners
                 .all(|corner| facts.is_judged(corner) && facts.stored_and_right(corner).is_some_and(is_off))

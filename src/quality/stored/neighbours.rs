@@ -1,7 +1,7 @@
 //! What lies round a part in its file.
 
 use crate::io::{Format, Loaded};
-use crate::mesh::{Mesh, Placed, Weld, hollows};
+use crate::mesh::{Mesh, Placed, Weld, cavities};
 use crate::quality::stored::borders::Borders;
 use glam::DVec3;
 use std::sync::OnceLock;
@@ -11,13 +11,13 @@ pub(in crate::quality) struct Around<'a> {
     loaded: &'a Loaded,
     /// The distance, as a share of the diagonal, below which open edges are taken for one.
     near: f64,
-    hollows: OnceLock<Vec<Vec<usize>>>,
+    cavities: OnceLock<Vec<Vec<usize>>>,
     borders: OnceLock<Borders>,
 }
 
 impl<'a> Around<'a> {
     pub(in crate::quality) fn new(loaded: &'a Loaded, near: f64) -> Self {
-        Self { loaded, near, hollows: OnceLock::new(), borders: OnceLock::new() }
+        Self { loaded, near, cavities: OnceLock::new(), borders: OnceLock::new() }
     }
 
     /// The distance, as a share of the diagonal, below which open edges are taken for one.
@@ -41,14 +41,14 @@ impl<'a> Around<'a> {
     }
 
     /// Components of a part that face inwards because other meshes of the file lie round them.
-    pub(in crate::quality) fn hollows(&self, part: usize) -> &[usize] {
+    pub(in crate::quality) fn cavities(&self, part: usize) -> &[usize] {
         let find = || {
             let parts = self.loaded.parts.iter().zip(self.loaded.places());
             let parts: Vec<Placed<'_>> =
                 parts.map(|(part, places)| Placed { mesh: &part.mesh, places }).collect();
-            hollows(&parts, Weld::Exact)
+            cavities(&parts, Weld::Exact)
         };
-        &self.hollows.get_or_init(find)[part]
+        &self.cavities.get_or_init(find)[part]
     }
 
     /// Whether a normal at a point of a part is that of another part there as well.

@@ -35,7 +35,7 @@ impl Ground {
 
     /// Of a corner beside faces that run against its own, or on one: means over these as well, as they are and turned back; and
     /// where its own face may be the one that is turned, their opposites.
-    pub(in crate::quality) fn beside_turned(
+    pub(in crate::quality) fn near_reoriented(
         facts: &Facts<'_>,
         corner: usize,
         normal: DVec3,

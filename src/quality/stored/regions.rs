@@ -4,7 +4,7 @@ use crate::mesh::Orientations;
 use crate::num::{Degrees, angle_between};
 use crate::quality::estimate::recipe::{REPRODUCED, SAME};
 use crate::quality::estimate::rotation::{are_spread, steady_turn};
-use crate::quality::facts::{Facts, Worth};
+use crate::quality::facts::{Facts, Significance};
 use crate::quality::stored::gradual_edits::regions;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -19,7 +19,7 @@ const BY_CHANCE: usize = 20;
 /// The pieces of a part that its rule says nothing about: components, as leaves that are lit like a ball beside the trunk of a
 /// tree, and regions of them, as a face that an artist smoothed.
 #[derive(Default)]
-pub(in crate::quality) struct Apart {
+pub(in crate::quality) struct Region {
     /// Of each face whether it is of such a piece; empty if there are none.
     faces: Vec<bool>,
     /// How many corners that would be judged these pieces have.
@@ -39,7 +39,7 @@ enum Making {
     Other,
 }
 
-impl Apart {
+impl Region {
     pub(in crate::quality) fn new(facts: &Facts<'_>, orientations: &Orientations) -> Self {
         let mut apart = Self::default();
         if let Some(estimate) = facts.estimate.filter(|estimate| estimate.is_departed_from()) {
@@ -144,7 +144,8 @@ fn is_turned(facts: &Facts<'_>, faces: &[u32]) -> bool {
 
 /// The stored normals of some faces that can be judged, and what the rule gives there.
 fn pairs(facts: &Facts<'_>, faces: &[u32]) -> impl Iterator<Item = (DVec3, DVec3)> {
-    let sound = faces.iter().map(|&face| face as usize).filter(|&face| facts.worth[face] == Worth::Sound);
+    let sound =
+        faces.iter().map(|&face| face as usize).filter(|&face| facts.worth[face] == Significance::Sound);
     let corners = sound.flat_map(|face| facts.mesh.faces().range(face));
     corners.filter(|&corner| facts.is_judged(corner)).filter_map(|corner| facts.stored_and_right(corner))
 }

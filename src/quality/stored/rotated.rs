@@ -5,7 +5,7 @@ use crate::num::{Degrees, Radians, angle_between};
 use crate::quality::catalogue::Kind;
 use crate::quality::counts::{Remark, Spot, Tallies, scan};
 use crate::quality::estimate::rotation::{are_spread, closest_turn, outer, rotation_angle};
-use crate::quality::facts::{Facts, Worth};
+use crate::quality::facts::{Facts, Significance};
 use crate::quality::thresholds::Thresholds;
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
@@ -68,7 +68,7 @@ pub(in crate::quality) fn find(facts: &Facts<'_>, thresholds: &Thresholds, found
 /// The corners that are furthest from what the faces give.
 pub(in crate::quality) fn worst(facts: &Facts<'_>, most: usize) -> Vec<Spot> {
     let mut off = scan(facts.mesh.face_count(), most, |faces, found| {
-        for face in faces.filter(|&face| facts.worth[face] == Worth::Sound) {
+        for face in faces.filter(|&face| facts.worth[face] == Significance::Sound) {
             for corner in facts.mesh.faces().range(face) {
                 if let Some(normal) = facts.stored_unit(corner) {
                     let off = Degrees::from(angle_between(normal, facts.expected(corner))).0;
@@ -164,7 +164,7 @@ impl Pairs {
             mean_expected: DVec3::ZERO,
             is_constant: true,
         };
-        for face in faces.filter(|&face| facts.worth[face] != Worth::Silent) {
+        for face in faces.filter(|&face| facts.worth[face] != Significance::Silent) {
             let range = facts.mesh.faces().range(face);
             let weight = facts.area[face] / range.len() as f64;
             for corner in range {

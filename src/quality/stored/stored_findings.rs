@@ -7,7 +7,7 @@ use crate::quality::counts::{Gathered, Gauge, Spot, Tallies, Tally, gather, scan
 use crate::quality::effect::lost_light::{key_light_lost, key_light_scaled};
 use crate::quality::estimate::recipe::Estimate;
 use crate::quality::estimate::recipe::{LETTER, REPRODUCED, SAME};
-use crate::quality::facts::{Facts, Worth};
+use crate::quality::facts::{Facts, Significance};
 use crate::quality::finding::Severity;
 use crate::quality::geometry::angle_limit::Limit;
 use crate::quality::smoothing::equal_normals::{Run, Runs};
@@ -30,7 +30,7 @@ const ALL: f64 = 0.9;
 const FAULTS: [Kind; 3] = [Kind::Flipped, Kind::AgainstFace, Kind::Stray];
 
 /// What strays are told as, once it is known.
-const STRAYS: [Kind; 2] = [Kind::Stray, Kind::Custom];
+const OUTLIERS: [Kind; 2] = [Kind::Stray, Kind::Custom];
 
 /// Everything about the normals that a part has in its file; gives the precision that they were stored with.
 pub(in crate::quality) fn find(
@@ -53,18 +53,18 @@ pub(in crate::quality) fn find(
     let is_turned_as_a_whole = rotated::find(facts, thresholds, found);
     if is_turned_as_a_whole {
         // One cause explains them all.
-        for kind in AGAINST.into_iter().chain(STRAYS) {
+        for kind in AGAINST.into_iter().chain(OUTLIERS) {
             found.take(kind);
         }
     } else if judged.against >= ALL * judged.sound {
-        for kind in AGAINST.into_iter().chain(STRAYS) {
+        for kind in AGAINST.into_iter().chain(OUTLIERS) {
             found.rename(kind, Kind::Inverted);
         }
         let waiting = waiting.into_tallies().chain(apart.into_tallies());
         waiting.for_each(|tally| found.absorb(Kind::Inverted, tally));
     } else {
-        grade_strays(facts, waiting, found, judged.sound);
-        grade_apart(apart, found, thresholds.places);
+        grade_outliers(facts, waiting, found, judged.sound);
+        grade_regions(apart, found, thresholds.places);
     }
     like_the_rest(facts, found);
     facets::find(facts, stored, thresholds, found);
@@ -75,7 +75,7 @@ pub(in crate::quality) fn find(
 fn flattest(facts: &Facts<'_>, most: usize) -> Vec<Spot> {
     // By the square of the chord, which is larger where the angle is, and costs less.
     let mut off = scan(facts.mesh.face_count(), most, |faces, found| {
-        for face in faces.filter(|&face| facts.worth[face] != Worth::Silent) {
+        for face in faces.filter(|&face| facts.worth[face] != Significance::Silent) {
             let normal = facts.face_normal(face);
             for corner in facts.mesh.faces().range(face) {
                 let chord = (normal - facts.expected(corner)).length_squared();
@@ -121,7 +121,7 @@ struct Judged {
 impl Judged {
     fn new(facts: &Facts<'_>, corners: &Corners) -> Self {
         let sound = (0..facts.mesh.face_count())
-            .filter(|&face| facts.worth[face] == Worth::Sound)
+            .filter(|&face| facts.worth[face] == Significance::Sound)
             .map(|face| facts.mesh.faces().range(face).len());
         let against = corners.waiting.against() + corners.apart.against();
         let against = count(&corners.found, AGAINST) + against as f64;
@@ -182,7 +182,7 @@ fn look_at(
             found.add(Kind::NotFinite, unlit(), area);
         } else if length == 0.0 {
             // Nothing right could stand at a corner of a face without direction.
-            if facts.worth[face] != Worth::Silent {
+            if facts.worth[face] != Significance::Silent {
                 found.add(Kind::ZeroNormals, unlit(), area);
             }
         } else if off > thresholds.length {
@@ -190,7 +190,7 @@ fn look_at(
         } else if off > thresholds.strict_length {
             found.add(Kind::LooseLength, spot.of(Gauge::Steps, key_light_scaled(length)), area);
         }
-        if facts.worth[face] == Worth::Sound
+        if facts.worth[face] == Significance::Sound
             && facts.is_judged(corner)
             && let Some(unit) = facts.stored_unit(corner)
             && let Some(off) = deviation.exceeded(unit, facts.expected(corner))
@@ -209,8 +209,8 @@ fn look_at(
                 (_, Some(_)) => waiting.add_against(kind, spot, area),
                 _ => found.add(kind, spot, area),
             }
-        } else if facts.is_beside_turned(corner)
-            && let Some((kind, off)) = beside_turned((facts, runs), face, corner, deviation, thresholds)
+        } else if facts.is_near_reoriented(corner)
+            && let Some((kind, off)) = near_reoriented((facts, runs), face, corner, deviation, thresholds)
         {
             found.add(kind, spot.by(off), area);
         }
@@ -220,7 +220,7 @@ fn look_at(
 /// What is wrong with a normal beside faces that run against their neighbours, or on such a face, and by how many degrees. What
 /// they mean there is open, as they are or turned back, and so is which way a normal on them should point: nothing is if either
 /// explains it.
-fn beside_turned(
+fn near_reoriented(
     (facts, runs): (&Facts<'_>, Option<&Runs<'_>>),
     face: usize,
     corner: usize,
@@ -229,11 +229,11 @@ fn beside_turned(
 ) -> Option<(Kind, f64)> {
     let stored = facts.stored_unit(corner)?;
     let expected = facts.expected(corner);
-    let is_turned = facts.worth[face] == Worth::Turned;
+    let is_turned = facts.worth[face] == Significance::Turned;
     let unit = if is_turned && stored.dot(expected) < 0.0 { -stored } else { stored };
     let off = deviation.exceeded(unit, expected)?;
     let kind = direction((facts, runs), face, corner, (unit, off), thresholds)?;
-    Ground::beside_turned(facts, corner, stored, is_turned).is_none().then_some((kind, off))
+    Ground::near_reoriented(facts, corner, stored, is_turned).is_none().then_some((kind, off))
 }
 
 /// Whether at least half of the other normals of a face are on its front.
@@ -292,7 +292,7 @@ fn is_folded_over(facts: &Facts<'_>, face: usize) -> bool {
 /// Where the fan does not tell, strays are faults if they are most of what a rule leaves unexplained, be it followed closely or
 /// to the letter; else the normals are of another making. That edges were marked by hand explains runs of faces, unless nearly
 /// all of the mesh follows the rule.
-fn grade_strays(facts: &Facts<'_>, mut waiting: Waiting, found: &mut Tallies, sound: f64) {
+fn grade_outliers(facts: &Facts<'_>, mut waiting: Waiting, found: &mut Tallies, sound: f64) {
     let is_rule = facts.estimate.is_some_and(|estimate| estimate.is_rule());
     let is_departed_from = facts.estimate.is_some_and(|estimate| estimate.is_departed_from());
     let unexplained = (1.0 - facts.estimate.map_or(0.0, |estimate| estimate.reproduced)) * sound;
@@ -306,14 +306,14 @@ fn grade_strays(facts: &Facts<'_>, mut waiting: Waiting, found: &mut Tallies, so
         found.absorb(if is_fault { Kind::Stray } else { Kind::Custom }, tally);
     }
     let faults = count(found, FAULTS);
-    let strays = found.tally(Kind::Stray);
-    strays.remedy = facts.estimate.map(|estimate| estimate.options());
+    let outliers = found.tally(Kind::Stray);
+    outliers.remedy = facts.estimate.map(|estimate| estimate.options());
     // To compute all again is no remedy where others were made in another way.
-    strays.may_be_meant = !is_departed_from || faults < 0.5 * unexplained;
+    outliers.may_be_meant = !is_departed_from || faults < 0.5 * unexplained;
 }
 
 /// What no rule says anything about may be meant, beside faults of others too.
-fn grade_apart(mut apart: Waiting, found: &mut Tallies, most: usize) {
+fn grade_regions(mut apart: Waiting, found: &mut Tallies, most: usize) {
     let mut own = Tallies::new(most);
     grade_against(apart.take_against(), false, &mut own);
     if found.get(Kind::AgainstFace).count > 0 {
@@ -347,12 +347,12 @@ fn grade_against(
     for (kind, tally) in all {
         // Beside more that are the very opposite, what is nearly so was negated with them.
         let is_negated = kind == Kind::Flipped && found.get(kind).count > tally.count;
-        let told = match (is_departed_from || is_negated, are_alone) {
+        let reported = match (is_departed_from || is_negated, are_alone) {
             (true, _) => kind,
             (false, true) => Kind::AgainstFace,
             (false, false) => Kind::Custom,
         };
-        found.absorb(told, tally);
+        found.absorb(reported, tally);
     }
     if !is_departed_from && are_alone {
         let against = found.tally(Kind::AgainstFace);

@@ -8,17 +8,17 @@ pub(in crate::quality) const SHORT: usize = 32;
 
 /// Answers that hold for each corner of a long way round a vertex, so that a pole costs no more than its corners, however many
 /// those are.
-pub(in crate::quality) struct Orbits<T> {
+pub(in crate::quality) struct VertexFans<T> {
     long: Mutex<FxHashMap<u32, T>>,
 }
 
-impl<T> Default for Orbits<T> {
+impl<T> Default for VertexFans<T> {
     fn default() -> Self {
         Self { long: Mutex::default() }
     }
 }
 
-impl<T: Copy> Orbits<T> {
+impl<T: Copy> VertexFans<T> {
     /// The answer for a corner: from a walk no longer than [`SHORT`], or from one over all corners that share the answer. The
     /// latter has to be the same from whichever of them it starts, to the bit: threads may come in any order.
     pub(in crate::quality) fn of(

@@ -52,7 +52,7 @@ impl<'a> DrawnObject<'a> {
         Some(Self { object, first, list, points, vertices, outside, map, mirrored })
     }
 
-    /// Whether each of so many faces shows the side that is kept, or one of the triangles that it is cut into does. Told from
+    /// Whether each of so many faces shows the side that is kept, or one of the triangles that it is cut into does. Reported from
     /// vertices that are not snapped, which small triangles need, and also behind the eye.
     pub(in crate::raster) fn kept_faces(&self, count: usize, cull: Cull) -> Vec<bool> {
         let is_kept = |triangle: u32| {

@@ -45,7 +45,7 @@ impl Sample<'_> {
     }
 }
 
-// Apart in lightness too, for eyes and printers without colour: 0.48 and 0.15 of white.
+// Region in lightness too, for eyes and printers without colour: 0.48 and 0.15 of white.
 const FRONT: Vec3 = Vec3::new(0.25, 0.5, 1.0);
 const BACK: Vec3 = Vec3::new(0.6, 0.03, 0.02);
 

@@ -180,7 +180,7 @@ mod tests {
 
     /// What clipping says of a new corner must hold in the scene: the mean of the corners by its shares is the corner.
     #[test]
-    fn shares_find_the_corner_again() {
+    fn shares_recover_the_corner() {
         let (view, mut numbers) = (view(), Numbers::new(7));
         let map = ObjectMap::new(&view, DMat4::IDENTITY, DVec3::ZERO);
         let mut clipped = 0;

@@ -127,9 +127,9 @@ fn portuguese_pages_have_no_english_left() {
             assert!([&en, &pt].iter().all(|text| text.trim() == **text), "{}: {en:?} {pt:?}", experiment.id);
             assert!(en != pt || is_alike(&en), "{}: not translated: {en}", experiment.id);
             // A short word may be a part of a Portuguese one.
-            let is_told = en != pt && en.len() > 12 && !pt.contains(&en);
+            let is_reported = en != pt && en.len() > 12 && !pt.contains(&en);
             let is_left = || page.contains(&*escape_html(&en)) || page.contains(&running(&en));
-            assert!(!is_told || !is_left(), "{}: English left: {en}", experiment.id);
+            assert!(!is_reported || !is_left(), "{}: English left: {en}", experiment.id);
         }
     }
 }

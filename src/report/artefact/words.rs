@@ -67,7 +67,7 @@ pub(super) fn role(role: Role) -> Text {
 pub(super) fn moved(moved: &Moved, language: Language) -> String {
     let is_present = moved.is_present();
     let is_left = moved.cured.abs() > moved.present.value;
-    let Told { name, bad, from, why, cure, cured, less, factor } = told(moved, language);
+    let Reported { name, bad, from, why, cure, cured, less, factor } = reported(moved, language);
     let name = capitalised(name);
     match language {
         Language::English if !is_present => format!(
@@ -109,7 +109,7 @@ fn capitalised(text: &str) -> String {
 
 /// Why nothing is seen, what would show it, and which pictures show it all the same, being of conditions of their own.
 pub(super) fn absent(outcome: &Outcome, shown_by: &str, language: Language) -> String {
-    let Told { name, bad, from, why, .. } = told(&outcome.moved, language);
+    let Reported { name, bad, from, why, .. } = reported(&outcome.moved, language);
     let mut said = match (language, outcome.moved.is_present()) {
         (Language::English, false) => {
             format!("{name} is {bad}, and from {from} on it would be seen ({why}); {shown_by}")
@@ -138,7 +138,7 @@ pub(super) fn absent(outcome: &Outcome, shown_by: &str, language: Language) -> S
 
 /// That the cure did too little.
 pub(super) fn uncured(moved: &Moved, language: Language) -> String {
-    let Told { name, bad, cure, cured, less, factor, .. } = told(moved, language);
+    let Reported { name, bad, cure, cured, less, factor, .. } = reported(moved, language);
     match language {
         Language::English => format!(
             "The cure fails here ({cure}): {name} goes from {bad} to {cured}, {less} where it has to be {factor}."
@@ -150,7 +150,7 @@ pub(super) fn uncured(moved: &Moved, language: Language) -> String {
 }
 
 /// What is said of a number that moved, in words.
-struct Told<'a> {
+struct Reported<'a> {
     name: &'a str,
     bad: String,
     from: String,
@@ -162,9 +162,9 @@ struct Told<'a> {
     factor: String,
 }
 
-fn told(moved: &Moved, language: Language) -> Told<'_> {
-    let of = |x| language.short(moved.told(x), moved.unit);
-    Told {
+fn reported(moved: &Moved, language: Language) -> Reported<'_> {
+    let of = |x| language.short(moved.reported(x), moved.unit);
+    Reported {
         name: moved.name.get(language),
         bad: of(moved.bad),
         from: language.short(moved.present.value, moved.unit),
@@ -174,8 +174,8 @@ fn told(moved: &Moved, language: Language) -> Told<'_> {
         less: match (moved.reduction(), language) {
             (f64::INFINITY, Language::English) => "gone".into(),
             (f64::INFINITY, Language::Portuguese) => "sumiu".into(),
-            (_, Language::English) if moved.told(moved.cured) == 0.0 => "gone, but for rounding".into(),
-            (_, Language::Portuguese) if moved.told(moved.cured) == 0.0 => {
+            (_, Language::English) if moved.reported(moved.cured) == 0.0 => "gone, but for rounding".into(),
+            (_, Language::Portuguese) if moved.reported(moved.cured) == 0.0 => {
                 "sumiu, salvo arredondamento".into()
             }
             (times, Language::English) => format!("{} times less", language.short(times, "")),
@@ -285,7 +285,7 @@ mod tests {
     }
 
     #[test]
-    fn units_stand_apart_from_numbers() {
+    fn units_are_separate_from_numbers() {
         assert_eq!(Language::Portuguese.quantity(70.5, "°"), "70,5°");
         assert_eq!(Language::English.quantity(3.0, "px"), "3 px");
     }

@@ -107,7 +107,7 @@ fn overview(
 /// What there is to see in the pictures of the overview.
 fn caption(marks: Marks, diagnosis: &Diagnosis) -> String {
     let of_edges = [Kind::AveragedCrease, Kind::SplitSeam, Kind::GroupMismatch];
-    let told = [
+    let reported = [
         (marks.dots, "; dots are on what is far off and too small to be seen"),
         (
             of_edges.iter().any(|&kind| diagnosis.get(kind).is_some()),
@@ -117,9 +117,10 @@ fn caption(marks: Marks, diagnosis: &Diagnosis) -> String {
         (marks.rings, "; red rings mark the worst place of each error and warning"),
         (marks.hidden, "; worst places that lie behind have no ring"),
     ];
-    let told: String = told.into_iter().filter(|(is_there, _)| *is_there).map(|(_, words)| words).collect();
+    let reported: String =
+        reported.into_iter().filter(|(is_there, _)| *is_there).map(|(_, words)| words).collect();
     format!(
-        "Left: how far stored normals are from those that the rule of their mesh gives{told}. Middle: front faces \
+        "Left: how far stored normals are from those that the rule of their mesh gives{reported}. Middle: front faces \
          light blue, back faces dark red. Right: lit, with orange lines where the normals of two sides differ."
     )
 }
@@ -163,10 +164,10 @@ fn section(
     page.heading(entry.id);
     let mut said = format!("{}: {}. ", finding.severity.name(), finding.cause);
     let _ = write!(said, "{} of {} ({} %)", finding.count, finding.of, three_digits(100.0 * finding.share()));
-    let told = |number: f64| powers_of_ten(&three_digits(number));
+    let reported = |number: f64| powers_of_ten(&three_digits(number));
     if let Some(steps) = finding.steps.filter(|&steps| steps > 0.0) {
-        let angle = finding.degrees.map_or(String::new(), |degrees| format!("{}°, ", told(degrees)));
-        let _ = write!(said, "; up to {angle}{} of 255 grey steps under a key light", told(steps));
+        let angle = finding.degrees.map_or(String::new(), |degrees| format!("{}°, ", reported(degrees)));
+        let _ = write!(said, "; up to {angle}{} of 255 grey steps under a key light", reported(steps));
     }
     if let Some((amount, unit)) = finding.amount.zip(finding.kind.unit())
         && let amount = finding.kind.write_amount(amount)

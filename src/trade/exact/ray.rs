@@ -91,7 +91,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_come_apart_and_together() {
+    fn numbers_split_and_join() {
         for x in [1.0, -6.0, 0.1, 1e300, -5e-324, f64::MIN_POSITIVE, f64::MAX, 0.0] {
             let (significand, exponent) = parts(x);
             assert_eq!(libm::ldexp(significand as f64, exponent), x);

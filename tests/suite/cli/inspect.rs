@@ -260,7 +260,7 @@ fn text_begins_with_a_verdict() {
 }
 
 #[test]
-fn before_and_after_are_told_apart() {
+fn before_and_after_are_distinguished() {
     let files = folder(&[("flipped.obj", FLIPPED)]);
     let (flipped, mended) = (path(files.path().join("flipped.obj")), path(files.path().join("mended.glb")));
     let page = path(files.path().join("page.html"));

@@ -77,7 +77,7 @@ fn any_number_of_threads_gives_the_same_bytes() {
 }
 
 #[test]
-fn the_angle_applies_beside_groups_only_if_typed() {
+fn the_angle_applies_next_to_groups_only_if_typed() {
     let gear = path(data("gear.obj"));
     assert_eq!(part(&[&gear, "--dry-run"])["crease_degrees"], serde_json::Value::Null);
     assert_eq!(part(&[&gear, "--dry-run"])["edges"]["crease"], 0);

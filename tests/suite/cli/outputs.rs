@@ -67,7 +67,7 @@ fn external(uri: &str) -> String {
 }
 
 #[test]
-fn a_buffer_outside_comes_beside_the_output_that_would_not_find_it() {
+fn a_buffer_outside_comes_next_to_the_output_that_would_not_find_it() {
     let zeros = "\0".repeat(36);
     let files = [("rt/in/a.gltf", external("../shared/b.bin")), ("rt/shared/b.bin", zeros)];
     let files: Vec<(&str, &str)> = files.iter().map(|(name, content)| (*name, content.as_str())).collect();
@@ -76,8 +76,8 @@ fn a_buffer_outside_comes_beside_the_output_that_would_not_find_it() {
     for when in ["always", "missing"] {
         // From here `../shared/b.bin` leads nowhere.
         let out = at("rt/o.gltf");
-        let told = succeed([&at("rt/in/a.gltf"), "--root", &at("rt"), "-o", &out, "--when", when]);
-        assert!(!text(&told.stdout).contains("the same bytes"), "{}", text(&told.stdout));
+        let reported = succeed([&at("rt/in/a.gltf"), "--root", &at("rt"), "-o", &out, "--when", when]);
+        assert!(!text(&reported.stdout).contains("the same bytes"), "{}", text(&reported.stdout));
         assert!(fs::read_to_string(&out).unwrap().contains("\"uri\":\"o.b.bin\""));
         succeed([&out, "--dry-run"]);
         // From here it leads to the same file.
@@ -91,7 +91,7 @@ fn a_buffer_outside_comes_beside_the_output_that_would_not_find_it() {
 }
 
 #[test]
-fn a_file_beside_the_output_that_is_replaced_is_told() {
+fn a_file_next_to_the_output_that_is_replaced_is_reported() {
     let work = folder(&[("a.obj", TRIANGLE), ("out/a.bin", "somebody else's")]);
     let args = [path(work.path().join("a.obj")), "-o".into(), path(work.path().join("out/a.gltf"))];
     for said in [true, false] {

@@ -135,7 +135,7 @@ fn one(args: &[&str]) -> Report {
 }
 
 #[test]
-fn one_object_tells_everything() {
+fn one_object_reports_everything() {
     let work = folder(&[]);
     let out = path(work.path().join("gear.glb"));
     let report =
@@ -186,7 +186,7 @@ fn several_inputs_give_a_line_each_in_their_order_whatever_happens() {
 }
 
 #[test]
-fn a_failure_to_write_is_told_as_such() {
+fn a_failure_to_write_is_reported_as_such() {
     let work = folder(&[("a.obj", TRIANGLE)]);
     let input = path(work.path().join("a.obj"));
     let output = normals([&input, "-o", &format!("{input}/b.obj"), "--json"]);
@@ -219,7 +219,7 @@ const BROKEN: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 1\nvn 0 0 3\n\
                       f 1//1 2//1 3//1\nf 2//1 4//2 3//1\nf 1//1 1//1 2//1\n";
 
 #[test]
-fn places_are_told_by_face_corner_and_vertex() {
+fn places_are_identified_by_face_corner_and_vertex() {
     let work = folder(&[("a.obj", BROKEN)]);
     let input = path(work.path().join("a.obj"));
     let args = [input.as_str(), "--dry-run", "--when", "broken"];
@@ -228,15 +228,15 @@ fn places_are_told_by_face_corner_and_vertex() {
     assert_eq!(part.broken_places, [spot(Some(1), Some(1), Some(3), "Length")]);
     assert!(part.fault_places.contains(&spot(Some(2), None, None, "ZeroArea")), "{:?}", part.fault_places);
     let output = succeed(args);
-    let told = text(&output.stdout);
+    let reported = text(&output.stdout);
     for piece in [
         "1 not of unit length; ",
         "1 without area",
         "face 1, corner 1 (vertex 3): stored normal not of unit length",
     ] {
-        assert!(told.contains(piece), "no {piece:?} in\n{told}");
+        assert!(reported.contains(piece), "no {piece:?} in\n{reported}");
     }
-    assert!(!told.contains("AgainstFace") && !told.contains("ZeroArea"), "{told}");
+    assert!(!reported.contains("AgainstFace") && !reported.contains("ZeroArea"), "{reported}");
 }
 
 #[test]
@@ -256,13 +256,13 @@ fn all_places_of_a_note_are_printed_if_asked_for() {
 #[test]
 fn reports_tell_what_was_done_and_no_more() {
     let gear = path(data("gear.obj"));
-    let told = |args: &[&str]| {
+    let reported = |args: &[&str]| {
         text(&succeed([&[&*gear, "--dry-run", "--to", "ply"], args].concat()).stdout).to_owned()
     };
-    assert!(told(&["--crease", "off"]).contains("fan rule, crease off"));
-    let faces = told(&["--emit", "face"]);
+    assert!(reported(&["--crease", "off"]).contains("fan rule, crease off"));
+    let faces = reported(&["--emit", "face"]);
     assert!(faces.contains("normals  1260, one a face\n") && !faces.contains("split"), "{faces}");
-    let vertices = told(&["--emit", "vertex"]);
+    let vertices = reported(&["--emit", "vertex"]);
     assert!(vertices.contains("edges    2520: 2520 smooth\n"), "{vertices}");
 }
 

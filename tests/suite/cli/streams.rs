@@ -40,7 +40,7 @@ fn another_format_goes_to_the_pipe_in_one_piece() {
 }
 
 #[test]
-fn json_beside_a_mesh_on_standard_output_can_be_parsed() {
+fn json_next_to_a_mesh_on_standard_output_can_be_parsed() {
     for (input, expected) in [(fs::read(data("gear.obj")).unwrap(), 0), (b"f 1 2 3".to_vec(), 3)] {
         let args = ["normals", "-", "--format", "obj", "-o", "-", "--json"];
         let output = crease().args(args).write_stdin(input).output().unwrap();

@@ -56,7 +56,7 @@ fn help_has_every_option_with_its_values_and_examples() {
 }
 
 #[test]
-fn the_program_tells_its_verbs_and_version() {
+fn the_program_reports_its_verbs_and_version() {
     let help = crease().arg("--help").output().unwrap();
     for verb in ["normals", "stress", "surface", "completions", "man"] {
         assert!(text(&help.stdout).contains(&format!("\n  {verb} ")), "{verb}");

@@ -28,7 +28,7 @@ fn pole(columns: Columns) -> Mesh {
     mesh(positions, (0..COUNT).map(|i| [0, i + 1, (i + 1) % COUNT + 1]), columns)
 }
 
-fn told(mesh: Mesh) -> Diagnosis {
+fn reported(mesh: Mesh) -> Diagnosis {
     let parts = vec![Part { mesh, ..Part::default() }];
     let file = Loaded { format: Format::Obj, parts, nodes: vec![], notes: vec![], document: Document::None };
     diagnose(&file, &Thresholds::default(), &|_| {})
@@ -40,7 +40,7 @@ fn a_pole_of_one_tilted_normal_is_judged() {
         let tilted = std::iter::once(DVec3::new(0.9, 0.0, 0.4).normalize());
         let normals = tilted.chain(std::iter::repeat_n(DVec3::Z, COUNT as usize)).collect();
         let columns = Columns { normals: Some(Column::per_vertex(normals)), ..Columns::default() };
-        let custom = told(pole(columns)).get(Kind::Custom).map(|finding| finding.count);
+        let custom = reported(pole(columns)).get(Kind::Custom).map(|finding| finding.count);
         assert_eq!(custom, Some(u64::from(COUNT)), "the normal at the pole, and none at the rim");
     });
 }
@@ -54,7 +54,7 @@ fn a_pole_of_strewn_normals_is_judged() {
         let corners = (0..COUNT).flat_map(|i| [i, i, (i + 1) % COUNT]).collect();
         let normals = Column::per_corner(normals, corners);
         let columns = Columns { normals: Some(normals), ..Columns::default() };
-        assert!(told(pole(columns)).get(Kind::Custom).is_some());
+        assert!(reported(pole(columns)).get(Kind::Custom).is_some());
     });
 }
 
@@ -66,7 +66,7 @@ fn vertices_that_differ_at_one_place_are_judged() {
         let uvs = (0..2 * COUNT).map(|i| DVec2::splat(f64::from(i / 2))).collect();
         let columns = Columns { uvs: Some(Column::per_vertex(uvs)), ..Columns::default() };
         let triangles = (0..COUNT).map(|i| [i, COUNT + i, COUNT + (i + 1) % COUNT]);
-        let found = told(mesh(positions, triangles, columns));
+        let found = reported(mesh(positions, triangles, columns));
         assert_eq!(found.get(Kind::DuplicateVertices).map(|it| it.count), Some(u64::from(COUNT / 2)));
     });
 }

@@ -171,7 +171,7 @@ fn some(file: &Vertices) -> BTreeSet<u32> {
 }
 
 #[test]
-fn right_attributes_are_not_told_of() {
+fn right_attributes_are_not_reported() {
     let diagnosis = Vertices::right().diagnosis();
     assert_eq!(grave(&diagnosis), Vec::<&str>::new());
     assert!(diagnosis.get(Kind::Tangents).is_none() && diagnosis.get(Kind::MorphNormals).is_none());

@@ -28,7 +28,7 @@ fn side(whole: &Mesh, is_right: bool, to_part: DMat4) -> Mesh {
 }
 
 /// How many corners of a file of these parts stray.
-fn strays(parts: [(Mesh, DMat4); 2]) -> u64 {
+fn outliers(parts: [(Mesh, DMat4); 2]) -> u64 {
     let [nodes, parts] = [parts.each_ref(), parts.each_ref()];
     let node = |(part, (_, world_from_part)): (usize, &&(Mesh, DMat4))| FileNode {
         number: part,
@@ -54,11 +54,11 @@ fn what_goes_on_in_another_part_does_not_stray() {
     // A quarter turn moves no bit of a coordinate.
     let turn = DMat4::from_cols(DVec4::Y, DVec4::NEG_X, DVec4::Z, DVec4::W);
     let [left, right] = [side(&whole, false, DMat4::IDENTITY), side(&whole, true, turn.transpose())];
-    assert_eq!(strays([(left.clone(), DMat4::IDENTITY), (right.clone(), turn)]), 0);
+    assert_eq!(outliers([(left.clone(), DMat4::IDENTITY), (right.clone(), turn)]), 0);
 
-    // Apart from each other, each border is bare.
+    // Region from each other, each border is bare.
     let away = DMat4::from_translation(DVec3::X) * turn;
-    assert!(strays([(left.clone(), DMat4::IDENTITY), (right.clone(), away)]) > 10);
+    assert!(outliers([(left.clone(), DMat4::IDENTITY), (right.clone(), away)]) > 10);
 
     // What strays at the border is no normal of the other part.
     let border = (0..left.faces().corner_count())
@@ -67,5 +67,5 @@ fn what_goes_on_in_another_part_does_not_stray() {
     let mut normals = unshared(&left);
     normals[border] = DMat4::from_rotation_z(1.0).transform_vector3(normals[border].any_orthonormal_vector());
     let planted = per_corner(&left, normals);
-    assert_eq!(strays([(planted, DMat4::IDENTITY), (right, turn)]), 1);
+    assert_eq!(outliers([(planted, DMat4::IDENTITY), (right, turn)]), 1);
 }

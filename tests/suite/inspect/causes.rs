@@ -15,11 +15,11 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// What is told of stored normals and smoothing that is not told of the clean mesh; but for smoothing groups, with which what
 /// was planted is at odds as well.
-fn told_of_normals(diagnosis: &Diagnosis, clean: &Diagnosis) -> Vec<&'static str> {
+fn reported_of_normals(diagnosis: &Diagnosis, clean: &Diagnosis) -> Vec<&'static str> {
     let is_of_normals = |kind: Kind| [Family::Stored, Family::Smoothing].contains(&kind.entry().family);
-    let told = diagnosis.findings.iter().map(|finding| finding.kind);
-    let told = told.filter(|&kind| is_of_normals(kind) && kind != Kind::GroupMismatch);
-    told.filter(|&kind| clean.get(kind).is_none()).map(Kind::id).collect()
+    let reported = diagnosis.findings.iter().map(|finding| finding.kind);
+    let reported = reported.filter(|&kind| is_of_normals(kind) && kind != Kind::GroupMismatch);
+    reported.filter(|&kind| clean.get(kind).is_none()).map(Kind::id).collect()
 }
 
 /// The normals of one half of a mesh turned away from those of the other: at a few degrees a seam runs between the halves,
@@ -45,8 +45,9 @@ fn severity_does_not_fall_as_half_of_the_normals_turn_further() {
                     if is_turned { turn(normal, f64::from(degrees), axis) } else { normal }
                 });
                 let diagnosis = inspect(&per_corner(&clean.mesh, changed.collect()), 1);
-                let told = diagnosis.findings.iter().filter(|it| it.kind.entry().family != Family::Shading);
-                told.map(|it| it.severity).max()
+                let reported =
+                    diagnosis.findings.iter().filter(|it| it.kind.entry().family != Family::Shading);
+                reported.map(|it| it.severity).max()
             };
             let all: Vec<_> = (1..=90).into_par_iter().map(worst).collect();
             assert!(all.is_sorted(), "{}: {all:?}", clean.name);
@@ -91,24 +92,24 @@ fn averaged_beyond(mesh: &Mesh, share: f64) -> (Mesh, usize) {
 
 /// Averaged edges are what is told of them: not also normals that no rule makes.
 #[test]
-fn averaged_creases_of_parts_are_told_once() {
+fn averaged_creases_of_parts_are_reported_once() {
     let mut misses = Vec::new();
     for name in ["ref/fandisk_vtk_split30.ply", "ref/wingnut_vtk_split45.ply", "obj/cylinder_ngon.obj"] {
         let Some(path) = path(name) else { continue };
         let mesh = read(&path, None, &ReadOptions::default()).unwrap().parts.remove(0).mesh;
         let clean = inspect(&mesh, 1);
         if let Some(planted) = averaged_crease(&mesh) {
-            let told = told_of_normals(&planted.diagnosis(), &clean);
-            if told != [Kind::AveragedCrease.id()] {
-                misses.push(format!("{name}, here and there: {told:?}"));
+            let reported = reported_of_normals(&planted.diagnosis(), &clean);
+            if reported != [Kind::AveragedCrease.id()] {
+                misses.push(format!("{name}, here and there: {reported:?}"));
             }
         }
         // Where they are most of all sharp edges, they are the rule.
         for share in [0.95, 0.9, 0.8, 0.7] {
             let (averaged, edges) = averaged_beyond(&mesh, share);
-            let told = told_of_normals(&inspect(&averaged, 1), &clean);
-            if edges > 0 && told != [Kind::AveragedCrease.id()] {
-                misses.push(format!("{name}, {edges} edges beyond {share}: {told:?}"));
+            let reported = reported_of_normals(&inspect(&averaged, 1), &clean);
+            if edges > 0 && reported != [Kind::AveragedCrease.id()] {
+                misses.push(format!("{name}, {edges} edges beyond {share}: {reported:?}"));
             }
         }
     }
@@ -135,19 +136,19 @@ fn with_own_vertices(mesh: &Mesh) -> Mesh {
 fn averaged_creases_explain_as_much_where_no_vertex_is_shared() {
     for clean in meshes() {
         let (averaged, _) = averaged_beyond(&clean.mesh, 0.8);
-        let strays = |mesh: &Mesh| {
+        let outliers = |mesh: &Mesh| {
             let diagnosis = inspect(mesh, 1);
             [Kind::AveragedCrease, Kind::Stray, Kind::Custom]
                 .map(|kind| diagnosis.get(kind).map(|finding| finding.count))
         };
-        assert_eq!(strays(&with_own_vertices(&averaged)), strays(&averaged), "{}", clean.name);
+        assert_eq!(outliers(&with_own_vertices(&averaged)), outliers(&averaged), "{}", clean.name);
     }
 }
 
 /// Normals of the world below a node that stretches follow their rule in the space of the mesh, and what else is wrong with
 /// them is told as ever.
 #[test]
-fn normals_of_another_space_are_told_as_that_alone() {
+fn normals_of_another_space_are_reported_as_that_alone() {
     for clean in meshes().into_iter().filter(|clean| !clean.is_room) {
         let node = DMat4::from_scale(DVec3::new(1.0, 2.0, 1.0));
         let matrix = normal_matrix(DMat3::from_mat4(node)).unwrap();
@@ -159,7 +160,7 @@ fn normals_of_another_space_are_told_as_that_alone() {
         };
         let diagnosis = below(&planted.mesh);
         let of_clean = below(&clean.mesh);
-        assert_eq!(told_of_normals(&diagnosis, &of_clean), [Kind::Untransformed.id()], "{}", clean.name);
+        assert_eq!(reported_of_normals(&diagnosis, &of_clean), [Kind::Untransformed.id()], "{}", clean.name);
         let estimate = diagnosis.parts[0].estimate.unwrap();
         assert!(estimate.turned && estimate.reproduced > 0.99, "{}: {estimate:?}", clean.name);
         assert!(estimate.median < Degrees(1e-3), "{}: {estimate:?}", clean.name);

@@ -55,7 +55,7 @@ fn scene(meshes: &[Mesh], nodes: &[(usize, DMat4)]) -> Loaded {
 }
 
 /// The parts of a file that are told to be inside out.
-fn told(loaded: &Loaded) -> Vec<usize> {
+fn reported(loaded: &Loaded) -> Vec<usize> {
     let thresholds = Thresholds { places: 1 << 16, ..Thresholds::default() };
     let diagnosis = diagnose(loaded, &thresholds, &|_| {});
     let mut parts: Vec<usize> =
@@ -70,7 +70,7 @@ fn told(loaded: &Loaded) -> Vec<usize> {
 /// and that nothing is told afterwards.
 #[track_caller]
 fn inside_out(mut loaded: Loaded) -> Vec<usize> {
-    let parts = told(&loaded);
+    let parts = reported(&loaded);
     let outward = Task { orient: Orient::Outward, ..Task::default() };
     let edits = revise(&loaded, &outward, None, &|_| {}).edits;
     for (number, (part, edit)) in loaded.parts.iter_mut().zip(edits).enumerate() {
@@ -78,7 +78,7 @@ fn inside_out(mut loaded: Loaded) -> Vec<usize> {
         assert_eq!(edit.faces.reversed.len(), expected, "part {number}, where {parts:?} are told");
         part.mesh = part.mesh.with_faces(&edit.faces);
     }
-    assert_eq!(told(&loaded), NO_PART, "after mending");
+    assert_eq!(reported(&loaded), NO_PART, "after mending");
     parts
 }
 
@@ -179,7 +179,7 @@ fn pieces_of_files_enclose_each_other() {
         files.push((read(one_mesh(&written(Format::Gltf)).into_bytes(), Format::Gltf), 1));
         for (loaded, count) in files {
             assert_eq!(loaded.parts.len(), count, "{}", loaded.format);
-            assert_eq!(!told(&loaded).is_empty(), expected, "{}", loaded.format);
+            assert_eq!(!reported(&loaded).is_empty(), expected, "{}", loaded.format);
             let outward = Task { orient: Orient::Outward, ..Task::default() };
             let edits = revise(&loaded, &outward, None, &|_| {}).edits;
             let turned: usize = edits.iter().map(|edit| edit.faces.reversed.len()).sum();
@@ -241,8 +241,8 @@ fn the_suggested_command_leaves_cavities() {
     };
     let found = inspect(&file);
     assert_eq!(found[0]["count"].as_u64(), Some(parts[2].mesh.face_count() as u64));
-    let told = found[0]["command"].as_str().unwrap();
-    assert!(told.ends_with("--orient outward"), "{told}");
+    let reported = found[0]["command"].as_str().unwrap();
+    assert!(reported.ends_with("--orient outward"), "{reported}");
     let arguments = ["normals", &path(&file), "-o", &path(&mended), "--orient", "outward"];
     assert!(crease().args(arguments).output().unwrap().status.success());
     assert_eq!(inspect(&mended), Vec::<Value>::new());

@@ -113,8 +113,8 @@ fn clean_meshes_get_no_warning() {
     for clean in meshes() {
         let diagnosis = inspect(&clean.mesh, 10);
         // Only who made it knows whether it is meant.
-        let told: &[&str] = if clean.is_room { &["inside-out"] } else { &[] };
-        assert_eq!(grave(&diagnosis), told, "{}", clean.name);
+        let reported: &[&str] = if clean.is_room { &["inside-out"] } else { &[] };
+        assert_eq!(grave(&diagnosis), reported, "{}", clean.name);
         assert_ne!(diagnosis.worst(), Some(Severity::Error), "{}", clean.name);
     }
     for (shape, segments) in [
@@ -133,14 +133,14 @@ fn clean_meshes_get_no_warning() {
 #[test]
 fn a_cone_is_clean_but_for_a_tip_that_is_cut_off() {
     let cone = Surface::from(Cone::default());
-    let told = |pattern| {
+    let reported = |pattern| {
         let tessellation = Tessellation { segments: [64, 32], pattern, ..Tessellation::default() };
         inspect(&cone.tessellate(&tessellation).unwrap(), 100)
     };
     for pattern in [Pattern::Triangles, Pattern::Quads] {
-        assert_eq!(grave(&told(pattern)), Vec::<&str>::new(), "{}", pattern.name());
+        assert_eq!(grave(&reported(pattern)), Vec::<&str>::new(), "{}", pattern.name());
     }
-    let diagnosis = told(Pattern::Polygons);
+    let diagnosis = reported(Pattern::Polygons);
     assert_eq!(grave(&diagnosis), ["averaged-crease"]);
     let averaged = diagnosis.get(Kind::AveragedCrease).unwrap();
     assert_eq!(averaged.count, 64);
@@ -187,7 +187,7 @@ fn rough_meshes_with_our_own_normals_get_no_warning() {
 /// Where an edge has no length two vertices share a place. Written with a vertex for each normal, the fans there may come out
 /// as other ones than those that the normals were made from, and neither is at fault.
 #[test]
-fn edges_without_length_make_no_strays() {
+fn edges_without_length_make_no_outliers() {
     let mut without_length = 0;
     for seed in 0..12 {
         let rough = Tessellation { noise: 0.2, seed, segments: [24, 12], ..Tessellation::default() };

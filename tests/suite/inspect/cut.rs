@@ -47,8 +47,8 @@ fn edges_at_reversed_and_doubled_faces_are_not_averaged() {
         for (changed, kind) in
             [(reversed(mesh), Kind::InconsistentWinding), (doubled(mesh), Kind::DuplicateFaces)]
         {
-            let told = grave(&inspect(&changed, 1));
-            let new: Vec<&str> = told.into_iter().filter(|id| !clean.contains(id)).collect();
+            let reported = grave(&inspect(&changed, 1));
+            let new: Vec<&str> = reported.into_iter().filter(|id| !clean.contains(id)).collect();
             assert_eq!(new, [kind.id()], "mesh {number}");
         }
     }

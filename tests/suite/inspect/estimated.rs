@@ -31,17 +31,17 @@ fn the_recipe_is_estimated() {
             let recipe = NormalRecipe { weight, ..clean.recipe };
             let mesh = with_normals(clean.mesh.clone().with_normals(None), &recipe);
             let estimate = estimate(&mesh);
-            let told = format!("{}: {estimate:?}", clean.name);
-            assert_eq!(estimate.weight, weight, "{told}");
-            assert!(estimate.reproduced > 0.999 && estimate.median < Degrees(1e-5), "{told}");
-            assert!(gives_the_same_bits(&estimate, &mesh), "{told}");
+            let reported = format!("{}: {estimate:?}", clean.name);
+            assert_eq!(estimate.weight, weight, "{reported}");
+            assert!(estimate.reproduced > 0.999 && estimate.median < Degrees(1e-5), "{reported}");
+            assert!(gives_the_same_bits(&estimate, &mesh), "{reported}");
         }
     }
 }
 
 /// Fits are no means: without trying one, these are taken for the next best mean, or for made by hand.
 #[test]
-fn quadrics_are_told_and_blamed_for_nothing() {
+fn quadrics_are_reported_and_blamed_for_nothing() {
     for (shape, segments) in [
         (Surface::from(Torus::default()), [24, 12]),
         (Surface::from(Ellipsoid::default()), [32, 16]),
@@ -60,7 +60,7 @@ fn quadrics_are_told_and_blamed_for_nothing() {
 
 /// On a capped cylinder whose rim is smooth, fits are so far from means that the edges do not tell which of these comes next.
 #[test]
-fn quadrics_are_told_with_their_own_crease_angle() {
+fn quadrics_are_reported_with_their_own_crease_angle() {
     let mut faces = Faces::new();
     for i in 0..32 {
         let next = (i + 1) % 32;
@@ -105,7 +105,7 @@ fn many_negated_normals_do_not_shift_the_crease_angle() {
 
 /// Many edges of the gear bend by 60°, but for the rounding of its file, and more by what its teeth have.
 #[test]
-fn crease_angles_are_told_as_computing_has_them() {
+fn crease_angles_are_reported_as_computing_has_them() {
     let gear = file("gear.obj");
     for groups in [Groups::Honour, Groups::Ignore] {
         for angle in [30.0, 40.0, 45.0, 50.0, 55.0, 60.0, 61.0, 70.0, 180.0] {
@@ -114,12 +114,12 @@ fn crease_angles_are_told_as_computing_has_them() {
             let mesh = with_normals(gear.clone(), &made);
             let diagnosis = inspect(&mesh, 1);
             let estimate = diagnosis.parts[0].estimate.unwrap();
-            let told = format!("{groups:?}, {angle}: {estimate:?}");
-            assert!(gives_the_same_bits(&estimate, &mesh), "{told}");
-            assert_eq!(estimate.exactly, 1.0, "{told}");
+            let reported = format!("{groups:?}, {angle}: {estimate:?}");
+            assert!(gives_the_same_bits(&estimate, &mesh), "{reported}");
+            assert_eq!(estimate.exactly, 1.0, "{reported}");
             // Where groups say smooth and the angle splits, or the other way, that is told.
             let told_of = grave(&diagnosis);
-            assert!(told_of.iter().all(|id| *id == "group-mismatch"), "{told}: {told_of:?}");
+            assert!(told_of.iter().all(|id| *id == "group-mismatch"), "{reported}: {told_of:?}");
         }
     }
 }

@@ -35,7 +35,7 @@ fn balanced_bow_ties_cross_themselves() {
 
 /// The expected error is the mean over faces whose corners are in fact rounded, and the bound is one for a usual face.
 #[test]
-fn errors_far_from_the_origin_are_as_told() {
+fn errors_far_from_the_origin_are_as_reported() {
     for pattern in [Pattern::Triangles, Pattern::Quads] {
         let cells = Tessellation { pattern, segments: [40, 20], ..Tessellation::default() };
         let mesh = Surface::from(Torus::default()).tessellate(&cells).unwrap();
@@ -58,13 +58,17 @@ fn errors_far_from_the_origin_are_as_told() {
         let mean = errors.iter().sum::<f64>() / errors.len() as f64;
 
         let diagnosis = inspect(&far, 1);
-        let told = diagnosis.get(Kind::FarFromOrigin).expect("it is far");
-        let cause = told.cause.split("slender ones too, ").nth(1).unwrap();
+        let reported = diagnosis.get(Kind::FarFromOrigin).expect("it is far");
+        let cause = reported.cause.split("slender ones too, ").nth(1).unwrap();
         let expected: f64 = cause.split('°').next().unwrap().parse().unwrap();
         // Of 800 faces whose errors spread by half their mean, that is known to a fiftieth.
         assert!((expected / mean - 1.0).abs() < 0.06, "{pattern:?}: {expected} told, {mean} measured");
         // Nine in ten; the bound is that of the middle face.
-        assert!(errors[errors.len() * 9 / 10] < told.degrees.unwrap(), "{pattern:?}: {:?}", told.degrees);
+        assert!(
+            errors[errors.len() * 9 / 10] < reported.degrees.unwrap(),
+            "{pattern:?}: {:?}",
+            reported.degrees
+        );
     }
 }
 
@@ -164,8 +168,11 @@ fn rounded_normals_are_measured() {
     let diagnosis = inspect(&with(stored), 10);
     let found = diagnosis.get(Kind::Quantised).unwrap();
     assert_eq!((found.count, found.of), (1, 1));
-    let told: Vec<f64> = found.places.iter().map(|site| site.degrees.unwrap()).collect();
-    assert!(told.len() == 10 && told.iter().zip(&all).all(|(a, b)| (a - b).abs() < 1e-9), "{told:?}");
+    let reported: Vec<f64> = found.places.iter().map(|site| site.degrees.unwrap()).collect();
+    assert!(
+        reported.len() == 10 && reported.iter().zip(&all).all(|(a, b)| (a - b).abs() < 1e-9),
+        "{reported:?}"
+    );
     let words = format!("by up to {}°, {}° in the root mean square", three_digits(all[0]), three_digits(rms));
     assert!(found.cause.contains(&words) && found.cause.contains("at most 0.391°"), "{}", found.cause);
     // Without a rule nothing is known of what they were.
@@ -204,8 +211,8 @@ fn places_in_obj_tell_their_lines() {
     let file = read_bytes(text.into(), Some(Format::Obj), None, &ReadOptions::default()).unwrap();
     let diagnosis = diagnose(&file, &Thresholds::default(), &|_| {});
     let lines = |kind: Kind| -> Vec<Option<u64>> {
-        let told = diagnosis.get(kind).unwrap_or_else(|| panic!("{kind:?} is told"));
-        told.places.iter().map(|site| site.line).collect()
+        let reported = diagnosis.get(kind).unwrap_or_else(|| panic!("{kind:?} is told"));
+        reported.places.iter().map(|site| site.line).collect()
     };
     assert_eq!(lines(Kind::DuplicateVertices), [Some(9), Some(13)]);
     assert_eq!(lines(Kind::BackToBack), [Some(16)]);
@@ -214,15 +221,15 @@ fn places_in_obj_tell_their_lines() {
 /// Vertices that nothing tells from others at their place are told once each, where no normals are stored; with normals the
 /// seams that they make are told.
 #[test]
-fn vertices_that_stand_twice_are_told() {
+fn vertices_that_stand_twice_are_reported() {
     let vertices = |diagnosis: &Diagnosis| -> Vec<Option<u32>> {
-        let told = diagnosis.get(Kind::DuplicateVertices);
-        told.map_or(vec![], |finding| finding.places.iter().map(|site| site.vertex).collect())
+        let reported = diagnosis.get(Kind::DuplicateVertices);
+        reported.map_or(vec![], |finding| finding.places.iter().map(|site| site.vertex).collect())
     };
     let bare = inspect(&cut_strip(Columns::default()), 10);
     assert_eq!(vertices(&bare), [Some(4), Some(7)]);
-    let told = bare.get(Kind::DuplicateVertices).unwrap();
-    assert_eq!((told.count, told.of, told.severity), (2, 8, Severity::Note));
+    let reported = bare.get(Kind::DuplicateVertices).unwrap();
+    assert_eq!((reported.count, reported.of, reported.severity), (2, 8, Severity::Note));
 
     let colors = (0..9).map(|vertex| [if vertex == 4 { 1.0 } else { 0.5 }, 0.0, 0.0, 1.0]).collect();
     let coloured = cut_strip(Columns { colors: Some(colors), ..Columns::default() });
@@ -284,7 +291,7 @@ fn faces_without_area_have_no_say_in_winding() {
 
 /// Each node is told of itself, though all of them show one mesh.
 #[test]
-fn nodes_are_told_by_their_own_names() {
+fn nodes_are_identified_by_their_own_names() {
     let mut file = loaded(polygon(&[[0., 0., 0.], [1., 0., 0.], [0., 1., 0.]]));
     file.format = Format::Gltf;
     let scales = [[1., 1., 1.], [-1., 1., 1.], [1., -1., 1.], [1., 1., 0.]];
@@ -397,7 +404,7 @@ fn words_and_numbers_are_of_the_same_parts() {
 /// What is a note in one part does not count among the warnings of another, nor is it their worst place; still it may be meant, and
 /// a command that mends the one would change the other.
 #[test]
-fn parts_where_it_matters_less_are_told_beside() {
+fn parts_where_it_matters_less_are_reported_next_to() {
     let part = |shape: &Surface, segments, pattern| {
         let tessellation = Tessellation { segments, pattern, ..Tessellation::default() };
         Part { mesh: shape.tessellate(&tessellation).unwrap(), ..Part::default() }
@@ -416,8 +423,8 @@ fn parts_where_it_matters_less_are_told_beside() {
     let (mild, others, ..) = found(vec![milder()]).unwrap();
     assert_eq!((grave, mild), (Severity::Warning, Severity::Note));
     for (parts, part) in [(vec![severe(), milder()], 0), (vec![milder(), severe()], 1)] {
-        let (severity, told, cause, worst) = found(parts).unwrap();
-        assert_eq!((severity, told, worst), (Severity::Warning, count, part));
+        let (severity, reported, cause, worst) = found(parts).unwrap();
+        assert_eq!((severity, reported, worst), (Severity::Warning, count, part));
         assert!(
             cause.ends_with(&format!("not counted: {others} in other parts, where it matters less")),
             "{cause}"

@@ -42,14 +42,14 @@ fn leaves_lit_like_a_ball_may_be_meant() {
     for up in [0.0, 0.5, 2.0] {
         for have_backs in [false, true] {
             let diagnosis = inspect(&leaves(300, up, have_backs), 10);
-            let told = format!("{up}, {have_backs}: {:?}", grave(&diagnosis));
-            assert!(diagnosis.worst() < Some(Severity::Error), "{told}");
+            let reported = format!("{up}, {have_backs}: {:?}", grave(&diagnosis));
+            assert!(diagnosis.worst() < Some(Severity::Error), "{reported}");
             for kind in [Kind::Flipped, Kind::Stray, Kind::Inverted, Kind::InsideOut] {
-                assert!(diagnosis.get(kind).is_none(), "{kind:?}, {told}");
+                assert!(diagnosis.get(kind).is_none(), "{kind:?}, {reported}");
             }
             let against = diagnosis.get(Kind::AgainstFace);
-            assert!(against.is_none_or(|finding| finding.severity == Severity::Note), "{told}");
-            assert_eq!(against.and_then(|finding| finding.remedy.as_ref()), None, "{told}");
+            assert!(against.is_none_or(|finding| finding.severity == Severity::Note), "{reported}");
+            assert_eq!(against.and_then(|finding| finding.remedy.as_ref()), None, "{reported}");
         }
     }
 }
@@ -79,7 +79,7 @@ fn trunk(faults: usize, fault: impl Fn(DVec3) -> DVec3) -> Mesh {
 /// Few or many leaves beside a trunk are no faults by its rule, and what is wrong with the trunk is told all the same. Among 400
 /// leaves are some whose normals are the very opposite of what a flat face has, by chance.
 #[test]
-fn leaves_beside_a_trunk_may_be_meant() {
+fn leaves_next_to_a_trunk_may_be_meant() {
     for count in [5, 20, 100, 400] {
         for up in [0.0, 0.5, 2.0, 1e6] {
             let leaves = leaves(count, up, false);
@@ -88,16 +88,16 @@ fn leaves_beside_a_trunk_may_be_meant() {
                 let fault =
                     |normal: DVec3| if kind == Some(Kind::Flipped) { -normal } else { turned(normal, 40.0) };
                 let diagnosis = inspect(&together(&trunk(faults, fault), &leaves), 20);
-                let told = format!("{count}, {up}, {kind:?}: {:?}", grave(&diagnosis));
+                let reported = format!("{count}, {up}, {kind:?}: {:?}", grave(&diagnosis));
                 for blamed in [Kind::Flipped, Kind::Stray] {
                     let finding = diagnosis.get(blamed);
                     let wanted = if Some(blamed) == kind { faults } else { 0 };
-                    assert_eq!(finding.map_or(0, |finding| finding.count), wanted as u64, "{told}");
+                    assert_eq!(finding.map_or(0, |finding| finding.count), wanted as u64, "{reported}");
                     let places = finding.iter().flat_map(|finding| &finding.places);
-                    assert!(places.into_iter().all(|site| site.face < Some(of_trunk)), "{told}");
+                    assert!(places.into_iter().all(|site| site.face < Some(of_trunk)), "{reported}");
                 }
                 let against = diagnosis.get(Kind::AgainstFace);
-                assert!(against.is_none_or(|finding| finding.severity == Severity::Note), "{told}");
+                assert!(against.is_none_or(|finding| finding.severity == Severity::Note), "{reported}");
             }
         }
     }
@@ -128,7 +128,7 @@ fn what_happened_to_a_whole_piece_is_a_fault() {
 /// Normals bent upwards turn round by and by: the very lowest are the opposite of what they should be, and are no fault beside
 /// those round them. Facets bent so have one normal each that no other has, and are none either.
 #[test]
-fn what_is_bent_upwards_may_be_meant() {
+fn what_is_curved_upwards_may_be_meant() {
     for subdivisions in [2, 3, 4] {
         let cells = Tessellation { pattern: Pattern::Icosphere(subdivisions), ..Tessellation::default() };
         let ball = Surface::from(Sphere::default()).tessellate(&cells).unwrap();
@@ -157,7 +157,7 @@ fn ball_changed(change: impl Fn(DVec3, DVec3) -> DVec3) -> Mesh {
 /// As artists smooth a face: up to 25° off the rule in one place, with an end that is sharp or soft. What is wrong elsewhere is told
 /// all the same.
 #[test]
-fn what_is_bent_in_one_place_may_be_meant() {
+fn what_is_curved_in_one_place_may_be_meant() {
     for from in [0.0, 0.5] {
         for width in [1e-9, 0.3] {
             for faults in [0, 12] {
@@ -173,8 +173,8 @@ fn what_is_bent_in_one_place_may_be_meant() {
                     normals[behind[k * 71 % behind.len()]] *= -1.0;
                 }
                 let diagnosis = inspect(&per_corner(&bent, normals), 1);
-                let told = if faults > 0 { vec![Kind::Flipped.id()] } else { vec![] };
-                assert_eq!(grave(&diagnosis), told, "{from}, {width}");
+                let reported = if faults > 0 { vec![Kind::Flipped.id()] } else { vec![] };
+                assert_eq!(grave(&diagnosis), reported, "{from}, {width}");
                 let count = diagnosis.get(Kind::Flipped).map_or(0, |finding| finding.count);
                 assert_eq!(count, faults as u64, "{from}, {width}");
                 assert!(diagnosis.get(Kind::Custom).is_some(), "{from}, {width}");
@@ -255,8 +255,8 @@ fn a_stray_does_not_make_inverted_normals_less_grave() {
 fn a_copy_that_runs_the_other_way_has_its_normals_turned_round() {
     let sheet = surface(&Surface::Wave(Wave::default()), [24, 24]);
     let count = sheet.vertex_count() as u32;
-    let beside = sheet.positions().iter().map(|&position| position + 5.0 * DVec3::X);
-    let positions = sheet.positions().iter().copied().chain(beside).collect();
+    let next_to = sheet.positions().iter().map(|&position| position + 5.0 * DVec3::X);
+    let positions = sheet.positions().iter().copied().chain(next_to).collect();
     let mut faces = sheet.faces().clone();
     for face in sheet.faces().iter() {
         faces.push(&face.iter().rev().map(|vertex| vertex + count).collect::<Vec<_>>());

@@ -12,21 +12,21 @@ use crease::quality::{Diagnosis, Thresholds, diagnose};
 use crease::surface::{Sphere, Surface};
 use std::path::Path;
 
-fn told(file: &Loaded) -> Diagnosis {
+fn reported(file: &Loaded) -> Diagnosis {
     diagnose(file, &Thresholds::default(), &|_| {})
 }
 
 #[test]
-fn files_are_told_the_same_of_without_their_source() {
+fn files_are_reported_alike_without_their_source() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("data");
     let (mut formats, mut findings) = (Vec::new(), 0);
     for entry in folder.read_dir().unwrap() {
         let path = entry.unwrap().path();
         let Some(format) = Format::from_path(&path) else { continue };
         let file = read(&path, None, &ReadOptions::default()).unwrap();
-        let before = told(&file);
+        let before = reported(&file);
         findings += before.findings.len();
-        assert_eq!(told(&file.without_source()), before, "{}", path.display());
+        assert_eq!(reported(&file.without_source()), before, "{}", path.display());
         formats.push(format);
     }
     assert!(findings > 10, "{findings}");
@@ -56,9 +56,9 @@ fn ball() -> Loaded {
 
 /// Vertices keep the numbers that they have in the file, three a facet, though they are shared now.
 #[test]
-fn facets_that_share_their_vertices_are_told_the_same_of() {
+fn facets_that_share_their_vertices_are_reported_alike() {
     let file = ball();
-    let before = told(&file);
+    let before = reported(&file);
     let flipped = before.get(Kind::Flipped).unwrap();
     assert_eq!(flipped.count % 3, 0);
     let places = flipped.places.iter().chain(&before.get(Kind::InconsistentWinding).unwrap().places);
@@ -68,7 +68,7 @@ fn facets_that_share_their_vertices_are_told_the_same_of() {
     let corners = file.parts[0].mesh.vertex_count();
     let file = file.without_source();
     assert!(5 * file.parts[0].mesh.vertex_count() < corners);
-    let after = told(&file);
+    let after = reported(&file);
     assert_eq!(after.parts, before.parts);
     let counts = |diagnosis: &Diagnosis| -> Vec<(Kind, u64)> {
         diagnosis.findings.iter().map(|finding| (finding.kind, finding.count)).collect()
@@ -78,7 +78,7 @@ fn facets_that_share_their_vertices_are_told_the_same_of() {
 }
 
 #[test]
-fn a_text_that_was_let_go_of_is_not_written_again() {
+fn a_text_that_was_let_go_of_is_not_rewritten() {
     let text = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     let file = read_bytes(text.to_vec(), Some(Format::Obj), None, &ReadOptions::default()).unwrap();
     assert!(file.document.is_unchanged(text));

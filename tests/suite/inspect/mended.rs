@@ -127,10 +127,10 @@ fn what_is_suggested_mends() {
 
 /// All that is read of a file, in a folder of its own where more may be written: the file, and what it names.
 fn copied(row: &Row, folder: &Path) -> PathBuf {
-    let beside = row.path.parent().unwrap();
-    let is_alone = ["stl", "ply", "obj", "gltf"].iter().any(|shared| beside.ends_with(shared));
+    let next_to = row.path.parent().unwrap();
+    let is_alone = ["stl", "ply", "obj", "gltf"].iter().any(|shared| next_to.ends_with(shared));
     let names = |path: &Path| path.file_stem() == row.path.file_stem();
-    for entry in fs::read_dir(beside).unwrap() {
+    for entry in fs::read_dir(next_to).unwrap() {
         let path = entry.unwrap().path();
         if path.is_file() && (!is_alone || names(&path)) {
             fs::copy(&path, folder.join(path.file_name().unwrap())).unwrap();

@@ -67,14 +67,14 @@ fn angles_are_those_that_can_be_worked_out() {
         // Smooth and flat.
         (Kind::NoNormals, &roof[..], &[&[0, 2, 1], &[3, 5, 4]], 15.0),
     ] {
-        let told = degrees(kind, corners, faces);
-        assert!((told - expected).abs() < 1e-9, "{}: {told} for {expected}", kind.id());
+        let reported = degrees(kind, corners, faces);
+        assert!((reported - expected).abs() < 1e-9, "{}: {reported} for {expected}", kind.id());
     }
 }
 
 /// Normals of a flat sheet that are right but for their lengths: what they do to the light of a lamp 45° off.
 #[test]
-fn light_that_lengths_take_and_give_is_told() {
+fn light_that_lengths_take_and_give_is_reported() {
     let corners = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]].map(DVec3::from);
     let sheet = |length: f64| {
         let mut faces = Faces::new();
@@ -95,8 +95,8 @@ fn light_that_lengths_take_and_give_is_told() {
     ] {
         let diagnosis = inspect(&sheet(length), 10);
         let finding = diagnosis.get(kind).unwrap_or_else(|| panic!("{length}: {:?}", diagnosis.findings));
-        let told = finding.steps.unwrap();
-        assert!((told - steps).abs() < 1e-9, "{length}: {told} for {steps}");
+        let reported = finding.steps.unwrap();
+        assert!((reported - steps).abs() < 1e-9, "{length}: {reported} for {steps}");
         assert_eq!(finding.degrees, None, "{length}");
     }
 }

@@ -36,8 +36,9 @@ fn halves_of_quadrilaterals_have_the_normals_of_these() {
     let written = write_new(&parts, Format::Ply, &WriteOptions::default()).unwrap();
     let file = folder.path().join("saddle.ply");
     fs::write(&file, written.bytes).unwrap();
-    let strays = blamed(&file, true).into_iter().filter(|told| told.contains("stray")).collect::<Vec<_>>();
-    assert_eq!(strays, Vec::<String>::new());
+    let outliers =
+        blamed(&file, true).into_iter().filter(|reported| reported.contains("stray")).collect::<Vec<_>>();
+    assert_eq!(outliers, Vec::<String>::new());
 }
 
 const FORMATS: [Format; 4] = [Format::Obj, Format::Ply, Format::Glb, Format::Stl];
@@ -58,9 +59,9 @@ fn blamed(file: &Path, are_triangles: bool) -> Vec<String> {
             finding.severity > Severity::Note
                 && matches!(finding.kind.entry().family, Family::Stored | Family::Smoothing)
         });
-        let told =
+        let reported =
             |it: crease::quality::Finding| format!("{}: {} {}", format.extension(), it.count, it.kind.id());
-        about_normals.map(told).collect::<Vec<_>>()
+        about_normals.map(reported).collect::<Vec<_>>()
     });
     blamed.collect()
 }
@@ -127,8 +128,8 @@ fn own_normals_of_real_meshes_are_right_in_every_format() {
         let are_triangles = (0..faces.len()).all(|face| faces.face(face).len() == 3);
         (!faces.is_empty()).then(|| format!("{}: {:?}", row.name(), blamed(&row.path, are_triangles)))
     };
-    let told: Vec<String> = rows.par_iter().filter_map(look).collect();
-    let bad: Vec<&String> = told.iter().filter(|line| !line.ends_with("[]")).collect();
+    let reported: Vec<String> = rows.par_iter().filter_map(look).collect();
+    let bad: Vec<&String> = reported.iter().filter(|line| !line.ends_with("[]")).collect();
     assert!(bad.is_empty(), "{bad:#?}");
-    assert!(rows.is_empty() || told.len() > 40, "{}", told.len());
+    assert!(rows.is_empty() || reported.len() > 40, "{}", reported.len());
 }

@@ -245,7 +245,10 @@ fn hold(tables: &[(&str, String)]) {
         panic!("the tables are written; look at them, and run again without CREASE_BLESS");
     }
     for (name, measured) in tables {
-        let told = std::fs::read_to_string(folder.join(name)).unwrap_or_default();
-        assert_eq!(told, *measured, "{name} does not say what is measured; CREASE_BLESS=1 writes it again");
+        let reported = std::fs::read_to_string(folder.join(name)).unwrap_or_default();
+        assert_eq!(
+            reported, *measured,
+            "{name} does not say what is measured; CREASE_BLESS=1 writes it again"
+        );
     }
 }

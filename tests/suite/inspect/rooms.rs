@@ -64,7 +64,7 @@ fn file(meshes: Vec<Mesh>) -> Loaded {
 }
 
 /// The balls, as part and number, that are told as a kind.
-fn told(loaded: &Loaded, kind: Kind) -> Vec<(usize, usize)> {
+fn reported(loaded: &Loaded, kind: Kind) -> Vec<(usize, usize)> {
     let thresholds = Thresholds { places: 1 << 16, ..Thresholds::default() };
     let diagnosis = diagnose(loaded, &thresholds, &|_| {});
     let places = diagnosis.get(kind).map_or(&[][..], |found| &found.places);
@@ -79,14 +79,14 @@ fn told(loaded: &Loaded, kind: Kind) -> Vec<(usize, usize)> {
 /// afterwards, with normals made again.
 #[track_caller]
 fn inside_out(mut loaded: Loaded) -> Vec<(usize, usize)> {
-    let balls = told(&loaded, Kind::InsideOut);
+    let balls = reported(&loaded, Kind::InsideOut);
     let has_normals = loaded.parts.iter().any(|part| part.mesh.columns().normals.is_some());
     let outward = Task { orient: Orient::Outward, ..Task::default() };
     let edits = revise(&loaded, &outward, None, &|_| {}).edits;
     for (number, (part, edit)) in loaded.parts.iter_mut().zip(edits).enumerate() {
         let faces = 0..part.mesh.face_count() as u32;
-        let is_told = |face: &u32| balls.contains(&(number, *face as usize / faces_of_ball()));
-        let expected: Vec<u32> = faces.filter(is_told).collect();
+        let is_reported = |face: &u32| balls.contains(&(number, *face as usize / faces_of_ball()));
+        let expected: Vec<u32> = faces.filter(is_reported).collect();
         assert_eq!(edit.faces.reversed, expected, "part {number}, where {balls:?} are told");
         part.mesh = part.mesh.with_faces(&FaceEdit { reversed: expected, ..FaceEdit::default() });
         if has_normals {
@@ -94,7 +94,7 @@ fn inside_out(mut loaded: Loaded) -> Vec<(usize, usize)> {
             part.mesh = part.mesh.clone().with_normals(Some(normals));
         }
     }
-    assert_eq!(told(&loaded, Kind::InsideOut), [], "after mending");
+    assert_eq!(reported(&loaded, Kind::InsideOut), [], "after mending");
     balls
 }
 
@@ -108,7 +108,7 @@ fn bare(balls: &[Ball]) -> Vec<Ball> {
     balls.iter().map(|&(radius, x, way, _)| (radius, x, way, None)).collect()
 }
 
-const NONE_TOLD: [usize; 0] = [];
+const NONE_REPORTED: [usize; 0] = [];
 
 const ROOM: Ball = (10.0, 0.0, In, Some(In));
 const CHAIR: Ball = (2.0, 5.0, Out, Some(Out));
@@ -118,9 +118,9 @@ const DRAWER: Ball = (1.5, -5.0, In, Some(In));
 #[test]
 fn what_stands_in_a_room_is_no_cavity() {
     for balls in [&[ROOM, CHAIR][..], &[ROOM, CHAIR, TABLE], &[CHAIR, TABLE, ROOM]] {
-        assert_eq!(of_one(balls), NONE_TOLD);
+        assert_eq!(of_one(balls), NONE_REPORTED);
         let room = balls.iter().position(|&ball| ball == ROOM).unwrap();
-        assert_eq!(told(&file(vec![mesh(balls)]), Kind::Room), [(0, room)]);
+        assert_eq!(reported(&file(vec![mesh(balls)]), Kind::Room), [(0, room)]);
     }
     let diagnosis = diagnose(&file(vec![mesh(&[ROOM, CHAIR])]), &Thresholds::default(), &|_| {});
     let found = diagnosis.get(Kind::Room).unwrap();
@@ -131,7 +131,7 @@ fn what_stands_in_a_room_is_no_cavity() {
 
 #[test]
 fn a_thing_in_a_room_may_be_hollow() {
-    assert_eq!(of_one(&[ROOM, TABLE, DRAWER]), NONE_TOLD);
+    assert_eq!(of_one(&[ROOM, TABLE, DRAWER]), NONE_REPORTED);
     let solid = (DRAWER.0, DRAWER.1, Out, Some(Out));
     assert_eq!(of_one(&[ROOM, CHAIR, TABLE, solid]), [3]);
 }
@@ -151,8 +151,8 @@ fn a_thing_in_a_room_may_be_inside_out() {
 fn a_room_in_a_solid_is_a_cavity() {
     let house = (12.0, 0.0, Out, Some(Out));
     for balls in [vec![house, ROOM, CHAIR], bare(&[house, ROOM, CHAIR, TABLE, DRAWER])] {
-        assert_eq!(of_one(&balls), NONE_TOLD);
-        assert_eq!(told(&file(vec![mesh(&balls)]), Kind::Room), []);
+        assert_eq!(of_one(&balls), NONE_REPORTED);
+        assert_eq!(reported(&file(vec![mesh(&balls)]), Kind::Room), []);
     }
     assert_eq!(of_one(&[house, ROOM, CHAIR, (TABLE.0, TABLE.1, In, Some(Out))]), [3]);
 }
@@ -176,7 +176,7 @@ fn what_is_no_room_is_solid() {
     assert_eq!(of_one(&[ROOM, CHAIR, walls[0], walls[1]]), [0, 1], "more of it is");
     assert_eq!(
         of_one(&[ROOM, (CHAIR.0, CHAIR.1, Out, None)]),
-        NONE_TOLD,
+        NONE_REPORTED,
         "one without normals stands as it does"
     );
 }

@@ -56,8 +56,8 @@ fn misses(name: &str, file: &Loaded) -> Vec<String> {
     assert!(!clean.contains(&Kind::Rotated.id()), "{name} is told to be turned as it is");
     let miss = |(degrees, turn): (f64, DMat3)| {
         let diagnosis = diagnose(&turned(file, turn), &thresholds, &|_| {});
-        let told = diagnosis.get(Kind::Rotated).filter(|it| it.count == file.parts.len() as u64);
-        let by = told.and_then(|finding| finding.degrees);
+        let reported = diagnosis.get(Kind::Rotated).filter(|it| it.count == file.parts.len() as u64);
+        let by = reported.and_then(|finding| finding.degrees);
         let mut others = grave(&diagnosis);
         others.retain(|id| *id != Kind::Rotated.id() && !clean.contains(id));
         let is_right = by.is_some_and(|by| (by - degrees).abs() <= ANGLE) && others.is_empty();
@@ -67,7 +67,7 @@ fn misses(name: &str, file: &Loaded) -> Vec<String> {
 }
 
 #[test]
-fn turns_of_analytic_meshes_are_told_by_their_angle() {
+fn turns_of_analytic_meshes_are_identified_by_their_angle() {
     let mut all: Vec<(String, Mesh)> =
         meshes().into_iter().map(|clean| (clean.name.to_owned(), clean.mesh)).collect();
     // With exact normals, which no mean of faces is; those of the tube lie in a plane.
@@ -105,7 +105,7 @@ const REAL: [&str; 15] = [
 ];
 
 #[test]
-fn turns_of_real_meshes_are_told_by_their_angle() {
+fn turns_of_real_meshes_are_identified_by_their_angle() {
     let mut all = Vec::new();
     for name in REAL {
         let Some(path) = path(name) else { continue };
@@ -125,7 +125,7 @@ fn cube() -> Mesh {
 
 /// On a box half a turn and sides turned round one by one are the same: what is seen is told, not a cause that is guessed.
 #[test]
-fn sides_of_a_box_turned_round_are_not_told_as_exchanged_axes() {
+fn sides_of_a_box_turned_round_are_not_reported_as_exchanged_axes() {
     let half_a_turn = |n: DVec3| DVec3::new(n.x, -n.y, -n.z);
     let diagnosis = inspect(&changed(&cube(), half_a_turn), 1);
     assert_eq!(grave(&diagnosis), [Kind::Flipped.id()]);
@@ -137,11 +137,11 @@ fn sides_of_a_box_turned_round_are_not_told_as_exchanged_axes() {
 
 /// The normals of a tube about y have no y: what became of that axis cannot be told.
 #[test]
-fn of_changes_that_explain_as_much_the_smallest_is_told() {
+fn of_changes_that_explain_as_much_the_smallest_is_reported() {
     let tube = surface(&Surface::from(Cylinder::default()), [32, 8]);
     let diagnosis = inspect(&changed(&tube, |n| DVec3::new(-n.x, n.y, n.z)), 1);
     assert_eq!(grave(&diagnosis), [Kind::SwappedAxes.id()]);
     let cause = &diagnosis.get(Kind::SwappedAxes).unwrap().cause;
-    let told = "x stands as −x (or another change that this shape does not tell from it)";
-    assert!(cause.ends_with(told), "{cause}");
+    let reported = "x stands as −x (or another change that this shape does not tell from it)";
+    assert!(cause.ends_with(reported), "{cause}");
 }

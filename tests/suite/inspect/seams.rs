@@ -36,7 +36,7 @@ fn halves(ball: &Mesh, normals: impl Fn(Mesh) -> Mesh) -> Loaded {
 
 /// Normals that were computed for each primitive alone differ along the line where the two meet, and only there.
 #[test]
-fn seams_between_primitives_are_told() {
+fn seams_between_primitives_are_reported() {
     let ball = surface(&Surface::from(Sphere::new(1.0).unwrap()), [24, 16]).with_normals(None);
     let topology = Topology::build(&ball, Weld::Exact);
     let face = |half_edge: u32| topology.face_of(half_edge) as usize;
@@ -137,7 +137,7 @@ fn smooth() -> Vec<(String, Mesh)> {
 }
 
 /// The corners that a finding begins its edges at.
-fn told(mesh: &Mesh, found: Option<&crease::quality::Finding>) -> BTreeSet<u32> {
+fn reported(mesh: &Mesh, found: Option<&crease::quality::Finding>) -> BTreeSet<u32> {
     let corner = |face: u32, corner: u32| mesh.faces().range(face as usize).start as u32 + corner;
     let places = found.iter().flat_map(|it| &it.places);
     places.map(|at| corner(at.face.unwrap(), at.corner.unwrap())).collect()
@@ -148,7 +148,7 @@ const CUTS: [DVec3; 2] = [DVec3::X, DVec3::new(1.0, 2.0, 3.0)];
 /// Each side of a cut averaged for itself: by 5° on fine meshes, by 30° on coarse ones. Where the cut is more than one in fifty of
 /// all edges, no crease angle is followed, and that it runs where the surface bends as elsewhere tells it.
 #[test]
-fn cuts_through_smooth_meshes_are_told() {
+fn cuts_through_smooth_meshes_are_reported() {
     let mut misses = Vec::new();
     for (name, mesh) in smooth() {
         let smooth = unshared(&mesh);
@@ -158,7 +158,7 @@ fn cuts_through_smooth_meshes_are_told() {
             let [all, sure] = [2.0, 4.0].map(|degrees| split_by(&mesh, &smooth, &split, degrees));
             let diagnosis = inspect(&per_corner(&mesh, split), 1 << 16);
             let found = diagnosis.get(Kind::SplitSeam);
-            let places = told(&mesh, found);
+            let places = reported(&mesh, found);
             let hits = |of: &BTreeSet<u32>| places.intersection(of).count() as f64;
             let recall = hits(&sure) / sure.len() as f64;
             let precision = hits(&all) / places.len().max(1) as f64;
@@ -177,7 +177,7 @@ fn cuts_through_smooth_meshes_are_told() {
 
 /// The same where the vertices of the two sides only nearly meet, so that equal places join nothing.
 #[test]
-fn edges_that_nearly_meet_are_told() {
+fn edges_that_nearly_meet_are_reported() {
     let mut misses = Vec::new();
     for (name, mesh) in smooth() {
         let smooth = unshared(&mesh);
@@ -190,7 +190,7 @@ fn edges_that_nearly_meet_are_told() {
             let [all, sure] = [2.0, 4.0].map(|degrees| split_by(&mesh, &smooth, &split, degrees));
             let diagnosis = inspect(&cracked, 1 << 16);
             let found = diagnosis.get(Kind::CrackedSeam);
-            let places = told(&cracked, found);
+            let places = reported(&cracked, found);
             let hits = |of: &BTreeSet<u32>| places.intersection(of).count();
             let is_right = hits(&sure) == sure.len() && hits(&all) == places.len();
             let severity = found.map(|it| it.severity);

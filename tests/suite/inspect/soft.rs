@@ -63,10 +63,10 @@ fn parts_with_coarse_holes_are_sharp() {
     }
 }
 
-/// What is wrong with single normals hides nothing: edges beside these are not kept sharp. Told only once they were mended, it
+/// What is wrong with single normals hides nothing: edges beside these are not kept sharp. Reported only once they were mended, it
 /// would look like a fault of the mend.
 #[test]
-fn strays_do_not_hide_that_all_is_smooth() {
+fn outliers_do_not_hide_that_all_is_smooth() {
     let smooth = with_normals(plate(4, false), &recipe(Weight::Angle, 180.0));
     let sides = 16 * 16 + 2 * 32 + 4;
     let spoilt = |wrong: fn(DVec3) -> DVec3| {
@@ -116,7 +116,7 @@ fn rough_shapes_are_round() {
 
 /// A smooth shape may have some sharp edges. Without any gentle ones facets are its shape.
 #[test]
-fn facets_are_told_on_shapes_that_mostly_bend_gently() {
+fn facets_are_reported_on_shapes_that_mostly_bend_gently() {
     let flat = |mesh: Mesh| with_normals(mesh.with_normals(None), &recipe(Weight::Angle, 0.0));
     let rough = Tessellation { noise: 0.06, segments: [24, 12], ..Tessellation::default() };
     let rough = Surface::from(Sphere::default()).tessellate(&rough).unwrap();

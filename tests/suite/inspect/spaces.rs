@@ -99,9 +99,9 @@ fn names(cause: &str, chain: &[DMat4], range: &Range<usize>) -> bool {
     let is_turning = |&at: &usize| product(&chain[at..=at]).x_axis.normalize().dot(DVec3::X) < 0.999;
     let turning: Vec<usize> = range.clone().filter(is_turning).collect();
     let ends = [turning[0], turning[turning.len() - 1]].map(|at| format!("`{}`", NAMES[at]));
-    let told: Vec<&str> = cause.split('`').skip(1).step_by(2).collect();
+    let reported: Vec<&str> = cause.split('`').skip(1).step_by(2).collect();
     let expected: Vec<&str> = ends.iter().map(|name| name.trim_matches('`')).collect();
-    if ends[0] == ends[1] { told == expected[..1] } else { told == expected }
+    if ends[0] == ends[1] { reported == expected[..1] } else { reported == expected }
 }
 
 #[test]

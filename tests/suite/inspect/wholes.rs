@@ -18,8 +18,8 @@ pub(super) fn faults(clean: &Clean) -> Vec<Planted> {
     all.extend(clean.is_round.then(|| rounded(clean)).into_iter().flatten());
     all.extend(clean.is_closed.then(|| reversed_component(clean)));
     match clean.name {
-        "icosphere" | "torus" => all.push(made_again(clean, "all flat", Kind::Faceted, 0.0)),
-        "gear" => all.push(made_again(clean, "all edges smooth", Kind::Soft, 180.0)),
+        "icosphere" | "torus" => all.push(recomputed(clean, "all flat", Kind::Faceted, 0.0)),
+        "gear" => all.push(recomputed(clean, "all edges smooth", Kind::Soft, 180.0)),
         _ => {}
     }
     all
@@ -128,7 +128,7 @@ fn reversed_component(clean: &Clean) -> Planted {
 }
 
 /// Normals made with another crease angle than the shape asks for, and nothing else that would ask for it.
-fn made_again(clean: &Clean, what: &'static str, expected: Kind, crease: f64) -> Planted {
+fn recomputed(clean: &Clean, what: &'static str, expected: Kind, crease: f64) -> Planted {
     let bare = rebuilt(clean.mesh.positions().to_vec(), clean.mesh.faces().clone());
     Planted::new(what, expected, with_normals(bare, &recipe(Weight::Angle, crease)), BTreeSet::new())
 }

@@ -75,7 +75,7 @@ fn new_normals_come_back_exactly_and_all_else_stays() {
 }
 
 #[test]
-fn kept_normals_keep_every_bit_beside_new_ones() {
+fn kept_normals_keep_every_bit_next_to_new_ones() {
     let mut random = Random(4);
     let mut tried = 0;
     for (name, bytes, mesh) in good_files() {

@@ -290,7 +290,7 @@ fn long_text() -> (String, Vec<DVec3>, Vec<Vec<u32>>) {
 }
 
 #[test]
-fn any_number_of_threads_reads_the_same() {
+fn any_number_of_threads_loads_the_same() {
     let (text, positions, faces) = long_text();
     let mut first = None;
     for threads in [1, 2, 3, 8] {
@@ -316,7 +316,7 @@ fn any_number_of_threads_reads_the_same() {
 }
 
 #[test]
-fn the_first_fault_in_the_file_is_the_one_that_is_told() {
+fn the_first_fault_in_the_file_is_the_one_that_is_reported() {
     let (text, ..) = long_text();
     let line_of = |at: usize| text[..at].matches("\r\n").count() as u64 + 1;
     let mut broken = text.clone();

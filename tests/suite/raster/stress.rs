@@ -173,7 +173,7 @@ fn a_floor_of_any_width_is_the_same_floor() {
 }
 
 #[test]
-fn bad_scenes_are_told_apart() {
+fn bad_scenes_are_distinguished() {
     let model = icosphere(0);
     let good = || scene(vec![model.object()]);
     let fails = |scene: &Scene, settings: &RenderSettings, expected: &str| {

@@ -17,11 +17,11 @@ fn a_picture_goes_to_a_file_and_the_report_to_standard_output() {
     let out = path(folder.path().join("new/square.png"));
     let output = render([square.as_str(), "-o", out.as_str(), "--size", "64x48"]);
     assert_eq!(code(&output), 0, "{}", text(&output.stderr));
-    let told = text(&output.stdout);
+    let reported = text(&output.stdout);
     for part in
         ["square.png", "1 object, 4 vertices, 1 face", "2 triangles", "png, 64x48, 8 bits, srgb", "time"]
     {
-        assert!(told.contains(part), "no {part:?} in\n{told}");
+        assert!(reported.contains(part), "no {part:?} in\n{reported}");
     }
     // Its vertices have colours, which light does not show.
     let said = text(&output.stderr);
@@ -62,12 +62,12 @@ fn materials_of_standard_input_come_from_the_root() {
         command.args(["render", "-", "--format", "obj", "-o", "-", &size, &pixels]).args(more);
         command.write_stdin(text.clone()).output().unwrap()
     };
-    let told = streamed(&[]);
-    let said = crate::cli::text(&told.stderr);
+    let reported = streamed(&[]);
+    let said = crate::cli::text(&reported.stderr);
     assert!(said.contains("`gear.mtl` was not read: a stream has no folder (--root names one)"), "{said}");
     let rooted = streamed(&["--root", &root]);
     assert!(!crate::cli::text(&rooted.stderr).contains("gear.mtl"));
-    assert!(rooted.stdout == bytes(&[file, size, pixels]) && rooted.stdout != told.stdout);
+    assert!(rooted.stdout == bytes(&[file, size, pixels]) && rooted.stdout != reported.stdout);
 }
 
 #[test]

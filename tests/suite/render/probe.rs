@@ -15,18 +15,18 @@ fn a_student_can_follow_the_formula() {
         with(&args, &["--samples", "1", "--material", "colour=1 ka=0.2 kd=0.6 ks=0", "--probe", "20,20"]);
     let output = render(&args);
     assert_eq!(code(&output), 0, "{}", text(&output.stderr));
-    let told = text(&output.stdout);
+    let reported = text(&output.stdout);
     for part in [
         "pixel        (20, 20)",
         "face 1",
         "weight 0.",
         "N            (0.000000000, 0.000000000, 1.000000000)",
     ] {
-        assert!(told.contains(part), "no {part:?} in\n{told}");
+        assert!(reported.contains(part), "no {part:?} in\n{reported}");
     }
     for part in ["N·L        0.500000000", "L          (0.866025404, 0.000000000, 0.500000000), at infinity"]
     {
-        assert!(told.contains(part), "no {part:?} in\n{told}");
+        assert!(reported.contains(part), "no {part:?} in\n{reported}");
     }
     // 0.5 · 0.2 of ambient light and 0.6 · 0.5 of the lamp.
     for part in [
@@ -34,7 +34,7 @@ fn a_student_can_follow_the_formula() {
         "sum          (0.400000000",
         "8-bit        [102, 102, 102], in the picture [102, 102, 102]",
     ] {
-        assert!(told.contains(part), "no {part:?} in\n{told}");
+        assert!(reported.contains(part), "no {part:?} in\n{reported}");
     }
     let report = report(&args);
     let sample = &report["probe"]["samples"][0];
@@ -82,10 +82,10 @@ fn recomputed_pixels_are_those_of_the_picture() {
 }
 
 #[test]
-fn outside_and_beside_the_mesh() {
+fn outside_and_next_to_the_mesh() {
     let gear = gear();
-    let beside = render(with(&gear, &["--probe", "0,0"]));
-    assert!(text(&beside.stdout).contains("nothing but the background"), "{}", text(&beside.stdout));
+    let next_to = render(with(&gear, &["--probe", "0,0"]));
+    assert!(text(&next_to.stdout).contains("nothing but the background"), "{}", text(&next_to.stdout));
     let outside = render(with(&gear, &["--probe", "96,0"]));
     assert_eq!(code(&outside), 2);
     assert!(text(&outside.stderr).contains("outside the picture of 96x72"), "{}", text(&outside.stderr));

@@ -97,7 +97,7 @@ fn meshes_elsewhere_need_a_root() {
 
 /// A scene's meshes come from its folder.
 #[test]
-fn meshes_of_a_scene_lie_beside_it() {
+fn meshes_of_a_scene_lie_next_to_it() {
     let text = "[settings]\nsize = [40, 40]\n[[object]]\nmesh = \"parts/square.obj\"\n";
     let folder = folder(&[("a.toml", text), ("parts/square.obj", super::SQUARE)]);
     let scene = path(folder.path().join("a.toml"));

@@ -262,19 +262,19 @@ const NORMALS: &[&str] = &["--weight", "area", "--crease", "5", "--when", "alway
 const FLAT_SAMPLE: &[&str] = &["--flat-sample", "vertex-mean"];
 const AFFINE: &[&str] = &["--interpolation", "affine"];
 
-fn is_told(found: &str) -> bool {
+fn is_reported(found: &str) -> bool {
     ["nothing", "no difference", "drawn exactly", "more than once"].iter().any(|word| found.contains(word))
 }
 
 #[test]
-fn options_that_change_nothing_are_told() {
+fn options_that_change_nothing_are_reported() {
     let stage = Stage::new();
     for (words, options, reason) in UNREAD {
         let plain = stage.args(words);
         let typed = with(&plain, &options.to_vec().map_quoted());
         let found = notes(&typed);
-        let told: Vec<&str> = found.lines().filter(|line| line.contains(reason)).collect();
-        assert!(!told.is_empty(), "{words} {options:?}: no {reason:?} in {found:?}");
+        let reported: Vec<&str> = found.lines().filter(|line| line.contains(reason)).collect();
+        assert!(!reported.is_empty(), "{words} {options:?}: no {reason:?} in {found:?}");
         let names = options.iter().filter(|word| word.starts_with("--"));
         if !reason.contains("drawn exactly") {
             names.for_each(|name| assert!(found.contains(name), "{words}: nothing of {name} in {found:?}"));
@@ -287,20 +287,20 @@ fn options_that_change_nothing_are_told() {
 }
 
 #[test]
-fn options_that_change_something_are_not_told() {
+fn options_that_change_something_are_not_reported() {
     let stage = Stage::new();
     for (words, options) in READ {
         let plain = stage.args(words);
         let typed = with(&plain, &options.to_vec().map_quoted());
         assert!(bytes(&plain) != bytes(&typed), "{words} {options:?} changes nothing");
         let found = notes(&typed);
-        assert!(!is_told(&found), "{words} {options:?}: {found}");
+        assert!(!is_reported(&found), "{words} {options:?}: {found}");
     }
 }
 
 /// One fact is told once.
 #[test]
-fn analytic_surfaces_are_told_once() {
+fn analytic_surfaces_are_reported_once() {
     let stage = Stage::new();
     for words in ["ball.toml --show normals --shading gouraud", "ball.toml --show depth --compare flat,phong"]
     {
@@ -311,7 +311,7 @@ fn analytic_surfaces_are_told_once() {
 
 /// Colours that a file gives its vertices are told where light hides them, whatever the format.
 #[test]
-fn colours_of_vertices_are_told_where_they_are_lost() {
+fn colours_of_vertices_are_reported_where_they_are_lost() {
     let stage = Stage::new();
     let glb = path(stage.folder.path().join("strip.glb"));
     let strip = path(stage.folder.path().join("strip.obj"));
@@ -319,7 +319,7 @@ fn colours_of_vertices_are_told_where_they_are_lost() {
         crate::cli::crease().args(["normals", "-q", &strip, "-o", &glb]).output().unwrap().status.success()
     );
     for file in ["strip.obj", "strip.glb"] {
-        for (more, is_told) in [
+        for (more, is_reported) in [
             ("", true),
             (" --shading flat", true),
             (" --compare flat,wireframe", true),
@@ -331,7 +331,7 @@ fn colours_of_vertices_are_told_where_they_are_lost() {
             let said = found.contains(
                 "vertices have colours, which light on materials does not show; --reflection given",
             );
-            assert_eq!(said, is_told, "{file}{more}: {found}");
+            assert_eq!(said, is_reported, "{file}{more}: {found}");
         }
     }
     assert!(!notes(&stage.args("given.toml")).contains("have colours"));
@@ -355,27 +355,27 @@ fn wireframes_leave_out_the_edges_of_faces_that_are_left_out() {
 
 /// A probe tells weights and normals of corners also where they make no colour.
 #[test]
-fn options_that_change_what_a_probe_tells_are_not_told() {
+fn options_that_change_what_a_probe_reports_are_not_reported() {
     let stage = Stage::new();
     let flat = stage.args("strip.obj --shading flat --probe 26,18");
     let said = |args: &[String]| text(&render(args).stdout).to_string();
     for options in [["--weight", "area"], ["--interpolation", "affine"]] {
         let typed = with(&flat, &options);
         assert_ne!(said(&flat), said(&typed), "{options:?}");
-        assert!(!is_told(&notes(&typed)), "{options:?}: {}", notes(&typed));
+        assert!(!is_reported(&notes(&typed)), "{options:?}: {}", notes(&typed));
     }
 }
 
 #[test]
-fn panels_without_a_difference_are_told() {
+fn panels_without_a_difference_are_reported() {
     let stage = Stage::new();
-    let told: &[(&str, &str, &str)] = &[
+    let reported: &[(&str, &str, &str)] = &[
         ("ball.toml", "scanline,affine", "no difference: analytic"),
         ("strip.obj --show depth", "affine,perspective", "no difference: what --show shows is not"),
         ("strip.obj --show depth", "flat,phong", "no difference: what --show shows is the same"),
         ("strip.obj --show normals", "gouraud,phong", "no difference: what --show shows is the same"),
     ];
-    for (words, panels, reason) in told {
+    for (words, panels, reason) in reported {
         let args = stage.args(words);
         let found = notes(&with(&args, &["--compare", panels]));
         assert!(found.contains(reason), "{words} {panels}: no {reason:?} in {found:?}");
@@ -393,7 +393,7 @@ fn panels_without_a_difference_are_told() {
         ("strip.obj", "gouraud,phong"),
     ] {
         let found = notes(&with(&stage.args(words), &["--compare", panels]));
-        assert!(!is_told(&found), "{words} {panels}: {found}");
+        assert!(!is_reported(&found), "{words} {panels}: {found}");
     }
 }
 
@@ -411,7 +411,7 @@ fn materials_are_judged_where_they_are_lit() {
 
 /// Lines that hardly differ from what is behind them are told, by the contrast ratio of WCAG 2.1.
 #[test]
-fn wireframes_of_little_contrast_are_told() {
+fn wireframes_of_little_contrast_are_reported() {
     let on = |wire: &str, background: &str, more: &str| {
         let scene = format!(
             "[settings]\nshading = \"wireframe\"\nbackground = {background}\nwire = {{ colour = {wire} }}\n{more}[[object]]\nmesh = \"strip.obj\"\n"

@@ -16,7 +16,7 @@ fn refused(text: &str) -> String {
 const BALL: &str = "[[object]]\nsurface.sphere.radius = 1\n";
 
 #[test]
-fn every_fault_is_told_with_its_line_and_key() {
+fn every_fault_is_reported_with_its_line_and_key() {
     assert_eq!(from_text(BALL).objects.len(), 1);
     let faults: &[(&str, &[&str])] = &[
         ("[settings", &["line 3"]),
@@ -240,7 +240,7 @@ fn an_empty_scene_has_nothing_to_draw() {
 
 /// What is wrong with a mesh that a scene names is told at the scene's key, with the place in the mesh.
 #[test]
-fn faults_of_meshes_are_told_where_the_scene_names_them() {
+fn faults_of_meshes_are_reported_where_the_scene_names_them() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("broken.obj"), "v 0 0 0\nf 1 2 3\n").unwrap();
     fs::write(folder.path().join("points.obj"), "v 0 0 0\n").unwrap();
@@ -262,7 +262,7 @@ fn faults_of_meshes_are_told_where_the_scene_names_them() {
 
 /// Files that are no scenes at all.
 #[test]
-fn files_that_are_no_text_are_told() {
+fn files_that_are_no_text_are_reported() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("scene.toml");
     let error = load(&path, None, &LoadOptions::default()).unwrap_err().to_string();

@@ -203,7 +203,7 @@ fn without_lights_and_camera_it_is_framed_and_lit_by_itself() {
 
 /// The first camera is taken, and what makes no sense is left out; both are told.
 #[test]
-fn what_is_not_taken_is_told() {
+fn what_is_not_taken_is_reported() {
     let nodes = r#", {"name": "node", "camera": 0}, {"name": "node", "mesh": 0, "scale": [1, 0, 1]},
         {"name": "node", "extensions": {"KHR_lights_punctual": {"light": 0}}}"#;
     let file =
@@ -235,19 +235,19 @@ fn cameras_that_are_none_are_refused_with_their_place() {
             error.contains("/cameras/0") && error.contains(field) && error.contains("out of the file"),
             "{error}"
         );
-        let is_told = |file: &SceneFile| {
+        let is_reported = |file: &SceneFile| {
             file.notes.iter().any(|note| note.text.contains(field) && note.text.contains("left out"))
         };
         let loaded = read_bytes(wrong.into_bytes(), Some(Format::Gltf), None, &ReadOptions::default());
         let elsewhere = LoadOptions { from_elsewhere: true, ..LoadOptions::default() };
         let file = SceneFile::from_loaded(loaded.unwrap(), &elsewhere).unwrap();
-        assert!(file.camera.is_none() && is_told(&file), "{:?}", file.notes);
+        assert!(file.camera.is_none() && is_reported(&file), "{:?}", file.notes);
         // What is never looked through does no harm.
         let two = text.replace(lens, &format!(r#"{lens}}}, {{"type": {faulty}"#));
         let two = two.replace(r#""translation": [0, 0, 3]}"#, r#""translation": [0, 0, 3]}, {"camera": 1}"#);
         let two = two.replace(r#""nodes": [0,1]"#, r#""nodes": [0,1,2]"#);
         let file = from_text(two).unwrap();
-        assert!(file.camera.is_some() && is_told(&file), "{:?}", file.notes);
+        assert!(file.camera.is_some() && is_reported(&file), "{:?}", file.notes);
     }
     // No zero of a number, but a place that nothing can be seen from.
     let far = square_text("", MATTE, "").replace("[0, 0, 3]", "[0, 0, 1e200]");
@@ -287,7 +287,7 @@ fn a_cameras_scale_is_ignored() {
 
 /// A matrix tells its rotation, unless it has no inverse.
 #[test]
-fn a_cameras_matrix_is_taken_apart() {
+fn a_cameras_matrix_is_decomposed() {
     let text = square_text("", MATTE, "");
     let seen = |columns: [[f64; 3]; 3]| {
         let [[a, b, c], [d, e, f], [g, h, i]] = columns;
@@ -312,7 +312,7 @@ fn a_cameras_matrix_is_taken_apart() {
 
 /// Nothing is cut off far away, which is told where the file wants something cut off.
 #[test]
-fn a_far_distance_that_would_cut_is_told() {
+fn a_far_distance_that_would_cut_is_reported() {
     let notes = |far: &str, options: &LoadOptions| {
         let text = square_text("", MATTE, "").replace("\"zfar\": 9", &format!("\"zfar\": {far}"));
         let loaded = read_bytes(text.into_bytes(), Some(Format::Gltf), None, &ReadOptions::default());

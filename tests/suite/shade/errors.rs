@@ -145,7 +145,7 @@ fn settings() {
 }
 
 #[test]
-fn a_light_too_far_for_single_precision_is_told_to_be_a_direction() {
+fn a_light_too_far_for_single_precision_is_reported_as_a_direction() {
     let far = Light::Point { position: DVec3::X * 1e15, colour: WHITE, attenuation: Attenuation::None };
     let error = Shader::<f32>::new(&[far], &Material::default(), &ShadeSettings::default()).unwrap_err();
     assert_eq!((error.place, error.field), (Place::Light(0), "position"));

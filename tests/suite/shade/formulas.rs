@@ -119,7 +119,7 @@ fn f4_phong_is_the_cosine_to_the_mirrored_ray_to_the_nth() {
 }
 
 #[test]
-fn f5_the_probe_tells_the_mirrored_ray() {
+fn f5_the_probe_reports_the_mirrored_ray() {
     let mut random = Random(3);
     for _ in 0..200 {
         let (normal, light, view) = (direction(&mut random), direction(&mut random), direction(&mut random));
@@ -382,7 +382,7 @@ fn f14_the_point_lights_error_under_a_square() {
 }
 
 #[test]
-fn f15_coefficients_and_colours_apart_or_merged() {
+fn f15_coefficients_and_colours_separate_or_merged() {
     let (o_d, o_s) = (LinearRgb::new(0.5, 1.0, 0.7), LinearRgb::new(1.0, 0.9, 0.1));
     let split = Material {
         ambient: Reflectance::new(0.5, o_d),

@@ -136,7 +136,7 @@ fn every_pattern_is_written_or_refused_with_its_reason() {
 
 /// What an offset loses is told in every format: in doubles by the verb, in single precision by the writer.
 #[test]
-fn offsets_that_lose_the_shape_are_told() {
+fn offsets_that_lose_the_shape_are_reported() {
     let warned = |offset: &str, name: &str| {
         let (report, _) = written(&["sphere", "--segments", "12x6", "--offset", offset], name);
         let notes = report["notes"].as_array().cloned().unwrap_or_default();

@@ -196,7 +196,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_wrong_with_lengths_is_told_apart() {
+    fn what_is_wrong_with_lengths_is_distinguished() {
         let error = |file: &[u8]| Glb::parse(file, &mut Vec::new()).unwrap_err().to_string();
         let header = |length: u32| [&b"glTF\x02\0\0\0"[..], &length.to_le_bytes()].concat();
         assert!(error(b"glTF\x02\0").contains("a GLB of 6 bytes"));

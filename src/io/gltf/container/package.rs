@@ -49,11 +49,11 @@ fn settle_buffers(
             store.splices.set(object, "uri", quoted(&uri::encode_data(bytes)));
             continue;
         };
-        let beside = output_name(Path::new(""), name);
-        if beside.is_none() && leads_to(options.folder.as_deref(), name, path) {
+        let next_to = output_name(Path::new(""), name);
+        if next_to.is_none() && leads_to(options.folder.as_deref(), name, path) {
             continue;
         }
-        let beside = beside.unwrap_or_else(|| {
+        let next_to = next_to.unwrap_or_else(|| {
             let taken =
                 |other: &OutputFile| matches!(&other.content, OutputContent::CopyOf(file) if file == path);
             let known = written.companions.iter().find(|other| taken(other)).map(|other| other.name.clone());
@@ -61,7 +61,7 @@ fn settle_buffers(
             store.splices.set(object, "uri", quoted(&uri::percent_encoded(&safe)));
             safe
         });
-        add_copy(beside, path, written);
+        add_copy(next_to, path, written);
     }
 }
 

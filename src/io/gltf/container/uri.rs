@@ -96,7 +96,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn addresses_are_told_apart() {
+    fn addresses_are_distinguished() {
         assert_eq!(Uri::parse("data:;base64,AA"), Uri::Data);
         assert_eq!(Uri::parse("a%20b/c.bin"), Uri::File("a b/c.bin".into()));
         assert_eq!(Uri::parse("%FF.bin"), Uri::File("%FF.bin".into()), "not UTF-8: left as it is");

@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn what_the_standard_does_not_allow_is_left_out_and_told() {
+    fn what_the_standard_does_not_allow_is_left_out_and_reported() {
         let found = looks(
             r#"{"asset": {"version": "2.0"},
             "extensions": {"KHR_lights_punctual": {"lights": [{"type": "spot"}, {"type": "area"}, {}]}},

@@ -88,7 +88,7 @@ impl<'a> NodeTree<'a> {
     }
 
     fn is_root(&self, node: usize) -> bool {
-        self.tree.parent[node] == NOBODY
+        self.tree.parent[node] == NO_NODE
     }
 
     /// The name of a node, or its number, as `#7`, if it has none.
@@ -164,7 +164,7 @@ impl Above {
 }
 
 /// No node.
-const NOBODY: u32 = u32::MAX;
+const NO_NODE: u32 = u32::MAX;
 
 /// Who is whose child. Numbers are small, since a file may have millions of nodes.
 struct Tree {
@@ -176,13 +176,13 @@ struct Tree {
 
 impl Tree {
     fn new<'a>(nodes: impl Iterator<Item = Fields<'a>>, count: usize) -> Result<Tree, ReadError> {
-        let mut tree = Tree { first_child: vec![0], children: Vec::new(), parent: vec![NOBODY; count] };
+        let mut tree = Tree { first_child: vec![0], children: Vec::new(), parent: vec![NO_NODE; count] };
         for (node, fields) in nodes.enumerate() {
             for child in fields.indices("children")? {
                 let Some(parent) = tree.parent.get_mut(child) else {
                     return Err(dangling(fields.at.member("children"), "node", child, count));
                 };
-                if *parent != NOBODY {
+                if *parent != NO_NODE {
                     let found = format!("a node that is a child of node {parent} and of node {node}");
                     return Err(no_tree(child, found));
                 }
@@ -203,7 +203,7 @@ impl Tree {
     fn order(&self) -> Result<Vec<u32>, ReadError> {
         let count = self.parent.len();
         let mut order = Vec::with_capacity(count);
-        let is_root = |&node: &u32| self.parent[node as usize] == NOBODY;
+        let is_root = |&node: &u32| self.parent[node as usize] == NO_NODE;
         let mut open: Vec<u32> = (0..count as u32).rev().filter(is_root).collect();
         while let Some(node) = open.pop() {
             order.push(node);
@@ -312,7 +312,7 @@ mod tests {
     }
 
     #[test]
-    fn ways_to_nodes_are_told_by_names() {
+    fn ways_to_nodes_are_identified_by_names() {
         let text = r#"{"nodes":[{"name":"a","children":[1]},{"children":[2]},{"name":"c"}]}"#;
         let json = Json::parse(text.as_bytes().to_vec(), 0, 32).unwrap();
         let tree = NodeTree::new(&json).unwrap();
@@ -350,7 +350,7 @@ mod tests {
     }
 
     #[test]
-    fn a_matrix_of_zeros_is_told() {
+    fn a_matrix_of_zeros_is_reported() {
         let json = Json::parse(br#"{"nodes":[{"mesh":0,"scale":[1,1,0]}]}"#.to_vec(), 0, 32).unwrap();
         let mut notes = Vec::new();
         read(&json, 1, &mut notes).unwrap();
@@ -358,7 +358,7 @@ mod tests {
     }
 
     #[test]
-    fn a_rotation_of_zeros_is_told() {
+    fn a_rotation_of_zeros_is_reported() {
         let text =
             r#"{"nodes":[{"children":[1],"rotation":[0,0,0,0]},{"mesh":0},{"rotation":[0,0,0,1e-3]}]}"#;
         let json = Json::parse(text.as_bytes().to_vec(), 0, 32).unwrap();

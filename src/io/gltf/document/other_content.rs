@@ -27,7 +27,7 @@ const LISTS: [(&str, &str, &str); 4] = [
 
 impl GltfDocument {
     /// What does not reach a file of another format, in words.
-    pub(in crate::io) fn beside_meshes(&self) -> Vec<String> {
+    pub(in crate::io) fn outside_meshes(&self) -> Vec<String> {
         let json = &self.records.json;
         let count = |list: Option<Value>| list.map_or(0, |list| json.elements(list).count());
         let materials = self.records.materials.len();

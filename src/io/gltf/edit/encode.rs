@@ -85,7 +85,7 @@ mod tests {
     }
 
     #[test]
-    fn the_format_follows_the_file_unless_told() {
+    fn the_format_follows_the_file_unless_specified() {
         let float = Format::vector(Component::F32, false, 3);
         let byte = Format::vector(Component::I8, true, 3);
         assert_eq!(format(Some(byte), NormalFormat::Same), byte);

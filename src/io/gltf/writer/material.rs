@@ -49,7 +49,7 @@ mod tests {
     }
 
     #[test]
-    fn a_material_is_told_in_the_terms_of_gltf() {
+    fn a_material_is_reported_in_the_terms_of_gltf() {
         assert_eq!(members_of(None, None, None), "");
         // An exponent of 30 means α = 1/4 and a roughness of 1/2.
         assert_eq!(

@@ -97,13 +97,13 @@ enum Loose {
     Number(f64),
     Text(String),
     List(Vec<Number>),
-    Table(Apart),
+    Table(Region),
 }
 
 /// A coefficient and a colour.
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Apart {
+struct Region {
     k: Number,
     #[serde(alias = "color")]
     colour: Colour,
@@ -138,7 +138,7 @@ impl<'de> Deserialize<'de> for Loose {
             }
 
             fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Loose, A::Error> {
-                Apart::deserialize(MapAccessDeserializer::new(map)).map(Loose::Table)
+                Region::deserialize(MapAccessDeserializer::new(map)).map(Loose::Table)
             }
         }
         deserializer.deserialize_any(Any)
@@ -192,7 +192,7 @@ impl TryFrom<Loose> for Reflects {
     fn try_from(loose: Loose) -> Result<Self, Self::Error> {
         match loose {
             Loose::Number(k) => drawable(LinearRgb::grey(k)).map(|_| Reflects::Coefficient(k)),
-            Loose::Table(Apart { k: Number(k), colour: Colour(colour) }) => {
+            Loose::Table(Region { k: Number(k), colour: Colour(colour) }) => {
                 drawable(colour * k).map(|_| Reflects::Whole(Reflectance::new(k, colour)))
             }
             loose => {

@@ -52,8 +52,8 @@ fn measure(angle: f64) -> Measured {
         faithful.add(((computed(e1, e2) - truth) / truth).abs());
         let [e1, e2] = [e1, e2].map(|e| e.as_vec3());
         let truth = true_angle(e1.as_dvec3(), e2.as_dvec3());
-        let plainly = naive::angle(naive::unit(e1), naive::unit(e2));
-        plain.add(((f64::from(plainly) - truth) / truth).abs());
+        let portable = naive::angle(naive::unit(e1), naive::unit(e2));
+        plain.add(((f64::from(portable) - truth) / truth).abs());
     }
     Measured { samples: CORNERS, faithful, plain: Some(plain), ..Measured::default() }
 }
@@ -87,9 +87,9 @@ fn straight() -> StressCase {
                 let times = numbers.below(100) as f32 + 1.0;
                 for (e2, angle) in [(e1 * times, 0.0), (e1 * -times, std::f64::consts::PI)] {
                     wrong += usize::from(computed(e1.as_dvec3(), e2.as_dvec3()) != angle);
-                    let plainly = naive::angle(naive::unit(e1), naive::unit(e2));
-                    undefined += usize::from(plainly.is_nan());
-                    plainly_wrong += usize::from(!plainly.is_nan() && plainly != angle as f32);
+                    let portable = naive::angle(naive::unit(e1), naive::unit(e2));
+                    undefined += usize::from(portable.is_nan());
+                    plainly_wrong += usize::from(!portable.is_nan() && portable != angle as f32);
                 }
             }
             let plain = Some(Worst { error: plainly_wrong as f64, undefined });

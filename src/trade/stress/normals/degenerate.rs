@@ -21,7 +21,7 @@ pub(in crate::trade::stress) fn cases() -> Vec<StressCase> {
         reported("duplicate points", duplicate, duplicate_points),
         reported("collinear far away", "three points on a line through 1e6, exactly", far_collinear_points),
         one_off(),
-        beside(),
+        next_to(),
     ]
 }
 
@@ -113,7 +113,7 @@ fn one_off() -> StressCase {
 }
 
 /// Faces without area must not turn the normal of a vertex.
-fn beside() -> StressCase {
+fn next_to() -> StressCase {
     StressCase {
         group: Group::Degenerate,
         name: "vertex beside faces of no area".into(),

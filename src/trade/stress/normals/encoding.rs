@@ -73,7 +73,7 @@ fn measure(encoding: Encoding, directions: &[DVec3]) -> Measured {
         let error = |got: DVec3| exact::angle_to(got, &truth).to_degrees();
         faithful.add(error(encoding.decode(encoding.encode(direction))));
         let single = direction.as_vec3();
-        let plainly = match encoding {
+        let portable = match encoding {
             Encoding::Octahedral(codec, _) => plain_octahedral(single, codec.bits()),
             Encoding::Snorm(codec) => {
                 let steps = ((1 << (codec.bits() - 1)) - 1) as f32;
@@ -83,7 +83,7 @@ fn measure(encoding: Encoding, directions: &[DVec3]) -> Measured {
                 Vec3::from(single.to_array().map(|x| from_half(to_half(f64::from(x))) as f32))
             }
         };
-        plain.add(error(plainly.as_dvec3()));
+        plain.add(error(portable.as_dvec3()));
     }
     Measured { samples: directions.len(), faithful, plain: Some(plain), ..Measured::default() }
 }

@@ -70,8 +70,8 @@ fn measure(bad: f32) -> Measured {
             |t: &[u32; 3]| (0..3).find(|&k| t[k] as usize == vertex).map(|k| [1, 2].map(|i| t[(k + i) % 3]));
         triangles.iter().filter_map(turned).map(|pair| pair.map(|v| positions[v as usize])).collect()
     };
-    let plainly = |vertex| naive::vertex_normal(positions[vertex], &around(vertex), Weight::Uniform);
-    let plain = (0..positions.len()).map(|vertex| naive::direction(plainly(vertex)));
+    let portable = |vertex| naive::vertex_normal(positions[vertex], &around(vertex), Weight::Uniform);
+    let plain = (0..positions.len()).map(|vertex| naive::direction(portable(vertex)));
     let undefined = plain.filter(|normal| normal.is_nan()).count();
     Measured {
         samples: triangles.len() + WEIGHTS.len() * positions.len() + 1,

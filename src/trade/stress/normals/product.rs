@@ -60,8 +60,8 @@ fn case(name: &str, what: &'static str, factors: fn() -> Vec<[f64; 4]>) -> Stres
                 let got = difference_of_products::<Split>(a, b, c, d);
                 // Of the factors that it is given, which it rounds itself.
                 let single = [a, b, c, d].map(|x| x as f32);
-                let plainly = f64::from(single[0] * single[1] - single[2] * single[3]);
-                [relative(got, &truth), relative(plainly, &difference(single.map(f64::from)))]
+                let portable = f64::from(single[0] * single[1] - single[2] * single[3]);
+                [relative(got, &truth), relative(portable, &difference(single.map(f64::from)))]
             });
             let errors: Vec<[f64; 2]> = errors.collect();
             Measured {

@@ -13,13 +13,13 @@ use glam::{DVec3, Vec3};
 /// Height over length.
 const THINNESS: [f64; 8] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-12];
 const TRIANGLES: usize = 300;
-const ALL_TOLD: Bound =
+const ALL_REPORTED: Bound =
     Bound::none_wrong("Slivers: lower than four times the spacing at the largest coordinate");
 /// What rounding leaves of a number near 1.
 const SPACING: f32 = f32::EPSILON;
 
 pub(in crate::trade::stress) fn cases() -> Vec<StressCase> {
-    THINNESS.map(needles).into_iter().chain([threshold(), beside()]).collect()
+    THINNESS.map(needles).into_iter().chain([threshold(), next_to()]).collect()
 }
 
 fn needles(thinness: f64) -> StressCase {
@@ -57,8 +57,8 @@ fn threshold() -> StressCase {
         name: "sliver threshold".into(),
         what: "heights of 1 to 8 spacings of f32, along each pair of axes: which are called slivers",
         expectation: "slivers below 4 spacings, and no others",
-        bound: ALL_TOLD,
-        fast_bound: Some(ALL_TOLD),
+        bound: ALL_REPORTED,
+        fast_bound: Some(ALL_REPORTED),
         plain_unit: Unit::Wrong,
         plain_formula: "sqrt(n·n) < 1e-6",
         measure: Box::new(measure_threshold),
@@ -104,7 +104,7 @@ fn measure_threshold() -> Measured {
 }
 
 /// A sliver, whose direction is rounding, must not turn the normal of a vertex.
-fn beside() -> StressCase {
+fn next_to() -> StressCase {
     StressCase {
         group: Group::Needle,
         name: "vertex beside a sliver".into(),
@@ -114,11 +114,11 @@ fn beside() -> StressCase {
         fast_bound: Some(triangles::FAST),
         plain_unit: Unit::Degrees,
         plain_formula: fans::FORMULA,
-        measure: Box::new(measure_beside),
+        measure: Box::new(measure_near),
     }
 }
 
-fn measure_beside() -> Measured {
+fn measure_near() -> Measured {
     let (mut faithful, mut fast, mut plain) = (Worst::default(), Worst::default(), Worst::default());
     let mut declined = 0;
     let mut numbers = Numbers::new(5);
@@ -139,9 +139,9 @@ fn measure_beside() -> Measured {
         let quick = fans::fast(&triangles::indexed(&positions, &indices), Weight::Uniform, Slivers::Exclude);
         declined += usize::from(quick.summary.fast_declined);
         fast.add(exact::angle_to(quick.normals.values[0], &truth).to_degrees());
-        let plainly = naive::vertex_normal(fan.centre, &fan.triangles, Weight::Uniform);
+        let portable = naive::vertex_normal(fan.centre, &fan.triangles, Weight::Uniform);
         faithful.add(exact::angle_to(normal, &truth).to_degrees());
-        plain.add(exact::angle_to(naive::direction(plainly), &truth).to_degrees());
+        plain.add(exact::angle_to(naive::direction(portable), &truth).to_degrees());
     }
     Measured { samples, faithful, fast: Some(fast), declined, plain: Some(plain) }
 }

@@ -51,8 +51,8 @@ fn measure(distance: f64) -> Measured {
             None => measured.declined += 1,
         }
         let d = lamp.length();
-        let plainly = f64::from(naive::unit(lamp).z / (d * d));
-        plain.add(if plainly.is_finite() { relative(plainly) } else { f64::NAN });
+        let portable = f64::from(naive::unit(lamp).z / (d * d));
+        plain.add(if portable.is_finite() { relative(portable) } else { f64::NAN });
     }
     Measured { fast: Some(fast), plain: Some(plain), ..measured }
 }

@@ -71,7 +71,7 @@ impl Picture {
     }
 
     /// Corners on the picture of [`of_eye`](Self::of_eye) by dividing, whatever they are divided by.
-    pub(in crate::trade::stress) fn plainly_projected(&self, triangle: &[Vec3; 3]) -> [Vec3; 3] {
+    pub(in crate::trade::stress) fn naively_projected(&self, triangle: &[Vec3; 3]) -> [Vec3; 3] {
         let [width, height] = self.size.map(|n| n as f32);
         triangle.map(|p| {
             let (x, y) = (p.x / -p.z, p.y / -p.z);

@@ -46,12 +46,12 @@ fn seen(name: &str, what: &'static str, triangle: fn(&mut Numbers) -> [Vec3; 3])
                 let triangle = triangle(&mut numbers);
                 let picture = Picture::of_eye();
                 let drawn = picture.draw(&triangle, &[[0, 1, 2]]);
-                let plainly = plain_coverage(&picture.plainly_projected(&triangle), picture.size);
+                let portable = plain_coverage(&picture.naively_projected(&triangle), picture.size);
                 for (pixel, truth) in seen_by(&triangle, &picture).into_iter().enumerate() {
                     let Some(truth) = truth else { continue };
                     measured.samples += 1;
                     measured.faithful.error += f64::from(u8::from((drawn[pixel] > 0) != truth));
-                    plain.error += f64::from(u8::from((plainly[pixel] > 0) != truth));
+                    plain.error += f64::from(u8::from((portable[pixel] > 0) != truth));
                 }
             }
             Measured { plain: Some(plain), ..measured }

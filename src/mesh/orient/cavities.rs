@@ -37,7 +37,7 @@ pub(crate) struct Placed<'a> {
 ///
 /// Surfaces that would be turned round are taken to be turned, from the outermost to the innermost: a cavity of what is
 /// inside out is a cavity.
-pub(crate) fn hollows(parts: &[Placed<'_>], weld: Weld) -> Vec<Vec<usize>> {
+pub(crate) fn cavities(parts: &[Placed<'_>], weld: Weld) -> Vec<Vec<usize>> {
     if parts.iter().map(|part| part.places.len()).sum::<usize>() < 2 {
         return vec![Vec::new(); parts.len()];
     }

@@ -74,7 +74,7 @@ fn worst(diagnosis: &Diagnosis) -> Option<Severity> {
 }
 
 /// The corners that are told to stray, and those that are told to be at fault in any way.
-fn told(mesh: &Mesh, diagnosis: &Diagnosis) -> [BTreeSet<u32>; 2] {
+fn reported(mesh: &Mesh, diagnosis: &Diagnosis) -> [BTreeSet<u32>; 2] {
     let start = |face: u32| mesh.faces().range(face as usize).start as u32;
     let places = |kinds: &[Kind]| {
         let found = kinds.iter().filter_map(|&kind| diagnosis.get(kind));
@@ -134,18 +134,18 @@ fn open(mesh: &Mesh, places: &BTreeSet<u32>) -> BTreeSet<u32> {
 /// Where nothing but the strays departs from a rule up to half of all; on loose normals as long as most corners of each fan are
 /// right. What points behind its face besides is told as that.
 #[test]
-fn strays_are_told_where_they_are() {
+fn outliers_are_reported_where_they_are() {
     let misses = |(name, mesh, shares, is_loose): (String, Mesh, &[f64], bool)| {
         let mut misses = Vec::new();
         for (share, tilt) in shares.iter().flat_map(|&share| [30.0, 60.0, 90.0].map(|tilt| (share, tilt))) {
             let (planted, places) = tilted(&mesh, share, tilt);
-            let [strays, faults] = told(&planted, &diagnosis(&planted, 15.0));
-            let hits = |told: &BTreeSet<u32>| told.intersection(&places).count() as f64;
+            let [strays, faults] = reported(&planted, &diagnosis(&planted, 15.0));
+            let hits = |reported: &BTreeSet<u32>| reported.intersection(&places).count() as f64;
             let open = if is_loose { open(&mesh, &places) } else { BTreeSet::new() };
             let can_be_told: BTreeSet<u32> = places.difference(&open).copied().collect();
             assert!(can_be_told.len() as f64 > 0.9 * places.len() as f64, "{name}: most can be told");
             let recall = can_be_told.intersection(&faults).count() as f64 / can_be_told.len() as f64;
-            let precision = |told: &BTreeSet<u32>| hits(told) / told.len().max(1) as f64;
+            let precision = |reported: &BTreeSet<u32>| hits(reported) / reported.len().max(1) as f64;
             let precision = precision(&strays).min(precision(&faults));
             // With half of all tilted by 30° some edges of a gear look averaged: 0.988.
             let least = if share < 0.5 { 0.99 } else { 0.98 };
@@ -164,7 +164,7 @@ fn strays_are_told_where_they_are() {
 
 /// All corners of a vertex with one wrong normal: where the rest follows a rule to the letter, half may.
 #[test]
-fn strays_that_are_shared_by_a_vertex_are_told_where_a_rule_made_the_rest() {
+fn outliers_that_are_shared_by_a_vertex_are_reported_where_a_rule_made_the_rest() {
     for (name, mesh) in by_rule() {
         let lots = lots(mesh.columns().normals.as_ref().unwrap().values.len());
         let all = SHARES[1..].iter().map(|&share| {
@@ -206,7 +206,7 @@ fn normals_of_good_files_do_not_stray() {
 
 /// Strays that a higher threshold leaves out are no seams in their place.
 #[test]
-fn strays_that_are_not_asked_for_are_no_seams() {
+fn outliers_that_are_not_asked_for_are_no_seams() {
     for (name, mesh) in by_rule() {
         let (mesh, places) = tilted(&mesh, 0.01, 30.0);
         assert!(diagnosis(&mesh, 15.0).get(Kind::Stray).is_some(), "{name}, {}", places.len());

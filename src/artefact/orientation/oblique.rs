@@ -27,9 +27,9 @@ fn camera() -> Camera {
 
 /// By how much the colour at the centre changes by a quarter turn in the diamond's own plane.
 fn change(diamond: &Polygon, size: u32, interpolation: Interpolation) -> Result<f64, ArtefactError> {
-    let aslant = DMat4::from_rotation_y(Radians::from(AWAY).0);
+    let oblique = DMat4::from_rotation_y(Radians::from(AWAY).0);
     let colour = |turn: f64| -> Result<DVec3, ArtefactError> {
-        Ok(centre(&diamond.draw_from(camera(), aslant, size, Degrees(turn), interpolation)?))
+        Ok(centre(&diamond.draw_from(camera(), oblique, size, Degrees(turn), interpolation)?))
     };
     Ok((colour(90.0)? - colour(0.0)?).abs().max_element())
 }
@@ -48,19 +48,19 @@ pub(super) fn measures(diamond: &Polygon, size: u32, tolerance: f64) -> Result<V
     let upright = mixed(c3, c1);
     let cases = [
         (
-            TEXTS.get("aslant-change-quarter"),
+            TEXTS.get("oblique-change-quarter"),
             (diamond, Interpolation::Scanline),
             largest(mixed(c2, c4), upright),
             TEXTS.get("line-corner-mixed"),
         ),
         (
-            TEXTS.get("aslant-change-quarter-turn"),
+            TEXTS.get("oblique-change-quarter-turn"),
             (&triangles, Interpolation::Affine),
             largest(0.5 * (c1 + c3), upright),
             TEXTS.get("s-d-corners"),
         ),
         (
-            TEXTS.get("aslant-change-quarter-turn-triangles"),
+            TEXTS.get("oblique-change-quarter-turn-triangles"),
             (&triangles, Interpolation::Perspective),
             0.0,
             TEXTS.get("colours-mixed-depth"),

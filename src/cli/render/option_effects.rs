@@ -77,22 +77,22 @@ pub const INTERPOLATION: Reader = Reader {
 /// What normals of corners are read for. Lines along them, and probes, tell them whatever else is drawn.
 const NORMALS: &[Condition] = &[
     Condition { holds: FACES.holds, lacks: "there are no meshes, whose normals would change" },
-    Condition { holds: |case| case.tells_normals() || (SPREAD.holds)(case), lacks: SPREAD.lacks },
+    Condition { holds: |case| case.reports_normals() || (SPREAD.holds)(case), lacks: SPREAD.lacks },
     Condition {
         holds: |case| {
             let settings = &case.settings;
             let is_mean = settings.shading == Shading::Flat
                 && settings.show == Show::Shaded
                 && settings.flat_sample == FlatSample::VertexMean;
-            case.tells_normals() || case.interpolates() || is_mean
+            case.reports_normals() || case.interpolates() || is_mean
         },
         lacks: "only Gouraud and Phong shading take the normals of corners",
     },
     Condition {
-        holds: |case| case.tells_normals() || case.settings.show != Show::Shaded || !case.object.given,
+        holds: |case| case.reports_normals() || case.settings.show != Show::Shaded || !case.object.given,
         lacks: UNGIVEN.lacks,
     },
-    Condition { holds: |case| case.tells_normals() || (LAMPS.holds)(case), lacks: LAMPS.lacks },
+    Condition { holds: |case| case.reports_normals() || (LAMPS.holds)(case), lacks: LAMPS.lacks },
 ];
 
 const FLAT: Condition =
@@ -180,7 +180,7 @@ const OPTIONS: &[Reader] = &[
         &[
             LIGHT,
             &[Condition {
-                holds: |case| GUARDS.iter().any(|guard| guard.reads(case)),
+                holds: |case| GUARDS.iter().any(|guard| guard.applies(case)),
                 lacks: "there is nothing to guard",
             }],
         ],
@@ -277,7 +277,7 @@ impl Reader {
     }
 
     /// Whether it is read in a case.
-    fn reads(&self, case: &Case) -> bool {
+    fn applies(&self, case: &Case) -> bool {
         self.conditions.iter().copied().flatten().all(|condition| (condition.holds)(case))
     }
 }
