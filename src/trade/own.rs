@@ -276,7 +276,7 @@ fn recommend(
     }
     reasons.push(
         "Estimates take the quadric for the truth, which it nears as edges grow short beside the surface's curves; on a coarse \
-         mesh, weights that are close to each other cannot be reported apart by it."
+         mesh, weights that are close to each other cannot be distinguished by it."
             .into(),
     );
     if recommended.estimate.rms < 0.1 {

@@ -63,7 +63,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         "inverted-normals",
         Severity::Error,
         "nearly all normals point against their faces",
-        "The winding of the faces says outside where the normals say inside, all over the mesh. Lit from the front it is black, lit from behind it shines: either the normals or the faces are turned round. Reported from single flipped normals by their share, over nine tenths.",
+        "The winding of the faces says outside where the normals say inside, all over the mesh. Lit from the front it is black, lit from behind it shines: either the normals or the faces are turned round. Distinguished from single flipped normals by their share, over nine tenths.",
         "If the faces are right side out, compute the normals again; if not, turn the faces with `--orient outward` or `--flip`, and compute the normals again.",
         Some(""),
     ),
