@@ -7,7 +7,7 @@ use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::{FluentArgs, FluentResource};
 use std::sync::OnceLock;
 
-/// Texts by key. Made by [`catalogue!`] as a `static`; the files are parsed at the first use.
+/// Texts by key. Made by `catalogue!` as a `static`; the files are parsed at the first use.
 pub struct Catalogue {
     sources: [&'static str; 2],
     bundles: OnceLock<[FluentBundle<FluentResource>; 2]>,

@@ -66,7 +66,7 @@ pub struct LitPoint {
 /// Finds out about a sample of a pixel; `None` where nothing is seen.
 ///
 /// # Errors
-/// As [`render`](crate::raster::frame::render()), and for pixels and samples that are not there.
+/// As [`render`](crate::raster::render), and for pixels and samples that are not there.
 pub fn probe(
     scene: &Scene,
     settings: &RenderSettings,
@@ -96,7 +96,7 @@ impl ProbePoint {
     /// How the light of each point of [`lit`](Self::lit) comes about; nothing where colours are given.
     ///
     /// # Errors
-    /// As [`render`](crate::raster::frame::render()).
+    /// As [`render`](crate::raster::render).
     pub fn explain(&self, scene: &Scene, settings: &RenderSettings) -> Result<Vec<Explanation>, RenderError> {
         let object = self.object;
         let Paint::Lit(material) = &scene.objects[object].paint else { return Ok(Vec::new()) };
@@ -124,7 +124,7 @@ impl ProbePoint {
     /// The linear colour of the sample, before the tone rule.
     ///
     /// # Errors
-    /// As [`render`](crate::raster::frame::render()).
+    /// As [`render`](crate::raster::render).
     pub fn colour(&self, scene: &Scene, settings: &RenderSettings) -> Result<LinearRgb, RenderError> {
         let explained = self.explain(scene, settings)?;
         let lights = explained.iter().map(|explanation| LinearRgb::from(explanation.sum));

@@ -74,7 +74,7 @@ pub enum SceneShape {
 }
 
 impl SceneFile {
-    /// What [`render`](crate::raster::frame::render) and [`probe`](crate::raster::inspect::probe) take. The camera that frames the
+    /// What [`render`](crate::raster::render) and [`probe`](crate::raster::probe()) take. The camera that frames the
     /// objects goes by the picture's size in [`settings`](Self::settings).
     pub fn scene(&self) -> Scene<'_> {
         let mut scene = self.unframed();
