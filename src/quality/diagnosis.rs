@@ -345,7 +345,7 @@ impl Merged {
         };
         let said = [remark.or(of_vertices).or(of_components), of_others].into_iter().flatten();
         let said = said.collect::<Vec<_>>().join("; ");
-        let cause = if said.is_empty() { entry.title.to_owned() } else { format!("{}: {said}", entry.title) };
+        let cause = if said.is_empty() { entry.title() } else { format!("{}: {said}", entry.title()) };
         Some(Finding {
             kind,
             severity,

@@ -157,9 +157,9 @@ pub fn explanation(entry: &Entry, style: Style) -> String {
         entry.severity.name(),
         entry.family.name(),
         entry.element.name(),
-        capital(entry.title),
-        entry.meaning,
-        entry.advice
+        capital(&entry.title()),
+        entry.meaning(),
+        entry.advice()
     )
 }
 

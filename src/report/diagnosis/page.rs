@@ -180,8 +180,8 @@ fn section(
     }
     said.push('.');
     page.paragraph(&said);
-    page.paragraph(entry.meaning);
-    page.paragraph(entry.advice);
+    page.paragraph(&entry.meaning());
+    page.paragraph(&entry.advice());
     if let Some(command) = finding.command(name, output) {
         page.raw(&format!("<pre><code>{}</code></pre>\n", escape_html(&command)));
     }

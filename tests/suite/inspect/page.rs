@@ -47,7 +47,7 @@ fn the_page_of_a_fault_is_whole() {
     for finding in &diagnosis.findings {
         assert!(distinct.contains(finding.kind.id()), "{}", finding.kind.id());
     }
-    assert!(page.contains(Kind::Flipped.entry().meaning));
+    assert!(page.contains(&Kind::Flipped.entry().meaning()));
     assert!(page.contains("crease normals &#39;a &lt;torus&gt;.obj&#39; -o mended.obj --when broken"));
 }
 
