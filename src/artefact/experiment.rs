@@ -33,9 +33,7 @@ pub(super) type FrameFn = fn(&Setup, u32, u32) -> Result<Image, ArtefactError>;
 
 /// A formula and what it says.
 ///
-/// The notation is plain text with a few marks: `{…}` groups, `_` and `^` put the next sign or group below and above,
-/// `\frac{a}{b}` and `\sqrt{a}` are fractions and roots; letters stand for quantities, words of several letters for
-/// functions. It is a text in both languages for the words below quantities and the decimal mark.
+/// The notation is LaTeX, in both languages for the words below quantities and the decimal mark.
 #[derive(Debug, Serialize)]
 pub struct Formula {
     /// The formula.

@@ -6,7 +6,7 @@ source-1 = Lectures: 1.5.2.3, 1.6.15, 1.6.47
 source-2 = J. F. Blinn, Hyperbolic interpolation, IEEE CG&A 12(4), 1992
 formula-1 = {"s(t) = \\frac{t}{t + ρ (1 − t)}"}
 formula-1-says = the place s on the surface that is seen at the place t of the picture, both from 0 to 1; ρ = z_far/z_near
-formula-2 = {"max |t − s| = \\frac{\\sqrt{ρ} − 1}{\\sqrt{ρ} + 1}"}
+formula-2 = {"\\max |t − s| = \\frac{\\sqrt{ρ} − 1}{\\sqrt{ρ} + 1}"}
 formula-2-says = the largest error of even interpolation; ½ step of 255 as soon as ρ > 1.0079 for colours from 0 to 1
 shown-by = a deeper wall would show it.
 nearest-pixel-single = (√ρ − 1)/(√ρ + 1); the nearest pixel of 4096, and single precision

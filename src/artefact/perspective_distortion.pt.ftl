@@ -4,7 +4,7 @@ source-1 = Aulas: 1.5.2.3, 1.6.15, 1.6.47
 source-2 = J. F. Blinn, Hyperbolic interpolation, IEEE CG&A 12(4), 1992 (em inglês)
 formula-1 = {"s(t) = \\frac{t}{t + ρ (1 − t)}"}
 formula-1-says = o lugar s na superfície que se vê no lugar t da imagem, ambos de 0 a 1; ρ = z_longe/z_perto
-formula-2 = {"max |t − s| = \\frac{\\sqrt{ρ} − 1}{\\sqrt{ρ} + 1}"}
+formula-2 = {"\\max |t − s| = \\frac{\\sqrt{ρ} − 1}{\\sqrt{ρ} + 1}"}
 formula-2-says = o maior erro da interpolação uniforme; ½ passo de 255 assim que ρ > 1,0079 para cores de 0 a 1
 shown-by = uma parede mais funda o mostraria.
 nearest-pixel-single = (√ρ − 1)/(√ρ + 1); o pixel mais próximo de 4096, e precisão simples

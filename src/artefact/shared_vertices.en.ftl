@@ -2,9 +2,9 @@ title = Vertices that are not shared
 claim = Where faces meet without sharing their vertices, interpolated shading has discontinuities.
 source-1 = Lectures: 1.5.2.3, 1.6.15, 1.6.47
 source-2 = Welding as the cure: crease normals --weld
-formula-1 = ΔI = |c − ((1 − t) a + t b)|
+formula-1 = {"ΔI = |c − ((1 − t) a + t b)|"}
 formula-1-says = the jump at a vertex of colour c that lies at the share t of an edge with the colours a and b at its ends
-formula-2 = ΔI = 2 |sin(θ − θ_L)| sin(Δ/2)
+formula-2 = {"ΔI = 2 |\\sin(θ − θ_L)| \\sin(Δ/2)"}
 formula-2-says =
     the jump along an unwelded seam, at the angle θ from the viewer, of a tube of N facets, Δ = 2π/N, with the light at
     θ_L: each side has the normal of its own facet; here θ = 0

@@ -2,9 +2,9 @@ title = Vértices não compartilhados
 claim = Onde faces se encontram sem compartilhar os vértices, o sombreamento interpolado tem descontinuidades.
 source-1 = Aulas: 1.5.2.3, 1.6.15, 1.6.47
 source-2 = A solda como cura: crease normals --weld
-formula-1 = ΔI = |c − ((1 − t) a + t b)|
+formula-1 = {"ΔI = |c − ((1 − t) a + t b)|"}
 formula-1-says = o salto num vértice de cor c que está na fração t de uma aresta com as cores a e b nas pontas
-formula-2 = ΔI = 2 |sin(θ − θ_L)| sin(Δ/2)
+formula-2 = {"ΔI = 2 |\\sin(θ − θ_L)| \\sin(Δ/2)"}
 formula-2-says =
     o salto ao longo de uma emenda não soldada, no ângulo θ a partir do observador, de um tubo de N facetas, Δ = 2π/N,
     com a luz em θ_L: cada lado tem a normal da sua faceta; aqui θ = 0

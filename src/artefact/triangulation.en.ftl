@@ -6,7 +6,7 @@ formula-1 = {"c_{13} = \\frac{c_1 + c_3}{2}, \\quad c_{24} = \\frac{c_2 + c_4}{2
 formula-1-says = the colour in the middle of the diamond, cut from corner 1 (right) to 3 (left) or from 2 (above) to 4 (below)
 formula-2 = {"c = \\frac{c_1 + c_2 + c_3 + c_4}{4}"}
 formula-2-says = with a vertex of the mean colour in the middle, whichever way it is cut
-formula-3 = |ΔI| = O(h^2)
+formula-3 = {"|ΔI| = O(h^2)"}
 formula-3-says =
     on a smooth surface the two diagonals of a square of side h differ in the middle by h²/2 times the mixed second
     derivative, and less elsewhere

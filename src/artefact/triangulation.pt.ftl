@@ -6,7 +6,7 @@ formula-1 = {"c_{13} = \\frac{c_1 + c_3}{2}, \\quad c_{24} = \\frac{c_2 + c_4}{2
 formula-1-says = a cor no meio do losango, cortado do canto 1 (direito) ao 3 (esquerdo) ou do 2 (acima) ao 4 (abaixo)
 formula-2 = {"c = \\frac{c_1 + c_2 + c_3 + c_4}{4}"}
 formula-2-says = com um vértice da cor média no meio, seja como for cortado
-formula-3 = |ΔI| = O(h^2)
+formula-3 = {"|ΔI| = O(h^2)"}
 formula-3-says =
     numa superfície lisa as duas diagonais de um quadrado de lado h diferem no meio por h²/2 vezes a derivada segunda
     mista, e menos no resto

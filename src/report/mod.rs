@@ -31,7 +31,7 @@ mod trade;
 pub use animation::Animation;
 pub use artefact::{
     chart_plot, experiment_page, experiment_sheet, index_page, list_table, mathml, measure_table, misses,
-    page_name, picture_name, verdict_text,
+    page_name, picture_name, spoken, verdict_text,
 };
 pub use diagnosis::{After, Sight, deviation_picture, diagnosis_page};
 pub use error::ReportError;

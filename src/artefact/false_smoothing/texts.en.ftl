@@ -4,11 +4,11 @@ claim =
     the worst case all means are parallel, and a zig-zag looks flat. Gouraud's and Phong's shading share the fault.
 source-1 = Lectures: 1.6.4 (figure 41), 1.6.13 (figure 44), 1.6.15, 1.6.47
 source-2 = The lectures' cure is not to interpolate at all; splitting vertices where edges are sharp is the one used since
-formula-1 = {"δ_{cube} = arctan(\\sqrt{2}) = 54.7356°"}
+formula-1 = {"δ_\\mathrm{cube} = \\arctan(\\sqrt{2}) = 54.7356°"}
 formula-1-says = the angle between a face of the cube and the mean of the three faces at its corner
-formula-2 = {"δ_{zigzag} = s, \\quad δ_{roof} = s/2"}
+formula-2 = {"δ_\\mathrm{zigzag} = s, \\quad δ_\\mathrm{roof} = s/2"}
 formula-2-says = for strips that lean by s to either side, and for strips of which every other leans by s
-formula-3 = {"I_{faces} = cos(s), \\quad I_{mean} = 1"}
+formula-3 = {"I_\\mathrm{faces} = \\cos(s), \\quad I_\\mathrm{mean} = 1"}
 formula-3-says = the zig-zag in light from the front, lit by its faces' normals as it is, and by their means as it is shown
 own-mesh = its normals averaged over every edge, and not over creases
 shown-by = faces that meet at more than the crease angle, in light from the viewer's side, would show it.

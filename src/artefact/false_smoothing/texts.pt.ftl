@@ -5,12 +5,12 @@ claim =
     partilham o defeito.
 source-1 = Aulas: 1.6.4 (figura 41), 1.6.13 (figura 44), 1.6.15, 1.6.47
 source-2 = A cura das aulas é não interpolar; separar os vértices onde as arestas são vivas é a que se usa desde então
-formula-1 = {"δ_{cubo} = arctan(\\sqrt{2}) = 54,7356°"}
+formula-1 = {"δ_\\mathrm{cubo} = \\arctan(\\sqrt{2}) = 54{,}7356°"}
 formula-1-says = o ângulo entre uma face do cubo e a média das três faces no seu vértice
-formula-2 = {"δ_{zigue} = s, \\quad δ_{telhado} = s/2"}
+formula-2 = {"δ_\\mathrm{zigue} = s, \\quad δ_\\mathrm{telhado} = s/2"}
 formula-2-says =
     para faixas inclinadas de s para um lado e para o outro, e para faixas das quais uma sim, outra não, se inclina de s
-formula-3 = {"I_{faces} = cos(s), \\quad I_{média} = 1"}
+formula-3 = {"I_\\mathrm{faces} = \\cos(s), \\quad I_\\mathrm{média} = 1"}
 formula-3-says = o zigue-zague sob luz frontal, iluminado pelas normais das faces como é, e pelas suas médias como aparece
 own-mesh = as suas normais médias sobre todas as arestas, e não sobre os vincos
 shown-by = faces que se encontram com mais que o ângulo de vinco, sob luz do lado do observador, o mostrariam.

@@ -3,9 +3,9 @@ claim =
     Flat shading takes light and viewer to be infinitely far away. It is not realistic even for faceted objects: towards
     a near lamp, and for highlights towards a near viewer, the direction changes from point to point of a facet.
 source-1 = Lectures: 1.5.1, 1.6.12, 1.6.45
-formula-1 = {"|ΔI_d| ≤ 2 k_d sin(ε/2), \\quad sin(ε) = \\frac{r}{D}"}
+formula-1 = {"|ΔI_d| ≤ 2 k_d \\sin(ε/2), \\quad \\sin(ε) = \\frac{r}{D}"}
 formula-1-says = the error of diffuse light on a face of circumradius r, with the light at the distance D from its middle
-formula-2 = {"|ΔI_s| ≤ k_s M(n) ε, \\quad M(n) = \\sqrt{n} (1 − \\frac{1}{n})^{(n − 1)/2}"}
+formula-2 = {"|ΔI_s| ≤ k_s M(n) ε, \\quad M(n) = \\sqrt{n} \\left(1 − \\frac{1}{n}\\right)^{(n − 1)/2}"}
 formula-2-says = the error of Phong's highlight with the viewer at the distance D; M is the steepest slope of cosⁿ
 shown-by = light within 90° of the face, and more faces in the cured picture, would show it.
 measure-lamp-ratio-circumradii = lamp at { $ratio } circumradii: largest error of diffuse light

@@ -3,9 +3,9 @@ claim =
     O sombreamento plano supõe luz e observador no infinito. Não é realístico nem para objetos facetados: para uma
     lâmpada próxima, e nos brilhos para um observador próximo, a direção varia de ponto a ponto da faceta.
 source-1 = Aulas: 1.5.1, 1.6.12, 1.6.45
-formula-1 = {"|ΔI_d| ≤ 2 k_d sin(ε/2), \\quad sin(ε) = \\frac{r}{D}"}
+formula-1 = {"|ΔI_d| ≤ 2 k_d \\sin(ε/2), \\quad \\sin(ε) = \\frac{r}{D}"}
 formula-1-says = o erro da luz difusa numa face de circunraio r, com a luz à distância D do seu centro
-formula-2 = {"|ΔI_s| ≤ k_s M(n) ε, \\quad M(n) = \\sqrt{n} (1 − \\frac{1}{n})^{(n − 1)/2}"}
+formula-2 = {"|ΔI_s| ≤ k_s M(n) ε, \\quad M(n) = \\sqrt{n} \\left(1 − \\frac{1}{n}\\right)^{(n − 1)/2}"}
 formula-2-says = o erro do brilho de Phong com o observador à distância D; M é a maior inclinação de cosⁿ
 shown-by = luz a menos de 90° da face, e mais faces na imagem curada, o mostrariam.
 measure-lamp-ratio-circumradii = lâmpada a { $ratio } circunraios: maior erro da luz difusa

@@ -4,11 +4,11 @@ claim =
     Phong's shading finds it.
 source-1 = Lectures: 1.6.7, 1.6.13, 1.6.15
 source-2 = Ting 2008: “perda de pontos de brilho” (loss of highlights)
-formula-1 = {"I_{max} = k_d cos(α) + k_s cos(α)^n"}
+formula-1 = {"I_{\\max} = k_d \\cos(α) + k_s \\cos(α)^n"}
 formula-1-says =
     all that Gouraud's shading can reach, α the angle from the true highlight to the nearest vertex's normal; here k_d =
     0.4 and k_s = 0.6
-formula-2 = F = 1 − k_d cos(Δ/2) − k_s cos(Δ/2)^n
+formula-2 = {"F = 1 − k_d \\cos(Δ/2) − k_s \\cos(Δ/2)^n"}
 formula-2-says = how much the highlight of a turning sphere flickers: α goes from 0 to Δ/2 and back, Δ = 2π/N
 shown-by =
     a highlight of some pixels on facets that are wider than it (exponents from 16 to 1000, in a picture large enough)

@@ -4,11 +4,11 @@ claim =
     brilho no interior se perde. O sombreamento de Phong o encontra.
 source-1 = Aulas: 1.6.7, 1.6.13, 1.6.15
 source-2 = Ting 2008: “perda de pontos de brilho”
-formula-1 = {"I_{max} = k_d cos(α) + k_s cos(α)^n"}
+formula-1 = {"I_{\\max} = k_d \\cos(α) + k_s \\cos(α)^n"}
 formula-1-says =
     tudo o que o sombreamento de Gouraud alcança, α o ângulo do brilho verdadeiro à normal do vértice mais próximo; aqui
     k_d = 0,4 e k_s = 0,6
-formula-2 = F = 1 − k_d cos(Δ/2) − k_s cos(Δ/2)^n
+formula-2 = {"F = 1 − k_d \\cos(Δ/2) − k_s \\cos(Δ/2)^n"}
 formula-2-says = quanto cintila o brilho de uma esfera que gira: α vai de 0 a Δ/2 e volta, Δ = 2π/N
 shown-by =
     um brilho de alguns pixels em facetas mais largas que ele (expoentes de 16 a 1000, numa imagem bastante grande) o

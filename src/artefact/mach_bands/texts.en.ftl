@@ -2,11 +2,11 @@ title = Mach bands on a cylinder
 claim = Mach bands are worse with Gouraud's shading than with Phong's.
 source-1 = Lectures: Table 1, 1.6.13, 1.6.46, 1.6.50
 source-2 = Against it: T. Duff, Smoothly shaded renderings of polyhedral objects on raster displays, SIGGRAPH 1979
-formula-1 = {"ΔI_{flat} = 2 |sin(θ − θ_L)| sin(Δ/2)"}
+formula-1 = {"ΔI_\\mathrm{flat} = 2 |\\sin(θ − θ_L)| \\sin(Δ/2)"}
 formula-1-says = the step between two flat facets whose common edge is at the angle θ; Δ = 2π/N
-formula-2 = {"ΔI′_{Gouraud} = −cos(θ_L) [tan(θ + Δ/2) − tan(θ − Δ/2)]"}
+formula-2 = {"ΔI′_\\mathrm{Gouraud} = −\\cos(θ_L) [\\tan(θ + Δ/2) − \\tan(θ − Δ/2)]"}
 formula-2-says = the jump of the slope across the picture at that edge
-formula-3 = {"\\frac{ΔI′_{Phong}}{ΔI′_{Gouraud}} = \\frac{sin(θ − θ_L) sin(θ)}{cos(θ_L)}"}
+formula-3 = {"\\frac{ΔI′_\\mathrm{Phong}}{ΔI′_\\mathrm{Gouraud}} = \\frac{\\sin(θ − θ_L) \\sin(θ)}{\\cos(θ_L)}"}
 formula-3-says = so Phong's is the larger one somewhere as soon as cos(θ_L) < 1/3: θ_L > 70.5288°
 shown-by = light within 90° of the direction of view, and 8 to 32 segments, would show it.
 name-largest-slope = { $name }: largest slope jump within 60° of the direction of view

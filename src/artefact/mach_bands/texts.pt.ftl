@@ -2,11 +2,11 @@ title = Bandas de Mach num cilindro
 claim = As bandas de Mach são piores no sombreamento de Gouraud do que no de Phong.
 source-1 = Aulas: Tabela 1, 1.6.13, 1.6.46, 1.6.50
 source-2 = Em contrário: T. Duff, Smoothly shaded renderings of polyhedral objects on raster displays, SIGGRAPH 1979
-formula-1 = {"ΔI_{plano} = 2 |sin(θ − θ_L)| sin(Δ/2)"}
+formula-1 = {"ΔI_\\mathrm{plano} = 2 |\\sin(θ − θ_L)| \\sin(Δ/2)"}
 formula-1-says = o degrau entre duas facetas planas cuja aresta comum está no ângulo θ; Δ = 2π/N
-formula-2 = {"ΔI′_{Gouraud} = −cos(θ_L) [tan(θ + Δ/2) − tan(θ − Δ/2)]"}
+formula-2 = {"ΔI′_\\mathrm{Gouraud} = −\\cos(θ_L) [\\tan(θ + Δ/2) − \\tan(θ − Δ/2)]"}
 formula-2-says = o salto da inclinação, ao longo da imagem, nessa aresta
-formula-3 = {"\\frac{ΔI′_{Phong}}{ΔI′_{Gouraud}} = \\frac{sin(θ − θ_L) sin(θ)}{cos(θ_L)}"}
+formula-3 = {"\\frac{ΔI′_\\mathrm{Phong}}{ΔI′_\\mathrm{Gouraud}} = \\frac{\\sin(θ − θ_L) \\sin(θ)}{\\cos(θ_L)}"}
 formula-3-says = portanto o de Phong é o maior em algum lugar assim que cos(θ_L) < 1/3: θ_L > 70,5288°
 shown-by = luz a menos de 90° da direção de visão, e de 8 a 32 segmentos, o mostrariam.
 name-largest-slope = { $name }: maior salto de inclinação a até 60° da direção de visão

@@ -4,7 +4,7 @@ claim =
     the colour (0.1, 0.5, 0.5) in one position and (0.2, 0.3, 0.1) a quarter turn later.
 source-1 = Lectures: 1.5.2.1, 1.5.2.3, 1.6.15, 1.6.25
 source-2 = Ting 2008: “different results for different triangulations”
-formula-1 = {"c(θ) = \\frac{|cos(θ)| (c_1 + c_3)/2 + |sin(θ)| (c_2 + c_4)/2}{|cos(θ)| + |sin(θ)|}"}
+formula-1 = {"c(θ) = \\frac{|\\cos(θ)| (c_1 + c_3)/2 + |\\sin(θ)| (c_2 + c_4)/2}{|\\cos(θ)| + |\\sin(θ)|}"}
 formula-1-says =
     the colour at the centre of the diamond turned by θ; c₁ to c₄ are the colours of its corners, counter-clockwise from
     the right one, and θ = 0 is position 1

@@ -4,7 +4,7 @@ claim =
     tem a cor (0,1; 0,5; 0,5) numa posição e (0,2; 0,3; 0,1) um quarto de volta depois.
 source-1 = Aulas: 1.5.2.1, 1.5.2.3, 1.6.15, 1.6.25
 source-2 = Ting 2008: “Resultados distintos para diferentes triangulações”
-formula-1 = {"c(θ) = \\frac{|cos(θ)| (c_1 + c_3)/2 + |sin(θ)| (c_2 + c_4)/2}{|cos(θ)| + |sin(θ)|}"}
+formula-1 = {"c(θ) = \\frac{|\\cos(θ)| (c_1 + c_3)/2 + |\\sin(θ)| (c_2 + c_4)/2}{|\\cos(θ)| + |\\sin(θ)|}"}
 formula-1-says =
     a cor no centro do losango girado de θ; c₁ a c₄ são as cores dos cantos, no sentido anti-horário a partir do
     direito, e θ = 0 é a posição 1

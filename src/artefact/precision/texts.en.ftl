@@ -7,7 +7,7 @@ source-1 = Lectures: 1.3.1.2, 1.6.21 (normals and exponents; they do not speak o
 source-2 = Paper: Z. H. Cigolle et al., A survey of efficient representations for independent unit vectors, JCGT 3(2), 2014
 formula-1 = {"|ΔI_s| ≤ k_s M(n) δ, \\quad M(n) ≈ \\sqrt{n/e}"}
 formula-1-says = the change of Blinn's highlight when the normal is off by δ
-formula-2 = {"δ_{rms} = \\frac{u}{\\sqrt{12}} \\frac{\\sqrt{a^2 + b^2 + c^2}}{2A}"}
+formula-2 = {"δ_\\mathrm{rms} = \\frac{u}{\\sqrt{12}} \\frac{\\sqrt{a^2 + b^2 + c^2}}{2A}"}
 formula-2-says =
     the error of the normal of a triangle with the sides a, b, c and the area A when its positions are rounded to
     multiples of u, which for single precision is the distance from the origin over 2²³ to 2²⁴

@@ -7,7 +7,7 @@ source-1 = Aulas: 1.3.1.2, 1.6.21 (normais e expoentes; não falam de dígitos)
 source-2 = Artigo: Z. H. Cigolle et al., A survey of efficient representations for independent unit vectors, JCGT 3(2), 2014
 formula-1 = {"|ΔI_s| ≤ k_s M(n) δ, \\quad M(n) ≈ \\sqrt{n/e}"}
 formula-1-says = a mudança do brilho de Blinn quando a normal erra por δ
-formula-2 = {"δ_{rms} = \\frac{u}{\\sqrt{12}} \\frac{\\sqrt{a^2 + b^2 + c^2}}{2A}"}
+formula-2 = {"δ_\\mathrm{rms} = \\frac{u}{\\sqrt{12}} \\frac{\\sqrt{a^2 + b^2 + c^2}}{2A}"}
 formula-2-says =
     o erro da normal de um triângulo de lados a, b, c e área A quando as posições são arredondadas a múltiplos de u, que
     em precisão simples é a distância à origem sobre 2²³ a 2²⁴

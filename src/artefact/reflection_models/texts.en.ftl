@@ -5,15 +5,15 @@ claim =
 source-1 = Lectures: 1.3.1.2, 1.3.1.3, 1.6.19, 1.6.23
 source-2 = Ting 2008: “Phong modificado” (modified Phong)
 source-3 = Paper: F. Fisher, A. Woo, R·E versus N·H specular highlights, Graphics Gems IV, 1994
-formula-1 = {"(V·R)^n = cos(φ)^n ≈ cos(φ/2)^{4n} = (N·H)^{4n}"}
+formula-1 = {"(V·R)^n = \\cos(φ)^n ≈ \\cos(φ/2)^{4n} = (N·H)^{4n}"}
 formula-1-says = in the plane of L and V, φ the angle from the mirrored ray to the viewer
-formula-2 = {"\\frac{w_{across}}{w_{along}} ≈ \\frac{1}{cos(β/2)}"}
+formula-2 = {"\\frac{w_\\mathrm{across}}{w_\\mathrm{along}} ≈ \\frac{1}{\\cos(β/2)}"}
 formula-2-says =
     how much Phong's highlight on a sphere is stretched at right angles to the plane of L and V, β the angle between
     them; Blinn's is round
-formula-3 = {"I_{behind} = k_s sin(β/2)^n"}
+formula-3 = {"I_\\mathrm{behind} = k_s \\sin(β/2)^n"}
 formula-3-says = Blinn's highlight at the border of light, N·L = 0: without a guard it goes on behind
-formula-4 = {"I_{behind} = k_s (−cos(β))^n"}
+formula-4 = {"I_\\mathrm{behind} = k_s (−\\cos(β))^n"}
 formula-4-says = the same of Phong's, where the light is behind at all, β > 90°
 shown-by = a highlight of some pixels (exponents from 1 to 100, or a larger picture) would show it.
 largest-over-scan = the largest over φ, by a scan of 10 001 angles; half a pixel

@@ -5,15 +5,15 @@ claim =
 source-1 = Aulas: 1.3.1.2, 1.3.1.3, 1.6.19, 1.6.23
 source-2 = Ting 2008: “Phong modificado”
 source-3 = Artigo: F. Fisher, A. Woo, R·E versus N·H specular highlights, Graphics Gems IV, 1994
-formula-1 = {"(V·R)^n = cos(φ)^n ≈ cos(φ/2)^{4n} = (N·H)^{4n}"}
+formula-1 = {"(V·R)^n = \\cos(φ)^n ≈ \\cos(φ/2)^{4n} = (N·H)^{4n}"}
 formula-1-says = no plano de L e V, φ o ângulo do raio espelhado ao observador
-formula-2 = {"\\frac{w_{transversal}}{w_{longitudinal}} ≈ \\frac{1}{cos(β/2)}"}
+formula-2 = {"\\frac{w_\\mathrm{transversal}}{w_\\mathrm{longitudinal}} ≈ \\frac{1}{\\cos(β/2)}"}
 formula-2-says =
     quanto o brilho de Phong numa esfera se alonga na direção perpendicular ao plano de L e V, β o ângulo entre eles; o
     de Blinn é redondo
-formula-3 = {"I_{trás} = k_s sin(β/2)^n"}
+formula-3 = {"I_\\mathrm{trás} = k_s \\sin(β/2)^n"}
 formula-3-says = o brilho de Blinn na fronteira da luz, N·L = 0: sem guarda ele continua atrás
-formula-4 = {"I_{trás} = k_s (−cos(β))^n"}
+formula-4 = {"I_\\mathrm{trás} = k_s (−\\cos(β))^n"}
 formula-4-says = o mesmo do de Phong, onde a luz está de fato atrás, β > 90°
 shown-by = um brilho de alguns pixels (expoentes de 1 a 100, ou uma imagem maior) o mostraria.
 largest-over-scan = o maior em φ, por uma varredura de 10 001 ângulos; meio pixel

@@ -4,13 +4,13 @@ claim =
     facets shade themselves, the border of light runs along their edges, and whole facets pop when the light moves.
 source-1 = Paper: M. J.-Y. Chiang, Y. K. Li, B. Burley, Taming the shadow terminator, SIGGRAPH 2019 Talks
 source-2 = Lectures: 1.5.2.2, 1.6.13 (errors of vertex normals that Phong's shading keeps)
-formula-1 = N·L > 0 ≥ N_g·L
+formula-1 = {"N·L > 0 ≥ N_g·L"}
 formula-1-says = the pixels concerned: N interpolated, N_g that of the facet
 formula-2 = {"G = −g^3 + g^2 + g, \\quad g = \\frac{N_g·L}{(N·L) (N_g·N)}"}
 formula-2-says =
     Chiang, Li and Burley's factor for 0 ≤ g < 1, 0 below and 1 from 1 on: light goes out gradually as the facet turns
     away
-formula-3 = ΔI = sin(Δ/2)
+formula-3 = {"ΔI = \\sin(Δ/2)"}
 formula-3-says = how much a facet of the angle Δ lights up at once without it, at its bright edge
 shown-by = light from the side (--light 80), on no more than 16 segments, would show it.
 moved = mean error of light against the sphere itself, on the pixels concerned

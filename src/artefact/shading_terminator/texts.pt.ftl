@@ -4,13 +4,13 @@ claim =
     Se as facetas se sombreiam, a fronteira da luz corre pelas arestas, e facetas inteiras saltam quando a luz se move.
 source-1 = Artigo: M. J.-Y. Chiang, Y. K. Li, B. Burley, Taming the shadow terminator, SIGGRAPH 2019 Talks
 source-2 = Aulas: 1.5.2.2, 1.6.13 (erros das normais nos vértices que o sombreamento de Phong mantém)
-formula-1 = N·L > 0 ≥ N_g·L
+formula-1 = {"N·L > 0 ≥ N_g·L"}
 formula-1-says = os pixels em questão: N interpolada, N_g a da faceta
 formula-2 = {"G = −g^3 + g^2 + g, \\quad g = \\frac{N_g·L}{(N·L) (N_g·N)}"}
 formula-2-says =
     o fator de Chiang, Li e Burley para 0 ≤ g < 1, 0 abaixo e 1 a partir de 1: a luz se apaga aos poucos quando a faceta
     se vira
-formula-3 = ΔI = sin(Δ/2)
+formula-3 = {"ΔI = \\sin(Δ/2)"}
 formula-3-says = quanto uma faceta de ângulo Δ acende de uma vez sem ele, na aresta clara
 shown-by = luz de lado (--light 80), em não mais que 16 segmentos, o mostraria.
 moved = erro médio da luz em relação à própria esfera, nos pixels em questão

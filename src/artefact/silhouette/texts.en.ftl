@@ -2,11 +2,11 @@ title = Polygonal silhouettes
 claim = Interpolated shading makes faces look round, but silhouettes stay markedly polygonal: normals do not move vertices.
 source-1 = Lectures: 1.5.2.3, 1.6.15, 1.6.47 (figure 56)
 source-2 = For the cure of meshes without a formula: A. Vlachos et al., Curved PN triangles, I3D 2001
-formula-1 = e = R (1 − cos(π/n))
+formula-1 = {"e = R (1 − \\cos(π/n))"}
 formula-1-says = how far the middles of the sides of an n-gon lie within its circle of R pixels
-formula-2 = {"\\frac{A}{A_0} = \\frac{n}{2π} sin(2π/n)"}
+formula-2 = {"\\frac{A}{A_0} = \\frac{n}{2π} \\sin(2π/n)"}
 formula-2-says = its area over the circle's
-formula-3 = {"n_{1/2} = \\frac{π}{2 arcsin(1/(2 \\sqrt{R}))} ≈ π \\sqrt{R}"}
+formula-3 = {"n_{1/2} = \\frac{π}{2 \\arcsin(1/(2 \\sqrt{R}))} ≈ π \\sqrt{R}"}
 formula-3-says = the n from which e is below half a pixel
 own-mesh = its outline against that of --finer FILE, or of itself in curved triangles
 shown-by = fewer segments, a larger picture or a coarser mesh would show it.

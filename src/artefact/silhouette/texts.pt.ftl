@@ -4,11 +4,11 @@ claim =
     normais não movem vértices.
 source-1 = Aulas: 1.5.2.3, 1.6.15, 1.6.47 (figura 56)
 source-2 = Para a cura de malhas sem fórmula: A. Vlachos et al., Curved PN triangles, I3D 2001
-formula-1 = e = R (1 − cos(π/n))
+formula-1 = {"e = R (1 − \\cos(π/n))"}
 formula-1-says = quanto os meios dos lados de um n-ágono ficam para dentro do seu círculo de R pixels
-formula-2 = {"\\frac{A}{A_0} = \\frac{n}{2π} sin(2π/n)"}
+formula-2 = {"\\frac{A}{A_0} = \\frac{n}{2π} \\sin(2π/n)"}
 formula-2-says = a sua área sobre a do círculo
-formula-3 = {"n_{1/2} = \\frac{π}{2 arcsin(1/(2 \\sqrt{R}))} ≈ π \\sqrt{R}"}
+formula-3 = {"n_{1/2} = \\frac{π}{2 \\arcsin(1/(2 \\sqrt{R}))} ≈ π \\sqrt{R}"}
 formula-3-says = o n a partir do qual e é menor que meio pixel
 own-mesh = o seu contorno contra o de --finer ARQUIVO, ou o dela mesma em triângulos curvos
 shown-by = menos segmentos, uma imagem maior ou uma malha mais grosseira o mostrariam.

@@ -6,13 +6,13 @@ source-1 = Lectures: 1.5.2.1 (figure 33), 1.6.13, 1.6.21 b (figure 47)
 source-2 =
     Weights: G. Thürmer, C. A. Wüthrich, Computing vertex normals from polygonal facets, JGT 3(1), 1998; N. Max, Weights
     for computing vertex normals from facet normals, JGT 4(2), 1999
-formula-1 = {"N = \\frac{Σ w_i N_i}{|Σ w_i N_i|}"}
+formula-1 = {"N = \\frac{Σ w_i N_i}{\\left|Σ w_i N_i\\right|}"}
 formula-1-says =
     the mean at a vertex: w = 1 in the lectures, the angle at the vertex by Thürmer and Wüthrich, sin(α)/(|e_1| |e_2|)
     by Max
-formula-2 = {"cos(δ_{211}) = \\frac{4}{\\sqrt{6} \\sqrt{3}}, cos(δ_{221}) = \\frac{5}{3 \\sqrt{3}}"}
+formula-2 = {"\\cos(δ_{211}) = \\frac{4}{\\sqrt{6} \\sqrt{3}}, \\cos(δ_{221}) = \\frac{5}{3 \\sqrt{3}}"}
 formula-2-says = the corner of a cube of which one face or two are cut: δ = 19.4712° and 15.7932° off the diagonal with w = 1
-formula-3 = w = α: δ = 0
+formula-3 = {"w = α: δ = 0"}
 formula-3-says = angles of the parts of a flat face add up to that of the face, however it is cut
 shown-by = other weights (--weight uniform) would show it.
 equal-weights = equal weights

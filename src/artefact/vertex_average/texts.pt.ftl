@@ -6,11 +6,11 @@ source-1 = Aulas: 1.5.2.1 (figura 33), 1.6.13, 1.6.21 b (figura 47)
 source-2 =
     Pesos: G. Thürmer, C. A. Wüthrich, Computing vertex normals from polygonal facets, JGT 3(1), 1998; N. Max, Weights
     for computing vertex normals from facet normals, JGT 4(2), 1999
-formula-1 = {"N = \\frac{Σ w_i N_i}{|Σ w_i N_i|}"}
+formula-1 = {"N = \\frac{Σ w_i N_i}{\\left|Σ w_i N_i\\right|}"}
 formula-1-says = a média num vértice: w = 1 nas aulas, o ângulo no vértice em Thürmer e Wüthrich, sin(α)/(|e_1| |e_2|) em Max
-formula-2 = {"cos(δ_{211}) = \\frac{4}{\\sqrt{6} \\sqrt{3}}, cos(δ_{221}) = \\frac{5}{3 \\sqrt{3}}"}
+formula-2 = {"\\cos(δ_{211}) = \\frac{4}{\\sqrt{6} \\sqrt{3}}, \\cos(δ_{221}) = \\frac{5}{3 \\sqrt{3}}"}
 formula-2-says = o vértice de um cubo do qual uma face ou duas estão cortadas: δ = 19,4712° e 15,7932° da diagonal com w = 1
-formula-3 = w = α: δ = 0
+formula-3 = {"w = α: δ = 0"}
 formula-3-says = os ângulos das partes de uma face plana somam o da face, seja como for cortada
 shown-by = outros pesos (--weight uniform) o mostrariam.
 equal-weights = pesos iguais

@@ -10,7 +10,7 @@ mod tables;
 mod tests;
 mod words;
 
-pub use formula::mathml;
+pub use formula::{mathml, spoken};
 pub use page::{experiment_page, index_page, page_name};
 pub use pictures::{chart_plot, experiment_sheet, picture_name};
 pub use tables::{list_table, measure_table, misses, verdict_text};

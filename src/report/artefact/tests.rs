@@ -96,9 +96,9 @@ fn texts(value: &Value, found: &mut Vec<[String; 2]>) {
 }
 
 /// Names, functions and marks of notation that both languages write alike.
-const ALIKE: [&str; 15] = [
+const ALIKE: [&str; 18] = [
     "Gouraud", "Phong", "sin", "cos", "tan", "arcsin", "arccos", "arctan", "max", "rms", "frac", "sqrt",
-    "quad", "px", "DoG",
+    "quad", "mathrm", "left", "right", "px", "DoG",
 ];
 
 /// Whether a text may be the same in both languages: names, symbols and numbers without a word.
