@@ -5,6 +5,10 @@
 //! Unit tests (`#[cfg(test)] mod tests`, last in their file, or a file of its own whose name ends in `tests.rs`) are not
 //! held to layers or length.
 
+mod imports;
+mod source;
+
+use source::{PROGRAM, Tests, Token, collect, is, module_path, split_tests, tokens};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
@@ -28,9 +32,6 @@ const LAYERS: &[(&str, u32)] = &[
     ("report", 7),
     ("cli", 8),
 ];
-
-/// The program's own module: in the binary only, and above everything.
-const PROGRAM: &str = "cli";
 
 /// Every dependency and the modules that may name it.
 const OUTSIDE: &[(&str, &[&str])] = &[
@@ -158,6 +159,39 @@ fn names_are_the_terms_of_the_field() {
     assert_eq!(["threads", "bend", "toldyou"].map(forbidden_word), [None; 3]);
 }
 
+#[test]
+fn planted_import_loops_are_found() {
+    let find = |sources: &[(&str, &str)]| {
+        let owned: Vec<_> =
+            sources.iter().map(|(path, source)| ((*path).to_owned(), (*source).to_owned())).collect();
+        imports::loops(&owned)
+    };
+    let a = ("io/a.rs", "use super::b::B; pub struct A;");
+    let looped: &[&[(&str, &str)]] = &[
+        &[a, ("io/b.rs", "use super::a::A; pub struct B;")],
+        &[a, ("io/b.rs", "pub struct B; fn f(_: crate::io::a::A) {}")],
+        &[a, ("io/b.rs", "use super::a; pub struct B; fn f(_: a::A) {}")],
+        // Through a re-export, to the file that defines the item.
+        &[a, ("io/mod.rs", "mod a; mod b; pub use a::A;"), ("io/b.rs", "use super::A; pub struct B;")],
+        // A folder's own code, and a file in it that uses this code.
+        &[("io/mod.rs", "mod a; use a::A; pub struct M;"), ("io/a.rs", "use super::M; pub struct A;")],
+        &[("io/mod.rs", "mod a; fn f() { a::g() } pub struct M;"), ("io/a.rs", "use super::{M}; fn g() {}")],
+    ];
+    for sources in looped {
+        assert_eq!(find(sources).len(), 1, "{sources:?}");
+    }
+    let straight: &[&[(&str, &str)]] = &[
+        &[a, ("io/b.rs", "pub struct B;"), ("io/mod.rs", "mod a; mod b; pub use a::A; pub use b::B;")],
+        &[a, ("io/b.rs", "pub struct B;\n#[cfg(test)]\nmod tests { use super::super::a::A; }")],
+        &[a, ("io/b.rs", "pub struct B; // super::a::A")],
+        // Layers hold between modules.
+        &[("io/a.rs", "use crate::mesh::b::B;"), ("mesh/b.rs", "use crate::io::a::A;")],
+    ];
+    for sources in straight {
+        assert_eq!(find(sources), Vec::<String>::new(), "{sources:?}");
+    }
+}
+
 /// The names that a file declares: functions, types, modules and constants.
 fn declared_names(tokens: &[Token]) -> Vec<String> {
     const KEYWORDS: [&str; 8] = ["fn", "struct", "enum", "trait", "type", "mod", "const", "static"];
@@ -187,7 +221,10 @@ fn every_dependency_is_in_the_table() {
     assert!(declared.contains("glam"), "the manifest was not understood: {declared:?}");
     let known: BTreeSet<&str> = OUTSIDE.iter().map(|(name, _)| *name).collect();
     let missing: Vec<&String> = declared.iter().filter(|name| !known.contains(name.as_str())).collect();
-    assert!(missing.is_empty(), "in Cargo.toml but not in the table of tests/architecture.rs: {missing:?}");
+    assert!(
+        missing.is_empty(),
+        "in Cargo.toml but not in the table of tests/architecture/main.rs: {missing:?}"
+    );
 }
 
 #[test]
@@ -311,14 +348,6 @@ fn layer_of(module: &str) -> Option<u32> {
     LAYERS.iter().find(|(name, _)| *name == module).map(|(_, layer)| *layer)
 }
 
-/// The module that a file is, as a path from the crate's root: `io/obj/mod.rs` is `io::obj`.
-fn module_path(path: &str) -> Vec<String> {
-    let stem = path.strip_suffix(".rs").unwrap_or(path);
-    let stem = stem.strip_suffix("/mod").unwrap_or(stem);
-    let stem = if stem == "main" { PROGRAM } else { stem };
-    stem.split('/').map(str::to_owned).collect()
-}
-
 /// The top-level modules that `crate::…` and `super::…` paths lead to.
 fn used_modules(tokens: &[Token], module_path: &[String]) -> BTreeSet<String> {
     let mut used = BTreeSet::new();
@@ -388,153 +417,9 @@ fn outside_crates(tokens: &[Token]) -> BTreeSet<&'static str> {
     used
 }
 
-fn is(tokens: &[Token], at: usize, text: &str) -> bool {
-    tokens.get(at).is_some_and(|token| token.text == text)
-}
-
-/// Where a file keeps its unit tests.
-enum Tests {
-    None,
-    /// In a module that ends the file and begins with this token.
-    Last {
-        start: usize,
-    },
-    /// Followed by other code.
-    Inside,
-}
-
-fn split_tests(tokens: &[Token]) -> Tests {
-    const HEAD: [&str; 8] = ["#", "[", "cfg", "(", "test", ")", "]", "mod"];
-    let start =
-        tokens.windows(HEAD.len()).position(|w| w.iter().zip(HEAD).all(|(token, text)| token.text == text));
-    let Some(start) = start.filter(|&start| is(tokens, start + HEAD.len() + 1, "{")) else {
-        return Tests::None;
-    };
-    let mut depth = 0;
-    for (at, token) in tokens.iter().enumerate().skip(start + HEAD.len()) {
-        match token.text.as_str() {
-            "{" => depth += 1,
-            "}" => depth -= 1,
-            _ => continue,
-        }
-        if depth == 0 {
-            return if at + 1 == tokens.len() { Tests::Last { start } } else { Tests::Inside };
-        }
-    }
-    Tests::Inside
-}
-
-/// A name, `::`, or one character of anything else.
-struct Token {
-    text: String,
-    /// Counted from 0.
-    line: usize,
-}
-
-impl Token {
-    fn is_name(&self) -> bool {
-        self.text.starts_with(|c: char| c.is_alphabetic() || c == '_')
-    }
-}
-
-/// Rust source as tokens, without comments, literals and lifetimes.
-fn tokens(source: &str) -> Vec<Token> {
-    let chars: Vec<char> = source.chars().collect();
-    let mut tokens = Vec::new();
-    let (mut at, mut line) = (0, 0);
-    while at < chars.len() {
-        let end = skip(&chars, at);
-        if end > at {
-            line += chars[at..end].iter().filter(|&&c| c == '\n').count();
-            at = end;
-            continue;
-        }
-        let start = at;
-        at += 1;
-        if is_word(chars[start]) {
-            while at < chars.len() && is_word(chars[at]) {
-                at += 1;
-            }
-        } else if chars[start] == ':' && chars.get(at) == Some(&':') {
-            at += 1;
-        }
-        tokens.push(Token { text: chars[start..at].iter().collect(), line });
-    }
-    tokens
-}
-
-fn is_word(c: char) -> bool {
-    c.is_alphanumeric() || c == '_'
-}
-
-/// The end of the blank, comment, literal or lifetime that starts here; `at` itself if none does.
-fn skip(chars: &[char], at: usize) -> usize {
-    let next = chars.get(at + 1).copied().unwrap_or('\0');
-    let find =
-        |from: usize, stop: char| (from..chars.len()).find(|&i| chars[i] == stop).unwrap_or(chars.len());
-    match chars[at] {
-        c if c.is_whitespace() => at + 1,
-        '/' if next == '/' => find(at, '\n'),
-        '/' if next == '*' => {
-            let (mut depth, mut end) = (0, at);
-            while end + 1 < chars.len() {
-                match (chars[end], chars[end + 1]) {
-                    ('/', '*') => (depth, end) = (depth + 1, end + 2),
-                    ('*', '/') => (depth, end) = (depth - 1, end + 2),
-                    _ => end += 1,
-                }
-                if depth == 0 {
-                    return end;
-                }
-            }
-            chars.len()
-        }
-        '"' => quoted(chars, at + 1, '"'),
-        'r' | 'b' if at == 0 || !is_word(chars[at - 1]) => {
-            let raw = at + usize::from(chars[at] == 'b' && next == 'r');
-            let hashes = chars[raw + 1..].iter().take_while(|&&c| c == '#').count();
-            if chars[raw] == 'r' && chars.get(raw + 1 + hashes) == Some(&'"') {
-                let body = raw + 2 + hashes;
-                let closes =
-                    |i: usize| chars[i] == '"' && (1..=hashes).all(|k| chars.get(i + k) == Some(&'#'));
-                return (body..chars.len()).find(|&i| closes(i)).map_or(chars.len(), |i| i + 1 + hashes);
-            }
-            match next {
-                '"' if chars[at] == 'b' => quoted(chars, at + 2, '"'),
-                '\'' if chars[at] == 'b' => quoted(chars, at + 2, '\''),
-                _ => at,
-            }
-        }
-        '\'' if next == '\\' || chars.get(at + 2) == Some(&'\'') => quoted(chars, at + 1, '\''),
-        '\'' => (at + 1..chars.len()).find(|&i| !is_word(chars[i])).unwrap_or(chars.len()),
-        _ => at,
-    }
-}
-
-/// The end of a literal whose content starts here.
-fn quoted(chars: &[char], mut at: usize, quote: char) -> usize {
-    while at < chars.len() && chars[at] != quote {
-        at += if chars[at] == '\\' { 2 } else { 1 };
-    }
-    (at + 1).min(chars.len())
-}
-
 /// The names in the manifest's `[dependencies]`, as Rust spells them.
 fn dependencies(manifest: &str) -> BTreeSet<String> {
     let section = manifest.split("\n[dependencies]\n").nth(1).unwrap_or("");
     let section = section.split("\n[").next().unwrap_or("");
     section.lines().filter_map(|line| Some(line.split_once('=')?.0.trim().replace('-', "_"))).collect()
-}
-
-fn collect(root: &Path, folder: &Path, files: &mut Vec<(String, String)>) {
-    let mut entries: Vec<_> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
-    entries.sort();
-    for path in entries {
-        if path.is_dir() {
-            collect(root, &path, files);
-        } else if path.extension().is_some_and(|extension| extension == "rs") {
-            let name = path.strip_prefix(root).unwrap().to_string_lossy().replace('\\', "/");
-            files.push((name, fs::read_to_string(&path).unwrap()));
-        }
-    }
 }
