@@ -8,6 +8,7 @@ mod cli;
 mod colours;
 mod convert;
 mod data;
+mod docs;
 mod flat;
 mod gltf;
 mod gltf_edit;

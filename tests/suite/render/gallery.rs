@@ -1,18 +1,18 @@
-//! The README's pictures are what the commands beside them make.
+//! The pictures of docs/render.md are what its commands make.
 
 use super::render;
 use crate::cli::{code, text};
 use std::fs;
 use std::path::Path;
 
-/// The largest a picture of the README may be, in bytes.
+/// The largest a picture of the documentation may be, in bytes.
 const LARGEST: u64 = 60_000;
 
 #[test]
-fn commands_of_the_readme_make_its_pictures() {
+fn commands_of_the_documentation_make_its_pictures() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let readme = fs::read_to_string(root.join("README.md")).unwrap();
-    let commands = readme.lines().filter_map(|line| line.strip_prefix("    crease render data/"));
+    let page = fs::read_to_string(root.join("docs/render.md")).unwrap();
+    let commands = page.lines().filter_map(|line| line.strip_prefix("    crease render data/"));
     let mut seen = 0;
     for command in commands.filter(|command| command.contains("tests/gallery/")) {
         let mut args: Vec<String> = words(&format!("data/{command}"));

@@ -1,0 +1,241 @@
+//! README and docs: every command runs and prints what the page shows, every link leads somewhere, every word is plain.
+//!
+//! In a block marked `console`, a line `$ COMMAND` is run by a shell, and the lines after it are what it prints to standard
+//! output. `…` alone stands for any lines, at the end of a line for the rest of it. `? N` is the exit code, 0 if omitted. The
+//! commands of a page run in order, in one folder that has a copy of `data/`.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Words that have no everyday use in these pages; CONTRIBUTING.md says what to write.
+const NOT_IN_TEXT: &[&str] = &[
+    "told",
+    "tells",
+    "abroad",
+    "made up",
+    "amiss",
+    "odd",
+    "doubts",
+    "nobody",
+    "plainly",
+    "beside",
+    "no say",
+    "if need be",
+    "stands for",
+    "stands in",
+    "stands there",
+];
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// README.md and all pages of docs/, with their text.
+fn pages() -> Vec<(PathBuf, String)> {
+    let docs = fs::read_dir(root().join("docs")).unwrap().map(|entry| entry.unwrap().path());
+    let mut paths: Vec<PathBuf> = docs.filter(|path| path.extension().is_some_and(|e| e == "md")).collect();
+    paths.extend(["README.md", "CHANGELOG.md", "CONTRIBUTING.md"].map(|name| root().join(name)));
+    paths.sort();
+    paths.into_iter().map(|path| (path.clone(), fs::read_to_string(path).unwrap())).collect()
+}
+
+/// A command of a page, what it should print, and its exit code.
+#[derive(Debug, PartialEq)]
+struct Example {
+    command: String,
+    output: Vec<String>,
+    code: i32,
+}
+
+fn examples(page: &str) -> Vec<Example> {
+    let mut found: Vec<Example> = Vec::new();
+    let mut in_console = false;
+    for line in page.lines() {
+        if line.starts_with("```") {
+            in_console = line == "```console";
+        } else if let Some(command) = line.strip_prefix("$ ").filter(|_| in_console) {
+            found.push(Example { command: command.to_owned(), output: Vec::new(), code: 0 });
+        } else if in_console && let Some(example) = found.last_mut() {
+            match line.strip_prefix("? ") {
+                Some(code) => example.code = code.parse().unwrap(),
+                None => example.output.push(line.to_owned()),
+            }
+        }
+    }
+    found
+}
+
+/// Whether lines are what a pattern with `…` describes.
+fn matches(pattern: &[String], lines: &[&str]) -> bool {
+    match (pattern.split_first(), lines.split_first()) {
+        (None, None) => true,
+        (Some((first, rest)), _) if first == "…" => {
+            matches(rest, lines) || !lines.is_empty() && matches(pattern, &lines[1..])
+        }
+        (Some((first, rest)), Some((line, lines))) => {
+            let same = match first.strip_suffix('…') {
+                Some(start) => line.starts_with(start.trim_end()),
+                None => line == first,
+            };
+            same && matches(rest, lines)
+        }
+        _ => false,
+    }
+}
+
+fn copy_folder(from: &Path, to: &Path) {
+    fs::create_dir_all(to).unwrap();
+    for entry in fs::read_dir(from).unwrap().map(Result::unwrap) {
+        let target = to.join(entry.file_name());
+        if entry.path().is_dir() {
+            copy_folder(&entry.path(), &target)
+        } else {
+            fs::copy(entry.path(), target).map(drop).unwrap()
+        }
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn commands_print_what_the_pages_show() {
+    let program = Path::new(env!("CARGO_BIN_EXE_crease"));
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    let path = std::env::join_paths(
+        std::iter::once(program.parent().unwrap().to_owned()).chain(std::env::split_paths(&path)),
+    );
+    let path = path.unwrap();
+    let (mut failures, mut count) = (Vec::new(), 0);
+    for (page, text) in pages() {
+        let folder = tempfile::tempdir().unwrap();
+        copy_folder(&root().join("data"), &folder.path().join("data"));
+        for example in examples(&text) {
+            count += 1;
+            let mut shell = Command::new("sh");
+            shell.args(["-c", &example.command]).current_dir(folder.path());
+            let output = shell.env("PATH", &path).env("NO_COLOR", "1").output().unwrap();
+            let printed = String::from_utf8_lossy(&output.stdout);
+            let lines: Vec<&str> = printed.lines().collect();
+            if output.status.code() != Some(example.code) || !matches(&example.output, &lines) {
+                let errors = String::from_utf8_lossy(&output.stderr);
+                let code = output.status.code();
+                failures.push(format!(
+                    "{}: $ {}\nexit {code:?}\n{printed}{errors}",
+                    page.display(),
+                    example.command
+                ));
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n\n"));
+    assert!(count >= 20, "only {count} commands were found");
+}
+
+#[test]
+fn patterns_match_what_they_should() {
+    let page = "$ not here\n```console\n$ a | b\nx 1\ny …\n…\n$ c\n? 3\n```\n```\n$ nor here\n```\n";
+    let found = examples(page);
+    assert_eq!(found.len(), 2);
+    assert_eq!((found[0].command.as_str(), found[0].code, found[1].code), ("a | b", 0, 3));
+    let good: [&[&str]; 3] = [&["x 1", "y 2"], &["x 1", "y", "z", "z"], &["x 1", "y 2", "", "q"]];
+    let bad: [&[&str]; 4] = [&["x 1"], &["x 2", "y 2"], &["x 1", "z", "y 2"], &[]];
+    assert!(good.iter().all(|lines| matches(&found[0].output, lines)));
+    assert!(!bad.iter().any(|lines| matches(&found[0].output, lines)));
+    assert!(matches(&found[1].output, &[]) && !matches(&found[1].output, &["x"]));
+}
+
+#[test]
+fn links_lead_somewhere() {
+    let slug = |heading: &str| -> String {
+        let kept = heading.to_lowercase();
+        kept.chars()
+            .filter(|c| c.is_alphanumeric() || " -_".contains(*c))
+            .map(|c| if c == ' ' { '-' } else { c })
+            .collect()
+    };
+    let headings = |text: &str| -> Vec<String> {
+        text.lines()
+            .filter(|line| line.starts_with('#'))
+            .map(|line| slug(line.trim_start_matches('#').trim()))
+            .collect()
+    };
+    let (mut broken, mut count) = (Vec::new(), 0);
+    for (page, text) in pages() {
+        for link in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
+            count += 1;
+            let (file, anchor) = link.split_once('#').unwrap_or((link, ""));
+            let target = if file.is_empty() { page.clone() } else { page.parent().unwrap().join(file) };
+            let has_anchor = || {
+                anchor.is_empty()
+                    || fs::read_to_string(&target)
+                        .is_ok_and(|text| headings(&text).iter().any(|h| h == anchor))
+            };
+            if !target.exists() || !has_anchor() {
+                broken.push(format!("{}: {link}", page.display()));
+            }
+        }
+    }
+    assert!(broken.is_empty(), "{}", broken.join("\n"));
+    assert!(count >= 40, "only {count} links were found");
+}
+
+/// The words of a text that have no everyday use in it.
+fn words_of_our_own(text: &str) -> Vec<&'static str> {
+    let plain: String = text
+        .to_lowercase()
+        .chars()
+        .map(|c| if c.is_alphanumeric() || c == '-' || c == '_' { c } else { ' ' })
+        .collect();
+    let padded = format!(" {} ", plain.split_whitespace().collect::<Vec<_>>().join(" "));
+    NOT_IN_TEXT.iter().copied().filter(|word| padded.contains(&format!(" {word} "))).collect()
+}
+
+#[test]
+fn pages_are_in_plain_words() {
+    for (page, text) in pages() {
+        // The word list itself is in CONTRIBUTING.md.
+        if page.ends_with("CONTRIBUTING.md") {
+            assert!(NOT_IN_TEXT.iter().all(|word| text.contains(word)), "CONTRIBUTING.md lists every word");
+            continue;
+        }
+        // Names in code are exempt.
+        let prose: String = text.split('`').step_by(2).collect();
+        assert_eq!(words_of_our_own(&prose), Vec::<&str>::new(), "{}", page.display());
+    }
+    assert_eq!(words_of_our_own("What is TOLD, if\nneed be."), ["told", "if need be"]);
+    assert!(words_of_our_own("retold; an oddity; besides").is_empty());
+}
+
+#[test]
+fn the_readme_is_short_and_its_library_example_runs() {
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    assert!(readme.lines().count() <= 250, "{} lines", readme.lines().count());
+    let source = include_str!("docs.rs");
+    let example = source
+        .split("// README example: begin\n")
+        .nth(1)
+        .unwrap()
+        .split("// README example: end")
+        .next()
+        .unwrap();
+    for line in example.lines().map(str::trim).filter(|line| !line.is_empty()) {
+        assert!(readme.contains(line), "not in the README: {line}");
+    }
+    slices().unwrap();
+}
+
+#[rustfmt::skip]
+fn slices() -> Result<(), Box<dyn std::error::Error>> {
+    // README example: begin
+    use crease::normals::{Scratch, Slivers, Weight, vertex_normals};
+
+    let positions = [[0.0_f32, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, -1.0], [-1.0, 0.0, -1.0]];
+    let triangles = [[0, 2, 1], [0, 1, 3]];
+    let mut normals = [[0.0; 3]; 4];
+    let mut scratch = Scratch::new(); // reuse it for the next mesh
+    let faults = vertex_normals(&positions, &triangles, Weight::Angle, Slivers::Exclude, &mut scratch, &mut normals)?;
+    assert_eq!(normals[0], [0.0, 0.0, 1.0]);
+    // README example: end
+    assert!(faults.is_empty());
+    Ok(())
+}
