@@ -18,7 +18,8 @@ use crate::normals::fits::quadric::{QuadricRequest, quadric_normals};
 use crate::normals::recipe::{CreaseRule, Groups, NormalRecipe, Precision, Scope, Weight};
 use crate::normals::sums::corner_sums::TermTable;
 use crate::normals::sums::f32_path::Single;
-use crate::normals::sums::weighted::{SlotState, SumRequest, Sums, weighted_sums};
+use crate::normals::sums::request::{SlotState, SumRequest, Sums};
+use crate::normals::sums::weighted_sums::weighted_sums;
 use crate::num::Degrees;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -245,7 +246,7 @@ impl<'a> Shape<'a> {
 
 /// Sums over explicit lists of corners: the cone rule, where a face counts in several groups.
 fn gather_sums(request: &SumRequest, members: &Members) -> Sums {
-    let table = TermTable::new(request.faces, request.positions, request.weight, request.slivers);
+    let table = TermTable::new(request);
     let slots = (0..request.slots as u32).into_par_iter();
     let (unit, state) = slots.map_init(Vec::new, |terms, slot| table.mean(members.row(slot), terms)).unzip();
     Sums { unit, state }

@@ -2,11 +2,11 @@
 
 use crate::mesh::FacesRef;
 use crate::normals::faces::output::Emit;
-use crate::normals::faces::positions::{Positions, Source, Visitor};
+use crate::normals::faces::positions::{Positions, Source};
 use crate::normals::faces::shape::FaceState;
+use crate::normals::recipe::Weight;
 use crate::normals::sums::block::{GroupTerms, are_inner, group_terms};
 use crate::normals::sums::corner_terms::CornerTerms;
-use crate::normals::sums::weight::Uniform;
 use crate::num::{self, Kernel, LANES, Lanes};
 use glam::DVec3;
 use rayon::prelude::*;
@@ -16,7 +16,7 @@ use rayon::prelude::*;
 pub(crate) struct FaceNormals {
     /// Unit normal of each face; the zero vector where there is no direction.
     pub(crate) unit: Vec<DVec3>,
-    /// What each face is worth.
+    /// One for each face.
     pub(crate) state: Vec<FaceState>,
 }
 
@@ -44,44 +44,30 @@ pub(crate) fn face_normals_into<O: Emit>(
     unit: &mut [O],
     state: &mut [FaceState],
 ) {
-    positions.visit(AllFaces { faces, unit, state });
+    let source = &Source::new(positions);
+    let task = |(task, (unit, state)): (usize, (&mut [O], &mut [FaceState]))| {
+        num::dispatch(SomeFaces { faces, source, first: task * TASK, unit, state });
+    };
+    if rayon::current_num_threads() <= 1 {
+        unit.chunks_mut(TASK).zip(state.chunks_mut(TASK)).enumerate().for_each(task);
+    } else {
+        unit.par_chunks_mut(TASK).zip(state.par_chunks_mut(TASK)).enumerate().for_each(task);
+    }
 }
 
 /// Faces that one task computes.
 const TASK: usize = 1024;
 
-struct AllFaces<'a, O> {
-    faces: FacesRef<'a>,
-    unit: &'a mut [O],
-    state: &'a mut [FaceState],
-}
-
-impl<O: Emit> Visitor for AllFaces<'_, O> {
-    type Output = ();
-
-    fn visit<S: Source>(self, source: S) {
-        let Self { faces, unit, state } = self;
-        let task = |(task, (unit, state)): (usize, (&mut [O], &mut [FaceState]))| {
-            num::dispatch(SomeFaces { faces, source, first: task * TASK, unit, state });
-        };
-        if rayon::current_num_threads() <= 1 {
-            unit.chunks_mut(TASK).zip(state.chunks_mut(TASK)).enumerate().for_each(task);
-        } else {
-            unit.par_chunks_mut(TASK).zip(state.par_chunks_mut(TASK)).enumerate().for_each(task);
-        }
-    }
-}
-
 /// The faces from `first` on, as many as there is room for.
-struct SomeFaces<'a, S, O> {
+struct SomeFaces<'a, O> {
     faces: FacesRef<'a>,
-    source: S,
+    source: &'a Source<'a>,
     first: usize,
     unit: &'a mut [O],
     state: &'a mut [FaceState],
 }
 
-impl<S: Source, O: Emit> Kernel for SomeFaces<'_, S, O> {
+impl<O: Emit> Kernel for SomeFaces<'_, O> {
     type Output = ();
 
     #[inline(always)]
@@ -94,12 +80,12 @@ impl<S: Source, O: Emit> Kernel for SomeFaces<'_, S, O> {
         } else {
             (&[], 0)
         };
-        let all_inner = are_inner(&self.source, groups.as_flattened());
+        let all_inner = are_inner(self.source, groups.as_flattened());
         let mut terms = GroupTerms::ZERO;
         for (start, triangles) in (0..).step_by(LANES).zip(groups) {
-            let inner = all_inner || are_inner(&self.source, triangles);
+            let inner = all_inner || are_inner(self.source, triangles);
             let settled = if inner {
-                group_terms::<A, S, Uniform>(arch, triangles, &self.source, &mut terms)
+                group_terms(arch, triangles, self.source, Weight::Uniform, &mut terms)
             } else {
                 0
             };
@@ -118,7 +104,7 @@ impl<S: Source, O: Emit> Kernel for SomeFaces<'_, S, O> {
     }
 }
 
-impl<S: Source, O: Emit> SomeFaces<'_, S, O> {
+impl<O: Emit> SomeFaces<'_, O> {
     fn face(&mut self, at: usize, scalar: &mut CornerTerms) {
         let shape = scalar.shape(self.faces, self.source, self.first + at);
         self.unit[at] = O::emit(shape.unit);

@@ -1,7 +1,7 @@
-//! Positions as the kernels see them: a mesh's or a caller's slice, single or double precision.
+//! Positions as the kernels read them: in place, in the type that they came in.
 
 use crate::mesh::Storage;
-use crate::normals::sums::block::bar;
+use crate::normals::faces::sliver;
 use crate::num::{self, Kernel, LANES, Lanes};
 use glam::DVec3;
 use rayon::prelude::*;
@@ -15,31 +15,22 @@ pub(crate) enum Positions<'a> {
     F64(&'a [DVec3], Storage),
 }
 
-/// Where kernels get positions from. Everything is measured in *kernel units*: the caller's own for `f32` values;
+/// Where kernels read positions. Everything is measured in *kernel units*: the caller's own for `f32` values;
 /// for doubles, those times a power of two that brings the largest coordinate to the top of the `f32` range. So
 /// one proof of what can overflow serves both, and scaling a mesh by a power of two cannot change a bit.
-pub(crate) trait Source: Copy + Send + Sync {
-    /// Whether every coordinate is an `f32` value.
-    fn storage(&self) -> Storage;
-
-    /// The position of a vertex, in kernel units, and whether that lost bits.
-    fn point(&self, vertex: u32) -> (DVec3, bool);
-
-    /// How many vertices there are.
-    fn count(&self) -> usize;
-
-    /// The positions of eight vertices, in kernel units. None may be the last.
-    fn columns<A: Lanes>(&self, arch: A, vertices: [u32; LANES]) -> [A::Number; 3];
-
-    /// What is known of all coordinates, if they are `f32` values.
-    fn extent(&self) -> Option<Extent>;
+#[derive(Clone, Copy)]
+pub(crate) struct Source<'a> {
+    positions: Positions<'a>,
+    /// From the caller's units to kernel units: a power of two.
+    factor: f64,
+    extent: Option<Extent>,
 }
 
 /// How far coordinates go.
 #[derive(Clone, Copy)]
 pub(crate) struct Extent {
-    /// The [`bar`] of all triangles.
-    pub(crate) bar: f64,
+    /// The [`triangle_bound`](sliver::triangle_bound) of all triangles.
+    pub(crate) sliver_bound: f64,
     /// Differences of multiples of this are exact: a power of two.
     pub(crate) grain: f64,
 }
@@ -48,48 +39,79 @@ impl Extent {
     fn new(largest: f64) -> Option<Self> {
         // Differences are at most twice as large, and 53 bits long. Where all is zero, any grain will do.
         let grain = num::power_of_two((num::exponent(largest) - 50).max(-1022));
-        largest.is_finite().then(|| Self { bar: bar(Storage::F32, largest), grain })
+        let sliver_bound = sliver::triangle_bound(Storage::F32, largest);
+        largest.is_finite().then_some(Self { sliver_bound, grain })
     }
 }
 
-/// A slice of single-precision positions.
-#[derive(Clone, Copy)]
-pub(crate) struct Singles<'a> {
-    points: &'a [[f32; 3]],
-    extent: Option<Extent>,
-}
-
-impl<'a> Singles<'a> {
-    fn new(points: &'a [[f32; 3]]) -> Self {
-        let largest = |points: &[[f32; 3]]| num::dispatch(LargestSingle(points.as_flattened()));
-        let largest = points.par_chunks(1 << 16).map(largest).reduce(|| 0, u32::max);
-        Self { points, extent: Extent::new(f64::from(f32::from_bits(largest))) }
-    }
-}
-
-impl Source for Singles<'_> {
-    #[inline(always)]
-    fn storage(&self) -> Storage {
-        Storage::F32
-    }
-
-    #[inline(always)]
-    fn point(&self, vertex: u32) -> (DVec3, bool) {
-        (DVec3::from(self.points[vertex as usize].map(f64::from)), false)
+impl<'a> Source<'a> {
+    /// Finds the largest coordinate, in parallel.
+    pub(crate) fn new(positions: Positions<'a>) -> Self {
+        let (factor, extent) = match positions {
+            Positions::F32(points) => {
+                let largest = |points: &[[f32; 3]]| num::dispatch(LargestSingle(points.as_flattened()));
+                let largest = points.par_chunks(1 << 16).map(largest).reduce(|| 0, u32::max);
+                (1.0, Extent::new(f64::from(f32::from_bits(largest))))
+            }
+            Positions::F64(points, storage) => {
+                let largest = |points: &[DVec3]| num::dispatch(LargestDouble(points));
+                let largest = points.par_chunks(1 << 14).map(largest).reduce(|| 0.0, f64::max);
+                match storage {
+                    Storage::F32 => (1.0, Extent::new(largest)),
+                    Storage::F64 => (factor_of(largest), None),
+                }
+            }
+        };
+        Self { positions, factor, extent }
     }
 
+    /// Whether every coordinate is an `f32` value.
     #[inline(always)]
-    fn count(&self) -> usize {
-        self.points.len()
+    pub(crate) fn storage(&self) -> Storage {
+        match self.positions {
+            Positions::F32(_) => Storage::F32,
+            Positions::F64(_, storage) => storage,
+        }
     }
 
+    /// The position of a vertex, in kernel units, and whether the conversion lost bits.
     #[inline(always)]
-    fn columns<A: Lanes>(&self, arch: A, vertices: [u32; LANES]) -> [A::Number; 3] {
-        arch.columns_of_singles(rows(self.points.as_flattened(), vertices))
+    pub(crate) fn point(&self, vertex: u32) -> (DVec3, bool) {
+        match self.positions {
+            Positions::F32(points) => (DVec3::from(points[vertex as usize].map(f64::from)), false),
+            Positions::F64(points, _) => {
+                let point = points[vertex as usize];
+                let scaled = point * self.factor;
+                (scaled, self.factor < 1.0 && scaled / self.factor != point)
+            }
+        }
     }
 
+    /// The number of vertices.
     #[inline(always)]
-    fn extent(&self) -> Option<Extent> {
+    pub(crate) fn count(&self) -> usize {
+        match self.positions {
+            Positions::F32(points) => points.len(),
+            Positions::F64(points, _) => points.len(),
+        }
+    }
+
+    /// The positions of eight vertices, in kernel units. None may be the last, as rows are read with the number after them.
+    #[inline(always)]
+    pub(crate) fn columns<A: Lanes>(&self, arch: A, vertices: [u32; LANES]) -> [A::Number; 3] {
+        match self.positions {
+            Positions::F32(points) => arch.columns_of_singles(rows(points.as_flattened(), vertices)),
+            Positions::F64(points, _) => {
+                let [x, y, z, _] = arch.columns(rows(bytemuck::cast_slice(points), vertices));
+                let factor = arch.splat(self.factor);
+                [arch.mul(x, factor), arch.mul(y, factor), arch.mul(z, factor)]
+            }
+        }
+    }
+
+    /// The range of all coordinates, if they are `f32` values.
+    #[inline(always)]
+    pub(crate) fn extent(&self) -> Option<Extent> {
         self.extent
     }
 }
@@ -97,21 +119,29 @@ impl Source for Singles<'_> {
 /// The coordinates of some vertices and the number after them.
 #[inline(always)]
 fn rows<T>(coordinates: &[T], [a, b, c, d, e, f, g, h]: [u32; LANES]) -> [&[T; 4]; LANES] {
+    #[inline(always)]
+    fn row<T>(coordinates: &[T], vertex: u32) -> &[T; 4] {
+        coordinates[..3 * vertex as usize + 4].last_chunk().expect("four numbers at least")
+    }
+    let rows = coordinates;
     [
-        row(coordinates, a),
-        row(coordinates, b),
-        row(coordinates, c),
-        row(coordinates, d),
-        row(coordinates, e),
-        row(coordinates, f),
-        row(coordinates, g),
-        row(coordinates, h),
+        row(rows, a),
+        row(rows, b),
+        row(rows, c),
+        row(rows, d),
+        row(rows, e),
+        row(rows, f),
+        row(rows, g),
+        row(rows, h),
     ]
 }
 
-#[inline(always)]
-fn row<T>(coordinates: &[T], vertex: u32) -> &[T; 4] {
-    coordinates[..3 * vertex as usize + 4].last_chunk().expect("four numbers at least")
+/// The power of two that brings the largest finite coordinate into [2^127, 2^128), where that is possible.
+fn factor_of(largest: f64) -> f64 {
+    if largest == 0.0 {
+        return 1.0;
+    }
+    num::power_of_two((127 - num::exponent(largest)).min(1023))
 }
 
 /// The largest magnitude of some coordinates. Bits without sign order like magnitudes, and integers compare faster than
@@ -127,70 +157,10 @@ impl Kernel for LargestSingle<'_> {
     }
 }
 
-/// A slice of double-precision positions and the power of two that turns them into kernel units.
-#[derive(Clone, Copy)]
-pub(crate) struct Doubles<'a> {
-    points: &'a [DVec3],
-    storage: Storage,
-    factor: f64,
-    extent: Option<Extent>,
-}
-
-impl<'a> Doubles<'a> {
-    fn new(points: &'a [DVec3], storage: Storage) -> Self {
-        let largest = |points: &[DVec3]| num::dispatch(Largest(points));
-        let largest = points.par_chunks(1 << 14).map(largest).reduce(|| 0.0, f64::max);
-        let (factor, extent) = match storage {
-            Storage::F32 => (1.0, Extent::new(largest)),
-            Storage::F64 => (factor_of(largest), None),
-        };
-        Self { points, storage, factor, extent }
-    }
-}
-
-impl Source for Doubles<'_> {
-    #[inline(always)]
-    fn storage(&self) -> Storage {
-        self.storage
-    }
-
-    #[inline(always)]
-    fn point(&self, vertex: u32) -> (DVec3, bool) {
-        let point = self.points[vertex as usize];
-        let scaled = point * self.factor;
-        (scaled, self.factor < 1.0 && scaled / self.factor != point)
-    }
-
-    #[inline(always)]
-    fn count(&self) -> usize {
-        self.points.len()
-    }
-
-    #[inline(always)]
-    fn columns<A: Lanes>(&self, arch: A, vertices: [u32; LANES]) -> [A::Number; 3] {
-        let [x, y, z, _] = arch.columns(rows(bytemuck::cast_slice(self.points), vertices));
-        let factor = arch.splat(self.factor);
-        [arch.mul(x, factor), arch.mul(y, factor), arch.mul(z, factor)]
-    }
-
-    #[inline(always)]
-    fn extent(&self) -> Option<Extent> {
-        self.extent
-    }
-}
-
-/// The power of two that brings the largest finite coordinate into [2^127, 2^128), where that is possible.
-fn factor_of(largest: f64) -> f64 {
-    if largest == 0.0 {
-        return 1.0;
-    }
-    num::power_of_two((127 - num::exponent(largest)).min(1023))
-}
-
 /// The largest finite magnitude; a kernel so that it is compiled with the widest instructions.
-struct Largest<'a>(&'a [DVec3]);
+struct LargestDouble<'a>(&'a [DVec3]);
 
-impl Kernel for Largest<'_> {
+impl Kernel for LargestDouble<'_> {
     type Output = f64;
 
     #[inline(always)]
@@ -201,25 +171,6 @@ impl Kernel for Largest<'_> {
             largest = if (x > largest) & (x < f64::INFINITY) { x } else { largest };
         }
         largest
-    }
-}
-
-/// Work on positions of either kind.
-pub(crate) trait Visitor {
-    /// What it gives.
-    type Output;
-
-    /// Does it.
-    fn visit<S: Source>(self, source: S) -> Self::Output;
-}
-
-impl Positions<'_> {
-    /// Calls the visitor with the source that these positions are.
-    pub(crate) fn visit<V: Visitor>(self, visitor: V) -> V::Output {
-        match self {
-            Positions::F32(points) => visitor.visit(Singles::new(points)),
-            Positions::F64(points, storage) => visitor.visit(Doubles::new(points, storage)),
-        }
     }
 }
 

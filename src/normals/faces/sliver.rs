@@ -15,6 +15,14 @@ pub(crate) fn threshold(storage: Storage, largest: f64) -> f64 {
     }
 }
 
+/// Triangles whose |v|² is above this times |e1|² + |e2|² are no slivers, if no coordinate is larger than `largest`.
+pub(crate) fn triangle_bound(storage: Storage, largest: f64) -> f64 {
+    let threshold = threshold(storage, largest);
+    // The longest edge is at most |e1| + |e2|, its square at most twice the sum of theirs; and something for the
+    // rounding of the test itself.
+    2.001 * threshold * threshold
+}
+
 /// Up to this many corners, all pairs are measured.
 const ALL_PAIRS: usize = 8;
 

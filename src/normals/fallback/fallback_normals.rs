@@ -18,7 +18,7 @@ use crate::normals::fault::{Fault, FaultReason};
 use crate::normals::recipe::Slivers;
 use crate::normals::slices::vertex_normals::fault_reason;
 use crate::normals::sums::corner_mean::uniform_mean;
-use crate::normals::sums::weighted::SlotState;
+use crate::normals::sums::request::SlotState;
 use glam::DVec3;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;

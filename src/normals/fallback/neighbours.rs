@@ -1,11 +1,11 @@
 //! What stands in for a normal that a sum does not give, where no topology is at hand.
 
 use crate::mesh::FacesRef;
-use crate::normals::faces::positions::{Positions, Source, Visitor};
+use crate::normals::faces::positions::{Positions, Source};
 use crate::normals::faces::shape::FaceState;
 use crate::normals::sums::corner_mean::uniform_mean;
 use crate::normals::sums::corner_terms::CornerTerms;
-use crate::normals::sums::weighted::SlotState;
+use crate::normals::sums::request::SlotState;
 use glam::DVec3;
 
 /// The normal of what no face gives one.
@@ -42,47 +42,33 @@ pub(crate) fn orphans(faces: FacesRef, positions: Positions, vertices: &[u32]) -
     if vertices.is_empty() {
         return Vec::new();
     }
-    positions.visit(Look { faces, vertices })
-}
-
-#[derive(Clone, Copy)]
-struct Look<'a> {
-    faces: FacesRef<'a>,
-    vertices: &'a [u32],
-}
-
-impl Visitor for Look<'_> {
-    type Output = Vec<Orphan>;
-
-    fn visit<S: Source>(self, source: S) -> Vec<Orphan> {
-        let Self { faces, vertices } = self;
-        let mut scalar = CornerTerms::default();
-        // (place in `vertices`, normal and state of a face there), in ascending face index.
-        let mut found: Vec<(u32, DVec3, FaceState)> = Vec::new();
-        for face in 0..faces.len() {
-            let mut shape = None;
-            for vertex in faces.face(face) {
-                let Ok(place) = vertices.binary_search(vertex) else { continue };
-                let shape = *shape.get_or_insert_with(|| scalar.shape(faces, source, face));
-                found.push((place as u32, shape.unit, shape.state));
-            }
+    let source = Source::new(positions);
+    let mut scalar = CornerTerms::default();
+    // (place in `vertices`, normal and state of a face there), in ascending face index.
+    let mut found: Vec<(u32, DVec3, FaceState)> = Vec::new();
+    for face in 0..faces.len() {
+        let mut shape = None;
+        for vertex in faces.face(face) {
+            let Ok(place) = vertices.binary_search(vertex) else { continue };
+            let shape = *shape.get_or_insert_with(|| scalar.shape(faces, &source, face));
+            found.push((place as u32, shape.unit, shape.state));
         }
-        found.sort_by_key(|&(place, ..)| place);
-        let mut found = found.chunk_by(|a, b| a.0 == b.0).peekable();
-        let orphan = |(place, &vertex): (usize, &u32)| {
-            let faces = found.next_if(|faces| faces[0].0 as usize == place).unwrap_or(&[]);
-            let defined: Vec<DVec3> =
-                faces.iter().filter(|(.., state)| state.has_direction()).map(|&(_, unit, _)| unit).collect();
-            let cause = faces.iter().map(|&(.., state)| state).find(|state| !state.has_direction());
-            Orphan {
-                vertex,
-                stand_in: stand_in(&defined),
-                cause: cause.unwrap_or_default(),
-                referenced: !faces.is_empty(),
-            }
-        };
-        vertices.iter().enumerate().map(orphan).collect()
     }
+    found.sort_by_key(|&(place, ..)| place);
+    let mut found = found.chunk_by(|a, b| a.0 == b.0).peekable();
+    let orphan = |(place, &vertex): (usize, &u32)| {
+        let faces = found.next_if(|faces| faces[0].0 as usize == place).unwrap_or(&[]);
+        let defined: Vec<DVec3> =
+            faces.iter().filter(|(.., state)| state.has_direction()).map(|&(_, unit, _)| unit).collect();
+        let cause = faces.iter().map(|&(.., state)| state).find(|state| !state.has_direction());
+        Orphan {
+            vertex,
+            stand_in: stand_in(&defined),
+            cause: cause.unwrap_or_default(),
+            referenced: !faces.is_empty(),
+        }
+    };
+    vertices.iter().enumerate().map(orphan).collect()
 }
 
 /// For faces without a normal, given ascending, the unit sum of those of their edge neighbours that have one. Edges are

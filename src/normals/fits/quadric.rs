@@ -223,7 +223,8 @@ mod tests {
     use crate::normals::compute::compute;
     use crate::normals::faces::positions::Positions;
     use crate::normals::recipe::{Crease, NormalRecipe, Slivers, Weight};
-    use crate::normals::sums::weighted::{SumRequest, weighted_sums};
+    use crate::normals::sums::request::SumRequest;
+    use crate::normals::sums::weighted_sums::weighted_sums;
     use crate::normals::test_meshes::with_threads;
     use crate::num::test_numbers::Numbers;
     use std::f64::consts::TAU;

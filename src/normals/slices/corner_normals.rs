@@ -8,7 +8,8 @@ use crate::normals::fallback::fallback_normals::{FallbackNormals, face_faults};
 use crate::normals::fault::{Fault, Faults};
 use crate::normals::recipe::{Slivers, Weight};
 use crate::normals::slices::vertex_normals::{Coordinate, Scratch, SliceError, check};
-use crate::normals::sums::weighted::{SlotState, SumRequest, weighted_sums_into};
+use crate::normals::sums::request::{SlotState, SumRequest};
+use crate::normals::sums::weighted_sums::weighted_sums_into;
 use crate::num::Degrees;
 
 /// Computes indexed corner normals: one normal per vertex and smooth group, and one index a corner.

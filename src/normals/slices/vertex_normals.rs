@@ -10,7 +10,8 @@ use crate::normals::faces::shape::FaceState;
 use crate::normals::fallback::neighbours::{neighbour_normals, orphans};
 use crate::normals::fault::{Fault, FaultReason, Faults};
 use crate::normals::recipe::{Slivers, Weight};
-use crate::normals::sums::weighted::{SlotState, SumRequest, SumScratch, weighted_sums_into};
+use crate::normals::sums::request::{SlotState, SumRequest};
+use crate::normals::sums::weighted_sums::{SumScratch, weighted_sums_into};
 use crate::num::{self, Kernel, Lanes};
 use glam::DVec3;
 
@@ -236,7 +237,7 @@ pub fn vertex_normals<T: Coordinate>(
     }
 
     let added = |state: FaceState| state == FaceState::Sliver && slivers == Slivers::Keep;
-    let odd = outcome.odd.into_iter().filter(|&(_, state)| !added(state));
+    let odd = outcome.unusual.into_iter().filter(|&(_, state)| !added(state));
     let mut faults =
         Faults { faces: odd.filter_map(|(face, state)| fault(face, state)).collect(), ..Faults::default() };
     if outcome.all_good {

@@ -7,17 +7,12 @@ use crate::normals::sums::corner_mean::adds;
 use crate::normals::sums::corner_terms::CornerTerms;
 use crate::normals::sums::finish::UncertainSlots;
 use crate::normals::sums::partition::{BLOCK, Touched};
-use crate::normals::sums::weight::CornerWeight;
-use crate::normals::sums::weighted::SumRequest;
+use crate::normals::sums::request::{Sum, SumRequest};
 use crate::num::{Kernel, LANES, Lanes};
-use std::marker::PhantomData;
 use std::ops::Range;
 
 /// A face that is not simply counted.
 pub(crate) type UnusualFace = (u32, FaceState);
-
-/// A running sum: Σ w n̂ and Σ w.
-pub(crate) type Sum = [f64; 4];
 
 /// Memory of one part.
 #[derive(Default)]
@@ -26,13 +21,13 @@ pub(crate) struct Part {
     /// The slots that its share touches.
     pub(crate) touched: Touched,
     /// Faces of its share that are not simply counted.
-    pub(crate) odd: Vec<UnusualFace>,
-    pub(crate) doubts: UncertainSlots,
+    pub(crate) unusual: Vec<UnusualFace>,
+    pub(crate) uncertain: UncertainSlots,
 }
 
 impl Part {
-    /// Throws away what a share has added to the slots below `own`, and gives the faces that did, ascending: they are to be
-    /// added to their owners' sums.
+    /// Discards what a share has added to the slots below `own`, and returns the faces that added it, ascending: they are to
+    /// be added to the sums of those slots' owners.
     pub(crate) fn hand_over(&mut self, request: &SumRequest, share: Range<usize>, own: usize) -> Vec<u32> {
         let SumRequest { faces, target, slots, .. } = *request;
         let outside_range = self.touched.outside_range(share, own, faces, target);
@@ -79,25 +74,24 @@ pub(crate) enum Walk<'a> {
 }
 
 /// Adds faces to sums.
-pub(crate) struct Accumulate<'a, S, W> {
+pub(crate) struct Accumulate<'a> {
     pub(crate) request: &'a SumRequest<'a>,
-    pub(crate) source: S,
+    pub(crate) source: &'a Source<'a>,
     pub(crate) walk: Walk<'a>,
     /// Slots beyond its end are left alone.
     pub(crate) sums: &'a mut [Sum],
     /// Takes the faces that are not simply counted.
-    pub(crate) odd: &'a mut Vec<UnusualFace>,
-    pub(crate) weight: PhantomData<W>,
+    pub(crate) unusual: &'a mut Vec<UnusualFace>,
 }
 
-impl<S: Source, W: CornerWeight> Kernel for Accumulate<'_, S, W> {
+impl Kernel for Accumulate<'_> {
     /// Whether every vertex exists.
     type Output = bool;
 
     #[inline(always)]
     fn run<A: Lanes>(self, arch: A) -> bool {
-        let Self { request, source, walk, sums, odd, .. } = self;
-        let mut terms = Terms::<S, W>::new(request, source, odd);
+        let Self { request, source, walk, sums, unusual } = self;
+        let mut terms = Terms::new(request, source, unusual);
         match walk {
             Walk::Share(share, mut touched) => {
                 for first in share.clone().step_by(BLOCK) {
@@ -145,32 +139,31 @@ impl<S: Source, W: CornerWeight> Kernel for Accumulate<'_, S, W> {
 }
 
 /// A block of triangles: what each adds to sums.
-struct Terms<'a, S, W> {
+struct Terms<'a> {
     request: &'a SumRequest<'a>,
-    source: S,
-    odd: &'a mut Vec<UnusualFace>,
+    source: &'a Source<'a>,
+    unusual: &'a mut Vec<UnusualFace>,
     groups: [GroupTerms; BLOCK / LANES],
     scalar: CornerTerms,
-    weight: PhantomData<W>,
 }
 
-impl<'a, S: Source, W: CornerWeight> Terms<'a, S, W> {
-    fn new(request: &'a SumRequest<'a>, source: S, odd: &'a mut Vec<UnusualFace>) -> Self {
+impl<'a> Terms<'a> {
+    fn new(request: &'a SumRequest<'a>, source: &'a Source<'a>, unusual: &'a mut Vec<UnusualFace>) -> Self {
         let groups = [GroupTerms::ZERO; BLOCK / LANES];
-        Self { request, source, odd, groups, scalar: CornerTerms::default(), weight: PhantomData }
+        Self { request, source, unusual, groups, scalar: CornerTerms::default() }
     }
 
     /// Computes up to [`BLOCK`] triangles; false if a vertex does not exist.
     #[inline(always)]
     fn block<A: Lanes>(&mut self, arch: A, triangles: &[[u32; 3]], face: impl Fn(usize) -> usize) -> bool {
-        // A copy, which stays in registers.
-        let source = self.source;
+        // Copies, which stay in registers.
+        let (source, weight) = (*self.source, self.request.weight);
         let all_inner = are_inner(&source, triangles);
         let (groups, rest) = triangles.as_chunks::<LANES>();
         for (group, triangles) in groups.iter().enumerate() {
             let inner = all_inner || are_inner(&source, triangles);
             let terms = &mut self.groups[group];
-            let settled = if inner { group_terms::<A, S, W>(arch, triangles, &source, terms) } else { 0 };
+            let settled = if inner { group_terms(arch, triangles, &source, weight, terms) } else { 0 };
             if settled != ALL && !self.settle(group, LANES, settled, &face) {
                 return false;
             }
@@ -178,8 +171,7 @@ impl<'a, S: Source, W: CornerWeight> Terms<'a, S, W> {
         rest.is_empty() || self.settle(groups.len(), rest.len(), 0, &face)
     }
 
-    /// Puts the triangles of a group right that could not be computed together, those without a bit; false if a vertex
-    /// does not exist.
+    /// Computes the triangles of a group whose bit is not set, by the scalar path; false if a vertex does not exist.
     #[inline(never)]
     fn settle(&mut self, group: usize, count: usize, settled: u8, face: impl Fn(usize) -> usize) -> bool {
         let Self { request, source, .. } = *self;
@@ -197,27 +189,31 @@ impl<'a, S: Source, W: CornerWeight> Terms<'a, S, W> {
         true
     }
 
-    /// Computes one face by the scalar path; tells whether it adds to sums.
+    /// Computes one face by the scalar path, and returns whether it adds to sums.
     fn fill(&mut self, face: usize, repeats: impl Fn(usize) -> bool) -> bool {
-        self.scalar.fill::<S, W>(self.request.faces, self.source, face, repeats);
+        self.scalar.fill(self.request.faces, self.source, self.request.weight, face, repeats);
         let state = self.scalar.state;
         if state != FaceState::Counted {
-            self.odd.push((face as u32, state));
+            self.unusual.push((face as u32, state));
         }
         adds(state, self.request.slivers)
     }
 
-    /// Adds the triangles of the block to the sums of their corners. What is beyond the sums is left alone.
+    /// Adds the triangles of the block to the sums of their corners. Slots beyond the sums are skipped.
     #[inline(always)]
     fn scatter<A: Lanes>(&self, arch: A, slots: &[[u32; 3]], sums: &mut [Sum], place: impl Fn(u32) -> usize) {
-        let (groups, rest) = slots.as_chunks::<LANES>();
-        for (terms, slots) in self.groups.iter().zip(groups) {
+        let is_equal = self.request.weight.is_equal_at_corners();
+        for (terms, slots) in self.groups.iter().zip(slots.chunks(LANES)) {
             for (row, slots) in slots.iter().enumerate() {
-                add::<A, W>(arch, terms, row, slots.map(&place), sums);
+                let (vector, weights) = (&terms.vectors.0[row], &terms.weights.0[row]);
+                for (&slot, &weight) in slots.iter().zip(weights) {
+                    match sums.get_mut(place(slot)) {
+                        Some(sum) if is_equal => arch.add_row(sum, vector),
+                        Some(sum) => arch.add_scaled_row(sum, vector, weight),
+                        None => {}
+                    }
+                }
             }
-        }
-        for (row, slots) in rest.iter().enumerate() {
-            add::<A, W>(arch, &self.groups[groups.len()], row, slots.map(&place), sums);
         }
     }
 
@@ -240,26 +236,6 @@ impl<'a, S: Source, W: CornerWeight> Terms<'a, S, W> {
     }
 }
 
-/// Adds one triangle. Places beyond the sums are left alone.
-#[inline(always)]
-fn add<A: Lanes, W: CornerWeight>(
-    arch: A,
-    terms: &GroupTerms,
-    row: usize,
-    places: [usize; 3],
-    sums: &mut [Sum],
-) {
-    for (corner, place) in places.into_iter().enumerate() {
-        match sums.get_mut(place) {
-            Some(sum) if W::EVEN => arch.add_row(sum, &terms.vectors.0[row]),
-            Some(sum) => {
-                arch.add_scaled_row(sum, &terms.vectors.0[row], terms.weights.0[row][corner]);
-            }
-            None => {}
-        }
-    }
-}
-
 /// Whether a corner has the same slot as the one before it in its face.
 pub(crate) fn repeats(slots: &[u32], corner: usize) -> bool {
     slots[corner] == slots[(corner + slots.len() - 1) % slots.len()]
@@ -269,13 +245,13 @@ pub(crate) fn repeats(slots: &[u32], corner: usize) -> bool {
 pub(crate) struct UnusualFaces<'a>(&'a [UnusualFace]);
 
 impl<'a> UnusualFaces<'a> {
-    pub(crate) fn new(odd: &'a [UnusualFace], first: usize) -> Self {
-        Self(&odd[odd.partition_point(|&(face, _)| (face as usize) < first)..])
+    pub(crate) fn new(unusual: &'a [UnusualFace], first: usize) -> Self {
+        Self(&unusual[unusual.partition_point(|&(face, _)| (face as usize) < first)..])
     }
 
     pub(crate) fn state(&mut self, face: usize) -> FaceState {
         match self.0.split_first() {
-            Some((&(odd, state), rest)) if odd as usize == face => {
+            Some((&(unusual, state), rest)) if unusual as usize == face => {
                 self.0 = rest;
                 state
             }
@@ -291,7 +267,8 @@ mod tests {
     use crate::normals::faces::positions::Positions;
     use crate::normals::recipe::{Slivers, Weight};
     use crate::normals::sums::partition::Partition;
-    use crate::normals::sums::weighted::{SlotState, weighted_sums};
+    use crate::normals::sums::request::SlotState;
+    use crate::normals::sums::weighted_sums::weighted_sums;
     use crate::normals::test_meshes::{bumpy, with_threads};
     use crate::num::test_numbers::Numbers;
 

@@ -5,7 +5,8 @@
 use crate::mesh::Storage;
 use crate::normals::faces::positions::{Extent, Source};
 use crate::normals::faces::sliver;
-use crate::normals::sums::weight::{CornerWeight, TriangleMeasures};
+use crate::normals::recipe::Weight;
+use crate::normals::sums::weight::TriangleMeasures;
 use crate::num::{LANES, Lanes, Rows, Scalars, Truth, Vectors};
 
 /// What eight triangles add to sums.
@@ -36,17 +37,9 @@ const EXACT_RATIO: f64 = (1 << 28) as f64;
 /// 2^-300: sums of two squared edges above it keep clear of the subnormal range in everything computed from them.
 const SMALLEST_SQUARES: f64 = 4.909_093_465_297_727e-91;
 
-/// Triangles whose |v|² is above this times |e1|² + |e2|² are no slivers, if no coordinate is larger than `largest`.
-pub(crate) fn bar(storage: Storage, largest: f64) -> f64 {
-    let threshold = sliver::threshold(storage, largest);
-    // The longest edge is at most |e1| + |e2|, its square at most twice the sum of theirs; and something for the
-    // rounding of the test itself.
-    2.001 * threshold * threshold
-}
-
 /// Whether vertices exist and none is the last. Others need the scalar path, as rows are read with the number after them.
 #[inline(always)]
-pub(crate) fn are_inner<S: Source>(source: &S, triangles: &[[u32; 3]]) -> bool {
+pub(crate) fn are_inner(source: &Source, triangles: &[[u32; 3]]) -> bool {
     let highest = triangles.as_flattened().iter().fold(0, |highest, &vertex| vertex.max(highest));
     (highest as usize) < source.count().saturating_sub(1)
 }
@@ -54,10 +47,11 @@ pub(crate) fn are_inner<S: Source>(source: &S, triangles: &[[u32; 3]]) -> bool {
 /// Computes what eight triangles, which [`are_inner`], add to sums. Gives one bit for each that is settled; what is not needs
 /// the scalar path.
 #[inline(always)]
-pub(crate) fn group_terms<A: Lanes, S: Source, W: CornerWeight>(
+pub(crate) fn group_terms<A: Lanes>(
     arch: A,
     triangles: &[[u32; 3]; LANES],
-    source: &S,
+    source: &Source,
+    weight: Weight,
     terms: &mut GroupTerms,
 ) -> u8 {
     let mut corners = [[0; LANES]; 3];
@@ -69,24 +63,24 @@ pub(crate) fn group_terms<A: Lanes, S: Source, W: CornerWeight>(
     let p0 = Vectors::new(arch, source.columns(arch, corners[0]));
     let p1 = Vectors::new(arch, source.columns(arch, corners[1]));
     let p2 = Vectors::new(arch, source.columns(arch, corners[2]));
-    if let Some(Extent { bar, grain }) = source.extent() {
+    if let Some(Extent { sliver_bound, grain }) = source.extent() {
         let (e1, e2) = (p1 - p0, p2 - p0);
-        let settled = Group { e1, e2, e3: p2 - p1, vector: e1.cross(e2) }.write::<W>(bar, terms);
+        let settled = Group { e1, e2, e3: p2 - p1, vector: e1.cross(e2) }.write(weight, sliver_bound, terms);
         if settled & multiples(grain, [p0, p1, p2]).row_bits() == ALL {
             return ALL;
         }
     }
-    // A bar for these triangles' own coordinates may be lower.
+    // A bound for these triangles' own coordinates may be lower.
     let (largest, smallest) = range(arch, [p0, p1, p2]);
-    let bar = bar(source.storage(), largest);
+    let bound = sliver::triangle_bound(source.storage(), largest);
     let single = source.storage() == Storage::F32;
     if single && largest < EXACT_RATIO * smallest {
         let (e1, e2) = (p1 - p0, p2 - p0);
-        return Group { e1, e2, e3: p2 - p1, vector: e1.cross(e2) }.write::<W>(bar, terms);
+        return Group { e1, e2, e3: p2 - p1, vector: e1.cross(e2) }.write(weight, bound, terms);
     }
     let ((e1, low1), (e2, low2)) = (p1.two_difference(p0), p2.two_difference(p0));
     let vector = e1.cross_with_low_parts(low1, e2, low2);
-    let settled = Group { e1, e2, e3: p2 - p1, vector }.write::<W>(bar, terms);
+    let settled = Group { e1, e2, e3: p2 - p1, vector }.write(weight, bound, terms);
     if !single {
         return settled;
     }
@@ -123,16 +117,16 @@ struct Group<A: Lanes> {
 impl<A: Lanes> Group<A> {
     /// Writes terms; gives one bit for each triangle that is neither a sliver nor too small nor undefined.
     #[inline(always)]
-    fn write<W: CornerWeight>(self, bar: f64, terms: &mut GroupTerms) -> u8 {
+    fn write(self, weight: Weight, bound: f64, terms: &mut GroupTerms) -> u8 {
         let Self { e1, e2, e3, vector } = self;
         let arch = vector.x.arch;
         let one = Scalars::splat(arch, 1.0);
         let squared = vector.squared_length();
         let squares = e1.squared_length() + e2.squared_length();
-        let settled = (Scalars::splat(arch, bar) * squares).less(squared)
+        let settled = (Scalars::splat(arch, bound) * squares).less(squared)
             & Scalars::splat(arch, SMALLEST_SQUARES).less(squares);
         let (face, length);
-        match (W::BY_AREA, W::EVEN) {
+        match (weight.has_area_factor(), weight.is_equal_at_corners()) {
             // Only an upper bound, which saves the root; see `Finish`.
             (true, true) => (face, length) = (vector, vector.sum_of_magnitudes()),
             (false, true) => {
@@ -140,8 +134,8 @@ impl<A: Lanes> Group<A> {
             }
             (_, false) => {
                 (face, length) = (vector, squared.sqrt());
-                let weights = W::of_triangle(TriangleMeasures::new(length, e1, e2, e3));
-                let [a, b, c] = if W::BY_AREA {
+                let weights = TriangleMeasures::new(length, e1, e2, e3).corner_factors(weight);
+                let [a, b, c] = if weight.has_area_factor() {
                     weights
                 } else {
                     let reciprocal = one / length;

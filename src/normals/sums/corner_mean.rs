@@ -2,7 +2,7 @@
 
 use crate::normals::faces::shape::FaceState;
 use crate::normals::recipe::Slivers;
-use crate::normals::sums::weighted::{CANCELLING, SlotState};
+use crate::normals::sums::request::{CANCELLING, SlotState};
 use crate::num;
 use glam::DVec3;
 
@@ -15,7 +15,7 @@ pub(crate) struct Term {
     pub(crate) weight: f64,
     /// The face.
     pub(crate) face: u32,
-    /// What the face is worth.
+    /// The state of the face.
     pub(crate) state: FaceState,
 }
 
@@ -73,7 +73,7 @@ pub(crate) fn uniform_mean(units: impl Iterator<Item = DVec3>) -> (DVec3, SlotSt
     (direction, state)
 }
 
-/// Direction and worth of Σ w n̂, given Σ w > 0, and its length.
+/// Direction, state and length of Σ w n̂, given Σ w > 0.
 #[inline(always)]
 pub(crate) fn classify(vector: DVec3, weights: f64) -> (DVec3, SlotState, f64) {
     if vector == DVec3::ZERO {

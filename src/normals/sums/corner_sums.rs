@@ -1,16 +1,14 @@
-//! Sums over chosen corners, for rules by which every corner picks its own faces.
+//! Sums over chosen corners, for rules by which every corner selects its own faces.
 
 use crate::mesh::FacesRef;
-use crate::normals::faces::positions::{Positions, Source, Visitor};
+use crate::normals::faces::positions::Source;
 use crate::normals::faces::shape::FaceState;
-use crate::normals::recipe::{Slivers, Weight};
+use crate::normals::recipe::Slivers;
 use crate::normals::sums::corner_mean::{Term, mean};
 use crate::normals::sums::corner_terms::CornerTerms;
-use crate::normals::sums::weight::{CornerWeight, WeightVisitor, visit_weight};
-use crate::normals::sums::weighted::SlotState;
+use crate::normals::sums::request::{SlotState, SumRequest};
 use glam::DVec3;
 use rayon::prelude::*;
-use std::marker::PhantomData;
 
 /// What every corner of a mesh adds to a sum, computed once.
 pub(crate) struct TermTable<'a> {
@@ -20,36 +18,67 @@ pub(crate) struct TermTable<'a> {
     weights: Vec<f64>,
     /// The face of each corner.
     owners: Vec<u32>,
-    /// Which corners lie at the place of the corner before them in their face.
-    again: Vec<bool>,
+    /// Which corners coincide with the corner before them in their face.
+    coincident: Vec<bool>,
     slivers: Slivers,
 }
 
+/// Faces that one task computes.
+const TASK: usize = 1024;
+
 impl<'a> TermTable<'a> {
-    /// Computes the terms of all corners; the same numbers that [`weighted_sums`](crate::normals::sums::weighted::weighted_sums) adds.
-    pub(crate) fn new(faces: FacesRef<'a>, positions: Positions, weight: Weight, slivers: Slivers) -> Self {
+    /// Computes the terms of all corners; the same numbers that
+    /// [`weighted_sums`](crate::normals::sums::weighted_sums::weighted_sums) adds.
+    pub(crate) fn new(request: &SumRequest<'a>) -> Self {
+        let (faces, source) = (request.faces, Source::new(request.positions));
+        let starts: Vec<usize> = (0..faces.len()).step_by(TASK).collect();
+        let terms_of = |&first: &usize| {
+            let mut scalar = CornerTerms::default();
+            let (mut vectors, mut states) = (Vec::new(), Vec::new());
+            let (mut weights, mut owners, mut coincident) = (Vec::new(), Vec::new(), Vec::new());
+            for face in first..(first + TASK).min(faces.len()) {
+                let vertices = faces.face(face);
+                let before = |corner: usize| vertices[(corner + vertices.len() - 1) % vertices.len()];
+                scalar
+                    .fill(faces, &source, request.weight, face, |corner| vertices[corner] == before(corner));
+                vectors.push(scalar.vector);
+                states.push(scalar.state);
+                weights.extend_from_slice(&scalar.weights);
+                owners.extend(vertices.iter().map(|_| face as u32));
+                // A triangle with two corners in one position has no area and adds nothing.
+                let coincides = |corner: usize| {
+                    vertices.len() > 3 && source.point(vertices[corner]).0 == source.point(before(corner)).0
+                };
+                coincident.extend((0..vertices.len()).map(coincides));
+            }
+            (vectors, states, (weights, owners, coincident))
+        };
+        let tasks: Vec<_> = starts.par_iter().map(terms_of).collect();
         let mut table = Self {
             faces,
-            vectors: vec![[0.0; 4]; faces.len()],
-            states: vec![FaceState::Counted; faces.len()],
-            weights: vec![0.0; faces.corners().len()],
+            vectors: Vec::with_capacity(faces.len()),
+            states: Vec::with_capacity(faces.len()),
+            weights: Vec::with_capacity(faces.corners().len()),
             owners: Vec::with_capacity(faces.corners().len()),
-            again: vec![false; faces.corners().len()],
-            slivers,
+            coincident: Vec::with_capacity(faces.corners().len()),
+            slivers: request.slivers,
         };
-        for face in 0..faces.len() {
-            table.owners.extend(std::iter::repeat_n(face as u32, faces.range(face).len()));
+        for (vectors, states, (weights, owners, coincident)) in tasks {
+            table.vectors.extend(vectors);
+            table.states.extend(states);
+            table.weights.extend(weights);
+            table.owners.extend(owners);
+            table.coincident.extend(coincident);
         }
-        positions.visit(Fill { faces, weight, table: &mut table });
         table
     }
 
     /// The mean over a set of corners of one vertex or of welded ones, given ascending, by the rules of all sums. A corner adds
-    /// nothing of its own if the corner before it lies at the same place and is of the set as well.
+    /// nothing of its own if the corner before it has the same position and is in the set as well.
     pub(crate) fn mean(&self, corners: &[u32], terms: &mut Vec<Term>) -> (DVec3, SlotState) {
         terms.clear();
         let is_first = |corner: &&u32| {
-            !self.again[**corner as usize] || corners.binary_search(&self.before(**corner)).is_err()
+            !self.coincident[**corner as usize] || corners.binary_search(&self.before(**corner)).is_err()
         };
         terms.extend(corners.iter().filter(is_first).map(|&corner| {
             let face = self.owners[corner as usize];
@@ -63,96 +92,5 @@ impl<'a> TermTable<'a> {
     fn before(&self, corner: u32) -> u32 {
         let face = self.faces.range(self.owners[corner as usize] as usize);
         if corner as usize == face.start { face.end as u32 - 1 } else { corner - 1 }
-    }
-}
-
-/// Faces that one task computes.
-const TASK: usize = 1024;
-
-struct Fill<'t, 'a> {
-    faces: FacesRef<'a>,
-    weight: Weight,
-    table: &'t mut TermTable<'a>,
-}
-
-impl Visitor for Fill<'_, '_> {
-    type Output = ();
-
-    fn visit<S: Source>(self, source: S) {
-        visit_weight(self.weight, FillFrom { fill: self, source });
-    }
-}
-
-struct FillFrom<'t, 'a, S> {
-    fill: Fill<'t, 'a>,
-    source: S,
-}
-
-impl<S: Source> WeightVisitor for FillFrom<'_, '_, S> {
-    type Output = ();
-
-    fn visit<W: CornerWeight>(self) {
-        let Self { fill: Fill { faces, table, .. }, source } = self;
-        let (mut weights, mut again) = (&mut table.weights[..], &mut table.again[..]);
-        let tasks: Vec<_> = table
-            .vectors
-            .chunks_mut(TASK)
-            .zip(table.states.chunks_mut(TASK))
-            .enumerate()
-            .map(|(task, (vectors, states))| {
-                let first = task * TASK;
-                let corners = faces.start(first + vectors.len()) - faces.start(first);
-                let (own, others) = std::mem::take(&mut weights).split_at_mut(corners);
-                weights = others;
-                let (own_again, others) = std::mem::take(&mut again).split_at_mut(corners);
-                again = others;
-                FillSome::<S, W> {
-                    faces,
-                    source,
-                    first,
-                    vectors,
-                    states,
-                    weights: own,
-                    again: own_again,
-                    weight: PhantomData,
-                }
-            })
-            .collect();
-        tasks.into_par_iter().for_each(FillSome::run);
-    }
-}
-
-/// The terms of some faces from `first` on.
-struct FillSome<'a, S, W> {
-    faces: FacesRef<'a>,
-    source: S,
-    first: usize,
-    vectors: &'a mut [[f64; 4]],
-    states: &'a mut [FaceState],
-    weights: &'a mut [f64],
-    again: &'a mut [bool],
-    weight: PhantomData<W>,
-}
-
-impl<S: Source, W: CornerWeight> FillSome<'_, S, W> {
-    fn run(self) {
-        let mut scalar = CornerTerms::default();
-        let start = self.faces.start(self.first);
-        for (at, (vector, state)) in self.vectors.iter_mut().zip(self.states).enumerate() {
-            let (face, range) = (self.first + at, self.faces.range(self.first + at));
-            let vertices = self.faces.face(face);
-            let before = |corner: usize| vertices[(corner + vertices.len() - 1) % vertices.len()];
-            let repeats = |corner: usize| vertices[corner] == before(corner);
-            scalar.fill::<S, W>(self.faces, self.source, face, repeats);
-            (*vector, *state) = (scalar.vector, scalar.state);
-            let own = range.start - start..range.end - start;
-            self.weights[own.clone()].copy_from_slice(&scalar.weights);
-            // A triangle with two corners in one place has no area and adds nothing.
-            if vertices.len() > 3 {
-                for (corner, again) in self.again[own].iter_mut().enumerate() {
-                    *again = self.source.point(vertices[corner]).0 == self.source.point(before(corner)).0;
-                }
-            }
-        }
     }
 }

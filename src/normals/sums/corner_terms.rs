@@ -3,7 +3,8 @@
 use crate::mesh::{FacesRef, Storage};
 use crate::normals::faces::positions::Source;
 use crate::normals::faces::shape::{FaceShape, FaceState, face_shape};
-use crate::normals::sums::weight::{CornerMeasures, CornerWeight, TriangleMeasures, dot};
+use crate::normals::recipe::Weight;
+use crate::normals::sums::weight::{CornerMeasures, TriangleMeasures, dot};
 use crate::num::{self, Kernel, Lanes, OneLane, Scalars, Split, Vectors};
 use glam::DVec3;
 
@@ -29,7 +30,7 @@ const SMALLEST_SQUARE: f64 = 1e-250;
 
 impl CornerTerms {
     /// The shape of a face.
-    pub(crate) fn shape<S: Source>(&mut self, faces: FacesRef, source: S, face: usize) -> FaceShape {
+    pub(crate) fn shape(&mut self, faces: FacesRef, source: &Source, face: usize) -> FaceShape {
         self.points.clear();
         let mut lossy = false;
         self.points.extend(faces.face(face).iter().map(|&vertex| {
@@ -42,10 +43,11 @@ impl CornerTerms {
 
     /// Fills in what a face adds. `repeats(c)`: corner c stands for the same as the corner before it, if both lie
     /// at the same place; then it adds nothing of its own.
-    pub(crate) fn fill<S: Source, W: CornerWeight>(
+    pub(crate) fn fill(
         &mut self,
         faces: FacesRef,
-        source: S,
+        source: &Source,
+        weight: Weight,
         face: usize,
         repeats: impl Fn(usize) -> bool,
     ) {
@@ -58,7 +60,7 @@ impl CornerTerms {
             return;
         }
         let exponent = shape.exponent.clamp(-EXPONENTS, EXPONENTS);
-        self.vector = match (W::BY_AREA, W::EVEN) {
+        self.vector = match (weight.has_area_factor(), weight.is_equal_at_corners()) {
             (true, _) => {
                 let unit = num::power_of_two(2 * exponent);
                 (shape.vector * unit).extend(shape.length * unit).to_array()
@@ -75,21 +77,21 @@ impl CornerTerms {
             let mut measures = TriangleMeasures::new(length, edge(p0, p1), edge(p0, p2), edge(p1, p2));
             let smallest = Scalars::new(arch, SMALLEST_SQUARE);
             measures.opposite = measures.opposite.map(|square| square.max(smallest));
-            self.weights.extend(W::of_triangle(measures).map(|weight| weight.value));
+            self.weights.extend(measures.corner_factors(weight).map(|factor| factor.value));
         } else {
-            self.fill_polygon::<W>(&shape, repeats);
+            self.fill_polygon(weight, &shape, repeats);
         }
-        if !W::BY_AREA && !W::EVEN {
+        if !weight.has_area_factor() && !weight.is_equal_at_corners() {
             let reciprocal = 1.0 / shape.length;
             self.weights.iter_mut().for_each(|weight| *weight *= reciprocal);
         }
-        if W::POWER != 0 {
-            let unit = num::power_of_two(W::POWER * exponent);
+        if weight.length_power() != 0 {
+            let unit = num::power_of_two(weight.length_power() * exponent);
             self.weights.iter_mut().for_each(|weight| *weight *= unit);
         }
     }
 
-    fn fill_polygon<W: CornerWeight>(&mut self, shape: &FaceShape, repeats: impl Fn(usize) -> bool) {
+    fn fill_polygon(&mut self, weight: Weight, shape: &FaceShape, repeats: impl Fn(usize) -> bool) {
         self.find_neighbours();
         let Self { points, next, previous, weights, .. } = self;
         let count = points.len();
@@ -103,12 +105,13 @@ impl CornerTerms {
             let (e1, e2) = (edge(next[i]), edge(previous[i]));
             let cross = num::cross::<num::Split>(e1, e2);
             let squares = [e1, e2].map(|e| num::squared_length(e).max(SMALLEST_SQUARE));
-            weights.push(W::of_corner(CornerMeasures {
+            let measures = CornerMeasures {
                 cross: num::squared_length(cross).sqrt(),
                 dot: dot(e1, e2),
                 squares: squares[0] * squares[1],
                 reflex: dot(cross, shape.unit) < 0.0,
-            }));
+            };
+            weights.push(measures.corner_factor(weight));
         }
     }
 

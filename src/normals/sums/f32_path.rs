@@ -10,7 +10,7 @@ use crate::normals::creases::smooth_groups::Members;
 use crate::normals::faces::face_normals::FaceNormals;
 use crate::normals::faces::shape::FaceState;
 use crate::normals::recipe::Weight;
-use crate::normals::sums::weighted::{SlotState, Sums};
+use crate::normals::sums::request::{SlotState, Sums};
 use crate::num::corner_angle;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;

@@ -1,25 +1,24 @@
 //! From sums to unit vectors.
 
 use crate::normals::faces::output::Emit;
-use crate::normals::sums::accumulate::Sum;
 use crate::normals::sums::corner_mean::classify;
-use crate::normals::sums::weighted::{CANCELLING, SlotState};
+use crate::normals::sums::request::{CANCELLING, SlotState, Sum};
 use crate::num::{self, Kernel, LANES, Lanes, Scalars, Vectors};
 use glam::DVec3;
 
-/// Slots whose sums do not say all, by their numbers in the mesh.
+/// Slots whose sums do not determine the result, by their numbers in the mesh.
 #[derive(Default)]
 pub(crate) struct UncertainSlots {
     /// All faces at them point the same way: it may be only one.
     pub(crate) perhaps_one_face: Vec<u32>,
     /// Nothing was added to them, or perhaps it cancelled.
     pub(crate) recount: Vec<u32>,
-    /// Whether some slot may turn out other than [`SlotState::Good`].
+    /// Whether some slot may not be [`SlotState::Good`].
     pub(crate) not_all_good: bool,
 }
 
 impl UncertainSlots {
-    /// Takes others over.
+    /// Appends others.
     pub(crate) fn join(&mut self, other: &Self) {
         self.perhaps_one_face.extend_from_slice(&other.perhaps_one_face);
         self.recount.extend_from_slice(&other.recount);
@@ -44,11 +43,9 @@ pub(crate) struct Finish<'a, O> {
     pub(crate) first: u32,
     /// Where to write unit vectors.
     pub(crate) unit: &'a mut [O],
-    /// What those are worth.
     pub(crate) state: &'a mut [SlotState],
-    pub(crate) doubts: &'a mut UncertainSlots,
-    /// Whether the sums are of plain area vectors. Then a slot of one face comes to that face's bits by itself, but Σ w is
-    /// only an upper bound.
+    pub(crate) uncertain: &'a mut UncertainSlots,
+    /// See [`sums_area_vectors`](crate::normals::sums::request::SumRequest::sums_area_vectors).
     pub(crate) areas: bool,
 }
 
@@ -57,16 +54,16 @@ impl<O: Emit> Kernel for Finish<'_, O> {
 
     #[inline(always)]
     fn run<A: Lanes>(self, arch: A) {
-        let Self { sums, first, unit, state, doubts, areas } = self;
-        // No sum is shorter than nothing: where single faces are not looked for, none is found.
+        let Self { sums, first, unit, state, uncertain, areas } = self;
+        // No length is below 0: slots of one face are then not searched for.
         let same_way = if areas { 0.0 } else { SAME_WAY };
         state.fill(SlotState::Good);
         let groups = sums.chunks_mut(LANES).zip(unit.chunks_mut(LANES)).zip(state.chunks_mut(LANES));
         for (first, ((sums, unit), state)) in (first..).step_by(LANES).zip(groups) {
             if !finish_group(arch, sums, unit, same_way) {
                 for (slot, ((&sum, unit), state)) in (first..).zip(sums.iter().zip(unit).zip(state)) {
-                    let (vector, worth) = finish_one(sum, slot, areas, doubts);
-                    (*unit, *state) = (O::emit(vector), worth);
+                    let (vector, found) = finish_one(sum, slot, areas, uncertain);
+                    (*unit, *state) = (O::emit(vector), found);
                 }
             }
             sums.fill([0.0; 4]);
@@ -74,7 +71,7 @@ impl<O: Emit> Kernel for Finish<'_, O> {
     }
 }
 
-/// Eight sums at once; false if one of them is out of the ordinary, and then nothing is certain.
+/// Eight sums at once; false if one of them needs [`finish_one`].
 #[inline(always)]
 fn finish_group<A: Lanes, O: Emit>(arch: A, sums: &[Sum], unit: &mut [O], same_way: f64) -> bool {
     let (Ok(sums), Ok(unit)) = (<&[Sum; LANES]>::try_from(sums), <&mut [O; LANES]>::try_from(unit)) else {
@@ -101,19 +98,19 @@ fn finish_one(
     [x, y, z, weights]: Sum,
     slot: u32,
     areas: bool,
-    doubts: &mut UncertainSlots,
+    uncertain: &mut UncertainSlots,
 ) -> (DVec3, SlotState) {
     if weights == 0.0 {
-        doubts.recount.push(slot);
-        doubts.not_all_good = true;
+        uncertain.recount.push(slot);
+        uncertain.not_all_good = true;
         return (DVec3::ZERO, SlotState::Empty);
     }
-    let (vector, worth, length) = classify(DVec3::new(x, y, z), weights);
-    doubts.not_all_good |= worth != SlotState::Good;
-    if areas && worth == SlotState::Cancelling {
-        doubts.recount.push(slot);
+    let (vector, found, length) = classify(DVec3::new(x, y, z), weights);
+    uncertain.not_all_good |= found != SlotState::Good;
+    if areas && found == SlotState::Cancelling {
+        uncertain.recount.push(slot);
     } else if !areas && weights <= SAME_WAY * length {
-        doubts.perhaps_one_face.push(slot);
+        uncertain.perhaps_one_face.push(slot);
     }
-    (vector, worth)
+    (vector, found)
 }

@@ -1,5 +1,7 @@
 //! Sums: weighted sums of face normals over vertices or smooth groups.
 
+// What to sum, and what a sum can turn out to be.
+pub(super) mod request;
 // How much a face counts at each of its corners.
 pub(super) mod weight;
 // The block kernel: terms of eight triangles at a time.
@@ -10,15 +12,15 @@ pub(super) mod corner_terms;
 pub(super) mod corner_mean;
 // Division of the work among threads without changing a bit.
 pub(super) mod partition;
-// One thread's share of the sums.
-pub(super) mod accumulate;
 // From sums to unit vectors.
 pub(super) mod finish;
+// One thread's share of the sums.
+pub(super) mod accumulate;
 // A second evaluation of sums that may have cancelled.
 pub(super) mod recheck;
 // The weighted sums of all vertices or groups.
-pub(super) mod weighted;
-// Sums in which each corner chooses its own faces.
+pub(super) mod weighted_sums;
+// Sums in which each corner selects its own faces.
 pub(super) mod corner_sums;
 // The `fast` path, entirely in f32.
 pub(super) mod f32_path;

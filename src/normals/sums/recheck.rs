@@ -1,4 +1,4 @@
-//! A second look at the slots whose sums do not say all.
+//! A second evaluation of slots whose sums do not determine the result.
 
 use crate::mesh::NONE;
 use crate::normals::faces::positions::Source;
@@ -7,12 +7,10 @@ use crate::normals::sums::corner_mean::{Term, adds, mean};
 use crate::normals::sums::corner_terms::CornerTerms;
 use crate::normals::sums::finish::UncertainSlots;
 use crate::normals::sums::partition::Bounds;
-use crate::normals::sums::weight::CornerWeight;
-use crate::normals::sums::weighted::{SlotState, SumRequest};
+use crate::normals::sums::request::{SlotState, SumRequest};
 use crate::num;
 use glam::DVec3;
 use rayon::prelude::*;
-use std::marker::PhantomData;
 
 /// Faces walked at a time.
 const BLOCK_FACES: usize = 1024;
@@ -23,30 +21,29 @@ fn chunk_of(slot: u32) -> usize {
     slot as usize / CHUNK
 }
 
-/// Gives the results that sums alone do not: of slots of one face, which get its normal to the bit, of those that nothing
+/// The results that sums alone do not give: of slots of one face, which get its normal to the bit, of those that nothing
 /// was added to, and of those that seem to cancel.
-pub(crate) struct Recheck<'a, S, W> {
+pub(crate) struct Recheck<'a> {
     pub(crate) request: &'a SumRequest<'a>,
-    pub(crate) source: S,
+    pub(crate) source: &'a Source<'a>,
     /// Faces not simply counted, ascending.
-    pub(crate) odd: &'a [UnusualFace],
-    pub(crate) weight: PhantomData<W>,
+    pub(crate) unusual: &'a [UnusualFace],
 }
 
-impl<S: Source, W: CornerWeight> Recheck<'_, S, W> {
+impl Recheck<'_> {
     /// Results by slot.
-    pub(crate) fn run(&self, doubts: &UncertainSlots) -> Vec<(u32, DVec3, SlotState)> {
-        let mut slots: Vec<Doubt> = Vec::new();
-        slots.extend(doubts.perhaps_one_face.iter().map(|&slot| (slot, notes::NO_FACE)));
-        slots.extend(doubts.recount.iter().map(|&slot| (slot, notes::RECOUNT)));
+    pub(crate) fn run(&self, uncertain: &UncertainSlots) -> Vec<(u32, DVec3, SlotState)> {
+        let mut slots: Vec<NotedSlot> = Vec::new();
+        slots.extend(uncertain.perhaps_one_face.iter().map(|&slot| (slot, notes::NO_FACE)));
+        slots.extend(uncertain.recount.iter().map(|&slot| (slot, notes::RECOUNT)));
         slots.sort_unstable();
-        // Each thread looks after some slots in a row.
+        // Each thread takes some slots in a row.
         let share = slots.len().div_ceil(rayon::current_num_threads()).max(CHUNK);
-        slots.par_chunks(share).flat_map_iter(|doubts| self.look(doubts)).collect()
+        slots.par_chunks(share).flat_map_iter(|slots| self.evaluate(slots)).collect()
     }
 
-    fn look(&self, doubts: &[Doubt]) -> Vec<(u32, DVec3, SlotState)> {
-        let (alone, mut terms) = self.collect(doubts);
+    fn evaluate(&self, uncertain: &[NotedSlot]) -> Vec<(u32, DVec3, SlotState)> {
+        let (alone, mut terms) = self.collect(uncertain);
         let mut scalar = CornerTerms::default();
         let mut results = Vec::with_capacity(alone.len());
         for slots in alone.chunk_by(|a, b| a.0 == b.0) {
@@ -67,19 +64,19 @@ impl<S: Source, W: CornerWeight> Recheck<'_, S, W> {
 
     /// Walks the faces once more: slots of one face, as (face, slot) sorted by face, and the terms of slots to recount.
     #[expect(clippy::type_complexity, reason = "two lists of pairs, named in the line above")]
-    fn collect(&self, doubts: &[Doubt]) -> (Vec<(u32, u32)>, Vec<(u32, Term)>) {
+    fn collect(&self, uncertain: &[NotedSlot]) -> (Vec<(u32, u32)>, Vec<(u32, Term)>) {
         let Self { request, source, .. } = *self;
         let (mut scalar, mut terms) = (CornerTerms::default(), Vec::new());
-        let mut notes = Notes::new(doubts);
+        let mut notes = Notes::new(uncertain);
         for first in (0..request.faces.len()).step_by(BLOCK_FACES) {
             let faces = first..(first + BLOCK_FACES).min(request.faces.len());
             let slots = request.faces.start(faces.start)..request.faces.start(faces.end);
             if !notes.touch(num::dispatch(Bounds(&request.target[slots]))) {
                 continue;
             }
-            let mut odd = UnusualFaces::new(self.odd, faces.start);
+            let mut unusual = UnusualFaces::new(self.unusual, faces.start);
             for face in faces {
-                let state = odd.state(face);
+                let state = unusual.state(face);
                 let slots = &request.target[request.faces.range(face)];
                 let mut filled = false;
                 for (corner, &slot) in slots.iter().enumerate() {
@@ -90,7 +87,7 @@ impl<S: Source, W: CornerWeight> Recheck<'_, S, W> {
                         }
                     } else if state.has_direction() {
                         if !filled {
-                            scalar.fill::<S, W>(request.faces, source, face, |at| repeats(slots, at));
+                            scalar.fill(request.faces, source, request.weight, face, |at| repeats(slots, at));
                             filled = true;
                         }
                         let (vector, weight) = (scalar.vector, scalar.weights[corner]);
@@ -99,7 +96,7 @@ impl<S: Source, W: CornerWeight> Recheck<'_, S, W> {
                 }
             }
         }
-        let alone = doubts.iter().filter_map(|&(slot, _)| {
+        let alone = uncertain.iter().filter_map(|&(slot, _)| {
             let face = notes.of(slot).copied().filter(|&note| note < notes::RECOUNT)?;
             Some((face, slot))
         });
@@ -110,18 +107,18 @@ impl<S: Source, W: CornerWeight> Recheck<'_, S, W> {
 }
 
 /// A slot, and the note on it to begin with.
-type Doubt = (u32, u32);
+type NotedSlot = (u32, u32);
 
 mod notes {
     //! What is known of a slot: the number of its only face so far, or one of these, which no face has.
 
-    /// To be gone through term by term.
+    /// To be summed term by term.
     pub(in crate::normals) const RECOUNT: u32 = u32::MAX - 3;
     /// Several faces.
     pub(in crate::normals) const FACES: u32 = u32::MAX - 2;
     /// No face so far.
     pub(in crate::normals) const NO_FACE: u32 = u32::MAX - 1;
-    /// There is no doubt about it.
+    /// It is not uncertain.
     pub(in crate::normals) const NOTHING: u32 = u32::MAX;
 
     /// Takes note of a face.
@@ -134,37 +131,37 @@ mod notes {
     }
 }
 
-/// Notes on slots, for the chunks in which there are doubts.
+/// Notes on slots, for the chunks that have uncertain ones.
 struct Notes<'a> {
     /// Where the notes of each chunk begin.
     starts: Vec<u32>,
     notes: Vec<u32>,
-    /// The slots in doubt, ascending.
-    doubts: &'a [Doubt],
+    /// The uncertain slots, ascending.
+    uncertain: &'a [NotedSlot],
 }
 
 impl<'a> Notes<'a> {
-    fn new(doubts: &'a [Doubt]) -> Self {
+    fn new(uncertain: &'a [NotedSlot]) -> Self {
         let (mut starts, mut notes) = (Vec::new(), Vec::new());
-        for doubts in doubts.chunk_by(|a, b| chunk_of(a.0) == chunk_of(b.0)) {
+        for slots in uncertain.chunk_by(|a, b| chunk_of(a.0) == chunk_of(b.0)) {
             let start = notes.len();
-            starts.resize(chunk_of(doubts[0].0), NONE);
+            starts.resize(chunk_of(slots[0].0), NONE);
             starts.push(start as u32);
             notes.resize(start + CHUNK, notes::NOTHING);
-            for &(slot, note) in doubts {
+            for &(slot, note) in slots {
                 notes[start + slot as usize % CHUNK] = note;
             }
         }
-        Self { starts, notes, doubts }
+        Self { starts, notes, uncertain }
     }
 
-    /// Whether a slot in doubt lies between these two.
+    /// Whether an uncertain slot lies between these two.
     fn touch(&self, (low, high): (u32, u32)) -> bool {
-        let next = self.doubts.partition_point(|&(slot, _)| slot < low);
-        self.doubts.get(next).is_some_and(|&(slot, _)| slot <= high)
+        let next = self.uncertain.partition_point(|&(slot, _)| slot < low);
+        self.uncertain.get(next).is_some_and(|&(slot, _)| slot <= high)
     }
 
-    /// The note on a slot in doubt.
+    /// The note on an uncertain slot.
     fn of(&mut self, slot: u32) -> Option<&mut u32> {
         let start = self.starts.get(chunk_of(slot)).copied().filter(|&start| start != NONE)?;
         self.notes.get_mut(start as usize + slot as usize % CHUNK).filter(|note| **note != notes::NOTHING)

@@ -1,10 +1,30 @@
 //! How much a face counts at each of its corners.
+//!
+//! A weight is a factor of the face (its area, or 1) times a factor of the corner. It is a run-time value: the block kernel
+//! branches on it once for eight triangles.
 
 use crate::normals::recipe::Weight;
 use crate::num::{self, Arithmetic, Scalars, Vectors};
 use glam::DVec3;
 
-/// The measures of triangles that weights are made of, in any unit of length.
+impl Weight {
+    /// Whether the area of the face is a factor.
+    pub(crate) fn has_area_factor(self) -> bool {
+        matches!(self, Weight::Area | Weight::AngleArea)
+    }
+
+    /// Whether the corner's own factor is 1, so that all corners of a face have the same weight.
+    pub(crate) fn is_equal_at_corners(self) -> bool {
+        matches!(self, Weight::Uniform | Weight::Area)
+    }
+
+    /// The power of length in the corner's own factor.
+    pub(crate) fn length_power(self) -> i32 {
+        if matches!(self, Weight::Max | Weight::Edge) { -2 } else { 0 }
+    }
+}
+
+/// The quantities of triangles that weights are made of, in any unit of length.
 #[derive(Clone, Copy)]
 pub(crate) struct TriangleMeasures<A: Arithmetic> {
     /// Twice the area: |e1×e2| at every corner.
@@ -25,6 +45,29 @@ impl<A: Arithmetic> TriangleMeasures<A> {
             opposite: [e3.squared_length(), e2.squared_length(), e1.squared_length()],
         }
     }
+
+    /// The corners' own factors of a weight. A quadric has none of its own: its frame is the angle mean.
+    #[inline(always)]
+    pub(crate) fn corner_factors(self, weight: Weight) -> [Scalars<A>; 3] {
+        let one = Scalars::splat(self.double_area.arch, 1.0);
+        let [a, b, c] = self.opposite;
+        match weight {
+            Weight::Uniform | Weight::Area => [one; 3],
+            Weight::Angle | Weight::AngleArea | Weight::Quadric => {
+                num::triangle_angles(self.double_area, self.dots)
+            }
+            Weight::Max => {
+                // One division: 1/(bc) = a/(abc), and so on. Nothing here leaves f64 for edges of the f32 range.
+                let common = self.double_area / ((a * b) * c);
+                [common * a, common * b, common * c]
+            }
+            Weight::Edge => {
+                let (a, b, c) = (a.sqrt(), b.sqrt(), c.sqrt());
+                let common = one / ((a * b) * c);
+                [common * a, common * b, common * c]
+            }
+        }
+    }
 }
 
 /// a·b, added in the same order everywhere.
@@ -33,7 +76,7 @@ pub(crate) fn dot(a: DVec3, b: DVec3) -> f64 {
     (a.x * b.x + a.y * b.y) + a.z * b.z
 }
 
-/// The measures of one corner of a polygon; e1 and e2 lead to the next and the previous corner that do not
+/// The quantities of one corner of a polygon; e1 and e2 lead to the next and the previous corner that do not
 /// coincide with it.
 #[derive(Clone, Copy)]
 pub(crate) struct CornerMeasures {
@@ -47,147 +90,17 @@ pub(crate) struct CornerMeasures {
     pub(crate) reflex: bool,
 }
 
-/// A weight, resolved at compile time so that a kernel is made for each.
-pub(crate) trait CornerWeight: Copy + Send + Sync + 'static {
-    /// Whether the face counts by its area beside what the corner says.
-    const BY_AREA: bool = false;
-    /// Whether every corner of a face counts the same.
-    const EVEN: bool = false;
-    /// The power of length that the corner's own weight has.
-    const POWER: i32 = 0;
-
-    /// The weights of a triangle's corners.
-    fn of_triangle<A: Arithmetic>(measures: TriangleMeasures<A>) -> [Scalars<A>; 3];
-
-    /// The weight of a polygon's corner.
-    fn of_corner(measures: CornerMeasures) -> f64;
-}
-
-/// w = 1.
-#[derive(Clone, Copy)]
-pub(crate) struct Uniform;
-
-impl CornerWeight for Uniform {
-    const EVEN: bool = true;
-
-    #[inline(always)]
-    fn of_triangle<A: Arithmetic>(measures: TriangleMeasures<A>) -> [Scalars<A>; 3] {
-        [Scalars::splat(measures.double_area.arch, 1.0); 3]
-    }
-
-    fn of_corner(_: CornerMeasures) -> f64 {
-        1.0
-    }
-}
-
-/// w = area.
-#[derive(Clone, Copy)]
-pub(crate) struct Area;
-
-impl CornerWeight for Area {
-    const BY_AREA: bool = true;
-    const EVEN: bool = true;
-
-    #[inline(always)]
-    fn of_triangle<A: Arithmetic>(measures: TriangleMeasures<A>) -> [Scalars<A>; 3] {
-        [Scalars::splat(measures.double_area.arch, 1.0); 3]
-    }
-
-    fn of_corner(_: CornerMeasures) -> f64 {
-        1.0
-    }
-}
-
-/// w = α.
-#[derive(Clone, Copy)]
-pub(crate) struct Angle;
-
-impl CornerWeight for Angle {
-    #[inline(always)]
-    fn of_triangle<A: Arithmetic>(measures: TriangleMeasures<A>) -> [Scalars<A>; 3] {
-        num::triangle_angles(measures.double_area, measures.dots)
-    }
-
-    fn of_corner(measures: CornerMeasures) -> f64 {
-        let angle = num::corner_angle(measures.cross, measures.dot);
-        if measures.reflex { std::f64::consts::TAU - angle } else { angle }
-    }
-}
-
-/// w = α · area.
-#[derive(Clone, Copy)]
-pub(crate) struct AngleArea;
-
-impl CornerWeight for AngleArea {
-    const BY_AREA: bool = true;
-
-    #[inline(always)]
-    fn of_triangle<A: Arithmetic>(measures: TriangleMeasures<A>) -> [Scalars<A>; 3] {
-        Angle::of_triangle(measures)
-    }
-
-    fn of_corner(measures: CornerMeasures) -> f64 {
-        Angle::of_corner(measures)
-    }
-}
-
-/// w = |e1×e2| / (|e1|² |e2|²) (Max, *Weights for computing vertex normals from facet normals*, JGT 4(2), 1999).
-#[derive(Clone, Copy)]
-pub(crate) struct Max;
-
-impl CornerWeight for Max {
-    const POWER: i32 = -2;
-
-    #[inline(always)]
-    fn of_triangle<A: Arithmetic>(measures: TriangleMeasures<A>) -> [Scalars<A>; 3] {
-        let [a, b, c] = measures.opposite;
-        // One division: 1/(bc) = a/(abc), and so on. Nothing here leaves f64 for edges of the f32 range.
-        let common = measures.double_area / ((a * b) * c);
-        [common * a, common * b, common * c]
-    }
-
-    fn of_corner(measures: CornerMeasures) -> f64 {
-        measures.cross / measures.squares
-    }
-}
-
-/// w = 1 / (|e1| |e2|).
-#[derive(Clone, Copy)]
-pub(crate) struct Edge;
-
-impl CornerWeight for Edge {
-    const POWER: i32 = -2;
-
-    #[inline(always)]
-    fn of_triangle<A: Arithmetic>(measures: TriangleMeasures<A>) -> [Scalars<A>; 3] {
-        let [a, b, c] = measures.opposite;
-        let (a, b, c) = (a.sqrt(), b.sqrt(), c.sqrt());
-        let common = Scalars::splat(a.arch, 1.0) / ((a * b) * c);
-        [common * a, common * b, common * c]
-    }
-
-    fn of_corner(measures: CornerMeasures) -> f64 {
-        1.0 / measures.squares.sqrt()
-    }
-}
-
-/// Work done with a weight resolved.
-pub(crate) trait WeightVisitor {
-    /// What it gives.
-    type Output;
-
-    /// Does it.
-    fn visit<W: CornerWeight>(self) -> Self::Output;
-}
-
-/// Calls the visitor with the weight's type. A quadric has no weights: its frame is the angle mean.
-pub(crate) fn visit_weight<V: WeightVisitor>(weight: Weight, visitor: V) -> V::Output {
-    match weight {
-        Weight::Uniform => visitor.visit::<Uniform>(),
-        Weight::Area => visitor.visit::<Area>(),
-        Weight::Angle | Weight::Quadric => visitor.visit::<Angle>(),
-        Weight::AngleArea => visitor.visit::<AngleArea>(),
-        Weight::Max => visitor.visit::<Max>(),
-        Weight::Edge => visitor.visit::<Edge>(),
+impl CornerMeasures {
+    /// The corner's own factor of a weight.
+    pub(crate) fn corner_factor(self, weight: Weight) -> f64 {
+        match weight {
+            Weight::Uniform | Weight::Area => 1.0,
+            Weight::Angle | Weight::AngleArea | Weight::Quadric => {
+                let angle = num::corner_angle(self.cross, self.dot);
+                if self.reflex { std::f64::consts::TAU - angle } else { angle }
+            }
+            Weight::Max => self.cross / self.squares,
+            Weight::Edge => 1.0 / self.squares.sqrt(),
+        }
     }
 }

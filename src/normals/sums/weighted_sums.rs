@@ -1,0 +1,156 @@
+//! Weighted sums of face normals over vertices or smooth groups.
+
+use crate::normals::faces::output::Emit;
+use crate::normals::faces::positions::Source;
+use crate::normals::sums::accumulate::{Accumulate, Part, UnusualFace, Walk};
+use crate::normals::sums::finish::{Finish, UncertainSlots};
+use crate::normals::sums::partition::Partition;
+use crate::normals::sums::recheck::Recheck;
+use crate::normals::sums::request::{SlotState, Sum, SumRequest, Sums};
+use crate::num;
+use rayon::prelude::*;
+use std::ops::Range;
+
+/// Memory that can be used again by the next call.
+#[derive(Default)]
+pub(crate) struct SumScratch {
+    /// Their sums are zero between calls.
+    parts: Vec<Part>,
+}
+
+/// What is known in addition to the sums themselves.
+#[derive(Default)]
+pub(crate) struct Outcome {
+    /// The faces that are not simply counted, ascending.
+    pub(crate) unusual: Vec<UnusualFace>,
+    /// Whether it is certain that every slot is [`SlotState::Good`].
+    pub(crate) all_good: bool,
+    /// Whether a face has a vertex that does not exist. Then nothing was computed.
+    pub(crate) vertex_missing: bool,
+}
+
+/// Σ w n̂ of every slot, each sum in ascending face index whatever the number of threads.
+///
+/// Faces without direction add nothing, nor do slivers with [`Slivers::Exclude`](crate::normals::Slivers::Exclude), unless
+/// a slot has no other face. If all weights of a slot vanish, its faces count the same. A slot with one face gets that
+/// face's normal to the bit.
+pub(crate) fn weighted_sums(request: &SumRequest) -> Sums {
+    let mut sums =
+        Sums { unit: bytemuck::zeroed_vec(request.slots), state: vec![SlotState::Empty; request.slots] };
+    weighted_sums_into(request, &mut SumScratch::default(), &mut sums.unit, &mut sums.state);
+    sums
+}
+
+/// The same into the caller's slices, one entry a slot.
+pub(crate) fn weighted_sums_into<O: Emit>(
+    request: &SumRequest,
+    scratch: &mut SumScratch,
+    unit: &mut [O],
+    state: &mut [SlotState],
+) -> Outcome {
+    let source = &Source::new(request.positions);
+    let partition = Partition::new(request.faces, request.target);
+    // Whatever stops the work half way, the next call does not find its sums.
+    let mut memory = std::mem::take(&mut scratch.parts);
+    memory.resize_with(partition.parts().max(memory.len()), Part::default);
+    let parts = &mut memory[..partition.parts()];
+    let Some(owned) = accumulate(request, source, partition, parts) else {
+        return Outcome { vertex_missing: true, ..Outcome::default() };
+    };
+    finish(request, parts, owned, unit, state);
+
+    // Shares ascend, and so do the faces in them; slots do too.
+    let unusual: Vec<UnusualFace> = parts.iter().flat_map(|part| part.unusual.iter().copied()).collect();
+    let mut uncertain = UncertainSlots::default();
+    parts.iter().for_each(|part| uncertain.join(&part.uncertain));
+    scratch.parts = memory;
+    let recheck = Recheck { request, source, unusual: &unusual };
+    for (slot, vector, found) in recheck.run(&uncertain) {
+        unit[slot as usize] = O::emit(vector);
+        state[slot as usize] = found;
+    }
+    Outcome { unusual, all_good: !uncertain.not_all_good, vertex_missing: false }
+}
+
+/// Sums of all parts, and the slots that each owns; `None` if a vertex does not exist.
+fn accumulate(
+    request: &SumRequest,
+    source: &Source,
+    partition: Partition,
+    parts: &mut [Part],
+) -> Option<Vec<Range<usize>>> {
+    let slots = request.slots;
+    let alone = parts.len() == 1;
+    let add = |walk: Walk, sums: &mut [Sum], unusual: &mut Vec<UnusualFace>| {
+        num::dispatch(Accumulate { request, source, walk, sums, unusual })
+    };
+    let add_share = |(number, part): (usize, &mut Part)| {
+        let Part { sums, touched, unusual, .. } = part;
+        sums.reserve(slots);
+        touched.clear();
+        unusual.clear();
+        let walk = Walk::Share(partition.share(number), (!alone).then_some(touched));
+        add(walk, sums.get(slots), unusual)
+    };
+    if !for_each_part(parts, add_share).into_iter().all(|found| found) {
+        return None;
+    }
+    let owned = owned_slots(parts, slots);
+    let outside = for_each_part(parts, |(number, part)| {
+        part.hand_over(request, partition.share(number), owned[number].start)
+    });
+    for_each_part(parts, |(number, part)| {
+        let Part { sums, unusual, .. } = part;
+        // The parts in whose share these faces are have found the unusual ones too.
+        let found = unusual.len();
+        for faces in &outside[number + 1..] {
+            add(Walk::Listed(faces, owned[number].start), &mut sums.get(slots)[..owned[number].end], unusual);
+        }
+        unusual.truncate(found);
+    });
+    Some(owned)
+}
+
+/// Unit vectors from the sums of all parts.
+fn finish<O: Emit>(
+    request: &SumRequest,
+    parts: &mut [Part],
+    owned: Vec<Range<usize>>,
+    mut unit: &mut [O],
+    mut state: &mut [SlotState],
+) {
+    let areas = request.sums_area_vectors();
+    let mut work = Vec::new();
+    for (part, owned) in parts.iter_mut().zip(owned) {
+        let unit = unit.split_off_mut(..owned.len()).expect("one for each slot");
+        let state = state.split_off_mut(..owned.len()).expect("one for each slot");
+        work.push((part, owned, unit, state));
+    }
+    for_each_part(&mut work, |(_, (part, owned, unit, state))| {
+        let Part { sums, uncertain, .. } = &mut **part;
+        uncertain.clear();
+        let (sums, first) = (&mut sums.get(request.slots)[owned.clone()], owned.start as u32);
+        num::dispatch(Finish { sums, first, unit, state, uncertain, areas });
+    });
+}
+
+/// The slots that each part owns: from where earlier parts end up to the highest that it touches; the last one the rest.
+fn owned_slots(parts: &[Part], slots: usize) -> Vec<Range<usize>> {
+    let mut start = 0;
+    let owned = parts.iter().enumerate().map(|(number, part)| {
+        let end = if number + 1 == parts.len() { slots } else { part.touched.end().clamp(start, slots) };
+        std::mem::replace(&mut start, end)..end
+    });
+    owned.collect()
+}
+
+/// Does work for each of some parts at the same time; for one alone without asking for threads.
+fn for_each_part<P: Send, R: Send>(
+    parts: &mut [P],
+    work: impl Fn((usize, &mut P)) -> R + Sync + Send,
+) -> Vec<R> {
+    match parts {
+        [part] => vec![work((0, part))],
+        parts => parts.par_iter_mut().enumerate().map(work).collect(),
+    }
+}
