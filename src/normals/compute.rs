@@ -6,7 +6,7 @@ use crate::normals::creases::dihedral_test::CreaseTest;
 use crate::normals::creases::edge_counts::edge_counts;
 use crate::normals::creases::fans::{FanWalker, MeshFans};
 use crate::normals::creases::hard_edges::{Marks, applied_angle};
-use crate::normals::creases::smooth_groups::{Members, SmoothGroups};
+use crate::normals::creases::smooth_groups::{SlotCorners, SmoothGroups};
 use crate::normals::faces::face_normals::FaceNormals;
 use crate::normals::faces::face_normals::face_normals;
 use crate::normals::faces::field::FaceField;
@@ -122,8 +122,8 @@ fn try_compute(
         };
         let mut normals = moved.entries(mesh, topology, recipe, &groups)?;
         // A shape that loses a normal keeps that of the base: no displacement rather than an arbitrary one.
-        summary.morph_fallbacks += normals.made_up.len();
-        for &(entry, _) in &normals.made_up {
+        summary.morph_fallbacks += normals.fallbacks.len();
+        for &(entry, _) in &normals.fallbacks {
             normals.values[entry as usize] = filled.values[entry as usize];
         }
         morph_normals.push(normals.values);
@@ -131,7 +131,7 @@ fn try_compute(
 
     let faults = Faults {
         faces: face_faults(&shape.faces, recipe.slivers),
-        corners: corner_faults(&groups.corner_entry, &filled.made_up),
+        corners: corner_faults(&groups.corner_entry, &filled.fallbacks),
         vertices: unreferenced(&groups.entry_vertex, mesh.vertex_count()),
     };
     Some(NormalField {
@@ -199,16 +199,17 @@ impl<'a> Shape<'a> {
         } else {
             0
         };
-        let mut makeup = FallbackNormals::new(mesh.faces().view(), topology, &self.faces);
-        let made_up = makeup.for_slots(&target, &sums.state, |slot, normal| sums.unit[slot] = normal);
+        let mut fallbacks = FallbackNormals::new(mesh.faces().view(), topology, &self.faces);
+        let fallbacks = fallbacks.for_slots(&target, &sums.state, |slot, normal| sums.unit[slot] = normal);
         let values = match &groups.entry_slot {
             None => sums.unit,
             Some(slots) => slots.iter().map(|&slot| sums.unit[slot as usize]).collect(),
         };
-        let reason = |slot: u32| made_up.binary_search_by_key(&slot, |&(s, _)| s).ok().map(|i| made_up[i].1);
-        let entries = (0..values.len() as u32).filter(|_| !made_up.is_empty());
-        let made_up = entries.filter_map(|e| reason(groups.slot(e)).map(|reason| (e, reason))).collect();
-        Some(Entries { values, made_up, quadric_fallbacks })
+        let reason =
+            |slot: u32| fallbacks.binary_search_by_key(&slot, |&(s, _)| s).ok().map(|i| fallbacks[i].1);
+        let entries = (0..values.len() as u32).filter(|_| !fallbacks.is_empty());
+        let fallbacks = entries.filter_map(|e| reason(groups.slot(e)).map(|reason| (e, reason))).collect();
+        Some(Entries { values, fallbacks, quadric_fallbacks })
     }
 
     /// Replaces means by the normals of quadrics where there is a fit. Gives the number of slots without one.
@@ -224,7 +225,7 @@ impl<'a> Shape<'a> {
         let members = match &groups.members {
             Some(members) => members,
             None => {
-                by_slot = Members::by_slot(target, sums.unit.len());
+                by_slot = SlotCorners::by_slot(target, sums.unit.len());
                 &by_slot
             }
         };
@@ -245,7 +246,7 @@ impl<'a> Shape<'a> {
 }
 
 /// Sums over explicit lists of corners: the cone rule, where a face counts in several groups.
-fn gather_sums(request: &SumRequest, members: &Members) -> Sums {
+fn gather_sums(request: &SumRequest, members: &SlotCorners) -> Sums {
     let table = TermTable::new(request);
     let slots = (0..request.slots as u32).into_par_iter();
     let (unit, state) = slots.map_init(Vec::new, |terms, slot| table.mean(members.row(slot), terms)).unzip();
@@ -255,8 +256,8 @@ fn gather_sums(request: &SumRequest, members: &Members) -> Sums {
 /// The normals of all entries.
 struct Entries {
     values: Vec<DVec3>,
-    /// Entries whose normal is made up, ascending, with the reason.
-    made_up: Vec<(u32, FaultReason)>,
+    /// Entries with a fallback normal, ascending, with the reason.
+    fallbacks: Vec<(u32, FaultReason)>,
     quadric_fallbacks: usize,
 }
 
@@ -270,12 +271,13 @@ fn faces_before_groups(mesh: &Mesh, recipe: &NormalRecipe) -> usize {
     smoothing.map_or(0, |smoothing| smoothing.before_first)
 }
 
-/// The corners of entries whose normal was made up, with the reason.
-fn corner_faults(corner_entry: &[u32], made_up: &[(u32, FaultReason)]) -> Vec<Fault> {
-    if made_up.is_empty() {
+/// The corners of entries with a fallback normal, with the reason.
+fn corner_faults(corner_entry: &[u32], fallbacks: &[(u32, FaultReason)]) -> Vec<Fault> {
+    if fallbacks.is_empty() {
         return Vec::new();
     }
-    let reason = |entry: u32| made_up.binary_search_by_key(&entry, |&(e, _)| e).ok().map(|i| made_up[i].1);
+    let reason =
+        |entry: u32| fallbacks.binary_search_by_key(&entry, |&(e, _)| e).ok().map(|i| fallbacks[i].1);
     let corners = corner_entry.iter().enumerate();
     corners.filter_map(|(c, &entry)| reason(entry).map(|reason| Fault { index: c as u32, reason })).collect()
 }

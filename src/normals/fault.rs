@@ -1,4 +1,4 @@
-//! Why a normal had to be made up, and how often.
+//! Why elements have fallback normals, and how often.
 
 /// Why a face or a corner has no normal of its own. It got a documented unit fallback instead.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -41,7 +41,7 @@ impl FaultReason {
     }
 }
 
-/// One fault at one element (a face, a corner or a vertex, by the list that it stands in).
+/// One fault at one element (a face, a corner or a vertex, by the list that it is in).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Fault {
     /// Number of the element.
@@ -53,11 +53,11 @@ pub struct Fault {
 /// All faults of one computation, each list ascending by element.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Faults {
-    /// Faces that add nothing to sums, or whose normal is made up.
+    /// Faces that add nothing to sums, or that have a fallback normal.
     pub faces: Vec<Fault>,
-    /// Corners whose normal is made up.
+    /// Corners that have a fallback normal.
     pub corners: Vec<Fault>,
-    /// Vertices whose normal is made up.
+    /// Vertices that have a fallback normal.
     pub vertices: Vec<Fault>,
 }
 

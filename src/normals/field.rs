@@ -18,7 +18,7 @@ pub struct NormalField {
     pub face_normals: Vec<DVec3>,
     /// Unit normals of each morph target's shape, one per entry.
     pub morph_normals: Vec<Vec<DVec3>>,
-    /// Where a normal had to be made up.
+    /// The elements with a fallback normal.
     pub faults: Faults,
     /// What was found on the way.
     pub summary: Summary,

@@ -1,4 +1,4 @@
-//! What determines a normal: the recipe, apart from everything that must not change one bit of it.
+//! The recipe: everything that determines a normal, and nothing that must not change it.
 
 use crate::mesh::Weld;
 use crate::num::Degrees;
@@ -20,7 +20,7 @@ pub enum Weight {
     Max,
     /// w = 1 / (|e1| |e2|).
     Edge,
-    /// The normal of a least-squares quadric through the two-ring: second order, slow. The angle mean stands where there are
+    /// The normal of a least-squares quadric through the two-ring: second order, slow. The angle mean is used where there are
     /// fewer than six neighbours, where they lie on a conic, as on two rings of points, or where the fit turns the mean
     /// more than twice as far as the means of the neighbours turn in that direction, so that rounding of positions is not
     /// taken for shape: [`Summary::quadric_fallbacks`](crate::normals::Summary::quadric_fallbacks) counts these.
@@ -59,7 +59,7 @@ pub enum Crease {
     /// [`Crease::DEFAULT_ANGLE`], unless smoothing groups decide.
     #[default]
     Default,
-    /// This angle, beside smoothing groups where there are any. 0: every edge is hard; 180: none.
+    /// This angle, in addition to smoothing groups where there are any. 0: every edge is hard; 180: none.
     Angle(Degrees),
 }
 
@@ -70,7 +70,7 @@ impl Crease {
     pub const OFF: Crease = Crease::Angle(Degrees(180.0));
 }
 
-/// What hard edges do to the faces round a vertex.
+/// What hard edges do to the faces around a vertex.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum CreaseRule {
     /// Hard edges cut the fan into smooth groups with one normal each.

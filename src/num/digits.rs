@@ -50,7 +50,7 @@ pub(crate) fn superscript(number: &str) -> String {
     number.chars().map(|c| c.to_digit(10).map_or('⁻', |digit| DIGITS[digit as usize])).collect()
 }
 
-/// A number with nine decimals, which tell every printed figure of the lectures; without the sign that a zero may have, or
+/// A number with nine decimals, which distinguish every printed figure of the lectures; without the sign that a zero may have, or
 /// that rounding leaves in front of one.
 pub(crate) struct Nine(pub(crate) f64);
 

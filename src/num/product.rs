@@ -1,6 +1,5 @@
 //! Exact products, with and without a fused multiply-add.
 
-use super::lanes::LANES;
 use glam::DVec3;
 
 /// A way to multiply two numbers without losing anything.
@@ -12,9 +11,9 @@ pub(crate) trait Product: Copy + Send + Sync + 'static {
     /// `(p, e)` with p = fl(ab) and p + e = ab exactly.
     fn two_product(a: f64, b: f64) -> (f64, f64);
 
-    /// The results of eight lanes.
+    /// The results of all lanes.
     #[inline(always)]
-    fn each<T>(lane: impl Fn(usize) -> T) -> [T; LANES] {
+    fn each<T, const N: usize>(lane: impl Fn(usize) -> T) -> [T; N] {
         std::array::from_fn(lane)
     }
 }
@@ -47,7 +46,7 @@ impl Product for Split {
     /// A call for each step: written out, kernels without vector instructions took half of the time that the crate
     /// takes to compile.
     #[inline(never)]
-    fn each<T>(lane: impl Fn(usize) -> T) -> [T; LANES] {
+    fn each<T, const N: usize>(lane: impl Fn(usize) -> T) -> [T; N] {
         std::array::from_fn(lane)
     }
 }

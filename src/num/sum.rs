@@ -16,7 +16,7 @@ pub(crate) fn two_difference(a: f64, b: f64) -> (f64, f64) {
     two_sum(a, -b)
 }
 
-/// A sum whose rounding errors are summed beside it (Neumaier 1974; the error by Knuth's branch-free two-sum).
+/// A sum whose rounding errors are summed separately (Neumaier 1974; the error by Knuth's branch-free two-sum).
 /// Its value is as accurate as a sum in twice the precision, rounded once.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct CompensatedSum {
@@ -25,7 +25,7 @@ pub struct CompensatedSum {
 }
 
 impl CompensatedSum {
-    /// Adds what is small beside the sum, such as the rounding error of a term.
+    /// Adds something small compared with the sum, such as the rounding error of a term.
     #[inline]
     pub(crate) fn correct(&mut self, error: f64) {
         self.lost += error;

@@ -1,4 +1,4 @@
-//! Colours for quantities, in order of lightness, so that they can be told apart in grey.
+//! Colours for quantities, in order of lightness, so that they differ in grey.
 
 use super::{LinearRgb, Srgb8};
 use std::sync::LazyLock;

@@ -3,7 +3,7 @@
 use crate::mesh::NONE;
 use crate::normals::creases::dihedral_test::CreaseTest;
 use crate::normals::creases::fans::MeshWalker;
-use crate::normals::creases::smooth_groups::{FanScratch, Members, SmoothGroups};
+use crate::normals::creases::smooth_groups::{FanScratch, SlotCorners, SmoothGroups};
 use rustc_hash::FxHashMap;
 
 /// Time and memory of the cone rule are quadratic in the corners of a fan. Fans up to this size are always cut by it: 16 MiB
@@ -22,7 +22,7 @@ impl SmoothGroups {
         let mut cutter = Cutter {
             walker,
             group: vec![NONE; corner_count],
-            members: Members { offsets: vec![0], corners: Vec::new() },
+            members: SlotCorners { offsets: vec![0], corners: Vec::new() },
             scratch: FanScratch::default(),
         };
         let mut large: Vec<(usize, u32)> = Vec::new();
@@ -30,8 +30,8 @@ impl SmoothGroups {
             if cutter.group[start as usize] != NONE {
                 continue;
             }
-            walker.stretch(start, &mut cutter.scratch.stretch);
-            let corners = &cutter.scratch.stretch.corners;
+            walker.sector(start, &mut cutter.scratch.sector);
+            let corners = &cutter.scratch.sector.corners;
             if corners.len() <= ALWAYS {
                 cutter.by_cone();
             } else {
@@ -46,7 +46,7 @@ impl SmoothGroups {
             let size = fans[0].0;
             spent = spent.saturating_add(size.saturating_mul(size).saturating_mul(fans.len()));
             for &(_, start) in fans {
-                walker.stretch(start, &mut cutter.scratch.stretch);
+                walker.sector(start, &mut cutter.scratch.sector);
                 if spent <= BUDGET {
                     cutter.by_cone();
                 } else {
@@ -61,13 +61,13 @@ impl SmoothGroups {
         (groups, declined)
     }
 
-    /// Members in the order of slots: a slot that is no group's own has none.
-    fn members_by_slot(&self, group: &[u32], members: &Members) -> Members {
+    /// SlotCorners in the order of slots: a slot that is no group's own has none.
+    fn members_by_slot(&self, group: &[u32], members: &SlotCorners) -> SlotCorners {
         let mut of_slot = vec![NONE; self.entry_vertex.len()];
         for (corner, &entry) in self.corner_entry.iter().enumerate() {
             of_slot[self.slot(entry) as usize] = group[corner];
         }
-        let mut ordered = Members { offsets: vec![0], corners: Vec::new() };
+        let mut ordered = SlotCorners { offsets: vec![0], corners: Vec::new() };
         for number in of_slot {
             if number == NONE {
                 ordered.push(&[]);
@@ -79,12 +79,12 @@ impl SmoothGroups {
     }
 }
 
-/// Cuts fans into groups, the one in `scratch.stretch` at each call.
+/// Cuts fans into groups, the one in `scratch.sector` at each call.
 struct Cutter<'a> {
     walker: &'a MeshWalker<'a>,
     /// The group of each corner.
     group: Vec<u32>,
-    members: Members,
+    members: SlotCorners,
     scratch: FanScratch,
 }
 
@@ -92,8 +92,8 @@ impl Cutter<'_> {
     /// For each corner the faces whose normals are within the crease angle of its own face's.
     fn by_cone(&mut self) {
         let Self { walker, group, members, scratch } = self;
-        walker.deciding_places(&scratch.stretch, &mut scratch.places);
-        let corners = &scratch.stretch.corners;
+        walker.deciding_places(&scratch.sector, &mut scratch.places);
+        let corners = &scratch.sector.corners;
         let mut decides = vec![false; corners.len()];
         scratch.places.iter().for_each(|&place| decides[place] = true);
         let mut set = Vec::new();
@@ -123,13 +123,11 @@ impl Cutter<'_> {
     /// One group between two edges over the crease angle.
     fn by_fan(&mut self) {
         let Self { walker, group, members, scratch } = self;
-        walker.cuts(&scratch.stretch, &mut scratch.places, &mut scratch.cuts);
+        walker.cuts(&scratch.sector, &mut scratch.places, &mut scratch.cuts);
         let mut pieces: Vec<(u32, u32)> = Vec::new();
-        crate::normals::creases::smooth_groups::for_each_piece(
-            &scratch.stretch,
-            &scratch.cuts,
-            |c, piece| pieces.push((piece, c)),
-        );
+        crate::normals::creases::smooth_groups::for_each_piece(&scratch.sector, &scratch.cuts, |c, piece| {
+            pieces.push((piece, c))
+        });
         pieces.sort_unstable();
         for piece in pieces.chunk_by(|a, b| a.0 == b.0) {
             let set: Vec<u32> = piece.iter().map(|&(_, corner)| corner).collect();
@@ -139,7 +137,7 @@ impl Cutter<'_> {
     }
 }
 
-impl Members {
+impl SlotCorners {
     fn push(&mut self, row: &[u32]) -> u32 {
         self.corners.extend_from_slice(row);
         self.offsets.push(self.corners.len() as u32);

@@ -16,7 +16,7 @@ const FEWEST_DIGITS: u32 = 4;
 /// For each face, the angle in radians by which its normal may be off because coordinates were rounded to a few decimals;
 /// `None` where they were not.
 ///
-/// The decimals are those of the text, as far as positions tell: the fewest that hold every coordinate, if the last of them
+/// The decimals are those of the text, as far as positions show them: the fewest that hold every coordinate, if the last of them
 /// takes several values. A corner is then off by δ = √3/2 units of that decimal at most, and the area vector ½Σ Pᵢ × Pᵢ₊₁ by
 /// ½δ(Σ|Pᵢ₊₁ − Pᵢ₋₁| + nδ), which turns it by the arc sine of its share in the area. Where that is no angle, it is π.
 pub(in crate::normals) fn turns_by_rounding(mesh: &Mesh) -> Option<Vec<f64>> {

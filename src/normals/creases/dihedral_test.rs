@@ -47,7 +47,7 @@ impl AngleLimit {
         }
     }
 
-    /// Whether the filter alone tells that the angle is not over the limit.
+    /// Whether the filter alone shows that the angle is not over the limit.
     #[inline]
     pub(crate) fn surely_within(&self, a: DVec3, b: DVec3) -> bool {
         a.dot(b) > self.surely_under

@@ -2,14 +2,14 @@
 
 use crate::mesh::Link;
 use crate::normals::creases::dihedral_test::CreaseTest;
-use crate::normals::creases::fans::{Fans, MeshWalker, Stretch};
+use crate::normals::creases::fans::{Fans, MeshWalker, Sector};
 use crate::normals::field::EdgeCounts;
 use rayon::prelude::*;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Counts the edges of a mesh, each once, and those near the crease angle.
 ///
-/// An edge counts as a crease if it is hard at either end: beside a face that has no say, the faces that decide may be
+/// An edge counts as a crease if it is hard at either end: next to a face that adds to no sum, the faces that decide may be
 /// others at each end. An edge is near the crease angle within 0.1°, or within what `turns` allows, the angle in radians that
 /// the normal of each face may be off by: of the two faces that decide.
 pub(crate) fn edge_counts(walker: &MeshWalker, turns: Option<&[f64]>) -> (EdgeCounts, usize) {
@@ -37,7 +37,7 @@ pub(crate) fn edge_counts(walker: &MeshWalker, turns: Option<&[f64]>) -> (EdgeCo
 struct Tally {
     counts: EdgeCounts,
     near: usize,
-    /// Edges beside a face that may have no say, by the lower of their half-edges.
+    /// Edges of a face that may add to no sum, by the lower of their half-edges.
     undecided: Vec<u32>,
 }
 
@@ -98,21 +98,21 @@ fn is_near(walker: &MeshWalker, turns: Option<&[f64]>, a: u32, b: u32) -> bool {
     }
 }
 
-/// How many edges are creases, and near ones, by the faces that decide in the stretches of fan at their two ends. Each
-/// stretch is walked once.
+/// How many edges are creases, and near ones, by the faces that decide in the sectors of fan at their two ends. Each
+/// sector is walked once.
 fn decided_by_others(walker: &MeshWalker, turns: Option<&[f64]>, edges: &[u32]) -> (usize, usize) {
     let mut verdicts: FxHashMap<u32, Verdict> = FxHashMap::default();
     let mut walked: FxHashSet<u32> = FxHashSet::default();
-    let (mut stretch, mut places) = (Stretch::default(), Vec::new());
+    let (mut sector, mut places) = (Sector::default(), Vec::new());
     for &edge in edges {
         let across = walker.fans.topology.across(edge).expect("such an edge has two faces");
         for corner in [edge, across] {
             if walked.contains(&corner) {
                 continue;
             }
-            walker.stretch(corner, &mut stretch);
-            walked.extend(&stretch.corners);
-            walker.for_each_decision(&stretch, &mut places, |corner, a, b| {
+            walker.sector(corner, &mut sector);
+            walked.extend(&sector.corners);
+            walker.for_each_decision(&sector, &mut places, |corner, a, b| {
                 let across = walker.fans.topology.across(corner).unwrap_or(corner);
                 let verdict = verdicts.entry(corner.min(across)).or_default();
                 verdict.is_crease |= walker.crease.is_over(walker.normal(a), walker.normal(b));

@@ -1,4 +1,4 @@
-//! Walking round a vertex: fans of corners, and where creases cut them.
+//! Walking around a vertex: fans of corners, and where creases cut them.
 
 use crate::mesh::{FacesRef, Link, Topology};
 use crate::normals::creases::dihedral_test::CreaseTest;
@@ -9,16 +9,16 @@ use crate::normals::recipe::Slivers;
 use glam::DVec3;
 use std::ops::Range;
 
-/// Corners round a vertex in the order in which their faces follow each other across edges that are not hard
+/// Corners around a vertex in the order in which their faces follow each other across edges that are not hard
 /// for other reasons than their angle.
 #[derive(Default)]
-pub(crate) struct Stretch {
+pub(crate) struct Sector {
     pub(crate) corners: Vec<u32>,
     /// Whether the last corner's face meets the first one's.
     pub(crate) closed: bool,
 }
 
-/// How the corners round a vertex follow each other, across edges that are not hard for other reasons than their angle.
+/// How the corners around a vertex follow each other, across edges that are not hard for other reasons than their angle.
 pub(crate) trait Fans {
     /// The corner on the far side of the edge that leaves a corner's vertex.
     fn forward(&self, corner: u32) -> Option<u32>;
@@ -26,8 +26,8 @@ pub(crate) trait Fans {
     /// The corner on the far side of the edge that arrives at a corner's vertex.
     fn backward(&self, corner: u32) -> Option<u32>;
 
-    /// Whether a corner is in no fan at all: its face has fewer than three distinct vertices.
-    fn is_stray(&self, corner: u32) -> bool;
+    /// Whether a corner is in no fan: its face has fewer than three distinct vertices.
+    fn is_isolated(&self, corner: u32) -> bool;
 
     /// The face of a corner.
     fn face_of(&self, corner: u32) -> u32;
@@ -64,7 +64,7 @@ impl Fans for MeshFans<'_> {
             .then_some(arriving)
     }
 
-    fn is_stray(&self, corner: u32) -> bool {
+    fn is_isolated(&self, corner: u32) -> bool {
         self.topology.link(corner) == Link::Collapsed
             && self.topology.link(self.topology.previous(corner)) == Link::Collapsed
     }
@@ -75,7 +75,7 @@ impl Fans for MeshFans<'_> {
     }
 }
 
-/// Walks round vertices and finds where creases cut.
+/// Walks around vertices and finds where creases cut.
 pub(crate) struct FanWalker<'a, F> {
     pub(crate) fans: F,
     pub(crate) normals: &'a FaceNormals,
@@ -83,41 +83,41 @@ pub(crate) struct FanWalker<'a, F> {
     pub(crate) slivers: Slivers,
 }
 
-/// Walks round the vertices of a mesh whose topology is known.
+/// Walks around the vertices of a mesh whose topology is known.
 pub(crate) type MeshWalker<'a> = FanWalker<'a, MeshFans<'a>>;
 
 impl<F: Fans> FanWalker<'_, F> {
-    /// The whole stretch of fan that a corner lies in.
-    pub(crate) fn stretch(&self, start: u32, stretch: &mut Stretch) {
-        stretch.corners.clear();
-        stretch.corners.push(start);
+    /// The whole sector of fan that a corner lies in.
+    pub(crate) fn sector(&self, start: u32, sector: &mut Sector) {
+        sector.corners.clear();
+        sector.corners.push(start);
         let mut corner = start;
         while let Some(next) = self.fans.forward(corner) {
             if next == start {
-                stretch.closed = true;
+                sector.closed = true;
                 return;
             }
-            stretch.corners.push(next);
+            sector.corners.push(next);
             corner = next;
         }
-        stretch.closed = false;
-        let ahead = stretch.corners.len();
+        sector.closed = false;
+        let ahead = sector.corners.len();
         corner = start;
         while let Some(next) = self.fans.backward(corner) {
-            stretch.corners.push(next);
+            sector.corners.push(next);
             corner = next;
         }
         // Backward corners come first, furthest away in front.
-        stretch.corners[ahead..].reverse();
-        stretch.corners.rotate_left(ahead);
+        sector.corners[ahead..].reverse();
+        sector.corners.rotate_left(ahead);
     }
 
-    /// Whether a face has a say in creases, which is whether it adds to sums: the faces above the sliver threshold, or
-    /// where slivers count or a stretch has none above it, all with a direction.
-    fn deciding(&self, stretch: &Stretch) -> impl Fn(u32) -> bool + '_ {
+    /// Whether a face decides about creases, which is whether it adds to sums: the faces above the sliver threshold, or
+    /// where slivers count or a sector has none above it, all with a direction.
+    fn deciding(&self, sector: &Sector) -> impl Fn(u32) -> bool + '_ {
         let state = |corner: u32| self.normals.state[self.fans.face_of(corner) as usize];
         let slivers_decide =
-            self.slivers == Slivers::Keep || !stretch.corners.iter().any(|&c| state(c) == FaceState::Counted);
+            self.slivers == Slivers::Keep || !sector.corners.iter().any(|&c| state(c) == FaceState::Counted);
         move |corner| match state(corner) {
             FaceState::Counted => true,
             FaceState::Sliver => slivers_decide,
@@ -125,11 +125,11 @@ impl<F: Fans> FanWalker<'_, F> {
         }
     }
 
-    /// Which corners of a stretch have a say, as places in it.
-    pub(crate) fn deciding_places(&self, stretch: &Stretch, places: &mut Vec<usize>) {
-        let decides = self.deciding(stretch);
+    /// The corners of a sector whose faces decide, as positions in it.
+    pub(crate) fn deciding_places(&self, sector: &Sector, places: &mut Vec<usize>) {
+        let decides = self.deciding(sector);
         places.clear();
-        places.extend((0..stretch.corners.len()).filter(|&i| decides(stretch.corners[i])));
+        places.extend((0..sector.corners.len()).filter(|&i| decides(sector.corners[i])));
     }
 
     /// Whether a corner's face is above the sliver threshold.
@@ -144,20 +144,20 @@ impl<F: Fans> FanWalker<'_, F> {
         self.normals.unit[self.fans.face_of(corner) as usize]
     }
 
-    /// Where creases cut a stretch: `cuts[i]` is the edge between its corners `i` and `i + 1`, cyclic if closed.
+    /// Where creases cut a sector: `cuts[i]` is the edge between its corners `i` and `i + 1`, cyclic if closed.
     ///
-    /// Each face that has a say is compared with the next one that has; over the limit, every edge between the
+    /// Each deciding face is compared with the next one; over the limit, every edge between the
     /// two is hard, so that a sliver in a rounded corner neither makes nor hides a crease.
-    pub(crate) fn cuts(&self, stretch: &Stretch, places: &mut Vec<usize>, cuts: &mut Vec<bool>) {
-        let count = stretch.corners.len();
-        let edges = if stretch.closed { count } else { count - 1 };
+    pub(crate) fn cuts(&self, sector: &Sector, places: &mut Vec<usize>, cuts: &mut Vec<bool>) {
+        let count = sector.corners.len();
+        let edges = if sector.closed { count } else { count - 1 };
         cuts.clear();
         cuts.resize(count, false);
         match self.crease {
             CreaseTest::None => {}
             CreaseTest::Every => cuts[..edges].fill(true),
             CreaseTest::Over { limit, .. } => {
-                self.for_each_span(stretch, places, |span, a, b| {
+                self.for_each_span(sector, places, |span, a, b| {
                     if limit.exceeded(self.normal(a), self.normal(b)) {
                         span.for_each(|edge| cuts[edge % count] = true);
                     }
@@ -166,41 +166,41 @@ impl<F: Fans> FanWalker<'_, F> {
         }
     }
 
-    /// Visits the edges of a stretch, as the corners that they leave, with corners of the faces that decide about them: the
-    /// nearest on each side that have a say.
+    /// Visits the edges of a sector, as the corners that they leave, with corners of the faces that decide about them: the
+    /// nearest on each side that decide.
     pub(crate) fn for_each_decision(
         &self,
-        stretch: &Stretch,
+        sector: &Sector,
         places: &mut Vec<usize>,
         mut visit: impl FnMut(u32, u32, u32),
     ) {
-        let count = stretch.corners.len();
-        self.for_each_span(stretch, places, |span, a, b| {
-            span.for_each(|edge| visit(stretch.corners[edge % count], a, b));
+        let count = sector.corners.len();
+        self.for_each_span(sector, places, |span, a, b| {
+            span.for_each(|edge| visit(sector.corners[edge % count], a, b));
         });
     }
 
-    /// Visits the edges, as places in a stretch, between each face that has a say and the next, with the corners of the two.
+    /// Visits the edges, as positions in a sector, between each deciding face and the next, with the corners of the two.
     fn for_each_span(
         &self,
-        stretch: &Stretch,
+        sector: &Sector,
         places: &mut Vec<usize>,
         mut visit: impl FnMut(Range<usize>, u32, u32),
     ) {
-        let count = stretch.corners.len();
-        self.deciding_places(stretch, places);
+        let count = sector.corners.len();
+        self.deciding_places(sector, places);
         let pairs = places.windows(2).map(|pair| (pair[0], pair[1]));
         let around =
-            (stretch.closed && places.len() > 1).then(|| (places[places.len() - 1], places[0] + count));
+            (sector.closed && places.len() > 1).then(|| (places[places.len() - 1], places[0] + count));
         for (from, to) in pairs.chain(around) {
-            visit(from..to, stretch.corners[from], stretch.corners[to % count]);
+            visit(from..to, sector.corners[from], sector.corners[to % count]);
         }
     }
 }
 
 impl MeshWalker<'_> {
     /// Whether the corners at a vertex, `ring`, are one closed fan without any hard edge: the case that most
-    /// vertices of most meshes are in, told without collecting anything.
+    /// vertices of most meshes are in, found without collecting anything.
     #[inline]
     pub(crate) fn is_smooth_ring(&self, ring: &[u32]) -> bool {
         let MeshFans { topology, marks, .. } = self.fans;

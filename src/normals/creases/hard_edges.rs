@@ -11,7 +11,7 @@ use rustc_hash::FxHashSet;
 /// `authored`: well above the steps of 16-bit normals, well below what shading shows.
 const AUTHORED_DEGREES: f64 = 0.1;
 
-/// Tells which edges are hard for other reasons than their angle.
+/// The edges that are hard for other reasons than their angle.
 pub(crate) struct Marks<'a> {
     mesh: &'a Mesh,
     topology: &'a Topology,
@@ -42,7 +42,7 @@ impl<'a> Marks<'a> {
         }
     }
 
-    /// Whether no edge can be marked, so that nobody need ask.
+    /// Whether no edge can be marked.
     pub(crate) fn is_empty(&self) -> bool {
         self.groups.is_none()
             && self.materials.is_none()

@@ -1,7 +1,7 @@
 //! Smooth groups: which corners share a normal.
 
 use crate::mesh::{DisjointSets, FacesRef, Link, NONE, Rings, Scatter, Topology};
-use crate::normals::creases::fans::{FanWalker, Fans, MeshFans, MeshWalker, Stretch};
+use crate::normals::creases::fans::{FanWalker, Fans, MeshFans, MeshWalker, Sector};
 use rayon::prelude::*;
 
 /// The smooth groups of a mesh.
@@ -19,17 +19,17 @@ pub(crate) struct SmoothGroups {
     pub(crate) entry_slot: Option<Vec<u32>>,
     /// Under the cone rule: the corners that each slot averages, ascending. Otherwise a slot averages the
     /// corners that have it.
-    pub(crate) members: Option<Members>,
+    pub(crate) members: Option<SlotCorners>,
 }
 
 /// Corners by slot, in compressed rows.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Members {
+pub(crate) struct SlotCorners {
     pub(crate) offsets: Vec<u32>,
     pub(crate) corners: Vec<u32>,
 }
 
-impl Members {
+impl SlotCorners {
     /// The corners that have each slot.
     pub(crate) fn by_slot(corner_slot: &[u32], slots: usize) -> Self {
         let (offsets, corners) = Rings::build(corner_slot, slots).into_rows();
@@ -80,7 +80,7 @@ impl SmoothGroups {
         Self { corner_entry, entry_vertex, entry_slot, members: None }
     }
 
-    /// The fan rule: hard edges cut the fan round a vertex into groups. A closed fan cut by one edge stays one.
+    /// The fan rule: hard edges cut the fan around a vertex into groups. A closed fan cut by one edge stays one.
     pub(crate) fn by_fan(walker: &MeshWalker, vertex_count: usize) -> Self {
         const CHUNK: usize = 1024;
         let MeshFans { faces, topology, .. } = walker.fans;
@@ -109,23 +109,23 @@ impl SmoothGroups {
             let corners = || 0..faces.corners().len() as u32;
             let here = |corner: u32| topology.is_welded(faces.corners()[corner as usize]);
             let mut scratch = FanScratch::default();
-            for start in corners().filter(|&c| here(c) && !walker.fans.is_stray(c)) {
+            for start in corners().filter(|&c| here(c) && !walker.fans.is_isolated(c)) {
                 if labels.get(start) == NONE {
-                    walker.stretch(start, &mut scratch.stretch);
-                    walker.cuts(&scratch.stretch, &mut scratch.places, &mut scratch.cuts);
+                    walker.sector(start, &mut scratch.sector);
+                    walker.cuts(&scratch.sector, &mut scratch.places, &mut scratch.cuts);
                     let first = welded.count;
-                    for_each_piece(&scratch.stretch, &scratch.cuts, |corner, piece| {
+                    for_each_piece(&scratch.sector, &scratch.cuts, |corner, piece| {
                         labels.set(corner, first + piece);
                         welded.push(first + piece, corner);
                     });
                 }
             }
-            for stray in corners().filter(|&c| here(c) && walker.fans.is_stray(c)) {
-                let ring = topology.corners_at(faces.corners()[stray as usize]);
+            for isolated in corners().filter(|&c| here(c) && walker.fans.is_isolated(c)) {
+                let ring = topology.corners_at(faces.corners()[isolated as usize]);
                 let host = ring.iter().map(|&c| labels.get(c)).find(|&group| group != NONE);
                 let group = host.unwrap_or(welded.count);
-                labels.set(stray, group);
-                welded.push(group, stray);
+                labels.set(isolated, group);
+                welded.push(group, isolated);
             }
         }
         assemble(faces, &labels, counts, &mut welded.groups())
@@ -142,7 +142,7 @@ impl SmoothGroups {
 
 #[derive(Default)]
 pub(in crate::normals) struct FanScratch {
-    pub(in crate::normals) stretch: Stretch,
+    pub(in crate::normals) sector: Sector,
     pub(in crate::normals) places: Vec<usize>,
     pub(in crate::normals) cuts: Vec<bool>,
     renumber: Vec<u32>,
@@ -178,13 +178,13 @@ pub(in crate::normals) fn label_ring<F: Fans>(
 ) -> u32 {
     let mut pieces = 0;
     for &start in ring.iter() {
-        if labels.get(start) != NONE || walker.fans.is_stray(start) {
+        if labels.get(start) != NONE || walker.fans.is_isolated(start) {
             continue;
         }
-        walker.stretch(start, &mut scratch.stretch);
-        walker.cuts(&scratch.stretch, &mut scratch.places, &mut scratch.cuts);
+        walker.sector(start, &mut scratch.sector);
+        walker.cuts(&scratch.sector, &mut scratch.places, &mut scratch.cuts);
         let mut last = 0;
-        for_each_piece(&scratch.stretch, &scratch.cuts, |corner, piece| {
+        for_each_piece(&scratch.sector, &scratch.cuts, |corner, piece| {
             labels.set(corner, pieces + piece);
             last = last.max(piece);
         });
@@ -207,15 +207,15 @@ pub(in crate::normals) fn label_ring<F: Fans>(
     seen.max(u32::from(!ring.is_empty()))
 }
 
-/// Gives each corner of a stretch the number of the piece that the cuts leave it in.
-pub(in crate::normals) fn for_each_piece(stretch: &Stretch, cuts: &[bool], mut visit: impl FnMut(u32, u32)) {
-    let count = stretch.corners.len();
-    // In a closed stretch, pieces start behind a cut; the first one found will do.
-    let first = if stretch.closed { cuts.iter().position(|&cut| cut).map_or(0, |cut| cut + 1) } else { 0 };
+/// Gives each corner of a sector the number of the piece that the cuts leave it in.
+pub(in crate::normals) fn for_each_piece(sector: &Sector, cuts: &[bool], mut visit: impl FnMut(u32, u32)) {
+    let count = sector.corners.len();
+    // In a closed sector, pieces start behind a cut; the first one found will do.
+    let first = if sector.closed { cuts.iter().position(|&cut| cut).map_or(0, |cut| cut + 1) } else { 0 };
     let mut piece = 0;
     for i in 0..count {
         let at = (first + i) % count;
-        visit(stretch.corners[at], piece);
+        visit(sector.corners[at], piece);
         if cuts[at] && i + 1 < count {
             piece += 1;
         }
@@ -294,7 +294,7 @@ mod tests {
         MeshBuilder { positions, faces: list, ..MeshBuilder::default() }.build().unwrap()
     }
 
-    /// A closed fan round vertex 0 whose faces turn by the given angles: face i has its normal at the sum of
+    /// A closed fan around vertex 0 whose faces turn by the given angles: face i has its normal at the sum of
     /// the first i angles. Only topology and normals matter here, so positions are left alone.
     fn fan(turns: &[f64], states: &[FaceState], closed: bool) -> (Mesh, FaceNormals) {
         let count = turns.len() as u32;

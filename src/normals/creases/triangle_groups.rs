@@ -1,6 +1,6 @@
 //! Smooth groups of plain triangles, vertex by vertex.
 //!
-//! All edges at a vertex are seen from its own corners, so the fans round it can be told without a topology of the whole
+//! All edges at a vertex are seen from its own corners, so the fans around it need no topology of the whole
 //! mesh. Most vertices lie inside a smooth surface: their triangles follow each other once round, and no crease is among
 //! them. That takes one comparison of vertex numbers and one of normals a triangle; what is left is matched and walked in
 //! full.
@@ -17,7 +17,7 @@ use crate::normals::recipe::Slivers;
 use crate::num::{self, Kernel, LANES, Lanes};
 use rayon::prelude::*;
 
-/// Memory that can be used again by the next call.
+/// Memory that the next call reuses.
 #[derive(Default)]
 pub(crate) struct GroupMemory {
     rings: Rings,
@@ -157,7 +157,7 @@ impl Spokes {
         }
     }
 
-    /// Whether the triangles follow each other once round the vertex, each across an edge of just the two, all add to
+    /// Whether the triangles follow each other once around the vertex, each across an edge of just the two, all add to
     /// sums, and no edge is over the limit, nor so near to it that it needs a closer look. (A triangle that has two corners
     /// here adds to no sum.)
     #[inline(always)]
@@ -214,7 +214,7 @@ impl<'a> Walk<'a> {
     }
 }
 
-/// The fans round one vertex.
+/// The fans around one vertex.
 #[derive(Default)]
 struct RingFans {
     /// Ascending.
@@ -262,7 +262,7 @@ impl Fans for RingFans {
         self.neighbours[self.place(corner)][0]
     }
 
-    fn is_stray(&self, corner: u32) -> bool {
+    fn is_isolated(&self, corner: u32) -> bool {
         self.outliers[self.place(corner)]
     }
 
@@ -293,7 +293,7 @@ mod tests {
             (0..vertices).map(|_| DVec3::new(coordinate(), coordinate(), 0.1 * coordinate())).collect();
         let mut triangles: Vec<[u32; 3]> = Vec::new();
         if numbers.below(2) == 0 {
-            // A fan round the first vertex: closed, or a piece of it.
+            // A fan around the first vertex: closed, or a piece of it.
             let rim = vertices as u32 - 1;
             let present = 1 + numbers.below(rim as usize) as u32;
             triangles.extend((0..present).map(|i| [0, 1 + i, 1 + (i + 1) % rim]));

@@ -51,7 +51,7 @@ use std::f64::consts::FRAC_1_SQRT_2;
 
 /// A way to store a unit normal.
 ///
-/// Codes that stand for no direction (three zeros, or what is not a number) decode as +Z, and so does what had no direction
+/// Codes without a direction (three zeros, or what is not a number) decode as +Z, and so does what had no direction
 /// before it was encoded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Encoding {
@@ -66,9 +66,9 @@ pub enum Encoding {
 }
 
 impl Encoding {
-    /// Octahedral, 8 bits a component, plainly rounded.
+    /// Octahedral, 8 bits a component, rounded to the nearest.
     pub const OCTAHEDRAL_8: Encoding = Encoding::octahedral(8, Rounding::Plain);
-    /// Octahedral, 16 bits a component, plainly rounded.
+    /// Octahedral, 16 bits a component, rounded to the nearest.
     pub const OCTAHEDRAL_16: Encoding = Encoding::octahedral(16, Rounding::Plain);
 
     /// All of them: octahedral of 8 to 16 bits with both kinds of rounding, then those of three components.
@@ -127,10 +127,10 @@ impl Encoding {
     ///
     /// Octahedral codes: 0.958° (0.637° with [`Rounding::Nearest`]) for 8 bits, by the largest code for others; the worst
     /// are in the middle of an octant, where half a step each way moves the normal by 3/√2 of 1/(2^(bits−1) − 1) rad
-    /// (0.957°; what is over stands for curvature). Integers: half a step in each component, at right angles to the normal at
+    /// (0.957°; the rest allows for curvature). Integers: half a step in each component, at right angles to the normal at
     /// worst, asin(√3/2 / (2^(bits−1) − 1)). Half and single precision: three components from ½ on, each off by half a unit
     /// u of the last place there; of (±1, ±1, ±1)u at most (1 + √½)u is at right angles to such a normal, at
-    /// (√½, ½, ½); a factor 1 + 2⁻¹⁰ stands for the length that rounding changes.
+    /// (√½, ½, ½); a factor 1 + 2⁻¹⁰ allows for the length that rounding changes.
     pub fn worst_angle(self) -> Degrees {
         let radians = match self {
             Encoding::Octahedral(codec, rounding) => {
@@ -155,7 +155,7 @@ impl Encoding {
         }
     }
 
-    /// The unit normal that a code stands for. Bits above [`bits`](Self::bits) are not looked at.
+    /// The unit normal of a code. Bits above [`bits`](Self::bits) are ignored.
     pub fn decode(self, code: u128) -> DVec3 {
         match self {
             Encoding::Octahedral(codec, _) => codec.decode(split(code, codec.bits())),

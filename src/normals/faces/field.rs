@@ -14,30 +14,30 @@ use glam::DVec3;
 pub(crate) struct FaceField {
     faces: FaceNormals,
     /// The faces without a direction, whose normals are made up.
-    made_up: Vec<u32>,
+    fallbacks: Vec<u32>,
 }
 
 impl FaceField {
-    /// Of a mesh as it stands, faithful.
+    /// Of a mesh unchanged, faithful.
     pub(crate) fn new(mesh: &Mesh, topology: &Topology) -> Self {
         let positions = Positions::F64(mesh.positions(), mesh.storage());
         Self::with_fallbacks(mesh, topology, face_normals(mesh.faces().view(), positions))
     }
 
-    /// Makes up what is missing.
+    /// Adds fallback normals for faces without a direction.
     pub(in crate::normals) fn with_fallbacks(
         mesh: &Mesh,
         topology: &Topology,
         mut faces: FaceNormals,
     ) -> Self {
-        let makeup = FallbackNormals::new(mesh.faces().view(), topology, &faces);
-        let bare = (0..faces.unit.len() as u32).filter(|&face| faces.unit[face as usize] == DVec3::ZERO);
-        let (made_up, normals): (Vec<u32>, Vec<DVec3>) =
-            bare.map(|face| (face, makeup.for_face(face))).unzip();
-        for (&face, normal) in made_up.iter().zip(normals) {
+        let fallbacks = FallbackNormals::new(mesh.faces().view(), topology, &faces);
+        let undefined = (0..faces.unit.len() as u32).filter(|&face| faces.unit[face as usize] == DVec3::ZERO);
+        let (fallbacks, normals): (Vec<u32>, Vec<DVec3>) =
+            undefined.map(|face| (face, fallbacks.for_face(face))).unzip();
+        for (&face, normal) in fallbacks.iter().zip(normals) {
             faces.unit[face as usize] = normal;
         }
-        Self { faces, made_up }
+        Self { faces, fallbacks }
     }
 
     /// The unit normal of every face.
@@ -57,7 +57,7 @@ impl FaceField {
 
     /// The zero vector where there is no direction.
     pub(in crate::normals) fn into_computed(mut self) -> FaceNormals {
-        for face in self.made_up {
+        for face in self.fallbacks {
             self.faces.unit[face as usize] = DVec3::ZERO;
         }
         self.faces

@@ -5,7 +5,7 @@ use crate::normals::faces::sliver;
 use crate::num::{self, CompensatedSum, ExactSum, Product};
 use glam::DVec3;
 
-/// What a face is worth to sums over faces.
+/// Whether and why a face adds to sums.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(u8)]
 pub(crate) enum FaceState {
@@ -41,7 +41,7 @@ pub(crate) struct FaceShape {
     pub(crate) length: f64,
     /// Binary exponent of the face's size: its largest coordinate difference is in [2^exponent, 2^(exponent+1)).
     pub(crate) exponent: i32,
-    /// What the face is worth.
+    /// The state of the face.
     pub(crate) state: FaceState,
 }
 
@@ -51,7 +51,7 @@ impl FaceShape {
     }
 }
 
-/// A relative error above which a component of a triangle's or quad's normal is computed again exactly: far below
+/// A relative error above which a component of a triangle's or quad's normal is recomputed exactly: far below
 /// the 2^-24 that would show in an `f32`.
 const COMPONENT_BOUND: f64 = 1.0 / (1 << 30) as f64;
 /// The same for the angle between computed and true normal of everything else: 1e-12 rad with a factor of 2.
@@ -261,7 +261,7 @@ fn area_vector_of_fan<P: Product>(points: &[DVec3], exponent: i32, lossy: bool) 
     });
     let vector = DVec3::from(sums.map(CompensatedSum::value));
     let loss = pairs * loss(smallest, exponent, lossy);
-    // Ogita, Rump & Oishi's bound for sums of products, beside the one of the low parts.
+    // Ogita, Rump & Oishi's bound for sums of products, in addition to the one of the low parts.
     let errors = DVec3::from(magnitudes) * ((16.0 + 8.0 * pairs * pairs) * U2) + loss;
     if within_angle(vector, errors) {
         return (vector, true);

@@ -1,4 +1,4 @@
-//! Normals that had to be made up, where sums give none: always a finite unit vector, by one documented chain, and always counted.
+//! Fallback normals where sums have no direction: always a finite unit vector, by one documented chain, and always counted.
 //!
 //! A corner without a normal of its own takes the first of these that is there:
 //! 1. the unit sum of the face normals of its fan, across creases and marked edges (for a corner that no edge
@@ -23,7 +23,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 
-/// Makes up normals. Fans are summed once, however many of their corners ask.
+/// Computes fallback normals. Each fan is summed once.
 pub(crate) struct FallbackNormals<'a> {
     faces: FacesRef<'a>,
     topology: &'a Topology,
@@ -44,7 +44,7 @@ impl<'a> FallbackNormals<'a> {
         Self { faces, topology, normals, fan_of: FxHashMap::default(), fans: Vec::new() }
     }
 
-    /// Makes up the normals of all slots whose sum gave none; `target` is the slot of each corner. Gives the slots,
+    /// Computes the normals of all slots whose sum has no direction; `target` is the slot of each corner. Returns the slots,
     /// ascending, with the reason.
     pub(crate) fn for_slots(
         &mut self,
@@ -56,13 +56,13 @@ impl<'a> FallbackNormals<'a> {
             return Vec::new();
         }
         let corners = target.iter().enumerate();
-        let mut bare: Vec<(u32, u32)> = corners
+        let mut undefined: Vec<(u32, u32)> = corners
             .filter(|&(_, &slot)| state[slot as usize] != SlotState::Good)
             .map(|(corner, &slot)| (slot, corner as u32))
             .collect();
-        bare.sort_unstable();
-        let mut made_up = Vec::new();
-        for slot in bare.chunk_by(|a, b| a.0 == b.0) {
+        undefined.sort_unstable();
+        let mut fallbacks = Vec::new();
+        for slot in undefined.chunk_by(|a, b| a.0 == b.0) {
             let corners: Vec<u32> = slot.iter().map(|&(_, corner)| corner).collect();
             let number = slot[0].0;
             let reason = match state[number as usize] {
@@ -70,12 +70,12 @@ impl<'a> FallbackNormals<'a> {
                 _ => self.reason(corners[0]),
             };
             set(number as usize, self.for_corners(&corners));
-            made_up.push((number, reason));
+            fallbacks.push((number, reason));
         }
-        made_up
+        fallbacks
     }
 
-    /// The normal for a group of corners, any of which stand for it.
+    /// The normal of a group of corners.
     fn for_corners(&mut self, corners: &[u32]) -> DVec3 {
         let mut first: Option<DVec3> = None;
         for &corner in corners {
@@ -120,7 +120,7 @@ impl<'a> FallbackNormals<'a> {
         sum
     }
 
-    /// The corners that the surface joins to one round its vertex, in both directions.
+    /// The corners that the surface joins to one around its vertex, in both directions.
     fn fan_corners(&self, start: u32) -> Vec<u32> {
         let mut corners = vec![start];
         let mut corner = start;

@@ -1,4 +1,4 @@
-//! What stands in for a normal that a sum does not give, where no topology is at hand.
+//! Fallback normals from the faces at a vertex and the edges of a face, without topology.
 
 use crate::mesh::FacesRef;
 use crate::normals::faces::positions::{Positions, Source};
@@ -12,7 +12,7 @@ use glam::DVec3;
 pub(crate) const LAST_RESORT: DVec3 = DVec3::Z;
 
 /// The unit sum of some defined normals; if they cancel the first of them by lexicographic value, +Z without any.
-pub(crate) fn stand_in(normals: &[DVec3]) -> DVec3 {
+pub(crate) fn unit_sum_or_first(normals: &[DVec3]) -> DVec3 {
     let (sum, state) = uniform_mean(normals.iter().copied());
     if state == SlotState::Good {
         return sum;
@@ -20,17 +20,17 @@ pub(crate) fn stand_in(normals: &[DVec3]) -> DVec3 {
     normals.iter().copied().min_by(lexicographic).unwrap_or(LAST_RESORT)
 }
 
-/// The order in which one of several normals is chosen that nothing else tells apart.
+/// The order by which one of several equivalent normals is chosen.
 pub(crate) fn lexicographic(a: &DVec3, b: &DVec3) -> std::cmp::Ordering {
     a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)).then(a.z.total_cmp(&b.z))
 }
 
-/// A vertex without a normal: what stands in, and the worst that befell its faces.
-pub(crate) struct Orphan {
+/// A vertex whose sum has no direction: its fallback normal, and why.
+pub(crate) struct VertexFallback {
     /// The vertex.
     pub(crate) vertex: u32,
     /// A unit vector.
-    pub(crate) stand_in: DVec3,
+    pub(crate) normal: DVec3,
     /// Of the faces at it the first one without direction; [`FaceState::Counted`] if there is no such face.
     pub(crate) cause: FaceState,
     /// Whether any face uses it.
@@ -38,7 +38,11 @@ pub(crate) struct Orphan {
 }
 
 /// Looks up the faces of some vertices, given ascending, in one walk over all faces.
-pub(crate) fn orphans(faces: FacesRef, positions: Positions, vertices: &[u32]) -> Vec<Orphan> {
+pub(crate) fn vertex_fallbacks(
+    faces: FacesRef,
+    positions: Positions,
+    vertices: &[u32],
+) -> Vec<VertexFallback> {
     if vertices.is_empty() {
         return Vec::new();
     }
@@ -56,19 +60,19 @@ pub(crate) fn orphans(faces: FacesRef, positions: Positions, vertices: &[u32]) -
     }
     found.sort_by_key(|&(place, ..)| place);
     let mut found = found.chunk_by(|a, b| a.0 == b.0).peekable();
-    let orphan = |(place, &vertex): (usize, &u32)| {
+    let fallback = |(place, &vertex): (usize, &u32)| {
         let faces = found.next_if(|faces| faces[0].0 as usize == place).unwrap_or(&[]);
         let defined: Vec<DVec3> =
             faces.iter().filter(|(.., state)| state.has_direction()).map(|&(_, unit, _)| unit).collect();
         let cause = faces.iter().map(|&(.., state)| state).find(|state| !state.has_direction());
-        Orphan {
+        VertexFallback {
             vertex,
-            stand_in: stand_in(&defined),
+            normal: unit_sum_or_first(&defined),
             cause: cause.unwrap_or_default(),
             referenced: !faces.is_empty(),
         }
     };
-    vertices.iter().enumerate().map(orphan).collect()
+    vertices.iter().enumerate().map(fallback).collect()
 }
 
 /// For faces without a normal, given ascending, the unit sum of those of their edge neighbours that have one. Edges are
@@ -103,7 +107,7 @@ pub(crate) fn neighbour_normals(
     (0..without.len())
         .map(|place| {
             let normals = around.next_if(|normals| normals[0].0 as usize == place).unwrap_or(&[]);
-            stand_in(&normals.iter().map(|&(_, normal)| normal).collect::<Vec<_>>())
+            unit_sum_or_first(&normals.iter().map(|&(_, normal)| normal).collect::<Vec<_>>())
         })
         .collect()
 }

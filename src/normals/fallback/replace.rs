@@ -36,7 +36,7 @@ pub enum Broken {
     Zero,
     /// It points more than 90° away from the normal of its own face, whatever its length. Not asked of faces that
     /// add nothing to sums: their own direction means nothing. Nor of a normal that is what would replace it:
-    /// round a sharp fold a mean may be against one of its faces.
+    /// around a sharp fold a mean may be against one of its faces.
     AgainstFace,
     /// Only its length is wrong, by more than [`LENGTH_TOLERANCE`]: it is divided by it, and its direction, which a
     /// computed normal may not have, stays.

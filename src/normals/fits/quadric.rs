@@ -1,7 +1,7 @@
 //! Normals of least-squares quadrics: second order in the edge length, where weighted means are first order.
 
 use crate::mesh::Topology;
-use crate::normals::creases::smooth_groups::Members;
+use crate::normals::creases::smooth_groups::SlotCorners;
 use crate::normals::fits::nearest::{NearTree, Neighbour, by_coordinates};
 use crate::num::{UnitVec3, least_squares, unit_scale};
 use glam::DVec3;
@@ -34,7 +34,7 @@ pub(crate) struct QuadricRequest<'a> {
     /// The smooth group of each corner.
     pub(crate) corner_group: &'a [u32],
     /// The corners of each smooth group.
-    pub(crate) group_corners: &'a Members,
+    pub(crate) group_corners: &'a SlotCorners,
 }
 
 /// Replaces the unit normal of each smooth group by that of the quadric z = ax + by + cx² + dxy + ey² that fits
@@ -119,7 +119,7 @@ struct Rings<'a> {
     crowds: FxHashMap<u32, NearTree>,
 }
 
-/// Memory that is used again from group to group.
+/// Memory reused from group to group.
 #[derive(Default)]
 struct Scratch {
     first: Vec<DVec3>,
@@ -150,7 +150,7 @@ impl<'a> Rings<'a> {
         self.request.positions[self.request.corner_vertices[corner as usize] as usize] + DVec3::ZERO
     }
 
-    /// The two corners of the same face beside one.
+    /// The two neighbours of a corner in its face.
     fn next_to(&self, corner: u32) -> [u32; 2] {
         [self.request.topology.next(corner), self.request.topology.previous(corner)]
     }
@@ -253,7 +253,7 @@ mod tests {
             topology: &topology,
             positions: mesh.positions(),
             corner_group,
-            group_corners: &Members::by_slot(corner_group, groups),
+            group_corners: &SlotCorners::by_slot(corner_group, groups),
         };
         let fallbacks = quadric_normals(request, &mut normals);
         (normals, fallbacks)
@@ -419,7 +419,7 @@ mod tests {
         let cross: Vec<DVec3> = (1..9).flat_map(|i| [DVec3::X, DVec3::Y].map(|a| f64::from(i) * a)).collect();
         assert_eq!(fit(DVec3::ZERO, &neighbours(&cross), DVec3::Z), None, "a conic through the vertex");
 
-        // Each vertex of an octahedron has the five others round it.
+        // Each vertex of an octahedron has the five others around it.
         let axes = [DVec3::X, DVec3::Y, DVec3::Z, -DVec3::X, -DVec3::Y, -DVec3::Z];
         let faces = [[0, 1, 2], [1, 3, 2], [3, 4, 2], [4, 0, 2], [1, 0, 5], [3, 1, 5], [4, 3, 5], [0, 4, 5]];
         let (normals, fallbacks) = smooth(&build(axes.to_vec(), faces.concat()));
@@ -556,7 +556,7 @@ mod tests {
             topology: &topology,
             positions: mesh.positions(),
             corner_group: mesh.faces().corners(),
-            group_corners: &Members::by_slot(mesh.faces().corners(), 1002),
+            group_corners: &SlotCorners::by_slot(mesh.faces().corners(), 1002),
         };
         let with_trees = Rings::new(request, 1002);
         let without = Rings { request, crowds: FxHashMap::default() };

@@ -15,13 +15,13 @@ use crate::num::Degrees;
 /// Computes indexed corner normals: one normal per vertex and smooth group, and one index a corner.
 ///
 /// Edges of one triangle, of more than two, between triangles that are wound against each other, and those with
-/// a dihedral angle over `crease` (+0.01°) are hard; they cut the fan of triangles round a vertex into groups. 0°
+/// a dihedral angle over `crease` (+0.01°) are hard; they cut the fan of triangles around a vertex into groups. 0°
 /// gives each corner its own triangle's normal, 180° splits at no angle. Edges are found by vertex index: vertices
-/// that lie at the same place stay apart.
+/// that have the same position stay separate.
 ///
 /// `normals` is cleared and filled, ordered by vertex; `index[c]` is the normal of corner `c`, three corners a
 /// triangle. Weights, slivers, precision, faults and threads are as in [`vertex_normals`](crate::normals::vertex_normals);
-/// `Faults::corners` lists the corners whose normal is made up. Edges are matched in the call, vertex by
+/// `Faults::corners` lists the corners that have a fallback normal. Edges are matched in the call, vertex by
 /// vertex: time is linear in triangles, memory some 70 bytes a triangle, which `scratch` keeps for the next call.
 ///
 /// ```
@@ -81,14 +81,14 @@ pub fn corner_normals<T: Coordinate>(
     let outcome = weighted_sums_into(&request, sums, normals, states);
 
     let set = |slot: usize, normal| normals[slot] = Emit::emit(normal);
-    let made_up = if outcome.all_good {
+    let fallbacks = if outcome.all_good {
         Vec::new()
     } else {
         let topology = Topology::of_view(faces, positions.len());
         FallbackNormals::new(faces, &topology, face_normals).for_slots(index, states, set)
     };
-    let reason = |slot: &u32| made_up.binary_search_by_key(slot, |&(s, _)| s).ok().map(|i| made_up[i].1);
-    let corners = index.iter().enumerate().filter(|_| !made_up.is_empty());
+    let reason = |slot: &u32| fallbacks.binary_search_by_key(slot, |&(s, _)| s).ok().map(|i| fallbacks[i].1);
+    let corners = index.iter().enumerate().filter(|_| !fallbacks.is_empty());
     let corners =
         corners.filter_map(|(c, slot)| reason(slot).map(|reason| Fault { index: c as u32, reason }));
     Ok(Faults { faces: face_faults(face_normals, slivers), corners: corners.collect(), vertices: Vec::new() })

@@ -7,7 +7,7 @@ use crate::normals::faces::face_normals::face_normals_into;
 use crate::normals::faces::output::Emit;
 use crate::normals::faces::positions::Positions;
 use crate::normals::faces::shape::FaceState;
-use crate::normals::fallback::neighbours::{neighbour_normals, orphans};
+use crate::normals::fallback::neighbours::{neighbour_normals, vertex_fallbacks};
 use crate::normals::fault::{Fault, FaultReason, Faults};
 use crate::normals::recipe::{Slivers, Weight};
 use crate::normals::sums::request::{SlotState, SumRequest};
@@ -102,7 +102,7 @@ pub enum SliceError {
     QuadricNeedsMesh,
 }
 
-/// Memory for intermediate results, to be used again: a second call of the same size allocates next to nothing.
+/// Memory for intermediate results: a second call of the same size allocates next to nothing.
 #[derive(Default)]
 pub struct Scratch {
     pub(in crate::normals) sums: SumScratch,
@@ -126,7 +126,7 @@ impl Scratch {
 ///
 /// Uses the threads of rayon's current pool; the result does not depend on their number. Time is linear in triangles.
 ///
-/// `Faults::faces` of the result lists the triangles whose normal is made up, and with
+/// `Faults::faces` of the result lists the triangles that have a fallback normal, and with
 /// [`BelowStorage`](FaultReason::BelowStorage) those whose own normal is noise of the rounding of their coordinates.
 ///
 /// ```
@@ -154,8 +154,9 @@ pub fn face_normals<T: Coordinate>(
     states.resize(triangles.len(), FaceState::Counted);
     face_normals_into(faces, T::positions(positions), T::normals(normals), states);
 
-    let odd = |(face, &state): (usize, &FaceState)| fault(face as u32, state);
-    let faults = Faults { faces: states.iter().enumerate().filter_map(odd).collect(), ..Faults::default() };
+    let unusual = |(face, &state): (usize, &FaceState)| fault(face as u32, state);
+    let faults =
+        Faults { faces: states.iter().enumerate().filter_map(unusual).collect(), ..Faults::default() };
     let without: Vec<u32> = faults
         .faces
         .iter()
@@ -164,9 +165,9 @@ pub fn face_normals<T: Coordinate>(
         .collect();
     if !without.is_empty() {
         let defined = |face: usize| states[face].has_direction().then(|| T::widen(normals[face]));
-        let made_up = neighbour_normals(faces, &without, defined);
+        let fallbacks = neighbour_normals(faces, &without, defined);
         let normals = T::normals(normals);
-        for (&face, normal) in without.iter().zip(made_up) {
+        for (&face, normal) in without.iter().zip(fallbacks) {
             normals[face as usize] = T::Normal::emit(normal);
         }
     }
@@ -174,7 +175,7 @@ pub fn face_normals<T: Coordinate>(
 }
 
 /// Computes a unit normal for every vertex: the mean of the normals of its triangles by a weight. No edge is hard, and
-/// vertices that lie at the same place stay apart.
+/// vertices that have the same position stay separate.
 ///
 /// With `f32` positions everything is computed in double precision and rounded once. Triangles of zero area add
 /// nothing; nor do slivers with [`Slivers::Exclude`], unless a vertex has no other triangle. A vertex with one triangle gets
@@ -186,7 +187,7 @@ pub fn face_normals<T: Coordinate>(
 /// Multiplying positions by a power of two does not either, as long as they stay normal numbers. Time is linear in
 /// triangles.
 ///
-/// `Faults::vertices` of the result lists the vertices whose normal is made up, `Faults::faces` the triangles that
+/// `Faults::vertices` of the result lists the vertices that have a fallback normal, `Faults::faces` the triangles that
 /// added nothing.
 ///
 /// ```
@@ -237,23 +238,25 @@ pub fn vertex_normals<T: Coordinate>(
     }
 
     let added = |state: FaceState| state == FaceState::Sliver && slivers == Slivers::Keep;
-    let odd = outcome.unusual.into_iter().filter(|&(_, state)| !added(state));
-    let mut faults =
-        Faults { faces: odd.filter_map(|(face, state)| fault(face, state)).collect(), ..Faults::default() };
+    let unusual = outcome.unusual.into_iter().filter(|&(_, state)| !added(state));
+    let mut faults = Faults {
+        faces: unusual.filter_map(|(face, state)| fault(face, state)).collect(),
+        ..Faults::default()
+    };
     if outcome.all_good {
         return Ok(faults);
     }
     let undefined =
         |(vertex, &state): (usize, &SlotState)| (state != SlotState::Good).then_some(vertex as u32);
     let undefined: Vec<u32> = states.iter().enumerate().filter_map(undefined).collect();
-    for orphan in orphans(faces, points, &undefined) {
-        normals[orphan.vertex as usize] = T::Normal::emit(orphan.stand_in);
-        let reason = match states[orphan.vertex as usize] {
+    for fallback in vertex_fallbacks(faces, points, &undefined) {
+        normals[fallback.vertex as usize] = T::Normal::emit(fallback.normal);
+        let reason = match states[fallback.vertex as usize] {
             SlotState::Cancelling => FaultReason::CancellingFan,
-            _ if !orphan.referenced => FaultReason::Unreferenced,
-            _ => fault_reason(orphan.cause).unwrap_or(FaultReason::CancellingFan),
+            _ if !fallback.referenced => FaultReason::Unreferenced,
+            _ => fault_reason(fallback.cause).unwrap_or(FaultReason::CancellingFan),
         };
-        faults.vertices.push(Fault { index: orphan.vertex, reason });
+        faults.vertices.push(Fault { index: fallback.vertex, reason });
     }
     Ok(faults)
 }

@@ -277,7 +277,7 @@ mod tests {
         let (faces, points) = bumpy(200, 11);
         let mut numbers = Numbers::new(8);
         // In no order, it is all one part's work; with a few faces far from where they belong, parts touch slots that are
-        // others', the first one the very last. Shares begin in order, by which parts are told from no order.
+        // others', the first one the very last. Shares begin in order, which distinguishes them from no order.
         let mut shuffled = faces.clone();
         numbers.shuffle(&mut shuffled);
         let mut mixed = faces.clone();

@@ -16,7 +16,7 @@ pub(crate) struct CornerTerms {
     pub(crate) vector: [f64; 4],
     /// One weight a corner.
     pub(crate) weights: Vec<f64>,
-    /// What the face is worth.
+    /// The state of the face.
     pub(crate) state: FaceState,
     points: Vec<DVec3>,
     next: Vec<usize>,

@@ -6,7 +6,7 @@
 //! the faithful way: [`Single`] then declines.
 
 use crate::mesh::{FacesRef, Topology};
-use crate::normals::creases::smooth_groups::Members;
+use crate::normals::creases::smooth_groups::SlotCorners;
 use crate::normals::faces::face_normals::FaceNormals;
 use crate::normals::faces::shape::FaceState;
 use crate::normals::recipe::Weight;
@@ -109,7 +109,7 @@ impl<'a> Single<'a> {
         weight: Weight,
         target: &[u32],
         slots: usize,
-        members: Option<&Members>,
+        members: Option<&SlotCorners>,
         topology: &Topology,
     ) -> Option<Sums> {
         let face_of = |corner: usize| topology.face_of(corner as u32) as usize;
@@ -171,7 +171,7 @@ impl Total {
         self.count += 1;
     }
 
-    /// A slot without faces stands for no group of its own.
+    /// A slot without faces is no group.
     fn is_in_range(&self) -> bool {
         let Self { sum, weights, count } = *self;
         count == 0 || count <= MOST_FACES && weights.is_normal() && sum.length() >= LEAST_SUM * weights

@@ -13,7 +13,7 @@ use std::ops::Range;
 
 /// Faces that are computed before they are added: enough to fill the pipeline, few enough to stay at hand.
 pub(crate) const BLOCK: usize = 64;
-/// A share of fewer faces is not worth a task of its own.
+/// A share of fewer faces costs more as a task of its own than it saves.
 const SMALLEST_SHARE: usize = 8192;
 
 /// Which faces are whose.

@@ -11,7 +11,7 @@ use crate::num;
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// Memory that can be used again by the next call.
+/// Memory that the next call reuses.
 #[derive(Default)]
 pub(crate) struct SumScratch {
     /// Their sums are zero between calls.
