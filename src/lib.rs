@@ -18,7 +18,7 @@
 //! # Ok::<(), crease::io::ReadError>(())
 //! ```
 //!
-//! [`pipeline`] goes from file to file in one call. Code that has its own arrays needs no mesh:
+//! [`pipeline`] goes from file to file in one call. Code with its own arrays needs no mesh:
 //! [`normals::face_normals`](fn@normals::face_normals), [`normals::vertex_normals`] and [`normals::corner_normals`]
 //! work on `&[[f32; 3]]` and `&[[u32; 3]]` with the same kernels.
 //!
@@ -30,12 +30,7 @@
 //! - No absolute epsilon: scaling a mesh by a power of two changes no bit of a faithful normal.
 //! - The same input gives the same bytes at any number of threads and with any CPU's instruction set.
 //!
-//! # Layers
-//! `num` (numbers) ← `mesh` (polygons and topology) ← `io` (files), `normals` (this crate's subject), `surface`
-//! (where normals are exact), `shade` (light on a point) ← `pipeline` (file to file), `quality` (what is wrong with
-//! normals), `raster` (scenes to pictures) ← `metric` (numbers from pictures) ← `artefact` (what shading does wrong),
-//! `trade` (what accuracy costs, and the numerical extremes) ← `report` (pages and pictures as files) ← the command-line
-//! program. A module uses only lower ones; a test holds that.
+#![doc = include_str!("../docs/architecture.md")]
 //!
 //! # Sources
 //! - H. Gouraud, *Continuous shading of curved surfaces*, IEEE Trans. Computers C-20(6), 1971: the uniform mean.
