@@ -1,16 +1,12 @@
 //! All surfaces as one type.
 
-use crate::surface::meshing::marching::Room;
 use crate::surface::rays::primitive::Primitive;
-use crate::surface::shapes::bezier::BezierPatch;
-use crate::surface::shapes::catenoid::Catenoid;
+use crate::surface::shapes::bezier::{BezierPatch, teapot};
 use crate::surface::shapes::chart::Parametric;
-use crate::surface::shapes::height::Height;
-use crate::surface::shapes::height::{MonkeySaddle, Wave};
-use crate::surface::shapes::implicit::Implicit;
-use crate::surface::shapes::star::StarShaped;
-use crate::surface::shapes::superquadric::Superquadric;
-use crate::surface::shapes::teapot::teapot;
+use crate::surface::shapes::height::{Height, MonkeySaddle, Wave};
+use crate::surface::shapes::implicit::{Implicit, Room};
+use crate::surface::shapes::revolution::Catenoid;
+use crate::surface::shapes::star::{StarShaped, Superquadric};
 use glam::{DVec2, DVec3};
 
 /// Any surface of this module.

@@ -1,10 +1,13 @@
-//! What makes a surface or its tessellation impossible.
+//! Limits of surfaces and tessellations, and the errors for what is beyond them.
 
 use std::ops::RangeInclusive;
 
 /// Lengths that surfaces may be made of, in any unit. Their fourth powers, which the torus needs, stay far from the
 /// ends of the range of a double.
 pub(super) const LENGTHS: RangeInclusive<f64> = 1e-60..=1e60;
+
+/// Most cells of a tessellation: a mesh of some gigabytes.
+pub(super) const MOST_CELLS: u64 = 1 << 24;
 
 /// Why a surface cannot be made, or not be tessellated as asked.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -25,12 +28,6 @@ pub enum SurfaceError {
         /// Of the tube.
         minor: f64,
     },
-    /// An exponent of a superquadric under which the surface has edges or numbers lose their meaning.
-    #[error("the roundness is {found}; a number from 0.1 to 1.9 was expected")]
-    Roundness {
-        /// What it is.
-        found: f64,
-    },
     /// A control point that is not finite, or beyond 1e60.
     #[error("the control point in row {row}, column {column} is not finite or beyond 1e60")]
     ControlPoint {
@@ -39,13 +36,13 @@ pub enum SurfaceError {
         /// Counted from 0.
         column: usize,
     },
-    /// A catenoid that is beyond all measure at its ends.
+    /// A catenoid whose ends would be too wide to compute with.
     #[error("the height is {found} waists; 200 at most was expected")]
     TooTall {
         /// Height over waist.
         found: f64,
     },
-    /// Fewer or more pieces than the pattern can do with on this surface.
+    /// Fewer or more cells than the pattern needs or allows on this surface.
     #[error("{found} {what} are {}; {limit} is the limit", if found < limit { "too few" } else { "too many" })]
     Segments {
         /// Segments of what, or what else is counted.
@@ -55,7 +52,7 @@ pub enum SurfaceError {
         /// How many there must or may be.
         limit: u64,
     },
-    /// A number of a tessellation that is out of its range.
+    /// A number of a shape or of a tessellation that is out of its range.
     #[error("{what} is {found}; {expected} was expected")]
     Setting {
         /// Which one.
@@ -65,7 +62,7 @@ pub enum SurfaceError {
         /// What it may be.
         expected: &'static str,
     },
-    /// A pattern that this surface cannot be given.
+    /// A pattern that is not possible on this surface.
     #[error("{pattern} is not possible here: {reason}")]
     Pattern {
         /// Which pattern.
@@ -73,7 +70,7 @@ pub enum SurfaceError {
         /// Why not.
         reason: &'static str,
     },
-    /// A place at which a surface has no normal.
+    /// A point at which a surface has no normal.
     #[error("the surface has no normal at u = {u}, v = {v}")]
     NoNormal {
         /// The first parameter.
@@ -98,3 +95,37 @@ pub enum SurfaceError {
 pub(super) fn length(what: &'static str, found: f64) -> Result<f64, SurfaceError> {
     if LENGTHS.contains(&found) { Ok(found) } else { Err(SurfaceError::Length { what, found }) }
 }
+
+/// Declares a surface that is determined by lengths: the type, its default lengths, the constructor that checks them, and
+/// a getter for each. `$check` is called with a surface whose lengths are valid.
+macro_rules! surface_of_lengths {
+    (
+        $(#[$doc:meta])* $surface:ident { $($(#[$about:meta])* $length:ident: $name:literal = $default:literal,)+ }
+        $(#[$constructor:meta])* new with $check:expr
+    ) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct $surface {
+            $($length: f64,)+
+        }
+
+        impl Default for $surface {
+            fn default() -> Self {
+                Self { $($length: $default,)+ }
+            }
+        }
+
+        impl $surface {
+            $(#[$constructor])*
+            pub fn new($($length: f64),+) -> Result<Self, SurfaceError> {
+                $check(Self { $($length: $crate::surface::error::length($name, $length)?,)+ })
+            }
+
+            $($(#[$about])*
+            pub fn $length(&self) -> f64 {
+                self.$length
+            })+
+        }
+    };
+}
+pub(super) use surface_of_lengths;

@@ -194,7 +194,7 @@ fn normals_on_collapsed_sides_are_the_limits() {
 #[test]
 fn settings_out_of_range_are_refused() {
     for bad in [0.0, -1.0, f64::NAN, 2.0] {
-        assert!(matches!(Superquadric::new(DVec3::ONE, bad, 1.0), Err(SurfaceError::Roundness { .. })));
+        assert!(matches!(Superquadric::new(DVec3::ONE, bad, 1.0), Err(SurfaceError::Setting { .. })));
     }
     assert!(matches!(Catenoid::new(0.01, 3.0), Err(SurfaceError::TooTall { .. })));
     assert!(Wave::new(f64::INFINITY).is_err() && MonkeySaddle::new(0.0).is_err());

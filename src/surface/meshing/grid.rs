@@ -1,9 +1,9 @@
 //! Grids of parameters.
 
-use crate::surface::error::SurfaceError;
+use crate::surface::error::{MOST_CELLS, SurfaceError};
 use crate::surface::meshing::hash::{GridHash, cuts_upwards};
 use crate::surface::meshing::net::{Net, sample};
-use crate::surface::meshing::tessellation::{MOST_CELLS, Pattern, Tessellation};
+use crate::surface::meshing::pattern::{Pattern, Tessellation};
 use crate::surface::shapes::chart::{Chart, Parametric, Sample};
 use glam::DVec2;
 use rayon::prelude::*;

@@ -1,24 +1,14 @@
 //! Marching tetrahedra: meshes that know nothing of the surface's own lines.
 
 use crate::mesh::Faces;
-use crate::surface::error::SurfaceError;
+use crate::surface::error::{MOST_CELLS, SurfaceError};
 use crate::surface::meshing::hash::GridHash;
 use crate::surface::meshing::net::Net;
-use crate::surface::meshing::tessellation::MOST_CELLS;
 use crate::surface::shapes::chart::Sample;
-use crate::surface::shapes::implicit::Implicit;
+use crate::surface::shapes::implicit::{Implicit, Room};
 use glam::{DVec3, UVec3};
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
-
-/// The box that a surface fills.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::surface) struct Room {
-    pub(in crate::surface) low: DVec3,
-    pub(in crate::surface) high: DVec3,
-    /// The axes along which the surface ends at the box, open; else it closes within.
-    pub(in crate::surface) ends: [bool; 3],
-}
 
 /// The six tetrahedra of a cube, one for each order in which to go along the axes from its lowest corner to its highest
 /// (H. W. Kuhn 1960). A corner of the cube is named by its bits, x lowest; all run the same way round.

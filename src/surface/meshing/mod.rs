@@ -1,6 +1,8 @@
 //! Meshing: tessellations with chosen irregularity.
 
-// Reproducible irregularity.
+// The patterns and their settings.
+pub(super) mod pattern;
+// Reproducible random numbers.
 pub(super) mod hash;
 // Faces over samples of a surface.
 pub(super) mod net;
@@ -16,5 +18,5 @@ pub(super) mod icosphere;
 pub(super) mod marching;
 // Delaunay triangulations of scattered points.
 pub(super) mod scattered;
-// Meshes of surfaces, of good and bad shape.
+// Surfaces as meshes, by any pattern.
 pub(super) mod tessellation;

@@ -3,7 +3,7 @@
 use crate::mesh::{DisjointSets, Faces};
 use crate::surface::meshing::grid::Grid;
 use crate::surface::meshing::net::Net;
-use crate::surface::meshing::tessellation::Tessellation;
+use crate::surface::meshing::pattern::Tessellation;
 use crate::surface::shapes::bezier::BezierPatch;
 use crate::surface::shapes::chart::Parametric;
 use glam::DVec3;

@@ -2,10 +2,9 @@
 
 use crate::mesh::{Faces, Mesh, MeshBuilder};
 use crate::num::unit_scale;
-use crate::surface::error::SurfaceError;
+use crate::surface::error::{MOST_CELLS, SurfaceError};
 use crate::surface::meshing::hash::GridHash;
 use crate::surface::meshing::net::Net;
-use crate::surface::meshing::tessellation::MOST_CELLS;
 use crate::surface::shapes::chart::Sample;
 use crate::surface::shapes::height::Height;
 use glam::{DVec2, DVec3};

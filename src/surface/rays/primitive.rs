@@ -5,13 +5,10 @@ use crate::num::UnitVec3;
 use crate::surface::error::SurfaceError;
 use crate::surface::rays::ray::{Hit, Ray};
 use crate::surface::shapes::chart::Parametric;
-use crate::surface::shapes::cone::Cone;
-use crate::surface::shapes::cylinder::Cylinder;
-use crate::surface::shapes::ellipsoid::Ellipsoid;
-use crate::surface::shapes::implicit::Implicit;
-use crate::surface::shapes::plane::Plane;
-use crate::surface::shapes::sphere::Sphere;
-use crate::surface::shapes::torus::Torus;
+use crate::surface::shapes::height::Plane;
+use crate::surface::shapes::implicit::{Cast, Implicit};
+use crate::surface::shapes::revolution::{Cone, Cylinder, Torus};
+use crate::surface::shapes::star::{Ellipsoid, Sphere};
 use glam::{DMat3, DMat4, DVec3};
 
 /// A surface that a ray's first hit is known for.
@@ -74,10 +71,10 @@ macro_rules! from {
 from!(Plane, Sphere, Ellipsoid, Cylinder, Cone, Torus);
 
 impl Primitive {
-    /// The first hit of a ray in front of its origin. A ray that starts on the surface may or may not hit it there:
-    /// start it a little way off, on the side that is meant.
+    /// The first hit of a ray in front of its origin, on either side of the surface. A ray that starts on the surface may
+    /// or may not hit it there: start it a little way off, on the intended side.
     pub fn intersect(&self, ray: &Ray) -> Option<Hit> {
-        each!(self, surface => surface.intersect(ray))
+        each!(self, surface => surface.first_hit(ray))
     }
 
     /// Half the sizes of the smallest box about the origin, along the axes, that holds the surface.
@@ -109,7 +106,7 @@ impl Implicit for Primitive {
     }
 }
 
-/// A primitive under an affine map: moved, turned, stretched, sheared or mirrored.
+/// A primitive under an affine map: moved, rotated, stretched, sheared or mirrored.
 ///
 /// Rays go through the inverse map, normals through the inverse transpose. A surface that faces outward does so under a
 /// map that mirrors, too.
@@ -123,7 +120,7 @@ pub struct Placed {
 }
 
 impl Placed {
-    /// A primitive placed by a matrix, of which the last row is not looked at.
+    /// A primitive placed by a matrix, the last row of which is ignored.
     ///
     /// # Errors
     /// [`SurfaceError::Singular`].

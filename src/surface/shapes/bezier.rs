@@ -1,9 +1,10 @@
-//! A bicubic Bézier patch.
+//! Bicubic Bézier patches, and the teapot that is made of 32 of them.
 
 use crate::num::UnitVec3;
-use crate::surface::error::SurfaceError;
+use crate::surface::error::{LENGTHS, SurfaceError};
 use crate::surface::shapes::chart::{Chart, Parametric, Sample};
 use glam::DVec3;
+use std::sync::OnceLock;
 
 /// The patch Σ Bᵢ(v) Bⱼ(u) Pᵢⱼ over four rows of four control points, facing the way of ∂u × ∂v; B are the cubic
 /// Bernstein polynomials.
@@ -34,8 +35,7 @@ impl BezierPatch {
     /// # Errors
     /// [`SurfaceError::ControlPoint`] if a coordinate is not finite or beyond 1e60.
     pub fn new(points: [[DVec3; 4]; 4]) -> Result<Self, SurfaceError> {
-        let largest = *crate::surface::error::LENGTHS.end();
-        let wrong = |p: &DVec3| !(p.is_finite() && p.abs().max_element() <= largest);
+        let wrong = |p: &DVec3| !(p.is_finite() && p.abs().max_element() <= *LENGTHS.end());
         match points.as_flattened().iter().position(wrong) {
             Some(index) => Err(SurfaceError::ControlPoint { row: index / 4, column: index % 4 }),
             None => Ok(Self { points }),
@@ -89,4 +89,47 @@ fn curve([a, b, c, d]: [DVec3; 4], t: f64) -> (DVec3, DVec3) {
     let point = a * (s * s * s) + b * (3.0 * s * s * t) + c * (3.0 * s * t * t) + d * (t * t * t);
     let slope = (b - a) * (s * s) + (c - b) * (2.0 * s * t) + (d - c) * (t * t);
     (point, slope * 3.0)
+}
+
+/// The published figures; the file itself says where they are from.
+const FIGURES: &str = include_str!("../../../data/teapot.txt");
+
+/// The 32 patches of Newell's teapot, facing outward, with y up, the spout along +x, the bottom at y = 0 and the top of the lid
+/// at y = 3.15: rim 4, body 8, handle 4, spout 4, lid 8, bottom 4.
+///
+/// Four pieces that interpenetrate but share no edge: the pot, the lid, the handle and the spout. Within each the patches
+/// meet smoothly. At the top of the lid and in the middle of the bottom sides are collapsed, see [`BezierPatch`].
+pub fn teapot() -> &'static [BezierPatch] {
+    static PATCHES: OnceLock<Vec<BezierPatch>> = OnceLock::new();
+    PATCHES.get_or_init(|| read(FIGURES).expect("the figures that this program was built with are complete"))
+}
+
+/// The patches of the figures, turned from z up to y up.
+fn read(figures: &str) -> Option<Vec<BezierPatch>> {
+    let lines = figures.lines().filter(|line| !line.starts_with('#'));
+    let mut words = lines.flat_map(str::split_whitespace);
+    let count = heading(&mut words, "points")?;
+    let mut number = || words.next()?.parse::<f64>().ok();
+    let points: Vec<DVec3> = (0..count)
+        .map(|_| {
+            let [x, y, z] = [number()?, number()?, number()?];
+            Some(DVec3::new(x, z, 0.0 - y))
+        })
+        .collect::<Option<_>>()?;
+    let count = heading(&mut words, "patches")?;
+    let mut point = || points.get(words.next()?.parse::<usize>().ok()?).copied();
+    (0..count)
+        .map(|_| {
+            let mut rows = [[DVec3::ZERO; 4]; 4];
+            for slot in rows.as_flattened_mut() {
+                *slot = point()?;
+            }
+            BezierPatch::new(rows).ok()
+        })
+        .collect()
+}
+
+/// The count that follows a name.
+fn heading<'a>(words: &mut impl Iterator<Item = &'a str>, name: &str) -> Option<usize> {
+    if words.next()? == name { words.next()?.parse().ok() } else { None }
 }

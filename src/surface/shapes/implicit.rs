@@ -1,4 +1,4 @@
-//! Surfaces as zero sets, and casting rays at them.
+//! Surfaces as zero sets, and the first hits of rays on them.
 
 use crate::num::UnitVec3;
 use crate::surface::rays::ray::{Hit, Line, Ray};
@@ -15,7 +15,16 @@ pub trait Implicit: Sync {
     fn normal_at(&self, point: DVec3) -> Option<UnitVec3>;
 }
 
-/// What the search for a ray's first hit asks of a surface whose [`value`](Implicit::value) is a distance.
+/// The box that a zero set fills.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::surface) struct Room {
+    pub(in crate::surface) low: DVec3,
+    pub(in crate::surface) high: DVec3,
+    /// The axes along which the surface ends at the box, open; else it closes within.
+    pub(in crate::surface) ends: [bool; 3],
+}
+
+/// A surface whose [`value`](Implicit::value) is a distance and whose crossings with a line are known.
 pub(in crate::surface) trait Cast: Implicit {
     /// The point that lines are described from.
     fn centre(&self) -> DVec3 {
@@ -29,20 +38,20 @@ pub(in crate::surface) trait Cast: Implicit {
     fn reaches(&self, _point: DVec3) -> bool {
         true
     }
-}
 
-/// The first hit of a ray.
-pub(in crate::surface) fn first_hit(surface: &impl Cast, ray: &Ray) -> Option<Hit> {
-    let centre = surface.centre();
-    let line = Line::new(ray, centre);
-    surface.crossings(&line).find_map(|s| {
-        let t = line.parameter(s)?;
-        let near = centre + line.at(s);
-        if !surface.reaches(near) {
-            return None;
-        }
-        let normal = surface.normal_at(near)?;
-        let position = near - normal.get() * surface.value(near);
-        Some(Hit { t, position, normal, front: line.direction.dot(normal.get()) < 0.0 })
-    })
+    /// The first hit of a ray, on either side.
+    fn first_hit(&self, ray: &Ray) -> Option<Hit> {
+        let centre = self.centre();
+        let line = Line::new(ray, centre);
+        self.crossings(&line).find_map(|s| {
+            let t = line.parameter(s)?;
+            let near = centre + line.at(s);
+            if !self.reaches(near) {
+                return None;
+            }
+            let normal = self.normal_at(near)?;
+            let position = near - normal.get() * self.value(near);
+            Some(Hit { t, position, normal, front: line.direction.dot(normal.get()) < 0.0 })
+        })
+    }
 }

@@ -1,14 +1,12 @@
 //! Every surface in every pattern: closed where it shall be, facing outward, and converging to the surface.
 
 use crate::mesh::{Link, Topology};
+use crate::surface::meshing::pattern::{Pattern, Tessellation};
 use crate::surface::meshing::scattered::height_field;
 use crate::surface::meshing::tessellation::*;
-use crate::surface::shapes::catenoid::Catenoid;
-use crate::surface::shapes::cone::Cone;
-use crate::surface::shapes::cylinder::Cylinder;
-use crate::surface::shapes::plane::Plane;
-use crate::surface::shapes::sphere::Sphere;
-use crate::surface::shapes::torus::Torus;
+use crate::surface::shapes::height::Plane;
+use crate::surface::shapes::revolution::{Catenoid, Cone, Cylinder, Torus};
+use crate::surface::shapes::star::Sphere;
 use crate::surface::tests::all;
 use glam::{DVec2, DVec3};
 use std::f64::consts::PI;

@@ -212,7 +212,7 @@ fn thin_tubes_are_hit_and_missed_to_the_stated_width() {
             let (along, across) = (out * run + DVec3::Y * rise, DVec3::Y * run - out * rise);
             let aim = |share: f64| {
                 let origin = out + across * (minor * share) - along * 2.0;
-                torus.intersect(&Ray::new(origin, along).unwrap())
+                torus.first_hit(&Ray::new(origin, along).unwrap())
             };
             assert!(aim(1.0 - slack).is_some() && aim(slack - 1.0).is_some(), "{minor} {rise}");
             assert!(aim(1.0 + slack).is_none() && aim(-1.0 - slack).is_none(), "{minor} {rise}");
