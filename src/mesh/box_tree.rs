@@ -1,8 +1,7 @@
-//! Boxes in a tree, for questions that concern few of many.
+//! Axis-aligned boxes, and a tree of them for queries that concern few of many items.
 
 use glam::DVec3;
 use rayon::prelude::*;
-use std::ops::ControlFlow;
 
 /// An axis-aligned box.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,7 +14,7 @@ impl Bounds {
     /// The box of nothing.
     pub(in crate::mesh) const EMPTY: Self = Self { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
 
-    /// The smallest box round some points.
+    /// The smallest box around some points.
     pub(in crate::mesh) fn of(points: impl Iterator<Item = DVec3>) -> Self {
         points.fold(Self::EMPTY, |all, p| all.union(Self { low: p, high: p }))
     }
@@ -70,13 +69,13 @@ impl BoxTree {
         Self { items, levels }
     }
 
-    /// Offers every item of every run whose boxes all `enter`, until `found` breaks. Each box and each item
-    /// costs one unit of the budget. Returns whether that was enough.
+    /// Offers every item of every run whose boxes all `enter`, until one does not `go_on`. Each box and each item costs one
+    /// unit of the budget. Returns whether that was enough.
     pub(in crate::mesh) fn visit(
         &self,
         budget: &mut usize,
         enter: impl Fn(Bounds) -> bool,
-        mut found: impl FnMut(u32) -> ControlFlow<()>,
+        mut go_on: impl FnMut(u32) -> bool,
     ) -> bool {
         let top = self.levels.len() - 1;
         let mut open: Vec<(usize, usize)> = (0..self.levels[top].len()).map(|i| (top, i)).collect();
@@ -94,7 +93,7 @@ impl BoxTree {
             }
             for &item in &self.items[children] {
                 *budget = budget.saturating_sub(1);
-                if found(item).is_break() {
+                if !go_on(item) {
                     return true;
                 }
             }
@@ -149,13 +148,13 @@ mod tests {
                 |bounds| bounds.overlaps(probe),
                 |item| {
                     found.extend(boxes[item as usize].overlaps(probe).then_some(item));
-                    ControlFlow::Continue(())
+                    true
                 },
             );
             found.sort_unstable();
             assert!(enough);
             assert_eq!(found, scan);
-            let enough = tree.visit(&mut little, |_| true, |_| ControlFlow::Continue(()));
+            let enough = tree.visit(&mut little, |_| true, |_| true);
             assert_eq!(enough, count <= BRANCH, "{count}");
         }
     }

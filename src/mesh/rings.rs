@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
-/// For each vertex its corners, ascending. Anything else that corners are sorted by will do as well.
+/// The corners of each vertex, ascending; or of any other number that corners are grouped by.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Rings {
     offsets: Vec<u32>,
@@ -18,11 +18,11 @@ impl Rings {
         rings
     }
 
-    /// As [`build`](Self::build), in memory that has served before.
+    /// As [`build`](Self::build), in reused memory.
     pub(crate) fn fill(&mut self, corner_vertices: &[u32], vertex_count: usize) {
         let threads = rayon::current_num_threads();
         let parts = if corner_vertices.len() > 1 << 16 { threads } else { 1 };
-        // What was there is overwritten; only new room must be made, and it costs a touch of each page.
+        // Old values are overwritten, so only new memory needs to be initialised.
         self.corners.resize(corner_vertices.len(), 0);
         self.offsets.clear();
         self.offsets.resize(vertex_count + 1, 0);
@@ -33,7 +33,7 @@ impl Rings {
         }
     }
 
-    /// `offsets[v + 1]` serves as the place of the next corner of v, and ends up as where those of v + 1 start.
+    /// `offsets[v + 1]` is the index of the next corner of v, and ends up as the start of those of v + 1.
     fn sort(&mut self, corner_vertices: &[u32]) {
         let Self { offsets, corners } = self;
         for &vertex in corner_vertices {
@@ -122,9 +122,9 @@ fn start_from_counts(counts: &mut [u32], mut total: u32) {
     }
 }
 
-/// Numbers that several threads write at once, each to places of its own, though not in one piece.
+/// Numbers that several threads write at once, each to scattered indices of its own.
 ///
-/// A relaxed atomic access is a plain load or store; it only tells the compiler that threads share the memory.
+/// A relaxed atomic access is a plain load or store; it only informs the compiler that threads share the memory.
 #[derive(Debug, Default)]
 pub(crate) struct Scatter(Vec<AtomicU32>);
 
@@ -133,7 +133,7 @@ impl Scatter {
         Self((0..len).into_par_iter().map(|_| AtomicU32::new(value)).collect())
     }
 
-    /// Makes room for so many. What is in it is left to chance.
+    /// Makes room for so many numbers, with unspecified values.
     pub(crate) fn reserve(&mut self, len: usize) {
         if self.0.len() < len {
             *self = Self::new(len, 0);

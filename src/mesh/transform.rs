@@ -1,14 +1,15 @@
-//! Moving meshes: what a linear map does to normals and to the way that faces run round.
+//! Affine maps of meshes: their effect on normals and on the winding of faces.
 
-use super::{FaceEdit, Mesh, Storage};
+use super::face_edit::FaceEdit;
+use super::polygon_mesh::{Mesh, Storage};
 use crate::num::unit_scale;
 use glam::{DMat3, DMat4, DVec3};
 use std::sync::Arc;
 
 /// How normals follow a linear map of positions: by its inverse transpose.
 ///
-/// A map that mirrors turns faces inside out: corners that ran counter-clockwise run clockwise. Where it does
-/// ([`mirrored`](Self::mirrored)), reverse the faces; the normals given here already agree with reversed faces.
+/// A map that mirrors ([`mirrored`](Self::mirrored)) turns counter-clockwise faces into clockwise ones: reverse them. The
+/// normals returned here agree with the reversed faces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NormalMatrix {
     /// Cofactors of the map with its columns scaled to about one.
@@ -18,12 +19,12 @@ pub struct NormalMatrix {
     mirrored: bool,
 }
 
-/// The way that normals follow a linear map, or `None` if the map is singular (it flattens space).
+/// The normal matrix of a linear map, or `None` if the map is singular (it flattens space).
 ///
 /// The inverse transpose is cofactors over determinant. The determinant only contributes its sign, as normals are
 /// renormalised, so nothing is divided by a small number; and columns are scaled by powers of two first, so that
-/// neither small nor large scales under- or overflow. A map counts as singular if rounding alone could be the
-/// cause that its determinant is not 0.
+/// neither small nor large scales under- or overflow. A map counts as singular if its determinant may differ from 0 by
+/// rounding alone.
 ///
 /// ```
 /// use crease::mesh::normal_matrix;
@@ -73,7 +74,7 @@ impl NormalMatrix {
     }
 }
 
-/// What [`Mesh::transformed`] could not do.
+/// Why [`Mesh::transformed`] fails.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TransformFault {
     /// A position is no longer finite.

@@ -1,9 +1,9 @@
-//! Polygons cut into triangles, for outputs that cannot hold polygons.
+//! Triangulation of polygons, for outputs that cannot store polygons.
 
 mod polygon;
 mod quad;
 
-use super::Mesh;
+use super::polygon_mesh::Mesh;
 use crate::num::unit_scale;
 use glam::DVec3;
 use polygon::{Budget, Unfit};
@@ -11,8 +11,8 @@ use rayon::prelude::*;
 
 /// The faces of a mesh as triangles.
 ///
-/// A face of `n` corners always gives `n - 2` triangles, which run the same way round as the face and use each
-/// of its corners, so that no vertex, no edge of the mesh and no attribute of a corner is lost.
+/// A face of `n` corners always gives `n - 2` triangles with the winding of the face. They use each of its corners, so that
+/// no vertex, no edge of the mesh and no attribute of a corner is lost.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Triangulation {
     /// Three corner numbers of the mesh each, face by face.
@@ -38,8 +38,8 @@ pub struct Triangulation {
 ///   vector area, summed relative to the first corner. Corners on a straight edge, holes joined to the outside
 ///   by a bridge of two coincident edges, and repeated positions are right.
 ///
-/// A polygon of many thousand needles may cost more than a few seconds can pay for; it then counts as failed. Scaling
-/// all positions by a power of two changes nothing as long as they stay normal numbers.
+/// A polygon of many thousand slivers may cost more than a few seconds; it then counts as failed. Scaling all positions by
+/// a power of two changes nothing as long as they stay normal numbers.
 /// Cost: a few nanoseconds for each triangle, tens for a quad, some microseconds for a larger polygon, n log n
 /// in its corners; larger polygons are cut on all threads.
 pub fn triangulate(mesh: &Mesh) -> Triangulation {
@@ -60,7 +60,12 @@ pub fn triangulate(mesh: &Mesh) -> Triangulation {
         };
         let put = match arity {
             3 => put(&[[0, 1, 2]]),
-            4 => quad::cut(gather(mesh, face, &mut points)).map_or(0, |cut| put(&cut)),
+            4 => {
+                let points = gather(mesh, face, &mut points);
+                // Before subtraction, which may round two distinct positions to one.
+                let lowest = quad::lowest(points);
+                quad::cut(normalise(points), lowest).map_or(0, |cut| put(&cut))
+            }
             _ => polygons.next().flatten().map_or(0, |cut| put(&cut)),
         };
         if put == 0 {
@@ -84,14 +89,14 @@ fn cut_polygons(mesh: &Mesh) -> Vec<Option<Vec<[u32; 3]>>> {
         cut(face, &mut Budget::own(mesh.faces().range(face).len()), points)
     });
     let first: Vec<_> = first.collect();
-    // What needs more than its own budget goes to the common one, in order, so that the outcome is one at any number
-    // of threads.
+    // Polygons that exceed their own budget use the common one, in order, so that the result does not depend on the
+    // number of threads.
     let (mut common, mut points) = (Budget::common(), Vec::new());
-    let again = |(result, &face): (Result<_, Unfit>, &usize)| match result {
+    let retry = |(result, &face): (Result<_, Unfit>, &usize)| match result {
         Err(Unfit::OverBudget) => cut(face, &mut common, &mut points).ok(),
         result => result.ok(),
     };
-    first.into_iter().zip(&polygons).map(again).collect()
+    first.into_iter().zip(&polygons).map(retry).collect()
 }
 
 /// The positions of a face's corners.

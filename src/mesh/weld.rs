@@ -1,12 +1,14 @@
 //! Joining boundary edges at coincident positions, for smoothing only.
 //!
-//! Vertices, texture coordinates and everything else stay apart; only the faces on the two sides of a seam learn
-//! of each other.
+//! Vertices, texture coordinates and all other attributes stay separate; only the faces on the two sides of a seam become
+//! neighbours.
 
-use super::Faces;
-use super::edges::is_collapsed;
-use super::near::{self, extent};
-use super::topology::Link;
+use super::box_tree::Bounds;
+use super::faces::is_collapsed;
+use super::link::Link;
+use super::point_clusters::clusters;
+use super::polygon_mesh::Mesh;
+use super::vertex_merge::place_key;
 use glam::DVec3;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
@@ -29,19 +31,13 @@ pub(super) struct Joined {
     pub(super) links: Vec<(u32, Link)>,
     /// Clusters wider than twice the welding distance.
     pub(super) wide_clusters: usize,
-    /// Places where several coincident edges could be joined, and none was.
+    /// Groups of several coincident edges, none of which was joined.
     pub(super) ambiguous: usize,
 }
 
-/// Pairs the open half-edges whose ends coincide.
-pub(super) fn join(
-    faces: &Faces,
-    owners: &[u32],
-    open: &[u32],
-    positions: &[DVec3],
-    shapes: &[&[DVec3]],
-    weld: Weld,
-) -> Joined {
+/// Pairs the open half-edges whose ends coincide, in the mesh and in each of its morph targets.
+pub(super) fn join(mesh: &Mesh, owners: &[u32], open: &[u32], weld: Weld) -> Joined {
+    let faces = mesh.faces();
     let face_of = |half_edge: u32| match owners {
         [] => half_edge as usize / 3,
         owners => owners[half_edge as usize] as usize,
@@ -55,9 +51,8 @@ pub(super) fn join(
     rim.par_sort_unstable();
     rim.dedup();
     let Classes { of_rim, wide_clusters } = match weld {
-        Weld::Off => return Joined { links: Vec::new(), wide_clusters: 0, ambiguous: 0 },
-        Weld::Exact => exact_classes(&rim, positions, shapes),
-        Weld::Relative(fraction) => near_classes(&rim, positions, shapes, fraction),
+        Weld::Relative(fraction) => near_classes(&rim, mesh, fraction),
+        Weld::Exact | Weld::Off => exact_classes(&rim, mesh),
     };
     let class = |vertex: u32| of_rim[rim.binary_search(&vertex).expect("a rim vertex")];
 
@@ -92,8 +87,8 @@ pub(super) fn join(
     Joined { links, wide_clusters, ambiguous }
 }
 
-/// Leaves of the edges of a face that has only two places left, all between the two, those that run one way without another
-/// that runs the other way: both ways open, such a face would stand between its neighbours, which meet there themselves.
+/// Of the edges of a face that has only two distinct positions, keeps those of one direction without a partner of the other
+/// direction: with both open, such a face would separate its neighbours, which meet there themselves.
 fn keep_surplus(edges: &mut Vec<(u32, u32, bool, u32)>) {
     let down = edges.iter().filter(|edge| edge.2).count();
     let up = edges.len() - down;
@@ -108,20 +103,10 @@ struct Classes {
     wide_clusters: usize,
 }
 
-/// The bits of a position, with −0 taken as +0: alike for the ends that [`Weld::Exact`] joins.
-pub(crate) fn place_key(p: DVec3) -> [u64; 3] {
-    (p + DVec3::ZERO).to_array().map(f64::to_bits)
-}
-
-fn exact_classes(rim: &[u32], positions: &[DVec3], shapes: &[&[DVec3]]) -> Classes {
-    let mut first: FxHashMap<[u64; 3], u32> = FxHashMap::default();
-    let mut of_rim: Vec<u32> = Vec::with_capacity(rim.len());
-    for &vertex in rim {
-        let fresh = first.len() as u32;
-        of_rim.push(*first.entry(place_key(positions[vertex as usize])).or_insert(fresh));
-    }
+fn exact_classes(rim: &[u32], mesh: &Mesh) -> Classes {
+    let mut of_rim = vec![0; rim.len()];
     // Each morph target refines the classes: two vertices stay together only if it moves them alike.
-    for shape in shapes {
+    for shape in shapes(mesh) {
         let mut finer: FxHashMap<(u32, [u64; 3]), u32> = FxHashMap::default();
         for (class, &vertex) in of_rim.iter_mut().zip(rim) {
             let fresh = finer.len() as u32;
@@ -131,26 +116,31 @@ fn exact_classes(rim: &[u32], positions: &[DVec3], shapes: &[&[DVec3]]) -> Class
     Classes { of_rim, wide_clusters: 0 }
 }
 
+/// The positions, and the displacements of each morph target.
+fn shapes(mesh: &Mesh) -> impl Iterator<Item = &[DVec3]> {
+    std::iter::once(mesh.positions()).chain(mesh.columns().morph_targets.iter().map(Vec::as_slice))
+}
+
 /// Connected components of "closer than ε" in every shape.
-fn near_classes(rim: &[u32], positions: &[DVec3], shapes: &[&[DVec3]], fraction: f64) -> Classes {
-    let (low, high) = extent(positions.iter().copied());
-    // Everything is measured in units of the largest extent, so no square can leave the range of a double.
+fn near_classes(rim: &[u32], mesh: &Mesh, fraction: f64) -> Classes {
+    let Bounds { low, high } = Bounds::of(mesh.positions().iter().copied());
+    // In units of the largest extent no square leaves the range of a double.
     let unit = (high - low).max_element();
     if unit.is_nan() || unit <= 0.0 || fraction <= 0.0 {
-        return exact_classes(rim, positions, shapes);
+        return exact_classes(rim, mesh);
     }
     let epsilon = fraction * ((high - low) / unit).length();
-    let scaled = |shape: &[DVec3], origin: DVec3| -> Vec<DVec3> {
+    let origins = std::iter::once(low).chain(std::iter::repeat(DVec3::ZERO));
+    let scaled = |(shape, origin): (&[DVec3], DVec3)| -> Vec<DVec3> {
         rim.iter().map(|&vertex| (shape[vertex as usize] - origin) / unit).collect()
     };
-    let mut all = vec![scaled(positions, low)];
-    all.extend(shapes.iter().map(|shape| scaled(shape, DVec3::ZERO)));
-    let of_rim = near::components(&all, epsilon);
-    let mut boxes: FxHashMap<u32, (DVec3, DVec3)> = FxHashMap::default();
+    let all: Vec<Vec<DVec3>> = shapes(mesh).zip(origins).map(scaled).collect();
+    let of_rim = clusters(&all, epsilon);
+    let mut boxes: FxHashMap<u32, Bounds> = FxHashMap::default();
     for (&class, &p) in of_rim.iter().zip(&all[0]) {
-        let span = boxes.entry(class).or_insert((p, p));
-        *span = (span.0.min(p), span.1.max(p));
+        let bounds = boxes.entry(class).or_insert(Bounds::EMPTY);
+        *bounds = bounds.union(Bounds { low: p, high: p });
     }
-    let wide_clusters = boxes.values().filter(|(low, high)| (*high - *low).length() > 2.0 * epsilon).count();
+    let wide_clusters = boxes.values().filter(|it| (it.high - it.low).length() > 2.0 * epsilon).count();
     Classes { of_rim, wide_clusters }
 }

@@ -1,6 +1,7 @@
 //! How far outlines are apart.
 
-use super::{Contour, MetricError};
+use super::contour::Contour;
+use super::pairs::MetricError;
 use serde::Serialize;
 
 /// How far an outline is from the true one. Lengths are in pixels.

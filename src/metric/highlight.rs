@@ -1,7 +1,6 @@
 //! The brightest spot of a picture.
 
-use super::MetricError;
-use super::luminance::{luminances, same_size};
+use super::pairs::{MetricError, luminances, same_size};
 use crate::raster::Image;
 use serde::Serialize;
 

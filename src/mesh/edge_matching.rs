@@ -4,9 +4,9 @@
 //! that arrive from `b`. So each vertex can be matched by itself, in parallel and in any order, without a table
 //! of edges.
 
-use super::faces::{FacesRef, next_in_triangle, previous_in_triangle};
+use super::faces::{FacesRef, is_collapsed, next_in_triangle, previous_in_triangle};
+use super::link::{Link, PackedLink};
 use super::rings::{Rings, Scatter};
-use super::topology::{Link, PackedLink};
 use rayon::prelude::*;
 
 /// No vertex: a half-edge that collapsed, or the padding of a short ring.
@@ -51,7 +51,7 @@ impl<'a> EdgeMatcher<'a> {
         (0..chunks).into_par_iter().for_each(|chunk| {
             for vertex in chunk * CHUNK..((chunk + 1) * CHUNK).min(rings.len()) {
                 self.match_ring(vertex as u32, rings.at(vertex), |half_edge, link| {
-                    links.set(half_edge, PackedLink::new(link).bits());
+                    links.set(half_edge, PackedLink::new(link).0);
                 });
             }
         });
@@ -95,13 +95,6 @@ impl<'a> EdgeMatcher<'a> {
         }
         Spoke { leaving: corner, to, arriving: previous, from }
     }
-}
-
-/// Whether a face has fewer than three distinct vertices, or places.
-pub(super) fn is_collapsed<T: PartialEq>(mut vertices: impl Iterator<Item = T>) -> bool {
-    let Some(first) = vertices.next() else { return true };
-    let Some(second) = vertices.find(|v| *v != first) else { return true };
-    !vertices.any(|v| v != first && v != second)
 }
 
 /// What a half-edge meets, from the number of half-edges that run its way and against it.
