@@ -20,10 +20,10 @@ mod box_tree;
 mod point_clusters;
 // Vertices merged by position.
 mod vertex_merge;
-// Boundary edges joined by position.
-mod weld;
 // Which faces meet at which edges.
 mod topology;
+// Boundary edges joined by position.
+mod weld;
 // Vector areas of faces, and stored normals compared with them.
 mod face_normals;
 // Faces dropped and reversed.

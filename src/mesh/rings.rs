@@ -79,13 +79,15 @@ impl Rings {
                 counts.iter().sum()
             })
             .collect();
-        let mut rest = corners.as_mut_slice();
-        let own: Vec<&mut [u32]> =
-            totals.iter().map(|&total| rest.split_off_mut(..total as usize).expect("one a corner")).collect();
-        let firsts = totals.iter().scan(0, |first, &total| Some(std::mem::replace(first, *first + total)));
-        let firsts: Vec<u32> = firsts.collect();
-        offsets[1..].par_chunks_mut(step).zip(own).enumerate().for_each(|(part, (slots, own))| {
-            let (start, base) = ((part * step) as u32, firsts[part]);
+        let (mut rest, mut first) = (corners.as_mut_slice(), 0);
+        let of_part = |&total: &u32| {
+            let own = rest.split_off_mut(..total as usize).expect("one a corner");
+            first += total;
+            (first - total, own)
+        };
+        let own: Vec<(u32, &mut [u32])> = totals.iter().map(of_part).collect();
+        offsets[1..].par_chunks_mut(step).zip(own).enumerate().for_each(|(part, (slots, (base, own)))| {
+            let start = (part * step) as u32;
             start_from_counts(slots, base);
             for (first, block) in blocks_of(start..start + slots.len() as u32) {
                 for (i, &vertex) in block.iter().enumerate() {

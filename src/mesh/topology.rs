@@ -7,42 +7,32 @@
 use super::edge_matching::EdgeMatcher;
 use super::faces::{Faces, FacesRef, next_in_triangle, previous_in_triangle};
 use super::link::{Link, PackedLink};
-use super::polygon_mesh::Mesh;
 use super::rings::{Rings, Scatter};
-use super::weld::{self, Weld};
 use rayon::prelude::*;
 
 /// Edges and fans of a mesh, made from its faces; positions matter only for welding.
 ///
-/// The caller holds it: nothing is cached inside [`Mesh`]. Memory: 8 bytes a corner and 4 a
+/// The caller holds it: nothing is cached inside [`Mesh`](super::Mesh). Memory: 8 bytes a corner and 4 a
 /// vertex; with polygons 4 more a corner and a face.
 #[derive(Clone, Debug)]
 pub struct Topology {
-    links: Scatter,
+    pub(super) links: Scatter,
     rings: Rings,
     /// The face of each corner and where each face starts; empty for plain triangles.
     owners: Vec<u32>,
     starts: Vec<u32>,
     /// Whether a vertex has a welded half-edge; empty if there is none at all.
-    welded_vertices: Vec<bool>,
-    wide_clusters: usize,
+    pub(super) welded_vertices: Vec<bool>,
+    pub(super) wide_clusters: usize,
     non_manifold: usize,
-    ambiguous: usize,
+    pub(super) ambiguous: usize,
 }
 
 impl Topology {
-    /// Finds what every half-edge meets. `weld` joins coincident boundary edges for smoothing; two positions
-    /// coincide only if they do so in every morph target as well.
+    /// Finds what every half-edge meets by vertex index alone.
     ///
     /// Linear in corners (but for vertices of very high valence, which are sorted), parallel, and the same for
     /// any thread count.
-    pub fn build(mesh: &Mesh, weld: Weld) -> Self {
-        let mut topology = Self::by_index(mesh.faces(), mesh.vertex_count());
-        topology.weld(mesh, weld);
-        topology
-    }
-
-    /// As [`build`](Self::build), by vertex index alone.
     pub fn by_index(faces: &Faces, vertex_count: usize) -> Self {
         Self::of_view(faces.view(), vertex_count)
     }
@@ -72,42 +62,6 @@ impl Topology {
         crowded.dedup();
         topology.non_manifold = crowded.len();
         topology
-    }
-
-    /// As [`build`](Self::build) with edges at equal positions joined, and then those that this leaves open and whose ends
-    /// are closer than a fraction of the diagonal; also returns the number of the latter half-edges.
-    pub(crate) fn build_near(mesh: &Mesh, fraction: f64) -> (Self, usize) {
-        let mut topology = Self::build(mesh, Weld::Exact);
-        let near = if fraction > 0.0 { topology.weld(mesh, Weld::Relative(fraction)) } else { 0 };
-        (topology, near)
-    }
-
-    /// Joins boundary edges whose ends coincide; returns the number of their half-edges.
-    fn weld(&mut self, mesh: &Mesh, weld: Weld) -> usize {
-        if weld == Weld::Off {
-            return 0;
-        }
-        let faces = mesh.faces();
-        let open: Vec<u32> = (0..faces.corner_count() as u32)
-            .into_par_iter()
-            .filter(|&h| self.links.get(h) == PackedLink::BOUNDARY.0)
-            .collect();
-        if open.is_empty() {
-            return 0;
-        }
-        let joined = weld::join(mesh, &self.owners, &open, weld);
-        self.wide_clusters += joined.wide_clusters;
-        self.ambiguous += joined.ambiguous;
-        for &(half_edge, link) in &joined.links {
-            self.links.set(half_edge, PackedLink::new(link).0);
-            if let Link::Welded(_) = link {
-                self.welded_vertices.resize(mesh.vertex_count(), false);
-                let (tail, head) = self.ends(faces.corners(), half_edge);
-                self.welded_vertices[tail as usize] = true;
-                self.welded_vertices[head as usize] = true;
-            }
-        }
-        joined.links.len()
     }
 
     /// What a half-edge meets.
@@ -190,6 +144,7 @@ impl Topology {
 mod tests {
     use super::*;
     use crate::mesh::{Columns, MeshBuilder};
+    use crate::mesh::{Mesh, Weld};
     use glam::DVec3;
 
     fn mesh(positions: &[[f64; 3]], faces: &[&[u32]]) -> Mesh {

@@ -5,9 +5,10 @@
 
 use super::box_tree::Bounds;
 use super::faces::is_collapsed;
-use super::link::Link;
+use super::link::{Link, PackedLink};
 use super::point_clusters::clusters;
 use super::polygon_mesh::Mesh;
+use super::topology::Topology;
 use super::vertex_merge::place_key;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -25,28 +26,68 @@ pub enum Weld {
     Relative(f64),
 }
 
-/// What welding found.
-pub(super) struct Joined {
+impl Topology {
+    /// Finds what every half-edge meets. `weld` joins coincident boundary edges for smoothing; two positions
+    /// coincide only if they do so in every morph target as well.
+    ///
+    /// Cost as of [`by_index`](Self::by_index).
+    pub fn build(mesh: &Mesh, weld: Weld) -> Self {
+        let mut topology = Self::by_index(mesh.faces(), mesh.vertex_count());
+        topology.weld(mesh, weld);
+        topology
+    }
+
+    /// As [`build`](Self::build) with edges at equal positions joined, and then those that this leaves open and whose ends
+    /// are closer than a fraction of the diagonal; also returns the number of the latter half-edges.
+    pub(crate) fn build_near(mesh: &Mesh, fraction: f64) -> (Self, usize) {
+        let mut topology = Self::build(mesh, Weld::Exact);
+        let near = if fraction > 0.0 { topology.weld(mesh, Weld::Relative(fraction)) } else { 0 };
+        (topology, near)
+    }
+
+    /// Joins boundary edges whose ends coincide; returns the number of their half-edges.
+    fn weld(&mut self, mesh: &Mesh, weld: Weld) -> usize {
+        if weld == Weld::Off {
+            return 0;
+        }
+        let faces = mesh.faces();
+        let open: Vec<u32> = (0..faces.corner_count() as u32)
+            .into_par_iter()
+            .filter(|&h| self.links.get(h) == PackedLink::BOUNDARY.0)
+            .collect();
+        if open.is_empty() {
+            return 0;
+        }
+        let joined = join(mesh, self, &open, weld);
+        self.wide_clusters += joined.wide_clusters;
+        self.ambiguous += joined.ambiguous;
+        for &(half_edge, link) in &joined.links {
+            self.links.set(half_edge, PackedLink::new(link).0);
+            if let Link::Welded(_) = link {
+                self.welded_vertices.resize(mesh.vertex_count(), false);
+                let (tail, head) = self.ends(faces.corners(), half_edge);
+                self.welded_vertices[tail as usize] = true;
+                self.welded_vertices[head as usize] = true;
+            }
+        }
+        joined.links.len()
+    }
+}
+
+/// The result of welding.
+struct Joined {
     /// New links of half-edges that were boundary.
-    pub(super) links: Vec<(u32, Link)>,
+    links: Vec<(u32, Link)>,
     /// Clusters wider than twice the welding distance.
-    pub(super) wide_clusters: usize,
+    wide_clusters: usize,
     /// Groups of several coincident edges, none of which was joined.
-    pub(super) ambiguous: usize,
+    ambiguous: usize,
 }
 
 /// Pairs the open half-edges whose ends coincide, in the mesh and in each of its morph targets.
-pub(super) fn join(mesh: &Mesh, owners: &[u32], open: &[u32], weld: Weld) -> Joined {
+fn join(mesh: &Mesh, topology: &Topology, open: &[u32], weld: Weld) -> Joined {
     let faces = mesh.faces();
-    let face_of = |half_edge: u32| match owners {
-        [] => half_edge as usize / 3,
-        owners => owners[half_edge as usize] as usize,
-    };
-    let ends = |half_edge: u32| {
-        let range = faces.range(face_of(half_edge));
-        let next = if half_edge as usize + 1 == range.end { range.start } else { half_edge as usize + 1 };
-        (faces.corners()[half_edge as usize], faces.corners()[next])
-    };
+    let ends = |half_edge: u32| topology.ends(faces.corners(), half_edge);
     let mut rim: Vec<u32> = open.iter().flat_map(|&h| <[u32; 2]>::from(ends(h))).collect();
     rim.par_sort_unstable();
     rim.dedup();
@@ -58,14 +99,14 @@ pub(super) fn join(mesh: &Mesh, owners: &[u32], open: &[u32], weld: Weld) -> Joi
 
     // (lower class, higher class, whether it runs downwards, half-edge)
     let mut edges: Vec<(u32, u32, bool, u32)> = open
-        .par_chunk_by(|&a, &b| face_of(a) == face_of(b))
+        .par_chunk_by(|&a, &b| topology.face_of(a) == topology.face_of(b))
         .flat_map_iter(|of_face| {
             let classes = |&h: &u32| (h, class(ends(h).0), class(ends(h).1));
             // An edge of no length joins nothing.
             let long = of_face.iter().map(classes).filter(|&(_, a, b)| a != b);
             let mut long: Vec<_> = long.map(|(h, a, b)| (a.min(b), a.max(b), a > b, h)).collect();
             let place = |v| rim.binary_search(v).map_or(u32::MAX - v, |i| of_rim[i]);
-            if is_collapsed(faces.face(face_of(of_face[0])).iter().map(place)) {
+            if is_collapsed(faces.face(topology.face_of(of_face[0]) as usize).iter().map(place)) {
                 keep_surplus(&mut long);
             }
             long

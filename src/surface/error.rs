@@ -91,7 +91,18 @@ pub enum SurfaceError {
     Singular,
 }
 
-/// A length, if it is one.
+/// Checks a number of cells or the like.
+pub(super) fn check_count(
+    what: &'static str,
+    found: impl Into<u64>,
+    limits: RangeInclusive<u64>,
+) -> Result<(), SurfaceError> {
+    let found = found.into();
+    let limit = found.clamp(*limits.start(), *limits.end());
+    if found == limit { Ok(()) } else { Err(SurfaceError::Segments { what, found, limit }) }
+}
+
+/// A length, if it is valid.
 pub(super) fn length(what: &'static str, found: f64) -> Result<f64, SurfaceError> {
     if LENGTHS.contains(&found) { Ok(found) } else { Err(SurfaceError::Length { what, found }) }
 }

@@ -1,7 +1,7 @@
 //! Grids of parameters.
 
-use crate::surface::error::{MOST_CELLS, SurfaceError};
-use crate::surface::meshing::hash::{GridHash, cuts_upwards};
+use crate::surface::error::{MOST_CELLS, SurfaceError, check_count};
+use crate::surface::meshing::hash::GridHash;
 use crate::surface::meshing::net::{Net, sample};
 use crate::surface::meshing::pattern::{Pattern, Tessellation};
 use crate::surface::shapes::chart::{Chart, Parametric, Sample};
@@ -69,18 +69,9 @@ impl Grid {
         let [u, v] = self.segments.map(u64::from);
         let Chart { wraps_u, wraps_v, pole_low, pole_high } = self.chart;
         let least = |wraps, poles| if wraps { 3 } else { 1 + u64::from(poles) };
-        let limits = [
-            ("segments round", u, least(wraps_u, false)),
-            ("segments along", v, least(wraps_v, pole_low && pole_high)),
-        ];
-        if let Some(&(what, found, limit)) = limits.iter().find(|(_, found, least)| found < least) {
-            return Err(SurfaceError::Segments { what, found, limit });
-        }
-        let cells = u.saturating_mul(v).saturating_mul(charts);
-        if cells > MOST_CELLS {
-            return Err(SurfaceError::Segments { what: "cells", found: cells, limit: MOST_CELLS });
-        }
-        Ok(())
+        check_count("segments round", u, least(wraps_u, false)..=u64::MAX)?;
+        check_count("segments along", v, least(wraps_v, pole_low && pole_high)..=u64::MAX)?;
+        check_count("cells", u.saturating_mul(v).saturating_mul(charts), 0..=MOST_CELLS)
     }
 
     /// Columns of vertices.
@@ -154,7 +145,7 @@ impl Grid {
             face(&[a, b, self.pole(i, j + 1)]);
         } else if self.pattern == Pattern::Quads {
             face(&[a, b, c, d]);
-        } else if self.jitter == 0.0 || cuts_upwards(self.hash, i, j) {
+        } else if self.jitter == 0.0 || self.hash.at(i, j, 3) >= 0.5 {
             face(&[a, b, c]);
             face(&[a, c, d]);
         } else {

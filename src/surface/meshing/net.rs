@@ -1,4 +1,4 @@
-//! Faces over samples of a surface: what tessellators make and meshes are made of.
+//! Faces over samples of a surface: the result of each pattern, from which meshes are made.
 
 use crate::mesh::Faces;
 use crate::surface::error::SurfaceError;
@@ -18,7 +18,7 @@ pub(in crate::surface) struct Net {
 }
 
 impl Net {
-    /// Samples with faces, and nothing that says which parameters corners have.
+    /// Samples and faces whose corners have no parameters.
     pub(in crate::surface) fn without_parameters(samples: Vec<Sample>, faces: Faces) -> Self {
         Self { samples, faces, ..Self::default() }
     }
@@ -53,5 +53,10 @@ impl Net {
 
 /// The point of a chart.
 pub(in crate::surface) fn sample(chart: &dyn Parametric, at: DVec2) -> Result<Sample, SurfaceError> {
-    chart.at(at.x, at.y).ok_or(SurfaceError::NoNormal { u: at.x, v: at.y })
+    sample_at(at, chart.at(at.x, at.y))
+}
+
+/// The sample at these parameters, or an error if the surface has no normal there.
+pub(in crate::surface) fn sample_at(at: DVec2, sample: Option<Sample>) -> Result<Sample, SurfaceError> {
+    sample.ok_or(SurfaceError::NoNormal { u: at.x, v: at.y })
 }
