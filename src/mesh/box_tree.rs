@@ -5,41 +5,41 @@ use rayon::prelude::*;
 
 /// An axis-aligned box.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::mesh) struct Bounds {
-    pub(in crate::mesh) low: DVec3,
-    pub(in crate::mesh) high: DVec3,
+pub(crate) struct Bounds {
+    pub(crate) low: DVec3,
+    pub(crate) high: DVec3,
 }
 
 impl Bounds {
     /// The box of nothing.
-    pub(in crate::mesh) const EMPTY: Self = Self { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
+    pub(crate) const EMPTY: Self = Self { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
 
     /// The smallest box around some points.
-    pub(in crate::mesh) fn of(points: impl Iterator<Item = DVec3>) -> Self {
+    pub(crate) fn of(points: impl Iterator<Item = DVec3>) -> Self {
         points.fold(Self::EMPTY, |all, p| all.union(Self { low: p, high: p }))
     }
 
-    pub(in crate::mesh) fn union(self, other: Self) -> Self {
+    pub(crate) fn union(self, other: Self) -> Self {
         Self { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
     /// The centre, without overflow.
-    pub(in crate::mesh) fn middle(self) -> DVec3 {
+    pub(crate) fn middle(self) -> DVec3 {
         0.5 * self.low + 0.5 * self.high
     }
 
-    pub(in crate::mesh) fn contains(self, other: Self) -> bool {
+    pub(crate) fn contains(self, other: Self) -> bool {
         self.low.cmple(other.low).all() && self.high.cmpge(other.high).all()
     }
 
-    pub(in crate::mesh) fn overlaps(self, other: Self) -> bool {
+    pub(crate) fn overlaps(self, other: Self) -> bool {
         self.low.cmple(other.high).all() && self.high.cmpge(other.low).all()
     }
 }
 
 /// Items in the order of a Morton curve through the middles of their boxes, and above them a complete tree of
 /// the boxes of [`BRANCH`] neighbours each. Linear in memory, balanced whatever the input.
-pub(in crate::mesh) struct BoxTree {
+pub(crate) struct BoxTree {
     items: Vec<u32>,
     /// Boxes of runs of items, then of runs of those, and so on; the last level has one box at most.
     levels: Vec<Vec<Bounds>>,
@@ -50,7 +50,7 @@ const BRANCH: usize = 4;
 
 impl BoxTree {
     /// A tree of the items 0..count.
-    pub(in crate::mesh) fn build(count: usize, bounds: impl Fn(u32) -> Bounds + Sync) -> Self {
+    pub(crate) fn build(count: usize, bounds: impl Fn(u32) -> Bounds + Sync) -> Self {
         let all = (0..count as u32).into_par_iter().map(&bounds).reduce(|| Bounds::EMPTY, Bounds::union);
         let size = all.high - all.low;
         let mut order: Vec<(u64, u32)> = (0..count as u32)
@@ -71,7 +71,7 @@ impl BoxTree {
 
     /// Offers every item of every run whose boxes all `enter`, until one does not `go_on`. Each box and each item costs one
     /// unit of the budget. Returns whether that was enough.
-    pub(in crate::mesh) fn visit(
+    pub(crate) fn visit(
         &self,
         budget: &mut usize,
         enter: impl Fn(Bounds) -> bool,

@@ -23,7 +23,7 @@ pub(super) fn clusters(shapes: &[Vec<DVec3>], epsilon: f64) -> Vec<u32> {
     };
     if count > 0 {
         let root = tree.build(0..count);
-        tree.join_within(root);
+        tree.join(root, root);
     }
     (0..count as u32).map(|i| tree.sets.find(i)).collect()
 }
@@ -42,7 +42,6 @@ struct Tree<'a> {
     sets: DisjointSets,
 }
 
-#[derive(Clone)]
 struct Node {
     items: Range<usize>,
     /// The two halves; `None` in a leaf.
@@ -86,22 +85,7 @@ impl Tree<'_> {
         number
     }
 
-    /// Joins near points of a node.
-    fn join_within(&mut self, node: usize) {
-        if self.nodes[node].is_crowd {
-            return;
-        }
-        match self.nodes[node].halves {
-            Some([left, right]) => {
-                self.join_within(left);
-                self.join_within(right);
-                self.join(left, right);
-            }
-            None => self.compare(node, node),
-        }
-    }
-
-    /// Joins near points of two nodes.
+    /// Joins near points of two nodes, or of one with itself.
     fn join(&mut self, a: usize, b: usize) {
         let mut all_near = true;
         for shape in 0..self.shapes.len() {
@@ -122,6 +106,11 @@ impl Tree<'_> {
         }
         // The longer list is halved; a crowd is one set, but may reach too far to be near as a whole.
         match (first.halves, second.halves) {
+            (Some([left, right]), _) if a == b => {
+                self.join(left, left);
+                self.join(right, right);
+                self.join(left, right);
+            }
             (Some(halves), _) if first.items.len() >= second.items.len() || second.halves.is_none() => {
                 halves.into_iter().for_each(|half| self.join(half, b));
             }

@@ -44,19 +44,20 @@ pub fn normal_matrix(map: DMat3) -> Option<NormalMatrix> {
     let [x, y, z] = [0, 1, 2].map(|k| columns[k] * scale[k]);
     let cofactors = DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y));
     let determinant = x.dot(cofactors.x_axis);
-    let permanent = x.abs().dot(DVec3::new(
-        y.y.abs() * z.z.abs() + y.z.abs() * z.y.abs(),
-        y.z.abs() * z.x.abs() + y.x.abs() * z.z.abs(),
-        y.x.abs() * z.y.abs() + y.y.abs() * z.x.abs(),
-    ));
-    // Five roundings lie on the way of each of the six products to the sum.
-    if determinant.abs() <= 5.0 * f64::EPSILON * permanent {
+    // Each of the six products is rounded five times.
+    if determinant.abs() <= 5.0 * f64::EPSILON * permanent(x, y, z) {
         return None;
     }
     let largest = scale.into_iter().fold(0.0, f64::max);
     let sign = determinant.signum();
     let scale = DVec3::from_array(scale) / largest;
     Some(NormalMatrix { cofactors: cofactors * sign, scale, mirrored: sign < 0.0 })
+}
+
+/// The determinant of three rows with every product counted as positive.
+pub(crate) fn permanent(a: DVec3, b: DVec3, c: DVec3) -> f64 {
+    let (a, b, c) = (a.abs(), b.abs(), c.abs());
+    a.x * (b.y * c.z + b.z * c.y) + a.y * (b.z * c.x + b.x * c.z) + a.z * (b.x * c.y + b.y * c.x)
 }
 
 impl NormalMatrix {
@@ -94,14 +95,9 @@ impl Mesh {
         }
         let linear = DMat3::from_mat4(map);
         let normals = normal_matrix(linear);
-        let mut moved = if normals.is_some_and(|normals| normals.mirrored()) {
-            self.with_faces(&FaceEdit {
-                reversed: (0..self.face_count() as u32).collect(),
-                ..FaceEdit::default()
-            })
-        } else {
-            self.clone()
-        };
+        let is_mirrored = normals.is_some_and(|normals| normals.mirrored());
+        let count = if is_mirrored { self.face_count() as u32 } else { 0 };
+        let mut moved = self.with_faces(&FaceEdit { reversed: (0..count).collect(), ..FaceEdit::default() });
         moved.storage = Storage::F64;
         for position in Arc::make_mut(&mut moved.positions) {
             *position = map.transform_point3(*position);

@@ -4,7 +4,7 @@ use crate::surface::rays::primitive::Primitive;
 use crate::surface::shapes::bezier::{BezierPatch, teapot};
 use crate::surface::shapes::chart::Parametric;
 use crate::surface::shapes::height::{Height, MonkeySaddle, Wave};
-use crate::surface::shapes::implicit::{Implicit, Room};
+use crate::surface::shapes::implicit::{Implicit, Room, Shape};
 use crate::surface::shapes::revolution::Catenoid;
 use crate::surface::shapes::star::{StarShaped, Superquadric};
 use glam::DVec3;
@@ -37,15 +37,9 @@ impl<P: Into<Primitive>> From<P> for Surface {
 impl Surface {
     /// The surface by its parameters: one chart, or 32 of the teapot.
     pub fn charts(&self) -> Vec<&dyn Parametric> {
-        match self {
-            Surface::Primitive(primitive) => vec![primitive.parametric()],
-            Surface::Catenoid(catenoid) => vec![catenoid],
-            Surface::Wave(wave) => vec![wave],
-            Surface::MonkeySaddle(saddle) => vec![saddle],
-            Surface::Superquadric(superquadric) => vec![superquadric],
-            Surface::Patch(_) | Surface::Teapot => {
-                self.patches().iter().map(|patch| patch as &dyn Parametric).collect()
-            }
+        match self.shape() {
+            Some(shape) => vec![shape],
+            None => self.patches().iter().map(|patch| patch as &dyn Parametric).collect(),
         }
     }
 
@@ -60,8 +54,12 @@ impl Surface {
 
     /// The surface as the zero set of a function; `None` for patches.
     pub fn zero_set(&self) -> Option<&dyn Implicit> {
+        self.shape().map(|shape| shape as &dyn Implicit)
+    }
+
+    fn shape(&self) -> Option<&dyn Shape> {
         Some(match self {
-            Surface::Primitive(primitive) => primitive,
+            Surface::Primitive(primitive) => primitive.shape(),
             Surface::Catenoid(catenoid) => catenoid,
             Surface::Wave(wave) => wave,
             Surface::MonkeySaddle(saddle) => saddle,

@@ -12,14 +12,6 @@ pub(super) const MOST_CELLS: u64 = 1 << 24;
 /// Why a surface cannot be made, or not be tessellated as asked.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SurfaceError {
-    /// A length that is not positive and of a size that can be computed with.
-    #[error("{what} is {found:?}; a length from 1e-60 to 1e60 was expected")]
-    Length {
-        /// Which length.
-        what: &'static str,
-        /// What it is.
-        found: f64,
-    },
     /// A torus whose tube would run through itself.
     #[error("the tube's radius {minor} is not smaller than the ring's radius {major}")]
     SelfCrossing {
@@ -36,12 +28,6 @@ pub enum SurfaceError {
         /// Counted from 0.
         column: usize,
     },
-    /// A catenoid whose ends would be too wide to compute with.
-    #[error("the height is {found} waists; 200 at most was expected")]
-    TooTall {
-        /// Height over waist.
-        found: f64,
-    },
     /// Fewer or more cells than the pattern needs or allows on this surface.
     #[error("{found} {what} are {}; {limit} is the limit", if found < limit { "too few" } else { "too many" })]
     Segments {
@@ -54,12 +40,12 @@ pub enum SurfaceError {
     },
     /// A number of a shape or of a tessellation that is out of its range.
     #[error("{what} is {found}; {expected} was expected")]
-    Setting {
-        /// Which one.
+    OutOfRange {
+        /// Which number.
         what: &'static str,
-        /// What it is.
-        found: f64,
-        /// What it may be.
+        /// The number.
+        found: String,
+        /// The range.
         expected: &'static str,
     },
     /// A pattern that is not possible on this surface.
@@ -104,7 +90,12 @@ pub(super) fn check_count(
 
 /// A length, if it is valid.
 pub(super) fn length(what: &'static str, found: f64) -> Result<f64, SurfaceError> {
-    if LENGTHS.contains(&found) { Ok(found) } else { Err(SurfaceError::Length { what, found }) }
+    let error = || out_of_range(what, format!("{found:?}"), "a length from 1e-60 to 1e60");
+    if LENGTHS.contains(&found) { Ok(found) } else { Err(error()) }
+}
+
+pub(super) fn out_of_range(what: &'static str, found: impl ToString, expected: &'static str) -> SurfaceError {
+    SurfaceError::OutOfRange { what, found: found.to_string(), expected }
 }
 
 /// Declares a surface that is determined by lengths: the type, its default lengths, the constructor that checks them, and

@@ -1,7 +1,7 @@
 //! Points of a surface, and the triangles that the rays from them cross.
 
-use super::volume::permanent;
 use crate::mesh::polygon_mesh::Mesh;
+use crate::mesh::transform::permanent;
 use crate::num::unit_scale;
 use glam::DVec3;
 

@@ -2,6 +2,7 @@
 
 use crate::mesh::box_tree::Bounds;
 use crate::mesh::polygon_mesh::Mesh;
+use crate::mesh::transform::permanent;
 use crate::num::{CompensatedSum, unit_scale};
 use glam::DVec3;
 use rayon::prelude::*;
@@ -81,10 +82,4 @@ impl Sums {
         let volume = self.volume.value();
         (volume.abs() > rounding + gaps + self.between_cuts).then_some(volume > 0.0)
     }
-}
-
-/// The determinant of three rows with every product counted as positive.
-pub(super) fn permanent(a: DVec3, b: DVec3, c: DVec3) -> f64 {
-    let (a, b, c) = (a.abs(), b.abs(), c.abs());
-    a.x * (b.y * c.z + b.z * c.y) + a.y * (b.z * c.x + b.x * c.z) + a.z * (b.x * c.y + b.y * c.x)
 }

@@ -30,7 +30,7 @@ impl GridHash {
     }
 
     /// The family for another part of the same surface; part 0 keeps its own.
-    pub(in crate::surface) fn of_part(self, part: u32) -> Self {
+    pub(crate) fn of_part(self, part: u32) -> Self {
         Self { seed: self.seed.wrapping_add(part.wrapping_mul(0x85eb_ca6b)) }
     }
 }

@@ -12,7 +12,7 @@ use rustc_hash::FxHashMap;
 const HIGHEST: u64 = 10;
 
 /// The surface in the directions of an icosahedron whose triangles are cut in four so many times.
-pub(in crate::surface) fn net(surface: &dyn StarShaped, level: u32) -> Result<Net, SurfaceError> {
+pub(crate) fn net(surface: &dyn StarShaped, level: u32) -> Result<Net, SurfaceError> {
     check_count("levels of division", level, 0..=HIGHEST)?;
     let (mut directions, mut triangles) = icosahedron();
     for _ in 0..level {

@@ -11,13 +11,13 @@ use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 
 /// The six tetrahedra of a cube, one for each order in which to go along the axes from its lowest corner to its highest
-/// (H. W. Kuhn 1960). A corner of the cube is named by its bits, x lowest; all run the same way round.
+/// (H. W. Kuhn 1960). A corner of the cube is named by its bits, x lowest; all have the same orientation.
 const TETRAHEDRA: [[usize; 4]; 6] =
     [[0, 1, 3, 7], [0, 2, 6, 7], [0, 4, 5, 7], [0, 5, 1, 7], [0, 3, 2, 7], [0, 6, 4, 7]];
 
 /// The surface within its box, cut by a cubic lattice with so many cells along the longest side. Where the surface closes
 /// within the box the lattice is shifted by a random part of a cell, so that it meets no symmetry.
-pub(in crate::surface) fn net(
+pub(crate) fn net(
     surface: &dyn Implicit,
     room: Room,
     cells: u32,

@@ -4,14 +4,10 @@
 pub(super) mod pattern;
 // Reproducible random numbers.
 pub(super) mod hash;
-// Faces over samples of a surface.
+// Faces over samples of a surface, and their dual.
 pub(super) mod net;
-// Grids of parameters.
+// Grids of parameters, and their joints.
 pub(super) mod grid;
-// Joined grids of neighbouring patches.
-pub(super) mod patches;
-// The dual of a triangle mesh.
-pub(super) mod dual;
 // Subdivided icosahedra.
 pub(super) mod icosphere;
 // Marching tetrahedra.

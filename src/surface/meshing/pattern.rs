@@ -1,15 +1,15 @@
 //! How a surface is cut into faces: the pattern and its settings.
 
-use crate::surface::error::SurfaceError;
+use crate::surface::error::{SurfaceError, out_of_range};
 
 /// How vertices and faces are arranged on a surface. All vertices lie on it but for [`Tessellation::noise`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Pattern {
-    /// A grid of the parameters, each cell cut in two: all the same way, or with jitter at random.
+    /// A grid of the parameters, each cell cut in two along the same diagonal, or with jitter along a random one.
     #[default]
     Triangles,
-    /// The same with cells that many times as long one way, for about as many of them: for 10 a grid of 64 × 32 becomes
-    /// one of 20 × 101.
+    /// The same with cells elongated by that ratio, for about as many cells: for 10 a grid of 64 × 32 becomes one of
+    /// 20 × 101.
     Stretched(f64),
     /// A grid in which every other row lies that many times as close to the next one: slivers next to good triangles.
     /// Takes no jitter: slivers would fold.
@@ -25,9 +25,9 @@ pub enum Pattern {
     /// time. For surfaces that are spheres but for stretching along rays ([`StarShaped`](crate::surface::StarShaped)). Takes no
     /// segments and no jitter.
     Icosphere(u32),
-    /// Marching tetrahedra over a lattice that knows nothing of the surface, with the first of [`Tessellation::segments`]
-    /// along the longest side of its bounding box: valences from 4 up, slivers where the surface brushes by a lattice
-    /// point. For surfaces that are zero sets. Takes no jitter.
+    /// Marching tetrahedra over a lattice, with the first of [`Tessellation::segments`] along the longest side of the
+    /// bounding box: valences from 4 up, slivers where the surface passes close to a lattice point. For surfaces that
+    /// are zero sets. Takes no jitter.
     Marching,
     /// The Delaunay triangulation of scattered points, as many as the grid would have, and evenly spaced ones on the
     /// sides. For heights over a rectangle. Takes no jitter.
@@ -50,7 +50,7 @@ impl Pattern {
     }
 }
 
-/// A way to make a mesh of a surface.
+/// Settings for making a mesh of a surface.
 ///
 /// ```
 /// use crease::surface::{Surface, Tessellation, Torus};
@@ -66,16 +66,15 @@ pub struct Tessellation {
     pub pattern: Pattern,
     /// Cells along u and v; of each patch, for a surface of several.
     pub segments: [u32; 2],
-    /// How far vertices move at random within the surface: a vertex of the grid anywhere within so many cells about its
-    /// place, so by half of it at most each way; 0 to 1. Vertices on open sides and at poles stay. Above 0, cells are cut
-    /// along either diagonal at random.
+    /// Random displacement of vertices within the surface, in cells: by at most half of it in each direction; 0 to 1.
+    /// Vertices on open sides and at poles stay. Above 0, cells are cut along random diagonals.
     pub jitter: f64,
-    /// How far vertices leave the surface at random along its normal, at most, in mean lengths of an edge; 0 to 1. Their
-    /// normals stay those of the surface.
+    /// Largest random displacement of vertices along the normal, in mean lengths of an edge; 0 to 1. The stored normals
+    /// stay those of the surface.
     pub noise: f64,
-    /// Which random numbers.
+    /// Seed of the random numbers.
     pub seed: u32,
-    /// Whether the mesh gets the parameters as texture coordinates, where there are any.
+    /// Whether the parameters become texture coordinates, if there are any.
     pub uvs: bool,
 }
 
@@ -92,14 +91,13 @@ impl Tessellation {
         let Self { pattern, jitter, noise, .. } = *self;
         for (what, found) in [("the jitter", jitter), ("the noise", noise)] {
             if !(0.0..=1.0).contains(&found) {
-                return Err(SurfaceError::Setting { what, found, expected: "a number from 0 to 1" });
+                return Err(out_of_range(what, found, "a number from 0 to 1"));
             }
         }
         if let Pattern::Stretched(ratio) | Pattern::Slivers(ratio) = pattern
             && !(1.0..=1e12).contains(&ratio)
         {
-            let expected = "a number from 1 to 1e12";
-            return Err(SurfaceError::Setting { what: "the ratio", found: ratio, expected });
+            return Err(out_of_range("the ratio", ratio, "a number from 1 to 1e12"));
         }
         let takes_jitter = matches!(
             pattern,

@@ -12,11 +12,7 @@ use spade::{DelaunayTriangulation, Point2, Triangulation};
 
 /// Points over the rectangle of a height: as many as a grid of so many cells has, evenly spaced on the sides and random
 /// within.
-pub(in crate::surface) fn net(
-    surface: &dyn Height,
-    segments: [u32; 2],
-    hash: GridHash,
-) -> Result<Net, SurfaceError> {
+pub(crate) fn net(surface: &dyn Height, segments: [u32; 2], hash: GridHash) -> Result<Net, SurfaceError> {
     let [columns, rows] = segments;
     let cells = u64::from(columns) * u64::from(rows);
     check_count("cells", cells, 1..=MOST_CELLS)?;

@@ -4,9 +4,9 @@ use crate::mesh::{Column, Columns, Mesh, MeshBuilder};
 use crate::surface::catalogue::Surface;
 use crate::surface::error::SurfaceError;
 use crate::surface::meshing::hash::GridHash;
-use crate::surface::meshing::net::{Net, sample};
+use crate::surface::meshing::net::{Net, dual, sample};
 use crate::surface::meshing::pattern::{Pattern, Tessellation};
-use crate::surface::meshing::{dual, grid, icosphere, marching, patches, scattered};
+use crate::surface::meshing::{grid, icosphere, marching, scattered};
 use crate::surface::shapes::chart::Sample;
 
 impl Surface {
@@ -47,9 +47,9 @@ impl Surface {
     fn grid(&self, tessellation: &Tessellation) -> Result<Net, SurfaceError> {
         let charts = self.charts();
         let mut net = grid::net(&charts, tessellation)?;
-        patches::join(&mut net, self.patches(), tessellation);
+        grid::join(&mut net, self.patches(), tessellation);
         if tessellation.pattern == Pattern::Polygons {
-            net = dual::net(&net, |face, at| sample(charts[net.chart_of(face)], at))?;
+            net = dual(&net, |face, at| sample(charts[net.chart_of(face)], at))?;
         }
         Ok(net)
     }

@@ -6,13 +6,13 @@ use crate::surface::shapes::chart::{Chart, Parametric, Sample};
 use glam::DVec3;
 use std::sync::OnceLock;
 
-/// The patch Σ Bᵢ(v) Bⱼ(u) Pᵢⱼ over four rows of four control points, facing the way of ∂u × ∂v; B are the cubic
+/// The patch Σ Bᵢ(v) Bⱼ(u) Pᵢⱼ over four rows of four control points, facing along ∂u × ∂v; B are the cubic
 /// Bernstein polynomials.
 ///
 /// # Collapsed sides
-/// A side whose four control points are one point has no tangent of its own. Next to the side v = 0, ∂u is v·∂u∂v to
-/// first order, so the direction of ∂u × ∂v tends to ∂u∂v × ∂v: that limit is the normal given there, one for each way of
-/// approach u. Where all approaches agree (the top of the teapot's lid) the surface is smooth.
+/// A side whose four control points coincide has no tangent. Next to the side v = 0, ∂u is v·∂u∂v to first order, so the
+/// direction of ∂u × ∂v tends to ∂u∂v × ∂v: that limit is the normal there, one for each u. If all agree (the top of the
+/// teapot's lid) the surface is smooth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BezierPatch {
     points: [[DVec3; 4]; 4],
@@ -48,7 +48,7 @@ impl BezierPatch {
     }
 
     /// The control points of a side: v = 0, v = 1, u = 0, u = 1, each in the direction of the parameter that varies.
-    pub(in crate::surface) fn sides(&self) -> [[DVec3; 4]; 4] {
+    pub(crate) fn sides(&self) -> [[DVec3; 4]; 4] {
         let column = |k: usize| self.points.map(|row| row[k]);
         [self.points[0], self.points[3], column(0), column(3)]
     }
@@ -82,8 +82,8 @@ impl Parametric for BezierPatch {
     }
 }
 
-/// The cubic Bézier curve of four points and its derivative. The latter is made of differences of the points, so it keeps
-/// its digits where they lie close together and is exactly zero where they are one point.
+/// The cubic Bézier curve of four points and its derivative. The latter uses differences of the points, so it keeps its
+/// digits if they lie close together and is exactly zero if they coincide.
 fn curve([a, b, c, d]: [DVec3; 4], t: f64) -> (DVec3, DVec3) {
     let s = 1.0 - t;
     let point = a * (s * s * s) + b * (3.0 * s * s * t) + c * (3.0 * s * t * t) + d * (t * t * t);
@@ -91,42 +91,40 @@ fn curve([a, b, c, d]: [DVec3; 4], t: f64) -> (DVec3, DVec3) {
     (point, slope * 3.0)
 }
 
-/// The published figures; the file itself says where they are from.
+/// The published figures; the file states their source.
 const FIGURES: &str = include_str!("../../../data/teapot.txt");
 
 /// The 32 patches of Newell's teapot, facing outward, with y up, the spout along +x, the bottom at y = 0 and the top of the lid
 /// at y = 3.15: rim 4, body 8, handle 4, spout 4, lid 8, bottom 4.
 ///
-/// Four pieces that interpenetrate but share no edge: the pot, the lid, the handle and the spout. Within each the patches
-/// meet smoothly. At the top of the lid and in the middle of the bottom sides are collapsed, see [`BezierPatch`].
+/// Four components that intersect but share no edge: the pot, the lid, the handle and the spout. Within each the patches
+/// meet smoothly. Sides are collapsed at the top of the lid and in the middle of the bottom, see [`BezierPatch`].
 pub fn teapot() -> &'static [BezierPatch] {
     static PATCHES: OnceLock<Vec<BezierPatch>> = OnceLock::new();
     PATCHES.get_or_init(|| read(FIGURES).expect("the figures that this program was built with are complete"))
 }
 
-/// The patches of the figures, turned from z up to y up.
+/// The patches of the figures, rotated from z up to y up.
 fn read(figures: &str) -> Option<Vec<BezierPatch>> {
     let lines = figures.lines().filter(|line| !line.starts_with('#'));
     let mut words = lines.flat_map(str::split_whitespace);
     let count = heading(&mut words, "points")?;
     let mut number = || words.next()?.parse::<f64>().ok();
-    let points: Vec<DVec3> = (0..count)
-        .map(|_| {
-            let [x, y, z] = [number()?, number()?, number()?];
-            Some(DVec3::new(x, z, 0.0 - y))
-        })
-        .collect::<Option<_>>()?;
+    let mut point = || {
+        let [x, y, z] = [number()?, number()?, number()?];
+        Some(DVec3::new(x, z, 0.0 - y))
+    };
+    let points = (0..count).map(|_| point()).collect::<Option<Vec<DVec3>>>()?;
     let count = heading(&mut words, "patches")?;
     let mut point = || points.get(words.next()?.parse::<usize>().ok()?).copied();
-    (0..count)
-        .map(|_| {
-            let mut rows = [[DVec3::ZERO; 4]; 4];
-            for slot in rows.as_flattened_mut() {
-                *slot = point()?;
-            }
-            BezierPatch::new(rows).ok()
-        })
-        .collect()
+    let mut patch = || {
+        let mut rows = [[DVec3::ZERO; 4]; 4];
+        for slot in rows.as_flattened_mut() {
+            *slot = point()?;
+        }
+        BezierPatch::new(rows).ok()
+    };
+    (0..count).map(|_| patch()).collect()
 }
 
 /// The count that follows a name.

@@ -49,7 +49,7 @@ pub trait Parametric: Sync {
 
 /// Sine and cosine of a part of a full turn. Quarter turns are exact, whole turns change no bit, and points at the same
 /// place of different octants have the same digits.
-pub(in crate::surface) fn circle(turns: f64) -> (f64, f64) {
+pub(crate) fn circle(turns: f64) -> (f64, f64) {
     let turns = turns - turns.round();
     let quarters = (4.0 * turns).round();
     let (sin, cos) = libm::sincos(TAU * (turns - quarters / 4.0));
@@ -62,13 +62,13 @@ pub(in crate::surface) fn circle(turns: f64) -> (f64, f64) {
 }
 
 /// The point at a part of a full turn on the circle of a radius and a height about the y axis, from +z towards +x.
-pub(in crate::surface) fn on_circle(turns: f64, radius: f64, height: f64) -> DVec3 {
+pub(crate) fn on_circle(turns: f64, radius: f64, height: f64) -> DVec3 {
     let (sin, cos) = circle(turns);
     DVec3::new(radius * sin, height, radius * cos)
 }
 
 /// The point of the unit sphere at a part of a full turn and at a latitude from the −y pole (0) to the +y pole (1).
-pub(in crate::surface) fn on_sphere(u: f64, v: f64) -> DVec3 {
+pub(crate) fn on_sphere(u: f64, v: f64) -> DVec3 {
     let (height, radius) = circle((v - 0.5) / 2.0);
     on_circle(u, radius, height)
 }

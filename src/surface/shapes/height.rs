@@ -40,7 +40,7 @@ impl Plane {
     /// A rectangle of this width (along x) and height (along y).
     ///
     /// # Errors
-    /// [`SurfaceError::Length`].
+    /// [`SurfaceError::OutOfRange`].
     pub fn new(width: f64, height: f64) -> Result<Self, SurfaceError> {
         Ok(Self { size: DVec2::new(length("the width", width)?, length("the height", height)?) })
     }
@@ -92,7 +92,7 @@ surface_of_lengths! {
     /// The surface over a square of this size.
     ///
     /// # Errors
-    /// [`SurfaceError::Length`].
+    /// [`SurfaceError::OutOfRange`].
     new with Ok
 }
 
@@ -118,7 +118,7 @@ surface_of_lengths! {
     /// The surface over a square of this size.
     ///
     /// # Errors
-    /// [`SurfaceError::Length`].
+    /// [`SurfaceError::OutOfRange`].
     new with Ok
 }
 

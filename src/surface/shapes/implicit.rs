@@ -2,6 +2,7 @@
 
 use crate::num::UnitVec3;
 use crate::surface::rays::ray::{Hit, Line, Ray};
+use crate::surface::shapes::chart::Parametric;
 use glam::DVec3;
 
 /// A surface that is the zero set of a function of space.
@@ -15,17 +16,22 @@ pub trait Implicit: Sync {
     fn normal_at(&self, point: DVec3) -> Option<UnitVec3>;
 }
 
+/// A zero set that also has parameters.
+pub(crate) trait Shape: Parametric + Implicit {}
+
+impl<S: Parametric + Implicit> Shape for S {}
+
 /// The box that a zero set fills.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::surface) struct Room {
-    pub(in crate::surface) low: DVec3,
-    pub(in crate::surface) high: DVec3,
+pub(crate) struct Room {
+    pub(crate) low: DVec3,
+    pub(crate) high: DVec3,
     /// The axes along which the surface ends at the box, open; else it closes within.
-    pub(in crate::surface) ends: [bool; 3],
+    pub(crate) ends: [bool; 3],
 }
 
 /// A surface whose [`value`](Implicit::value) is a distance and whose crossings with a line are known.
-pub(in crate::surface) trait Cast: Implicit {
+pub(crate) trait Cast: Implicit {
     /// The point that lines are described from.
     fn centre(&self) -> DVec3 {
         DVec3::ZERO

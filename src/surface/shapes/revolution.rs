@@ -1,7 +1,7 @@
 //! Surfaces of revolution about the y axis: cylinder, cone, catenoid, torus.
 
 use crate::num::UnitVec3;
-use crate::surface::error::{SurfaceError, surface_of_lengths};
+use crate::surface::error::{SurfaceError, out_of_range, surface_of_lengths};
 use crate::surface::rays::polynomial::roots_between;
 use crate::surface::rays::ray::Line;
 use crate::surface::shapes::chart::{Chart, Parametric, Sample, circle, on_circle};
@@ -32,7 +32,7 @@ surface_of_lengths! {
     /// A tube about the y axis.
     ///
     /// # Errors
-    /// [`SurfaceError::Length`].
+    /// [`SurfaceError::OutOfRange`].
     new with Ok
 }
 
@@ -90,7 +90,7 @@ surface_of_lengths! {
     /// A cone about the y axis.
     ///
     /// # Errors
-    /// [`SurfaceError::Length`].
+    /// [`SurfaceError::OutOfRange`].
     new with Ok
 }
 
@@ -155,9 +155,6 @@ impl Cast for Cone {
     }
 }
 
-/// Tallest catenoid in waists: beyond it the ends would be 10⁴⁰ times as wide as the waist.
-const TALLEST: f64 = 200.0;
-
 surface_of_lengths! {
     /// The catenoid √(x² + z²) = waist·cosh(y/waist), |y| ≤ height/2: the film between two rings, whose mean curvature is
     /// zero. Faces away from the axis. By default of waist 0.5 and height 1.5.
@@ -173,10 +170,12 @@ surface_of_lengths! {
     /// A catenoid about the y axis.
     ///
     /// # Errors
-    /// [`SurfaceError::Length`], [`SurfaceError::TooTall`].
+    /// [`SurfaceError::OutOfRange`], also for a height above 200 waists.
     new with |catenoid: Self| {
         let found = catenoid.height / catenoid.waist;
-        if found <= TALLEST { Ok(catenoid) } else { Err(SurfaceError::TooTall { found }) }
+        // Beyond 200 waists the ends would be 10⁴⁰ times as wide as the waist.
+        let error = || out_of_range("the height", format!("{found} waists"), "200 at most");
+        if found <= 200.0 { Ok(catenoid) } else { Err(error()) }
     }
 }
 
@@ -232,7 +231,7 @@ surface_of_lengths! {
     /// A torus by the radius of the ring, from the axis to the middle of the tube, and the smaller one of the tube.
     ///
     /// # Errors
-    /// [`SurfaceError::Length`], [`SurfaceError::SelfCrossing`].
+    /// [`SurfaceError::OutOfRange`], [`SurfaceError::SelfCrossing`].
     new with |torus: Self| {
         let Self { major, minor } = torus;
         if minor < major { Ok(torus) } else { Err(SurfaceError::SelfCrossing { major, minor }) }

@@ -1,7 +1,7 @@
 //! Closed surfaces that every ray from the origin meets once: sphere, ellipsoid, superellipsoid.
 
 use crate::num::UnitVec3;
-use crate::surface::error::{SurfaceError, length, surface_of_lengths};
+use crate::surface::error::{SurfaceError, length, out_of_range, surface_of_lengths};
 use crate::surface::rays::ray::{Hit, Line, Ray};
 use crate::surface::shapes::chart::{Chart, Parametric, Sample, on_sphere};
 use crate::surface::shapes::implicit::{Cast, Implicit};
@@ -25,7 +25,7 @@ surface_of_lengths! {
     /// A sphere of this radius about the origin.
     ///
     /// # Errors
-    /// [`SurfaceError::Length`].
+    /// [`SurfaceError::OutOfRange`].
     new with Ok
 }
 
@@ -73,7 +73,7 @@ impl Ellipsoid {
     /// An ellipsoid with these semi-axes along x, y and z.
     ///
     /// # Errors
-    /// [`SurfaceError::Length`].
+    /// [`SurfaceError::OutOfRange`].
     pub fn new(semi_axes: DVec3) -> Result<Self, SurfaceError> {
         Ok(Self { semi_axes: checked(semi_axes)? })
     }
@@ -85,7 +85,7 @@ impl Ellipsoid {
 
     /// The first hit of a ray: that of the unit sphere and the ray, both divided by the semi-axes, which leaves the
     /// ray's parameter unchanged.
-    pub(in crate::surface) fn first_hit(&self, ray: &Ray) -> Option<Hit> {
+    pub(crate) fn first_hit(&self, ray: &Ray) -> Option<Hit> {
         let hit = Sphere::default().first_hit(&ray.mapped(|v| v / self.semi_axes))?;
         let position = hit.position * self.semi_axes;
         Some(Hit { position, normal: self.normal_at(position)?, ..hit })
@@ -138,12 +138,11 @@ impl Superquadric {
     /// normal everywhere.
     ///
     /// # Errors
-    /// [`SurfaceError::Length`], [`SurfaceError::Setting`].
+    /// [`SurfaceError::OutOfRange`].
     pub fn new(semi_axes: DVec3, north: f64, east: f64) -> Result<Self, SurfaceError> {
         let semi_axes = checked(semi_axes)?;
-        let expected = "a number from 0.1 to 1.9";
         match [north, east].into_iter().find(|exponent| !(0.1..=1.9).contains(exponent)) {
-            Some(found) => Err(SurfaceError::Setting { what: "the roundness", found, expected }),
+            Some(found) => Err(out_of_range("the roundness", found, "a number from 0.1 to 1.9")),
             None => Ok(Self { semi_axes, north, east }),
         }
     }

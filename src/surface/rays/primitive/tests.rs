@@ -298,7 +298,7 @@ fn placed_primitives_are_hit_where_their_images_are() {
 #[test]
 fn lengths_are_checked() {
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e61, 1e-61] {
-        assert!(matches!(Sphere::new(bad), Err(SurfaceError::Length { .. })));
+        assert!(matches!(Sphere::new(bad), Err(SurfaceError::OutOfRange { .. })));
         assert!(Plane::new(1.0, bad).is_err() && Ellipsoid::new(DVec3::new(1.0, 1.0, bad)).is_err());
         assert!(
             Cylinder::new(1.0, bad).is_err() && Cone::new(bad, 1.0).is_err() && Torus::new(1.0, bad).is_err()
