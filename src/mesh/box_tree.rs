@@ -11,7 +11,7 @@ pub(crate) struct Bounds {
 }
 
 impl Bounds {
-    /// The box of nothing.
+    /// The box of no points.
     pub(crate) const EMPTY: Self = Self { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
 
     /// The smallest box around some points.

@@ -55,7 +55,7 @@ impl Faces {
         Self { corners: Vec::with_capacity(corners), offsets: None }
     }
 
-    /// Appends a face. Faces of fewer than three corners are stored as they are; [`MeshBuilder`] refuses them.
+    /// Appends a face. Faces of fewer than three corners are stored too; [`MeshBuilder`] refuses them.
     ///
     /// [`MeshBuilder`]: super::MeshBuilder
     pub fn push(&mut self, face: &[u32]) {

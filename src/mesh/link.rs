@@ -7,7 +7,7 @@ pub enum Link {
     Twin(u32),
     /// As [`Link::Twin`], but found by coincident positions: both edges are boundary by index.
     Welded(u32),
-    /// The only other half-edge here runs the same way: one of the two faces is reversed.
+    /// The only other half-edge here has the same direction: one of the two faces is reversed.
     Inconsistent(u32),
     /// No other face.
     Boundary,
@@ -60,7 +60,7 @@ impl PackedLink {
         }
     }
 
-    /// The half-edge across, where the surface goes on.
+    /// The half-edge across, where the surface continues.
     #[inline]
     pub(super) fn across(self) -> Option<u32> {
         (self.0 < 2 << PARTNER_BITS).then_some(self.0 & PARTNER_MASK)

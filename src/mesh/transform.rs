@@ -83,9 +83,8 @@ pub enum TransformFault {
 }
 
 impl Mesh {
-    /// The mesh moved by an affine map: positions, normals, displacements of morph targets. A map that mirrors
-    /// reverses all faces. Normals are lost if the map is singular. Anything but the identity makes doubles of the
-    /// positions.
+    /// The mesh moved by an affine map: positions, normals, displacements of morph targets. A map that mirrors reverses
+    /// all faces. Normals are lost if the map is singular. Anything but the identity makes doubles of the positions.
     ///
     /// # Errors
     /// If a position overflows.
@@ -111,7 +110,7 @@ impl Mesh {
         match normals {
             Some(matrix) => {
                 for normal in moved.columns.normals.iter_mut().flat_map(|normals| &mut normals.values) {
-                    // A stored normal without direction stays what it was.
+                    // A stored normal without direction stays unchanged.
                     *normal = matrix.apply(*normal).unwrap_or(*normal);
                 }
             }

@@ -26,14 +26,14 @@ pub struct Triangulation {
 
 /// Cuts every face into triangles.
 ///
-/// - A triangle stays as it is. The result for a mesh of triangles is the list of its corners; test
+/// - A triangle stays unchanged. The result for a mesh of triangles is the list of its corners; test
 ///   [`Faces::is_triangles`](super::Faces::is_triangles) to avoid it.
 /// - A quad is cut along the diagonal that leaves two triangles of positive area about the quad's own normal
 ///   ½(P2−P0)×(P3−P1); at a reflex corner there is only one. Where both do, the Delaunay criterion decides: the
 ///   diagonal with the smaller sum of the two angles opposite to it. Where these sums agree within 2⁻²⁰ (four
 ///   corners on a circle, a rectangle above all) the shorter diagonal is taken; where these agree too, the
 ///   diagonal that ends at the corner whose position is the smallest in lexicographic order, so that a grid of
-///   rectangles is cut one way throughout. The choice does not depend on where the list of corners starts.
+///   rectangles is cut along parallel diagonals. The choice does not depend on where the list of corners starts.
 /// - A polygon of five corners or more gets the constrained Delaunay triangulation of its projection along its
 ///   vector area, summed relative to the first corner. Corners on a straight edge, holes joined to the outside
 ///   by a bridge of two coincident edges, and repeated positions are right.
@@ -106,9 +106,8 @@ fn gather<'a>(mesh: &Mesh, face: usize, points: &'a mut Vec<DVec3>) -> &'a mut [
     points
 }
 
-/// Moves the first point to the origin and scales by a power of two to a size of about one, so that nothing
-/// later overflows or underflows. Subtracting first is also what keeps the vector area of a polygon far from the
-/// origin right: the terms of a sum about the origin cancel.
+/// Moves the first point to the origin and scales by a power of two to a size of about one, so that nothing later overflows
+/// or underflows. Subtraction also keeps the vector area of a polygon far from the origin exact: without it terms cancel.
 fn normalise(points: &mut [DVec3]) -> &[DVec3] {
     rescale(points);
     let origin = points[0];
@@ -117,8 +116,8 @@ fn normalise(points: &mut [DVec3]) -> &[DVec3] {
     points
 }
 
-/// Multiplies by the power of two that brings the largest coordinate to about one. Twice, because one power of two
-/// does not lift a subnormal number so far.
+/// Multiplies by the power of two that brings the largest coordinate to about one. Twice, because one power of two is not
+/// enough for subnormal numbers.
 fn rescale(points: &mut [DVec3]) {
     for _ in 0..2 {
         let scale = unit_scale(points.iter().fold(0.0, |m: f64, p| m.max(p.abs().max_element())));

@@ -102,7 +102,7 @@ fn join(mesh: &Mesh, topology: &Topology, open: &[u32], weld: Weld) -> Joined {
         .par_chunk_by(|&a, &b| topology.face_of(a) == topology.face_of(b))
         .flat_map_iter(|of_face| {
             let classes = |&h: &u32| (h, class(ends(h).0), class(ends(h).1));
-            // An edge of no length joins nothing.
+            // An edge of no length is not joined.
             let long = of_face.iter().map(classes).filter(|&(_, a, b)| a != b);
             let mut long: Vec<_> = long.map(|(h, a, b)| (a.min(b), a.max(b), a > b, h)).collect();
             let place = |v| rim.binary_search(v).map_or(u32::MAX - v, |i| of_rim[i]);
@@ -138,7 +138,7 @@ fn keep_surplus(edges: &mut Vec<(u32, u32, bool, u32)>) {
     edges.truncate(surplus);
 }
 
-/// Which rim vertices coincide: one class number for each, in the order of the rim.
+/// Which vertices of open edges coincide: a class number for each, in the order of `rim`.
 struct Classes {
     of_rim: Vec<u32>,
     wide_clusters: usize,

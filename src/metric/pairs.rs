@@ -18,7 +18,7 @@ pub enum MetricError {
     /// A row that the picture does not have.
     #[error("row {row} of a picture of {height} rows; rows count from 0 at the top")]
     Row {
-        /// The row asked for.
+        /// The requested row.
         row: u32,
         /// How many there are.
         height: u32,
@@ -69,7 +69,7 @@ pub(super) fn pairs<'a>(
     }))
 }
 
-/// Numbers on their way to mean, root mean square and maximum.
+/// Mean, root mean square and maximum of numbers.
 #[derive(Default)]
 pub(super) struct Moments {
     count: u64,

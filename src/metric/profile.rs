@@ -187,11 +187,11 @@ mod tests {
     /// The figures of the closed forms, to the digits that they were computed to independently.
     #[test]
     fn figures_by_formula() {
-        for (surround, corner, beside) in
+        for (surround, corner, step) in
             [(1.6, 0.239_365, 0.111_682), (2.0, 0.398_942, 0.161_337), (5.0, 1.595_769, 0.323_558)]
         {
             assert!((of(surround).at_corner(-1.0) - corner).abs() < 1e-6);
-            assert!((of(surround).near_step(1.0).0 - beside).abs() < 1e-6);
+            assert!((of(surround).near_step(1.0).0 - step).abs() < 1e-6);
         }
         assert!((of(3.0).near_step(2.0).0 - 2.0 * 0.242_164).abs() < 2e-6);
         assert!((of(1.6).near_step(1.0).1 - 1.242_0).abs() < 1e-4);

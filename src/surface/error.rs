@@ -9,7 +9,7 @@ pub(super) const LENGTHS: RangeInclusive<f64> = 1e-60..=1e60;
 /// Most cells of a tessellation: a mesh of some gigabytes.
 pub(super) const MOST_CELLS: u64 = 1 << 24;
 
-/// Why a surface cannot be made, or not be tessellated as asked.
+/// Why a surface cannot be made or tessellated.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SurfaceError {
     /// A torus whose tube would run through itself.
@@ -33,7 +33,7 @@ pub enum SurfaceError {
     Segments {
         /// Segments of what, or what else is counted.
         what: &'static str,
-        /// How many were asked for.
+        /// How many were requested.
         found: u64,
         /// How many there must or may be.
         limit: u64,

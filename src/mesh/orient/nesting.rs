@@ -5,7 +5,7 @@
 //! meet are found in a [`BoxTree`]; every decision is taken with a bound on its rounding error, and points too close
 //! to a surface for that are ignored.
 //!
-//! Work is n log n in faces, apart from the triangles that rays meet. Surfaces made so that every ray meets most
+//! Work is n log n in faces, plus the triangles that rays meet. Surfaces made so that every ray meets most
 //! triangles would be quadratic: each ray has a budget, and a shell with a ray that used it up is undecided.
 
 use super::probe::{Probe, probes};

@@ -17,7 +17,7 @@ pub enum Orient {
     Keep,
     /// In each component the minority that runs against the rest; of equal numbers those that run against the lowest
     /// face. Faces without area (twice the area below a millionth of the longest edge squared), such as fillers next to a
-    /// vertex on an edge, do not count and turn with the others.
+    /// vertex on an edge, do not count and are reversed with the others.
     Consistent,
     /// In each closed component the faces that do not face outwards, if it lies in an even number of other closed
     /// components, or inwards, as a cavity, if it lies in an odd number. A room faces inwards and does not count for its

@@ -110,7 +110,7 @@ mod tests {
         assert_eq!(probe(0.2, 0.3, 0.0).crossing(A, B, C), Some(1));
         assert_eq!(probe(0.2, 0.3, 0.0).crossing(B, A, C), Some(-1));
         assert_eq!(probe(0.2, 0.3, 2.0).crossing(A, B, C), Some(0), "the triangle is below");
-        assert_eq!(probe(0.8, 0.3, 0.0).crossing(A, B, C), Some(0), "beside it");
+        assert_eq!(probe(0.8, 0.3, 0.0).crossing(A, B, C), Some(0), "next to it");
         assert_eq!(probe(0.2, 0.3, 0.0).crossing(A, B, B), Some(0), "no area");
     }
 

@@ -260,16 +260,16 @@ fn soups_are_oriented_over_welded_edges() {
     let wrong: Vec<u32> = (0..160).filter(|face| face % 7 == 3).collect();
     let mesh = turned(&soup(&shells), wrong.iter().copied());
     let found = run(&mesh, Orient::Outward);
-    let mended = turned(&mesh, found.reversed);
+    let repaired = turned(&mesh, found.reversed);
     assert_eq!((found.components, found.closed, found.cavities), (2, 2, 1));
-    assert_eq!(inconsistent(&mended), 0);
+    assert_eq!(inconsistent(&repaired), 0);
     assert!(inconsistent(&mesh) > 0);
     let right = turned(&soup(&shells), 128..160);
     let same_way = |a: &Mesh, b: &Mesh| {
         // Reversing keeps the first corner, and a soup's corners count up or down from it.
         (0..a.face_count()).all(|face| a.faces().face(face)[1] == b.faces().face(face)[1])
     };
-    assert!(same_way(&mended, &right));
+    assert!(same_way(&repaired, &right));
     let off = orient(&mesh, &Topology::build(&mesh, Weld::Off), Orient::Outward, Confidence::NEVER);
     assert_eq!((off.components, off.open_left), (160, 160));
 }
@@ -289,7 +289,7 @@ fn size_and_place_do_not_matter() {
         let moved = mapped(&mesh, |p| p + away * DVec3::new(1.0, -0.7, 0.3));
         assert_eq!(run(&moved, Orient::Outward), expected, "{away:e}");
     }
-    // A small pair of shells beside a huge thing.
+    // A small pair of shells next to a huge box.
     let small = mapped(&mesh, |p| p * 1e-60);
     let both = union(&[small, cuboid(DVec3::splat(10.0), DVec3::splat(1e60))]);
     assert_eq!(run(&both, Orient::Outward).reversed, expected.reversed);

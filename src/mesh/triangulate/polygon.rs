@@ -179,7 +179,7 @@ impl<'a> Ring<'a> {
             }
         }
         let count = self.corners.len();
-        // At random again, because an edge that divides a bundle of edges shortens the others.
+        // Also at random, because an edge that divides a bundle of edges shortens the others.
         for place in random_order(count) {
             let place = place as usize;
             let [from, to] = [self.point_of[place], self.point_of[(place + 1) % count]]

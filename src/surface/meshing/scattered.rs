@@ -36,7 +36,7 @@ pub(crate) fn net(surface: &dyn Height, segments: [u32; 2], hash: GridHash) -> R
 }
 
 /// The surface z = f(x, y) through scattered points, by the Delaunay triangulation of their x and y: triangles that face
-/// +z, over the convex hull of the points. Vertices keep the order of the points. No normals: nothing but the points is
+/// +z, over the convex hull of the points. Vertices keep the order of the points. No normals: only the points are
 /// known.
 ///
 /// ```

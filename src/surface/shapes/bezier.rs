@@ -18,7 +18,7 @@ pub struct BezierPatch {
     points: [[DVec3; 4]; 4],
 }
 
-/// A sheet bent both ways, of size about 2.
+/// A sheet curved in both directions, of size about 2.
 impl Default for BezierPatch {
     fn default() -> Self {
         const HEIGHTS: [[f64; 4]; 4] =

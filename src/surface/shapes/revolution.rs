@@ -134,7 +134,7 @@ impl Cast for Cone {
     }
 
     /// Roots of h²(x² + z²) − r²y² = 0 with slopes h and r as a unit vector. The discriminant B² − AC is
-    /// r²h²(Lx² + Lz²) − h⁴Ly² in terms of the line's moment L: a difference of squares again.
+    /// r²h²(Lx² + Lz²) − h⁴Ly² in terms of the line's moment L, also a difference of squares.
     fn crossings(&self, line: &Line) -> impl Iterator<Item = f64> {
         let DVec2 { x: h, y: r } = self.profile_normal();
         let form = |p: DVec3, q: DVec3| h * h * (p.x * q.x + p.z * q.z) - r * r * (p.y * q.y);
@@ -280,9 +280,8 @@ impl Implicit for Torus {
 }
 
 impl Cast for Torus {
-    /// With k = |p|² + R² − r² on a line p + s·d whose foot p is perpendicular to d, the torus
-    /// (|x|² + R² − r²)² = 4R²(x² + z²) becomes (s² + k)² − 4R²(a s² + 2b s + c) = 0: a quartic in s without a cubic
-    /// term.
+    /// With k = |p|² + R² − r² on a line p + s·d whose foot p is perpendicular to d, the torus (|x|² + R² − r²)² =
+    /// 4R²(x² + z²) becomes (s² + k)² − 4R²(a s² + 2b s + c) = 0: a quartic in s without a cubic term.
     fn crossings(&self, line: &Line) -> impl Iterator<Item = f64> {
         let (major, minor) = (self.major, self.minor);
         // In units of the outer radius no power leaves the range.
