@@ -1,46 +1,45 @@
-//! Boxes in a tree, for questions that concern few of many.
+//! Axis-aligned boxes, and a tree of them for queries that concern few of many items.
 
 use glam::DVec3;
 use rayon::prelude::*;
-use std::ops::ControlFlow;
 
 /// An axis-aligned box.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::mesh) struct Bounds {
-    pub(in crate::mesh) low: DVec3,
-    pub(in crate::mesh) high: DVec3,
+pub(crate) struct Bounds {
+    pub(crate) low: DVec3,
+    pub(crate) high: DVec3,
 }
 
 impl Bounds {
-    /// The box of nothing.
-    pub(in crate::mesh) const EMPTY: Self = Self { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
+    /// The box of no points.
+    pub(crate) const EMPTY: Self = Self { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
 
-    /// The smallest box round some points.
-    pub(in crate::mesh) fn of(points: impl Iterator<Item = DVec3>) -> Self {
+    /// The smallest box around some points.
+    pub(crate) fn of(points: impl Iterator<Item = DVec3>) -> Self {
         points.fold(Self::EMPTY, |all, p| all.union(Self { low: p, high: p }))
     }
 
-    pub(in crate::mesh) fn union(self, other: Self) -> Self {
+    pub(crate) fn union(self, other: Self) -> Self {
         Self { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
     /// The centre, without overflow.
-    pub(in crate::mesh) fn middle(self) -> DVec3 {
+    pub(crate) fn middle(self) -> DVec3 {
         0.5 * self.low + 0.5 * self.high
     }
 
-    pub(in crate::mesh) fn contains(self, other: Self) -> bool {
+    pub(crate) fn contains(self, other: Self) -> bool {
         self.low.cmple(other.low).all() && self.high.cmpge(other.high).all()
     }
 
-    pub(in crate::mesh) fn overlaps(self, other: Self) -> bool {
+    pub(crate) fn overlaps(self, other: Self) -> bool {
         self.low.cmple(other.high).all() && self.high.cmpge(other.low).all()
     }
 }
 
 /// Items in the order of a Morton curve through the middles of their boxes, and above them a complete tree of
 /// the boxes of [`BRANCH`] neighbours each. Linear in memory, balanced whatever the input.
-pub(in crate::mesh) struct BoxTree {
+pub(crate) struct BoxTree {
     items: Vec<u32>,
     /// Boxes of runs of items, then of runs of those, and so on; the last level has one box at most.
     levels: Vec<Vec<Bounds>>,
@@ -51,7 +50,7 @@ const BRANCH: usize = 4;
 
 impl BoxTree {
     /// A tree of the items 0..count.
-    pub(in crate::mesh) fn build(count: usize, bounds: impl Fn(u32) -> Bounds + Sync) -> Self {
+    pub(crate) fn build(count: usize, bounds: impl Fn(u32) -> Bounds + Sync) -> Self {
         let all = (0..count as u32).into_par_iter().map(&bounds).reduce(|| Bounds::EMPTY, Bounds::union);
         let size = all.high - all.low;
         let mut order: Vec<(u64, u32)> = (0..count as u32)
@@ -70,13 +69,13 @@ impl BoxTree {
         Self { items, levels }
     }
 
-    /// Offers every item of every run whose boxes all `enter`, until `found` breaks. Each box and each item
-    /// costs one unit of the budget. Returns whether that was enough.
-    pub(in crate::mesh) fn visit(
+    /// Offers every item of every run whose boxes all `enter`, until one does not `go_on`. Each box and each item costs one
+    /// unit of the budget. Returns whether that was enough.
+    pub(crate) fn visit(
         &self,
         budget: &mut usize,
         enter: impl Fn(Bounds) -> bool,
-        mut found: impl FnMut(u32) -> ControlFlow<()>,
+        mut go_on: impl FnMut(u32) -> bool,
     ) -> bool {
         let top = self.levels.len() - 1;
         let mut open: Vec<(usize, usize)> = (0..self.levels[top].len()).map(|i| (top, i)).collect();
@@ -94,7 +93,7 @@ impl BoxTree {
             }
             for &item in &self.items[children] {
                 *budget = budget.saturating_sub(1);
-                if found(item).is_break() {
+                if !go_on(item) {
                     return true;
                 }
             }
@@ -149,13 +148,13 @@ mod tests {
                 |bounds| bounds.overlaps(probe),
                 |item| {
                     found.extend(boxes[item as usize].overlaps(probe).then_some(item));
-                    ControlFlow::Continue(())
+                    true
                 },
             );
             found.sort_unstable();
             assert!(enough);
             assert_eq!(found, scan);
-            let enough = tree.visit(&mut little, |_| true, |_| ControlFlow::Continue(()));
+            let enough = tree.visit(&mut little, |_| true, |_| true);
             assert_eq!(enough, count <= BRANCH, "{count}");
         }
     }

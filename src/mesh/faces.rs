@@ -5,7 +5,7 @@ use std::ops::Range;
 /// The polygons of a mesh: for every face the vertices of its corners, in order.
 ///
 /// A *corner* is one vertex of one face. Corners are numbered through: face 0 has the first ones, face 1
-/// the next, and so on; everything that varies round a vertex (normals, uv) is stored per corner number.
+/// the next, and so on; everything that varies around a vertex (normals, uv) is stored per corner number.
 /// The edge that leaves corner `c` towards the next corner of its face is *half-edge* `c`.
 ///
 /// When every face is a triangle no offsets are stored: corner `c` belongs to face `c / 3`.
@@ -44,12 +44,18 @@ impl Faces {
         Self { corners, offsets: (!is_triangles).then_some(offsets) }
     }
 
+    /// The same polygons over other vertices, one for each corner.
+    pub(crate) fn with_corners(&self, corners: Vec<u32>) -> Self {
+        assert_eq!(corners.len(), self.corners.len(), "one vertex a corner");
+        Self { corners, offsets: self.offsets.clone() }
+    }
+
     /// An empty list with room for `corners` corners.
     pub fn with_capacity(corners: usize) -> Self {
         Self { corners: Vec::with_capacity(corners), offsets: None }
     }
 
-    /// Appends a face. Faces of fewer than three corners are stored as they are; [`MeshBuilder`] refuses them.
+    /// Appends a face. Faces of fewer than three corners are stored too; [`MeshBuilder`] refuses them.
     ///
     /// [`MeshBuilder`]: super::MeshBuilder
     pub fn push(&mut self, face: &[u32]) {
@@ -64,10 +70,7 @@ impl Faces {
 
     /// The number of faces.
     pub fn len(&self) -> usize {
-        match &self.offsets {
-            Some(offsets) => offsets.len() - 1,
-            None => self.corners.len() / 3,
-        }
+        self.view().len()
     }
 
     /// Whether there is no face.
@@ -98,16 +101,20 @@ impl Faces {
     /// The corner numbers of one face.
     #[inline]
     pub fn range(&self, face: usize) -> Range<usize> {
-        match &self.offsets {
-            Some(offsets) => offsets[face] as usize..offsets[face + 1] as usize,
-            None => 3 * face..3 * face + 3,
-        }
+        self.view().range(face)
     }
 
     /// The vertices of one face.
     #[inline]
     pub fn face(&self, face: usize) -> &[u32] {
         &self.corners[self.range(face)]
+    }
+
+    /// The triangles of a face from its first corner, by their vertices.
+    #[inline]
+    pub(crate) fn fan(&self, face: u32) -> impl Iterator<Item = [u32; 3]> {
+        let vertices = self.face(face as usize);
+        vertices[1..].windows(2).map(|edge| [vertices[0], edge[0], edge[1]])
     }
 
     /// Each face's corner numbers, in order.
@@ -122,14 +129,11 @@ impl Faces {
 
     /// The face that each corner belongs to.
     pub fn owners(&self) -> Vec<u32> {
-        let mut owners = Vec::with_capacity(self.corner_count());
-        for (face, range) in self.ranges().enumerate() {
-            owners.extend(std::iter::repeat_n(face as u32, range.len()));
-        }
-        owners
+        self.view().owners()
     }
 
     /// The faces, borrowed.
+    #[inline]
     pub(crate) fn view(&self) -> FacesRef<'_> {
         FacesRef { corners: &self.corners, offsets: self.offsets.as_deref() }
     }
@@ -196,14 +200,18 @@ impl<'a> FacesRef<'a> {
         &self.corners[self.range(face)]
     }
 
-    /// The face of each corner and where each face starts; both empty for plain triangles, where arithmetic tells.
-    pub(crate) fn owners_and_starts(self) -> (Vec<u32>, Vec<u32>) {
-        let Some(offsets) = self.offsets else { return (Vec::new(), Vec::new()) };
+    /// The face that each corner belongs to.
+    fn owners(self) -> Vec<u32> {
         let mut owners = Vec::with_capacity(self.corners.len());
-        for (face, pair) in offsets.windows(2).enumerate() {
-            owners.extend(std::iter::repeat_n(face as u32, (pair[1] - pair[0]) as usize));
+        for face in 0..self.len() {
+            owners.extend(std::iter::repeat_n(face as u32, self.range(face).len()));
         }
-        (owners, offsets.to_vec())
+        owners
+    }
+
+    /// The face of each corner and where each face starts; both empty for plain triangles, where arithmetic replaces them.
+    pub(crate) fn owners_and_starts(self) -> (Vec<u32>, Vec<u32>) {
+        self.offsets.map_or_else(Default::default, |offsets| (self.owners(), offsets.to_vec()))
     }
 }
 
@@ -217,4 +225,11 @@ pub(crate) fn next_in_triangle(corner: u32) -> u32 {
 #[inline(always)]
 pub(crate) fn previous_in_triangle(corner: u32) -> u32 {
     if corner.is_multiple_of(3) { corner + 2 } else { corner - 1 }
+}
+
+/// Whether a face has fewer than three distinct vertices, or positions.
+pub(super) fn is_collapsed<T: PartialEq>(mut vertices: impl Iterator<Item = T>) -> bool {
+    let Some(first) = vertices.next() else { return true };
+    let Some(second) = vertices.find(|v| *v != first) else { return true };
+    !vertices.any(|v| v != first && v != second)
 }

@@ -1,12 +1,11 @@
-//! What a ray through a mesh meets: whether one point of it can see far away.
+//! Rays through a mesh: whether they escape from a point, and how far the nearest face is.
 
-use super::Mesh;
 use super::box_tree::{Bounds, BoxTree};
+use super::polygon_mesh::Mesh;
 use crate::num::unit_scale;
 use glam::DVec3;
-use std::ops::ControlFlow;
 
-/// Hits closer than this, in units of the mesh's half size, are with the surface that the ray starts on.
+/// Hits closer than this, in units of the mesh's half size, are on the surface that the ray starts on.
 const NEAR: f64 = 1e-9;
 
 /// The faces of a mesh, in a tree of boxes, in units of the mesh's half size about its middle.
@@ -23,7 +22,7 @@ impl<'a> Obstacles<'a> {
         let (low, high) = mesh.bounds().unwrap_or_default();
         let middle = Bounds { low, high }.middle();
         let scale = unit_scale((high - middle).max(middle - low).max_element());
-        let place = |vertex: u32| (mesh.positions()[vertex as usize] - middle) * scale;
+        let place = |vertex: u32| (mesh.position(vertex) - middle) * scale;
         let tree = BoxTree::build(mesh.face_count(), |face| {
             Bounds::of(mesh.faces().face(face as usize).iter().map(|&vertex| place(vertex)))
         });
@@ -35,13 +34,18 @@ impl<'a> Obstacles<'a> {
         (point - self.middle) * self.scale
     }
 
-    /// Where a vertex is.
+    /// The position of a vertex, in the units of this.
     pub(crate) fn place(&self, vertex: u32) -> DVec3 {
-        self.local(self.mesh.positions()[vertex as usize])
+        self.local(self.mesh.position(vertex))
     }
 
-    /// Whether a ray gets away from a point without meeting a face other than its `own`; `None` if `budget` boxes and
-    /// faces were looked at before that was clear.
+    /// The fan of triangles of a face.
+    pub(crate) fn triangles(&self, face: u32) -> impl Iterator<Item = [DVec3; 3]> {
+        self.mesh.faces().fan(face).map(|triangle| triangle.map(|vertex| self.place(vertex)))
+    }
+
+    /// Whether a ray escapes from a point without meeting a face other than its `own`; `None` if that is undetermined after
+    /// `budget` boxes and faces.
     pub(crate) fn is_free(&self, from: DVec3, direction: DVec3, own: u32, budget: usize) -> Option<bool> {
         let inverse = inverse(direction);
         let mut free = true;
@@ -49,23 +53,18 @@ impl<'a> Obstacles<'a> {
             &mut { budget },
             |bounds| enters(bounds, from, inverse).is_some(),
             |face| {
-                if face != own && self.hits(face, from, direction).next().is_some() {
-                    free = false;
-                    return ControlFlow::Break(());
-                }
-                ControlFlow::Continue(())
+                free = face == own || self.hits(face, from, direction).next().is_none();
+                free
             },
         );
         (enough || !free).then_some(free)
     }
 
-    /// How many times its direction from its start a ray meets the fan of triangles of a face (T. Möller, B. Trumbore, *Fast,
-    /// minimum storage ray/triangle intersection*, Journal of Graphics Tools 2(1), 1997), from whichever side.
+    /// The parameters, in lengths of the direction, at which a ray meets the fan of triangles of a face, on either side
+    /// (T. Möller, B. Trumbore, *Fast, minimum storage ray/triangle intersection*, Journal of Graphics Tools 2(1), 1997).
     fn hits(&self, face: u32, from: DVec3, direction: DVec3) -> impl Iterator<Item = f64> {
-        let corners = self.mesh.faces().face(face as usize);
-        let first = self.place(corners[0]);
-        corners[1..].windows(2).filter_map(move |edge| {
-            let [u, v] = [edge[0], edge[1]].map(|vertex| self.place(vertex) - first);
+        self.triangles(face).filter_map(move |[first, second, third]| {
+            let [u, v] = [second - first, third - first];
             let p = direction.cross(v);
             let determinant = u.dot(p);
             if determinant == 0.0 {
@@ -81,16 +80,16 @@ impl<'a> Obstacles<'a> {
     }
 }
 
-/// What pictures need: how far one sees.
+/// For pictures: how far the nearest face is.
 #[cfg(any(feature = "report", test))]
 impl Obstacles<'_> {
-    /// A way in the mesh's space in the units of this.
+    /// A direction of the mesh's space in the units of this.
     pub(crate) fn local_way(&self, way: DVec3) -> DVec3 {
         way * self.scale
     }
 
-    /// How many times a direction it is from a point to the nearest face other than its `own`, if that is less than `most`;
-    /// else `most`, and as well if `budget` boxes and faces do not tell.
+    /// The distance from a point to the nearest face other than its `own`, in lengths of the direction, if it is less than
+    /// `most`; else `most`, also if it is undetermined after `budget` boxes and faces.
     pub(crate) fn clearance(
         &self,
         (from, direction): (DVec3, DVec3),
@@ -105,18 +104,18 @@ impl Obstacles<'_> {
             if face != own {
                 nearest.set(self.hits(face, from, direction).fold(nearest.get(), f64::min));
             }
-            ControlFlow::Continue(())
+            true
         });
         if enough { nearest.get() } else { most }
     }
 }
 
-/// One over each component; one of zero would make products that are no numbers.
+/// One over each component, but finite for zero, so that no product is NaN.
 fn inverse(direction: DVec3) -> [f64; 3] {
     direction.to_array().map(|x| 1.0 / if x.abs() < 1e-30 { 1e-30 } else { x })
 }
 
-/// How many times its direction from its start a ray enters a box, if it does.
+/// The parameter, in lengths of the direction, at which a ray enters a box, if it does.
 fn enters(bounds: Bounds, from: DVec3, inverse: [f64; 3]) -> Option<f64> {
     let (mut near, mut far) = (0.0_f64, f64::INFINITY);
     for axis in 0..3 {

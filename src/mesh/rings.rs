@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
-/// For each vertex its corners, ascending. Anything else that corners are sorted by will do as well.
+/// The corners of each vertex, ascending; or of any other number that corners are grouped by.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Rings {
     offsets: Vec<u32>,
@@ -18,11 +18,11 @@ impl Rings {
         rings
     }
 
-    /// As [`build`](Self::build), in memory that has served before.
+    /// As [`build`](Self::build), in reused memory.
     pub(crate) fn fill(&mut self, corner_vertices: &[u32], vertex_count: usize) {
         let threads = rayon::current_num_threads();
         let parts = if corner_vertices.len() > 1 << 16 { threads } else { 1 };
-        // What was there is overwritten; only new room must be made, and it costs a touch of each page.
+        // Old values are overwritten, so only new memory needs to be initialised.
         self.corners.resize(corner_vertices.len(), 0);
         self.offsets.clear();
         self.offsets.resize(vertex_count + 1, 0);
@@ -33,7 +33,7 @@ impl Rings {
         }
     }
 
-    /// `offsets[v + 1]` serves as the place of the next corner of v, and ends up as where those of v + 1 start.
+    /// `offsets[v + 1]` is the index of the next corner of v, and ends up as the start of those of v + 1.
     fn sort(&mut self, corner_vertices: &[u32]) {
         let Self { offsets, corners } = self;
         for &vertex in corner_vertices {
@@ -79,13 +79,15 @@ impl Rings {
                 counts.iter().sum()
             })
             .collect();
-        let mut rest = corners.as_mut_slice();
-        let own: Vec<&mut [u32]> =
-            totals.iter().map(|&total| rest.split_off_mut(..total as usize).expect("one a corner")).collect();
-        let firsts = totals.iter().scan(0, |first, &total| Some(std::mem::replace(first, *first + total)));
-        let firsts: Vec<u32> = firsts.collect();
-        offsets[1..].par_chunks_mut(step).zip(own).enumerate().for_each(|(part, (slots, own))| {
-            let (start, base) = ((part * step) as u32, firsts[part]);
+        let (mut rest, mut first) = (corners.as_mut_slice(), 0);
+        let of_part = |&total: &u32| {
+            let own = rest.split_off_mut(..total as usize).expect("one a corner");
+            first += total;
+            (first - total, own)
+        };
+        let own: Vec<(u32, &mut [u32])> = totals.iter().map(of_part).collect();
+        offsets[1..].par_chunks_mut(step).zip(own).enumerate().for_each(|(part, (slots, (base, own)))| {
+            let start = (part * step) as u32;
             start_from_counts(slots, base);
             for (first, block) in blocks_of(start..start + slots.len() as u32) {
                 for (i, &vertex) in block.iter().enumerate() {
@@ -122,9 +124,9 @@ fn start_from_counts(counts: &mut [u32], mut total: u32) {
     }
 }
 
-/// Numbers that several threads write at once, each to places of its own, though not in one piece.
+/// Numbers that several threads write at once, each to scattered indices of its own.
 ///
-/// A relaxed atomic access is a plain load or store; it only tells the compiler that threads share the memory.
+/// A relaxed atomic access is a plain load or store; it only informs the compiler that threads share the memory.
 #[derive(Debug, Default)]
 pub(crate) struct Scatter(Vec<AtomicU32>);
 
@@ -133,7 +135,7 @@ impl Scatter {
         Self((0..len).into_par_iter().map(|_| AtomicU32::new(value)).collect())
     }
 
-    /// Makes room for so many. What is in it is left to chance.
+    /// Makes room for so many numbers, with unspecified values.
     pub(crate) fn reserve(&mut self, len: usize) {
         if self.0.len() < len {
             *self = Self::new(len, 0);

@@ -1,122 +1,38 @@
 //! Which faces meet at which edges.
 //!
 //! Half-edge `c` runs from the vertex of corner `c` to the vertex of the next corner of its face. Two half-edges
-//! that run opposite ways between the same two vertices are *twins*: there the surface goes on from one face to
+//! that run opposite ways between the same two vertices are *twins*: there the surface continues from one face to
 //! the other. Every half-edge has a [`Link`] that says what it meets.
 
-use super::edges::EdgeMatcher;
-use super::faces::{next_in_triangle, previous_in_triangle};
+use super::edge_matching::EdgeMatcher;
+use super::faces::{Faces, FacesRef, next_in_triangle, previous_in_triangle};
+use super::link::{Link, PackedLink};
 use super::rings::{Rings, Scatter};
-use super::weld::{self, Weld};
-use super::{Faces, FacesRef, Mesh};
-use glam::DVec3;
 use rayon::prelude::*;
-
-/// What a half-edge meets.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Link {
-    /// The opposite half-edge of the one other face at this edge, by vertex index.
-    Twin(u32),
-    /// As [`Link::Twin`], but found by coincident positions: both edges are boundary by index.
-    Welded(u32),
-    /// The only other half-edge here runs the same way: one of the two faces is turned round.
-    Inconsistent(u32),
-    /// No other face.
-    Boundary,
-    /// More than two faces.
-    NonManifold,
-    /// Boundary by index, and several coincident edges could be joined to it: none is.
-    Ambiguous,
-    /// The two ends are one vertex, or the face has fewer than three distinct vertices: no edge at all.
-    Collapsed,
-}
-
-/// Two bits of kind above 30 bits of partner: half-edges and their links are read far more often than anything
-/// else of a mesh, so they stay within four bytes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct PackedLink(u32);
-
-const PARTNER_BITS: u32 = 30;
-const PARTNER_MASK: u32 = (1 << PARTNER_BITS) - 1;
-
-/// Most corners a mesh may have: what [`PackedLink`] can count.
-pub(crate) const MAX_CORNERS: usize = 1 << PARTNER_BITS;
-
-impl PackedLink {
-    pub(super) const BOUNDARY: Self = Self(3 << PARTNER_BITS);
-    pub(super) const NON_MANIFOLD: Self = Self(3 << PARTNER_BITS | 1);
-
-    pub(super) fn new(link: Link) -> Self {
-        Self(match link {
-            Link::Twin(half_edge) => half_edge,
-            Link::Welded(half_edge) => 1 << PARTNER_BITS | half_edge,
-            Link::Inconsistent(half_edge) => 2 << PARTNER_BITS | half_edge,
-            Link::Boundary => 3 << PARTNER_BITS,
-            Link::NonManifold => 3 << PARTNER_BITS | 1,
-            Link::Ambiguous => 3 << PARTNER_BITS | 2,
-            Link::Collapsed => 3 << PARTNER_BITS | 3,
-        })
-    }
-
-    pub(super) fn bits(self) -> u32 {
-        self.0
-    }
-
-    #[inline]
-    fn unpack(self) -> Link {
-        let partner = self.0 & PARTNER_MASK;
-        match (self.0 >> PARTNER_BITS, partner) {
-            (0, _) => Link::Twin(partner),
-            (1, _) => Link::Welded(partner),
-            (2, _) => Link::Inconsistent(partner),
-            (_, 0) => Link::Boundary,
-            (_, 1) => Link::NonManifold,
-            (_, 2) => Link::Ambiguous,
-            _ => Link::Collapsed,
-        }
-    }
-
-    /// The half-edge across, where the surface goes on.
-    #[inline]
-    fn across(self) -> Option<u32> {
-        (self.0 < 2 << PARTNER_BITS).then_some(self.0 & PARTNER_MASK)
-    }
-}
 
 /// Edges and fans of a mesh, made from its faces; positions matter only for welding.
 ///
-/// The caller holds it: nothing is cached inside [`Mesh`]. Memory: 8 bytes a corner and 4 a
+/// The caller holds it: nothing is cached inside [`Mesh`](super::Mesh). Memory: 8 bytes a corner and 4 a
 /// vertex; with polygons 4 more a corner and a face.
 #[derive(Clone, Debug)]
 pub struct Topology {
-    links: Scatter,
+    pub(super) links: Scatter,
     rings: Rings,
     /// The face of each corner and where each face starts; empty for plain triangles.
     owners: Vec<u32>,
     starts: Vec<u32>,
     /// Whether a vertex has a welded half-edge; empty if there is none at all.
-    welded_vertices: Vec<bool>,
-    wide_clusters: usize,
+    pub(super) welded_vertices: Vec<bool>,
+    pub(super) wide_clusters: usize,
     non_manifold: usize,
-    ambiguous: usize,
+    pub(super) ambiguous: usize,
 }
 
 impl Topology {
-    /// Finds what every half-edge meets. `weld` joins coincident boundary edges for smoothing; two positions
-    /// coincide only if they do so in every morph target as well.
+    /// Finds what every half-edge meets by vertex index alone.
     ///
     /// Linear in corners (but for vertices of very high valence, which are sorted), parallel, and the same for
     /// any thread count.
-    pub fn build(mesh: &Mesh, weld: Weld) -> Self {
-        let shapes: Vec<&[DVec3]> = mesh.columns().morph_targets.iter().map(Vec::as_slice).collect();
-        let mut topology = Self::by_index(mesh.faces(), mesh.vertex_count());
-        if weld != Weld::Off {
-            topology.weld(mesh.faces(), mesh.positions(), &shapes, weld);
-        }
-        topology
-    }
-
-    /// As [`build`](Self::build), by vertex index alone.
     pub fn by_index(faces: &Faces, vertex_count: usize) -> Self {
         Self::of_view(faces.view(), vertex_count)
     }
@@ -138,7 +54,7 @@ impl Topology {
         };
         let mut crowded: Vec<(u32, u32)> = (0..faces.corners().len() as u32)
             .into_par_iter()
-            .filter(|&h| topology.links.get(h) == PackedLink::NON_MANIFOLD.bits())
+            .filter(|&h| topology.links.get(h) == PackedLink::NON_MANIFOLD.0)
             .map(|h| topology.ends(faces.corners(), h))
             .map(|(a, b)| (a.min(b), a.max(b)))
             .collect();
@@ -148,57 +64,13 @@ impl Topology {
         topology
     }
 
-    /// As [`build`](Self::build) with edges at equal positions joined, and then those that this leaves open and whose ends are
-    /// closer than a fraction of the diagonal; gives how many half-edges these are.
-    pub(crate) fn build_near(mesh: &Mesh, fraction: f64) -> (Self, usize) {
-        let mut topology = Self::build(mesh, Weld::Exact);
-        if fraction <= 0.0 {
-            return (topology, 0);
-        }
-        let shapes: Vec<&[DVec3]> = mesh.columns().morph_targets.iter().map(Vec::as_slice).collect();
-        let near = topology.weld(mesh.faces(), mesh.positions(), &shapes, Weld::Relative(fraction));
-        (topology, near)
-    }
-
-    /// Joins boundary edges whose ends coincide; gives how many half-edges these are.
-    pub(crate) fn weld(
-        &mut self,
-        faces: &Faces,
-        positions: &[DVec3],
-        shapes: &[&[DVec3]],
-        weld: Weld,
-    ) -> usize {
-        let open: Vec<u32> = (0..faces.corner_count() as u32)
-            .into_par_iter()
-            .filter(|&h| self.links.get(h) == PackedLink::BOUNDARY.bits())
-            .collect();
-        if open.is_empty() {
-            return 0;
-        }
-        let joined = weld::join(faces, &self.owners, &open, positions, shapes, weld);
-        self.wide_clusters += joined.wide_clusters;
-        self.ambiguous += joined.ambiguous;
-        for &(half_edge, link) in &joined.links {
-            self.links.set(half_edge, PackedLink::new(link).bits());
-            if let Link::Welded(_) = link {
-                if self.welded_vertices.is_empty() {
-                    self.welded_vertices = vec![false; positions.len()];
-                }
-                let (tail, head) = self.ends(faces.corners(), half_edge);
-                self.welded_vertices[tail as usize] = true;
-                self.welded_vertices[head as usize] = true;
-            }
-        }
-        joined.links.len()
-    }
-
     /// What a half-edge meets.
     #[inline]
     pub fn link(&self, half_edge: u32) -> Link {
         PackedLink(self.links.get(half_edge)).unpack()
     }
 
-    /// The half-edge across, where the surface goes on ([`Link::Twin`] and [`Link::Welded`]).
+    /// The half-edge across, where the surface continues ([`Link::Twin`] and [`Link::Welded`]).
     #[inline]
     pub fn across(&self, half_edge: u32) -> Option<u32> {
         PackedLink(self.links.get(half_edge)).across()
@@ -241,7 +113,7 @@ impl Topology {
         self.rings.at(vertex as usize)
     }
 
-    /// Whether an edge at this vertex is joined to one of another vertex: its fan goes on there.
+    /// Whether an edge at this vertex is joined to one of another vertex: its fan continues there.
     #[inline]
     pub fn is_welded(&self, vertex: u32) -> bool {
         !self.welded_vertices.is_empty() && self.welded_vertices[vertex as usize]
@@ -257,7 +129,7 @@ impl Topology {
         self.non_manifold
     }
 
-    /// At how many places several coincident boundary edges could be joined, and none was.
+    /// How many groups of several coincident boundary edges were not joined because they are ambiguous.
     pub fn ambiguous_edges(&self) -> usize {
         self.ambiguous
     }
@@ -272,6 +144,8 @@ impl Topology {
 mod tests {
     use super::*;
     use crate::mesh::{Columns, MeshBuilder};
+    use crate::mesh::{Mesh, Weld};
+    use glam::DVec3;
 
     fn mesh(positions: &[[f64; 3]], faces: &[&[u32]]) -> Mesh {
         let mut list = Faces::new();

@@ -1,14 +1,15 @@
-//! Moving meshes: what a linear map does to normals and to the way that faces run round.
+//! Affine maps of meshes: their effect on normals and on the winding of faces.
 
-use super::{FaceEdit, Mesh, Storage};
+use super::face_edit::FaceEdit;
+use super::polygon_mesh::{Mesh, Storage};
 use crate::num::unit_scale;
 use glam::{DMat3, DMat4, DVec3};
 use std::sync::Arc;
 
 /// How normals follow a linear map of positions: by its inverse transpose.
 ///
-/// A map that mirrors turns faces inside out: corners that ran counter-clockwise run clockwise. Where it does
-/// ([`mirrored`](Self::mirrored)), reverse the faces; the normals given here already agree with reversed faces.
+/// A map that mirrors ([`mirrored`](Self::mirrored)) turns counter-clockwise faces into clockwise ones: reverse them. The
+/// normals returned here agree with the reversed faces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NormalMatrix {
     /// Cofactors of the map with its columns scaled to about one.
@@ -18,12 +19,12 @@ pub struct NormalMatrix {
     mirrored: bool,
 }
 
-/// The way that normals follow a linear map, or `None` if the map is singular (it flattens space).
+/// The normal matrix of a linear map, or `None` if the map is singular (it flattens space).
 ///
 /// The inverse transpose is cofactors over determinant. The determinant only contributes its sign, as normals are
 /// renormalised, so nothing is divided by a small number; and columns are scaled by powers of two first, so that
-/// neither small nor large scales under- or overflow. A map counts as singular if rounding alone could be the
-/// cause that its determinant is not 0.
+/// neither small nor large scales under- or overflow. A map counts as singular if its determinant may differ from 0 by
+/// rounding alone.
 ///
 /// ```
 /// use crease::mesh::normal_matrix;
@@ -43,19 +44,20 @@ pub fn normal_matrix(map: DMat3) -> Option<NormalMatrix> {
     let [x, y, z] = [0, 1, 2].map(|k| columns[k] * scale[k]);
     let cofactors = DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y));
     let determinant = x.dot(cofactors.x_axis);
-    let permanent = x.abs().dot(DVec3::new(
-        y.y.abs() * z.z.abs() + y.z.abs() * z.y.abs(),
-        y.z.abs() * z.x.abs() + y.x.abs() * z.z.abs(),
-        y.x.abs() * z.y.abs() + y.y.abs() * z.x.abs(),
-    ));
-    // Five roundings lie on the way of each of the six products to the sum.
-    if determinant.abs() <= 5.0 * f64::EPSILON * permanent {
+    // Each of the six products is rounded five times.
+    if determinant.abs() <= 5.0 * f64::EPSILON * permanent(x, y, z) {
         return None;
     }
     let largest = scale.into_iter().fold(0.0, f64::max);
     let sign = determinant.signum();
     let scale = DVec3::from_array(scale) / largest;
     Some(NormalMatrix { cofactors: cofactors * sign, scale, mirrored: sign < 0.0 })
+}
+
+/// The determinant of three rows with every product counted as positive.
+pub(crate) fn permanent(a: DVec3, b: DVec3, c: DVec3) -> f64 {
+    let (a, b, c) = (a.abs(), b.abs(), c.abs());
+    a.x * (b.y * c.z + b.z * c.y) + a.y * (b.z * c.x + b.x * c.z) + a.z * (b.x * c.y + b.y * c.x)
 }
 
 impl NormalMatrix {
@@ -73,7 +75,7 @@ impl NormalMatrix {
     }
 }
 
-/// What [`Mesh::transformed`] could not do.
+/// Why [`Mesh::transformed`] fails.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TransformFault {
     /// A position is no longer finite.
@@ -81,9 +83,8 @@ pub enum TransformFault {
 }
 
 impl Mesh {
-    /// The mesh moved by an affine map: positions, normals, displacements of morph targets. A map that mirrors
-    /// reverses all faces. Normals are lost if the map is singular. Anything but the identity makes doubles of the
-    /// positions.
+    /// The mesh moved by an affine map: positions, normals, displacements of morph targets. A map that mirrors reverses
+    /// all faces. Normals are lost if the map is singular. Anything but the identity makes doubles of the positions.
     ///
     /// # Errors
     /// If a position overflows.
@@ -93,14 +94,9 @@ impl Mesh {
         }
         let linear = DMat3::from_mat4(map);
         let normals = normal_matrix(linear);
-        let mut moved = if normals.is_some_and(|normals| normals.mirrored()) {
-            self.with_faces(&FaceEdit {
-                reversed: (0..self.face_count() as u32).collect(),
-                ..FaceEdit::default()
-            })
-        } else {
-            self.clone()
-        };
+        let is_mirrored = normals.is_some_and(|normals| normals.mirrored());
+        let count = if is_mirrored { self.face_count() as u32 } else { 0 };
+        let mut moved = self.with_faces(&FaceEdit { reversed: (0..count).collect(), ..FaceEdit::default() });
         moved.storage = Storage::F64;
         for position in Arc::make_mut(&mut moved.positions) {
             *position = map.transform_point3(*position);
@@ -114,7 +110,7 @@ impl Mesh {
         match normals {
             Some(matrix) => {
                 for normal in moved.columns.normals.iter_mut().flat_map(|normals| &mut normals.values) {
-                    // A stored normal without direction stays what it was.
+                    // A stored normal without direction stays unchanged.
                     *normal = matrix.apply(*normal).unwrap_or(*normal);
                 }
             }

@@ -1,9 +1,9 @@
-//! Polygons cut into triangles, for outputs that cannot hold polygons.
+//! Triangulation of polygons, for outputs that cannot store polygons.
 
 mod polygon;
 mod quad;
 
-use super::Mesh;
+use super::polygon_mesh::Mesh;
 use crate::num::unit_scale;
 use glam::DVec3;
 use polygon::{Budget, Unfit};
@@ -11,8 +11,8 @@ use rayon::prelude::*;
 
 /// The faces of a mesh as triangles.
 ///
-/// A face of `n` corners always gives `n - 2` triangles, which run the same way round as the face and use each
-/// of its corners, so that no vertex, no edge of the mesh and no attribute of a corner is lost.
+/// A face of `n` corners always gives `n - 2` triangles with the winding of the face. They use each of its corners, so that
+/// no vertex, no edge of the mesh and no attribute of a corner is lost.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Triangulation {
     /// Three corner numbers of the mesh each, face by face.
@@ -26,20 +26,20 @@ pub struct Triangulation {
 
 /// Cuts every face into triangles.
 ///
-/// - A triangle stays as it is. The result for a mesh of triangles is the list of its corners; test
+/// - A triangle stays unchanged. The result for a mesh of triangles is the list of its corners; test
 ///   [`Faces::is_triangles`](super::Faces::is_triangles) to avoid it.
 /// - A quad is cut along the diagonal that leaves two triangles of positive area about the quad's own normal
 ///   ½(P2−P0)×(P3−P1); at a reflex corner there is only one. Where both do, the Delaunay criterion decides: the
 ///   diagonal with the smaller sum of the two angles opposite to it. Where these sums agree within 2⁻²⁰ (four
 ///   corners on a circle, a rectangle above all) the shorter diagonal is taken; where these agree too, the
 ///   diagonal that ends at the corner whose position is the smallest in lexicographic order, so that a grid of
-///   rectangles is cut one way throughout. The choice does not depend on where the list of corners starts.
+///   rectangles is cut along parallel diagonals. The choice does not depend on where the list of corners starts.
 /// - A polygon of five corners or more gets the constrained Delaunay triangulation of its projection along its
 ///   vector area, summed relative to the first corner. Corners on a straight edge, holes joined to the outside
 ///   by a bridge of two coincident edges, and repeated positions are right.
 ///
-/// A polygon of many thousand needles may cost more than a few seconds can pay for; it then counts as failed. Scaling
-/// all positions by a power of two changes nothing as long as they stay normal numbers.
+/// A polygon of many thousand slivers may cost more than a few seconds; it then counts as failed. Scaling all positions by
+/// a power of two changes nothing as long as they stay normal numbers.
 /// Cost: a few nanoseconds for each triangle, tens for a quad, some microseconds for a larger polygon, n log n
 /// in its corners; larger polygons are cut on all threads.
 pub fn triangulate(mesh: &Mesh) -> Triangulation {
@@ -60,7 +60,12 @@ pub fn triangulate(mesh: &Mesh) -> Triangulation {
         };
         let put = match arity {
             3 => put(&[[0, 1, 2]]),
-            4 => quad::cut(gather(mesh, face, &mut points)).map_or(0, |cut| put(&cut)),
+            4 => {
+                let points = gather(mesh, face, &mut points);
+                // Before subtraction, which may round two distinct positions to one.
+                let lowest = quad::lowest(points);
+                quad::cut(normalise(points), lowest).map_or(0, |cut| put(&cut))
+            }
             _ => polygons.next().flatten().map_or(0, |cut| put(&cut)),
         };
         if put == 0 {
@@ -84,14 +89,14 @@ fn cut_polygons(mesh: &Mesh) -> Vec<Option<Vec<[u32; 3]>>> {
         cut(face, &mut Budget::own(mesh.faces().range(face).len()), points)
     });
     let first: Vec<_> = first.collect();
-    // What needs more than its own budget goes to the common one, in order, so that the outcome is one at any number
-    // of threads.
+    // Polygons that exceed their own budget use the common one, in order, so that the result does not depend on the
+    // number of threads.
     let (mut common, mut points) = (Budget::common(), Vec::new());
-    let again = |(result, &face): (Result<_, Unfit>, &usize)| match result {
+    let retry = |(result, &face): (Result<_, Unfit>, &usize)| match result {
         Err(Unfit::OverBudget) => cut(face, &mut common, &mut points).ok(),
         result => result.ok(),
     };
-    first.into_iter().zip(&polygons).map(again).collect()
+    first.into_iter().zip(&polygons).map(retry).collect()
 }
 
 /// The positions of a face's corners.
@@ -101,9 +106,8 @@ fn gather<'a>(mesh: &Mesh, face: usize, points: &'a mut Vec<DVec3>) -> &'a mut [
     points
 }
 
-/// Moves the first point to the origin and scales by a power of two to a size of about one, so that nothing
-/// later overflows or underflows. Subtracting first is also what keeps the vector area of a polygon far from the
-/// origin right: the terms of a sum about the origin cancel.
+/// Moves the first point to the origin and scales by a power of two to a size of about one, so that nothing later overflows
+/// or underflows. Subtraction also keeps the vector area of a polygon far from the origin exact: without it terms cancel.
 fn normalise(points: &mut [DVec3]) -> &[DVec3] {
     rescale(points);
     let origin = points[0];
@@ -112,8 +116,8 @@ fn normalise(points: &mut [DVec3]) -> &[DVec3] {
     points
 }
 
-/// Multiplies by the power of two that brings the largest coordinate to about one. Twice, because one power of two
-/// does not lift a subnormal number so far.
+/// Multiplies by the power of two that brings the largest coordinate to about one. Twice, because one power of two is not
+/// enough for subnormal numbers.
 fn rescale(points: &mut [DVec3]) {
     for _ in 0..2 {
         let scale = unit_scale(points.iter().fold(0.0, |m: f64, p| m.max(p.abs().max_element())));

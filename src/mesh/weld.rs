@@ -1,12 +1,15 @@
 //! Joining boundary edges at coincident positions, for smoothing only.
 //!
-//! Vertices, texture coordinates and everything else stay apart; only the faces on the two sides of a seam learn
-//! of each other.
+//! Vertices, texture coordinates and all other attributes stay separate; only the faces on the two sides of a seam become
+//! neighbours.
 
-use super::Faces;
-use super::edges::is_collapsed;
-use super::near::{self, extent};
-use super::topology::Link;
+use super::box_tree::Bounds;
+use super::faces::is_collapsed;
+use super::link::{Link, PackedLink};
+use super::point_clusters::clusters;
+use super::polygon_mesh::Mesh;
+use super::topology::Topology;
+use super::vertex_merge::place_key;
 use glam::DVec3;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
@@ -23,54 +26,87 @@ pub enum Weld {
     Relative(f64),
 }
 
-/// What welding found.
-pub(super) struct Joined {
-    /// New links of half-edges that were boundary.
-    pub(super) links: Vec<(u32, Link)>,
-    /// Clusters wider than twice the welding distance.
-    pub(super) wide_clusters: usize,
-    /// Places where several coincident edges could be joined, and none was.
-    pub(super) ambiguous: usize,
+impl Topology {
+    /// Finds what every half-edge meets. `weld` joins coincident boundary edges for smoothing; two positions
+    /// coincide only if they do so in every morph target as well.
+    ///
+    /// Cost as of [`by_index`](Self::by_index).
+    pub fn build(mesh: &Mesh, weld: Weld) -> Self {
+        let mut topology = Self::by_index(mesh.faces(), mesh.vertex_count());
+        topology.weld(mesh, weld);
+        topology
+    }
+
+    /// As [`build`](Self::build) with edges at equal positions joined, and then those that this leaves open and whose ends
+    /// are closer than a fraction of the diagonal; also returns the number of the latter half-edges.
+    pub(crate) fn build_near(mesh: &Mesh, fraction: f64) -> (Self, usize) {
+        let mut topology = Self::build(mesh, Weld::Exact);
+        let near = if fraction > 0.0 { topology.weld(mesh, Weld::Relative(fraction)) } else { 0 };
+        (topology, near)
+    }
+
+    /// Joins boundary edges whose ends coincide; returns the number of their half-edges.
+    fn weld(&mut self, mesh: &Mesh, weld: Weld) -> usize {
+        if weld == Weld::Off {
+            return 0;
+        }
+        let faces = mesh.faces();
+        let open: Vec<u32> = (0..faces.corner_count() as u32)
+            .into_par_iter()
+            .filter(|&h| self.links.get(h) == PackedLink::BOUNDARY.0)
+            .collect();
+        if open.is_empty() {
+            return 0;
+        }
+        let joined = join(mesh, self, &open, weld);
+        self.wide_clusters += joined.wide_clusters;
+        self.ambiguous += joined.ambiguous;
+        for &(half_edge, link) in &joined.links {
+            self.links.set(half_edge, PackedLink::new(link).0);
+            if let Link::Welded(_) = link {
+                self.welded_vertices.resize(mesh.vertex_count(), false);
+                let (tail, head) = self.ends(faces.corners(), half_edge);
+                self.welded_vertices[tail as usize] = true;
+                self.welded_vertices[head as usize] = true;
+            }
+        }
+        joined.links.len()
+    }
 }
 
-/// Pairs the open half-edges whose ends coincide.
-pub(super) fn join(
-    faces: &Faces,
-    owners: &[u32],
-    open: &[u32],
-    positions: &[DVec3],
-    shapes: &[&[DVec3]],
-    weld: Weld,
-) -> Joined {
-    let face_of = |half_edge: u32| match owners {
-        [] => half_edge as usize / 3,
-        owners => owners[half_edge as usize] as usize,
-    };
-    let ends = |half_edge: u32| {
-        let range = faces.range(face_of(half_edge));
-        let next = if half_edge as usize + 1 == range.end { range.start } else { half_edge as usize + 1 };
-        (faces.corners()[half_edge as usize], faces.corners()[next])
-    };
+/// The result of welding.
+struct Joined {
+    /// New links of half-edges that were boundary.
+    links: Vec<(u32, Link)>,
+    /// Clusters wider than twice the welding distance.
+    wide_clusters: usize,
+    /// Groups of several coincident edges, none of which was joined.
+    ambiguous: usize,
+}
+
+/// Pairs the open half-edges whose ends coincide, in the mesh and in each of its morph targets.
+fn join(mesh: &Mesh, topology: &Topology, open: &[u32], weld: Weld) -> Joined {
+    let faces = mesh.faces();
+    let ends = |half_edge: u32| topology.ends(faces.corners(), half_edge);
     let mut rim: Vec<u32> = open.iter().flat_map(|&h| <[u32; 2]>::from(ends(h))).collect();
     rim.par_sort_unstable();
     rim.dedup();
     let Classes { of_rim, wide_clusters } = match weld {
-        Weld::Off => return Joined { links: Vec::new(), wide_clusters: 0, ambiguous: 0 },
-        Weld::Exact => exact_classes(&rim, positions, shapes),
-        Weld::Relative(fraction) => near_classes(&rim, positions, shapes, fraction),
+        Weld::Relative(fraction) => near_classes(&rim, mesh, fraction),
+        Weld::Exact | Weld::Off => exact_classes(&rim, mesh),
     };
     let class = |vertex: u32| of_rim[rim.binary_search(&vertex).expect("a rim vertex")];
 
     // (lower class, higher class, whether it runs downwards, half-edge)
     let mut edges: Vec<(u32, u32, bool, u32)> = open
-        .par_chunk_by(|&a, &b| face_of(a) == face_of(b))
+        .par_chunk_by(|&a, &b| topology.face_of(a) == topology.face_of(b))
         .flat_map_iter(|of_face| {
             let classes = |&h: &u32| (h, class(ends(h).0), class(ends(h).1));
-            // An edge of no length joins nothing.
+            // An edge of no length is not joined.
             let long = of_face.iter().map(classes).filter(|&(_, a, b)| a != b);
             let mut long: Vec<_> = long.map(|(h, a, b)| (a.min(b), a.max(b), a > b, h)).collect();
             let place = |v| rim.binary_search(v).map_or(u32::MAX - v, |i| of_rim[i]);
-            if is_collapsed(faces.face(face_of(of_face[0])).iter().map(place)) {
+            if is_collapsed(faces.face(topology.face_of(of_face[0]) as usize).iter().map(place)) {
                 keep_surplus(&mut long);
             }
             long
@@ -92,8 +128,8 @@ pub(super) fn join(
     Joined { links, wide_clusters, ambiguous }
 }
 
-/// Leaves of the edges of a face that has only two places left, all between the two, those that run one way without another
-/// that runs the other way: both ways open, such a face would stand between its neighbours, which meet there themselves.
+/// Of the edges of a face that has only two distinct positions, keeps those of one direction without a partner of the other
+/// direction: with both open, such a face would separate its neighbours, which meet there themselves.
 fn keep_surplus(edges: &mut Vec<(u32, u32, bool, u32)>) {
     let down = edges.iter().filter(|edge| edge.2).count();
     let up = edges.len() - down;
@@ -102,26 +138,16 @@ fn keep_surplus(edges: &mut Vec<(u32, u32, bool, u32)>) {
     edges.truncate(surplus);
 }
 
-/// Which rim vertices coincide: one class number for each, in the order of the rim.
+/// Which vertices of open edges coincide: a class number for each, in the order of `rim`.
 struct Classes {
     of_rim: Vec<u32>,
     wide_clusters: usize,
 }
 
-/// The bits of a position, with −0 taken as +0: alike for the ends that [`Weld::Exact`] joins.
-pub(crate) fn place_key(p: DVec3) -> [u64; 3] {
-    (p + DVec3::ZERO).to_array().map(f64::to_bits)
-}
-
-fn exact_classes(rim: &[u32], positions: &[DVec3], shapes: &[&[DVec3]]) -> Classes {
-    let mut first: FxHashMap<[u64; 3], u32> = FxHashMap::default();
-    let mut of_rim: Vec<u32> = Vec::with_capacity(rim.len());
-    for &vertex in rim {
-        let fresh = first.len() as u32;
-        of_rim.push(*first.entry(place_key(positions[vertex as usize])).or_insert(fresh));
-    }
+fn exact_classes(rim: &[u32], mesh: &Mesh) -> Classes {
+    let mut of_rim = vec![0; rim.len()];
     // Each morph target refines the classes: two vertices stay together only if it moves them alike.
-    for shape in shapes {
+    for shape in shapes(mesh) {
         let mut finer: FxHashMap<(u32, [u64; 3]), u32> = FxHashMap::default();
         for (class, &vertex) in of_rim.iter_mut().zip(rim) {
             let fresh = finer.len() as u32;
@@ -131,26 +157,31 @@ fn exact_classes(rim: &[u32], positions: &[DVec3], shapes: &[&[DVec3]]) -> Class
     Classes { of_rim, wide_clusters: 0 }
 }
 
+/// The positions, and the displacements of each morph target.
+fn shapes(mesh: &Mesh) -> impl Iterator<Item = &[DVec3]> {
+    std::iter::once(mesh.positions()).chain(mesh.columns().morph_targets.iter().map(Vec::as_slice))
+}
+
 /// Connected components of "closer than ε" in every shape.
-fn near_classes(rim: &[u32], positions: &[DVec3], shapes: &[&[DVec3]], fraction: f64) -> Classes {
-    let (low, high) = extent(positions.iter().copied());
-    // Everything is measured in units of the largest extent, so no square can leave the range of a double.
+fn near_classes(rim: &[u32], mesh: &Mesh, fraction: f64) -> Classes {
+    let Bounds { low, high } = Bounds::of(mesh.positions().iter().copied());
+    // In units of the largest extent no square leaves the range of a double.
     let unit = (high - low).max_element();
     if unit.is_nan() || unit <= 0.0 || fraction <= 0.0 {
-        return exact_classes(rim, positions, shapes);
+        return exact_classes(rim, mesh);
     }
     let epsilon = fraction * ((high - low) / unit).length();
-    let scaled = |shape: &[DVec3], origin: DVec3| -> Vec<DVec3> {
+    let origins = std::iter::once(low).chain(std::iter::repeat(DVec3::ZERO));
+    let scaled = |(shape, origin): (&[DVec3], DVec3)| -> Vec<DVec3> {
         rim.iter().map(|&vertex| (shape[vertex as usize] - origin) / unit).collect()
     };
-    let mut all = vec![scaled(positions, low)];
-    all.extend(shapes.iter().map(|shape| scaled(shape, DVec3::ZERO)));
-    let of_rim = near::components(&all, epsilon);
-    let mut boxes: FxHashMap<u32, (DVec3, DVec3)> = FxHashMap::default();
+    let all: Vec<Vec<DVec3>> = shapes(mesh).zip(origins).map(scaled).collect();
+    let of_rim = clusters(&all, epsilon);
+    let mut boxes: FxHashMap<u32, Bounds> = FxHashMap::default();
     for (&class, &p) in of_rim.iter().zip(&all[0]) {
-        let span = boxes.entry(class).or_insert((p, p));
-        *span = (span.0.min(p), span.1.max(p));
+        let bounds = boxes.entry(class).or_insert(Bounds::EMPTY);
+        *bounds = bounds.union(Bounds { low: p, high: p });
     }
-    let wide_clusters = boxes.values().filter(|(low, high)| (*high - *low).length() > 2.0 * epsilon).count();
+    let wide_clusters = boxes.values().filter(|it| (it.high - it.low).length() > 2.0 * epsilon).count();
     Classes { of_rim, wide_clusters }
 }

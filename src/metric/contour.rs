@@ -1,46 +1,41 @@
-//! Outlines.
+//! Outlines by marching squares.
 
 use crate::raster::{Image, Samples};
 
 /// The outline of all that a picture shows: closed polygons, in pixels from its upper left corner.
 ///
-/// The share of a pixel's samples that are covered is taken as a function of the pixel's centre; the outline is where it is
-/// ½, linearly interpolated between neighbouring centres (marching squares; at saddles the mean of four centres decides).
-/// Beyond the picture nothing is covered. Where the object covers a pixel's centre on its left and not on its right, it ends
-/// half-way between them.
+/// The covered share of a pixel's samples is a function of the pixel's centre; the outline is where it is ½, linearly
+/// interpolated between neighbouring centres (marching squares; at saddles the mean of four centres decides). Nothing is
+/// covered outside of the picture.
 ///
-/// *Accuracy.* With one sample a pixel an upright edge is found within ½ pixel. With many, an upright straight edge whose
-/// pixel is covered by the share c is found at 1 + (c − ½)/c pixels for c ≥ ½ where it is at ½ + c: never more than
-/// 3/2 − √2 ≈ 0.0858 pixels off, plus what the samples leave open, 1/16 of a pixel for sixteen. Corners are cut by a
-/// fraction of a pixel.
+/// *Accuracy.* With one sample a pixel a vertical edge is found within ½ pixel. With many, a vertical edge at ½ + c, whose
+/// pixel has the covered share c ≥ ½, is found at 1 + (c − ½)/c pixels: at most 3/2 − √2 ≈ 0.0858 pixels off, plus the
+/// distance of samples, 1/16 of a pixel for sixteen. Corners are cut by a fraction of a pixel.
 ///
-/// *What it does not tell*: inner outlines, where one part of an object hides another.
+/// *Does not measure* inner outlines, where one part of an object hides another.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Contour {
     loops: Vec<Vec<[f64; 2]>>,
 }
 
 impl Contour {
-    /// The outline in a picture that was drawn with so many samples a pixel. Nothing covered gives no loops.
+    /// The outline in a picture that was drawn with so many samples a pixel; no loops if nothing is covered.
     pub fn of(image: &Image, samples: Samples) -> Self {
         let grid = Grid { image, full: samples.count() as f64 };
         let mut segments = grid.segments();
         segments.sort_unstable();
-        let mut loops = Vec::new();
         let mut used = vec![false; segments.len()];
-        for first in 0..segments.len() {
-            let mut points = Vec::new();
-            let mut at = first;
+        let points_from = |first: usize| {
+            let (mut points, mut at) = (Vec::new(), first);
             while !used[at] {
                 used[at] = true;
                 points.push(grid.crossing(segments[at].0));
                 // Each crossing ends one segment and begins one: loops close.
                 at = segments.binary_search_by_key(&segments[at].1, |segment| segment.0).unwrap_or(first);
             }
-            if !points.is_empty() {
-                loops.push(points);
-            }
-        }
+            points
+        };
+        let loops = (0..segments.len()).map(points_from).filter(|points| !points.is_empty()).collect();
         Self { loops }
     }
 
@@ -50,7 +45,7 @@ impl Contour {
         &self.loops
     }
 
-    /// The area within, in square pixels: that of holes taken off.
+    /// The area within, without holes, in square pixels.
     pub fn area(&self) -> f64 {
         self.segments().map(|[a, b]| 0.5 * (a[0] * b[1] - b[0] * a[1])).sum()
     }
@@ -105,8 +100,8 @@ impl Grid<'_> {
         [x as f64 - 0.5 + across, y as f64 - 0.5 + below]
     }
 
-    /// The directed pieces of the outline, each from one side of its cell to another, with what is covered to their right
-    /// as seen on the picture.
+    /// The directed segments of the outline, each from one side of its cell to another, with the covered side on their right
+    /// in the picture.
     fn segments(&self) -> Vec<(Side, Side)> {
         let mut segments = Vec::new();
         let columns = self.columns();
@@ -125,8 +120,8 @@ impl Grid<'_> {
                 let enters = |k: usize| !inside[k] && inside[(k + 1) % 4];
                 let is_joined = shares.iter().sum::<f64>() >= 2.0;
                 for k in (0..4).filter(|&k| leaves(k)) {
-                    // At a saddle either the covered corners are joined, and the next side that enters is cut off with this
-                    // one, or they are not, and it is the one before.
+                    // At a saddle the partner is the next side that enters if the covered corners are joined, else the
+                    // previous one.
                     let steps = [1, 2, 3].map(|step| if is_joined { k + step } else { k + 4 - step });
                     if let Some(other) = steps.into_iter().map(|k| k % 4).find(|&k| enters(k)) {
                         segments.push((sides[k], sides[other]));

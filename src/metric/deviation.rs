@@ -1,8 +1,7 @@
-//! How far normals are off.
+//! Angles between the normals of two pictures.
 
-use super::MetricError;
-use super::luminance::same_size;
-use crate::num::{CompensatedSum, Degrees, Radians};
+use super::pairs::{MetricError, Moments, pairs};
+use crate::num::{Degrees, Radians};
 use crate::raster::Image;
 use glam::DVec3;
 use serde::Serialize;
@@ -26,51 +25,36 @@ pub struct NormalDeviation {
 }
 
 /// Compares the normals of two pictures drawn with [`Show::Normals`](crate::raster::Show::Normals), pixel by pixel: for instance
-/// those of a mesh with those of the surface that it stands for, drawn with
+/// those of a mesh with those of the surface that it approximates, drawn with
 /// [`Shading::Exact`](crate::raster::Shading::Exact).
 ///
 /// The angle is atan2(|a×b|, a·b) of the two means of a pixel's samples. Pictures hold (n + 1)/2 in single precision, so angles
-/// are right to about 2·10⁻⁷ rad ≈ 10⁻⁵°. *Claims* the angle at each pixel. *Does not claim* anything about the surface
-/// that is not seen, and weighs what is seen edge-on little. *Does not tell* how much light changes: an angle of δ changes
-/// diffuse light by at most δ, a highlight by up to
-/// [`steepest_slope`](crate::num::steepest_slope)·δ.
+/// are right to about 2·10⁻⁷ rad ≈ 10⁻⁵°. *Measures* the angle at each pixel. *Does not measure* surfaces that are not
+/// visible; surfaces seen edge-on have few pixels. *Does not measure* how much light changes: an angle of δ changes diffuse
+/// light by at most δ, a highlight by up to [`steepest_slope`](crate::num::steepest_slope)·δ.
 ///
 /// # Errors
 /// Pictures of different sizes or without linear colours.
 pub fn normal_deviation(picture: &Image, truth: &Image) -> Result<NormalDeviation, MetricError> {
-    same_size(picture, truth)?;
-    let (Some(colours), Some(true_colours)) = (&picture.linear, &truth.linear) else {
-        return Err(MetricError::NoLinear);
-    };
     let mut deviation = NormalDeviation::default();
-    let (mut sum, mut squares) = (CompensatedSum::default(), CompensatedSum::default());
-    for pixel in 0..colours.len() {
-        let covered = [picture.coverage[pixel], truth.coverage[pixel]];
-        let angle = match covered[0] == covered[1] && covered[0] > 0 {
-            true => angle(normal(colours[pixel]), normal(true_colours[pixel])),
-            false => None,
-        };
+    let mut moments = Moments::default();
+    for pair in pairs(picture, truth)? {
+        let [found, expected] = pair.colours.map(normal);
+        let angle = if pair.is_comparable() { angle(found, expected) } else { None };
         deviation.angles.push(angle);
-        let Some(angle) = angle else {
-            deviation.disagreeing += u64::from(covered != [0, 0]);
-            continue;
-        };
-        deviation.compared += 1;
-        deviation.max = deviation.max.max(angle);
-        sum += angle;
-        squares += angle * angle;
+        match angle {
+            Some(angle) => moments.add(angle),
+            None => deviation.disagreeing += u64::from(pair.covered != [0, 0]),
+        }
+        deviation.compared += u64::from(angle.is_some());
     }
-    if deviation.compared > 0 {
-        let count = deviation.compared as f64;
-        deviation.mean = sum.value() / count;
-        deviation.rms = (squares.value() / count).sqrt();
-    }
+    (deviation.mean, deviation.rms, deviation.max) = (moments.mean(), moments.rms(), moments.max);
     Ok(deviation)
 }
 
-/// What a colour of [`Show::Normals`](crate::raster::Show::Normals) says.
-fn normal(colour: [f32; 3]) -> DVec3 {
-    DVec3::from(colour.map(f64::from)) * 2.0 - 1.0
+/// The normal that a colour of [`Show::Normals`](crate::raster::Show::Normals) encodes.
+fn normal(colour: [f64; 3]) -> DVec3 {
+    DVec3::from(colour) * 2.0 - 1.0
 }
 
 /// The angle in degrees; `None` if one has no direction.

@@ -1,15 +1,14 @@
-//! How far one picture is from another.
+//! Differences between two pictures in linear light, luminance and sRGB.
 
-use super::MetricError;
-use super::luminance::same_size;
-use crate::num::{CompensatedSum, LinearRgb, Transfer};
+use super::pairs::{MetricError, Moments, pairs};
+use crate::num::{LinearRgb, Transfer};
 use crate::raster::Image;
 use serde::Serialize;
 
 /// Steps of 8 bits in the range from 0 to 1: the unit of all differences. Nothing is rounded to it.
 const STEPS: f64 = 255.0;
 
-/// The difference of two pictures over the pixels that both cover alike; how many they do not is told apart.
+/// The difference of two pictures over the pixels that both cover alike; the others are counted separately.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct ImageError {
     /// Pixels compared: covered in both, by as many of their samples.
@@ -46,8 +45,8 @@ pub struct Difference {
 /// Pixels that both cover partly but alike mix the same background into both, so their differences are those of the
 /// surface, less in proportion.
 ///
-/// *Claims* differences of light, of luminance and of codes, as the pictures have them. *Does not claim* that they are seen:
-/// the eye forgives a large area that is a little off and not a line between two that are ([`slope_jumps`](super::slope_jumps)).
+/// *Measures* differences of light, of luminance and of codes. *Does not measure* whether they are visible: a slight change
+/// of a large area is less visible than a line between two areas.
 ///
 /// ```
 /// use crease::metric::image_error;
@@ -68,72 +67,49 @@ pub struct Difference {
 /// # Errors
 /// [`MetricError`].
 pub fn image_error(picture: &Image, truth: &Image, threshold: f64) -> Result<ImageError, MetricError> {
-    same_size(picture, truth)?;
-    let (Some(colours), Some(true_colours)) = (&picture.linear, &truth.linear) else {
-        return Err(MetricError::NoLinear);
-    };
     let mut error = ImageError::default();
-    let mut sums: [Sum; 3] = std::array::from_fn(|_| Sum::new(threshold));
-    for (pixel, (&covered, &truly)) in picture.coverage.iter().zip(&truth.coverage).enumerate() {
-        if covered != truly {
-            error.disagreeing += 1;
-        } else if covered > 0 {
+    let mut sums: [Sum; 3] = std::array::from_fn(|_| Sum { threshold, ..Sum::default() });
+    for pair in pairs(picture, truth)? {
+        if pair.is_comparable() {
             error.compared += 1;
-            let pair = [colours[pixel], true_colours[pixel]].map(|colour| colour.map(f64::from));
-            let coded = pair.map(|colour| colour.map(|component| Transfer::Srgb.encode(component)));
-            let luminance = pair.map(|colour| [LinearRgb::from(colour).luminance()]);
-            sums[0].add(pair);
-            sums[1].add(luminance);
-            sums[2].add(coded);
+            let colours = pair.colours;
+            sums[0].add(colours);
+            sums[1].add(colours.map(|colour| [LinearRgb::from(colour).luminance()]));
+            sums[2].add(colours.map(|colour| colour.map(|component| Transfer::Srgb.encode(component))));
+        } else {
+            error.disagreeing += u64::from(pair.covered != [0, 0]);
         }
     }
     let either = error.compared + error.disagreeing;
-    error.disagreement = if either > 0 { error.disagreeing as f64 / either as f64 } else { 0.0 };
+    error.disagreement = error.disagreeing as f64 / either.max(1) as f64;
     [error.linear, error.luminance, error.srgb] = sums.map(|sum| sum.finish());
     Ok(error)
 }
 
-/// Differences on their way to means.
+/// The differences of the components of all pixels.
+#[derive(Default)]
 struct Sum {
     threshold: f64,
     pixels: u64,
-    components: u64,
     over: u64,
-    max: f64,
-    magnitudes: CompensatedSum,
-    squares: CompensatedSum,
+    components: Moments,
 }
 
 impl Sum {
-    fn new(threshold: f64) -> Self {
-        let nothing = CompensatedSum::default();
-        Self { threshold, pixels: 0, components: 0, over: 0, max: 0.0, magnitudes: nothing, squares: nothing }
-    }
-
     fn add<const N: usize>(&mut self, [a, b]: [[f64; N]; 2]) {
-        let mut largest = 0.0_f64;
-        for (a, b) in a.into_iter().zip(b) {
-            let difference = STEPS * (a - b).abs();
-            largest = largest.max(difference);
-            self.magnitudes += difference;
-            self.squares += difference * difference;
-        }
+        let differences: [f64; N] = std::array::from_fn(|i| STEPS * (a[i] - b[i]).abs());
+        differences.into_iter().for_each(|difference| self.components.add(difference));
         self.pixels += 1;
-        self.components += N as u64;
-        self.over += u64::from(largest > self.threshold);
-        self.max = self.max.max(largest);
+        self.over += u64::from(differences.into_iter().any(|difference| difference > self.threshold));
     }
 
     fn finish(self) -> Difference {
-        if self.pixels == 0 {
-            return Difference::default();
-        }
-        let count = self.components as f64;
+        let Self { pixels, over, components, .. } = self;
         Difference {
-            max: self.max,
-            mean: self.magnitudes.value() / count,
-            rms: (self.squares.value() / count).sqrt(),
-            over: self.over as f64 / self.pixels as f64,
+            max: components.max,
+            mean: components.mean(),
+            rms: components.rms(),
+            over: over as f64 / pixels.max(1) as f64,
         }
     }
 }

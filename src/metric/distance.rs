@@ -1,26 +1,26 @@
-//! How far outlines are apart.
+//! Distances between outlines.
 
-use super::{Contour, MetricError};
+use super::contour::Contour;
+use super::pairs::MetricError;
 use serde::Serialize;
 
-/// How far an outline is from the true one. Lengths are in pixels.
+/// Distances of an outline from the true one, in pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct ContourDistance {
     /// The mean of both [means](Distances::mean).
     pub mean: f64,
     /// Hausdorff's distance: the larger of both [maxima](Distances::max).
     pub hausdorff: f64,
-    /// From the outline to the true one: large where the outline has something that the truth has not.
+    /// From the outline to the true one: large where the outline has additional parts.
     pub to_truth: Distances,
-    /// From the true outline to the one measured: large where something is missing.
+    /// From the true outline to the measured one: large where parts are missing.
     pub from_truth: Distances,
     /// The area within the outline over that within the true one.
     pub area_ratio: f64,
 }
 
 impl ContourDistance {
-    /// The same in another unit of length, of which one pixel is so many: outlines that were drawn larger than the picture
-    /// that they are of.
+    /// The same in another unit of length, `unit` of which are a pixel: for outlines drawn larger than their picture.
     #[must_use]
     pub fn scaled(&self, unit: f64) -> Self {
         let scaled = |Distances { mean, max }| Distances { mean: unit * mean, max: unit * max };
@@ -47,12 +47,11 @@ pub struct Distances {
 /// the ratio of areas.
 ///
 /// An inscribed regular n-gon is R(1 − cos(π/n)) from its circle at the middle of each side and has n sin(2π/n)/(2π) of its
-/// area. *Claims* nothing finer than the outlines themselves are ([`Contour`]): two outlines that differ by less than a
-/// sample's distance may measure 0. Points of outlines are what is compared, not the length between them, so
-/// Hausdorff's distance may be too small by the sagitta of a pixel. *Does not tell* whether corners are seen as corners:
-/// a polygon half a pixel from its circle may still show its angles where it moves.
+/// area. *Accuracy* is that of the outlines ([`Contour`]): two outlines that differ by less than a sample's distance may
+/// measure 0. Only points of outlines are compared, so Hausdorff's distance may be too small by the sagitta of a pixel.
+/// *Does not measure* whether corners are visible: a moving polygon half a pixel from its circle may show its angles.
 ///
-/// Cost: each point looks at the segments in rows of pixels no farther than the nearest one found.
+/// Cost: each point visits the segments in rows of pixels no farther than the nearest one found.
 ///
 /// # Errors
 /// [`MetricError::Empty`] if either has no points.
@@ -109,25 +108,21 @@ impl Rows {
 
     /// The distance to the nearest segment.
     fn nearest(&self, point: [f64; 2]) -> Option<f64> {
-        let row = |away: i64| {
-            let number = usize::try_from(point[1].floor() as i64 + away - self.first).ok()?;
-            self.rows.get(number)
-        };
-        let farthest = (point[1].floor() as i64 - self.first).abs() + self.rows.len() as i64;
-        let mut best: Option<f64> = None;
-        for away in 0..=farthest {
+        let own = point[1].floor() as i64 - self.first;
+        let row = |number: i64| usize::try_from(number).ok().and_then(|number| self.rows.get(number));
+        let mut best = f64::INFINITY;
+        for away in 0..=own.abs() + self.rows.len() as i64 {
             // A segment lies within a cell of one pixel, so in its own row and the next: one that begins `away` rows higher
             // is more than `away` − 2 pixels off.
-            if best.is_some_and(|best| (away - 2) as f64 > best) {
+            if (away - 2) as f64 > best {
                 break;
             }
-            let both = if away == 0 { [Some(0), None] } else { [Some(away), Some(-away)] };
-            for segment in both.into_iter().flatten().filter_map(row).flatten() {
-                let distance = to_segment(point, segment);
-                best = Some(best.map_or(distance, |best| best.min(distance)));
+            let rows = [own - away, own + away].into_iter().skip(usize::from(away == 0));
+            for segment in rows.filter_map(row).flatten() {
+                best = best.min(to_segment(point, segment));
             }
         }
-        best
+        best.is_finite().then_some(best)
     }
 }
 

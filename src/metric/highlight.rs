@@ -1,32 +1,32 @@
 //! The brightest spot of a picture.
 
-use super::MetricError;
-use super::luminance::{luminances, same_size};
+use super::pairs::{MetricError, luminances, same_size};
 use crate::raster::Image;
 use serde::Serialize;
 
-/// Where a picture is brightest: the peak of its highlight, if it has one.
+/// The brightest spot of a picture: the peak of its highlight, if it has one.
 ///
-/// The covered pixel of the largest relative luminance. If its four neighbours are covered as much and none but those of the same
-/// peak have that luminance, place and peak are those of the parabolas through the logarithms of it and its neighbours, across and down; of
-/// several pixels of exactly the same luminance, as flat faces have, the place is the mean.
+/// The covered pixel of the largest relative luminance. If its four neighbours are covered alike and at most four pixels
+/// have that luminance, position and peak are those of the parabolas through the logarithms of it and its neighbours, across
+/// and down; of more pixels with exactly the same luminance, such as flat faces have, the position is the mean.
 ///
-/// *Accuracy*: exact for a Gaussian, up to the single precision of pictures: 10⁻⁷σ² pixels; cosⁿ is nearly one. At a corner of Gouraud's shading, where luminance has no parabola, within half a pixel. *Does not claim*
-/// that the brightest spot is a highlight, nor that there is one only: light the object so that there is.
+/// *Accuracy*: exact for a Gaussian, up to the single precision of pictures: 10⁻⁷σ² pixels; cosⁿ is nearly one. At a corner
+/// of Gouraud shading, where luminance has no parabola, within half a pixel. *Does not measure* whether the brightest spot
+/// is a highlight, or the only one: light the object accordingly.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Highlight {
     /// The largest luminance, linear and not clamped.
     pub peak: f64,
-    /// Where, in pixels.
+    /// Its position, in pixels.
     pub at: [f64; 2],
 }
 
-/// What became of a highlight.
+/// The change of a highlight.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct HighlightChange {
     /// The peak over the true one; 1 if both are 0.
     pub peak_ratio: f64,
-    /// How far it is from the true place, in pixels. Where the peak is lost, this is the distance to whatever is brightest.
+    /// Its distance from the true position, in pixels; if the peak is lost, the distance to the brightest spot.
     pub displacement: f64,
 }
 
@@ -74,7 +74,7 @@ impl Highlight {
     }
 }
 
-/// The peak of the parabolas through a pixel and its neighbours; `None` at borders, beside black and in even light.
+/// The peak of the parabolas through a pixel and its neighbours; `None` at borders, next to black and in even light.
 fn refined(image: &Image, values: &[f64], pixel: usize, place: [f64; 2]) -> Option<Highlight> {
     let width = image.size[0] as usize;
     let (x, y) = (pixel % width, pixel / width);

@@ -1,17 +1,13 @@
 //! All surfaces as one type.
 
-use crate::surface::meshing::marching::Room;
 use crate::surface::rays::primitive::Primitive;
-use crate::surface::shapes::bezier::BezierPatch;
-use crate::surface::shapes::catenoid::Catenoid;
+use crate::surface::shapes::bezier::{BezierPatch, teapot};
 use crate::surface::shapes::chart::Parametric;
-use crate::surface::shapes::height::Height;
-use crate::surface::shapes::height::{MonkeySaddle, Wave};
-use crate::surface::shapes::implicit::Implicit;
-use crate::surface::shapes::star::StarShaped;
-use crate::surface::shapes::superquadric::Superquadric;
-use crate::surface::shapes::teapot::teapot;
-use glam::{DVec2, DVec3};
+use crate::surface::shapes::height::{Height, MonkeySaddle, Wave};
+use crate::surface::shapes::implicit::{Implicit, Room, Shape};
+use crate::surface::shapes::revolution::Catenoid;
+use crate::surface::shapes::star::{StarShaped, Superquadric};
+use glam::DVec3;
 
 /// Any surface of this module.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,15 +37,9 @@ impl<P: Into<Primitive>> From<P> for Surface {
 impl Surface {
     /// The surface by its parameters: one chart, or 32 of the teapot.
     pub fn charts(&self) -> Vec<&dyn Parametric> {
-        match self {
-            Surface::Primitive(primitive) => vec![primitive.parametric()],
-            Surface::Catenoid(catenoid) => vec![catenoid],
-            Surface::Wave(wave) => vec![wave],
-            Surface::MonkeySaddle(saddle) => vec![saddle],
-            Surface::Superquadric(superquadric) => vec![superquadric],
-            Surface::Patch(_) | Surface::Teapot => {
-                self.patches().iter().map(|patch| patch as &dyn Parametric).collect()
-            }
+        match self.shape() {
+            Some(shape) => vec![shape],
+            None => self.patches().iter().map(|patch| patch as &dyn Parametric).collect(),
         }
     }
 
@@ -64,8 +54,12 @@ impl Surface {
 
     /// The surface as the zero set of a function; `None` for patches.
     pub fn zero_set(&self) -> Option<&dyn Implicit> {
+        self.shape().map(|shape| shape as &dyn Implicit)
+    }
+
+    fn shape(&self) -> Option<&dyn Shape> {
         Some(match self {
-            Surface::Primitive(primitive) => primitive,
+            Surface::Primitive(primitive) => primitive.shape(),
             Surface::Catenoid(catenoid) => catenoid,
             Surface::Wave(wave) => wave,
             Surface::MonkeySaddle(saddle) => saddle,
@@ -96,27 +90,29 @@ impl Surface {
 
     /// The box of a zero set. Surfaces with open sides end at its faces.
     pub(super) fn room(&self) -> Option<Room> {
-        let room = |half: DVec3, ends| Room { low: -half, high: half, ends };
-        let turned =
-            |radius: f64, height: f64| room(DVec3::new(radius, height / 2.0, radius), [false, true, false]);
-        let over = |extent: DVec2, height: f64| room((extent / 2.0).extend(height), [true, true, false]);
-        Some(match self {
+        const OVER_RECTANGLE: [bool; 3] = [true, true, false];
+        const TUBE: [bool; 3] = [false, true, false];
+        let (half, ends) = match self {
             Surface::Primitive(primitive) => {
                 let ends = match primitive {
-                    Primitive::Plane(_) => [true, true, false],
-                    Primitive::Cylinder(_) | Primitive::Cone(_) => [false, true, false],
+                    Primitive::Plane(_) => OVER_RECTANGLE,
+                    Primitive::Cylinder(_) | Primitive::Cone(_) => TUBE,
                     Primitive::Sphere(_) | Primitive::Ellipsoid(_) | Primitive::Torus(_) => [false; 3],
                 };
-                room(primitive.half_extents(), ends)
+                (primitive.half_extents(), ends)
             }
-            Surface::Catenoid(catenoid) => turned(catenoid.widest(), catenoid.height()),
-            Surface::Wave(wave) => over(wave.extent(), 0.3),
+            Surface::Catenoid(catenoid) => {
+                let radius = catenoid.widest();
+                (DVec3::new(radius, catenoid.height() / 2.0, radius), TUBE)
+            }
+            Surface::Wave(wave) => ((wave.extent() / 2.0).extend(0.3), OVER_RECTANGLE),
             Surface::MonkeySaddle(saddle) => {
-                let half = saddle.extent().x / 2.0;
-                over(saddle.extent(), 2.0 * half * half * half)
+                let half = saddle.size() / 2.0;
+                (DVec3::new(half, half, 2.0 * half * half * half), OVER_RECTANGLE)
             }
-            Surface::Superquadric(superquadric) => room(superquadric.semi_axes(), [false; 3]),
+            Surface::Superquadric(superquadric) => (superquadric.semi_axes(), [false; 3]),
             Surface::Patch(_) | Surface::Teapot => return None,
-        })
+        };
+        Some(Room { low: -half, high: half, ends })
     }
 }

@@ -1,4 +1,4 @@
-//! What makes a surface or its tessellation impossible.
+//! Limits of surfaces and tessellations, and the errors for what is beyond them.
 
 use std::ops::RangeInclusive;
 
@@ -6,17 +6,12 @@ use std::ops::RangeInclusive;
 /// ends of the range of a double.
 pub(super) const LENGTHS: RangeInclusive<f64> = 1e-60..=1e60;
 
-/// Why a surface cannot be made, or not be tessellated as asked.
+/// Most cells of a tessellation: a mesh of some gigabytes.
+pub(super) const MOST_CELLS: u64 = 1 << 24;
+
+/// Why a surface cannot be made or tessellated.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SurfaceError {
-    /// A length that is not positive and of a size that can be computed with.
-    #[error("{what} is {found:?}; a length from 1e-60 to 1e60 was expected")]
-    Length {
-        /// Which length.
-        what: &'static str,
-        /// What it is.
-        found: f64,
-    },
     /// A torus whose tube would run through itself.
     #[error("the tube's radius {minor} is not smaller than the ring's radius {major}")]
     SelfCrossing {
@@ -24,12 +19,6 @@ pub enum SurfaceError {
         major: f64,
         /// Of the tube.
         minor: f64,
-    },
-    /// An exponent of a superquadric under which the surface has edges or numbers lose their meaning.
-    #[error("the roundness is {found}; a number from 0.1 to 1.9 was expected")]
-    Roundness {
-        /// What it is.
-        found: f64,
     },
     /// A control point that is not finite, or beyond 1e60.
     #[error("the control point in row {row}, column {column} is not finite or beyond 1e60")]
@@ -39,33 +28,27 @@ pub enum SurfaceError {
         /// Counted from 0.
         column: usize,
     },
-    /// A catenoid that is beyond all measure at its ends.
-    #[error("the height is {found} waists; 200 at most was expected")]
-    TooTall {
-        /// Height over waist.
-        found: f64,
-    },
-    /// Fewer or more pieces than the pattern can do with on this surface.
+    /// Fewer or more cells than the pattern needs or allows on this surface.
     #[error("{found} {what} are {}; {limit} is the limit", if found < limit { "too few" } else { "too many" })]
     Segments {
         /// Segments of what, or what else is counted.
         what: &'static str,
-        /// How many were asked for.
+        /// How many were requested.
         found: u64,
         /// How many there must or may be.
         limit: u64,
     },
-    /// A number of a tessellation that is out of its range.
+    /// A number of a shape or of a tessellation that is out of its range.
     #[error("{what} is {found}; {expected} was expected")]
-    Setting {
-        /// Which one.
+    OutOfRange {
+        /// Which number.
         what: &'static str,
-        /// What it is.
-        found: f64,
-        /// What it may be.
+        /// The number.
+        found: String,
+        /// The range.
         expected: &'static str,
     },
-    /// A pattern that this surface cannot be given.
+    /// A pattern that is not possible on this surface.
     #[error("{pattern} is not possible here: {reason}")]
     Pattern {
         /// Which pattern.
@@ -73,7 +56,7 @@ pub enum SurfaceError {
         /// Why not.
         reason: &'static str,
     },
-    /// A place at which a surface has no normal.
+    /// A point at which a surface has no normal.
     #[error("the surface has no normal at u = {u}, v = {v}")]
     NoNormal {
         /// The first parameter.
@@ -94,7 +77,57 @@ pub enum SurfaceError {
     Singular,
 }
 
-/// A length, if it is one.
-pub(super) fn length(what: &'static str, found: f64) -> Result<f64, SurfaceError> {
-    if LENGTHS.contains(&found) { Ok(found) } else { Err(SurfaceError::Length { what, found }) }
+/// Checks a number of cells or the like.
+pub(super) fn check_count(
+    what: &'static str,
+    found: impl Into<u64>,
+    limits: RangeInclusive<u64>,
+) -> Result<(), SurfaceError> {
+    let found = found.into();
+    let limit = found.clamp(*limits.start(), *limits.end());
+    if found == limit { Ok(()) } else { Err(SurfaceError::Segments { what, found, limit }) }
 }
+
+/// A length, if it is valid.
+pub(super) fn length(what: &'static str, found: f64) -> Result<f64, SurfaceError> {
+    let error = || out_of_range(what, format!("{found:?}"), "a length from 1e-60 to 1e60");
+    if LENGTHS.contains(&found) { Ok(found) } else { Err(error()) }
+}
+
+pub(super) fn out_of_range(what: &'static str, found: impl ToString, expected: &'static str) -> SurfaceError {
+    SurfaceError::OutOfRange { what, found: found.to_string(), expected }
+}
+
+/// Declares a surface that is determined by lengths: the type, its default lengths, the constructor that checks them, and
+/// a getter for each. `$check` is called with a surface whose lengths are valid.
+macro_rules! surface_of_lengths {
+    (
+        $(#[$doc:meta])* $surface:ident { $($(#[$about:meta])* $length:ident: $name:literal = $default:literal,)+ }
+        $(#[$constructor:meta])* new with $check:expr
+    ) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct $surface {
+            $($length: f64,)+
+        }
+
+        impl Default for $surface {
+            fn default() -> Self {
+                Self { $($length: $default,)+ }
+            }
+        }
+
+        impl $surface {
+            $(#[$constructor])*
+            pub fn new($($length: f64),+) -> Result<Self, SurfaceError> {
+                $check(Self { $($length: $crate::surface::error::length($name, $length)?,)+ })
+            }
+
+            $($(#[$about])*
+            pub fn $length(&self) -> f64 {
+                self.$length
+            })+
+        }
+    };
+}
+pub(super) use surface_of_lengths;

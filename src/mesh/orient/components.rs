@@ -1,12 +1,14 @@
-//! Connected pieces of surface, and which faces of each run against the others.
+//! Connected components, and which faces of each run against the others.
 
-use crate::mesh::edges::is_collapsed;
-use crate::mesh::{Link, Mesh, Topology};
+use crate::mesh::faces::is_collapsed;
+use crate::mesh::link::Link;
+use crate::mesh::polygon_mesh::Mesh;
+use crate::mesh::topology::Topology;
 use std::cmp::Ordering;
 
 /// The components of a mesh: faces connected over edges that join exactly two of them.
 ///
-/// A face of fewer than three distinct places that is joined to nothing is no surface and in no component.
+/// A face of fewer than three distinct positions that is joined to nothing is in no component.
 pub(super) struct Components {
     /// Faces, component after component, ascending within each.
     faces: Vec<u32>,
@@ -53,7 +55,7 @@ impl Components {
                     }
                 }
             }
-            let places = || mesh.faces().face(seed).iter().map(|&v| mesh.positions()[v as usize]);
+            let places = || mesh.faces().face(seed).iter().map(|&v| mesh.position(v));
             if faces.len() == start + 1 && is_collapsed(places()) {
                 faces.pop();
                 continue;
@@ -85,25 +87,34 @@ impl Components {
         self.orientable[component]
     }
 
-    /// Of the faces of a component that have a say, whether at most half run against its lowest one; of all, if none has.
-    pub(super) fn agrees_with_lowest(&self, component: usize, has_say: impl Fn(u32) -> bool) -> bool {
-        let count = |has_say: &dyn Fn(u32) -> bool| {
-            let faces = || self.faces(component).iter().filter(|&&face| has_say(face));
-            (faces().filter(|&&face| self.against[face as usize]).count(), faces().count())
-        };
-        let (against, all) = match count(&has_say) {
-            (_, 0) => count(&|_| true),
-            counts => counts,
-        };
+    /// The faces of a component that run against its lowest one, or the others.
+    pub(super) fn side(&self, component: usize, against: bool) -> impl Iterator<Item = u32> {
+        let faces = self.faces(component).iter().copied();
+        faces.filter(move |&face| self.against[face as usize] == against)
+    }
+
+    /// Whether so many faces are more than half of a component.
+    pub(super) fn is_majority(&self, component: usize, count: usize) -> bool {
+        2 * count > self.faces(component).len()
+    }
+
+    /// Whether at most half of the faces of a component that count run against its lowest one; all count if none does.
+    pub(super) fn agrees_with_lowest(&self, component: usize, counts: impl Fn(u32) -> bool) -> bool {
+        let faces = self.faces(component);
+        let all_count = !faces.iter().any(|&face| counts(face));
+        let (mut against, mut all) = (0, 0);
+        for &face in faces.iter().filter(|&&face| all_count || counts(face)) {
+            against += usize::from(self.against[face as usize]);
+            all += 1;
+        }
         2 * against <= all
     }
 
-    /// Whether an orientable component has no rim: once its faces agree, its half-edges cancel at every edge.
+    /// Whether an orientable component has no boundary: once its faces agree, its half-edges cancel at every edge.
     ///
     /// At an edge of more than two faces (two boxes that touch along an edge) only the component's own faces
     /// count. Edges of no length count nowhere.
     pub(super) fn is_closed(&self, component: usize, mesh: &Mesh, topology: &Topology) -> bool {
-        let place = |vertex: u32| mesh.positions()[vertex as usize];
         let mut crowded = Vec::new();
         for &face in self.faces(component) {
             for half_edge in mesh.faces().range(face as usize) {
@@ -112,7 +123,7 @@ impl Components {
                     Link::NonManifold | Link::Ambiguous => crowded.push(half_edge),
                     Link::Boundary => {
                         let (tail, head) = topology.ends(mesh.faces().corners(), half_edge);
-                        if place(tail) != place(head) {
+                        if mesh.position(tail) != mesh.position(head) {
                             return false;
                         }
                     }
@@ -120,10 +131,10 @@ impl Components {
                 }
             }
         }
-        // An edge by its places, lower end first, and whether the surface runs along it upwards.
+        // An edge by its positions, lower end first, and whether the surface runs along it upwards.
         let edge = |half_edge: u32| {
             let (tail, head) = topology.ends(mesh.faces().corners(), half_edge);
-            let (tail, head) = (place(tail).to_array(), place(head).to_array());
+            let (tail, head) = (mesh.position(tail).to_array(), mesh.position(head).to_array());
             let up = tail < head;
             let against = self.against[topology.face_of(half_edge) as usize];
             (if up { (tail, head) } else { (head, tail) }, up ^ against)

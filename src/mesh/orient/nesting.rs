@@ -2,38 +2,37 @@
 //!
 //! A shell lies in another if its box does and all of a few points spread over it do. A point lies in a shell if
 //! the ray from it upwards (+z) leaves the shell once more than it enters, or once less. The faces that a ray may
-//! meet are found in a [`BoxTree`]; every decision is taken with a bound on its rounding error, and points that
-//! lie too close to a surface for that have no say.
+//! meet are found in a [`BoxTree`]; every decision is taken with a bound on its rounding error, and points too close
+//! to a surface for that are ignored.
 //!
-//! Work is n log n in faces, apart from the triangles that rays meet. Surfaces made so that every ray meets most
+//! Work is n log n in faces, plus the triangles that rays meet. Surfaces made so that every ray meets most
 //! triangles would be quadratic: each ray has a budget, and a shell with a ray that used it up is undecided.
 
 use super::probe::{Probe, probes};
-use crate::mesh::Mesh;
 use crate::mesh::box_tree::{Bounds, BoxTree};
+use crate::mesh::polygon_mesh::Mesh;
 use crate::num::unit_scale;
 use rayon::prelude::*;
-use std::ops::ControlFlow;
 
-/// What a search for boxes round a box may cost; beyond, it is taken to have been successful.
+/// Cost limit of a search for boxes around or in a box; a longer search counts as successful.
 const BOX_BUDGET: usize = 512;
 
-/// What all rays together may cost, shared out evenly: so much, and so much for each triangle. A ray through
-/// a million triangles of well-shaped shells costs some hundreds.
+/// Cost limit of all rays together, shared evenly: a constant, and so much for each triangle. A ray through a million
+/// triangles of well-shaped shells costs some hundreds.
 const RAY_BUDGET: (usize, usize) = (1 << 26, 256);
 
-/// What a shell lies in.
+/// The shells that a shell lies in.
 #[derive(Clone, Default)]
 pub(super) struct Nest {
-    /// In how many others of its mesh.
+    /// How many there are in its mesh.
     pub(super) depth: u32,
     /// Those among them that are marked, ascending.
     pub(super) marked: Vec<u32>,
 }
 
-/// What each shell lies in; `None` where that cannot be told. Shells are closed components, as lists of faces, some
-/// of them marked; `against` tells which faces run against the others of their shell.
-pub(super) fn depths(
+/// The nest of each shell; `None` if it is undetermined. Shells are closed components, as lists of faces, some of them
+/// marked; `against` says which faces run against the others of their shell.
+pub(super) fn nests(
     mesh: &Mesh,
     against: &[bool],
     shells: &[&[u32]],
@@ -41,36 +40,44 @@ pub(super) fn depths(
 ) -> Vec<Option<Nest>> {
     let bounds: Vec<Bounds> = shells.par_iter().map(|faces| face_bounds(mesh, faces)).collect();
     let boxes = BoxTree::build(shells.len(), |shell| bounds[shell as usize]);
-    let inner: Vec<bool> = (0..shells.len() as u32)
-        .into_par_iter()
-        .map(|shell| {
-            let own = bounds[shell as usize];
-            let round = |other: u32| other != shell && bounds[other as usize].contains(own);
-            finds(&boxes, |node| node.contains(own), round)
-        })
-        .collect();
+    let numbers = || (0..shells.len() as u32).into_par_iter();
+    let is_inner = |shell: u32| {
+        let own = bounds[shell as usize];
+        finds(
+            &boxes,
+            |node| node.contains(own),
+            |other| other != shell && bounds[other as usize].contains(own),
+        )
+    };
+    let inner: Vec<bool> = numbers().map(is_inner).collect();
     let rays: usize = (0..shells.len()).filter(|&s| inner[s]).map(|s| 2 * shells[s].len().min(12)).sum();
     if rays == 0 {
         return vec![Some(Nest::default()); shells.len()];
     }
     // Only shells that have a box in their own need to be searched for crossings.
-    let outer: Vec<u32> = (0..shells.len() as u32)
-        .into_par_iter()
-        .filter(|&shell| {
-            let own = bounds[shell as usize];
-            let within = |other: u32| other != shell && own.contains(bounds[other as usize]);
-            finds(&boxes, |node| node.overlaps(own), within)
-        })
-        .collect();
+    let is_outer = |&shell: &u32| {
+        let own = bounds[shell as usize];
+        finds(
+            &boxes,
+            |node| node.overlaps(own),
+            |other| other != shell && own.contains(bounds[other as usize]),
+        )
+    };
+    let outer: Vec<u32> = numbers().filter(is_outer).collect();
     let walls = Walls::new(mesh, against, shells, &outer);
-    let budget = Walls::budget(std::iter::once(&walls), rays);
+    let budget = Walls::budget([&walls], rays);
     let nest = |shell: usize| {
         if !inner[shell] {
             return Some(Nest::default());
         }
-        let round = walls.shells_round(shell as u32, shells[shell], &bounds, budget)?;
-        let marked = round.iter().copied().filter(|&other| is_marked[other as usize]).collect();
-        Some(Nest { depth: round.len() as u32, marked })
+        let contains = |other: u32| bounds[other as usize].contains(bounds[shell]);
+        let probes = probes(mesh, shells[shell], walls.scale);
+        let around = walls.shells_around(Some(shell as u32), &probes, budget, contains)?;
+        if around.iter().any(|&(_, place)| place == Place::TooClose) {
+            return None;
+        }
+        let marked = around.iter().map(|it| it.0).filter(|&other| is_marked[other as usize]).collect();
+        Some(Nest { depth: around.len() as u32, marked })
     };
     (0..shells.len()).into_par_iter().map(nest).collect()
 }
@@ -78,7 +85,7 @@ pub(super) fn depths(
 /// The box of some faces.
 pub(super) fn face_bounds(mesh: &Mesh, faces: &[u32]) -> Bounds {
     let corners = faces.iter().flat_map(|&face| mesh.faces().face(face as usize));
-    Bounds::of(corners.map(|&vertex| mesh.positions()[vertex as usize]))
+    Bounds::of(corners.map(|&vertex| mesh.position(vertex)))
 }
 
 /// Whether a tree has an item that `hits`, or the search became too long.
@@ -86,12 +93,12 @@ fn finds(tree: &BoxTree, enter: impl Fn(Bounds) -> bool, hits: impl Fn(u32) -> b
     let mut hit = false;
     let enough = tree.visit(&mut { BOX_BUDGET }, enter, |item| {
         hit = hits(item);
-        if hit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        !hit
     });
     hit || !enough
 }
 
-/// The triangles that rays can meet.
+/// The triangles of some shells, in a tree.
 pub(super) struct Walls<'a> {
     mesh: &'a Mesh,
     /// The shell and the vertices of each; all of a shell agree.
@@ -101,7 +108,7 @@ pub(super) struct Walls<'a> {
     pub(super) scale: f64,
 }
 
-/// Where a point, or a shell, lies as to another shell, if not outside.
+/// The position of a point, or of a shell, relative to another shell, if it is not outside.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Place {
     Inside,
@@ -109,51 +116,37 @@ pub(super) enum Place {
 }
 
 impl<'a> Walls<'a> {
-    /// Those of some shells, the `outer` ones.
+    /// The walls of the `outer` shells.
     pub(super) fn new(mesh: &'a Mesh, against: &[bool], shells: &[&[u32]], outer: &[u32]) -> Self {
-        let fan = |face: u32| {
-            let corners = mesh.faces().face(face as usize);
-            let against = against[face as usize];
-            corners[1..].windows(2).map(move |edge| {
-                let [a, b] = if against { [edge[1], edge[0]] } else { [edge[0], edge[1]] };
-                [corners[0], a, b]
-            })
-        };
-        let triangles: Vec<(u32, [u32; 3])> = outer
-            .iter()
-            .flat_map(|&shell| shells[shell as usize].iter().map(move |&face| (shell, face)))
-            .flat_map(|(shell, face)| fan(face).map(move |triangle| (shell, triangle)))
-            .collect();
+        let mut triangles: Vec<(u32, [u32; 3])> = Vec::new();
+        for &shell in outer {
+            for &face in shells[shell as usize] {
+                let against = against[face as usize];
+                let agreeing = |[a, b, c]: [u32; 3]| (shell, if against { [a, c, b] } else { [a, b, c] });
+                triangles.extend(mesh.faces().fan(face).map(agreeing));
+            }
+        }
         let largest = mesh.bounds().map_or(0.0, |(low, high)| low.abs().max(high.abs()).max_element());
         let scale = unit_scale(largest);
         let tree = BoxTree::build(triangles.len(), |item| {
             let (_, triangle) = triangles[item as usize];
-            Bounds::of(triangle.iter().map(|&vertex| scale * mesh.positions()[vertex as usize]))
+            Bounds::of(triangle.into_iter().map(|vertex| scale * mesh.position(vertex)))
         });
         Self { mesh, triangles, tree, scale }
     }
 
-    /// What each of so many rays may cost.
-    pub(super) fn budget<'w>(walls: impl Iterator<Item = &'w Self>, rays: usize) -> usize
+    /// The cost limit of each of so many rays.
+    pub(super) fn budget<'w>(walls: impl IntoIterator<Item = &'w Self>, rays: usize) -> usize
     where
         'a: 'w,
     {
-        let triangles: usize = walls.map(|walls| walls.triangles.len()).sum();
+        let triangles: usize = walls.into_iter().map(|walls| walls.triangles.len()).sum();
         (RAY_BUDGET.0 + RAY_BUDGET.1 * triangles) / rays.max(1)
     }
 
-    /// The others that a shell lies in, ascending.
-    fn shells_round(&self, shell: u32, faces: &[u32], bounds: &[Bounds], budget: usize) -> Option<Vec<u32>> {
-        let probes = probes(self.mesh, faces, self.scale);
-        let own = bounds[shell as usize];
-        let round =
-            self.round_all(Some(shell), &probes, budget, |other| bounds[other as usize].contains(own))?;
-        round.into_iter().map(|(other, place)| (place == Place::Inside).then_some(other)).collect()
-    }
-
-    /// The wanted shells that all points of a surface lie in, or that all of them lie too close to, other than the one
-    /// that they are points of. Points are scaled as the walls are. `None` if the budget of a ray did not reach.
-    pub(super) fn round_all(
+    /// The wanted shells that all points of a surface lie in, or that all of them lie too close to, except the `own`
+    /// shell of the points, ascending. Points are scaled as the walls are. `None` if the budget of a ray is used up.
+    pub(super) fn shells_around(
         &self,
         own: Option<u32>,
         probes: &[Probe],
@@ -162,12 +155,12 @@ impl<'a> Walls<'a> {
     ) -> Option<Vec<(u32, Place)>> {
         let mut places: Vec<(u32, Place)> = Vec::new();
         for probe in probes {
-            let mut round = self.round(own, probe, budget)?;
-            round.retain(|&(other, _)| is_wanted(other));
-            if round.is_empty() {
+            let before = places.len();
+            let around = self.around(own, probe, budget)?;
+            places.extend(around.into_iter().filter(|&(other, _)| is_wanted(other)));
+            if places.len() == before {
                 return Some(Vec::new());
             }
-            places.extend(round);
         }
         places.sort_unstable_by_key(|&(other, _)| other);
         let all = places.chunk_by(|a, b| a.0 == b.0).filter_map(|of_shell| {
@@ -179,8 +172,8 @@ impl<'a> Walls<'a> {
         Some(all.collect())
     }
 
-    /// The other shells that a point lies in or too close to; `None` if the budget did not reach.
-    fn round(&self, own: Option<u32>, probe: &Probe, mut budget: usize) -> Option<Vec<(u32, Place)>> {
+    /// The other shells that a point lies in or too close to; `None` if the budget is used up.
+    fn around(&self, own: Option<u32>, probe: &Probe, mut budget: usize) -> Option<Vec<(u32, Place)>> {
         let at = probe.at;
         let reach = |node: Bounds| {
             let (low, high) = (node.low - probe.blur, node.high + probe.blur);
@@ -190,24 +183,18 @@ impl<'a> Walls<'a> {
         let enough = self.tree.visit(&mut budget, reach, |item| {
             let (shell, triangle) = self.triangles[item as usize];
             if Some(shell) != own {
-                let [a, b, c] = triangle.map(|vertex| self.scale * self.mesh.positions()[vertex as usize]);
+                let [a, b, c] = triangle.map(|vertex| self.scale * self.mesh.position(vertex));
                 let crossing = probe.crossing(a, b, c);
                 crossings.extend((crossing != Some(0)).then_some((shell, crossing)));
             }
-            ControlFlow::Continue(())
+            true
         });
-        if !enough {
-            return None;
-        }
         crossings.sort_unstable();
         let places = crossings.chunk_by(|a, b| a.0 == b.0).filter_map(|of_shell| {
             let winding: Option<i32> = of_shell.iter().map(|&(_, crossing)| crossing).sum();
-            match winding {
-                None => Some((of_shell[0].0, Place::TooClose)),
-                Some(0) => None,
-                Some(_) => Some((of_shell[0].0, Place::Inside)),
-            }
+            let place = if winding.is_none() { Place::TooClose } else { Place::Inside };
+            (winding != Some(0)).then_some((of_shell[0].0, place))
         });
-        Some(places.collect())
+        enough.then(|| places.collect())
     }
 }

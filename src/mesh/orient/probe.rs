@@ -1,36 +1,31 @@
-//! Points of a surface, and what the rays from them meet.
+//! Points of a surface, and the triangles that the rays from them cross.
 
-use super::volume::permanent;
-use crate::mesh::Mesh;
+use crate::mesh::polygon_mesh::Mesh;
+use crate::mesh::transform::permanent;
 use crate::num::unit_scale;
 use glam::DVec3;
 
-/// A point whose place is asked for.
+/// A point that may lie in a shell.
 pub(super) struct Probe {
     pub(super) at: DVec3,
-    /// How far the point may lie from where it is meant to lie, along each axis.
+    /// Bound on the error of each coordinate.
     pub(super) blur: f64,
 }
 
-/// Points spread over a surface, coordinates times `scale`: of each face that reaches furthest along an axis and
-/// of six more, evenly spread over the list, one corner and one point inside.
+/// Points spread over a surface, coordinates times `scale`: one corner and one inner point of each face that reaches
+/// furthest along an axis and of six more, evenly spread over the list.
 ///
 /// Corners are exact and reach furthest, but in models on a grid they tend to lie exactly below edges of others;
-/// the points inside hardly ever do.
+/// inner points hardly ever do.
 pub(super) fn probes(mesh: &Mesh, faces: &[u32], scale: f64) -> Vec<Probe> {
     const SPREAD: usize = 6;
-    let place = |vertex: u32| mesh.positions()[vertex as usize];
     let mut chosen: Vec<(u32, u32)> = Vec::with_capacity(12);
-    for axis in 0..3 {
-        for sign in [-1.0, 1.0] {
-            let corners =
-                faces.iter().flat_map(|&f| mesh.faces().face(f as usize).iter().map(move |&v| (f, v)));
-            let furthest = corners.reduce(|best, corner| {
-                let further = sign * place(corner.1)[axis] > sign * place(best.1)[axis];
-                if further { corner } else { best }
-            });
-            chosen.extend(furthest);
-        }
+    for (axis, sign) in (0..3).flat_map(|axis| [(axis, -1.0), (axis, 1.0)]) {
+        let corners = faces.iter().flat_map(|&f| mesh.faces().face(f as usize).iter().map(move |&v| (f, v)));
+        chosen.extend(corners.reduce(|best, corner| {
+            let is_further = sign * mesh.position(corner.1)[axis] > sign * mesh.position(best.1)[axis];
+            if is_further { corner } else { best }
+        }));
     }
     chosen.extend((0..SPREAD).map(|i| {
         let face = faces[i * (faces.len() - 1) / (SPREAD - 1)];
@@ -40,9 +35,9 @@ pub(super) fn probes(mesh: &Mesh, faces: &[u32], scale: f64) -> Vec<Probe> {
     chosen.dedup_by_key(|(face, _)| *face);
     let mut probes = Vec::with_capacity(2 * chosen.len());
     for (face, vertex) in chosen {
-        probes.push(Probe { at: scale * place(vertex), blur: 0.0 });
+        probes.push(Probe { at: scale * mesh.position(vertex), blur: 0.0 });
         let corners = mesh.faces().face(face as usize);
-        let [a, b, c] = [0, 1, 2].map(|corner| scale * place(corners[corner]));
+        let [a, b, c] = [0, 1, 2].map(|corner| scale * mesh.position(corners[corner]));
         // Uneven shares, so that no symmetry of the model puts the point below an edge. Three products and two
         // sums of what is no larger than the largest coordinate.
         let at = 0.6171875 * a + 0.0859375 * b + 0.296875 * c;
@@ -76,7 +71,7 @@ impl Probe {
     }
 }
 
-/// How an edge, given relative to a point and seen from above, winds round the point: 1 if it crosses the half-line
+/// How an edge, given relative to a point and seen from above, winds around the point: 1 if it crosses the half-line
 /// to +x upwards, −1 if downwards. An end on the line of that half-line counts as below it, so that two edges which
 /// meet there cross once or not at all.
 fn winding(from: DVec3, to: DVec3, blur: f64) -> Option<i32> {
@@ -115,7 +110,7 @@ mod tests {
         assert_eq!(probe(0.2, 0.3, 0.0).crossing(A, B, C), Some(1));
         assert_eq!(probe(0.2, 0.3, 0.0).crossing(B, A, C), Some(-1));
         assert_eq!(probe(0.2, 0.3, 2.0).crossing(A, B, C), Some(0), "the triangle is below");
-        assert_eq!(probe(0.8, 0.3, 0.0).crossing(A, B, C), Some(0), "beside it");
+        assert_eq!(probe(0.8, 0.3, 0.0).crossing(A, B, C), Some(0), "next to it");
         assert_eq!(probe(0.2, 0.3, 0.0).crossing(A, B, B), Some(0), "no area");
     }
 

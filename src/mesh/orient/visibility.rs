@@ -1,24 +1,25 @@
-//! Which side of a surface with a rim is its outer one: a vote of points about from where they are seen.
+//! The outer side of a surface with a boundary: a vote of points about the side from which they are visible.
 //!
 //! After K. Takayama, A. Jacobson, L. Kavan, O. Sorkine-Hornung, *A simple method for correcting facet orientations in
-//! polygon meshes based on ray casting*, JCGT 3(4), 2014: rays leave points of the surface on both sides, and the outer
-//! side is the one from which more of them get away. All faces of the mesh are in their way.
+//! polygon meshes based on ray casting*, JCGT 3(4), 2014: rays leave points of the surface on both sides, and more of them
+//! escape on the outer side. All faces of the mesh are obstacles.
 //!
-//! Here each point has one vote, and only if its sides differ clearly: by a quarter of the rays, which leave a point as
-//! light leaves a matte surface (by the cosine). So of a sphere cut open the points vote if a quarter of it or more is
-//! left, since from inside a sphere the share of rays that meet it is its share of the sphere; a sheet that bends a
-//! little does not vote. The confidence is Laplace's rule of succession: that another point would vote as most did.
+//! Here each point has one vote, and only if its sides differ clearly: by a quarter of the rays, which leave a point with
+//! the density of diffuse reflection (by the cosine). So the points of an open sphere vote if a quarter of it or more is
+//! left, since from inside a sphere the share of rays that meet it is its share of the sphere; a gently curved sheet does
+//! not vote. The confidence is Laplace's rule of succession: the probability that another point would vote with the
+//! majority.
 
 use super::components::Components;
-use crate::mesh::Mesh;
-use crate::mesh::Obstacles;
+use crate::mesh::obstacles::Obstacles;
+use crate::mesh::polygon_mesh::Mesh;
 use glam::DVec3;
 use rayon::prelude::*;
 
-/// Points of each component that are asked; fewer if there are very many components.
+/// Points of each component; fewer if there are very many components.
 const POINTS: usize = 64;
 
-/// The fewest points that are worth asking: nine that agree are more than 0.9 sure.
+/// The fewest points of a component: nine that agree have a confidence above 0.9.
 const FEWEST: usize = 16;
 
 /// Rays that leave each side of a point.
@@ -27,22 +28,22 @@ const RAYS: usize = 32;
 /// The share of rays by which the sides have to differ.
 const CLEAR: f64 = 0.25;
 
-/// Points of all components together: the components with most faces are asked, others stay undecided.
+/// Points of all components together: the components with most faces vote, others stay undecided.
 const MOST_POINTS: usize = 1 << 12;
 
-/// Boxes and faces that all rays together may look at, shared out evenly; but at least so many for each.
+/// Boxes and faces that all rays together may visit, shared evenly; but at least so many for each.
 const STEPS: (usize, usize) = (1 << 28, 1024);
 
-/// What the points of a component say.
+/// The vote of a component's points.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Vote {
     /// Whether the outer side is where the normal of its lowest face points.
     pub(super) outward: bool,
-    /// How sure that is: 1/2 for a tie or no vote, towards 1 as more points agree.
+    /// 1/2 for a tie or no vote, towards 1 as more points agree.
     pub(super) confidence: f64,
 }
 
-/// Asks the points of some components; one vote for each, in their order.
+/// The votes of some components, in their order.
 pub(super) fn votes(mesh: &Mesh, components: &Components, open: &[usize]) -> Vec<Vote> {
     let undecided = Vote { outward: true, confidence: 0.5 };
     let mut votes = vec![undecided; open.len()];
@@ -55,27 +56,26 @@ pub(super) fn votes(mesh: &Mesh, components: &Components, open: &[usize]) -> Vec
     largest.truncate(MOST_POINTS / points);
     let obstacles = Obstacles::new(mesh);
     let rays = largest.len() * points * 2 * RAYS;
-    let booth = Booth { mesh, obstacles, directions: directions(), budget: (STEPS.0 / rays).max(STEPS.1) };
+    let poll = Poll { obstacles, directions: directions(), budget: (STEPS.0 / rays).max(STEPS.1) };
     let reported: Vec<(usize, Vote)> = largest
         .into_par_iter()
-        .map(|i| (i, booth.vote(components.faces(open[i]), components.against(), points)))
+        .map(|i| (i, poll.vote(components.faces(open[i]), components.against(), points)))
         .collect();
     reported.into_iter().for_each(|(i, vote)| votes[i] = vote);
     votes
 }
 
-/// Where votes are taken.
-struct Booth<'a> {
-    mesh: &'a Mesh,
+/// The means to take votes.
+struct Poll<'a> {
     obstacles: Obstacles<'a>,
     /// Directions about +z, by the cosine.
     directions: Vec<DVec3>,
-    /// Boxes and faces that each ray may look at.
+    /// Boxes and faces that each ray may visit.
     budget: usize,
 }
 
-impl Booth<'_> {
-    /// Asks points that are spread evenly over the area of a component.
+impl Poll<'_> {
+    /// The vote of points that are spread evenly over the area of a component.
     fn vote(&self, faces: &[u32], against: &[bool], points: usize) -> Vote {
         let mut sums: Vec<f64> = Vec::with_capacity(faces.len());
         let mut sum = 0.0;
@@ -98,23 +98,17 @@ impl Booth<'_> {
 
     /// Twice the vector area of a face.
     fn vector_area(&self, face: u32) -> DVec3 {
-        self.triangles(face).map(|[a, b, c]| (b - a).cross(c - a)).sum()
+        self.obstacles.triangles(face).map(|[a, b, c]| (b - a).cross(c - a)).sum()
     }
 
-    fn triangles(&self, face: u32) -> impl Iterator<Item = [DVec3; 3]> {
-        let corners = self.mesh.faces().face(face as usize);
-        let place = |vertex: u32| self.obstacles.place(vertex);
-        corners[1..].windows(2).map(move |edge| [place(corners[0]), place(edge[0]), place(edge[1])])
-    }
-
-    /// How many more rays get away from the front of a face than from its back, as a share; `None` if the face has no
+    /// How many more rays escape from the front of a face than from its back, as a share; `None` if the face has no
     /// direction, or the rays cost too much.
     fn difference(&self, face: u32, point: usize) -> Option<f64> {
         let normal = self.vector_area(face).try_normalize()?;
         let area =
             |triangle: &[DVec3; 3]| (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).length();
-        let mut widest = self.triangles(face).max_by(|a, b| area(a).total_cmp(&area(b)))?;
-        // The same point whichever way round the face goes, so that a mesh that was turned round votes alike.
+        let mut widest = self.obstacles.triangles(face).max_by(|a, b| area(a).total_cmp(&area(b)))?;
+        // The same point for both orientations of the face, so that a reversed mesh votes alike.
         widest.sort_by(|a, b| a.to_array().partial_cmp(&b.to_array()).unwrap_or(std::cmp::Ordering::Equal));
         let from = 0.5 * widest[0] + 0.3125 * widest[1] + 0.1875 * widest[2];
         let up = if normal.to_array() > [0.0; 3] { normal } else { -normal };
@@ -132,7 +126,7 @@ impl Booth<'_> {
     }
 }
 
-/// Directions as light leaves a matte surface: points spread evenly over a disc (H. Vogel, *A better way to construct
+/// Directions with the density of diffuse reflection: points spread evenly over a disc (H. Vogel, *A better way to construct
 /// the sunflower head*, 1979), raised to the hemisphere.
 fn directions() -> Vec<DVec3> {
     let direction = |i: usize| {
@@ -169,8 +163,8 @@ mod tests {
         MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap()
     }
 
-    fn booth(mesh: &Mesh) -> Booth<'_> {
-        Booth { mesh, obstacles: Obstacles::new(mesh), directions: directions(), budget: 10_000 }
+    fn poll(mesh: &Mesh) -> Poll<'_> {
+        Poll { obstacles: Obstacles::new(mesh), directions: directions(), budget: 10_000 }
     }
 
     /// Seen from any point inside a sphere, by the cosine, each part of it takes up its share of the sphere.
@@ -178,10 +172,10 @@ mod tests {
     fn within_a_sphere_rays_meet_its_share() {
         for height in [-0.9, -0.5, 0.0, 0.5] {
             let mesh = cap(height);
-            let booth = booth(&mesh);
+            let poll = poll(&mesh);
             let share = 0.5 * (1.0 - height);
             for face in (0..mesh.face_count() as u32).step_by(37) {
-                let difference = booth.difference(face, face as usize).unwrap();
+                let difference = poll.difference(face, face as usize).unwrap();
                 // Two of 32 rays lie on the wrong side of the rim at most, or of the facets that stand in for it.
                 assert!(
                     (difference - share).abs() <= 2.5 / RAYS as f64,
@@ -206,7 +200,7 @@ mod tests {
     #[test]
     fn what_costs_too_much_has_no_vote() {
         let mesh = cap(0.0);
-        let booth = Booth { budget: 1, ..booth(&mesh) };
-        assert_eq!(booth.difference(7, 0), None);
+        let poll = Poll { budget: 1, ..poll(&mesh) };
+        assert_eq!(poll.difference(7, 0), None);
     }
 }

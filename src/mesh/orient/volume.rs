@@ -1,36 +1,36 @@
-//! Which way a closed surface faces: the sign of its volume.
+//! Whether a closed surface faces outwards: the sign of its volume.
 
-use crate::mesh::Mesh;
 use crate::mesh::box_tree::Bounds;
+use crate::mesh::polygon_mesh::Mesh;
+use crate::mesh::transform::permanent;
 use crate::num::{CompensatedSum, unit_scale};
 use glam::DVec3;
 use rayon::prelude::*;
 
-/// Whether a closed component faces outwards, once its faces agree with its lowest one; `None` if its volume is
-/// not above the error of computing it, as that of a flat one is not, or above what depends on how its polygons are cut into
-/// triangles where their corners are in no plane, as that of a sheet with two sides.
+/// Whether a closed component faces outwards, once its faces agree with its lowest one. `None` if the volume is not above
+/// its rounding error (a flat component), or not above the part that depends on how non-planar polygons are triangulated
+/// (a sheet with two sides).
 ///
-/// The volume is the sum of the tetrahedra between the faces and the middle of the component's own box, so that
-/// distance from the origin costs nothing, and in units of the box's own size, so that any size will do.
+/// The volume is the sum of the tetrahedra between the faces and the middle of the component's box, in units of the box's
+/// size, so that neither size nor distance from the origin matters.
 pub(super) fn faces_outward(mesh: &Mesh, faces: &[u32], against: &[bool], bounds: Bounds) -> Option<bool> {
-    /// Long enough to be worth a task; fixed, so that partial sums do not depend on the number of threads.
+    /// Faces of a task; fixed, so that partial sums do not depend on the number of threads.
     const BLOCK: usize = 1 << 13;
     let middle = bounds.middle();
     let scale = unit_scale((bounds.high - middle).max(middle - bounds.low).max_element());
-    let place = |vertex: u32| (mesh.positions()[vertex as usize] - middle) * scale;
+    let place = |vertex: u32| (mesh.position(vertex) - middle) * scale;
     let sums: Vec<Sums> = faces
         .par_chunks(BLOCK)
         .map(|block| {
             let mut sums = Sums::default();
             for &face in block {
                 let sign = if against[face as usize] { -1.0 } else { 1.0 };
-                let corners = mesh.faces().face(face as usize);
-                let first = place(corners[0]);
-                for edge in corners[1..].windows(2) {
-                    sums.add_triangle(first, place(edge[0]), place(edge[1]), sign);
+                for triangle in mesh.faces().fan(face) {
+                    sums.add_triangle(triangle.map(place), sign);
                 }
+                let corners = mesh.faces().face(face as usize);
                 for quad in corners[1..].windows(3) {
-                    sums.add_quad([first, place(quad[0]), place(quad[1]), place(quad[2])]);
+                    sums.add_quad([corners[0], quad[0], quad[1], quad[2]].map(place));
                 }
             }
             sums
@@ -48,14 +48,14 @@ struct Sums {
     volume: CompensatedSum,
     /// Twice the vector area: zero for a surface without gaps.
     area: [CompensatedSum; 3],
-    /// Six times the volume with all products counted as positive: what rounding errors are in proportion to.
+    /// Six times the volume with all products counted as positive; rounding errors are proportional to it.
     magnitude: f64,
     /// Six times the volume between both ways to cut polygons along a diagonal.
     between_cuts: f64,
 }
 
 impl Sums {
-    fn add_triangle(&mut self, a: DVec3, b: DVec3, c: DVec3, sign: f64) {
+    fn add_triangle(&mut self, [a, b, c]: [DVec3; 3], sign: f64) {
         self.volume += sign * a.dot(b.cross(c));
         let area = sign * (b - a).cross(c - a);
         self.area.iter_mut().zip(area.to_array()).for_each(|(sum, term)| *sum += term);
@@ -76,16 +76,10 @@ impl Sums {
     fn sign(&self) -> Option<bool> {
         // Three rounded differences, two products and three sums: 8 roundings of ε/2 to first order; twice that.
         let rounding = 8.0 * f64::EPSILON * self.magnitude;
-        // Where edges meet only within the welding distance, the volume depends on the point that it is taken
-        // about, and that could as well be any other of the box, which is less than 2 wide.
+        // If edges meet only within the welding distance, the volume depends on the reference point, which could be
+        // any other of the box, which is less than 2 wide.
         let gaps = 2.0 * 3f64.sqrt() * DVec3::from(self.area.map(CompensatedSum::value)).length();
         let volume = self.volume.value();
         (volume.abs() > rounding + gaps + self.between_cuts).then_some(volume > 0.0)
     }
-}
-
-/// The determinant of three rows with every product counted as positive.
-pub(super) fn permanent(a: DVec3, b: DVec3, c: DVec3) -> f64 {
-    let (a, b, c) = (a.abs(), b.abs(), c.abs());
-    a.x * (b.y * c.z + b.z * c.y) + a.y * (b.z * c.x + b.x * c.z) + a.z * (b.x * c.y + b.y * c.x)
 }

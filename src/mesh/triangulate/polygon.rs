@@ -10,37 +10,34 @@ type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>, (), (), (), spade::Hier
 type Edge<'a> = DirectedEdgeHandle<'a, Point2<f64>, (), spade::CdtEdge<()>, ()>;
 type Face<'a> = FaceHandle<'a, PossiblyOuterTag, Point2<f64>, (), spade::CdtEdge<()>, ()>;
 
-/// How much work polygons may make beyond n log n. An edge of the polygon that crosses `c` edges of the Delaunay
-/// triangulation of its corners costs `c²`: there are few of these in a polygon that anyone has drawn, but a bundle
-/// of thousands of needles can be made to cost hours.
-pub(super) struct Budget {
-    squared_crossings: u64,
-}
+/// Limit of the work beyond n log n. An edge of the polygon that crosses `c` edges of the Delaunay triangulation of its
+/// corners costs `c²`: there are few of these in an authored polygon, but a bundle of thousands of slivers may cost hours.
+pub(super) struct Budget(u64);
 
 impl Budget {
-    /// What a polygon of so many corners may spend.
+    /// The limit of a polygon of so many corners.
     pub(super) fn own(corners: usize) -> Self {
-        Self { squared_crossings: 64 * corners as u64 }
+        Self(64 * corners as u64)
     }
 
-    /// What all that need more than their own may spend together: about a second.
+    /// The limit of all polygons together that exceed their own: about a second.
     pub(super) fn common() -> Self {
-        Self { squared_crossings: 1 << 25 }
+        Self(1 << 25)
     }
 
     fn spend(&mut self, crossings: usize) -> Result<(), Unfit> {
         let squared = (crossings as u64).saturating_mul(crossings as u64);
-        self.squared_crossings = self.squared_crossings.checked_sub(squared).ok_or(Unfit::OverBudget)?;
+        self.0 = self.0.checked_sub(squared).ok_or(Unfit::OverBudget)?;
         Ok(())
     }
 }
 
-/// Why a polygon is not cut.
+/// Why a polygon is not triangulated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Unfit {
     /// Its projection has no area, crosses itself, or touches itself with a corner inside an edge.
     Shape,
-    /// It costs more than it may.
+    /// It exceeds its budget.
     OverBudget,
 }
 
@@ -55,7 +52,7 @@ pub(super) fn cut(points: &[DVec3], budget: &mut Budget) -> Result<Vec<[u32; 3]>
     if triangles.len() == points.len() - 2 { Ok(triangles) } else { Err(Unfit::Shape) }
 }
 
-/// Coordinates on the polygon's own plane, on which it runs counter-clockwise.
+/// Coordinates in the polygon's plane, in which it is counter-clockwise.
 fn project(points: &[DVec3]) -> Option<Vec<DVec2>> {
     let normal: DVec3 = points[1..].windows(2).map(|pair| pair[0].cross(pair[1])).sum();
     let normal = normal.try_normalize()?;
@@ -65,14 +62,14 @@ fn project(points: &[DVec3]) -> Option<Vec<DVec2>> {
     let v = normal.cross(u);
     let flatten = |p: &DVec3| {
         let point = spade::mitigate_underflow(Point2::new(p.dot(u), p.dot(v)));
-        // −0 and 0 are one place.
+        // −0 and 0 are equal.
         DVec2::new(point.x + 0.0, point.y + 0.0)
     };
     Some(points.iter().map(flatten).collect())
 }
 
-/// Cuts off the corners that coincide with the next one and those whose two neighbours coincide (there and
-/// back again), as triangles without area. Returns these and the corners that remain.
+/// Cuts off the corners that coincide with the next one and those whose two neighbours coincide, as triangles without
+/// area. Returns these and the remaining corners.
 fn clip_empty_ears(flat: &[DVec2]) -> (Vec<[u32; 3]>, Vec<u32>) {
     let mut triangles = Vec::new();
     let mut ring: Vec<u32> = Vec::with_capacity(flat.len());
@@ -110,7 +107,7 @@ struct Ring<'a> {
     /// The distinct point of each.
     point_of: Vec<u32>,
     points: Vec<Point2<f64>>,
-    /// Which place of the ring a directed edge between distinct points starts from.
+    /// The position in the ring from which a directed edge between distinct points starts.
     edges: FxHashMap<(u32, u32), u32>,
 }
 
@@ -133,8 +130,8 @@ impl<'a> Ring<'a> {
         ring
     }
 
-    /// Numbers the points in the order in which they are inserted: a large triangle first, then at random. Then no
-    /// arrangement of corners (all but one on a line, on a circle, on a parabola) costs more than n log n.
+    /// Numbers the points in the order of their insertion: a large triangle first, then at random. Then no arrangement of
+    /// corners (all but one on a line, on a circle, on a parabola) costs more than n log n.
     fn shuffle(&mut self) {
         let count = self.points.len();
         let mut order = random_order(count);
@@ -164,7 +161,7 @@ impl<'a> Ring<'a> {
         let count = self.corners.len();
         for place in 0..count {
             let edge = (self.point_of[place], self.point_of[(place + 1) % count]);
-            // An edge that is run through twice in one direction bounds a region that is covered twice.
+            // An edge that occurs twice in one direction bounds a region that is covered twice.
             if self.edges.insert(edge, place as u32).is_some() {
                 return Err(Unfit::Shape);
             }
@@ -182,7 +179,7 @@ impl<'a> Ring<'a> {
             }
         }
         let count = self.corners.len();
-        // At random again, because an edge that divides a bundle of edges shortens the way of the others.
+        // Also at random, because an edge that divides a bundle of edges shortens the others.
         for place in random_order(count) {
             let place = place as usize;
             let [from, to] = [self.point_of[place], self.point_of[(place + 1) % count]]
@@ -202,18 +199,17 @@ impl<'a> Ring<'a> {
         self.edges.get(&(edge.from().index() as u32, edge.to().index() as u32)).copied()
     }
 
-    /// Which faces the polygon winds round once; `None` if there is one that it winds round otherwise, or if one
-    /// of its edges is not an edge of the triangulation (it runs through another corner).
+    /// Which faces have winding number 1; `None` if a face has another one except 0, or if one of the polygon's edges is
+    /// not an edge of the triangulation (it runs through another corner).
     ///
-    /// The winding number, unlike the parity of crossings, tells a hole from a loop that overlaps.
+    /// The winding number, unlike the parity of crossings, distinguishes a hole from a loop that overlaps.
     fn inside(&self, cdt: &Cdt) -> Option<Vec<bool>> {
         if cdt.directed_edges().filter(|&edge| self.place(edge).is_some()).count() != self.corners.len() {
             return None;
         }
-        let mut sides: Vec<Vec<Edge<'_>>> = Vec::new();
-        sides.push(
-            cdt.convex_hull().map(|edge| if edge.face().is_outer() { edge } else { edge.rev() }).collect(),
-        );
+        let outer = |edge: Edge<'_>| edge.face().is_outer();
+        let mut sides: Vec<Vec<Edge<'_>>> =
+            vec![cdt.convex_hull().map(|edge| if outer(edge) { edge } else { edge.rev() }).collect()];
         let mut winding: Vec<Option<i32>> = vec![None; cdt.num_all_faces()];
         winding[cdt.outer_face().index()] = Some(0);
         while let Some(edges) = sides.pop() {
@@ -236,8 +232,8 @@ impl<'a> Ring<'a> {
         Some(winding.into_iter().map(|winding| winding == Some(1)).collect())
     }
 
-    /// The triangles inside, as corners. Where several corners are at one point, each owns the sector from the
-    /// edge that leaves it round to the edge that comes to it.
+    /// The triangles inside, as corners. If several corners coincide, each owns the sector from the edge that leaves it
+    /// around to the edge that arrives.
     fn label(&self, cdt: &Cdt, inside: &[bool]) -> Option<Vec<[u32; 3]>> {
         const UNKNOWN: u32 = u32::MAX;
         let mut corner_of_edge = vec![UNKNOWN; cdt.num_directed_edges()];
@@ -269,7 +265,7 @@ fn random_order(count: usize) -> Vec<u32> {
     let mut order: Vec<u32> = (0..count as u32).collect();
     let mut state = 0x9e37_79b9_7f4a_7c15_u64;
     for k in (1..count).rev() {
-        // Knuth's MMIX generator; its high bits are the good ones.
+        // Knuth's MMIX generator; only its high bits are random enough.
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         order.swap(k, (state >> 33) as usize % (k + 1));
     }

@@ -1,24 +1,20 @@
 //! The diagonal of a quad.
 
-use super::normalise;
 use glam::DVec3;
 
 /// Sums of angles and squared lengths that agree to this, relative to π and to themselves, are equal: it is what
-/// rounding to `f32` can do to the corners of a turned rectangle of ordinary size.
+/// rounding to `f32` can do to the corners of a rotated rectangle of ordinary size.
 const TIE: f64 = 1.0 / (1 << 20) as f64;
 
 /// The corner whose position comes first in lexicographic order.
-fn lowest(points: &[DVec3]) -> usize {
+pub(super) fn lowest(points: &[DVec3]) -> usize {
     let before = |a: DVec3, b: DVec3| a.to_array() < b.to_array();
     (1..points.len()).fold(0, |low, k| if before(points[k], points[low]) { k } else { low })
 }
 
-/// The two triangles of a quad, `None` if it has no area or crosses itself.
-pub(super) fn cut(points: &mut [DVec3]) -> Option<[[u32; 3]; 2]> {
-    // The order is that of the stored positions: subtraction may round two apart into one.
-    let lowest = lowest(points);
-    let &[p0, p1, p2, p3] = normalise(points) else { return None };
-    let p = [p0, p1, p2, p3];
+/// The two triangles of a quad whose `lowest` corner decides ties; `None` if it has no area or crosses itself.
+pub(super) fn cut(points: &[DVec3], lowest: usize) -> Option<[[u32; 3]; 2]> {
+    let p: [DVec3; 4] = points.try_into().ok()?;
     let normal = (p[2] - p[0]).cross(p[3] - p[1]);
     // A diagonal leaves the two triangles (k−1, k, k+1) at the corners k that it does not touch.
     let around = [0, 1, 2, 3].map(|k: usize| {
@@ -54,10 +50,10 @@ pub(super) fn cut(points: &mut [DVec3]) -> Option<[[u32; 3]; 2]> {
     Some(if even_wins { [[0, 1, 2], [0, 2, 3]] } else { [[0, 1, 3], [1, 2, 3]] })
 }
 
-/// What a diagonal makes of a quad, from bad to good.
+/// The quality of a diagonal, from bad to good.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Soundness {
-    /// A triangle is turned over, or neither has area.
+    /// A triangle is inverted, or neither has area.
     Folded,
     /// One triangle has no area.
     Degenerate,

@@ -1,18 +1,17 @@
-//! Grids of parameters.
+//! Grids of parameters, and joining the grids of neighbouring patches.
 
-use crate::surface::error::SurfaceError;
-use crate::surface::meshing::hash::{GridHash, cuts_upwards};
+use crate::mesh::DisjointSets;
+use crate::surface::error::{MOST_CELLS, SurfaceError, check_count};
+use crate::surface::meshing::hash::GridHash;
 use crate::surface::meshing::net::{Net, sample};
-use crate::surface::meshing::tessellation::{MOST_CELLS, Pattern, Tessellation};
+use crate::surface::meshing::pattern::{Pattern, Tessellation};
+use crate::surface::shapes::bezier::BezierPatch;
 use crate::surface::shapes::chart::{Chart, Parametric, Sample};
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
 /// Grids on charts, one after the other, not joined.
-pub(in crate::surface) fn net(
-    charts: &[&dyn Parametric],
-    tessellation: &Tessellation,
-) -> Result<Net, SurfaceError> {
+pub(crate) fn net(charts: &[&dyn Parametric], tessellation: &Tessellation) -> Result<Net, SurfaceError> {
     let mut net = Net::default();
     for (part, chart) in charts.iter().enumerate() {
         let grid = Grid::new(chart.chart(), tessellation, part as u32);
@@ -43,16 +42,16 @@ struct Corner {
 
 /// A grid over one chart. Vertex (i, j) is at u = i / segments, v = j / segments but for jitter; cell (i, j) has it at
 /// its lower left.
-pub(in crate::surface) struct Grid {
+struct Grid {
     chart: Chart,
-    pub(in crate::surface) segments: [u32; 2],
+    segments: [u32; 2],
     jitter: f64,
     pattern: Pattern,
     hash: GridHash,
 }
 
 impl Grid {
-    pub(in crate::surface) fn new(chart: Chart, tessellation: &Tessellation, part: u32) -> Self {
+    fn new(chart: Chart, tessellation: &Tessellation, part: u32) -> Self {
         let Tessellation { pattern, segments, jitter, seed, .. } = *tessellation;
         let segments = match pattern {
             Pattern::Stretched(ratio) => {
@@ -69,18 +68,9 @@ impl Grid {
         let [u, v] = self.segments.map(u64::from);
         let Chart { wraps_u, wraps_v, pole_low, pole_high } = self.chart;
         let least = |wraps, poles| if wraps { 3 } else { 1 + u64::from(poles) };
-        let limits = [
-            ("segments round", u, least(wraps_u, false)),
-            ("segments along", v, least(wraps_v, pole_low && pole_high)),
-        ];
-        if let Some(&(what, found, limit)) = limits.iter().find(|(_, found, least)| found < least) {
-            return Err(SurfaceError::Segments { what, found, limit });
-        }
-        let cells = u.saturating_mul(v).saturating_mul(charts);
-        if cells > MOST_CELLS {
-            return Err(SurfaceError::Segments { what: "cells", found: cells, limit: MOST_CELLS });
-        }
-        Ok(())
+        check_count("segments round", u, least(wraps_u, false)..=u64::MAX)?;
+        check_count("segments along", v, least(wraps_v, pole_low && pole_high)..=u64::MAX)?;
+        check_count("cells", u.saturating_mul(v).saturating_mul(charts), 0..=MOST_CELLS)
     }
 
     /// Columns of vertices.
@@ -101,14 +91,14 @@ impl Grid {
     }
 
     /// How many vertices there are.
-    pub(in crate::surface) fn vertex_count(&self) -> u32 {
+    fn vertex_count(&self) -> u32 {
         let last_row = self.segments[1] - u32::from(self.chart.wraps_v);
         let last_column = self.columns() - 1;
         self.vertex(last_column, last_row) + 1
     }
 
     /// The number of the vertex at a place.
-    pub(in crate::surface) fn vertex(&self, i: u32, j: u32) -> u32 {
+    fn vertex(&self, i: u32, j: u32) -> u32 {
         let i = if self.is_pole(j) { 0 } else { i % self.columns() };
         let j = if self.chart.wraps_v { j % self.segments[1] } else { j };
         match j {
@@ -154,7 +144,7 @@ impl Grid {
             face(&[a, b, self.pole(i, j + 1)]);
         } else if self.pattern == Pattern::Quads {
             face(&[a, b, c, d]);
-        } else if self.jitter == 0.0 || cuts_upwards(self.hash, i, j) {
+        } else if self.jitter == 0.0 || self.hash.at(i, j, 3) >= 0.5 {
             face(&[a, b, c]);
             face(&[a, c, d]);
         } else {
@@ -162,4 +152,56 @@ impl Grid {
             face(&[b, c, d]);
         }
     }
+}
+
+/// Merges the vertices that two patches have at the same position of a common side: sides with the same four control points,
+/// in either direction. Patches that merely touch stay separate. The vertex of the first patch remains; where patches meet
+/// smoothly, as those of the teapot do, its normal is that of all.
+pub(crate) fn join(net: &mut Net, patches: &[BezierPatch], tessellation: &Tessellation) {
+    if patches.len() < 2 {
+        return;
+    }
+    let sides = sides(patches, tessellation);
+    let mut sets = DisjointSets::new(net.samples.len());
+    for (number, (points, vertices)) in sides.iter().enumerate() {
+        let reversed = [points[3], points[2], points[1], points[0]];
+        for (others, theirs) in &sides[number + 1..] {
+            if others == points {
+                vertices.iter().zip(theirs).for_each(|(&a, &b)| sets.union(a, b));
+            } else if *others == reversed {
+                vertices.iter().zip(theirs.iter().rev()).for_each(|(&a, &b)| sets.union(a, b));
+            }
+        }
+    }
+    // The lowest of each set stays, so numbers only move down.
+    let mut number = Vec::with_capacity(net.samples.len());
+    let mut kept = Vec::with_capacity(net.samples.len());
+    for vertex in 0..net.samples.len() as u32 {
+        let lowest = sets.find(vertex);
+        if lowest == vertex {
+            number.push(kept.len() as u32);
+            kept.push(net.samples[vertex as usize]);
+        } else {
+            number.push(number[lowest as usize]);
+        }
+    }
+    net.samples = kept;
+    let corners = net.faces.corners().iter().map(|&vertex| number[vertex as usize]).collect();
+    net.faces = net.faces.with_corners(corners);
+}
+
+/// Every side of every patch that is longer than a point: its control points and its vertices.
+fn sides(patches: &[BezierPatch], tessellation: &Tessellation) -> Vec<([DVec3; 4], Vec<u32>)> {
+    let mut sides = Vec::with_capacity(4 * patches.len());
+    let mut base = 0;
+    for (part, patch) in patches.iter().enumerate() {
+        let grid = Grid::new(patch.chart(), tessellation, part as u32);
+        let [columns, rows] = grid.segments;
+        let along_u = |j: u32| (0..=columns).map(|i| base + grid.vertex(i, j)).collect::<Vec<_>>();
+        let along_v = |i: u32| (0..=rows).map(|j| base + grid.vertex(i, j)).collect();
+        let vertices = [along_u(0), along_u(rows), along_v(0), along_v(columns)];
+        sides.extend(patch.sides().into_iter().zip(vertices).filter(|(points, _)| *points != [points[0]; 4]));
+        base += grid.vertex_count();
+    }
+    sides
 }

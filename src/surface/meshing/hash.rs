@@ -1,6 +1,6 @@
-//! Reproducible irregularity.
+//! Reproducible random numbers.
 
-/// Numbers in [0, 1) from the place in a grid that they are for: the same on every machine and in any order.
+/// Numbers in [0, 1) by grid position: the same on every machine and in any order.
 ///
 /// With seed 0, the hash of h = (73856093 i) ^ (19349663 j) ^ (83492791 c) mod 2³² (the primes of M. Teschner et al.,
 /// *Optimized spatial hashing*, VMV 2003), mixed by two multiplications and two shifts; another seed changes h before
@@ -30,14 +30,9 @@ impl GridHash {
     }
 
     /// The family for another part of the same surface; part 0 keeps its own.
-    pub(in crate::surface) fn of_part(self, part: u32) -> Self {
+    pub(crate) fn of_part(self, part: u32) -> Self {
         Self { seed: self.seed.wrapping_add(part.wrapping_mul(0x85eb_ca6b)) }
     }
-}
-
-/// Whether a cell is cut from its lower left to its upper right corner; else the other way.
-pub(in crate::surface) fn cuts_upwards(hash: GridHash, i: u32, j: u32) -> bool {
-    hash.at(i, j, 3) >= 0.5
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Subdivided icosahedra.
 
 use crate::mesh::Faces;
-use crate::surface::error::SurfaceError;
+use crate::surface::error::{SurfaceError, check_count};
 use crate::surface::meshing::net::Net;
 use crate::surface::shapes::chart::Sample;
 use crate::surface::shapes::star::StarShaped;
@@ -9,14 +9,11 @@ use glam::DVec3;
 use rustc_hash::FxHashMap;
 
 /// Level 10 has 21 million triangles.
-const HIGHEST: u32 = 10;
+const HIGHEST: u64 = 10;
 
 /// The surface in the directions of an icosahedron whose triangles are cut in four so many times.
-pub(in crate::surface) fn net(surface: &dyn StarShaped, level: u32) -> Result<Net, SurfaceError> {
-    if level > HIGHEST {
-        let (found, limit) = (level.into(), HIGHEST.into());
-        return Err(SurfaceError::Segments { what: "levels of division", found, limit });
-    }
+pub(crate) fn net(surface: &dyn StarShaped, level: u32) -> Result<Net, SurfaceError> {
+    check_count("levels of division", level, 0..=HIGHEST)?;
     let (mut directions, mut triangles) = icosahedron();
     for _ in 0..level {
         triangles = quarter(&mut directions, &triangles);

@@ -1,33 +1,23 @@
-//! Marching tetrahedra: meshes that know nothing of the surface's own lines.
+//! Marching tetrahedra: meshes that are independent of the parameters of the surface.
 
 use crate::mesh::Faces;
-use crate::surface::error::SurfaceError;
+use crate::surface::error::{MOST_CELLS, SurfaceError, check_count};
 use crate::surface::meshing::hash::GridHash;
 use crate::surface::meshing::net::Net;
-use crate::surface::meshing::tessellation::MOST_CELLS;
 use crate::surface::shapes::chart::Sample;
-use crate::surface::shapes::implicit::Implicit;
+use crate::surface::shapes::implicit::{Implicit, Room};
 use glam::{DVec3, UVec3};
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 
-/// The box that a surface fills.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::surface) struct Room {
-    pub(in crate::surface) low: DVec3,
-    pub(in crate::surface) high: DVec3,
-    /// The axes along which the surface ends at the box, open; else it closes within.
-    pub(in crate::surface) ends: [bool; 3],
-}
-
 /// The six tetrahedra of a cube, one for each order in which to go along the axes from its lowest corner to its highest
-/// (H. W. Kuhn 1960). A corner of the cube is named by its bits, x lowest; all run the same way round.
+/// (H. W. Kuhn 1960). A corner of the cube is named by its bits, x lowest; all have the same orientation.
 const TETRAHEDRA: [[usize; 4]; 6] =
     [[0, 1, 3, 7], [0, 2, 6, 7], [0, 4, 5, 7], [0, 5, 1, 7], [0, 3, 2, 7], [0, 6, 4, 7]];
 
 /// The surface within its box, cut by a cubic lattice with so many cells along the longest side. Where the surface closes
 /// within the box the lattice is shifted by a random part of a cell, so that it meets no symmetry.
-pub(in crate::surface) fn net(
+pub(crate) fn net(
     surface: &dyn Implicit,
     room: Room,
     cells: u32,
@@ -40,25 +30,30 @@ pub(in crate::surface) fn net(
         .into_par_iter()
         .map(|index| surface.value(lattice.point(lattice.place(index))) < 0.0)
         .collect();
-    let mut crossings = Crossings::default();
+    // One vertex for each lattice edge that crosses the surface, between a point inside and one outside.
+    let (mut numbers, mut edges) = (FxHashMap::default(), Vec::new());
+    let mut crossing = |a: usize, b: usize| {
+        let edge = if inside[a] { [a, b] } else { [b, a] };
+        *numbers.entry(edge).or_insert_with(|| {
+            edges.push(edge);
+            edges.len() as u32 - 1
+        })
+    };
     let mut triangles: Vec<[u32; 3]> = Vec::new();
     for cell in (0..total).map(|index| lattice.place(index)).filter(|place| place.cmplt(lattice.cells).all())
     {
         let corners: [usize; 8] = std::array::from_fn(|bits| lattice.index(cell + offset(bits)));
-        let is_inside = corners.map(|corner| inside[corner]);
-        if is_inside == [is_inside[0]; 8] {
-            continue;
-        }
-        for tetrahedron in TETRAHEDRA {
-            let mut cross = |a: usize, b: usize| crossings.vertex(corners[a], corners[b], is_inside[a]);
-            cut(tetrahedron, |corner| is_inside[corner], &mut cross, &mut triangles);
+        if corners.iter().any(|&corner| inside[corner] != inside[corners[0]]) {
+            for tetrahedron in TETRAHEDRA {
+                cut(tetrahedron.map(|k| corners[k]), &inside, &mut crossing, &mut triangles);
+            }
         }
     }
     let sample = |&[within, without]: &[usize; 2]| {
         let [within, without] = [within, without].map(|index| lattice.point(lattice.place(index)));
         on_surface(surface, within, without)
     };
-    let samples: Option<Vec<Sample>> = crossings.ends.par_iter().map(sample).collect();
+    let samples: Option<Vec<Sample>> = edges.par_iter().map(sample).collect();
     let reason = "the surface has no normal at a point where the lattice meets it";
     let samples = samples.ok_or(SurfaceError::Pattern { pattern: "marching", reason })?;
     Ok(Net::without_parameters(samples, Faces::triangles(triangles.as_flattened().to_vec())))
@@ -78,9 +73,7 @@ struct Lattice {
 impl Lattice {
     fn new(room: Room, cells: u32, hash: GridHash) -> Result<Self, SurfaceError> {
         const CHANNEL: u32 = 5;
-        if cells == 0 {
-            return Err(SurfaceError::Segments { what: "cells along a side of the box", found: 0, limit: 1 });
-        }
+        check_count("cells along a side of the box", cells, 1..=u64::MAX)?;
         let size = room.high - room.low;
         let edge = size.max_element() / f64::from(cells);
         let (mut origin, mut spacing, mut counts) = (room.low, DVec3::splat(edge), UVec3::ONE);
@@ -96,9 +89,7 @@ impl Lattice {
             };
         }
         let total = counts.to_array().iter().fold(1_u64, |total, &count| total.saturating_mul(count.into()));
-        if total > MOST_CELLS {
-            return Err(SurfaceError::Segments { what: "cells of the box", found: total, limit: MOST_CELLS });
-        }
+        check_count("cells of the box", total, 0..=MOST_CELLS)?;
         Ok(Self { origin, spacing, cells: counts })
     }
 
@@ -120,33 +111,15 @@ impl Lattice {
     }
 }
 
-/// Where lattice edges cross the surface: one vertex each, numbered as they are met.
-#[derive(Default)]
-struct Crossings {
-    number: FxHashMap<[usize; 2], u32>,
-    /// The lattice points inside and outside.
-    ends: Vec<[usize; 2]>,
-}
-
-impl Crossings {
-    fn vertex(&mut self, a: usize, b: usize, a_is_inside: bool) -> u32 {
-        let ends = if a_is_inside { [a, b] } else { [b, a] };
-        *self.number.entry(ends).or_insert_with(|| {
-            self.ends.push(ends);
-            self.ends.len() as u32 - 1
-        })
-    }
-}
-
-/// The triangles within a tetrahedron, facing outside. Even permutations bring the corners that are alone or inside to
-/// the front without turning the tetrahedron inside out.
+/// The triangles within a tetrahedron of lattice points, facing outside. Even permutations bring the corners that are alone
+/// or inside to the front and keep the orientation of the tetrahedron.
 fn cut(
     corners: [usize; 4],
-    inside: impl Fn(usize) -> bool,
-    cross: &mut impl FnMut(usize, usize) -> u32,
+    inside: &[bool],
+    crossing: &mut impl FnMut(usize, usize) -> u32,
     triangles: &mut Vec<[u32; 3]>,
 ) {
-    let mask = (0..4).filter(|&k| inside(corners[k])).fold(0, |mask, k| mask | 1 << k);
+    let mask = (0..4).filter(|&k| inside[corners[k]]).fold(0, |mask, k| mask | 1 << k);
     let [a, b, c, d] = match mask {
         0b0001 | 0b1110 | 0b0011 => [0, 1, 2, 3],
         0b0010 | 0b1101 => [1, 0, 3, 2],
@@ -161,11 +134,11 @@ fn cut(
     }
     .map(|k: usize| corners[k]);
     if (mask as u32).count_ones() == 2 {
-        let [ac, ad, bd, bc] = [cross(a, c), cross(a, d), cross(b, d), cross(b, c)];
+        let [ac, ad, bd, bc] = [crossing(a, c), crossing(a, d), crossing(b, d), crossing(b, c)];
         triangles.extend([[ac, ad, bd], [ac, bd, bc]]);
     } else {
-        let [ab, ac, ad] = [cross(a, b), cross(a, c), cross(a, d)];
-        triangles.push(if inside(a) { [ab, ac, ad] } else { [ab, ad, ac] });
+        let [ab, ac, ad] = [crossing(a, b), crossing(a, c), crossing(a, d)];
+        triangles.push(if inside[a] { [ab, ac, ad] } else { [ab, ad, ac] });
     }
 }
 

@@ -1,20 +1,18 @@
 //! Meshing: tessellations with chosen irregularity.
 
-// Reproducible irregularity.
+// The patterns and their settings.
+pub(super) mod pattern;
+// Reproducible random numbers.
 pub(super) mod hash;
-// Faces over samples of a surface.
+// Faces over samples of a surface, and their dual.
 pub(super) mod net;
-// Grids of parameters.
+// Grids of parameters, and their joints.
 pub(super) mod grid;
-// Joined grids of neighbouring patches.
-pub(super) mod patches;
-// The dual of a triangle mesh.
-pub(super) mod dual;
 // Subdivided icosahedra.
 pub(super) mod icosphere;
 // Marching tetrahedra.
 pub(super) mod marching;
 // Delaunay triangulations of scattered points.
 pub(super) mod scattered;
-// Meshes of surfaces, of good and bad shape.
+// Surfaces as meshes, by any pattern.
 pub(super) mod tessellation;

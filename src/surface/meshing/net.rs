@@ -1,47 +1,48 @@
-//! Faces over samples of a surface: what tessellators make and meshes are made of.
+//! Faces over samples of a surface: the result of each pattern, from which meshes are made; and their dual.
 
-use crate::mesh::Faces;
+use crate::mesh::{Faces, Topology};
 use crate::surface::error::SurfaceError;
 use crate::surface::shapes::chart::{Parametric, Sample};
 use glam::DVec2;
+use rayon::prelude::*;
 
 /// Faces over samples of a surface.
 #[derive(Default)]
-pub(in crate::surface) struct Net {
-    pub(in crate::surface) samples: Vec<Sample>,
-    pub(in crate::surface) faces: Faces,
-    /// The parameters of each corner, those of one face close together also where a chart wraps; empty if the surface
-    /// was not sampled by parameters.
-    pub(in crate::surface) corner_parameters: Vec<DVec2>,
+pub(crate) struct Net {
+    pub(crate) samples: Vec<Sample>,
+    pub(crate) faces: Faces,
+    /// The parameters of each corner, contiguous within a face also where a chart wraps; empty if the surface was not
+    /// sampled by parameters.
+    pub(crate) corner_parameters: Vec<DVec2>,
     /// The first face of each chart.
-    pub(in crate::surface) first_faces: Vec<usize>,
+    pub(crate) first_faces: Vec<usize>,
 }
 
 impl Net {
-    /// Samples with faces, and nothing that says which parameters corners have.
-    pub(in crate::surface) fn without_parameters(samples: Vec<Sample>, faces: Faces) -> Self {
+    /// Samples and faces whose corners have no parameters.
+    pub(crate) fn without_parameters(samples: Vec<Sample>, faces: Faces) -> Self {
         Self { samples, faces, ..Self::default() }
     }
 
     /// Appends a face.
-    pub(in crate::surface) fn push(&mut self, vertices: &[u32], parameters: impl Iterator<Item = DVec2>) {
+    pub(crate) fn push(&mut self, vertices: &[u32], parameters: impl Iterator<Item = DVec2>) {
         self.faces.push(vertices);
         self.corner_parameters.extend(parameters);
     }
 
     /// The chart that a face lies on.
-    pub(in crate::surface) fn chart_of(&self, face: usize) -> usize {
+    pub(crate) fn chart_of(&self, face: usize) -> usize {
         self.first_faces.partition_point(|&first| first <= face) - 1
     }
 
     /// Mean of the parameters of a face's corners.
-    pub(in crate::surface) fn middle(&self, face: usize) -> DVec2 {
+    pub(crate) fn middle(&self, face: usize) -> DVec2 {
         let corners = &self.corner_parameters[self.faces.range(face)];
         corners.iter().sum::<DVec2>() / corners.len() as f64
     }
 
     /// Mean length of an edge, those that two faces share counted twice.
-    pub(in crate::surface) fn mean_edge(&self) -> f64 {
+    pub(crate) fn mean_edge(&self) -> f64 {
         let place = |vertex: u32| self.samples[vertex as usize].position;
         let round = |face: &[u32]| -> f64 {
             let next = face.iter().cycle().skip(1);
@@ -52,6 +53,59 @@ impl Net {
 }
 
 /// The point of a chart.
-pub(in crate::surface) fn sample(chart: &dyn Parametric, at: DVec2) -> Result<Sample, SurfaceError> {
-    chart.at(at.x, at.y).ok_or(SurfaceError::NoNormal { u: at.x, v: at.y })
+pub(crate) fn sample(chart: &dyn Parametric, at: DVec2) -> Result<Sample, SurfaceError> {
+    sample_at(at, chart.at(at.x, at.y))
+}
+
+/// The sample at these parameters, or an error if the surface has no normal there.
+pub(crate) fn sample_at(at: DVec2, sample: Option<Sample>) -> Result<Sample, SurfaceError> {
+    sample.ok_or(SurfaceError::NoNormal { u: at.x, v: at.y })
+}
+
+/// The dual of a net of triangles: one polygon around each vertex that is not on an open side, with corners above the middles
+/// of the triangles there.
+pub(crate) fn dual(
+    triangles: &Net,
+    sample: impl Fn(usize, DVec2) -> Result<Sample, SurfaceError> + Sync,
+) -> Result<Net, SurfaceError> {
+    let topology = Topology::by_index(&triangles.faces, triangles.samples.len());
+    let mut faces = Faces::with_capacity(triangles.faces.corner_count());
+    let mut ring = Vec::new();
+    // Triangles that are corners of a polygon, numbered in the order of their first use.
+    let (mut number, mut used) = (vec![u32::MAX; triangles.faces.len()], Vec::new());
+    for vertex in 0..triangles.samples.len() as u32 {
+        if !fan(&topology, vertex, &mut ring) {
+            continue;
+        }
+        for face in &mut ring {
+            let number = &mut number[*face as usize];
+            if *number == u32::MAX {
+                *number = used.len() as u32;
+                used.push(*face as usize);
+            }
+            *face = *number;
+        }
+        faces.push(&ring);
+    }
+    let middle = |&face: &usize| (face, triangles.middle(face));
+    let samples: Result<Vec<Sample>, SurfaceError> =
+        used.par_iter().map(middle).map(|(face, at)| sample(face, at)).collect();
+    let samples = samples?;
+    let parameters = faces.corners().iter().map(|&corner| triangles.middle(used[corner as usize])).collect();
+    Ok(Net { samples, faces, corner_parameters: parameters, first_faces: Vec::new() })
+}
+
+/// Collects the faces around a vertex, counter-clockwise; returns whether they close.
+fn fan(topology: &Topology, vertex: u32, ring: &mut Vec<u32>) -> bool {
+    ring.clear();
+    let Some(&first) = topology.corners_at(vertex).first() else { return false };
+    let mut corner = first;
+    loop {
+        ring.push(topology.face_of(corner));
+        match topology.across(topology.previous(corner)) {
+            None => return false,
+            Some(next) if next == first => return true,
+            Some(next) => corner = next,
+        }
+    }
 }

@@ -2,30 +2,20 @@
 
 use crate::mesh::{Faces, Mesh, MeshBuilder};
 use crate::num::unit_scale;
-use crate::surface::error::SurfaceError;
+use crate::surface::error::{MOST_CELLS, SurfaceError, check_count};
 use crate::surface::meshing::hash::GridHash;
-use crate::surface::meshing::net::Net;
-use crate::surface::meshing::tessellation::MOST_CELLS;
+use crate::surface::meshing::net::{Net, sample_at};
 use crate::surface::shapes::chart::Sample;
 use crate::surface::shapes::height::Height;
 use glam::{DVec2, DVec3};
-use spade::{DelaunayTriangulation, HasPosition, Point2, Triangulation};
+use spade::{DelaunayTriangulation, Point2, Triangulation};
 
-/// Points over the rectangle of a height: as many as a grid of so many cells has, evenly on the sides and anywhere
+/// Points over the rectangle of a height: as many as a grid of so many cells has, evenly spaced on the sides and random
 /// within.
-pub(in crate::surface) fn net(
-    surface: &dyn Height,
-    segments: [u32; 2],
-    hash: GridHash,
-) -> Result<Net, SurfaceError> {
+pub(crate) fn net(surface: &dyn Height, segments: [u32; 2], hash: GridHash) -> Result<Net, SurfaceError> {
     let [columns, rows] = segments;
     let cells = u64::from(columns) * u64::from(rows);
-    if cells == 0 {
-        return Err(SurfaceError::Segments { what: "cells", found: 0, limit: 1 });
-    }
-    if cells > MOST_CELLS {
-        return Err(SurfaceError::Segments { what: "cells", found: cells, limit: MOST_CELLS });
-    }
+    check_count("cells", cells, 1..=MOST_CELLS)?;
     let place = |i: u32, j: u32| {
         let on_side = i == 0 || j == 0 || i == columns || j == rows;
         if on_side {
@@ -37,10 +27,7 @@ pub(in crate::surface) fn net(
     let parameters: Vec<DVec2> =
         (0..=rows).flat_map(|j| (0..=columns).map(move |i| (i, j))).map(|(i, j)| place(i, j)).collect();
     let extent = surface.extent();
-    let above = |at: &DVec2| {
-        let sample = surface.above((*at - 0.5) * extent);
-        sample.ok_or(SurfaceError::NoNormal { u: at.x, v: at.y })
-    };
+    let above = |&at: &DVec2| sample_at(at, surface.above((at - 0.5) * extent));
     let samples: Vec<Sample> = parameters.iter().map(above).collect::<Result<_, _>>()?;
     let triangles = delaunay(&parameters)?;
     let corner_parameters = triangles.as_flattened().iter().map(|&v| parameters[v as usize]).collect();
@@ -49,7 +36,7 @@ pub(in crate::surface) fn net(
 }
 
 /// The surface z = f(x, y) through scattered points, by the Delaunay triangulation of their x and y: triangles that face
-/// +z, over the convex hull of the points. Vertices keep the order of the points. No normals: nothing but the points is
+/// +z, over the convex hull of the points. Vertices keep the order of the points. No normals: only the points are
 /// known.
 ///
 /// ```
@@ -68,10 +55,7 @@ pub fn height_field(points: &[DVec3]) -> Result<Mesh, SurfaceError> {
     if let Some(point) = points.iter().position(|p| !p.is_finite()) {
         return Err(SurfaceError::Scattered { point, reason: "its coordinates are not finite" });
     }
-    let found = points.len() as u64;
-    if found > MOST_CELLS {
-        return Err(SurfaceError::Segments { what: "points", found, limit: MOST_CELLS });
-    }
+    check_count("points", points.len() as u64, 0..=MOST_CELLS)?;
     let places: Vec<DVec2> = points.iter().map(|p| p.truncate()).collect();
     let triangles = delaunay(&places)?;
     let builder = MeshBuilder {
@@ -82,50 +66,28 @@ pub fn height_field(points: &[DVec3]) -> Result<Mesh, SurfaceError> {
     Ok(builder.build().expect("the points are finite and the triangles theirs"))
 }
 
-/// A point that remembers its number.
-struct Site {
-    place: Point2<f64>,
-    number: u32,
-}
-
-impl HasPosition for Site {
-    type Scalar = f64;
-
-    fn position(&self) -> Point2<f64> {
-        self.place
-    }
-}
-
-/// Triangles of points that are all different, counter-clockwise. All coordinates are taken times one power of two to a
-/// size of about 1: the library's predicates are exact only well within the range of numbers.
+/// Triangles of distinct points, counter-clockwise. Coordinates are scaled by a power of two to a size of about 1: the
+/// library's predicates are exact only well within the range of numbers.
 fn delaunay(places: &[DVec2]) -> Result<Vec<[u32; 3]>, SurfaceError> {
     let scale = unit_scale(places.iter().fold(0.0, |most: f64, p| most.max(p.abs().max_element())));
-    let site = |(number, &place): (usize, &DVec2)| {
-        let place = spade::mitigate_underflow(Point2::new(place.x * scale, place.y * scale));
-        Site { place, number: number as u32 }
-    };
-    let sites: Vec<Site> = places.iter().enumerate().map(site).collect();
+    let scaled = |place: &DVec2| spade::mitigate_underflow(Point2::new(place.x * scale, place.y * scale));
+    let sites: Vec<Point2<f64>> = places.iter().map(scaled).collect();
     let mut order: Vec<u32> = (0..places.len() as u32).collect();
-    let key = |k: u32| (sites[k as usize].place.x + 0.0, sites[k as usize].place.y + 0.0);
+    let key = |k: u32| (sites[k as usize].x + 0.0, sites[k as usize].y + 0.0);
     order.sort_by(|&a, &b| key(a).partial_cmp(&key(b)).expect("finite numbers"));
     if let Some(pair) = order.windows(2).find(|pair| key(pair[0]) == key(pair[1])) {
-        let point = pair[0].max(pair[1]) as usize;
-        return Err(SurfaceError::Scattered {
-            point,
-            reason: "another one has the same x and y; leave one out",
-        });
+        let reason = "another one has the same x and y; leave one out";
+        return Err(SurfaceError::Scattered { point: pair[0].max(pair[1]) as usize, reason });
     }
     let none = SurfaceError::Scattered { point: 0, reason: "no three points make a triangle" };
-    let triangulation: DelaunayTriangulation<Site> =
-        Triangulation::bulk_load(sites).map_err(|_| none.clone())?;
-    let corners = |face: spade::handles::FaceHandle<'_, spade::handles::InnerTag, Site, (), (), ()>| {
-        face.vertices().map(|vertex| vertex.data().number)
-    };
-    let mut triangles: Vec<[u32; 3]> = triangulation.inner_faces().map(corners).collect();
+    let triangulation =
+        DelaunayTriangulation::<Point2<f64>>::bulk_load_stable(sites).map_err(|_| none.clone())?;
+    let mut triangles: Vec<[u32; 3]> =
+        triangulation.inner_faces().map(|face| face.vertices().map(|vertex| vertex.index() as u32)).collect();
     if triangles.is_empty() {
         return Err(none);
     }
-    // The order in which the library keeps them is its own affair.
+    // The order must not depend on the library.
     for triangle in &mut triangles {
         let lowest = (0..3).min_by_key(|&k| triangle[k]).unwrap_or(0);
         triangle.rotate_left(lowest);

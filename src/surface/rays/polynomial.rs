@@ -2,7 +2,7 @@
 
 /// Up to four numbers, ascending.
 #[derive(Clone, Copy, Default)]
-pub(in crate::surface) struct Roots {
+pub(crate) struct Roots {
     values: [f64; 4],
     count: usize,
 }
@@ -13,18 +13,18 @@ impl Roots {
         self.count += 1;
     }
 
-    pub(in crate::surface) fn into_iter(self) -> impl Iterator<Item = f64> {
+    pub(crate) fn into_iter(self) -> impl Iterator<Item = f64> {
         self.values.into_iter().take(self.count)
     }
 }
 
-/// The places in [low, high] where a polynomial of degree 1 to 4 changes its sign or is zero at a turning point,
-/// ascending; coefficients from the constant up, the leading one not 0. None if a bound is not a number.
+/// The numbers in [low, high] at which a polynomial of degree 1 to 4 changes its sign or is zero at a turning point,
+/// ascending; coefficients from the constant up, the leading one not 0. No roots if a bound is not a number.
 ///
 /// Between the roots of its derivative a polynomial is monotone and has one root at most, which bracketed Newton
 /// steps find (C. Yuksel, *High-performance polynomial root finding for graphics*, Proc. ACM Comput. Graph. Interact.
 /// Tech. 5(3), 2022). No root is missed or found twice, but for pairs closer than the rounding of the value.
-pub(in crate::surface) fn roots_between(polynomial: &[f64], low: f64, high: f64) -> Roots {
+pub(crate) fn roots_between(polynomial: &[f64], low: f64, high: f64) -> Roots {
     let mut found = Roots::default();
     let degree = polynomial.len() - 1;
     if low.is_nan() || high.is_nan() || degree == 0 {
@@ -52,7 +52,7 @@ pub(in crate::surface) fn roots_between(polynomial: &[f64], low: f64, high: f64)
     found
 }
 
-/// The one root between two places where a monotone polynomial has different signs.
+/// The root between two points, with values of different signs, of a monotone polynomial.
 fn solve(polynomial: &[f64], low: (f64, f64), high: (f64, f64)) -> f64 {
     // Bisection alone needs 53 steps to the last bit of numbers of the bracket's size.
     const MOST_STEPS: usize = 64;

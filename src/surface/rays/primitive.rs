@@ -1,26 +1,21 @@
-//! The surfaces that rays can be cast at, and placing them in a world.
+//! The surfaces that rays can be cast at, and their placement in a world.
 
 use crate::mesh::{NormalMatrix, normal_matrix};
 use crate::num::UnitVec3;
 use crate::surface::error::SurfaceError;
 use crate::surface::rays::ray::{Hit, Ray};
-use crate::surface::shapes::chart::Parametric;
-use crate::surface::shapes::cone::Cone;
-use crate::surface::shapes::cylinder::Cylinder;
-use crate::surface::shapes::ellipsoid::Ellipsoid;
-use crate::surface::shapes::implicit::Implicit;
-use crate::surface::shapes::plane::Plane;
-use crate::surface::shapes::sphere::Sphere;
-use crate::surface::shapes::torus::Torus;
+use crate::surface::shapes::height::Plane;
+use crate::surface::shapes::implicit::{Cast, Implicit, Shape};
+use crate::surface::shapes::revolution::{Cone, Cylinder, Torus};
+use crate::surface::shapes::star::{Ellipsoid, Sphere};
 use glam::{DMat3, DMat4, DVec3};
 
-/// A surface that a ray's first hit is known for.
+/// A surface whose first hit by a ray can be computed.
 ///
 /// # Accuracy
-/// For a surface of size about 1 and a ray whose own coordinates are exact, seen from up to 1e6 away: the hit lies
-/// within 1e-15 of the surface and its normal is the exact one there; `t` puts it where the ray is within a few
-/// roundings of `t` itself plus 1e-15 over the cosine of the angle of incidence. Rays that graze a surface closer than
-/// that may hit it or not.
+/// For a surface of size about 1 and a ray with exact coordinates from up to 1e6 away: the hit lies within 1e-15 of the
+/// surface with the exact normal of that point; the error of `t` is a few roundings plus 1e-15 over the cosine of the angle
+/// of incidence. Rays that graze a surface closer than that may hit it or not.
 ///
 /// ```
 /// use crease::surface::{Primitive, Ray, Torus};
@@ -74,10 +69,10 @@ macro_rules! from {
 from!(Plane, Sphere, Ellipsoid, Cylinder, Cone, Torus);
 
 impl Primitive {
-    /// The first hit of a ray in front of its origin. A ray that starts on the surface may or may not hit it there:
-    /// start it a little way off, on the side that is meant.
+    /// The first hit of a ray in front of its origin, on either side of the surface. A ray that starts on the surface may
+    /// or may not hit it there: start it a little way off, on the intended side.
     pub fn intersect(&self, ray: &Ray) -> Option<Hit> {
-        each!(self, surface => surface.intersect(ray))
+        each!(self, surface => surface.first_hit(ray))
     }
 
     /// Half the sizes of the smallest box about the origin, along the axes, that holds the surface.
@@ -93,26 +88,26 @@ impl Primitive {
         }
     }
 
-    /// The surface by its parameters.
-    pub(in crate::surface) fn parametric(&self) -> &dyn Parametric {
+    /// The surface, whichever it is.
+    pub(crate) fn shape(&self) -> &dyn Shape {
         each!(self, surface => surface)
     }
 }
 
 impl Implicit for Primitive {
     fn value(&self, point: DVec3) -> f64 {
-        each!(self, surface => surface.value(point))
+        self.shape().value(point)
     }
 
     fn normal_at(&self, point: DVec3) -> Option<UnitVec3> {
-        each!(self, surface => surface.normal_at(point))
+        self.shape().normal_at(point)
     }
 }
 
-/// A primitive under an affine map: moved, turned, stretched, sheared or mirrored.
+/// A primitive under an affine map: moved, rotated, stretched, sheared or mirrored.
 ///
-/// Rays go through the inverse map, normals through the inverse transpose. A surface that faces outward does so under a
-/// map that mirrors, too.
+/// Rays are mapped by the inverse, normals by the inverse transpose. Outward surfaces stay outward, also under a mirroring
+/// map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placed {
     primitive: Primitive,
@@ -123,7 +118,7 @@ pub struct Placed {
 }
 
 impl Placed {
-    /// A primitive placed by a matrix, of which the last row is not looked at.
+    /// A primitive placed by a matrix, the last row of which is ignored.
     ///
     /// # Errors
     /// [`SurfaceError::Singular`].

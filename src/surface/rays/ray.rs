@@ -1,4 +1,4 @@
-//! Rays, what they hit, and the lines that they run on.
+//! Rays, their hits, and their lines.
 
 use crate::num::{self, Split, UnitVec3, unit_scale};
 use glam::DVec3;
@@ -8,8 +8,8 @@ const FURTHEST: f64 = 1e90;
 
 /// A half-line: all points origin + t·direction with t > 0.
 ///
-/// The direction may have any length but zero; parameters `t` are in units of it, so that they stay what they are
-/// when a linear map moves ray and surface together.
+/// The direction may have any length but zero; parameters `t` are in units of it, so that they stay unchanged if a linear
+/// map moves ray and surface together.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
     origin: DVec3,
@@ -25,18 +25,18 @@ impl Ray {
             .then_some(Self { origin, direction })
     }
 
-    /// Where it begins.
+    /// The start of the ray.
     pub fn origin(&self) -> DVec3 {
         self.origin
     }
 
-    /// Where it goes, of any length.
+    /// The direction, of any length.
     pub fn direction(&self) -> DVec3 {
         self.direction
     }
 
     /// The ray under a linear map, which keeps the parameters of its points.
-    pub(in crate::surface) fn mapped(&self, map: impl Fn(DVec3) -> DVec3) -> Self {
+    pub(crate) fn mapped(&self, map: impl Fn(DVec3) -> DVec3) -> Self {
         Self { origin: map(self.origin), direction: map(self.direction) }
     }
 
@@ -46,31 +46,28 @@ impl Ray {
     }
 }
 
-/// Where a ray meets a surface first.
+/// The first point at which a ray meets a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
     /// The ray's parameter, above 0.
     pub t: f64,
-    /// The point, moved onto the surface: it satisfies the surface's equation better than
-    /// [`ray.at(t)`](Ray::at) does when the ray starts far away.
+    /// The point, moved onto the surface: it satisfies the surface's equation better than [`ray.at(t)`](Ray::at).
     pub position: DVec3,
-    /// The surface's own normal there: outward, or the front side's; not turned towards the ray.
+    /// The surface's own normal there: outward, or that of the front; not flipped towards the ray.
     pub normal: UnitVec3,
     /// Whether the ray comes from the side that the normal points to.
     pub front: bool,
 }
 
-/// The line that a ray runs on, described from a centre, so that a ray that starts far away loses nothing but what
-/// its own coordinates leave open.
-///
+/// The line of a ray relative to a centre, so that a ray from far away has no other error than that of its coordinates.
 /// Points are foot + s·direction; s is a length.
-pub(in crate::surface) struct Line {
+pub(crate) struct Line {
     /// The point closest to the centre.
-    pub(in crate::surface) foot: DVec3,
+    pub(crate) foot: DVec3,
     /// Of length 1.
-    pub(in crate::surface) direction: DVec3,
+    pub(crate) direction: DVec3,
     /// point × direction for any point of the line: its length is the distance from the centre.
-    pub(in crate::surface) moment: DVec3,
+    pub(crate) moment: DVec3,
     /// The s of the ray's origin.
     start: f64,
     /// Length of the ray's direction.
@@ -80,14 +77,14 @@ pub(in crate::surface) struct Line {
 impl Line {
     /// The line of a ray, seen from a centre.
     ///
-    /// The moment's products cancel where a far ray passes near by; as differences of products its components keep
-    /// a relative error of 2u, and the foot, which is direction × moment, has it from there. (Shifting the origin to
-    /// the foot by adding a multiple of the direction, as in E. Haines et al., *Precision improvements for
-    /// ray/sphere intersection*, Ray Tracing Gems, 2019, leaves an error of u times the distance.)
-    pub(in crate::surface) fn new(ray: &Ray, centre: DVec3) -> Self {
+    /// The moment's products cancel if a far ray passes nearby; as differences of products its components keep a relative
+    /// error of 2u, and so does the foot, direction × moment. (Shifting the origin to the foot by a multiple of the
+    /// direction, as in E. Haines et al., *Precision improvements for ray/sphere intersection*, Ray Tracing Gems, 2019,
+    /// leaves an error of u times the distance.)
+    pub(crate) fn new(ray: &Ray, centre: DVec3) -> Self {
         let origin = ray.origin - centre;
-        // A power of two takes no digit of the direction; dividing it by its length would turn the line a little,
-        // which far away is a shift.
+        // A power of two keeps all digits of the direction; dividing by its length would rotate the line a little, which
+        // far away is a shift.
         let scale = unit_scale(ray.direction.abs().max_element());
         let scaled = ray.direction * scale;
         let (direction, length) = num::direction(scaled);
@@ -102,12 +99,12 @@ impl Line {
     }
 
     /// A point, relative to the centre.
-    pub(in crate::surface) fn at(&self, s: f64) -> DVec3 {
+    pub(crate) fn at(&self, s: f64) -> DVec3 {
         self.foot + self.direction * s
     }
 
     /// The ray's parameter of a point in front of its origin.
-    pub(in crate::surface) fn parameter(&self, s: f64) -> Option<f64> {
+    pub(crate) fn parameter(&self, s: f64) -> Option<f64> {
         let t = (s - self.start) / self.speed;
         (t > 0.0).then_some(t)
     }

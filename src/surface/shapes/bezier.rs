@@ -1,23 +1,24 @@
-//! A bicubic Bézier patch.
+//! Bicubic Bézier patches, and the teapot that is made of 32 of them.
 
 use crate::num::UnitVec3;
-use crate::surface::error::SurfaceError;
+use crate::surface::error::{LENGTHS, SurfaceError};
 use crate::surface::shapes::chart::{Chart, Parametric, Sample};
 use glam::DVec3;
+use std::sync::OnceLock;
 
-/// The patch Σ Bᵢ(v) Bⱼ(u) Pᵢⱼ over four rows of four control points, facing the way of ∂u × ∂v; B are the cubic
+/// The patch Σ Bᵢ(v) Bⱼ(u) Pᵢⱼ over four rows of four control points, facing along ∂u × ∂v; B are the cubic
 /// Bernstein polynomials.
 ///
 /// # Collapsed sides
-/// A side whose four control points are one point has no tangent of its own. Next to the side v = 0, ∂u is v·∂u∂v to
-/// first order, so the direction of ∂u × ∂v tends to ∂u∂v × ∂v: that limit is the normal given there, one for each way of
-/// approach u. Where all approaches agree (the top of the teapot's lid) the surface is smooth.
+/// A side whose four control points coincide has no tangent. Next to the side v = 0, ∂u is v·∂u∂v to first order, so the
+/// direction of ∂u × ∂v tends to ∂u∂v × ∂v: that limit is the normal there, one for each u. If all agree (the top of the
+/// teapot's lid) the surface is smooth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BezierPatch {
     points: [[DVec3; 4]; 4],
 }
 
-/// A sheet bent both ways, of size about 2.
+/// A sheet curved in both directions, of size about 2.
 impl Default for BezierPatch {
     fn default() -> Self {
         const HEIGHTS: [[f64; 4]; 4] =
@@ -34,8 +35,7 @@ impl BezierPatch {
     /// # Errors
     /// [`SurfaceError::ControlPoint`] if a coordinate is not finite or beyond 1e60.
     pub fn new(points: [[DVec3; 4]; 4]) -> Result<Self, SurfaceError> {
-        let largest = *crate::surface::error::LENGTHS.end();
-        let wrong = |p: &DVec3| !(p.is_finite() && p.abs().max_element() <= largest);
+        let wrong = |p: &DVec3| !(p.is_finite() && p.abs().max_element() <= *LENGTHS.end());
         match points.as_flattened().iter().position(wrong) {
             Some(index) => Err(SurfaceError::ControlPoint { row: index / 4, column: index % 4 }),
             None => Ok(Self { points }),
@@ -48,7 +48,7 @@ impl BezierPatch {
     }
 
     /// The control points of a side: v = 0, v = 1, u = 0, u = 1, each in the direction of the parameter that varies.
-    pub(in crate::surface) fn sides(&self) -> [[DVec3; 4]; 4] {
+    pub(crate) fn sides(&self) -> [[DVec3; 4]; 4] {
         let column = |k: usize| self.points.map(|row| row[k]);
         [self.points[0], self.points[3], column(0), column(3)]
     }
@@ -82,11 +82,52 @@ impl Parametric for BezierPatch {
     }
 }
 
-/// The cubic Bézier curve of four points and its derivative. The latter is made of differences of the points, so it keeps
-/// its digits where they lie close together and is exactly zero where they are one point.
+/// The cubic Bézier curve of four points and its derivative. The latter uses differences of the points, so it keeps its
+/// digits if they lie close together and is exactly zero if they coincide.
 fn curve([a, b, c, d]: [DVec3; 4], t: f64) -> (DVec3, DVec3) {
     let s = 1.0 - t;
     let point = a * (s * s * s) + b * (3.0 * s * s * t) + c * (3.0 * s * t * t) + d * (t * t * t);
     let slope = (b - a) * (s * s) + (c - b) * (2.0 * s * t) + (d - c) * (t * t);
     (point, slope * 3.0)
+}
+
+/// The published figures; the file states their source.
+const FIGURES: &str = include_str!("../../../data/teapot.txt");
+
+/// The 32 patches of Newell's teapot, facing outward, with y up, the spout along +x, the bottom at y = 0 and the top of the lid
+/// at y = 3.15: rim 4, body 8, handle 4, spout 4, lid 8, bottom 4.
+///
+/// Four components that intersect but share no edge: the pot, the lid, the handle and the spout. Within each the patches
+/// meet smoothly. Sides are collapsed at the top of the lid and in the middle of the bottom, see [`BezierPatch`].
+pub fn teapot() -> &'static [BezierPatch] {
+    static PATCHES: OnceLock<Vec<BezierPatch>> = OnceLock::new();
+    PATCHES.get_or_init(|| read(FIGURES).expect("the figures that this program was built with are complete"))
+}
+
+/// The patches of the figures, rotated from z up to y up.
+fn read(figures: &str) -> Option<Vec<BezierPatch>> {
+    let lines = figures.lines().filter(|line| !line.starts_with('#'));
+    let mut words = lines.flat_map(str::split_whitespace);
+    let count = heading(&mut words, "points")?;
+    let mut number = || words.next()?.parse::<f64>().ok();
+    let mut point = || {
+        let [x, y, z] = [number()?, number()?, number()?];
+        Some(DVec3::new(x, z, 0.0 - y))
+    };
+    let points = (0..count).map(|_| point()).collect::<Option<Vec<DVec3>>>()?;
+    let count = heading(&mut words, "patches")?;
+    let mut point = || points.get(words.next()?.parse::<usize>().ok()?).copied();
+    let mut patch = || {
+        let mut rows = [[DVec3::ZERO; 4]; 4];
+        for slot in rows.as_flattened_mut() {
+            *slot = point()?;
+        }
+        BezierPatch::new(rows).ok()
+    };
+    (0..count).map(|_| patch()).collect()
+}
+
+/// The count that follows a name.
+fn heading<'a>(words: &mut impl Iterator<Item = &'a str>, name: &str) -> Option<usize> {
+    if words.next()? == name { words.next()?.parse().ok() } else { None }
 }

@@ -29,9 +29,9 @@ pub struct Chart {
 impl Chart {
     /// Four sides, none of which meets itself or another.
     pub const SHEET: Self = Self { wraps_u: false, wraps_v: false, pole_low: false, pole_high: false };
-    /// Closed round the axis, open at both ends.
+    /// Closed around the axis, open at both ends.
     pub const TUBE: Self = Self { wraps_u: true, ..Self::SHEET };
-    /// Closed round the axis and at both ends.
+    /// Closed around the axis and at both ends.
     pub const BALL: Self = Self { pole_low: true, pole_high: true, ..Self::TUBE };
     /// Closed both ways.
     pub const RING: Self = Self { wraps_v: true, ..Self::TUBE };
@@ -49,7 +49,7 @@ pub trait Parametric: Sync {
 
 /// Sine and cosine of a part of a full turn. Quarter turns are exact, whole turns change no bit, and points at the same
 /// place of different octants have the same digits.
-pub(in crate::surface) fn circle(turns: f64) -> (f64, f64) {
+pub(crate) fn circle(turns: f64) -> (f64, f64) {
     let turns = turns - turns.round();
     let quarters = (4.0 * turns).round();
     let (sin, cos) = libm::sincos(TAU * (turns - quarters / 4.0));
@@ -61,11 +61,16 @@ pub(in crate::surface) fn circle(turns: f64) -> (f64, f64) {
     }
 }
 
-/// The point of the unit sphere at a part of a turn round the y axis, counted from +z towards +x, and at a latitude from
-/// the −y pole (0) to the +y pole (1).
-pub(in crate::surface) fn on_sphere(u: f64, v: f64) -> DVec3 {
-    let ((sin, cos), (height, radius)) = (circle(u), circle((v - 0.5) / 2.0));
+/// The point at a part of a full turn on the circle of a radius and a height about the y axis, from +z towards +x.
+pub(crate) fn on_circle(turns: f64, radius: f64, height: f64) -> DVec3 {
+    let (sin, cos) = circle(turns);
     DVec3::new(radius * sin, height, radius * cos)
+}
+
+/// The point of the unit sphere at a part of a full turn and at a latitude from the −y pole (0) to the +y pole (1).
+pub(crate) fn on_sphere(u: f64, v: f64) -> DVec3 {
+    let (height, radius) = circle((v - 0.5) / 2.0);
+    on_circle(u, radius, height)
 }
 
 #[cfg(test)]
@@ -92,7 +97,7 @@ mod tests {
             assert_eq!(circle(turns + 0.25), (cos, -sin));
             assert_eq!(circle(-turns), (-sin, cos));
             assert_eq!(circle(turns + 7.0), (sin, cos));
-            // In the middle of a quarter, the end of two octants, only one of them has a say.
+            // The middle of a quarter is the end of two octants and computed by one of them.
             if i != 32 {
                 assert_eq!(circle(0.25 - turns), (cos, sin));
             }

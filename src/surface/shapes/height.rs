@@ -1,10 +1,10 @@
-//! Heights over a square of the x-y plane.
+//! Heights over a rectangle of the x-y plane: plane, wave, monkey saddle.
 
 use crate::num::UnitVec3;
-use crate::surface::error::{SurfaceError, length};
+use crate::surface::error::{SurfaceError, length, surface_of_lengths};
+use crate::surface::rays::ray::Line;
 use crate::surface::shapes::chart::{Chart, Parametric, Sample};
-use crate::surface::shapes::implicit::Implicit;
-use crate::surface::shapes::plane::Plane;
+use crate::surface::shapes::implicit::{Cast, Implicit};
 use glam::{DVec2, DVec3};
 
 /// A surface z = f(x, y) over a rectangle about the origin, facing +z.
@@ -22,9 +22,38 @@ pub trait Height: Sync {
     }
 }
 
+/// The rectangle z = 0, |x| ≤ width/2, |y| ≤ height/2, whose front is +z. By default 2 × 2.
+///
+/// Points: ((u − ½)·width, (v − ½)·height, 0).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane {
+    size: DVec2,
+}
+
+impl Default for Plane {
+    fn default() -> Self {
+        Self { size: DVec2::splat(2.0) }
+    }
+}
+
+impl Plane {
+    /// A rectangle of this width (along x) and height (along y).
+    ///
+    /// # Errors
+    /// [`SurfaceError::OutOfRange`].
+    pub fn new(width: f64, height: f64) -> Result<Self, SurfaceError> {
+        Ok(Self { size: DVec2::new(length("the width", width)?, length("the height", height)?) })
+    }
+
+    /// Width and height.
+    pub fn size(&self) -> DVec2 {
+        self.size
+    }
+}
+
 impl Height for Plane {
     fn extent(&self) -> DVec2 {
-        self.size()
+        self.size
     }
 
     fn height(&self, _place: DVec2) -> (f64, DVec2) {
@@ -32,20 +61,39 @@ impl Height for Plane {
     }
 }
 
-/// The wave z = 0.3 sin 3x cos 3y over |x|, |y| ≤ size/2; by default of size 2.
-///
-/// Points: x = (u − ½)·size, y = (v − ½)·size. Its [`value`](Implicit::value) is measured along z.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Wave {
-    size: f64,
+impl Implicit for Plane {
+    fn value(&self, point: DVec3) -> f64 {
+        point.z
+    }
+
+    fn normal_at(&self, _point: DVec3) -> Option<UnitVec3> {
+        UnitVec3::new(DVec3::Z)
+    }
 }
 
-/// The monkey saddle z = x³ − 3xy² over |x|, |y| ≤ size/2; by default of size 2. It is flat to third order in the middle.
-///
-/// Points: x = (u − ½)·size, y = (v − ½)·size. Its [`value`](Implicit::value) is measured along z.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MonkeySaddle {
-    size: f64,
+impl Cast for Plane {
+    fn crossings(&self, line: &Line) -> impl Iterator<Item = f64> {
+        (line.direction.z != 0.0).then(|| -line.foot.z / line.direction.z).into_iter()
+    }
+
+    fn reaches(&self, point: DVec3) -> bool {
+        point.truncate().abs().cmple(self.size / 2.0).all()
+    }
+}
+
+surface_of_lengths! {
+    /// The wave z = 0.3 sin 3x cos 3y over |x|, |y| ≤ size/2; by default of size 2.
+    ///
+    /// Points: x = (u − ½)·size, y = (v − ½)·size. Its [`value`](Implicit::value) is measured along z.
+    Wave {
+        /// The side of the square.
+        size: "the size" = 2.0,
+    }
+    /// The surface over a square of this size.
+    ///
+    /// # Errors
+    /// [`SurfaceError::OutOfRange`].
+    new with Ok
 }
 
 impl Height for Wave {
@@ -59,6 +107,21 @@ impl Height for Wave {
     }
 }
 
+surface_of_lengths! {
+    /// The monkey saddle z = x³ − 3xy² over |x|, |y| ≤ size/2; by default of size 2. It is flat to third order in the middle.
+    ///
+    /// Points: x = (u − ½)·size, y = (v − ½)·size. Its [`value`](Implicit::value) is measured along z.
+    MonkeySaddle {
+        /// The side of the square.
+        size: "the size" = 2.0,
+    }
+    /// The surface over a square of this size.
+    ///
+    /// # Errors
+    /// [`SurfaceError::OutOfRange`].
+    new with Ok
+}
+
 impl Height for MonkeySaddle {
     fn extent(&self) -> DVec2 {
         DVec2::splat(self.size)
@@ -68,38 +131,6 @@ impl Height for MonkeySaddle {
         (x * (x * x - 3.0 * y * y), DVec2::new(3.0 * (x - y) * (x + y), -6.0 * x * y))
     }
 }
-
-macro_rules! square {
-    ($($surface:ident),*) => {$(
-        impl Default for $surface {
-            fn default() -> Self {
-                Self { size: 2.0 }
-            }
-        }
-
-        impl $surface {
-            /// The surface over a square of this size.
-            ///
-            /// # Errors
-            /// [`SurfaceError::Length`].
-            pub fn new(size: f64) -> Result<Self, SurfaceError> {
-                Ok(Self { size: length("the size", size)? })
-            }
-        }
-
-        impl Implicit for $surface {
-            fn value(&self, point: DVec3) -> f64 {
-                point.z - self.height(point.truncate()).0
-            }
-
-            fn normal_at(&self, point: DVec3) -> Option<UnitVec3> {
-                Some(self.above(point.truncate())?.normal)
-            }
-        }
-    )*};
-}
-
-square!(Wave, MonkeySaddle);
 
 macro_rules! over_rectangle {
     ($($surface:ident),*) => {$(
@@ -116,3 +147,19 @@ macro_rules! over_rectangle {
 }
 
 over_rectangle!(Plane, Wave, MonkeySaddle);
+
+macro_rules! implicit_height {
+    ($($surface:ident),*) => {$(
+        impl Implicit for $surface {
+            fn value(&self, point: DVec3) -> f64 {
+                point.z - self.height(point.truncate()).0
+            }
+
+            fn normal_at(&self, point: DVec3) -> Option<UnitVec3> {
+                Some(self.above(point.truncate())?.normal)
+            }
+        }
+    )*};
+}
+
+implicit_height!(Wave, MonkeySaddle);

@@ -1,7 +1,8 @@
-//! Surfaces as zero sets, and casting rays at them.
+//! Surfaces as zero sets, and the first hits of rays on them.
 
 use crate::num::UnitVec3;
 use crate::surface::rays::ray::{Hit, Line, Ray};
+use crate::surface::shapes::chart::Parametric;
 use glam::DVec3;
 
 /// A surface that is the zero set of a function of space.
@@ -15,8 +16,22 @@ pub trait Implicit: Sync {
     fn normal_at(&self, point: DVec3) -> Option<UnitVec3>;
 }
 
-/// What the search for a ray's first hit asks of a surface whose [`value`](Implicit::value) is a distance.
-pub(in crate::surface) trait Cast: Implicit {
+/// A zero set that also has parameters.
+pub(crate) trait Shape: Parametric + Implicit {}
+
+impl<S: Parametric + Implicit> Shape for S {}
+
+/// The box that a zero set fills.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Room {
+    pub(crate) low: DVec3,
+    pub(crate) high: DVec3,
+    /// The axes along which the surface ends at the box, open; else it closes within.
+    pub(crate) ends: [bool; 3],
+}
+
+/// A surface whose [`value`](Implicit::value) is a distance and whose crossings with a line are known.
+pub(crate) trait Cast: Implicit {
     /// The point that lines are described from.
     fn centre(&self) -> DVec3 {
         DVec3::ZERO
@@ -29,20 +44,20 @@ pub(in crate::surface) trait Cast: Implicit {
     fn reaches(&self, _point: DVec3) -> bool {
         true
     }
-}
 
-/// The first hit of a ray.
-pub(in crate::surface) fn first_hit(surface: &impl Cast, ray: &Ray) -> Option<Hit> {
-    let centre = surface.centre();
-    let line = Line::new(ray, centre);
-    surface.crossings(&line).find_map(|s| {
-        let t = line.parameter(s)?;
-        let near = centre + line.at(s);
-        if !surface.reaches(near) {
-            return None;
-        }
-        let normal = surface.normal_at(near)?;
-        let position = near - normal.get() * surface.value(near);
-        Some(Hit { t, position, normal, front: line.direction.dot(normal.get()) < 0.0 })
-    })
+    /// The first hit of a ray, on either side.
+    fn first_hit(&self, ray: &Ray) -> Option<Hit> {
+        let centre = self.centre();
+        let line = Line::new(ray, centre);
+        self.crossings(&line).find_map(|s| {
+            let t = line.parameter(s)?;
+            let near = centre + line.at(s);
+            if !self.reaches(near) {
+                return None;
+            }
+            let normal = self.normal_at(near)?;
+            let position = near - normal.get() * self.value(near);
+            Some(Hit { t, position, normal, front: line.direction.dot(normal.get()) < 0.0 })
+        })
+    }
 }

@@ -1,30 +1,14 @@
 //! Shapes: the analytic surfaces.
 
-// Surfaces of two parameters.
+// Surfaces by two parameters.
 pub(super) mod chart;
-// Heights over a square.
-pub(super) mod height;
-// Surfaces as zero sets.
+// Surfaces as zero sets, and rays on them.
 pub(super) mod implicit;
-// Surfaces that every ray from the origin meets once.
+// Heights over a rectangle: plane, wave, monkey saddle.
+pub(super) mod height;
+// Surfaces that every ray from the origin meets once: sphere, ellipsoid, superellipsoid.
 pub(super) mod star;
-// A rectangle.
-pub(super) mod plane;
-// A sphere.
-pub(super) mod sphere;
-// An ellipsoid.
-pub(super) mod ellipsoid;
-// A tube.
-pub(super) mod cylinder;
-// A cone.
-pub(super) mod cone;
-// A torus.
-pub(super) mod torus;
-// A catenoid.
-pub(super) mod catenoid;
-// A superellipsoid.
-pub(super) mod superquadric;
-// A bicubic Bézier patch.
+// Surfaces of revolution: cylinder, cone, catenoid, torus.
+pub(super) mod revolution;
+// Bicubic Bézier patches and the teapot.
 pub(super) mod bezier;
-// Newell's teapot.
-pub(super) mod teapot;

@@ -1,32 +1,207 @@
-//! Surfaces that every ray from the origin meets once.
+//! Closed surfaces that every ray from the origin meets once: sphere, ellipsoid, superellipsoid.
 
 use crate::num::UnitVec3;
+use crate::surface::error::{SurfaceError, length, out_of_range, surface_of_lengths};
+use crate::surface::rays::ray::{Hit, Line, Ray};
 use crate::surface::shapes::chart::{Chart, Parametric, Sample, on_sphere};
-use crate::surface::shapes::ellipsoid::Ellipsoid;
-use crate::surface::shapes::sphere::Sphere;
-use crate::surface::shapes::superquadric::Superquadric;
+use crate::surface::shapes::implicit::{Cast, Implicit};
 use glam::DVec3;
 
-/// A closed surface that each ray from the origin meets once: what is known of the sphere of directions carries over.
+/// A closed surface that each ray from the origin meets once, so that points on the sphere of directions map to it.
 pub trait StarShaped: Sync {
-    /// Where the surface is in a direction of any length but zero. For stretched surfaces the direction counts before
+    /// The point of the surface in a direction of any length but zero. For stretched surfaces the direction counts before
     /// stretching.
     fn along(&self, direction: DVec3) -> Option<Sample>;
+}
+
+surface_of_lengths! {
+    /// The sphere |p| = radius, facing outward. By default of radius 1.
+    ///
+    /// Points: radius·(cos λ sin θ, sin λ, cos λ cos θ) with θ = 2πu around the y axis and latitude λ = π(v − ½).
+    Sphere {
+        /// The radius.
+        radius: "the radius" = 1.0,
+    }
+    /// A sphere of this radius about the origin.
+    ///
+    /// # Errors
+    /// [`SurfaceError::OutOfRange`].
+    new with Ok
+}
+
+impl Implicit for Sphere {
+    fn value(&self, point: DVec3) -> f64 {
+        point.length() - self.radius
+    }
+
+    fn normal_at(&self, point: DVec3) -> Option<UnitVec3> {
+        UnitVec3::new(point)
+    }
+}
+
+impl Cast for Sphere {
+    fn crossings(&self, line: &Line) -> impl Iterator<Item = f64> {
+        let distance = line.moment.length();
+        let squared = (self.radius - distance) * (self.radius + distance);
+        (squared >= 0.0).then(|| [-squared.sqrt(), squared.sqrt()]).into_iter().flatten()
+    }
 }
 
 impl StarShaped for Sphere {
     fn along(&self, direction: DVec3) -> Option<Sample> {
         let normal = UnitVec3::new(direction)?;
-        Some(Sample { position: normal.get() * self.radius(), normal })
+        Some(Sample { position: normal.get() * self.radius, normal })
+    }
+}
+
+/// The ellipsoid (x/a)² + (y/b)² + (z/c)² = 1, facing outward. By default (a, b, c) = (1, 0.6, 0.4).
+///
+/// Points: those of the unit [`Sphere`], times (a, b, c). Its [`value`](Implicit::value) is a lower bound of the distance:
+/// the value of the unit sphere at p/(a, b, c), times the shortest semi-axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ellipsoid {
+    semi_axes: DVec3,
+}
+
+impl Default for Ellipsoid {
+    fn default() -> Self {
+        Self { semi_axes: DVec3::new(1.0, 0.6, 0.4) }
+    }
+}
+
+impl Ellipsoid {
+    /// An ellipsoid with these semi-axes along x, y and z.
+    ///
+    /// # Errors
+    /// [`SurfaceError::OutOfRange`].
+    pub fn new(semi_axes: DVec3) -> Result<Self, SurfaceError> {
+        Ok(Self { semi_axes: checked(semi_axes)? })
+    }
+
+    /// The semi-axes along x, y and z.
+    pub fn semi_axes(&self) -> DVec3 {
+        self.semi_axes
+    }
+
+    /// The first hit of a ray: that of the unit sphere and the ray, both divided by the semi-axes, which leaves the
+    /// ray's parameter unchanged.
+    pub(crate) fn first_hit(&self, ray: &Ray) -> Option<Hit> {
+        let hit = Sphere::default().first_hit(&ray.mapped(|v| v / self.semi_axes))?;
+        let position = hit.position * self.semi_axes;
+        Some(Hit { position, normal: self.normal_at(position)?, ..hit })
+    }
+}
+
+impl Implicit for Ellipsoid {
+    fn value(&self, point: DVec3) -> f64 {
+        Sphere::default().value(point / self.semi_axes) * self.semi_axes.min_element()
+    }
+
+    fn normal_at(&self, point: DVec3) -> Option<UnitVec3> {
+        // By the shortest axis first: squares of extreme axes would leave the range.
+        let relative = self.semi_axes / self.semi_axes.min_element();
+        UnitVec3::new(point / relative / relative)
     }
 }
 
 impl StarShaped for Ellipsoid {
     fn along(&self, direction: DVec3) -> Option<Sample> {
         let unit = UnitVec3::new(direction)?.get();
-        let relative = self.semi_axes() / self.semi_axes().min_element();
-        Some(Sample { position: unit * self.semi_axes(), normal: UnitVec3::new(unit / relative)? })
+        let relative = self.semi_axes / self.semi_axes.min_element();
+        Some(Sample { position: unit * self.semi_axes, normal: UnitVec3::new(unit / relative)? })
     }
+}
+
+/// The superellipsoid (|x/a|^(2/e) + |z/c|^(2/e))^(e/n) + |y/b|^(2/n) = 1, with roundness n from north to south and e from
+/// east to west: below 1 towards a box, 1 an ellipsoid, above 1 towards an octahedron (A. H. Barr, *Superquadrics and
+/// angle-preserving transformations*, IEEE CG&A 1(1), 1981). By default (a, b, c) = (1, 1, 1) and n = e = 0.5.
+///
+/// Points lie on rays from the origin, in the direction that the unit [`Sphere`] has there: more evenly than by Barr's own
+/// parameters. Where an exponent is below 1, six flat spots lie on the axes; where it is above 1, the curvature there is
+/// unbounded, though the normal has a limit. The [`value`](Implicit::value) is not a distance: it is how much longer the
+/// radius is than that of the surface, times the shortest semi-axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Superquadric {
+    semi_axes: DVec3,
+    north: f64,
+    east: f64,
+}
+
+impl Default for Superquadric {
+    fn default() -> Self {
+        Self { semi_axes: DVec3::ONE, north: 0.5, east: 0.5 }
+    }
+}
+
+impl Superquadric {
+    /// A superellipsoid by its semi-axes and its two exponents of roundness, each from 0.1 to 1.9: there the surface has a
+    /// normal everywhere.
+    ///
+    /// # Errors
+    /// [`SurfaceError::OutOfRange`].
+    pub fn new(semi_axes: DVec3, north: f64, east: f64) -> Result<Self, SurfaceError> {
+        let semi_axes = checked(semi_axes)?;
+        match [north, east].into_iter().find(|exponent| !(0.1..=1.9).contains(exponent)) {
+            Some(found) => Err(out_of_range("the roundness", found, "a number from 0.1 to 1.9")),
+            None => Ok(Self { semi_axes, north, east }),
+        }
+    }
+
+    /// The semi-axes along x, y and z.
+    pub fn semi_axes(&self) -> DVec3 {
+        self.semi_axes
+    }
+
+    /// The roundness from north to south and that from east to west.
+    pub fn roundness(&self) -> [f64; 2] {
+        [self.north, self.east]
+    }
+
+    /// |p| in the norm whose unit ball the surface bounds before stretching, and the gradient of that norm but for a
+    /// positive factor. A norm of a norm: first over x and z, then over that and y.
+    fn norm(&self, p: DVec3) -> (f64, DVec3) {
+        let (flat, slope) = power_norm(p.x, p.z, 2.0 / self.east);
+        let (norm, outer) = power_norm(flat, p.y, 2.0 / self.north);
+        (norm, DVec3::new(outer.0 * slope.0, outer.1, outer.0 * slope.1))
+    }
+}
+
+/// (|x|^k + |y|^k)^(1/k) and its gradient, in terms of quotients, so that nothing leaves the range of numbers. At the
+/// origin 0 and no gradient.
+fn power_norm(x: f64, y: f64, k: f64) -> (f64, (f64, f64)) {
+    let largest = x.abs().max(y.abs());
+    if largest == 0.0 {
+        return (0.0, (0.0, 0.0));
+    }
+    let (x, y) = (x / largest, y / largest);
+    let norm = libm::pow(libm::pow(x.abs(), k) + libm::pow(y.abs(), k), 1.0 / k);
+    let slope = |x: f64| libm::pow(x.abs() / norm, k - 1.0).copysign(x);
+    (largest * norm, (slope(x), slope(y)))
+}
+
+impl Implicit for Superquadric {
+    fn value(&self, point: DVec3) -> f64 {
+        (self.norm(point / self.semi_axes).0 - 1.0) * self.semi_axes.min_element()
+    }
+
+    fn normal_at(&self, point: DVec3) -> Option<UnitVec3> {
+        let relative = self.semi_axes / self.semi_axes.min_element();
+        UnitVec3::new(self.norm(point / self.semi_axes).1 / relative)
+    }
+}
+
+impl StarShaped for Superquadric {
+    fn along(&self, direction: DVec3) -> Option<Sample> {
+        let unit = UnitVec3::new(direction)?.get();
+        let position = unit / self.norm(unit).0 * self.semi_axes;
+        Some(Sample { position, normal: self.normal_at(position)? })
+    }
+}
+
+/// Semi-axes, if each is a valid length.
+fn checked(semi_axes: DVec3) -> Result<DVec3, SurfaceError> {
+    semi_axes.to_array().into_iter().try_for_each(|axis| length("a semi-axis", axis).map(drop))?;
+    Ok(semi_axes)
 }
 
 macro_rules! by_direction {

@@ -1,14 +1,12 @@
 //! Every surface in every pattern: closed where it shall be, facing outward, and converging to the surface.
 
 use crate::mesh::{Link, Topology};
+use crate::surface::meshing::pattern::{Pattern, Tessellation};
 use crate::surface::meshing::scattered::height_field;
 use crate::surface::meshing::tessellation::*;
-use crate::surface::shapes::catenoid::Catenoid;
-use crate::surface::shapes::cone::Cone;
-use crate::surface::shapes::cylinder::Cylinder;
-use crate::surface::shapes::plane::Plane;
-use crate::surface::shapes::sphere::Sphere;
-use crate::surface::shapes::torus::Torus;
+use crate::surface::shapes::height::Plane;
+use crate::surface::shapes::revolution::{Catenoid, Cone, Cylinder, Torus};
+use crate::surface::shapes::star::Sphere;
 use crate::surface::tests::all;
 use glam::{DVec2, DVec3};
 use std::f64::consts::PI;
@@ -163,7 +161,7 @@ fn patches_share_vertices_and_normals_along_their_sides() {
         let spec = Tessellation { pattern, segments: [7, 5], jitter, ..Tessellation::default() };
         let apart = grid::net(&Surface::Teapot.charts(), &spec).unwrap();
         let mut joined = grid::net(&Surface::Teapot.charts(), &spec).unwrap();
-        patches::join(&mut joined, Surface::Teapot.patches(), &spec);
+        grid::join(&mut joined, Surface::Teapot.patches(), &spec);
         assert!(joined.samples.len() < apart.samples.len());
         for (&a, &b) in apart.faces.corners().iter().zip(joined.faces.corners()) {
             let (own, shared) = (apart.samples[a as usize], joined.samples[b as usize]);
@@ -256,11 +254,14 @@ fn impossible_settings_are_refused_with_their_reason() {
     }
     for bad in [-0.1, 1.1, f64::NAN] {
         for spec in [Tessellation { jitter: bad, ..plain }, Tessellation { noise: bad, ..plain }] {
-            assert!(matches!(refuse(&sphere, spec), SurfaceError::Setting { .. }));
+            assert!(matches!(refuse(&sphere, spec), SurfaceError::OutOfRange { .. }));
         }
     }
     for pattern in [Pattern::Stretched(f64::NAN), Pattern::Slivers(0.5)] {
-        assert!(matches!(refuse(&sphere, Tessellation { pattern, ..plain }), SurfaceError::Setting { .. }));
+        assert!(matches!(
+            refuse(&sphere, Tessellation { pattern, ..plain }),
+            SurfaceError::OutOfRange { .. }
+        ));
     }
     assert!(matches!(
         refuse(&sphere, Tessellation { pattern: Pattern::Icosphere(11), ..plain }),

@@ -212,7 +212,7 @@ fn thin_tubes_are_hit_and_missed_to_the_stated_width() {
             let (along, across) = (out * run + DVec3::Y * rise, DVec3::Y * run - out * rise);
             let aim = |share: f64| {
                 let origin = out + across * (minor * share) - along * 2.0;
-                torus.intersect(&Ray::new(origin, along).unwrap())
+                torus.first_hit(&Ray::new(origin, along).unwrap())
             };
             assert!(aim(1.0 - slack).is_some() && aim(slack - 1.0).is_some(), "{minor} {rise}");
             assert!(aim(1.0 + slack).is_none() && aim(-1.0 - slack).is_none(), "{minor} {rise}");
@@ -298,7 +298,7 @@ fn placed_primitives_are_hit_where_their_images_are() {
 #[test]
 fn lengths_are_checked() {
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e61, 1e-61] {
-        assert!(matches!(Sphere::new(bad), Err(SurfaceError::Length { .. })));
+        assert!(matches!(Sphere::new(bad), Err(SurfaceError::OutOfRange { .. })));
         assert!(Plane::new(1.0, bad).is_err() && Ellipsoid::new(DVec3::new(1.0, 1.0, bad)).is_err());
         assert!(
             Cylinder::new(1.0, bad).is_err() && Cone::new(bad, 1.0).is_err() && Torus::new(1.0, bad).is_err()

@@ -1,13 +1,13 @@
 //! Splitting vertices for formats that store every attribute per vertex.
 
-use super::NONE;
+use super::columns::NONE;
 use rustc_hash::FxHashMap;
 
 /// Vertices split so that each has one value of every attribute.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct VertexSplit {
-    /// The old vertex behind each new one. The first `vertex_count` are the old vertices themselves, in order,
-    /// referenced or not; copies follow, in the order in which corners ask for them.
+    /// The old vertex of each new one. The first `vertex_count` are the old vertices themselves, in order, referenced or
+    /// not; copies follow, in the order of the corners that need them.
     pub source: Vec<u32>,
     /// A corner that has the new vertex's attributes; [`NONE`] for a vertex that no corner uses.
     pub sample: Vec<u32>,
@@ -49,12 +49,12 @@ struct Splitter<'a> {
     sample: Vec<u32>,
     /// The next vertex that is split off the same old one: a chain that begins with the old one itself.
     next: Vec<u32>,
-    /// What is split off a vertex whose chain is full. A vertex that is asked for with many keys (a fan of a million
-    /// facets) must not cost a walk each.
+    /// The copies of a vertex whose chain is full. Each corner of a vertex with many keys (a fan of a million facets)
+    /// must not cost a walk.
     overflow: FxHashMap<(u32, [u32; 3]), u32>,
 }
 
-/// The longest chain: more than the faces round nearly every vertex. Walking one is far quicker than hashing.
+/// The longest chain: more than the faces around nearly every vertex. Walking one is faster than hashing.
 const CHAIN: usize = 12;
 
 impl Splitter<'_> {

@@ -1,12 +1,11 @@
 //! Matching half-edges to edges, vertex by vertex.
 //!
-//! All half-edges of an edge {a, b} are seen from the corners at `a` alone: those that leave for `b`, and those
-//! that arrive from `b`. So each vertex can be matched by itself, in parallel and in any order, without a table
-//! of edges.
+//! The corners at `a` see all half-edges of an edge {a, b}: those that leave for `b`, and those that arrive from `b`. So each
+//! vertex can be matched by itself, in parallel and in any order, without a table of edges.
 
-use super::faces::{FacesRef, next_in_triangle, previous_in_triangle};
+use super::faces::{FacesRef, is_collapsed, next_in_triangle, previous_in_triangle};
+use super::link::{Link, PackedLink};
 use super::rings::{Rings, Scatter};
-use super::topology::{Link, PackedLink};
 use rayon::prelude::*;
 
 /// No vertex: a half-edge that collapsed, or the padding of a short ring.
@@ -29,17 +28,14 @@ struct Spoke {
 pub(crate) struct EdgeMatcher<'a> {
     faces: FacesRef<'a>,
     owners: &'a [u32],
-    /// Faces of fewer than three distinct vertices; empty for triangles, where the corners themselves tell.
+    /// Faces of fewer than three distinct vertices; empty for triangles, which are checked by their corners.
     collapsed: Vec<bool>,
 }
 
 impl<'a> EdgeMatcher<'a> {
     pub(crate) fn new(faces: FacesRef<'a>, owners: &'a [u32]) -> Self {
-        let collapsed = if faces.is_triangles() {
-            Vec::new()
-        } else {
-            (0..faces.len()).map(|face| is_collapsed(faces.face(face).iter())).collect()
-        };
+        let polygons = if faces.is_triangles() { 0 } else { faces.len() };
+        let collapsed = (0..polygons).map(|face| is_collapsed(faces.face(face).iter())).collect();
         Self { faces, owners, collapsed }
     }
 
@@ -51,7 +47,7 @@ impl<'a> EdgeMatcher<'a> {
         (0..chunks).into_par_iter().for_each(|chunk| {
             for vertex in chunk * CHUNK..((chunk + 1) * CHUNK).min(rings.len()) {
                 self.match_ring(vertex as u32, rings.at(vertex), |half_edge, link| {
-                    links.set(half_edge, PackedLink::new(link).bits());
+                    links.set(half_edge, PackedLink::new(link).0);
                 });
             }
         });
@@ -84,8 +80,8 @@ impl<'a> EdgeMatcher<'a> {
             (next, previous, self.collapsed[face])
         };
         let (mut to, mut from) = (corners[next as usize], corners[previous as usize]);
-        // A triangle with two equal vertices is no surface at all: its edges must not stand between the faces
-        // on its two sides. A polygon that merely repeats a vertex goes on without the empty edge.
+        // A triangle with two equal vertices is no surface: its edges must not separate the faces on its two sides.
+        // A polygon that merely repeats a vertex remains, without the empty edge.
         let collapsed = collapsed || (self.owners.is_empty() && (to == vertex || from == vertex));
         if collapsed || to == vertex {
             to = NOWHERE;
@@ -97,14 +93,7 @@ impl<'a> EdgeMatcher<'a> {
     }
 }
 
-/// Whether a face has fewer than three distinct vertices, or places.
-pub(super) fn is_collapsed<T: PartialEq>(mut vertices: impl Iterator<Item = T>) -> bool {
-    let Some(first) = vertices.next() else { return true };
-    let Some(second) = vertices.find(|v| *v != first) else { return true };
-    !vertices.any(|v| v != first && v != second)
-}
-
-/// What a half-edge meets, from the number of half-edges that run its way and against it.
+/// The link of a half-edge, from the number of half-edges along it and against it.
 #[inline]
 fn decide(same: u32, against: u32, twin: impl FnOnce() -> u32, double: impl FnOnce() -> u32) -> Link {
     match (same, against) {
@@ -128,8 +117,7 @@ fn match_small<const N: usize>(ring: impl Iterator<Item = Spoke>, mut set: impl 
             set(spoke.leaving, Link::Collapsed);
             continue;
         }
-        let tally = tally(&to, &from, spoke.to);
-        let [same, same_at, against, against_at] = tally.to_le_bytes();
+        let [same, same_at, against, against_at] = counts(&to, &from, spoke.to).to_le_bytes();
         let link = decide(
             same.into(),
             against.into(),
@@ -140,18 +128,17 @@ fn match_small<const N: usize>(ring: impl Iterator<Item = Spoke>, mut set: impl 
     }
 }
 
-/// How many entries of `to` equal a vertex, the sum of their places counted from 1, and the same for `from`, a
-/// byte each.
+/// How many entries of `to` equal a vertex, the sum of their indices counted from 1, and the same for `from`, a byte each.
 ///
 /// Written lane by lane, which compilers turn into a few vector compares.
 #[inline]
-fn tally<const N: usize>(to: &[u32; N], from: &[u32; N], vertex: u32) -> u32 {
-    const { assert!(N * (N + 1) / 2 < 256, "the sum of all places must fit a byte") };
+fn counts<const N: usize>(to: &[u32; N], from: &[u32; N], vertex: u32) -> u32 {
+    const { assert!(N * (N + 1) / 2 < 256, "the sum of all indices must fit a byte") };
     let all_ones_if = |equal: bool| 0u32.wrapping_sub(u32::from(equal));
     let mut lanes = [0; N];
-    for (place, lane) in lanes.iter_mut().enumerate() {
-        let one = 1 | (place as u32 + 1) << 8;
-        *lane = all_ones_if(to[place] == vertex) & one | all_ones_if(from[place] == vertex) & one << 16;
+    for (index, lane) in lanes.iter_mut().enumerate() {
+        let one = 1 | (index as u32 + 1) << 8;
+        *lane = all_ones_if(to[index] == vertex) & one | all_ones_if(from[index] == vertex) & one << 16;
     }
     lanes.iter().sum()
 }

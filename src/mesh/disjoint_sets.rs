@@ -1,6 +1,6 @@
 //! Disjoint sets.
 
-/// Union-find in which the lowest member stands for its set, so that the order of unions does not show.
+/// Union-find in which the lowest item represents its set, so that the order of unions does not matter.
 pub(crate) struct DisjointSets(Vec<u32>);
 
 impl DisjointSets {

@@ -1,16 +1,23 @@
-//! One vertex where several stand at the same place.
+//! Merging vertices at the same position.
 
-use super::{ColumnIndex, Columns, Faces, Mesh, place_key};
+use super::columns::{ColumnIndex, Columns};
+use super::polygon_mesh::Mesh;
+use glam::DVec3;
 use rustc_hash::FxHashMap;
 
+/// The bits of a position, with −0 taken as +0: equal for positions that are merged or welded exactly.
+pub(crate) fn place_key(p: DVec3) -> [u64; 3] {
+    (p + DVec3::ZERO).to_array().map(f64::to_bits)
+}
+
 impl Mesh {
-    /// The mesh with one vertex for all corners at the same place (to the bit, −0 = +0), numbered as corners meet them; vertices
-    /// that no corner uses are gone. As it is if it has anything of vertices but their places.
-    pub(crate) fn with_shared_vertices(self) -> Self {
+    /// The mesh with one vertex for all corners at the same position (to the bit, −0 = +0), numbered in the order of the
+    /// corners, without unreferenced vertices. Unchanged if vertices have other attributes than positions.
+    pub(crate) fn with_shared_vertices(mut self) -> Self {
         if has_vertex_attributes(&self.columns) {
             return self;
         }
-        // What a closed mesh of triangles comes to.
+        // The usual number of a closed mesh of triangles.
         let likely = self.faces.corner_count() / 6 + 2;
         let mut known = FxHashMap::with_capacity_and_hasher(likely, rustc_hash::FxBuildHasher);
         let mut positions = Vec::with_capacity(likely);
@@ -21,17 +28,9 @@ impl Mesh {
                 positions.len() as u32 - 1
             })
         });
-        let corners = corners.collect();
-        let faces = match self.faces.offsets() {
-            Some(offsets) => Faces::polygons(corners, offsets.to_vec()),
-            None => Faces::triangles(corners),
-        };
-        Self {
-            positions: positions.into(),
-            faces: faces.into(),
-            storage: self.storage,
-            columns: self.columns,
-        }
+        self.faces = self.faces.with_corners(corners.collect()).into();
+        self.positions = positions.into();
+        self
     }
 }
 
@@ -47,8 +46,7 @@ fn has_vertex_attributes(columns: &Columns) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{Column, MeshBuilder};
-    use glam::DVec3;
+    use crate::mesh::{Column, Faces, MeshBuilder};
 
     fn soup(columns: Columns) -> Mesh {
         let places = [

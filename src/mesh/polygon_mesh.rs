@@ -1,19 +1,97 @@
-//! The one place where a mesh is checked.
+//! The polygon mesh, and the builder that checks its parts once.
 
-use super::topology::MAX_CORNERS;
-use super::{ColumnIndex, Columns, Faces, Mesh, NONE, Storage};
+use super::columns::{ColumnIndex, Columns, NONE};
+use super::faces::Faces;
+use super::link::MAX_CORNERS;
 use glam::DVec3;
 use rayon::prelude::*;
+use std::sync::Arc;
+
+/// The precision of the positions in their source. It determines the height below which the direction of a face is
+/// rounding noise.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Storage {
+    /// Every coordinate is an `f32` value: binary STL, glTF, PLY `float` and integers, and text that spells the
+    /// shortest decimals of such values.
+    F32,
+    /// Doubles, or other decimal text.
+    #[default]
+    F64,
+}
+
+/// A polygon mesh: positions, faces of three corners or more, and optional [`Columns`].
+///
+/// Built by [`MeshBuilder`], which checks once that every corner's vertex exists, that each face has three
+/// corners or more, that positions are finite and that columns fit. Degenerate *geometry* is allowed: two
+/// corners may be the same vertex, a face may have no area.
+///
+/// Clones share positions and faces: operations that change a mesh return a new one.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    pub(super) positions: Arc<Vec<DVec3>>,
+    pub(super) storage: Storage,
+    pub(super) faces: Arc<Faces>,
+    pub(super) columns: Columns,
+}
+
+impl Mesh {
+    /// Position of every vertex.
+    pub fn positions(&self) -> &[DVec3] {
+        &self.positions
+    }
+
+    /// Position of one vertex.
+    #[inline]
+    pub(crate) fn position(&self, vertex: u32) -> DVec3 {
+        self.positions[vertex as usize]
+    }
+
+    /// The precision that the positions came with.
+    pub fn storage(&self) -> Storage {
+        self.storage
+    }
+
+    /// The faces.
+    pub fn faces(&self) -> &Faces {
+        &self.faces
+    }
+
+    /// Everything optional.
+    pub fn columns(&self) -> &Columns {
+        &self.columns
+    }
+
+    /// The number of vertices, referenced or not.
+    pub fn vertex_count(&self) -> usize {
+        self.positions.len()
+    }
+
+    /// The number of faces.
+    pub fn face_count(&self) -> usize {
+        self.faces.len()
+    }
+
+    /// The longest side of the bounding box; 0 without vertices.
+    pub(crate) fn extent(&self) -> f64 {
+        self.bounds().map_or(0.0, |(low, high)| (high - low).max_element())
+    }
+
+    /// Smallest and largest corner of the bounding box; `None` without vertices.
+    pub fn bounds(&self) -> Option<(DVec3, DVec3)> {
+        let first = *self.positions.first()?;
+        Some(self.positions.iter().fold((first, first), |(low, high), &p| (low.min(p), high.max(p))))
+    }
+}
 
 /// Why raw data do not make a [`Mesh`].
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum MeshError {
-    /// A corner names a vertex that is not there.
+    /// A corner refers to a vertex that does not exist.
     #[error("face {face} refers to vertex {vertex}, but there are only {count}")]
     VertexOutOfRange {
         /// The face, counted from 0.
         face: usize,
-        /// The vertex that it asks for, counted from 0.
+        /// The vertex that it refers to, counted from 0.
         vertex: u32,
         /// How many vertices there are.
         count: usize,
@@ -31,7 +109,7 @@ pub enum MeshError {
     NonFinite {
         /// The vertex, counted from 0.
         vertex: usize,
-        /// What it holds.
+        /// Its position.
         position: DVec3,
     },
     /// A column whose length does not fit the mesh.
@@ -57,9 +135,9 @@ pub enum MeshError {
     /// More vertices than 2³² − 1, or more corners than 2³⁰.
     #[error("the mesh has {count} {what}, more than this program can count")]
     TooLarge {
-        /// What there is too much of.
+        /// What is counted.
         what: &'static str,
-        /// How much.
+        /// How many.
         count: usize,
     },
 }
@@ -150,57 +228,52 @@ impl MeshBuilder {
     fn check_columns(&self) -> Result<(), MeshError> {
         let (vertices, faces) = (self.positions.len(), self.faces.len());
         let columns = &self.columns;
-        let length = |what, found, expected| {
-            if found == expected { Ok(()) } else { Err(MeshError::ColumnLength { what, found, expected }) }
-        };
         if let Some(normals) = &columns.normals {
-            self.check_index("normals", &normals.index, normals.values.len())?;
+            self.check_column("normals", &normals.index, normals.values.len())?;
         }
         if let Some(uvs) = &columns.uvs {
-            self.check_index("texture coordinates", &uvs.index, uvs.values.len())?;
+            self.check_column("texture coordinates", &uvs.index, uvs.values.len())?;
         }
         if let Some(colors) = &columns.colors {
-            length("vertex colours", colors.len(), vertices)?;
+            check_length("vertex colours", colors.len(), vertices)?;
         }
         if let Some(smoothing) = &columns.smoothing {
-            length("smoothing groups", smoothing.of_face.len(), faces)?;
+            check_length("smoothing groups", smoothing.of_face.len(), faces)?;
         }
         for (what, labels) in [("materials", &columns.materials), ("objects", &columns.objects)] {
             let Some(labels) = labels else { continue };
-            length(what, labels.of_face.len(), faces)?;
-            let count = labels.names.len();
-            if let Some(&index) = labels.of_face.iter().find(|&&l| l != NONE && l as usize >= count) {
-                return Err(MeshError::ColumnIndex { what, index, count });
-            }
+            check_length(what, labels.of_face.len(), faces)?;
+            check_indices(what, labels.of_face.iter().filter(|&&label| label != NONE), labels.names.len())?;
         }
         for target in &columns.morph_targets {
-            length("morph target displacements", target.len(), vertices)?;
+            check_length("morph target displacements", target.len(), vertices)?;
         }
-        let loose =
-            columns.hard_edges.iter().flatten().chain(&columns.points).chain(columns.lines.iter().flatten());
-        for &index in loose {
-            if index as usize >= vertices {
-                return Err(MeshError::ColumnIndex { what: "vertices", index, count: vertices });
-            }
-        }
-        Ok(())
+        let edges_and_points = columns.hard_edges.iter().flatten().chain(&columns.points);
+        check_indices("vertices", edges_and_points.chain(columns.lines.iter().flatten()), vertices)
     }
 
-    fn check_index(&self, what: &'static str, index: &ColumnIndex, count: usize) -> Result<(), MeshError> {
+    fn check_column(&self, what: &'static str, index: &ColumnIndex, count: usize) -> Result<(), MeshError> {
         match index {
-            ColumnIndex::PerVertex if count == self.positions.len() => Ok(()),
-            ColumnIndex::PerVertex => {
-                Err(MeshError::ColumnLength { what, found: count, expected: self.positions.len() })
-            }
-            ColumnIndex::PerCorner(index) if index.len() != self.faces.corner_count() => {
-                Err(MeshError::ColumnLength { what, found: index.len(), expected: self.faces.corner_count() })
-            }
+            ColumnIndex::PerVertex => check_length(what, count, self.positions.len()),
             ColumnIndex::PerCorner(index) => {
-                match index.iter().find(|&&i| i != NONE && i as usize >= count) {
-                    Some(&index) => Err(MeshError::ColumnIndex { what, index, count }),
-                    None => Ok(()),
-                }
+                check_length(what, index.len(), self.faces.corner_count())?;
+                check_indices(what, index.iter().filter(|&&i| i != NONE), count)
             }
         }
+    }
+}
+
+fn check_length(what: &'static str, found: usize, expected: usize) -> Result<(), MeshError> {
+    if found == expected { Ok(()) } else { Err(MeshError::ColumnLength { what, found, expected }) }
+}
+
+fn check_indices<'a>(
+    what: &'static str,
+    mut indices: impl Iterator<Item = &'a u32>,
+    count: usize,
+) -> Result<(), MeshError> {
+    match indices.find(|&&index| index as usize >= count) {
+        Some(&index) => Err(MeshError::ColumnIndex { what, index, count }),
+        None => Ok(()),
     }
 }

@@ -1,16 +1,17 @@
-//! Which points are connected by steps shorter than a distance.
+//! Clusters of points that are connected by steps shorter than a distance, by a k-d tree.
 
-use super::sets::DisjointSets;
+use super::box_tree::Bounds;
+use super::disjoint_sets::DisjointSets;
 use glam::DVec3;
 use std::ops::Range;
 
-/// The class of each point, by the lowest number in it. Two points are near if in every shape, a list of their positions,
-/// they are closer than `epsilon`; classes are what chains of near points connect.
+/// The cluster of each point, by its lowest point. Two points are near if they are closer than `epsilon` in every shape, a
+/// list of positions; clusters are connected by chains of near points.
 ///
-/// A tree of boxes (medians along the widest axis of any shape) is compared with itself, pair by pair of boxes: two that
-/// are apart have no near points, two that lie within the distance as a whole have nothing else. So neither crowds nor
-/// shapes that tell crowds apart cost the square of their size.
-pub(super) fn components(shapes: &[Vec<DVec3>], epsilon: f64) -> Vec<u32> {
+/// A k-d tree (medians along the widest axis of any shape) is compared with itself, pair by pair of boxes: boxes farther
+/// apart have no near points; in boxes that lie within the distance as a whole all points are near. So neither dense
+/// clusters nor shapes that separate them cost the square of their size.
+pub(super) fn clusters(shapes: &[Vec<DVec3>], epsilon: f64) -> Vec<u32> {
     let count = shapes.first().map_or(0, Vec::len);
     let mut tree = Tree {
         shapes,
@@ -22,14 +23,9 @@ pub(super) fn components(shapes: &[Vec<DVec3>], epsilon: f64) -> Vec<u32> {
     };
     if count > 0 {
         let root = tree.build(0..count);
-        tree.join_within(root);
+        tree.join(root, root);
     }
     (0..count as u32).map(|i| tree.sets.find(i)).collect()
-}
-
-/// Smallest and largest of some points, component by component.
-pub(super) fn extent(points: impl Iterator<Item = DVec3>) -> (DVec3, DVec3) {
-    points.fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), p| (low.min(p), high.max(p)))
 }
 
 /// Points in a leaf.
@@ -42,16 +38,15 @@ struct Tree<'a> {
     items: Vec<u32>,
     nodes: Vec<Node>,
     /// The boxes of each node, one a shape.
-    boxes: Vec<(DVec3, DVec3)>,
+    boxes: Vec<Bounds>,
     sets: DisjointSets,
 }
 
-#[derive(Clone)]
 struct Node {
     items: Range<usize>,
     /// The two halves; `None` in a leaf.
     halves: Option<[usize; 2]>,
-    /// Every two points are near for certain, and have been joined.
+    /// All pairs of points are near, and have been joined.
     is_crowd: bool,
 }
 
@@ -60,10 +55,11 @@ impl Tree<'_> {
         let number = self.nodes.len();
         let (mut widest, mut is_crowd) = ((0.0, 0, 0), true);
         for (shape, points) in self.shapes.iter().enumerate() {
-            let (low, high) = extent(self.items[items.clone()].iter().map(|&i| points[i as usize]));
-            self.boxes.push((low, high));
-            is_crowd &= (high - low).length() < self.epsilon;
-            for (axis, width) in (high - low).to_array().into_iter().enumerate() {
+            let bounds = Bounds::of(self.items[items.clone()].iter().map(|&i| points[i as usize]));
+            self.boxes.push(bounds);
+            let size = bounds.high - bounds.low;
+            is_crowd &= size.length() < self.epsilon;
+            for (axis, width) in size.to_array().into_iter().enumerate() {
                 if width > widest.0 {
                     widest = (width, shape, axis);
                 }
@@ -74,7 +70,7 @@ impl Tree<'_> {
             members.iter().for_each(|&i| self.sets.union(members[0], i));
         }
         let (width, shape, axis) = widest;
-        // Points at one place are told apart by nothing: one speaks for all.
+        // Coincident points are equivalent: one represents all.
         let alike = if width == 0.0 { items.start..items.start + 1 } else { items.clone() };
         self.nodes.push(Node { items: alike.clone(), halves: None, is_crowd });
         if alike.len() > LEAF {
@@ -89,33 +85,17 @@ impl Tree<'_> {
         number
     }
 
-    /// Joins what is near among the points of a node.
-    fn join_within(&mut self, node: usize) {
-        if self.nodes[node].is_crowd {
-            return;
-        }
-        match self.nodes[node].halves {
-            Some([left, right]) => {
-                self.join_within(left);
-                self.join_within(right);
-                self.join(left, right);
-            }
-            None => self.compare(node, node),
-        }
-    }
-
-    /// Joins what is near between two nodes.
+    /// Joins near points of two nodes, or of one with itself.
     fn join(&mut self, a: usize, b: usize) {
         let mut all_near = true;
         for shape in 0..self.shapes.len() {
-            let (low, high) = self.boxes[a * self.shapes.len() + shape];
-            let (other_low, other_high) = self.boxes[b * self.shapes.len() + shape];
+            let [one, other] = [a, b].map(|node| self.boxes[node * self.shapes.len() + shape]);
             // Rounding is monotonic: these bounds hold for each pair of points as it would be computed.
-            let gap = (other_low - high).max(low - other_high).max(DVec3::ZERO);
+            let gap = (other.low - one.high).max(one.low - other.high).max(DVec3::ZERO);
             if gap.length() >= self.epsilon {
                 return;
             }
-            all_near &= (other_high - low).max(high - other_low).length() < self.epsilon;
+            all_near &= (other.high - one.low).max(one.high - other.low).length() < self.epsilon;
         }
         let (first, second) = (&self.nodes[a], &self.nodes[b]);
         let of = |node: &Node| self.items[node.items.start];
@@ -126,6 +106,11 @@ impl Tree<'_> {
         }
         // The longer list is halved; a crowd is one set, but may reach too far to be near as a whole.
         match (first.halves, second.halves) {
+            (Some([left, right]), _) if a == b => {
+                self.join(left, left);
+                self.join(right, right);
+                self.join(left, right);
+            }
             (Some(halves), _) if first.items.len() >= second.items.len() || second.halves.is_none() => {
                 halves.into_iter().for_each(|half| self.join(half, b));
             }
@@ -187,7 +172,7 @@ mod tests {
                 }
                 let moved = points(700, spread, &mut numbers);
                 for shapes in [vec![all.clone()], vec![all, moved]] {
-                    let found = components(&shapes, epsilon);
+                    let found = clusters(&shapes, epsilon);
                     assert_eq!(found, by_brute_force(&shapes, epsilon), "{epsilon} {spread}");
                 }
             }
@@ -200,15 +185,15 @@ mod tests {
         let mut numbers = Numbers::new(78);
         let crowd = points(200_000, 1e-6, &mut numbers);
         let moved = points(200_000, 1.0, &mut numbers);
-        let mut distinct = components(&[crowd.clone(), moved], 1e-4);
+        let mut distinct = clusters(&[crowd.clone(), moved], 1e-4);
         distinct.sort_unstable();
         distinct.dedup();
         assert!(distinct.len() > 190_000, "{}", distinct.len());
 
         let mut two = crowd;
         two[100_000..].iter_mut().for_each(|p| p.x += 1.005e-4);
-        let classes = components(&[two], 1e-4);
+        let classes = clusters(&[two], 1e-4);
         assert!(classes.iter().all(|&class| class == 0), "they reach each other");
-        assert!(components(&[], 1.0).is_empty());
+        assert!(clusters(&[], 1.0).is_empty());
     }
 }

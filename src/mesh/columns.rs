@@ -1,4 +1,4 @@
-//! Optional data beside positions and faces.
+//! Optional data of vertices, corners and faces.
 
 use glam::{DVec2, DVec3};
 
@@ -83,7 +83,7 @@ pub struct Columns {
     /// The normals that the file had, as stored: not renormalised, possibly wrong.
     pub normals: Option<Column<DVec3>>,
     /// Texture coordinates (the first set), the origin at the lower left of the image as OBJ has it; glTF's are
-    /// turned over on the way in and out.
+    /// flipped when read and written.
     pub uvs: Option<Column<DVec2>>,
     /// Linear or sRGB colour and opacity of each vertex, as stored, in 0..=1.
     pub colors: Option<Vec<[f32; 4]>>,

@@ -1,18 +1,20 @@
 //! Dropping and reversing faces.
 
-use super::{Column, ColumnIndex, Faces, Mesh};
+use super::columns::{Column, ColumnIndex};
+use super::faces::Faces;
+use super::polygon_mesh::Mesh;
 
-/// What happens to the faces of a mesh on the way out. Numbers are those of the mesh as it was read.
+/// Faces of a mesh to drop and to reverse, by their numbers in that mesh.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct FaceEdit {
-    /// Faces to leave out, ascending.
+    /// Faces to drop, ascending.
     pub dropped: Vec<u32>,
-    /// Faces whose corners run the other way, ascending. The first corner stays the first.
+    /// Faces to reverse, ascending. The first corner stays the first.
     pub reversed: Vec<u32>,
 }
 
 impl FaceEdit {
-    /// Whether every face stays as it is.
+    /// Whether every face stays unchanged.
     pub fn is_empty(&self) -> bool {
         self.dropped.is_empty() && self.reversed.is_empty()
     }
@@ -22,7 +24,7 @@ impl FaceEdit {
         self.dropped.binary_search(&face).is_err()
     }
 
-    /// Whether a face is turned round.
+    /// Whether a face is reversed.
     pub fn reverses(&self, face: u32) -> bool {
         self.reversed.binary_search(&face).is_ok()
     }
@@ -32,7 +34,7 @@ impl FaceEdit {
         let mut order = Vec::with_capacity(faces.corner_count());
         let mut kept = Faces::with_capacity(faces.corner_count());
         let (mut dropped, mut reversed) = (self.dropped.iter().peekable(), self.reversed.iter().peekable());
-        let mut face_corners = Vec::new();
+        let mut vertices = Vec::new();
         for (face, range) in faces.ranges().enumerate() {
             let reverse = reversed.next_if(|&&f| f as usize == face).is_some();
             if dropped.next_if(|&&f| f as usize == face).is_some() {
@@ -43,9 +45,9 @@ impl FaceEdit {
             if reverse {
                 order[start + 1..].reverse();
             }
-            face_corners.clear();
-            face_corners.extend(order[start..].iter().map(|&corner| faces.corners()[corner as usize]));
-            kept.push(&face_corners);
+            vertices.clear();
+            vertices.extend(order[start..].iter().map(|&corner| faces.corners()[corner as usize]));
+            kept.push(&vertices);
         }
         (kept, order)
     }
