@@ -1,6 +1,6 @@
 //! What files say about looks: materials, cameras and lights, as plain data for whoever draws them.
 
-use super::{Document, Loaded, Note, Place, ReadError, dispatch, gltf};
+use super::{Note, Place, ReadError};
 use glam::DMat4;
 
 /// Materials, cameras and lights of a file.
@@ -119,28 +119,6 @@ pub enum FileLightKind {
         /// Where it ends.
         outer: f64,
     },
-}
-
-impl Loaded {
-    /// Materials, cameras and lights; of files that were never read, and of PLY and STL, none.
-    ///
-    /// ```
-    /// use crease::io::{Format, ReadOptions, read_bytes};
-    ///
-    /// let camera = r#"{"type": "perspective", "perspective": {"yfov": 0.5, "znear": 0.1}}"#;
-    /// let text = format!(r#"{{"asset": {{"version": "2.0"}}, "cameras": [{camera}], "nodes": [{{"camera": 0}}]}}"#);
-    /// let loaded = read_bytes(text.into_bytes(), Some(Format::Gltf), None, &ReadOptions::default())?;
-    /// assert_eq!(loaded.appearance().cameras.len(), 1);
-    /// # Ok::<(), crease::io::ReadError>(())
-    /// ```
-    pub fn appearance(&self) -> Appearance {
-        match &self.document {
-            Document::Gltf(document) => gltf::appearance(document),
-            document => {
-                Appearance { materials: dispatch::materials(document).to_vec(), ..Appearance::default() }
-            }
-        }
-    }
 }
 
 /// The number that was written, from the nearest single: 0.1, not 0.10000000149011612.

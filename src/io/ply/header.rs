@@ -49,6 +49,15 @@ pub(super) enum Kind {
     List { count: Scalar, item: Scalar },
 }
 
+impl Kind {
+    /// The type of its numbers: of the items, if it is a list.
+    pub fn scalar(self) -> Scalar {
+        match self {
+            Kind::Scalar(scalar) | Kind::List { item: scalar, .. } => scalar,
+        }
+    }
+}
+
 impl Element {
     /// The first property of a name.
     pub fn property(&self, name: &str) -> Option<usize> {

@@ -1,7 +1,7 @@
 //! The number types of PLY.
 
-use crate::io::decimal::{push_f32, push_f64, push_integer};
-use crate::io::number;
+use crate::io::text::format_number::{push_f32, push_f64, push_integer};
+use crate::io::text::parse_number::float;
 
 /// How the body of a file is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -82,6 +82,11 @@ impl Scalar {
         }
     }
 
+    /// What stands for 1 in a colour.
+    pub fn full_scale(self) -> f64 {
+        if self.is_integer() { self.largest() } else { 1.0 }
+    }
+
     /// The number in `bytes`: exactly its binary bytes, or an ascii word. `None` if the word is no number.
     #[inline]
     pub fn read(self, bytes: &[u8], encoding: Encoding) -> Option<f64> {
@@ -95,7 +100,7 @@ impl Scalar {
             }};
         }
         Some(match self {
-            _ if encoding == Encoding::Ascii => return number::float(bytes),
+            _ if encoding == Encoding::Ascii => return float(bytes),
             I8 => decode!(i8),
             U8 => decode!(u8),
             I16 => decode!(i16),
