@@ -1,22 +1,22 @@
-//! Which faces of a file are turned round: what each part tells, and what lies round it.
+//! Which faces of a file are reversed, by each part alone and by the parts around it.
 
-use super::Task;
-use super::faces::applied;
+use super::edited_part::applied;
+use super::task::Task;
 use crate::io::Loaded;
 use crate::mesh::{FaceEdit, Mesh, Orient, Orientation, Orientations, Placed, Topology, cavities, orient};
 use rayon::prelude::*;
 use std::borrow::Cow;
 
-/// What a task finds in each part; `None` if it asks for nothing. Faces are numbered as they are without those that have no
+/// What a task finds in each part; `None` if it asks for nothing. Faces are numbered without those that have no
 /// finite positions.
 pub(super) fn find(loaded: &Loaded, task: &Task) -> Vec<Option<Orientation>> {
     if task.orient == Orient::Keep {
         return vec![None; loaded.parts.len()];
     }
     let weld = task.recipe.weld;
-    let left_out = |dropped: &Vec<u32>| FaceEdit { dropped: dropped.clone(), reversed: Vec::new() };
+    let without = |dropped: &Vec<u32>| FaceEdit { dropped: dropped.clone(), reversed: Vec::new() };
     let present: Vec<Cow<'_, Mesh>> =
-        loaded.parts.iter().map(|part| applied(&part.mesh, &left_out(&part.non_finite_faces))).collect();
+        loaded.parts.iter().map(|part| applied(&part.mesh, &without(&part.non_finite_faces))).collect();
     let alone =
         |mesh: &Cow<'_, Mesh>| orient(mesh, &Topology::build(mesh, weld), task.orient, task.confidence);
     let mut found: Vec<Orientation> = present.par_iter().map(alone).collect();
