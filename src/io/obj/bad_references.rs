@@ -40,9 +40,15 @@ pub(super) fn bad_references(text: &[u8], total: Counts, target: Target, most: u
             Keyword::Vertex => before.vertices += 1,
             Keyword::TextureCoordinate => before.uvs += 1,
             Keyword::Normal => before.normals += 1,
+            // Only faces keep texture coordinates and normals.
+            Keyword::Line | Keyword::Point if target != Target::Vertex => {}
             Keyword::Face | Keyword::Line | Keyword::Point => {
-                let is_face = statement.keyword == Keyword::Face;
-                add_bad_corners(text, statement.arguments, is_face, (before, total), target, &mut found);
+                let known = found.len();
+                let corners = add_bad_corners(text, statement.arguments, (before, total), target, &mut found);
+                // Faces that are too short are skipped, whatever they refer to.
+                if statement.keyword == Keyword::Face && corners < 3 {
+                    found.truncate(known);
+                }
                 if found.len() >= most {
                     found.truncate(most);
                     break;
@@ -54,24 +60,23 @@ pub(super) fn bad_references(text: &[u8], total: Counts, target: Target, most: u
     found
 }
 
+/// Adds the bad references of one statement and returns how many corners it has.
 fn add_bad_corners(
     text: &[u8],
     arguments: usize,
-    is_face: bool,
     (before, total): (Counts, Counts),
     target: Target,
     found: &mut Vec<BadReference>,
-) {
+) -> usize {
     let mut cursor = Cursor::new(text, arguments);
-    let (known, mut corners) = (found.len(), 0);
+    let mut corners = 0;
     while let Some(offset) = cursor.next_argument() {
         let Some(corner) = cursor.corner() else { break };
         corners += 1;
         let (spelled, defined_before, defined) = match target {
             Target::Vertex => (Some(corner.vertex), before.vertices, total.vertices),
-            // Only faces keep these.
-            Target::Uv => (corner.uv.filter(|_| is_face), before.uvs, total.uvs),
-            Target::Normal => (corner.normal.filter(|_| is_face), before.normals, total.normals),
+            Target::Uv => (corner.uv, before.uvs, total.uvs),
+            Target::Normal => (corner.normal, before.normals, total.normals),
         };
         let is_bad = |spelled: &i64| match *spelled {
             0 => true,
@@ -81,10 +86,7 @@ fn add_bad_corners(
         let bad = spelled.filter(is_bad).map(|spelled| BadReference { offset, spelled, defined_before });
         found.extend(bad);
     }
-    // Faces that are too short are skipped, whatever they refer to.
-    if is_face && corners < 3 {
-        found.truncate(known);
-    }
+    corners
 }
 
 impl BadReference {

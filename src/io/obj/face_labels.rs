@@ -17,29 +17,37 @@ pub(super) struct Labels<'a> {
 }
 
 impl<'a> Labels<'a> {
-    fn of(&self, keyword: Keyword) -> impl Iterator<Item = (usize, &'a [u8])> + '_ {
-        let labels = self.all.iter().filter(move |label| label.keyword == keyword);
-        labels.map(|label| (label.face as usize, &self.text[label.name.clone()]))
+    fn of(&self, keyword: Keyword) -> impl Iterator<Item = &Label> + Clone + '_ {
+        self.all.iter().filter(move |label| label.keyword == keyword)
+    }
+
+    fn name(&self, label: &Label) -> &'a [u8] {
+        &self.text[label.name.clone()]
+    }
+
+    /// The label of each face: `number` gives that of a statement, and faces before the first one get `none`.
+    fn of_faces(&self, keyword: Keyword, none: u32, mut number: impl FnMut(&Label) -> u32) -> Vec<u32> {
+        let (mut of_face, mut current) = (Vec::with_capacity(self.faces), none);
+        for label in self.of(keyword) {
+            of_face.resize(label.face as usize, current);
+            current = number(label);
+        }
+        of_face.resize(self.faces, current);
+        of_face
     }
 
     /// The materials, objects or groups of faces; `None` if no face has one. An empty name sets none.
     pub fn names(&self, keyword: Keyword) -> Option<FaceLabels> {
-        self.of(keyword).find(|(_, name)| !name.is_empty())?;
-        let mut numbers: FxHashMap<&[u8], u32> = FxHashMap::default();
-        let mut labels = FaceLabels { of_face: Vec::new(), names: Vec::new() };
-        let mut current = NONE;
-        for (face, name) in self.of(keyword) {
-            labels.of_face.resize(face, current);
-            current = match name {
-                [] => NONE,
-                name => *numbers.entry(name).or_insert_with(|| {
-                    labels.names.push(name_text(name));
-                    labels.names.len() as u32 - 1
-                }),
-            };
-        }
-        labels.of_face.resize(self.faces, current);
-        labels.of_face.iter().any(|&label| label != NONE).then_some(labels)
+        self.of(keyword).find(|label| !label.name.is_empty())?;
+        let (mut numbers, mut names) = (FxHashMap::default(), Vec::new());
+        let of_face = self.of_faces(keyword, NONE, |label| match self.name(label) {
+            [] => NONE,
+            name => *numbers.entry(name).or_insert_with(|| {
+                names.push(name_text(name));
+                names.len() as u32 - 1
+            }),
+        });
+        of_face.iter().any(|&label| label != NONE).then_some(FaceLabels { of_face, names })
     }
 
     /// The object of each face: that of `o` if the file has any, else that of `g`.
@@ -53,27 +61,23 @@ impl<'a> Labels<'a> {
     /// other word (`on`, a fraction, a number of 2³² or more) is a group of its own by that name, numbered
     /// from the top down.
     pub fn smoothing(&self, notes: &mut RepeatedNotes) -> Option<SmoothingGroups> {
-        let (before_first, _) = self.of(Keyword::Smoothing).next()?;
-        let numbers: FxHashSet<u32> =
-            self.of(Keyword::Smoothing).filter_map(|(_, token)| group_number(token)).collect();
+        let statements = self.of(Keyword::Smoothing);
+        let before_first = statements.clone().next()?.face as usize;
+        let numbers: FxHashSet<u32> = statements.filter_map(|label| group_number(self.name(label))).collect();
         let mut free = (0..NONE).rev().filter(|id| !numbers.contains(id));
         let mut names: FxHashMap<&[u8], u32> = FxHashMap::default();
-        let mut groups = SmoothingGroups { of_face: Vec::with_capacity(self.faces), before_first };
-        let mut current = 0;
-        for label in self.all.iter().filter(|label| label.keyword == Keyword::Smoothing) {
-            groups.of_face.resize(label.face as usize, current);
-            let token = &self.text[label.name.clone()];
-            current = group_number(token).unwrap_or_else(|| {
+        let of_face = self.of_faces(Keyword::Smoothing, 0, |label| {
+            let token = self.name(label);
+            group_number(token).unwrap_or_else(|| {
                 notes.add(SMOOTHING_NAME, label.name.start);
                 match token {
                     [] => 0,
                     // A file cannot name more groups than there are numbers.
                     name => *names.entry(name).or_insert_with(|| free.next().unwrap_or(0)),
                 }
-            });
-        }
-        groups.of_face.resize(self.faces, current);
-        Some(groups)
+            })
+        });
+        Some(SmoothingGroups { of_face, before_first })
     }
 }
 

@@ -1,4 +1,4 @@
-//! Material libraries: which materials they define, and which files have to go along with a copy of them.
+//! Material libraries: their materials, and the files that a copy of the output needs.
 
 use super::cursor::name_text;
 use super::mtl_materials::{file_material, materials, textures};
@@ -13,22 +13,22 @@ use std::io::Read;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// Most libraries and textures that are looked for. Real files have a handful; a hostile one must not cost a million
+/// The most libraries and textures that are searched for. Real files have a handful; a hostile one must not cost a million
 /// file look-ups.
 const MOST_FILES: usize = 1000;
 
-/// Most names of missing files that a note lists beside the first.
+/// The most names of missing files that a note lists after the first.
 const MOST_NAMES: usize = 10;
 
 /// Largest library that is read.
 const MOST_BYTES: u64 = 64 << 20;
 
-/// What was found.
+/// The material libraries of a file.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Materials {
-    /// Libraries and textures, to be copied beside an output in another folder.
+    /// Libraries and textures, to be copied along with an output in another folder.
     pub files: Vec<OutputFile>,
-    /// What the libraries say, the first definition of each name.
+    /// The materials, the first definition of each name.
     pub materials: Vec<FileMaterial>,
     pub notes: Vec<Note>,
 }
@@ -41,7 +41,15 @@ pub(super) fn find(
     base: &Path,
     options: &ReadOptions,
 ) -> Materials {
-    let mut search = Search::new(Companions::new(base, options));
+    let companions = Companions::new(base, options);
+    let mut search = Search {
+        companions,
+        searched: 0,
+        files: BTreeMap::new(),
+        missing: BTreeMap::new(),
+        defined: FxHashSet::default(),
+        materials: Vec::new(),
+    };
     let mut seen = FxHashSet::default();
     for statement in statements {
         let names = name_text(&text[statement.clone()]);
@@ -49,10 +57,13 @@ pub(super) fn find(
             search.libraries(&names);
         }
     }
-    search.finish(used)
+    let notes = search.notes(used);
+    let files = search.files.into_iter();
+    let files = files.map(|(name, path)| OutputFile { name, content: OutputContent::CopyOf(path) }).collect();
+    Materials { files, materials: search.materials, notes }
 }
 
-/// What is said of libraries that a stream names, which has no folder that they could be in.
+/// The note on the libraries of a stream, which has no folder to search for them.
 pub(super) fn out_of_reach(text: &[u8], statements: &[Range<usize>]) -> Materials {
     let note = |first: &Range<usize>| {
         let name = name_text(&text[first.clone()]);
@@ -65,45 +76,39 @@ pub(super) fn out_of_reach(text: &[u8], statements: &[Range<usize>]) -> Material
 
 struct Search {
     companions: Companions,
-    looked_for: usize,
+    /// How many files were searched for.
+    searched: usize,
     files: BTreeMap<String, PathBuf>,
-    /// Names of companions that are not read, by reason.
-    refused: BTreeMap<Refusal, BTreeSet<String>>,
-    /// Names for which a copy cannot be put where the output looks for it.
-    out_of_place: BTreeSet<String>,
+    /// Names of companions by the reason why they are not read; without a reason, they cannot be copied.
+    missing: BTreeMap<Missing, BTreeSet<String>>,
     defined: FxHashSet<String>,
     materials: Vec<FileMaterial>,
 }
 
-impl Search {
-    fn new(companions: Companions) -> Self {
-        Self {
-            companions,
-            looked_for: 0,
-            files: BTreeMap::new(),
-            refused: BTreeMap::new(),
-            out_of_place: BTreeSet::new(),
-            defined: FxHashSet::default(),
-            materials: Vec::new(),
-        }
-    }
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+enum Missing {
+    NotRead(Refusal),
+    /// A copy would be outside the output's folder.
+    NotCopied,
+}
 
+impl Search {
     /// One `mtllib` statement: one name with blanks in it, if there is such a file, or else several names.
     fn libraries(&mut self, names: &str) {
-        if self.may_look() && self.companions.find(Path::new(""), names).is_ok() {
+        if self.may_search() && self.companions.find(Path::new(""), names).is_ok() {
             return self.read_library(names);
         }
         for name in split_names(names) {
-            if self.looked_for > MOST_FILES {
+            if self.searched > MOST_FILES {
                 return;
             }
             self.read_library(name);
         }
     }
 
-    fn may_look(&mut self) -> bool {
-        self.looked_for += 1;
-        self.looked_for <= MOST_FILES
+    fn may_search(&mut self) -> bool {
+        self.searched += 1;
+        self.searched <= MOST_FILES
     }
 
     fn read_library(&mut self, name: &str) {
@@ -111,8 +116,7 @@ impl Search {
         let mut bytes = Vec::new();
         let read = fs::File::open(&path).and_then(|file| file.take(MOST_BYTES).read_to_end(&mut bytes));
         if read.is_err() {
-            self.refused.entry(Refusal::Missing).or_default().insert(name.to_owned());
-            return;
+            return self.is_missing(Missing::NotRead(Refusal::Missing), name);
         }
         let folder = Path::new(name).parent().unwrap_or(Path::new("")).to_owned();
         for material in materials(&bytes) {
@@ -125,68 +129,68 @@ impl Search {
         }
     }
 
+    fn is_missing(&mut self, missing: Missing, name: &str) {
+        self.missing.entry(missing).or_default().insert(name.to_owned());
+    }
+
     fn file(&mut self, folder: &Path, name: &str) -> Option<PathBuf> {
-        if !self.may_look() {
+        if !self.may_search() {
             return None;
         }
-        match self.companions.find(folder, name) {
-            Ok(path) => {
-                match output_name(folder, name) {
-                    Some(output) => drop(self.files.insert(output, path.clone())),
-                    None => drop(self.out_of_place.insert(name.to_owned())),
-                }
+        match (self.companions.find(folder, name), output_name(folder, name)) {
+            (Ok(path), Some(output)) => {
+                self.files.insert(output, path.clone());
                 Some(path)
             }
-            Err(refusal) => {
-                self.refused.entry(refusal).or_default().insert(name.to_owned());
+            (Ok(path), None) => {
+                self.is_missing(Missing::NotCopied, name);
+                Some(path)
+            }
+            (Err(refusal), _) => {
+                self.is_missing(Missing::NotRead(refusal), name);
                 None
             }
         }
     }
 
-    fn finish(self, used: Option<&FaceLabels>) -> Materials {
+    fn notes(&self, used: Option<&FaceLabels>) -> Vec<Note> {
+        let quoted = |name: &String| format!("`{}`", shown(name.as_bytes()));
         let mut notes = Vec::new();
-        let mut warn = |names: &BTreeSet<String>, what: &str| {
-            let Some(first) = names.first() else { return };
-            let others: Vec<String> = names
-                .iter()
-                .skip(1)
-                .take(MOST_NAMES)
-                .map(|name| format!("`{}`", shown(name.as_bytes())))
-                .collect();
+        let mut are_complete = true;
+        for (missing, names) in &self.missing {
+            let what = match missing {
+                Missing::NotRead(refusal) => format!("{refusal}; the output goes without it"),
+                Missing::NotCopied => {
+                    let text =
+                        "cannot be copied along with an output in another folder: its name leads out of it";
+                    text.to_owned()
+                }
+            };
+            are_complete &= *missing == Missing::NotCopied;
+            let mut quoted = names.iter().map(quoted);
+            let first = quoted.next().unwrap_or_default();
+            let others: Vec<String> = quoted.take(MOST_NAMES).collect();
             let more = match names.len() - 1 {
                 0 => String::new(),
-                more if more > others.len() => {
-                    format!(" (and {more} more like it: {}, …)", others.join(", "))
+                more => {
+                    let rest = if more > others.len() { ", …" } else { "" };
+                    format!(" (and {more} more like it: {}{rest})", others.join(", "))
                 }
-                more => format!(" (and {more} more like it: {})", others.join(", ")),
             };
-            notes.push(Note::warning(Place::File, format!("`{}` {what}{more}", shown(first.as_bytes()))));
-        };
-        for (refusal, names) in &self.refused {
-            warn(names, &format!("{refusal}; the output goes without it"));
+            notes.push(Note::warning(Place::File, format!("{first} {what}{more}")));
         }
-        warn(
-            &self.out_of_place,
-            "cannot be copied along with an output in another folder: its name leads out of it",
-        );
-        if self.looked_for > MOST_FILES {
+        if self.searched > MOST_FILES {
             let text = "the file names very many material libraries and textures; not all were looked for";
             notes.push(Note::warning(Place::File, text));
         }
-        // Where a library is missing, so may be the definition.
-        if self.refused.is_empty() && !self.defined.is_empty() {
-            let undefined =
-                used.into_iter().flat_map(|labels| &labels.names).find(|&name| !self.defined.contains(name));
-            notes.extend(undefined.map(|name| {
-                let name = shown(name.as_bytes());
-                Note::remark(format!("`{name}` is used as a material, but no library defines it"))
+        // If a library is missing, the definition may be in it.
+        if are_complete && !self.defined.is_empty() {
+            let mut names = used.into_iter().flat_map(|labels| &labels.names);
+            notes.extend(names.find(|name| !self.defined.contains(*name)).map(|name| {
+                Note::remark(format!("{} is used as a material, but no library defines it", quoted(name)))
             }));
         }
-        let files = self.files.into_iter();
-        let files =
-            files.map(|(name, path)| OutputFile { name, content: OutputContent::CopyOf(path) }).collect();
-        Materials { files, materials: self.materials, notes }
+        notes
     }
 }
 

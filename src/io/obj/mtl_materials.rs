@@ -52,7 +52,7 @@ fn is_texture(word: &str) -> bool {
     word.starts_with("map_") || ["bump", "norm", "disp", "decal", "refl"].contains(&&*word)
 }
 
-/// What a material says.
+/// A material as plain data.
 pub(super) fn file_material(material: &tobj::Material) -> FileMaterial {
     let colour = |colour: Option<[f32; 3]>| colour.map(|colour| colour.map(as_written));
     // Models 0 and 1 have no highlight.

@@ -60,8 +60,8 @@ impl Roles {
         let faces = named("face").map(|element| (element, false));
         let faces = faces.or_else(|| named("tristrips").map(|element| (element, true)));
         let face = faces.map(|(element, are_strips)| face_role(header, element, are_strips)).transpose()?;
-        let edge = named("edge")
-            .and_then(|element| Some((element, header.elements[element].scalars(["vertex1", "vertex2"])?)));
+        let ends = |element: usize| header.elements[element].scalars(["vertex1", "vertex2"]);
+        let edge = named("edge").and_then(|element| Some((element, ends(element)?)));
         Ok(Roles { vertex: vertex_role(header, vertex)?, face, edge })
     }
 
@@ -69,10 +69,10 @@ impl Roles {
     pub fn used(&self, element: usize) -> Option<Vec<usize>> {
         let vertex = &self.vertex;
         if vertex.element == element {
-            let triples =
-                [Some(vertex.position), vertex.normal, vertex.color].into_iter().flatten().flatten();
-            let uvs = vertex.uv.into_iter().flatten();
-            return Some(triples.chain(uvs).chain(vertex.opacity).collect());
+            let triples = [Some(vertex.position), vertex.normal, vertex.color].into_iter().flatten();
+            return Some(
+                triples.flatten().chain(vertex.uv.into_iter().flatten()).chain(vertex.opacity).collect(),
+            );
         }
         if let Some(face) = self.face.as_ref().filter(|face| face.element == element) {
             let normals = face.normal.into_iter().flatten();
