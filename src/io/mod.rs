@@ -48,5 +48,5 @@ pub use options::{Emit, Limits, NonFinite, NormalFormat, ReadOptions, TangentPol
 pub use output::{OutputContent, OutputFile, Written};
 pub(crate) use read::read_whole;
 pub use read::{detect, read, read_bytes};
-pub use text::shell_word::shell_word;
+pub use text::shell_word;
 pub use write::{write, write_new};

@@ -1,7 +1,7 @@
 //! Reading a file of any format: opening it, detecting its format, calling its reader.
 
 use super::mesh_checks::face_notes;
-use super::text::words::without_byte_order_mark;
+use super::text::without_byte_order_mark;
 use super::{Format, Limits, Loaded, Place, Problem, ReadError, ReadOptions};
 use super::{gltf, obj, ply, stl};
 #[cfg(unix)]

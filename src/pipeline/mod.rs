@@ -18,12 +18,9 @@
 // What to do.
 mod task;
 // What was found.
-
 mod outcome;
 // The faces of the output.
 mod edited_part;
-mod element_places;
-mod orientation;
 // The change of a file.
 mod revision;
 

@@ -1,15 +1,14 @@
 //! The change of a file.
 
-use super::edited_part::EditedPart;
-use super::element_places::{broken_places, fault_places};
-use super::orientation;
+use super::edited_part::{EditedPart, applied};
 use super::outcome::{FaultCounts, PartOutcome, ReplacedCounts};
 use super::task::{Degenerate, Task};
 use crate::io::{Emit, Format, Loaded, Part, PartEdit};
-use crate::mesh::Orientation;
+use crate::mesh::{FaceEdit, Mesh, Orient, Orientation, Orientations, Placed, Topology, cavities, orient};
 use crate::normals::{self, FaultReason, When, select};
 use glam::DVec3;
 use rayon::prelude::*;
+use std::borrow::Cow;
 
 /// What changes in a file, and what was found on the way.
 #[derive(Clone, Debug, Default)]
@@ -32,7 +31,7 @@ pub fn revise(
     let (edits, parts) = loaded
         .parts
         .par_iter()
-        .zip(orientation::find(loaded, task))
+        .zip(find_orientations(loaded, task))
         .map(|(part, orientation)| {
             let (mut edit, outcome, facets) = revise_part(part, orientation, task);
             let wants_facets = task.emit == Emit::Face || target == Some(Format::Stl);
@@ -62,7 +61,7 @@ fn revise_part(
     let mut field = normals::compute(&edited.mesh, &task.recipe);
     outcome.orientation = edited.orientation.take();
     outcome.faults = FaultCounts::of(&field.faults);
-    outcome.fault_places = fault_places(&edited, &part.mesh, &field.faults);
+    outcome.fault_places = edited.fault_places(&field.faults);
     if task.degenerate == Degenerate::Drop {
         let zero_area = field.faults.faces.iter().filter(|fault| fault.reason == FaultReason::ZeroArea);
         let dropped: Vec<u32> = zero_area.map(|fault| fault.index).collect();
@@ -78,10 +77,36 @@ fn revise_part(
     if task.when != When::Always {
         outcome.kept = edited.mesh.faces().corner_count() - outcome.replaced.total();
     }
-    outcome.broken_places = broken_places(&edited, &part.mesh, &selection.broken);
+    outcome.broken_places = edited.broken_places(&selection.broken);
     let facets = edited.faces_as_read(std::mem::take(&mut selection.face_normals));
-    let edit = edited.edit(part, selection, task);
+    let edit = edited.edit(selection, task);
     outcome.reversed_faces = edit.faces.reversed.len();
     outcome.dropped_faces = edit.faces.dropped.len() - part.non_finite_faces.len();
     (edit, outcome, Some(facets))
+}
+
+/// What a task finds in each part; `None` if it asks for nothing. Faces are numbered without those that have no
+/// finite positions.
+fn find_orientations(loaded: &Loaded, task: &Task) -> Vec<Option<Orientation>> {
+    if task.orient == Orient::Keep {
+        return vec![None; loaded.parts.len()];
+    }
+    let weld = task.recipe.weld;
+    let without = |dropped: &Vec<u32>| FaceEdit { dropped: dropped.clone(), reversed: Vec::new() };
+    let present: Vec<Cow<'_, Mesh>> =
+        loaded.parts.iter().map(|part| applied(&part.mesh, &without(&part.non_finite_faces))).collect();
+    let alone =
+        |mesh: &Cow<'_, Mesh>| orient(mesh, &Topology::build(mesh, weld), task.orient, task.confidence);
+    let mut found: Vec<Orientation> = present.par_iter().map(alone).collect();
+    if found.iter().any(|found| found.inside_out + found.rooms > 0) {
+        let parts = present.iter().zip(loaded.places());
+        let parts: Vec<Placed<'_>> = parts.map(|(mesh, places)| Placed { mesh, places }).collect();
+        for ((found, mesh), cavities) in found.iter_mut().zip(&present).zip(cavities(&parts, weld)) {
+            if !cavities.is_empty() {
+                let orientations = Orientations::new(mesh, &Topology::build(mesh, weld));
+                *found = orientations.outward(mesh, task.confidence, &cavities);
+            }
+        }
+    }
+    found.into_iter().map(Some).collect()
 }

@@ -3,9 +3,7 @@
 use super::cursor::{CornerSpelling, Cursor};
 use super::indices::Indices;
 use crate::io::Problem;
-use crate::io::text::fault::Fault;
-use crate::io::text::parse_number::{float, float_prefix};
-use crate::io::text::{counted, shown};
+use crate::io::text::{Fault, counted, float, float_prefix, shown};
 use glam::DVec3;
 
 /// Whether the control points of a free-form surface have the form v/vt/vn.

@@ -6,7 +6,7 @@
 use super::cursor::Cursor;
 use super::statements::{Keyword, statements};
 use crate::io::Problem;
-use crate::io::text::fault::Fault;
+use crate::io::text::Fault;
 
 /// How many vertices, texture coordinates and normals a file defines.
 #[derive(Clone, Copy, Debug, Default)]

@@ -4,8 +4,7 @@
 //! backslash at its end continues it on the next. Comments start at `#` and end with their line: one that ends
 //! in a backslash (a Windows path, say) does not swallow the statement after it. Lines end with LF, CR LF or CR.
 
-use crate::io::text::parse_number::integer_prefix;
-use crate::io::text::words::line_end_length;
+use crate::io::text::{integer_prefix, line_end_length};
 use memchr::{memchr2, memchr3};
 use std::ops::Range;
 

@@ -5,7 +5,7 @@ use super::notes::SMOOTHING_NAME;
 use super::piece::Label;
 use super::statements::Keyword;
 use crate::io::repeated_notes::RepeatedNotes;
-use crate::io::text::parse_number::integer_prefix;
+use crate::io::text::integer_prefix;
 use crate::mesh::{FaceLabels, NONE, SmoothingGroups};
 use rustc_hash::{FxHashMap, FxHashSet};
 

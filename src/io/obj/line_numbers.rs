@@ -4,7 +4,7 @@
 
 use super::cursor::Cursor;
 use super::statements::{Keyword, Statement, pieces, statements_in};
-use crate::io::text::line_numbers::line_and_column;
+use crate::io::text::line_and_column;
 use rayon::prelude::*;
 use std::ops::Range;
 

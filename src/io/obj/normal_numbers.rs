@@ -1,7 +1,7 @@
 //! The numbers of normals in an OBJ that is edited or new.
 
 use crate::io::PartEdit;
-use crate::io::text::format_number::push_row;
+use crate::io::text::push_row;
 use crate::mesh::{Column, Mesh, Storage};
 use glam::DVec3;
 use rustc_hash::FxHashMap;

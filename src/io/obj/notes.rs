@@ -2,8 +2,7 @@
 
 use super::cursor::Cursor;
 use crate::io::repeated_notes::{NoteKind, RepeatedNotes};
-use crate::io::text::line_numbers::line_places;
-use crate::io::text::shown;
+use crate::io::text::{line_places, shown};
 use crate::io::{Note, Severity};
 
 /// In the text of a note: the word of the file that it is about.

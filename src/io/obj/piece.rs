@@ -10,7 +10,7 @@ use super::indices::{Indices, NOWHERE};
 use super::notes;
 use super::statements::Keyword;
 use crate::io::repeated_notes::RepeatedNotes;
-use crate::io::text::fault::Fault;
+use crate::io::text::Fault;
 use glam::{DVec2, DVec3};
 use std::ops::Range;
 

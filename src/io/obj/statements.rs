@@ -1,7 +1,7 @@
 //! Bytes to statements: keywords, statements in order, and the pieces that are parsed in parallel.
 
 use super::cursor::{Cursor, continues};
-use crate::io::text::words::without_byte_order_mark;
+use crate::io::text::without_byte_order_mark;
 use memchr::memchr2;
 use std::ops::Range;
 

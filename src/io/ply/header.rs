@@ -1,8 +1,7 @@
 //! The header: elements and their properties, with the places of all that an edit may change.
 
 use super::scalar::{Encoding, Scalar};
-use crate::io::text::shown;
-use crate::io::text::words::next_word;
+use crate::io::text::{next_word, shown};
 use crate::io::{Place, Problem, ReadError};
 use std::ops::Range;
 

@@ -4,8 +4,7 @@ use super::document::PlyDocument;
 use super::header::Element;
 use super::rows::{Row, Rows, damaged};
 use super::scalar::{Encoding, Scalar};
-use crate::io::text::changes::Changes;
-use crate::io::text::fault::Fault;
+use crate::io::text::{Changes, Fault};
 use crate::io::{Note, Place, Problem};
 use glam::DVec3;
 

@@ -7,9 +7,7 @@ use super::rows::{OVERLONG, Row, Rows, place, places, read_corners, vertex_index
 use super::scalar::{Encoding, Scalar};
 use crate::io::mesh_checks::{build_part, check_size, non_finite_note};
 use crate::io::repeated_notes::{NoteKind, RepeatedNotes};
-use crate::io::text::counted;
-use crate::io::text::f32_text::restore_singles;
-use crate::io::text::fault::Fault;
+use crate::io::text::{Fault, counted, restore_singles};
 use crate::io::{Document, Format, Loaded, Note, Place, Problem, ReadError, ReadOptions, Severity};
 use crate::mesh::{Column, Faces, MeshBuilder, MeshError, NONE, Storage};
 use glam::{DVec2, DVec3};

@@ -3,10 +3,7 @@
 use super::header::{Element, Header, Kind};
 use super::scalar::{Encoding, Scalar};
 use crate::io::repeated_notes::{NoteKind, RepeatedNotes};
-use crate::io::text::fault::Fault;
-use crate::io::text::line_numbers::{line_place, line_places};
-use crate::io::text::words::{line_end_length, next_word};
-use crate::io::text::{counted, shown};
+use crate::io::text::{Fault, counted, line_end_length, line_place, line_places, next_word, shown};
 use crate::io::{Place, Problem, Severity};
 use crate::mesh::NONE;
 use std::ops::Range;
@@ -162,27 +159,18 @@ impl<'a> Rows<'a> {
 
     #[inline]
     fn binary_field(&mut self, kind: Kind) -> Result<Range<usize>, Fault> {
-        match kind {
-            Kind::Scalar(scalar) => self.take(scalar.size()),
-            Kind::List { count, item } => {
-                let counted = self.take(count.size())?;
-                let number = count.read(&self.bytes[counted.clone()], self.encoding).unwrap_or(0.0);
-                if number < 0.0 {
-                    let found = format!("a list of {number} numbers");
-                    return Err(damaged(Problem::Range, counted.start, found));
-                }
-                let length = (number as usize).checked_mul(item.size());
-                let items = match length {
-                    Some(length) => self.take(length)?,
-                    None => return Err(self.cut_off()),
-                };
-                Ok(counted.start..items.end)
-            }
+        let Kind::List { count, item } = kind else { return self.take(kind.scalar().size()) };
+        let counted = self.take(count.size())?;
+        let number = count.read(&self.bytes[counted.clone()], self.encoding).unwrap_or(0.0);
+        if number < 0.0 {
+            return Err(damaged(Problem::Range, counted.start, format!("a list of {number} numbers")));
         }
+        let items = self.take((number as usize).checked_mul(item.size()).unwrap_or(usize::MAX))?;
+        Ok(counted.start..items.end)
     }
 
     fn ascii_field(&mut self, kind: Kind) -> Result<Range<usize>, Fault> {
-        let first = self.word().ok_or_else(|| self.cut_off())?;
+        let first = self.word()?;
         let Kind::List { count, .. } = kind else { return Ok(first) };
         let word = &self.bytes[first.clone()];
         let Some(number) = count.read(word, Encoding::Ascii).filter(|n| *n >= 0.0 && n.fract() == 0.0) else {
@@ -193,18 +181,17 @@ impl<'a> Rows<'a> {
         if number > (self.bytes.len() - first.end) as f64 {
             return Err(self.cut_off());
         }
-        let mut end = first.end;
         for _ in 0..number as usize {
-            end = self.word().ok_or_else(|| self.cut_off())?.end;
+            self.word()?;
         }
-        Ok(first.start..end)
+        Ok(first.start..self.at)
     }
 
-    /// The next word, on whatever line.
-    fn word(&mut self) -> Option<Range<usize>> {
-        let word = next_word(self.bytes, self.at)?;
+    /// Takes the next word, on whatever line.
+    fn word(&mut self) -> Result<Range<usize>, Fault> {
+        let word = next_word(self.bytes, self.at).ok_or_else(|| self.cut_off())?;
         self.at = word.end;
-        Some(word)
+        Ok(word)
     }
 
     /// Passes the line end behind a row, and what is in front of that if lines are not shared.

@@ -1,7 +1,6 @@
 //! The number types of PLY.
 
-use crate::io::text::format_number::{push_f32, push_f64, push_integer};
-use crate::io::text::parse_number::float;
+use crate::io::text::{float, push_f32, push_f64, push_integer};
 
 /// How the body of a file is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

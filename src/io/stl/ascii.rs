@@ -2,12 +2,9 @@
 
 use crate::io::mesh_checks::{build_part, non_finite_note};
 use crate::io::repeated_notes::{NoteKind, RepeatedNotes};
-use crate::io::text::f32_text::restore_singles;
-use crate::io::text::fault::Fault;
-use crate::io::text::line_numbers::{line_place, line_places};
-use crate::io::text::parse_number::float;
-use crate::io::text::words::{Words, is_blank};
-use crate::io::text::{counted, shown};
+use crate::io::text::{
+    Fault, Words, counted, float, is_blank, line_place, line_places, restore_singles, shown,
+};
 use crate::io::{Note, Part, Place, Problem, ReadError, ReadOptions, Severity};
 use crate::mesh::{Column, Columns, Faces, MeshBuilder, MeshError, NONE, Storage};
 use glam::DVec3;
@@ -152,7 +149,10 @@ impl<'a> Parser<'a> {
             }
             (b"facet", None) => self.begin_facet(word),
             (b"outer", Some(Loops::None)) => {
-                self.expect(b"loop", word)?;
+                if !self.next_is(b"loop") {
+                    let found = format!("`{}` without `loop` behind it", shown(&self.text[word.clone()]));
+                    return Err(damaged(word.start, found, "the line is damaged"));
+                }
                 self.facet = Some(Loops::Open);
             }
             (b"vertex", Some(Loops::Open)) => self.vertex(word)?,
@@ -171,18 +171,14 @@ impl<'a> Parser<'a> {
         Ok(())
     }
 
-    fn expect(&mut self, expected: &[u8], after: Range<usize>) -> Result<(), Fault> {
-        match self.words.next() {
-            Some(word) if self.text[word.clone()].eq_ignore_ascii_case(expected) => Ok(()),
-            _ => {
-                let found = format!(
-                    "`{}` without `{}` behind it",
-                    shown(&self.text[after.clone()]),
-                    String::from_utf8_lossy(expected)
-                );
-                Err(damaged(after.start, found, "the line is damaged"))
-            }
+    /// Passes the next word if it is the expected one.
+    fn next_is(&mut self, expected: &[u8]) -> bool {
+        let start = self.words.at;
+        let is_next = self.words.next().is_some_and(|word| self.text[word].eq_ignore_ascii_case(expected));
+        if !is_next {
+            self.words.at = start;
         }
+        is_next
     }
 
     fn begin_solid(&mut self, start: usize) -> Result<(), Fault> {
@@ -205,47 +201,42 @@ impl<'a> Parser<'a> {
             self.solids.push(SolidText::default());
             self.solid = Solid::Implied;
         }
-        let (text, ahead) = (self.text, self.words.at);
-        let has_keyword = self.words.next().is_some_and(|word| text[word].eq_ignore_ascii_case(b"normal"));
-        if !has_keyword {
-            self.words.at = ahead;
-        }
-        let (lead, insertion) = if has_keyword { (" ", self.words.at) } else { (" normal ", ahead) };
-        let (numbers, values) = self.numbers();
-        let normal = <[f64; 3]>::try_from(values).ok().map(DVec3::from_array);
-        if normal.is_none() {
+        let has_keyword = self.next_is(b"normal");
+        let (normal, values) = self.numbers();
+        let lead = match values[..] {
+            [] if has_keyword => " ",
+            [] => " normal ",
+            _ => "",
+        };
+        let value = <[f64; 3]>::try_from(values).ok().map(DVec3::from_array);
+        if value.is_none() {
             self.notes.add(NO_NORMAL, word.start);
         }
-        let (lead, span) = match numbers {
-            Some(numbers) => ("", numbers),
-            None => (lead, insertion..insertion),
-        };
         let solid = self.solid();
         let vertices = solid.vertices.len()..solid.vertices.len();
-        solid.facets.push(FacetText { span: word, normal: span, lead, vertices });
-        solid.normals.push(normal);
+        solid.facets.push(FacetText { span: word, normal, lead, vertices });
+        solid.normals.push(value);
         self.facet = Some(Loops::None);
     }
 
-    /// Up to three numbers, and where they are.
-    fn numbers(&mut self) -> (Option<Range<usize>>, Vec<f64>) {
-        let (mut span, mut values) = (None::<Range<usize>>, Vec::with_capacity(3));
+    /// Up to three numbers and their bytes.
+    fn numbers(&mut self) -> (Range<usize>, Vec<f64>) {
+        let (mut span, mut values) = (self.words.at..self.words.at, Vec::with_capacity(3));
         while values.len() < 3 {
-            let ahead = self.words.at;
             let Some(word) = self.words.next() else { break };
             let Some(value) = float(&self.text[word.clone()]) else {
-                self.words.at = ahead;
+                self.words.at = span.end;
                 break;
             };
+            span = if values.is_empty() { word } else { span.start..word.end };
             values.push(value);
-            span = Some(span.map_or(word.start, |span| span.start)..word.end);
         }
         (span, values)
     }
 
     fn vertex(&mut self, word: Range<usize>) -> Result<(), Fault> {
         let (span, values) = self.numbers();
-        let (Some(span), Ok(values)) = (span, <[f64; 3]>::try_from(values)) else {
+        let Ok(values) = <[f64; 3]>::try_from(values) else {
             let next = self.words.next().map_or(String::new(), |next| shown(&self.text[next]));
             let found = format!("a vertex needs three numbers, and `{next}` is none");
             return Err(damaged(word.start, found, "correct the line"));

@@ -1,7 +1,6 @@
 //! An STL file as it was read, and the detection of its layout.
 
-use crate::io::text::counted;
-use crate::io::text::words::Words;
+use crate::io::text::{Words, counted};
 
 /// An STL file as it was read.
 #[derive(Clone, Debug)]

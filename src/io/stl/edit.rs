@@ -5,9 +5,7 @@ use super::binary::VECTOR;
 use super::document::{FACET, FIRST, HEADER, Layout, StlDocument};
 use super::facet_edits::{FacetEdit, facet_edits};
 use super::new_file::vertex_normals_note;
-use crate::io::text::changes::Copier;
-use crate::io::text::format_number::push_f32;
-use crate::io::text::words::line_end_length;
+use crate::io::text::{Copier, line_end_length, push_f32};
 use crate::io::{Loaded, PartEdit, WriteError, WriteOptions, Written};
 use std::ops::Range;
 
