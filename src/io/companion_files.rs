@@ -1,4 +1,4 @@
-//! Files beside the input, and which of them may be read.
+//! Files that an input refers to, and which of them may be read.
 
 use super::{Place, Problem, ReadError, ReadOptions};
 use std::fmt;
@@ -28,7 +28,7 @@ impl fmt::Display for Refusal {
     }
 }
 
-/// The folders that companion files are looked for in.
+/// The folders that are searched for companion files.
 pub(super) struct Companions {
     base: PathBuf,
     /// Where they may be: the base, and the root of the options.
@@ -46,7 +46,7 @@ impl Companions {
     }
 
     /// The file that a name refers to from the folder `folder`, relative to the input's. Symbolic links are followed
-    /// before the place is judged.
+    /// before the location is checked.
     pub fn find(&self, folder: &Path, name: &str) -> Result<PathBuf, Refusal> {
         let scheme = name.split_once(':').map_or("", |(scheme, _)| scheme);
         let is_url = scheme.len() > 1
@@ -78,7 +78,7 @@ pub(crate) fn companion(base: &Path, name: &str, options: &ReadOptions) -> Resul
     })
 }
 
-/// The name that a companion has beside the output so that the output's reference finds it; `None` if that would be
+/// The name of a companion in the folder of the output, such that the output's reference finds it; `None` if that would be
 /// outside the output's folder.
 pub(super) fn output_name(folder: &Path, name: &str) -> Option<String> {
     let path = folder.join(name.replace('\\', "/"));

@@ -176,7 +176,7 @@ pub struct PartEdit {
 }
 
 impl PartEdit {
-    /// Whether the part stays as it is.
+    /// Whether the part does not change.
     pub fn is_empty(&self) -> bool {
         self.faces.is_empty() && self.normals.is_none() && self.face_normals.is_none()
     }

@@ -6,11 +6,11 @@ use std::path::PathBuf;
 #[derive(Clone, Debug, Default)]
 pub struct ReadOptions {
     /// Companion files (MTL, glTF buffers) may be read from this folder and below, in addition to the folder of the input itself;
-    /// those of a stream are looked for here. Nothing is ever read from a network.
+    /// those of a stream are searched for here. Nothing is ever read from a network.
     pub root: Option<PathBuf>,
     /// What to do with positions that are infinite or not a number.
     pub non_finite: NonFinite,
-    /// Bounds on what a file may ask for.
+    /// Bounds on the resources that a file may use.
     pub limits: Limits,
 }
 
@@ -24,14 +24,14 @@ pub enum NonFinite {
     DropFaces,
 }
 
-/// Bounds on what a file may make a reader do. Counts in a header never drive an allocation by themselves.
+/// Bounds on the resources that a file may use. Counts in a header never drive an allocation by themselves.
 #[derive(Clone, Debug)]
 pub struct Limits {
     /// Largest input, companion files counted, in bytes.
     pub bytes: u64,
     /// Deepest nesting of JSON values.
     pub json_depth: usize,
-    /// Most elements that an accessor without stored data may stand for.
+    /// Most elements of an accessor without stored data.
     pub implied_elements: u64,
 }
 
@@ -59,7 +59,7 @@ pub enum TangentPolicy {
     /// Leave them out, with a note; glTF readers then generate them.
     #[default]
     Drop,
-    /// Keep them as they are.
+    /// Keep them unchanged.
     Keep,
     /// Compute them anew by MikkTSpace where texture coordinates allow.
     Regenerate,

@@ -43,8 +43,8 @@ fn likely(bytes: &[u8]) -> Option<Format> {
 /// Reads a file. Without a format, content and name determine it ([`detect`]).
 ///
 /// # Errors
-/// If it is not there, no regular file, not readable or too large, of no known format, or what its format's reader
-/// says: where, what was found, what to do.
+/// If the file is missing, not a regular file, not readable, too large or of no known format, or the error of its
+/// format's reader.
 pub fn read(path: &Path, format: Option<Format>, options: &ReadOptions) -> Result<Loaded, ReadError> {
     let bytes = read_whole(path, &options.limits)?;
     let format = format.or_else(|| detect(&bytes, Some(path)));
@@ -80,7 +80,7 @@ fn read_length(path: &Path, length: u64) -> std::io::Result<Vec<u8>> {
     fs::read(path)
 }
 
-/// `None` if the file is small, or does not have the length that it was said to have.
+/// `None` if the file is small, or does not have this length.
 #[cfg(unix)]
 fn read_in_pieces(path: &Path, length: u64) -> std::io::Result<Option<Vec<u8>>> {
     use std::os::unix::fs::FileExt;
@@ -111,10 +111,10 @@ fn io_error(error: &std::io::Error) -> ReadError {
 }
 
 /// Reads a file that is in memory. Without a format, its content determines it. `base` is the folder that companion files
-/// are looked for in; `None` for a stream, which has none: then it is the root of the options.
+/// are searched for in; `None` for a stream, which has none: then it is the root of the options.
 ///
 /// # Errors
-/// If the content tells no format, or what the format's reader says.
+/// If the content has no known format, or the error of the format's reader.
 pub fn read_bytes(
     bytes: Vec<u8>,
     format: Option<Format>,

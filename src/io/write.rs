@@ -2,7 +2,7 @@
 
 use super::instances;
 use super::text::counted;
-use super::{Document, Emit, FileMaterial, FileNode, Format, Loaded, NormalFormat, Note, Part, PartEdit};
+use super::{Document, Emit, FileMaterial, Format, Loaded, NormalFormat, Note, Part, PartEdit};
 use super::{Place, WriteError, WriteOptions, Written};
 use super::{gltf, obj, ply, stl};
 use crate::mesh::{Column, Mesh, TransformFault};
@@ -11,15 +11,15 @@ use std::borrow::Cow;
 
 /// Writes a file with changes, one entry of `edits` a part (missing ones change nothing).
 ///
-/// In its own format the document is edited, and all that does not change survives byte for byte; a file to which
-/// nothing is done is copied. glTF and GLB are one format here. In another format a new file is made: parts stand where the nodes put them, once for
-/// each, and what the format cannot hold is noted.
+/// In its own format the document is edited, and everything that does not change survives byte for byte; a file
+/// without changes is copied. glTF and GLB are one format here. In another format a new file is made: each node gives a copy
+/// of its part with its transform applied, and what the format cannot store is noted.
 ///
-/// For STL, and with [`Emit::Face`], the normals are [`PartEdit::face_normals`]. Edits that are given away rather than lent
-/// spare a new file a copy of them.
+/// For STL, and with [`Emit::Face`], the normals are [`PartEdit::face_normals`]. Owned edits
+/// avoid a copy.
 ///
 /// # Errors
-/// [`WriteError`] for what the format cannot hold and may not be left out, or cannot count.
+/// [`WriteError`] for content that the format cannot store and that must not be dropped, or cannot count.
 pub fn write<'a>(
     loaded: &Loaded,
     edits: impl Into<Cow<'a, [PartEdit]>>,
@@ -55,7 +55,7 @@ pub fn write<'a>(
     Ok(written)
 }
 
-/// Writes meshes as a new file, each a part of its own. What the format cannot hold is noted.
+/// Writes meshes as a new file, each a part of its own. What the format cannot store is noted.
 ///
 /// For STL, and with [`Emit::Face`], a mesh's normals have to be those of its faces: shared by the corners of each.
 ///
@@ -71,7 +71,7 @@ pub fn write<'a>(
 /// ```
 ///
 /// # Errors
-/// [`WriteError`] for what the format cannot hold and may not be left out, or cannot count.
+/// [`WriteError`] for content that the format cannot store and that must not be dropped, or cannot count.
 pub fn write_new(parts: &[Part], format: Format, options: &WriteOptions) -> Result<Written, WriteError> {
     write_parts(format, parts, &[], options)
 }
@@ -106,7 +106,7 @@ fn write_parts(
     }
 }
 
-/// The parts as they are to be written: edited, and moved to where the nodes put them.
+/// The parts to write: edited, with the transforms of the nodes applied.
 fn placed(
     loaded: &Loaded,
     mut edits: Cow<'_, [PartEdit]>,
@@ -145,7 +145,13 @@ fn placed(
         let mut part = edited(node.part, uses[node.part] == 0);
         if node.world_from_part != DMat4::IDENTITY {
             let had_normals = part.mesh.columns().normals.is_some();
-            part.mesh = part.mesh.transformed(node.world_from_part).map_err(|fault| beyond(fault, node))?;
+            part.mesh = part.mesh.transformed(node.world_from_part).map_err(|TransformFault::Overflow| {
+                let name = &node.name;
+                let text = format!(
+                    "the node `{name}` moves a vertex beyond the range of numbers; correct its transform"
+                );
+                WriteError::Unsupported(text)
+            })?;
             flattened += usize::from(had_normals && part.mesh.columns().normals.is_none());
         }
         if !node.name.is_empty() {
@@ -161,14 +167,7 @@ fn placed(
     Ok(parts)
 }
 
-fn beyond(TransformFault::Overflow: TransformFault, node: &FileNode) -> WriteError {
-    WriteError::Unsupported(format!(
-        "the node `{}` moves a vertex beyond the range of numbers; correct its transform",
-        node.name
-    ))
-}
-
-/// The mesh with an edit applied, which is given by the corners of the mesh as it is.
+/// The mesh with an edit applied.
 fn edited_mesh(mesh: &Mesh, edit: PartEdit, by_face: bool) -> Mesh {
     let normals = match edit.face_normals {
         Some(normals) if by_face => Some(Column::per_corner(normals, mesh.faces().owners())),

@@ -5,7 +5,7 @@ use crate::io::Document;
 use crate::io::{Emit, Format, Loaded, Part, PartEdit};
 use crate::mesh::Orient;
 use crate::mesh::{Column, ColumnIndex, Faces, MeshBuilder, NONE};
-use crate::normals::{self, NormalRecipe, When};
+use crate::normals::{self, When};
 use glam::DVec3;
 
 /// A tetrahedron with its third face turned round, a face without area, and a face that stands for one with

@@ -148,7 +148,7 @@ impl<'a> Cursor<'a> {
     }
 
     /// Takes the rest of the statement as a name: whole, with blanks and `#` inside, because names of real files
-    /// have both. Blanks around it are left out.
+    /// have both. Blanks around it are not part of it.
     pub fn name(&mut self) -> Range<usize> {
         self.skip_blanks();
         let start = self.at;

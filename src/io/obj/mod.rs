@@ -1,4 +1,4 @@
-//! Wavefront OBJ (appendix B1 of the Advanced Visualizer manual, and what real files make of it).
+//! Wavefront OBJ (appendix B1 of the Advanced Visualizer manual, and the practice of real files).
 //!
 //! The file is parsed as bytes, in pieces of a mebibyte on all threads, which are appended in file order, so that
 //! any number of threads gives the same mesh. The text itself is the document: it is kept, and an edit parses it

@@ -36,11 +36,11 @@ fn numbers(argument: &str) -> impl Iterator<Item = f32> {
     argument.split_whitespace().map_while(number)
 }
 
-/// Three numbers; one stands for all three. Spectral files and CIE colours are not understood.
+/// Three numbers, or one for all three. Spectral files and CIE colours are not supported.
 fn colour(argument: &str) -> Option<String> {
     let numbers: Vec<f32> = numbers(argument).collect();
     match numbers[..] {
-        // Not where a word is behind it that was to be a number.
+        // Not if another word follows, which should be a number.
         [grey] if argument.split_whitespace().count() == 1 => Some(format!("{grey} {grey} {grey}")),
         [r, g, b, ..] => Some(format!("{r} {g} {b}")),
         _ => None,
@@ -105,7 +105,7 @@ fn without_options(value: &str) -> &str {
         rest = behind.trim_start();
         for argument in 0..most {
             let (word, behind) = rest.split_once(char::is_whitespace).unwrap_or((rest, ""));
-            // All but the first of up to three numbers may be left out.
+            // All but the first of up to three numbers are optional.
             if argument > 0 && word.parse::<f32>().is_err() {
                 break;
             }

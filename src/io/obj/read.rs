@@ -17,7 +17,7 @@ use std::sync::OnceLock;
 /// Pieces that are parsed before they are appended.
 const BATCH: usize = 8;
 
-/// Reads an OBJ file. `base` is the folder that material libraries are looked for in.
+/// Reads an OBJ file. `base` is the folder that is searched for material libraries.
 ///
 /// The mesh is one part, with positions in `f64`, or in `f32` where the digits show that they were printed from it
 /// ([`Storage`](crate::mesh::Storage)), and every `vn` of the file, referenced or not, in file order.

@@ -29,7 +29,7 @@ pub(super) enum Keyword {
     Surface,
     /// The rest of free-form geometry.
     FreeForm,
-    /// Attributes for display that say nothing about geometry.
+    /// Attributes for display, which do not affect geometry.
     Display,
     Unknown,
 }

@@ -61,7 +61,7 @@ pub(in crate::io) fn edit(
         body: Vec::with_capacity(document.bytes.len() + document.bytes.len() / 4),
         notes: Vec::new(),
     };
-    // The rows were read before, so what is wrong is a feature.
+    // The rows were read before, so a fault is an unsupported feature.
     editor.run().map_err(|fault| WriteError::Unsupported(format!("{}; convert the file first", fault.found)))
 }
 
@@ -164,7 +164,7 @@ impl Editor<'_> {
         Ok(())
     }
 
-    /// The normal that a vertex, old or new, gets; `None` keeps what is stored.
+    /// The normal that a vertex, old or new, gets; `None` keeps the stored one.
     fn normal(&self, vertex: usize) -> Option<DVec3> {
         let normals = self.vertex_normals?;
         let slot = match normals.index {
@@ -200,14 +200,16 @@ impl Editor<'_> {
         splits || !self.edit.faces.is_empty() || self.face_normals.is_some()
     }
 
-    /// The type of vertex numbers, widened in the header if necessary.
+    /// The type of vertex numbers: that of the file if it can hold the added vertices, else `int`, else `uint`. An ascii
+    /// word can be any number, but its readers may use the type of the header.
     fn index_type(&mut self, list: &Property, item: Scalar) -> Scalar {
-        let added = self.split.added(self.mesh.vertex_count()) > 0;
-        let new = if added { widened(item, self.split.source.len() - 1) } else { item };
-        if new != item {
-            let name = new.name(list.sized_name);
-            self.header.replace(list.type_at.clone(), |out| out.extend(name.bytes()));
+        let largest = (self.split.source.len().saturating_sub(1)) as f64;
+        let holds = |scalar: &Scalar| scalar.largest() >= largest;
+        if self.split.added(self.mesh.vertex_count()) == 0 || holds(&item) {
+            return item;
         }
+        let new = if holds(&Scalar::I32) { Scalar::I32 } else { Scalar::U32 };
+        self.header.replace(list.type_at.clone(), |out| out.extend(new.name(list.sized_name).bytes()));
         new
     }
 
@@ -291,15 +293,6 @@ impl Editor<'_> {
         self.notes.push(Note::warning(Place::Line(element.line), text));
         Ok(())
     }
-}
-
-/// The type of a list of vertices that must hold this number: its own if possible, else `int`, else `uint`. An ascii
-/// word holds anything, but its readers may go by the type.
-fn widened(item: Scalar, largest: usize) -> Scalar {
-    [item, Scalar::I32, Scalar::U32]
-        .into_iter()
-        .find(|scalar| scalar.largest() >= largest as f64)
-        .unwrap_or(Scalar::U32)
 }
 
 /// Appends a list.

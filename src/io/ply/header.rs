@@ -1,4 +1,4 @@
-//! The header: elements and their properties, with the places of all that an edit may change.
+//! The header: elements and their properties, with the byte ranges that an edit may change.
 
 use super::scalar::{Encoding, Scalar};
 use crate::io::text::{next_word, shown};
@@ -21,7 +21,7 @@ pub(super) struct Header {
 pub(super) struct Element {
     pub name: String,
     pub name_at: Range<usize>,
-    /// The rows that the header says there are.
+    /// The number of rows in the header.
     pub count: u64,
     pub count_at: Range<usize>,
     pub properties: Vec<Property>,
@@ -78,7 +78,7 @@ impl Element {
         (encoding != Encoding::Ascii && !has_lists).then(|| self.smallest_row(encoding) as usize)
     }
 
-    /// The fewest bytes that a row takes; in ascii each number takes a digit and what is behind it.
+    /// The fewest bytes that a row takes; in ascii each number takes a digit and a separator.
     pub fn smallest_row(&self, encoding: Encoding) -> u64 {
         let size = |kind| match kind {
             Kind::Scalar(scalar) => scalar.size() as u64,

@@ -1,15 +1,15 @@
-//! The polygon file format (Turk 1994, and what real files make of it), ascii and binary.
+//! The polygon file format (Turk 1994, and the practice of real files), ascii and binary.
 //!
 //! A header names elements, the columns of each and the number of their rows. Only the elements `vertex`, `face`
-//! (or else `tristrips`) and `edge` are understood, and of these only some columns; all others are carried along.
+//! (or else `tristrips`) and `edge` are understood, and of these only some columns; all others are kept in the document.
 //!
-//! Ascii rows have a line each in nearly all files, so what is left on a line behind a row is skipped with a warning;
+//! Ascii rows have a line each in nearly all files, so extra words on a line behind a row are skipped with a warning;
 //! if the file then ends too early, it is read again as one stream of words.
 
 // The number types, and the header.
 mod header;
 mod scalar;
-// Which elements and properties mean what.
+// The roles of elements and properties.
 mod property_roles;
 // The body, row by row.
 mod rows;

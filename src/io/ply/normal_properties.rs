@@ -13,7 +13,7 @@ pub(super) struct NormalProperties {
     /// The properties, if they are there.
     present: Option<[usize; 3]>,
     old: [Scalar; 3],
-    /// What stands for 1 in the file.
+    /// The stored value of 1.
     old_unit: f64,
     new: Scalar,
     new_unit: f64,

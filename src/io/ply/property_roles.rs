@@ -1,4 +1,4 @@
-//! Which elements and properties mean what.
+//! The roles of elements and properties in the mesh.
 
 use super::header::{Element, Header, Kind};
 use super::scalar::Scalar;

@@ -40,7 +40,7 @@ pub(super) fn places(bytes: &[u8], encoding: Encoding, offsets: &[usize]) -> Vec
 /// A row of an element.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Row {
-    /// All of its bytes: in ascii, blank lines in front of it and the rest of its last line too.
+    /// All of its bytes: in ascii, including blank lines before it and the rest of its last line.
     pub span: Range<usize>,
     /// The bytes of each property; of a list, its count included.
     pub fields: Vec<Range<usize>>,
@@ -60,7 +60,7 @@ pub(super) struct Rows<'a> {
     pub encoding: Encoding,
     /// Where the next row starts.
     pub at: usize,
-    /// Whether several ascii rows may share a line. If not, what is left on a line behind a row is skipped.
+    /// Whether several ascii rows may share a line. If not, extra words behind a row are skipped.
     pub shared_lines: bool,
     /// The rows that are too long.
     pub notes: RepeatedNotes,
@@ -106,7 +106,7 @@ impl<'a> Rows<'a> {
         Ok(())
     }
 
-    /// The number of rows that the header says there are, but no more than there are bytes for.
+    /// The number of rows in the header, but no more than there are bytes for.
     pub fn plausible_count(&self, element: &Element) -> usize {
         let rest = (self.bytes.len() - self.at) as u64;
         element.count.min(rest / element.smallest_row(self.encoding).max(1)) as usize
@@ -165,7 +165,7 @@ impl<'a> Rows<'a> {
         if number < 0.0 {
             return Err(damaged(Problem::Range, counted.start, format!("a list of {number} numbers")));
         }
-        let items = self.take((number as usize).checked_mul(item.size()).unwrap_or(usize::MAX))?;
+        let items = self.take((number as usize).saturating_mul(item.size()))?;
         Ok(counted.start..items.end)
     }
 
@@ -194,7 +194,7 @@ impl<'a> Rows<'a> {
         Ok(word)
     }
 
-    /// Passes the line end behind a row, and what is in front of that if lines are not shared.
+    /// Skips the line end behind a row, and the words before it if lines are not shared.
     fn finish_line(&mut self) {
         let rest = &self.bytes[self.at..];
         let ahead = rest.iter().position(|byte| !matches!(byte, b' ' | b'\t')).unwrap_or(rest.len());

@@ -57,6 +57,7 @@ macro_rules! with_type {
     }};
 }
 
+#[expect(clippy::useless_conversion, reason = "one of the types is f64 itself")]
 impl Scalar {
     /// The type of a name, and whether the name has a size in it.
     pub fn from_name(name: &[u8]) -> Option<(Scalar, bool)> {
@@ -91,7 +92,7 @@ impl Scalar {
         }
     }
 
-    /// What stands for 1 in a colour.
+    /// The stored value of 1 in a colour.
     pub fn full_scale(self) -> f64 {
         if self.is_integer() { self.largest() } else { 1.0 }
     }

@@ -1,4 +1,4 @@
-//! Stereolithography, ascii and binary (3D Systems 1988, and what real files make of it).
+//! Stereolithography, ascii and binary (3D Systems 1988, and the practice of real files).
 //!
 //! A binary file is detected by its length, 84 bytes and 50 a facet, before anything else: its header may begin
 //! with `solid`. Facets do not share vertices; each corner of the mesh has one of its own, and corners of one facet

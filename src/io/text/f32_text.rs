@@ -10,7 +10,7 @@ use rayon::prelude::*;
 /// many do so with a probability of 2⁻²⁰.
 const ENOUGH: usize = 20;
 
-/// Six digits: what C, C++ and Python print of a floating-point number without being asked for more.
+/// The digits of a floating-point number that C, C++ and Python print by default.
 const DIGITS: i32 = 6;
 
 /// Finds whether the coordinates of all parts of a text were `f32` before they were printed, and rounds them to `f32` if so.
@@ -31,13 +31,13 @@ pub(in crate::io) fn restore_singles(parts: &mut [&mut [DVec3]]) -> Storage {
     Storage::F32
 }
 
-/// Powers of ten that singles have a first digit at: from 10⁻⁴⁵ to 10³⁸.
+/// The powers of ten of first digits of `f32`: from 10⁻⁴⁵ to 10³⁸.
 const DECADES: usize = 84;
 const LOWEST: i32 = -45;
 
-/// How coordinates are spelled that are all the shortest decimals of singles.
+/// Counts of coordinates that are all the shortest decimals of `f32`.
 struct Spellings {
-    /// How many end in a digit that is worth no more than half the spacing of singles there.
+    /// How many end in a digit whose unit is at most half the spacing of `f32` there.
     fine: usize,
     /// How many have their first digit at each power of ten, and the most decimals that one of them has.
     decades: [(usize, i32); DECADES],
@@ -50,7 +50,7 @@ impl Default for Spellings {
 }
 
 impl Spellings {
-    /// One position more; `None` if it is spelled in another way.
+    /// Adds a position; `None` if it is not spelled that way.
     fn with(mut self, position: &DVec3) -> Option<Self> {
         for coordinate in position.to_array().into_iter().filter(|&coordinate| coordinate != 0.0) {
             let spelling = Spelling::of(coordinate)?;
@@ -72,7 +72,7 @@ impl Spellings {
         self
     }
 
-    /// Whether enough of the largest have digits, but fewer decimals than smaller ones.
+    /// Whether enough of the largest have all digits of an `f32`, but fewer decimals than smaller ones.
     fn is_floating(&self) -> bool {
         let (mut count, mut decimals) = (0, i32::MIN);
         for at in (0..DECADES).rev() {
@@ -88,24 +88,24 @@ impl Spellings {
     }
 }
 
-/// The shortest decimal that reads back as a single.
+/// The shortest decimal that reads back as an `f32`.
 #[derive(Debug, PartialEq)]
 struct Spelling {
     /// The power of ten of the first digit.
     first: i32,
-    /// How many decimals it has: fewer than none where it ends in zeros before the point.
+    /// How many decimals it has; negative if it ends in zeros before the point.
     decimals: i32,
 }
 
-/// What arithmetic in `f64` leaves open: it takes the text to tell.
+/// Arithmetic in `f64` cannot decide: the text must be compared.
 struct Unclear;
 
-/// Parts of a distance by which rounding can have moved it: some 2⁻²⁰ of a spacing of singles holds 2⁹ times the error of a
-/// double beside it.
-const DOUBT: f64 = 1e-6;
+/// The relative error of a distance: some 2⁻²⁰ of the spacing of `f32` is 2⁹ times the rounding error of an `f64` of that
+/// size.
+const MARGIN: f64 = 1e-6;
 
 impl Spelling {
-    /// Of a coordinate, which is not 0; `None` if it is not what that spelling reads as.
+    /// The spelling of a coordinate other than 0; `None` if it is not the shortest decimal of an `f32`.
     fn of(coordinate: f64) -> Option<Self> {
         let single = coordinate as f32;
         if !single.is_finite() || single == 0.0 {
@@ -115,8 +115,8 @@ impl Spelling {
             .unwrap_or_else(|Unclear| Self::by_text(coordinate, single))
     }
 
-    /// Of a positive coordinate by what a shortest decimal is: of those that read as the single, one with the fewest digits, and
-    /// of these the nearest. Several times as fast as printing.
+    /// The same for a positive coordinate by the definition of the shortest decimal: of those that read as the `f32`, one with the
+    /// fewest digits, and of these the nearest. Several times as fast as printing.
     fn by_arithmetic(coordinate: f64, single: f64) -> Result<Option<Self>, Unclear> {
         // No less than the power of ten of the first digit, less one: nine digits or ten come before the point.
         let decade = (num::exponent(coordinate) * 1233) >> 12;
@@ -139,7 +139,7 @@ impl Spelling {
         }
         let first = digits.ilog10() as i32 - decimals;
         let spelling = Self { first, decimals };
-        // That few digits come back from singles whatever they are, so that no others read as the same.
+        // An f32 keeps all numbers of so few digits, so no other of them reads as the same.
         if first + decimals < DIGITS {
             return Ok(Some(spelling));
         }
@@ -147,7 +147,7 @@ impl Spelling {
             Ok(decimals) => 1.0 / EXACT_POWERS.get(decimals).ok_or(Unclear)?,
             Err(_) => *EXACT_POWERS.get(decimals.unsigned_abs() as usize).ok_or(Unclear)?,
         };
-        // Singles are unevenly spaced round a power of two.
+        // The spacing of f32 changes at a power of two.
         if single.to_bits() << 12 == 0 {
             return Err(Unclear);
         }
@@ -155,7 +155,7 @@ impl Spelling {
         let (off, last) = (coordinate - single, (digits % 10) as f64);
         let is_beyond = |distance: f64, limit: f64| {
             let excess = distance.abs() - limit;
-            (excess.abs() > DOUBT * limit).then_some(excess > 0.0).ok_or(Unclear)
+            (excess.abs() > MARGIN * limit).then_some(excess > 0.0).ok_or(Unclear)
         };
         let is_shortest = is_beyond(off - last * unit, half_spacing)?
             && is_beyond(off + (10.0 - last) * unit, half_spacing)?
@@ -181,7 +181,7 @@ impl Spelling {
         Some(Self { first: first + power, decimals: fraction.len() as i32 - zeros as i32 - power })
     }
 
-    /// Whether its last digit is worth no more than half the spacing of singles.
+    /// Whether the unit of its last digit is at most half the spacing of `f32`.
     fn is_fine(&self, coordinate: f64) -> bool {
         // Half a spacing is less than a unit of seven digits.
         if self.first + self.decimals < 7 {

@@ -67,8 +67,8 @@ pub(in crate::io) fn shown(bytes: &[u8]) -> String {
     if bytes.len() > LONGEST { format!("{text}…") } else { text }
 }
 
-/// A file name as it is typed in a POSIX shell: quoted where it has to be, and never to be taken for an option. `-` alone
-/// stands for a stream and stays.
+/// A file name for a POSIX shell: quoted if necessary, and never mistaken for an option. `-` alone means a stream and stays
+/// unchanged.
 ///
 /// ```
 /// assert_eq!(crease::io::shell_word("it's here.obj"), "\"it's here.obj\"");

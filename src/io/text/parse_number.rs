@@ -91,7 +91,7 @@ pub(in crate::io) fn float_prefix(text: &[u8]) -> Option<(f64, usize)> {
 }
 
 /// The number that a whole token spells, possibly infinite or not a number; `None` if it is no number. The C
-/// libraries' `nan(…)`, `-nan(ind)`, `1.#INF` and `-1.#IND` count as what they are.
+/// libraries' `nan(…)`, `-nan(ind)`, `1.#INF` and `-1.#IND` are accepted.
 pub(in crate::io) fn float(token: &[u8]) -> Option<f64> {
     if let Some((value, length)) = float_prefix(token)
         && length == token.len()
