@@ -1,6 +1,6 @@
-//! What files say about looks: materials, cameras and lights, as plain data for whoever draws them.
+//! Materials, cameras and lights of files, as plain data for renderers.
 
-use super::{Document, Loaded, Note, Place, ReadError, dispatch, gltf};
+use super::{Note, Place, ReadError};
 use glam::DMat4;
 
 /// Materials, cameras and lights of a file.
@@ -13,7 +13,7 @@ pub struct Appearance {
     pub cameras: Vec<Result<FileCamera, ReadError>>,
     /// Lights of the default scene, in the order of the node tree.
     pub lights: Vec<FileLight>,
-    /// What could not be understood; it counts as if it were not there.
+    /// What could not be used; it is ignored.
     pub notes: Vec<Note>,
 }
 
@@ -22,15 +22,15 @@ pub struct Appearance {
 pub struct FileMaterial {
     /// Its name, as labels of faces have it.
     pub name: String,
-    /// What it does with light.
+    /// How it reflects light.
     pub reflection: FileReflection,
-    /// 1 where nothing shines through; `None` where the file does not say.
+    /// 1 if opaque; `None` if the file does not specify it.
     pub opacity: Option<f64>,
-    /// How many images it refers to, which change it from point to point.
+    /// The number of images it refers to, which vary it over the surface.
     pub textures: usize,
 }
 
-/// What a material does with light, in the terms of its format.
+/// How a material reflects light, in the terms of its format.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FileReflection {
     /// MTL's: Ka, Kd, Ks and Ns, where they are given. Its highlight is (N·H)^Ns.
@@ -39,7 +39,7 @@ pub enum FileReflection {
         ambient: Option<[f64; 3]>,
         /// Kd.
         diffuse: Option<[f64; 3]>,
-        /// Ks; zero where `illum` says that there is no highlight.
+        /// Ks; zero if `illum` disables highlights.
         specular: Option<[f64; 3]>,
         /// Ns.
         exponent: Option<f64>,
@@ -57,7 +57,7 @@ pub enum FileReflection {
     },
 }
 
-/// A camera at its place.
+/// A camera with its transform.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FileCamera {
     /// Its name, possibly empty.
@@ -88,7 +88,7 @@ pub enum FileProjection {
     },
 }
 
-/// A light at its place (`KHR_lights_punctual`).
+/// A light with its transform (`KHR_lights_punctual`).
 #[derive(Clone, Debug, PartialEq)]
 pub struct FileLight {
     /// Its name, possibly empty.
@@ -121,30 +121,8 @@ pub enum FileLightKind {
     },
 }
 
-impl Loaded {
-    /// Materials, cameras and lights; of files that were never read, and of PLY and STL, none.
-    ///
-    /// ```
-    /// use crease::io::{Format, ReadOptions, read_bytes};
-    ///
-    /// let camera = r#"{"type": "perspective", "perspective": {"yfov": 0.5, "znear": 0.1}}"#;
-    /// let text = format!(r#"{{"asset": {{"version": "2.0"}}, "cameras": [{camera}], "nodes": [{{"camera": 0}}]}}"#);
-    /// let loaded = read_bytes(text.into_bytes(), Some(Format::Gltf), None, &ReadOptions::default())?;
-    /// assert_eq!(loaded.appearance().cameras.len(), 1);
-    /// # Ok::<(), crease::io::ReadError>(())
-    /// ```
-    pub fn appearance(&self) -> Appearance {
-        match &self.document {
-            Document::Gltf(document) => gltf::appearance(document),
-            document => {
-                Appearance { materials: dispatch::materials(document).to_vec(), ..Appearance::default() }
-            }
-        }
-    }
-}
-
-/// The number that was written, from the nearest single: 0.1, not 0.10000000149011612.
+/// The number that was written, from the nearest `f32`: 0.1, not 0.10000000149011612.
 pub(super) fn as_written(single: f32) -> f64 {
-    // The shortest decimal that gives the single back is what stood in the file, if that had up to six digits.
+    // The shortest decimal that reads back as the f32 is the text of the file, if that had up to six digits.
     single.to_string().parse().unwrap_or(f64::from(single))
 }

@@ -1,4 +1,4 @@
-//! Errors and notes that say where.
+//! Errors and notes with the place that they are about.
 
 use std::fmt;
 
@@ -111,7 +111,7 @@ pub struct Note {
 }
 
 impl Note {
-    /// The most places that a note lists beside its own.
+    /// The most places that a note lists after its own.
     pub const MOST_PLACES: usize = 100;
 
     /// A note at a place.

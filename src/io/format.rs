@@ -33,7 +33,7 @@ impl Format {
         }
     }
 
-    /// The format that a path's extension tells, in any case.
+    /// The format of a path's extension, upper or lower case.
     pub fn from_path(path: &Path) -> Option<Format> {
         let extension = path.extension()?.to_str()?.to_ascii_lowercase();
         Format::ALL.into_iter().find(|format| format.extension() == extension)

@@ -1,4 +1,4 @@
-//! What it costs to write a mesh once for every node that shows it, and how much that may be.
+//! The limit on the memory for writing a mesh once for every node that shows it.
 //!
 //! A node takes a few bytes in a glTF file, so that a small file can show a mesh any number of times. The formats
 //! without nodes need a copy for each.
@@ -24,7 +24,7 @@ pub(super) fn check(
 ) -> Result<(), WriteError> {
     let (mut copies, mut faces, mut memory) = (0_u64, 0_u64, 0_u64);
     for ((part, edit), &uses) in loaded.parts.iter().zip(edits).zip(uses).filter(|(_, uses)| **uses > 1) {
-        // The first one is what the file itself is about.
+        // The first one is not a copy.
         let more = uses as u64 - 1;
         copies += more;
         faces = faces.saturating_add(more.saturating_mul(part.mesh.face_count() as u64));

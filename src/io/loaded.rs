@@ -1,49 +1,12 @@
-//! What a reader gives and what a writer takes.
+//! A file as it was read, and the edit of it that a writer takes.
 
+use super::gltf::{self, GltfDocument};
 use super::obj::ObjDocument;
-use super::{Format, Note};
+use super::ply::PlyDocument;
+use super::stl::StlDocument;
+use super::{Appearance, FileMaterial, Format, Note};
 use crate::mesh::{Column, FaceEdit, Mesh};
 use glam::{DMat4, DVec3};
-use std::path::PathBuf;
-
-/// What a reader may do and how much it may take.
-#[derive(Clone, Debug, Default)]
-pub struct ReadOptions {
-    /// Companion files (MTL, glTF buffers) may be read from this folder and below, beside the folder of the input itself; those
-    /// of a stream are looked for here. Nothing is ever read from a network.
-    pub root: Option<PathBuf>,
-    /// What to do with positions that are infinite or not a number.
-    pub non_finite: NonFinite,
-    /// Bounds on what a file may ask for.
-    pub limits: Limits,
-}
-
-/// What to do with positions that are infinite or not a number.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum NonFinite {
-    /// Refuse the file and name the first such vertex.
-    #[default]
-    Refuse,
-    /// Drop the faces that use one, and count them in [`Part::non_finite_faces`].
-    DropFaces,
-}
-
-/// Bounds on what a file may make a reader do. Counts in a header never drive an allocation by themselves.
-#[derive(Clone, Debug)]
-pub struct Limits {
-    /// Largest input, companion files counted, in bytes.
-    pub bytes: u64,
-    /// Deepest nesting of JSON values.
-    pub json_depth: usize,
-    /// Most elements that an accessor without stored data may stand for.
-    pub implied_elements: u64,
-}
-
-impl Default for Limits {
-    fn default() -> Self {
-        Self { bytes: 16 << 30, json_depth: 128, implied_elements: 1 << 22 }
-    }
-}
 
 /// A file, read.
 #[derive(Clone, Debug)]
@@ -52,8 +15,8 @@ pub struct Loaded {
     pub format: Format,
     /// Its meshes. OBJ and PLY have one, STL one a solid, glTF one a glTF mesh.
     pub parts: Vec<Part>,
-    /// Where the meshes stand in the world; empty where the format has no such thing (each part then stands as
-    /// it is, once).
+    /// Where the meshes are placed in the world; empty if the format has no nodes (each part is then placed once, with
+    /// the identity transform).
     pub nodes: Vec<FileNode>,
     /// What was repaired, skipped or refused.
     pub notes: Vec<Note>,
@@ -62,9 +25,9 @@ pub struct Loaded {
 }
 
 impl Loaded {
-    /// The file as it is good for looking at alone, in less memory: without the bytes of PLY and STL and without the text of
-    /// OBJ, but for [which lines are what](super::obj::ObjDocument::lines). STL, in which each facet repeats its vertices, has
-    /// one vertex for each place. The document of glTF stays: attributes are read from it when they are asked for.
+    /// The file for inspection only, in less memory: without the bytes of PLY and STL and without the text of OBJ, except
+    /// [its line numbers](super::obj::ObjDocument::lines). In STL, where each facet repeats its vertices, equal positions become
+    /// one vertex. The document of glTF stays: attributes are read from it on demand.
     ///
     /// OBJ, PLY and STL can then not be [written](super::write) in their own format, which edits the document.
     ///
@@ -94,7 +57,25 @@ impl Loaded {
         self
     }
 
-    /// Where each part stands in the world: nowhere, if no node has it; once and as it is, if there are no nodes at all.
+    /// Materials, cameras and lights; of files that were never read, and of PLY and STL, none.
+    ///
+    /// ```
+    /// use crease::io::{Format, ReadOptions, read_bytes};
+    ///
+    /// let camera = r#"{"type": "perspective", "perspective": {"yfov": 0.5, "znear": 0.1}}"#;
+    /// let text = format!(r#"{{"asset": {{"version": "2.0"}}, "cameras": [{camera}], "nodes": [{{"camera": 0}}]}}"#);
+    /// let loaded = read_bytes(text.into_bytes(), Some(Format::Gltf), None, &ReadOptions::default())?;
+    /// assert_eq!(loaded.appearance().cameras.len(), 1);
+    /// # Ok::<(), crease::io::ReadError>(())
+    /// ```
+    pub fn appearance(&self) -> Appearance {
+        match &self.document {
+            Document::Gltf(document) => gltf::appearance(document),
+            document => Appearance { materials: document.materials().to_vec(), ..Appearance::default() },
+        }
+    }
+
+    /// Where each part is placed in the world: nowhere if no node has it; once, with the identity, if there are no nodes at all.
     pub(crate) fn places(&self) -> Vec<Vec<DMat4>> {
         if self.nodes.is_empty() {
             return vec![vec![DMat4::IDENTITY]; self.parts.len()];
@@ -117,7 +98,7 @@ pub struct Part {
     pub non_finite_faces: Vec<u32>,
 }
 
-/// A place at which a part stands in the world.
+/// A placement of a part in the world.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FileNode {
     /// Its number in the file.
@@ -138,19 +119,50 @@ pub enum Document {
     /// An OBJ file.
     Obj(Box<ObjDocument>),
     /// glTF, in either spelling.
-    Gltf(Box<super::gltf::GltfDocument>),
+    Gltf(Box<GltfDocument>),
     /// A PLY file.
-    Ply(Box<super::ply::PlyDocument>),
+    Ply(Box<PlyDocument>),
     /// An STL file.
-    Stl(Box<super::stl::StlDocument>),
+    Stl(Box<StlDocument>),
+}
+
+impl Document {
+    /// Whether these bytes are those that the document was read from.
+    pub fn is_unchanged(&self, bytes: &[u8]) -> bool {
+        match self {
+            Document::None => false,
+            Document::Obj(document) => document.source() == Some(bytes),
+            Document::Gltf(document) => document.source() == bytes,
+            Document::Ply(document) => document.source() == bytes,
+            Document::Stl(document) => document.source() == bytes,
+        }
+    }
+
+    /// The materials in the material libraries of an OBJ.
+    pub(super) fn materials(&self) -> &[FileMaterial] {
+        match self {
+            Document::Obj(document) => document.materials(),
+            _ => &[],
+        }
+    }
+
+    /// What the document has that is not part of its meshes, in words. A new file lacks it.
+    pub(super) fn outside_meshes(&self) -> Vec<String> {
+        match self {
+            Document::None | Document::Obj(_) => Vec::new(),
+            Document::Gltf(document) => document.outside_meshes(),
+            Document::Ply(document) => document.outside_meshes(),
+            Document::Stl(document) => document.outside_meshes(),
+        }
+    }
 }
 
 /// What changes in one part.
 ///
-/// `normals` refer to the corners of the part's mesh as it was read, dropped and reversed faces included.
+/// `normals` refer to the corners of the part's mesh as it was read, including dropped and reversed faces.
 #[derive(Clone, Debug, Default)]
 pub struct PartEdit {
-    /// Faces dropped and turned round. A reversed face's normals are given as they shall be written.
+    /// Faces dropped and reversed. A reversed face's normals are given as they shall be written.
     pub faces: FaceEdit,
     /// The normals to write, one index a corner or per vertex; `None` leaves the stored ones alone, present or not.
     pub normals: Option<Column<DVec3>>,
@@ -164,96 +176,8 @@ pub struct PartEdit {
 }
 
 impl PartEdit {
-    /// Whether the part stays as it is.
+    /// Whether the part does not change.
     pub fn is_empty(&self) -> bool {
         self.faces.is_empty() && self.normals.is_none() && self.face_normals.is_none()
     }
-}
-
-/// Which normals an output carries.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Emit {
-    /// One per corner, shared where equal.
-    #[default]
-    Corner,
-    /// One per vertex.
-    Vertex,
-    /// One per face.
-    Face,
-}
-
-/// What becomes of tangents when normals change.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum TangentPolicy {
-    /// Leave them out and say so; glTF readers then generate them.
-    #[default]
-    Drop,
-    /// Keep them as they are.
-    Keep,
-    /// Make them again by MikkTSpace where texture coordinates allow.
-    Regenerate,
-}
-
-/// How glTF normals are stored.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum NormalFormat {
-    /// As they were, `f32` where there were none.
-    #[default]
-    Same,
-    /// 32-bit floats.
-    F32,
-    /// Normalised 16-bit integers (`KHR_mesh_quantization`).
-    I16,
-    /// Normalised 8-bit integers (`KHR_mesh_quantization`).
-    I8,
-}
-
-/// How to write.
-#[derive(Clone, Debug, Default)]
-pub struct WriteOptions {
-    /// Which normals.
-    pub emit: Emit,
-    /// Tangents (glTF).
-    pub tangents: TangentPolicy,
-    /// Storage of normals (glTF).
-    pub normal_format: NormalFormat,
-    /// File name without extension of the output, for naming companion files; `None` when writing to a stream,
-    /// where everything must fit into one file.
-    pub stem: Option<String>,
-    /// The folder of the output, if it is known. Files outside it that the input refers to need no copy if the
-    /// output's own reference leads to them too.
-    pub folder: Option<PathBuf>,
-}
-
-/// An output, ready to be stored.
-#[derive(Clone, Debug, Default)]
-pub struct Written {
-    /// The file itself.
-    pub bytes: Vec<u8>,
-    /// Files that belong beside it.
-    pub companions: Vec<OutputFile>,
-    /// What could not be kept, and other remarks.
-    pub notes: Vec<Note>,
-    /// Vertices in the output.
-    pub vertices: u64,
-    /// Vertices added by splitting.
-    pub added_vertices: u64,
-}
-
-/// A file that belongs beside the main output.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct OutputFile {
-    /// Path relative to the main output's folder.
-    pub name: String,
-    /// Its content.
-    pub content: OutputContent,
-}
-
-/// Where a companion's bytes are.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum OutputContent {
-    /// New bytes.
-    Bytes(Vec<u8>),
-    /// A copy of this file, which the input refers to; nothing to do when both are the same file.
-    CopyOf(PathBuf),
 }

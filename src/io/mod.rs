@@ -4,42 +4,49 @@
 //! the same format edits that document, so that everything else in it survives byte for byte; writing to
 //! another format makes a new file from the meshes.
 
-mod appearance;
-mod companion;
-mod convert;
-mod decimal;
-mod dispatch;
-mod error;
+// The file formats.
 mod format;
-pub mod gltf;
-mod instances;
-mod left_out;
-mod loaded;
-mod number;
-pub mod obj;
-mod open;
-pub mod ply;
-mod remarks;
-mod rounding;
-mod shell;
-mod singles;
-pub mod stl;
-mod tally;
+// Errors and notes with their places.
+mod error;
+// Options of readers and writers.
+mod options;
+// What a writer returns.
+mod output;
+// Materials, cameras and lights of a file.
+mod appearance;
+// Text and numbers in text.
 mod text;
+// Files that an input refers to.
+mod companion_files;
+// Notes that are due for many places.
+mod repeated_notes;
+// A file as it was read.
+mod loaded;
+// Checks that all readers share.
+mod mesh_checks;
+// Warnings about what a format cannot store.
+mod unsupported_features;
+// The formats.
+pub mod gltf;
+pub mod obj;
+pub mod ply;
+pub mod stl;
+// Files of any format.
+mod instances;
+mod read;
+mod write;
 
 pub use appearance::{
     Appearance, FileCamera, FileLight, FileLightKind, FileMaterial, FileProjection, FileReflection,
 };
-pub(crate) use companion::companion;
-pub use convert::{write, write_new};
+pub(crate) use companion_files::companion;
 pub use error::{Note, Place, Problem, ReadError, Severity, WriteError};
 pub use format::Format;
 pub(crate) use gltf::NodeTree;
-pub use loaded::{
-    Document, Emit, FileNode, Limits, Loaded, NonFinite, NormalFormat, OutputContent, OutputFile, Part,
-    PartEdit,
-};
-pub use loaded::{ReadOptions, TangentPolicy, WriteOptions, Written};
-pub(crate) use open::read_whole;
-pub use open::{detect, read, read_bytes};
-pub use shell::shell_word;
+pub use loaded::{Document, FileNode, Loaded, Part, PartEdit};
+pub use options::{Emit, Limits, NonFinite, NormalFormat, ReadOptions, TangentPolicy, WriteOptions};
+pub use output::{OutputContent, OutputFile, Written};
+pub(crate) use read::read_whole;
+pub use read::{detect, read, read_bytes};
+pub use text::shell_word;
+pub use write::{write, write_new};

@@ -1,9 +1,29 @@
 //! What a revision found, counted.
 
-use super::places::Spot;
 use crate::io::Part;
 use crate::mesh::Orientation;
-use crate::normals::{Broken, Fault, FaultReason, Faults, NormalField, Selection, Summary, When};
+use crate::normals::{Broken, Fault, FaultReason, Faults, Selection, Summary};
+
+/// The most places that are kept of each kind of element. Counts are always complete.
+pub const MOST_PLACES: usize = 100;
+
+/// An element of a mesh as it was read; all numbers count from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Spot {
+    /// A face.
+    Face(u32),
+    /// A corner of a face.
+    Corner {
+        /// The face.
+        face: u32,
+        /// Which of the face's corners.
+        corner: u32,
+        /// The vertex at the corner.
+        vertex: u32,
+    },
+    /// A vertex.
+    Vertex(u32),
+}
 
 /// What was found in one part. Counts of a part without faces are zero.
 #[derive(Clone, Debug, Default)]
@@ -18,13 +38,13 @@ pub struct PartOutcome {
     pub corners: usize,
     /// Faces with 3, 4, and 5 or more corners.
     pub arities: [usize; 3],
-    /// Faces left out because they use a position that is not finite.
+    /// Faces dropped because they use a position that is not finite.
     pub non_finite_faces: usize,
-    /// Faces left out because their area is zero.
+    /// Faces dropped because their area is zero.
     pub dropped_faces: usize,
-    /// Faces turned round.
+    /// Faces reversed.
     pub reversed_faces: usize,
-    /// What orientation found, if it was asked for; its list of faces is empty, the edit has it.
+    /// What orientation found, if it was asked for; its list of faces is empty because the edit has it.
     pub orientation: Option<Orientation>,
     /// Distinct (vertex, smooth group) pairs.
     pub entries: usize,
@@ -32,14 +52,14 @@ pub struct PartOutcome {
     pub summary: Summary,
     /// Faults of the computation.
     pub faults: FaultCounts,
-    /// Where the first faults are: of faces, of corners, of vertices, at most [`MOST_PLACES`](super::MOST_PLACES) of
+    /// Where the first faults are: of faces, of corners, of vertices, at most [`MOST_PLACES`] of
     /// each.
     pub fault_places: Vec<(Spot, FaultReason)>,
     /// Corners that keep their stored normal.
     pub kept: usize,
     /// Corners that got a computed normal although not all were to be replaced, by the reason.
     pub replaced: ReplacedCounts,
-    /// The first corners whose stored normal was broken, at most [`MOST_PLACES`](super::MOST_PLACES).
+    /// The first corners whose stored normal was broken, at most [`MOST_PLACES`].
     pub broken_places: Vec<(Spot, Broken)>,
 }
 
@@ -58,21 +78,6 @@ impl PartOutcome {
             non_finite_faces: part.non_finite_faces.len(),
             ..Self::default()
         }
-    }
-
-    pub(super) fn record(&mut self, field: &NormalField) {
-        self.entries = field.normals.values.len();
-        self.summary = field.summary;
-    }
-
-    pub(super) fn record_faults(&mut self, faults: &Faults) {
-        self.faults = FaultCounts::of(faults);
-    }
-
-    /// Counts which of so many corners keep their normal, and why the others do not.
-    pub(super) fn record_selection(&mut self, selection: &Selection, corners: usize, when: When) {
-        self.replaced = ReplacedCounts::of(selection);
-        self.kept = if when == When::Always { 0 } else { corners - self.replaced.total() };
     }
 }
 
@@ -107,7 +112,7 @@ pub struct FaultCounts {
 }
 
 impl FaultCounts {
-    fn of(faults: &Faults) -> Self {
+    pub(super) fn of(faults: &Faults) -> Self {
         Self {
             faces: ReasonCounts::of(&faults.faces),
             corners: ReasonCounts::of(&faults.corners),
@@ -126,7 +131,7 @@ pub struct ReplacedCounts {
 }
 
 impl ReplacedCounts {
-    fn of(selection: &Selection) -> Self {
+    pub(super) fn of(selection: &Selection) -> Self {
         let mut counts = Self { missing: selection.missing.len(), ..Self::default() };
         for &(_, cause) in &selection.broken {
             counts.broken[cause as usize] += 1;

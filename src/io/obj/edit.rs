@@ -1,18 +1,21 @@
 //! Writing an OBJ back into its own text.
 //!
-//! Every byte outside `vn` and `f` lines is copied. The text is read statement by statement, as the reader did, so
+//! Every byte outside `vn` and `f` lines is copied. The text is parsed statement by statement, as the reader did, so
 //! that the n-th face here is the n-th face there. In `f` lines only normal indices change: vertices and texture
 //! coordinates keep their spelling (indices that count back stay right because no `v` or `vt` moves), and so do
 //! blanks, continuations and comments between them.
 
-use super::ObjDocument;
-use super::lexer::{Cursor, Keyword, Statement, statements};
-use super::renumber::Renumbering;
-use crate::io::decimal::push_integer;
-use crate::io::text::counted;
-use crate::io::{Emit, Loaded, Note, PartEdit, WriteError, WriteOptions, Written};
+use super::cursor::Cursor;
+use super::document::ObjDocument;
+use super::new_file::check_emit;
+use super::normal_numbers::NormalNumbers;
+use super::statements::{Keyword, Statement, statements};
+use crate::io::text::{Copier, counted, line_end_length, push_integer};
+use crate::io::{Loaded, Note, PartEdit, WriteError, WriteOptions, Written};
 use crate::mesh::{ColumnIndex, Mesh, Storage};
+use std::iter::Peekable;
 use std::ops::Range;
+use std::slice;
 
 /// The document with the edit applied.
 ///
@@ -25,11 +28,7 @@ pub(in crate::io) fn edit(
     edits: &[PartEdit],
     options: &WriteOptions,
 ) -> Result<Written, WriteError> {
-    if options.emit == Emit::Face {
-        return Err(WriteError::Unsupported(
-            "OBJ has no normals of faces; write those of corners".to_owned(),
-        ));
-    }
+    check_emit(options)?;
     let mesh = &loaded.parts[0].mesh;
     let edit = &edits[0];
     let text = document.source().ok_or_else(WriteError::no_document)?;
@@ -37,17 +36,15 @@ pub(in crate::io) fn edit(
         if changes_nothing(mesh, edit) { text.to_vec() } else { edited((document, text), mesh, edit)? };
     let vertices = mesh.vertex_count() as u64;
     let mut written = Written { bytes, vertices, ..Written::default() };
-    match (&options.stem, document.companions.first()) {
-        (Some(_), _) => written.companions.clone_from(&document.companions),
-        (None, Some(first)) => {
-            let files = counted(document.companions.len(), "file", "files");
-            let text = format!(
-                "a stream has no folder for what the output refers to: {files}, such as `{}`",
-                first.name
-            );
-            written.notes.push(Note::remark(text));
-        }
-        (None, None) => {}
+    let companions = &document.libraries.files;
+    if options.stem.is_some() {
+        written.companions.clone_from(companions);
+    } else if let Some(first) = companions.first() {
+        let files = counted(companions.len(), "file", "files");
+        written.notes.push(Note::remark(format!(
+            "a stream has no folder for what the output refers to: {files}, such as `{}`",
+            first.name
+        )));
     }
     Ok(written)
 }
@@ -73,36 +70,30 @@ fn edited(
     mesh: &Mesh,
     edit: &PartEdit,
 ) -> Result<Vec<u8>, WriteError> {
-    let renumbering = match &edit.normals {
-        Some(_) if document.surface_normals => {
-            let text =
-                "free-form surfaces of this OBJ refer to normals by number; write another format".to_owned();
-            return Err(WriteError::Unsupported(text));
-        }
-        Some(normals) => Some(Renumbering::new(mesh, edit, normals, document.normals_before, Storage::F32)),
-        None => None,
-    };
+    if edit.normals.is_some() && document.surface_normals {
+        let text = "free-form surfaces of this OBJ refer to normals by number; write another format";
+        return Err(WriteError::Unsupported(text.to_owned()));
+    }
+    let (insertion, before) = document.insertion;
+    let numbers = edit.normals.as_ref();
+    let numbers = numbers.map(|normals| NormalNumbers::new(mesh, edit, normals, before, Storage::F32));
     let mut editor = Editor {
-        text,
         mesh,
-        edit,
-        renumbering: renumbering.as_ref(),
-        out: Vec::with_capacity(text.len() + text.len() / 4),
-        copied: 0,
+        numbers: numbers.as_ref(),
+        copy: Copier::new(text, 4),
         tokens: Vec::new(),
-        order: Vec::new(),
         face: 0,
         normal: 0,
-        dropped: 0,
-        reversed: 0,
+        dropped: edit.faces.dropped.iter().peekable(),
+        reversed: edit.faces.reversed.iter().peekable(),
     };
-    let mut to_insert = renumbering.as_ref();
+    let mut to_insert = numbers.as_ref();
     for statement in statements(text) {
-        if statement.start >= document.insertion
-            && let Some(renumbering) = to_insert.take()
+        if statement.start >= insertion
+            && let Some(numbers) = to_insert.take()
         {
-            editor.copy_to(document.insertion);
-            renumbering.push_lines(line_end(text), &mut editor.out);
+            editor.copy.copy_to(insertion);
+            numbers.push_lines(line_end(text), &mut editor.copy.out);
         }
         match statement.keyword {
             Keyword::Normal => editor.normal_line(statement),
@@ -110,20 +101,17 @@ fn edited(
             _ => {}
         }
     }
-    editor.copy_to(text.len());
-    Ok(editor.out)
+    editor.copy.copy_to(text.len());
+    Ok(editor.copy.out)
 }
 
-/// How the lines of a text end, judged by its first.
-fn line_end(text: &[u8]) -> &'static [u8] {
-    match memchr::memchr2(b'\n', b'\r', text).map(|at| &text[at..]) {
-        Some([b'\r', b'\n', ..]) => b"\r\n",
-        Some([b'\r', ..]) => b"\r",
-        _ => b"\n",
-    }
+/// The line end of a text: its first one, or LF without any.
+fn line_end(text: &[u8]) -> &[u8] {
+    let first = memchr::memchr2(b'\n', b'\r', text).map(|at| &text[at..]);
+    first.map_or(&b"\n"[..], |rest| &rest[..line_end_length(rest)])
 }
 
-/// One corner of a face line: where it is, and where its `v` or `v/vt` ends.
+/// One corner of a face line: its bytes, and where its `v` or `v/vt` ends.
 #[derive(Clone)]
 struct Token {
     span: Range<usize>,
@@ -131,37 +119,22 @@ struct Token {
 }
 
 struct Editor<'a> {
-    text: &'a [u8],
     mesh: &'a Mesh,
-    edit: &'a PartEdit,
-    /// `None` if normals stay as they are.
-    renumbering: Option<&'a Renumbering<'a>>,
-    out: Vec<u8>,
-    /// How much of the text is in `out` or left out.
-    copied: usize,
+    /// `None` if normals do not change.
+    numbers: Option<&'a NormalNumbers<'a>>,
+    copy: Copier<'a>,
     tokens: Vec<Token>,
-    order: Vec<u32>,
     face: usize,
     normal: usize,
-    /// How many of the dropped and of the reversed faces have been met.
-    dropped: usize,
-    reversed: usize,
+    /// The dropped and the reversed faces that are not passed yet.
+    dropped: Peekable<slice::Iter<'a, u32>>,
+    reversed: Peekable<slice::Iter<'a, u32>>,
 }
 
 impl Editor<'_> {
-    fn copy_to(&mut self, end: usize) {
-        self.out.extend_from_slice(&self.text[self.copied..end]);
-        self.copied = end;
-    }
-
-    fn leave_out(&mut self, statement: Statement) {
-        self.copy_to(statement.start);
-        self.copied = statement.end;
-    }
-
     fn normal_line(&mut self, statement: Statement) {
-        if self.renumbering.is_some_and(|renumbering| !renumbering.keeps(self.normal)) {
-            self.leave_out(statement);
+        if self.numbers.is_some_and(|numbers| !numbers.keeps(self.normal)) {
+            self.copy.skip(statement.start..statement.end);
         }
         self.normal += 1;
     }
@@ -170,81 +143,57 @@ impl Editor<'_> {
         self.find_tokens(statement.arguments);
         if self.tokens.len() < 3 {
             // The reader skipped this one. It may refer to normals that are no longer there.
-            if self.renumbering.is_some() {
-                self.rewrite(None);
+            if self.numbers.is_some() {
+                self.rewrite(None, false);
             }
             return;
         }
         let face = self.face;
         self.face += 1;
-        if next_is(&self.edit.faces.dropped, &mut self.dropped, face) {
-            // It may be named as reversed as well.
-            next_is(&self.edit.faces.reversed, &mut self.reversed, face);
-            return self.leave_out(statement);
+        let is_next = |next: &&u32| **next as usize == face;
+        // A face may be in both lists.
+        let reversed = self.reversed.next_if(is_next).is_some();
+        if self.dropped.next_if(is_next).is_some() {
+            self.copy.skip(statement.start..statement.end);
+        } else if reversed || self.numbers.is_some() {
+            self.rewrite(Some(self.mesh.faces().range(face).start), reversed);
         }
-        let reversed = next_is(&self.edit.faces.reversed, &mut self.reversed, face);
-        if !reversed && self.renumbering.is_none() {
-            return;
-        }
-        let corners = self.mesh.faces().range(face);
-        self.order.clear();
-        self.order.extend(0..corners.len() as u32);
-        if reversed {
-            self.order[1..].reverse();
-        }
-        self.rewrite(Some(corners));
     }
 
     fn find_tokens(&mut self, arguments: usize) {
         self.tokens.clear();
-        let mut cursor = Cursor::new(self.text, arguments);
-        loop {
-            cursor.skip_blanks();
-            if cursor.at_statement_end() {
-                return;
-            }
-            let start = cursor.at;
+        let mut cursor = Cursor::new(self.copy.text, arguments);
+        while let Some(start) = cursor.next_argument() {
             let token = cursor.token();
             self.tokens.push(Token { span: start..cursor.at, head: start + head_length(token) });
         }
     }
 
-    /// Writes the tokens of a face line in their new order with their new normals; without corners, in the old one
-    /// with none.
-    fn rewrite(&mut self, corners: Option<Range<usize>>) {
-        let tokens = std::mem::take(&mut self.tokens);
-        for (place, token) in tokens.iter().enumerate() {
-            self.copy_to(token.span.start);
-            self.copied = token.span.end;
-            let from = corners.as_ref().map_or(place, |_| self.order[place] as usize);
-            let source = &tokens[from];
-            let Some(renumbering) = self.renumbering else {
-                self.out.extend_from_slice(&self.text[source.span.clone()]);
+    /// Writes the tokens of a face line with their new normals, or without normals if the mesh does not have the corners. A
+    /// reversed face keeps its first corner.
+    fn rewrite(&mut self, first_corner: Option<usize>, reversed: bool) {
+        for (place, token) in self.tokens.iter().enumerate() {
+            self.copy.skip(token.span.clone());
+            let from = if reversed && place > 0 { self.tokens.len() - place } else { place };
+            let source = &self.tokens[from];
+            let text = self.copy.text;
+            let Some(numbers) = self.numbers else {
+                self.copy.out.extend_from_slice(&text[source.span.clone()]);
                 continue;
             };
-            let head = &self.text[source.span.start..source.head];
-            self.out.extend_from_slice(head);
-            if let Some(number) =
-                corners.as_ref().and_then(|corners| renumbering.of_corner(corners.start + from))
-            {
-                self.out.extend_from_slice(if head.contains(&b'/') { b"/" } else { b"//" });
-                push_integer(&mut self.out, number.into());
+            let head = &text[source.span.start..source.head];
+            self.copy.out.extend_from_slice(head);
+            if let Some(number) = first_corner.and_then(|first| numbers.of_corner(first + from)) {
+                self.copy.out.extend_from_slice(if head.contains(&b'/') { b"/" } else { b"//" });
+                push_integer(&mut self.copy.out, number.into());
             }
         }
-        self.tokens = tokens;
     }
-}
-
-/// Whether `face` is the next of an ascending list of which `met` have been met.
-fn next_is(faces: &[u32], met: &mut usize, face: usize) -> bool {
-    let is_next = faces.get(*met).is_some_and(|&next| next as usize == face);
-    *met += usize::from(is_next);
-    is_next
 }
 
 /// The length of `v` or `v/vt` in a corner; a slash without a number behind it does not count.
 fn head_length(token: &[u8]) -> usize {
-    let mut slashes = token.iter().enumerate().filter(|&(_, &byte)| byte == b'/').map(|(at, _)| at);
+    let mut slashes = memchr::memchr_iter(b'/', token);
     let Some(first) = slashes.next() else { return token.len() };
     let second = slashes.next().unwrap_or(token.len());
     if second == first + 1 { first } else { second }

@@ -1,13 +1,13 @@
-//! Indices as a stretch of the file knows them, before the stretches in front of it have been counted.
+//! Indices as a piece of the file has them, before the items of earlier pieces are counted.
 
 use crate::mesh::NONE;
 use std::ops::Range;
 
-/// In a list of indices: refers to nothing that can exist. No count of a mesh reaches it.
+/// In a list of indices: a reference to something that cannot exist. No count of a mesh reaches it.
 pub(super) const NOWHERE: u32 = NONE - 1;
 
-/// Zero-based indices. Those that the file counts back from where it stands are kept relative to the start of the
-/// stretch, as two's complement, and their places are listed.
+/// Zero-based indices. Negative indices of the file are kept relative to the start of the piece, as two's complement, and the
+/// ranges of such entries are listed.
 #[derive(Debug, Default)]
 pub(super) struct Indices {
     pub values: Vec<u32>,
@@ -15,7 +15,7 @@ pub(super) struct Indices {
 }
 
 impl Indices {
-    /// Appends an index as it is spelled, `count` things of its kind being defined in this stretch so far.
+    /// Appends an index as it is spelled, `count` items of its kind being defined in this piece so far.
     #[inline]
     pub fn push(&mut self, spelled: i64, count: usize) {
         if spelled > 0 {
@@ -59,7 +59,7 @@ impl Indices {
         }
     }
 
-    /// Makes all indices absolute, `base` things of their kind being defined in front of this stretch.
+    /// Makes all indices absolute, `base` items of their kind being defined in earlier pieces.
     pub fn resolve(&mut self, base: usize) {
         for run in self.relative.drain(..) {
             for value in &mut self.values[run.start as usize..run.end as usize] {

@@ -1,25 +1,36 @@
 //! Writing a PLY back into its own bytes.
 
-use super::PlyDocument;
-use super::changes::Changes;
+use super::document::PlyDocument;
 use super::header::{Element, Kind, Property};
-use super::lists::{push_list, reverse_pairs, widened};
-use super::mesh::read_corners;
-use super::normals::NormalFields;
-use super::roles::FaceRole;
-use super::rows::{Fault, Row, Rows};
+use super::normal_properties::NormalProperties;
+use super::property_roles::FaceRole;
+use super::rows::{Row, Rows, damaged, read_corners};
 use super::scalar::{Encoding, Scalar};
-use crate::io::{Emit, Note, PartEdit, Place, Problem, WriteError, WriteOptions, Written};
+use crate::io::text::{Changes, Fault};
+use crate::io::{Emit, Loaded, Note, PartEdit, Place, Problem, WriteError, WriteOptions, Written};
 use crate::mesh::{Column, ColumnIndex, Faces, Mesh, NONE, VertexSplit, split_vertices};
 use glam::DVec3;
 
-/// See [`super::edit`].
-pub(super) fn edit(
+/// The document with the edit applied. Header lines, properties and elements that do not change, known or not, stay byte for
+/// byte.
+///
+/// Normals are replaced where the file has them, in its own type, or added after `z`, as doubles if positions are.
+/// Types that cannot hold unit normals well (8-bit integers, integers that are not normalised) become floats.
+/// With [`Emit::Face`] the faces get [`PartEdit::face_normals`] instead of the vertices. New vertices
+/// of splits come after the others, with all of their properties.
+///
+/// # Errors
+/// [`WriteError::Unsupported`] if only some of `nx`, `ny`, `nz` are there.
+pub(in crate::io) fn edit(
     document: &PlyDocument,
-    mesh: &Mesh,
-    edit: &PartEdit,
+    loaded: &Loaded,
+    edits: &[PartEdit],
     options: &WriteOptions,
 ) -> Result<Written, WriteError> {
+    let (Some(part), unchanged) = (loaded.parts.first(), PartEdit::default()) else {
+        return Err(WriteError::Unsupported("a PLY file has one part".to_owned()));
+    };
+    let (mesh, edit) = (&part.mesh, edits.first().unwrap_or(&unchanged));
     let by_face = options.emit == Emit::Face;
     // Points have no normals to change.
     let has_faces = mesh.face_count() > 0;
@@ -50,7 +61,7 @@ pub(super) fn edit(
         body: Vec::with_capacity(document.bytes.len() + document.bytes.len() / 4),
         notes: Vec::new(),
     };
-    // The rows were read before, so what is wrong is a feature.
+    // The rows were read before, so a fault is an unsupported feature.
     editor.run().map_err(|fault| WriteError::Unsupported(format!("{}; convert the file first", fault.found)))
 }
 
@@ -77,12 +88,13 @@ impl Editor<'_> {
         let mut rows = Rows::new(&document.bytes, &document.header, document.shared_lines);
         for (at, element) in document.header.elements.iter().enumerate() {
             let start = rows.at;
-            match (&roles.face, &roles.strips) {
+            let role = roles.face.as_ref().filter(|role| role.element == at);
+            match role {
                 _ if roles.vertex.element == at && self.vertex_normals.is_some() => {
                     self.write_vertices(&mut rows, element)?;
                 }
-                (Some(face), _) if face.element == at => self.write_faces(&mut rows, element, face)?,
-                (_, Some(strips)) if strips.element == at && self.faces_change() => {
+                Some(face) if !face.are_strips => self.write_faces(&mut rows, element, face)?,
+                Some(strips) if self.faces_change() => {
                     rows.each(element, |_, _, _| Ok(()))?;
                     self.replace_strips(element, strips)?;
                 }
@@ -101,18 +113,15 @@ impl Editor<'_> {
         Ok(Written { bytes, notes: self.notes, vertices, added_vertices, ..Written::default() })
     }
 
-    fn encoding(&self) -> Encoding {
-        self.document.header.encoding
-    }
-
     fn recount(&mut self, element: &Element, count: usize) {
-        self.header
-            .replace(element.count_at.clone(), |out| out.extend_from_slice(count.to_string().as_bytes()));
+        self.header.replace(element.count_at.clone(), |out| out.extend(count.to_string().bytes()));
     }
 
     /// An ascii row that another follows needs a line end.
     fn end_line(&mut self) {
-        if self.encoding() == Encoding::Ascii && !matches!(self.body.last(), None | Some(b'\n' | b'\r')) {
+        if self.document.header.encoding == Encoding::Ascii
+            && !matches!(self.body.last(), None | Some(b'\n' | b'\r'))
+        {
             self.body.extend_from_slice(self.document.header.line_end.as_bytes());
         }
     }
@@ -122,7 +131,7 @@ impl Editor<'_> {
         let [.., z] = role.position;
         let packed = self.document.packed.vertices;
         let (header, notes) = (&mut self.header, &mut self.notes);
-        let fields = NormalFields::plan(self.document, element, role.normal, packed, z, header, notes)?;
+        let fields = NormalProperties::plan(self.document, element, role.normal, packed, z, header, notes)?;
         let (old, new) = (self.mesh.vertex_count(), self.split.source.len());
         let mut starts = Vec::with_capacity(if new > old { old } else { 0 });
         let mut changes = Changes::default();
@@ -138,14 +147,14 @@ impl Editor<'_> {
         if new == old {
             return Ok(());
         }
-        let (mut again, mut row) = (rows.clone(), Row::default());
+        let (mut source_rows, mut row) = (rows.clone(), Row::default());
         for vertex in old..new {
             self.end_line();
             let source = self.split.source[vertex] as usize;
-            again.at = starts[source];
-            again.next(element, &mut row)?;
+            source_rows.at = starts[source];
+            source_rows.next(element, &mut row)?;
             changes.clear();
-            fields.change(self.normal(vertex), &row, &again, &mut changes)?;
+            fields.change(self.normal(vertex), &row, &source_rows, &mut changes)?;
             // Without the blank lines in front.
             let first = row.fields[0].start;
             changes.copy(rows.bytes, first..row.span.end, &mut self.body);
@@ -155,7 +164,7 @@ impl Editor<'_> {
         Ok(())
     }
 
-    /// The normal that a vertex, old or new, gets; `None` keeps what is stored.
+    /// The normal that a vertex, old or new, gets; `None` keeps the stored one.
     fn normal(&self, vertex: usize) -> Option<DVec3> {
         let normals = self.vertex_normals?;
         let slot = match normals.index {
@@ -166,7 +175,7 @@ impl Editor<'_> {
             },
         };
         if slot == NONE {
-            return self.stand_in(vertex);
+            return self.unused_normal(vertex);
         }
         // Number `s` of the stored ones is that of vertex `s`, if vertices have any.
         let is_own = (slot as usize) < self.edit.kept
@@ -175,8 +184,8 @@ impl Editor<'_> {
         (!is_own).then(|| normals.values[slot as usize])
     }
 
-    /// For a vertex that no face uses: +Z, unless it has a normal already that is one.
-    fn stand_in(&self, vertex: usize) -> Option<DVec3> {
+    /// For a vertex that no face uses: +Z, unless it already has a unit normal.
+    fn unused_normal(&self, vertex: usize) -> Option<DVec3> {
         let stored =
             self.mesh.columns().normals.as_ref().filter(|column| column.index == ColumnIndex::PerVertex);
         let normal = stored.map_or(DVec3::ZERO, |column| column.values[self.split.source[vertex] as usize]);
@@ -185,20 +194,22 @@ impl Editor<'_> {
         (!is_unit).then_some(DVec3::Z)
     }
 
-    /// Whether strips can no longer say what the faces are.
+    /// Whether the faces are no longer those of the strips.
     fn faces_change(&self) -> bool {
         let splits = self.split.added(self.mesh.vertex_count()) > 0;
         splits || !self.edit.faces.is_empty() || self.face_normals.is_some()
     }
 
-    /// The type of vertex numbers, widened in the header if need be.
+    /// The type of vertex numbers: that of the file if it can hold the added vertices, else `int`, else `uint`. An ascii
+    /// word can be any number, but its readers may use the type of the header.
     fn index_type(&mut self, list: &Property, item: Scalar) -> Scalar {
-        let added = self.split.added(self.mesh.vertex_count()) > 0;
-        let new = if added { widened(item, self.split.source.len() - 1) } else { item };
-        if new != item {
-            let name = new.name(list.sized_name);
-            self.header.replace(list.type_at.clone(), |out| out.extend_from_slice(name.as_bytes()));
+        let largest = (self.split.source.len().saturating_sub(1)) as f64;
+        let holds = |scalar: &Scalar| scalar.largest() >= largest;
+        if self.split.added(self.mesh.vertex_count()) == 0 || holds(&item) {
+            return item;
         }
+        let new = if holds(&Scalar::I32) { Scalar::I32 } else { Scalar::U32 };
+        self.header.replace(list.type_at.clone(), |out| out.extend(new.name(list.sized_name).bytes()));
         new
     }
 
@@ -206,23 +217,24 @@ impl Editor<'_> {
         let list = &element.properties[role.list];
         let Kind::List { count, item } = list.kind else { return Ok(()) };
         let index_type = self.index_type(list, item);
-        // Normals of faces that are turned round are turned round too.
-        let fields =
-            if self.face_normals.is_some() || role.normal.is_some() && !self.edit.faces.reversed.is_empty() {
-                let behind = element.properties.len() - 1;
-                let packed = self.document.packed.faces;
-                let (header, notes) = (&mut self.header, &mut self.notes);
-                Some(NormalFields::plan(self.document, element, role.normal, packed, behind, header, notes)?)
-            } else {
-                None
-            };
+        // The normals of reversed faces are reversed too.
+        let fields = if self.face_normals.is_some()
+            || role.normal.is_some() && !self.edit.faces.reversed.is_empty()
+        {
+            let behind = element.properties.len() - 1;
+            let packed = self.document.packed.faces;
+            let (header, notes) = (&mut self.header, &mut self.notes);
+            Some(NormalProperties::plan(self.document, element, role.normal, packed, behind, header, notes)?)
+        } else {
+            None
+        };
         let stored = self.document.face_normals(self.mesh);
         let (mut faces_read, mut faces_kept, mut rows_kept) = (0_usize, 0, 0);
         let (mut corners, mut changes) = (Vec::new(), Changes::default());
         rows.each(element, |_, row, rows| {
             read_corners(rows, row, role.list, list.kind, &mut corners)?;
             changes.clear();
-            // Rows of fewer than three corners are no faces of the mesh.
+            // Rows with fewer than three corners are not faces of the mesh.
             let face = (corners.len() >= 3).then_some(faces_read);
             faces_read += usize::from(face.is_some());
             if face.is_some_and(|face| !self.edit.faces.keeps(face as u32)) {
@@ -260,13 +272,13 @@ impl Editor<'_> {
         Ok(())
     }
 
-    /// Puts faces in the place of strips.
+    /// Replaces strips by faces.
     fn replace_strips(&mut self, element: &Element, role: &FaceRole) -> Result<(), Fault> {
         let list = &element.properties[role.list];
         let Kind::List { count, item } = list.kind else { return Ok(()) };
         if element.properties.len() > 1 || self.face_normals.is_some() {
             let found = "triangle strips cannot have normals or other properties of single faces";
-            return Err(Fault::new(Problem::Unsupported, 0, found));
+            return Err(damaged(Problem::Unsupported, 0, found));
         }
         let index_type = self.index_type(list, item);
         self.header.replace(element.name_at.clone(), |out| out.extend_from_slice(b"face"));
@@ -280,5 +292,31 @@ impl Editor<'_> {
         let text = "triangle strips were made into faces, because these changed";
         self.notes.push(Note::warning(Place::Line(element.line), text));
         Ok(())
+    }
+}
+
+/// Appends a list.
+fn push_list(out: &mut Vec<u8>, values: &[u32], count: Scalar, item: Scalar, encoding: Encoding) {
+    count.push(out, values.len() as f64, encoding);
+    for &value in values {
+        if encoding == Encoding::Ascii {
+            out.push(b' ');
+        }
+        item.push(out, f64::from(value), encoding);
+    }
+}
+
+/// Reverses a list of two numbers a corner, as [`FaceEdit`](crate::mesh::FaceEdit) reverses corners: the first stays.
+/// A list of another length is not changed.
+fn reverse_pairs(rows: &Rows<'_>, row: &Row, list: usize, kind: Kind, corners: usize, changes: &mut Changes) {
+    let items: Vec<_> = rows.items(&row.fields[list], kind).collect();
+    if items.len() != 2 * corners {
+        return;
+    }
+    for corner in 1..corners {
+        for part in 0..2 {
+            let there = items[2 * (corners - corner) + part].clone();
+            changes.replace(items[2 * corner + part].clone(), |out| out.extend(&rows.bytes[there]));
+        }
     }
 }

@@ -1,7 +1,7 @@
-//! The header: elements and their properties, with the places of all that an edit may change.
+//! The header: elements and their properties, with the byte ranges that an edit may change.
 
 use super::scalar::{Encoding, Scalar};
-use crate::io::text::shown;
+use crate::io::text::{next_word, shown};
 use crate::io::{Place, Problem, ReadError};
 use std::ops::Range;
 
@@ -21,7 +21,7 @@ pub(super) struct Header {
 pub(super) struct Element {
     pub name: String,
     pub name_at: Range<usize>,
-    /// The rows that the header says there are.
+    /// The number of rows in the header.
     pub count: u64,
     pub count_at: Range<usize>,
     pub properties: Vec<Property>,
@@ -49,6 +49,15 @@ pub(super) enum Kind {
     List { count: Scalar, item: Scalar },
 }
 
+impl Kind {
+    /// The type of its numbers: of the items, if it is a list.
+    pub fn scalar(self) -> Scalar {
+        match self {
+            Kind::Scalar(scalar) | Kind::List { item: scalar, .. } => scalar,
+        }
+    }
+}
+
 impl Element {
     /// The first property of a name.
     pub fn property(&self, name: &str) -> Option<usize> {
@@ -69,7 +78,7 @@ impl Element {
         (encoding != Encoding::Ascii && !has_lists).then(|| self.smallest_row(encoding) as usize)
     }
 
-    /// The fewest bytes that a row takes; in ascii each number takes a digit and what is behind it.
+    /// The fewest bytes that a row takes; in ascii each number takes a digit and a separator.
     pub fn smallest_row(&self, encoding: Encoding) -> u64 {
         let size = |kind| match kind {
             Kind::Scalar(scalar) => scalar.size() as u64,
@@ -109,13 +118,8 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Header, ReadError> {
     let (mut at, mut number) = (0, 0);
     loop {
         let Some(line) = next_line(bytes, at, number + 1, line_end) else {
-            let found = "the header has no line `end_header`";
-            return Err(ReadError::new(
-                Problem::Truncated,
-                Place::Line(number),
-                found,
-                "the file was cut off",
-            ));
+            let (place, found) = (Place::Line(number), "the header has no line `end_header`");
+            return Err(ReadError::new(Problem::Truncated, place, found, "the file was cut off"));
         };
         (at, number) = (line.end, line.number);
         let keyword = line.words.first().map_or(&b""[..], |(word, _)| word);
@@ -146,35 +150,24 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Header, ReadError> {
 
 fn line_end(after_magic: &[u8]) -> Option<&'static str> {
     let blanks = after_magic.iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count();
-    match after_magic[blanks..] {
-        [b'\r', b'\n', ..] => Some("\r\n"),
-        [b'\r', ..] => Some("\r"),
-        [b'\n', ..] => Some("\n"),
-        _ => None,
-    }
+    let rest = &after_magic[blanks..];
+    ["\r\n", "\r", "\n"].into_iter().find(|end| rest.starts_with(end.as_bytes()))
 }
 
-/// The line that starts at `at`; `None` if it is not ended.
+/// The line that starts at `at`; `None` if it does not end.
 fn next_line<'a>(bytes: &'a [u8], at: usize, number: u64, line_end: &str) -> Option<Line<'a>> {
     // With CR LF a lone LF ends a line too; with CR alone an LF is the first byte of a binary body.
     let last = if line_end == "\r" { b'\r' } else { b'\n' };
-    let length = memchr::memchr(last, &bytes[at..])?;
-    let (mut words, mut word_start) = (Vec::new(), None);
-    for place in at..=at + length {
-        match (bytes[place].is_ascii_whitespace(), word_start) {
-            (false, None) => word_start = Some(place),
-            (true, Some(start)) => {
-                words.push((&bytes[start..place], start..place));
-                word_start = None;
-            }
-            _ => {}
-        }
-        // The words of a comment are of no use.
-        if words.len() > 5 {
-            break;
-        }
+    let end = at + memchr::memchr(last, &bytes[at..])?;
+    let (mut words, mut start) = (Vec::new(), at);
+    // More words than any line needs are those of a comment.
+    while words.len() < 6
+        && let Some(word) = next_word(&bytes[..end], start)
+    {
+        start = word.end;
+        words.push((&bytes[word.clone()], word));
     }
-    Some(Line { number, words, end: at + length + 1 })
+    Some(Line { number, words, end: end + 1 })
 }
 
 fn format(line: &Line<'_>) -> Result<Encoding, ReadError> {
@@ -211,13 +204,12 @@ fn element(line: &Line<'_>) -> Result<Element, ReadError> {
 fn property(line: &Line<'_>) -> Result<Property, ReadError> {
     let scalar = |at: usize| {
         let (word, place) = &line.words[at];
-        match Scalar::from_name(word) {
-            Some((scalar, sized)) => Ok((scalar, sized, place.clone())),
-            None => {
-                let found = format!("`{}` is no type of numbers", shown(word));
-                Err(line.fault(found, "it must be char, uchar, short, ushort, int, uint, float or double"))
-            }
-        }
+        let Some((scalar, sized)) = Scalar::from_name(word) else {
+            let found = format!("`{}` is no type of numbers", shown(word));
+            let advice = "it must be char, uchar, short, ushort, int, uint, float or double";
+            return Err(line.fault(found, advice));
+        };
+        Ok((scalar, sized, place.clone()))
     };
     let (kind, (_, sized_name, type_at), name) = match &line.words[..] {
         [_, (b"list", _), _, _, (name, _), ..] => {

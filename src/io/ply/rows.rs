@@ -2,45 +2,37 @@
 
 use super::header::{Element, Header, Kind};
 use super::scalar::{Encoding, Scalar};
-use crate::io::tally::Tally;
-use crate::io::text::{counted, line_and_column, lines_of, shown};
-use crate::io::{Place, Problem, ReadError};
+use crate::io::repeated_notes::{NoteKind, RepeatedNotes};
+use crate::io::text::{Fault, counted, line_end_length, line_place, line_places, next_word, shown};
+use crate::io::{Place, Problem, Severity};
+use crate::mesh::NONE;
 use std::ops::Range;
 
-/// What is wrong, and at which byte.
-#[derive(Clone, Debug)]
-pub(super) struct Fault {
-    pub problem: Problem,
-    pub offset: usize,
-    pub found: String,
+/// A row of ascii that has more words than properties.
+pub(super) const OVERLONG: NoteKind =
+    NoteKind(2, Severity::Warning, "a row has more values than the header says; they were skipped");
+
+/// An error in the body.
+pub(super) fn damaged(problem: Problem, offset: usize, found: impl Into<String>) -> Fault {
+    Fault::new(problem, offset, found, "the file is damaged, or its writer is at fault")
 }
 
-impl Fault {
-    pub fn new(problem: Problem, offset: usize, found: impl Into<String>) -> Self {
-        Self { problem, offset, found: found.into() }
-    }
-
-    pub fn into_error(self, bytes: &[u8], encoding: Encoding) -> ReadError {
-        let advice = match self.problem {
-            Problem::Truncated => "the file was cut off, or its header counts wrong",
-            _ => "the file is damaged, or its writer is at fault",
-        };
-        ReadError::new(self.problem, place(bytes, encoding, self.offset), self.found, advice)
-    }
+fn truncated(offset: usize, found: impl Into<String>) -> Fault {
+    Fault::new(Problem::Truncated, offset, found, "the file was cut off, or its header counts wrong")
 }
 
-/// An offset as people look for it: as a line, or as a byte.
+/// Where an offset is: a line in ascii, a byte in binary.
 pub(super) fn place(bytes: &[u8], encoding: Encoding, offset: usize) -> Place {
     match encoding {
-        Encoding::Ascii => Place::Line(line_and_column(bytes, offset).0),
+        Encoding::Ascii => line_place(bytes, offset),
         _ => Place::Byte(offset as u64),
     }
 }
 
-/// As [`place`], for offsets that ascend.
+/// As [`place`], for ascending offsets.
 pub(super) fn places(bytes: &[u8], encoding: Encoding, offsets: &[usize]) -> Vec<Place> {
     match encoding {
-        Encoding::Ascii => lines_of(bytes, offsets).into_iter().map(Place::Line).collect(),
+        Encoding::Ascii => line_places(bytes, offsets),
         _ => offsets.iter().map(|&offset| Place::Byte(offset as u64)).collect(),
     }
 }
@@ -48,10 +40,17 @@ pub(super) fn places(bytes: &[u8], encoding: Encoding, offsets: &[usize]) -> Vec
 /// A row of an element.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Row {
-    /// All of its bytes: in ascii, blank lines in front of it and the rest of its last line too.
+    /// All of its bytes: in ascii, including blank lines before it and the rest of its last line.
     pub span: Range<usize>,
     /// The bytes of each property; of a list, its count included.
     pub fields: Vec<Range<usize>>,
+}
+
+impl Row {
+    /// Where its first property is.
+    pub fn first_field(&self) -> Option<usize> {
+        self.fields.first().map(|field| field.start)
+    }
 }
 
 /// Goes through the body.
@@ -61,16 +60,16 @@ pub(super) struct Rows<'a> {
     pub encoding: Encoding,
     /// Where the next row starts.
     pub at: usize,
-    /// Whether several ascii rows may share a line. If not, what is left on a line behind a row is skipped.
+    /// Whether several ascii rows may share a line. If not, extra words behind a row are skipped.
     pub shared_lines: bool,
-    /// Rows with something left behind them.
-    pub overlong: Tally,
+    /// The rows that are too long.
+    pub notes: RepeatedNotes,
 }
 
 impl<'a> Rows<'a> {
     pub fn new(bytes: &'a [u8], header: &Header, shared_lines: bool) -> Self {
         let (encoding, at) = (header.encoding, header.body);
-        Self { bytes, encoding, at, shared_lines, overlong: Tally::default() }
+        Self { bytes, encoding, at, shared_lines, notes: RepeatedNotes::default() }
     }
 
     /// Calls `each` with the number of every row of an element and the row.
@@ -90,7 +89,7 @@ impl<'a> Rows<'a> {
                 element.name,
                 counted(needed, "byte", "bytes"),
             );
-            return Err(Fault::new(Problem::Truncated, self.at, found));
+            return Err(truncated(self.at, found));
         }
         if element.properties.is_empty() {
             return Ok(());
@@ -107,7 +106,7 @@ impl<'a> Rows<'a> {
         Ok(())
     }
 
-    /// The number of rows that the header says there are, but no more than there are bytes for.
+    /// The number of rows in the header, but no more than there are bytes for.
     pub fn plausible_count(&self, element: &Element) -> usize {
         let rest = (self.bytes.len() - self.at) as u64;
         element.count.min(rest / element.smallest_row(self.encoding).max(1)) as usize
@@ -147,7 +146,7 @@ impl<'a> Rows<'a> {
     }
 
     fn cut_off(&self) -> Fault {
-        Fault::new(Problem::Truncated, self.bytes.len(), "")
+        truncated(self.bytes.len(), "")
     }
 
     #[inline]
@@ -160,54 +159,42 @@ impl<'a> Rows<'a> {
 
     #[inline]
     fn binary_field(&mut self, kind: Kind) -> Result<Range<usize>, Fault> {
-        match kind {
-            Kind::Scalar(scalar) => self.take(scalar.size()),
-            Kind::List { count, item } => {
-                let counted = self.take(count.size())?;
-                let number = count.read(&self.bytes[counted.clone()], self.encoding).unwrap_or(0.0);
-                if number < 0.0 {
-                    let found = format!("a list of {number} numbers");
-                    return Err(Fault::new(Problem::Range, counted.start, found));
-                }
-                let length = (number as usize).checked_mul(item.size());
-                let items = match length {
-                    Some(length) => self.take(length)?,
-                    None => return Err(self.cut_off()),
-                };
-                Ok(counted.start..items.end)
-            }
+        let Kind::List { count, item } = kind else { return self.take(kind.scalar().size()) };
+        let counted = self.take(count.size())?;
+        let number = count.read(&self.bytes[counted.clone()], self.encoding).unwrap_or(0.0);
+        if number < 0.0 {
+            return Err(damaged(Problem::Range, counted.start, format!("a list of {number} numbers")));
         }
+        let items = self.take((number as usize).saturating_mul(item.size()))?;
+        Ok(counted.start..items.end)
     }
 
     fn ascii_field(&mut self, kind: Kind) -> Result<Range<usize>, Fault> {
-        let first = self.word().ok_or_else(|| self.cut_off())?;
+        let first = self.word()?;
         let Kind::List { count, .. } = kind else { return Ok(first) };
         let word = &self.bytes[first.clone()];
         let Some(number) = count.read(word, Encoding::Ascii).filter(|n| *n >= 0.0 && n.fract() == 0.0) else {
             let found = format!("`{}` is no number of list items", shown(word));
-            return Err(Fault::new(Problem::Syntax, first.start, found));
+            return Err(damaged(Problem::Syntax, first.start, found));
         };
         // Each number takes two bytes or more.
         if number > (self.bytes.len() - first.end) as f64 {
             return Err(self.cut_off());
         }
-        let mut end = first.end;
         for _ in 0..number as usize {
-            end = self.word().ok_or_else(|| self.cut_off())?.end;
+            self.word()?;
         }
-        Ok(first.start..end)
+        Ok(first.start..self.at)
     }
 
-    /// The next word, on whatever line.
-    fn word(&mut self) -> Option<Range<usize>> {
-        let rest = &self.bytes[self.at..];
-        let start = self.at + rest.iter().position(|byte| !is_blank(*byte))?;
-        let length = self.bytes[start..].iter().position(|byte| is_blank(*byte));
-        self.at = length.map_or(self.bytes.len(), |length| start + length);
-        Some(start..self.at)
+    /// Takes the next word, on whatever line.
+    fn word(&mut self) -> Result<Range<usize>, Fault> {
+        let word = next_word(self.bytes, self.at).ok_or_else(|| self.cut_off())?;
+        self.at = word.end;
+        Ok(word)
     }
 
-    /// Passes the line end behind a row, and what is in front of that if lines are not shared.
+    /// Skips the line end behind a row, and the words before it if lines are not shared.
     fn finish_line(&mut self) {
         let rest = &self.bytes[self.at..];
         let ahead = rest.iter().position(|byte| !matches!(byte, b' ' | b'\t')).unwrap_or(rest.len());
@@ -217,16 +204,10 @@ impl<'a> Rows<'a> {
             if self.shared_lines {
                 return;
             }
-            self.overlong.add(self.at);
+            self.notes.add(OVERLONG, self.at);
             length = rest.iter().position(is_line_end).unwrap_or(rest.len());
         }
-        self.at += length;
-        let line_end = match self.bytes[self.at..] {
-            [b'\r', b'\n', ..] => 2,
-            [b'\r' | b'\n', ..] => 1,
-            _ => 0,
-        };
-        self.at += line_end;
+        self.at += length + line_end_length(&rest[length..]);
     }
 
     /// The number in a field.
@@ -235,7 +216,7 @@ impl<'a> Rows<'a> {
         let bytes = &self.bytes[field.clone()];
         scalar.read(bytes, self.encoding).ok_or_else(|| {
             let found = format!("`{}` is not a number", shown(bytes));
-            Fault::new(Problem::Syntax, field.start, found)
+            damaged(Problem::Syntax, field.start, found)
         })
     }
 
@@ -275,15 +256,34 @@ impl Iterator for Items<'_> {
             self.rest.start += self.size;
             return Some(start..self.rest.start);
         }
-        let text = &self.bytes[self.rest.clone()];
-        let blanks = text.iter().position(|byte| !is_blank(*byte))?;
-        let length = text[blanks..].iter().position(|byte| is_blank(*byte)).unwrap_or(text.len() - blanks);
-        self.rest.start = start + blanks + length;
-        Some(start + blanks..self.rest.start)
+        let word = next_word(&self.bytes[..self.rest.end], start)?;
+        self.rest.start = word.end;
+        Some(word)
     }
 }
 
-/// Blanks and line ends.
-fn is_blank(byte: u8) -> bool {
-    matches!(byte, b' ' | b'\t'..=b'\r')
+/// The vertices of the face in a row.
+pub(super) fn read_corners(
+    rows: &Rows<'_>,
+    row: &Row,
+    list: usize,
+    kind: Kind,
+    corners: &mut Vec<u32>,
+) -> Result<(), Fault> {
+    corners.clear();
+    let scalar = kind.scalar();
+    for item in rows.items(&row.fields[list], kind) {
+        corners.push(vertex_index(rows.scalar(&item, scalar)?, item.start)?);
+    }
+    Ok(())
+}
+
+/// A number as that of a vertex.
+#[inline]
+pub(super) fn vertex_index(value: f64, offset: usize) -> Result<u32, Fault> {
+    let number = value as u32;
+    if f64::from(number) == value && number != NONE {
+        return Ok(number);
+    }
+    Err(damaged(Problem::Range, offset, format!("{value} is no number of a vertex")))
 }

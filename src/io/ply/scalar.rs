@@ -1,7 +1,6 @@
 //! The number types of PLY.
 
-use crate::io::decimal::{push_f32, push_f64, push_integer};
-use crate::io::number;
+use crate::io::text::{float, push_f32, push_f64, push_integer};
 
 /// How the body of a file is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,6 +37,27 @@ const NAMES: [(Scalar, &str, &str); 8] = [
     (F64, "double", "float64"),
 ];
 
+/// Evaluates an expression with the Rust type of a scalar.
+macro_rules! with_type {
+    ($scalar:expr, $number:ident => $value:expr) => {
+        match $scalar {
+            I8 => with_type!(i8, $number, $value),
+            U8 => with_type!(u8, $number, $value),
+            I16 => with_type!(i16, $number, $value),
+            U16 => with_type!(u16, $number, $value),
+            I32 => with_type!(i32, $number, $value),
+            U32 => with_type!(u32, $number, $value),
+            F32 => with_type!(f32, $number, $value),
+            F64 => with_type!(f64, $number, $value),
+        }
+    };
+    ($type:ty, $number:ident, $value:expr) => {{
+        type $number = $type;
+        $value
+    }};
+}
+
+#[expect(clippy::useless_conversion, reason = "one of the types is f64 itself")]
 impl Scalar {
     /// The type of a name, and whether the name has a size in it.
     pub fn from_name(name: &[u8]) -> Option<(Scalar, bool)> {
@@ -56,96 +76,67 @@ impl Scalar {
 
     /// Bytes of a binary number.
     pub fn size(self) -> usize {
-        match self {
-            I8 | U8 => 1,
-            I16 | U16 => 2,
-            I32 | U32 | F32 => 4,
-            F64 => 8,
-        }
+        with_type!(self, Number => size_of::<Number>())
     }
 
     pub fn is_integer(self) -> bool {
         !matches!(self, F32 | F64)
     }
 
-    /// The largest whole number up to which all can be held.
+    /// The largest whole number up to which all can be stored.
     pub fn largest(self) -> f64 {
         match self {
-            I8 => f64::from(i8::MAX),
-            U8 => f64::from(u8::MAX),
-            I16 => f64::from(i16::MAX),
-            U16 => f64::from(u16::MAX),
-            I32 => f64::from(i32::MAX),
-            U32 => f64::from(u32::MAX),
             F32 => 16_777_216.0,
             F64 => 9_007_199_254_740_992.0,
+            _ => with_type!(self, Number => f64::from(Number::MAX)),
         }
     }
 
-    /// The number in `bytes`: exactly its binary bytes, or an ascii word. `None` if the word is no number.
+    /// The stored value of 1 in a colour.
+    pub fn full_scale(self) -> f64 {
+        if self.is_integer() { self.largest() } else { 1.0 }
+    }
+
+    /// The number in `bytes`: exactly its binary bytes, or an ascii word. `None` if the word is not a number.
     #[inline]
     pub fn read(self, bytes: &[u8], encoding: Encoding) -> Option<f64> {
-        macro_rules! decode {
-            ($number:ty) => {{
-                let bytes = bytes.try_into().ok()?;
-                match encoding {
-                    Encoding::Big => <$number>::from_be_bytes(bytes).into(),
-                    _ => <$number>::from_le_bytes(bytes).into(),
-                }
-            }};
+        if encoding == Encoding::Ascii {
+            return float(bytes);
         }
-        Some(match self {
-            _ if encoding == Encoding::Ascii => return number::float(bytes),
-            I8 => decode!(i8),
-            U8 => decode!(u8),
-            I16 => decode!(i16),
-            U16 => decode!(u16),
-            I32 => decode!(i32),
-            U32 => decode!(u32),
-            F32 => decode!(f32),
-            F64 => decode!(f64),
+        with_type!(self, Number => {
+            let bytes = bytes.try_into().ok()?;
+            let number = match encoding {
+                Encoding::Big => Number::from_be_bytes(bytes),
+                _ => Number::from_le_bytes(bytes),
+            };
+            Some(number.into())
         })
     }
 
-    /// What becomes of a number that is stored in this type: rounded, integers saturated.
+    /// The value that this type stores for a number: rounded, integers saturated.
     pub fn round(self, value: f64) -> f64 {
-        match self {
-            F32 => f64::from(value as f32),
-            F64 => value,
-            I8 => f64::from(value.round() as i8),
-            U8 => f64::from(value.round() as u8),
-            I16 => f64::from(value.round() as i16),
-            U16 => f64::from(value.round() as u16),
-            I32 => f64::from(value.round() as i32),
-            U32 => f64::from(value.round() as u32),
-        }
+        let value = if self.is_integer() { value.round() } else { value };
+        with_type!(self, Number => f64::from(value as Number))
     }
 
     /// Appends a number, rounded to this type. Ascii words must be finite.
     pub fn push(self, out: &mut Vec<u8>, value: f64, encoding: Encoding) {
         let value = self.round(value);
-        if encoding == Encoding::Ascii {
-            return match self {
-                F32 => push_f32(out, value as f32),
-                F64 => push_f64(out, value),
-                _ => {
-                    if value < 0.0 {
-                        out.push(b'-');
-                    }
-                    push_integer(out, value.abs() as u64);
+        match (encoding, self) {
+            (Encoding::Ascii, F32) => push_f32(out, value as f32),
+            (Encoding::Ascii, F64) => push_f64(out, value),
+            (Encoding::Ascii, _) => {
+                if value < 0.0 {
+                    out.push(b'-');
                 }
-            };
-        }
-        let word = match self {
-            F32 => u64::from((value as f32).to_bits()),
-            F64 => value.to_bits(),
-            _ => value as i64 as u64,
-        };
-        let bytes = word.to_le_bytes();
-        let bytes = &bytes[..self.size()];
-        match encoding {
-            Encoding::Big => out.extend(bytes.iter().rev()),
-            _ => out.extend_from_slice(bytes),
+                push_integer(out, value.abs() as u64);
+            }
+            (Encoding::Little, _) => {
+                with_type!(self, Number => out.extend_from_slice(&(value as Number).to_le_bytes()));
+            }
+            (Encoding::Big, _) => {
+                with_type!(self, Number => out.extend_from_slice(&(value as Number).to_be_bytes()));
+            }
         }
     }
 }

@@ -1,8 +1,11 @@
-use super::*;
-use crate::io::{Emit, NonFinite, Part, Place, Problem};
-use crate::mesh::{FaceEdit, FaceLabels, Faces, MeshBuilder, NONE, Storage};
-use glam::DVec2;
-use scalar::{Encoding, Scalar};
+//! Tests of the PLY reader and writers.
+
+use super::scalar::{Encoding, Scalar};
+use super::{edit, read, write};
+use crate::io::{Document, Emit, Loaded, NonFinite, Part, PartEdit, Place, Problem};
+use crate::io::{ReadError, ReadOptions, WriteOptions, Written};
+use crate::mesh::{Column, FaceEdit, FaceLabels, Faces, Mesh, MeshBuilder, NONE, Storage};
+use glam::{DVec2, DVec3};
 
 fn load(bytes: impl AsRef<[u8]>) -> Loaded {
     read(bytes.as_ref().to_vec(), None, &ReadOptions::default()).unwrap()

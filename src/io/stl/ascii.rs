@@ -1,10 +1,10 @@
 //! Ascii STL: words in any case, between blanks and line ends of any kind, with comments from `#` to the line's end.
 
-use super::words::{Words, is_blank};
-use crate::io::number;
-use crate::io::singles::restore_singles;
-use crate::io::tally::{Tally, build_part, non_finite_note};
-use crate::io::text::{counted, line_and_column, lines_of, shown};
+use crate::io::mesh_checks::{build_part, non_finite_note};
+use crate::io::repeated_notes::{NoteKind, RepeatedNotes};
+use crate::io::text::{
+    Fault, Words, counted, float, is_blank, line_place, line_places, restore_singles, shown,
+};
 use crate::io::{Note, Part, Place, Problem, ReadError, ReadOptions, Severity};
 use crate::mesh::{Column, Columns, Faces, MeshBuilder, MeshError, NONE, Storage};
 use glam::DVec3;
@@ -13,14 +13,21 @@ use std::ops::Range;
 /// The most solids of a file. Each becomes a part, which takes far more memory than the words that make one.
 const MOST_SOLIDS: usize = 1 << 16;
 
+const NO_SOLID: NoteKind = NoteKind(0, Severity::Warning, "no `solid` line before this");
+const NO_ENDSOLID: NoteKind = NoteKind(1, Severity::Warning, "a solid begins before `endsolid`");
+const UNKNOWN: NoteKind = NoteKind(2, Severity::Warning, "a line that is no STL was skipped");
+const NO_NORMAL: NoteKind = NoteKind(3, Severity::Warning, "a facet without a normal of three numbers");
+const POLYGON: NoteKind =
+    NoteKind(4, Severity::Warning, "a facet with more than three vertices was read as a polygon");
+
 /// Where the parts of a facet are in the text.
 #[derive(Clone, Debug, Default)]
 pub(super) struct FacetText {
     /// From `facet` to `endfacet`.
     pub span: Range<usize>,
-    /// The three numbers of the normal, or what is there of them; empty where they are to be put in.
+    /// The three numbers of the normal, or as many as there are; empty where new ones are to be added.
     pub normal: Range<usize>,
-    /// What to put in front of new numbers.
+    /// The text before new numbers.
     pub lead: &'static str,
     /// The numbers of each vertex, as a range of [`SolidText::vertices`].
     pub vertices: Range<usize>,
@@ -37,28 +44,21 @@ pub(super) struct SolidText {
     normals: Vec<Option<DVec3>>,
 }
 
-/// Whether a file begins as an ascii STL does.
-pub(super) fn starts_like_one(text: &[u8]) -> bool {
-    let mut words = Words::new(text);
-    words.next().is_some_and(|word| {
-        let word = &text[word];
-        [&b"solid"[..], b"facet"].iter().any(|start| word.eq_ignore_ascii_case(start))
-    })
-}
-
 /// Reads an ascii file.
 pub(super) fn read(text: &[u8], options: &ReadOptions) -> Result<(Vec<Part>, Vec<Note>), ReadError> {
     let mut parser = Parser::new(text);
-    parser.run()?;
-    let mut notes = parser.notes();
-    let mut solids = parser.solids;
+    parser.run().map_err(|fault| {
+        let place = line_place(text, fault.offset);
+        fault.at(place)
+    })?;
+    let Parser { notes, mut solids, .. } = parser;
+    let mut notes: Vec<Note> =
+        notes.notes(|offsets| line_places(text, offsets)).map(|(_, note)| note).collect();
     let mut positions: Vec<&mut [DVec3]> = solids.iter_mut().map(|solid| &mut solid.positions[..]).collect();
     let storage = restore_singles(&mut positions);
     notes.extend(solids.iter().filter_map(|solid| non_finite_note(&solid.positions, options.non_finite)));
-    Ok((
-        solids.into_iter().map(|solid| part(text, (solid, storage), options)).collect::<Result<_, _>>()?,
-        notes,
-    ))
+    let parts = solids.into_iter().map(|solid| part(text, solid, storage, options));
+    Ok((parts.collect::<Result<_, _>>()?, notes))
 }
 
 /// The solids of a text that has been read before.
@@ -69,11 +69,7 @@ pub(super) fn solids(text: &[u8]) -> Vec<SolidText> {
     parser.solids
 }
 
-fn part(
-    text: &[u8],
-    (solid, storage): (SolidText, Storage),
-    options: &ReadOptions,
-) -> Result<Part, ReadError> {
+fn part(text: &[u8], solid: SolidText, storage: Storage, options: &ReadOptions) -> Result<Part, ReadError> {
     let SolidText { name, facets, vertices, positions, normals } = solid;
     let mut faces = Faces::with_capacity(positions.len());
     let (mut values, mut index) = (Vec::with_capacity(normals.len()), Vec::with_capacity(positions.len()));
@@ -90,13 +86,9 @@ fn part(
     let columns = Columns { normals, ..Columns::default() };
     let builder = MeshBuilder { positions, storage, faces, columns };
     build_part(name, builder, options, |error| match error {
-        MeshError::NonFinite { vertex, .. } => line(text, vertices[*vertex].start),
+        MeshError::NonFinite { vertex, .. } => line_place(text, vertices[*vertex].start),
         _ => Place::File,
     })
-}
-
-fn line(text: &[u8], offset: usize) -> Place {
-    Place::Line(line_and_column(text, offset).0)
 }
 
 struct Parser<'a> {
@@ -106,7 +98,7 @@ struct Parser<'a> {
     solid: Solid,
     /// The loops of the facet that is open.
     facet: Option<Loops>,
-    odd: Unusual,
+    notes: RepeatedNotes,
 }
 
 /// Whether a solid is open.
@@ -125,23 +117,13 @@ enum Loops {
     Closed,
 }
 
-/// What was odd but could be read.
-#[derive(Default)]
-struct Unusual {
-    unknown: Tally,
-    without_normal: Tally,
-    polygons: Tally,
-    unclosed: Tally,
-    unopened: Tally,
-}
-
 impl<'a> Parser<'a> {
     fn new(text: &'a [u8]) -> Self {
-        let (solids, solid, facet, odd) = (Vec::new(), Solid::None, None, Unusual::default());
-        Self { text, words: Words::new(text), solids, solid, facet, odd }
+        let (solids, notes) = (Vec::new(), RepeatedNotes::default());
+        Self { text, words: Words::new(text), solids, solid: Solid::None, facet: None, notes }
     }
 
-    fn run(&mut self) -> Result<(), ReadError> {
+    fn run(&mut self) -> Result<(), Fault> {
         while let Some(word) = self.words.next() {
             self.statement(word)?;
         }
@@ -149,25 +131,28 @@ impl<'a> Parser<'a> {
             let found =
                 if self.facet.is_some() { "the file ends inside a facet" } else { "`endsolid` is missing" };
             let advice = "the file was cut off; if nothing is missing, add the line `endsolid`";
-            return Err(ReadError::new(Problem::Truncated, line(self.text, self.text.len()), found, advice));
+            return Err(Fault::new(Problem::Truncated, self.text.len(), found, advice));
         }
         Ok(())
     }
 
-    fn statement(&mut self, word: Range<usize>) -> Result<(), ReadError> {
+    fn statement(&mut self, word: Range<usize>) -> Result<(), Fault> {
         let keyword = self.text[word.clone()].to_ascii_lowercase();
         match (&keyword[..], self.facet) {
             (b"solid", None) => self.begin_solid(word.start)?,
             (b"endsolid", None) => {
                 self.words.rest_of_line();
                 if self.solid == Solid::None {
-                    self.odd.unopened.add(word.start);
+                    self.notes.add(NO_SOLID, word.start);
                 }
                 self.solid = Solid::None;
             }
             (b"facet", None) => self.begin_facet(word),
             (b"outer", Some(Loops::None)) => {
-                self.expect(b"loop", word)?;
+                if !self.next_is(b"loop") {
+                    let found = format!("`{}` without `loop` behind it", shown(&self.text[word.clone()]));
+                    return Err(damaged(word.start, found, "the line is damaged"));
+                }
                 self.facet = Some(Loops::Open);
             }
             (b"vertex", Some(Loops::Open)) => self.vertex(word)?,
@@ -175,43 +160,34 @@ impl<'a> Parser<'a> {
             (b"endfacet", Some(Loops::Closed)) => self.end_facet(word)?,
             (b"solid" | b"endsolid" | b"facet" | b"outer" | b"vertex" | b"endloop" | b"endfacet", _) => {
                 let found = format!("`{}` does not belong here", shown(&self.text[word.clone()]));
-                return Err(self.fault(word.start, found, "a line before it is missing or damaged"));
+                return Err(damaged(word.start, found, "a line before it is missing or damaged"));
             }
             // Colours and the like, each on a line of its own.
             _ => {
-                self.odd.unknown.add(word.start);
+                self.notes.add(UNKNOWN, word.start);
                 self.words.rest_of_line();
             }
         }
         Ok(())
     }
 
-    fn fault(&self, offset: usize, found: String, advice: &str) -> ReadError {
-        ReadError::new(Problem::Syntax, line(self.text, offset), found, advice)
-    }
-
-    fn expect(&mut self, expected: &[u8], after: Range<usize>) -> Result<(), ReadError> {
-        match self.words.next() {
-            Some(word) if self.text[word.clone()].eq_ignore_ascii_case(expected) => Ok(()),
-            _ => {
-                let found = format!(
-                    "`{}` without `{}` behind it",
-                    shown(&self.text[after.clone()]),
-                    String::from_utf8_lossy(expected)
-                );
-                Err(self.fault(after.start, found, "the line is damaged"))
-            }
+    /// Passes the next word if it is the expected one.
+    fn next_is(&mut self, expected: &[u8]) -> bool {
+        let start = self.words.at;
+        let is_next = self.words.next().is_some_and(|word| self.text[word].eq_ignore_ascii_case(expected));
+        if !is_next {
+            self.words.at = start;
         }
+        is_next
     }
 
-    fn begin_solid(&mut self, start: usize) -> Result<(), ReadError> {
+    fn begin_solid(&mut self, start: usize) -> Result<(), Fault> {
         if self.solids.len() == MOST_SOLIDS {
             let found = format!("more than {MOST_SOLIDS} solids");
-            let place = line(self.text, start);
-            return Err(ReadError::new(Problem::Limit, place, found, "divide the file"));
+            return Err(Fault::new(Problem::Limit, start, found, "divide the file"));
         }
         if self.solid == Solid::Named {
-            self.odd.unclosed.add(start);
+            self.notes.add(NO_ENDSOLID, start);
         }
         let name = self.words.rest_of_line();
         self.solids.push(SolidText { name: solid_name(&self.text[name]), ..SolidText::default() });
@@ -221,54 +197,49 @@ impl<'a> Parser<'a> {
 
     fn begin_facet(&mut self, word: Range<usize>) {
         if self.solid == Solid::None {
-            self.odd.unopened.add(word.start);
+            self.notes.add(NO_SOLID, word.start);
             self.solids.push(SolidText::default());
             self.solid = Solid::Implied;
         }
-        let (text, ahead) = (self.text, self.words.at);
-        let has_keyword = self.words.next().is_some_and(|word| text[word].eq_ignore_ascii_case(b"normal"));
-        if !has_keyword {
-            self.words.at = ahead;
-        }
-        let (lead, insertion) = if has_keyword { (" ", self.words.at) } else { (" normal ", ahead) };
-        let (numbers, values) = self.numbers();
-        let normal = <[f64; 3]>::try_from(values).ok().map(DVec3::from_array);
-        if normal.is_none() {
-            self.odd.without_normal.add(word.start);
-        }
-        let (lead, span) = match numbers {
-            Some(numbers) => ("", numbers),
-            None => (lead, insertion..insertion),
+        let has_keyword = self.next_is(b"normal");
+        let (normal, values) = self.numbers();
+        let lead = match values[..] {
+            [] if has_keyword => " ",
+            [] => " normal ",
+            _ => "",
         };
+        let value = <[f64; 3]>::try_from(values).ok().map(DVec3::from_array);
+        if value.is_none() {
+            self.notes.add(NO_NORMAL, word.start);
+        }
         let solid = self.solid();
         let vertices = solid.vertices.len()..solid.vertices.len();
-        solid.facets.push(FacetText { span: word, normal: span, lead, vertices });
-        solid.normals.push(normal);
+        solid.facets.push(FacetText { span: word, normal, lead, vertices });
+        solid.normals.push(value);
         self.facet = Some(Loops::None);
     }
 
-    /// Up to three numbers, and where they are.
-    fn numbers(&mut self) -> (Option<Range<usize>>, Vec<f64>) {
-        let (mut span, mut values) = (None::<Range<usize>>, Vec::with_capacity(3));
+    /// Up to three numbers and their bytes.
+    fn numbers(&mut self) -> (Range<usize>, Vec<f64>) {
+        let (mut span, mut values) = (self.words.at..self.words.at, Vec::with_capacity(3));
         while values.len() < 3 {
-            let ahead = self.words.at;
             let Some(word) = self.words.next() else { break };
-            let Some(value) = number::float(&self.text[word.clone()]) else {
-                self.words.at = ahead;
+            let Some(value) = float(&self.text[word.clone()]) else {
+                self.words.at = span.end;
                 break;
             };
+            span = if values.is_empty() { word } else { span.start..word.end };
             values.push(value);
-            span = Some(span.map_or(word.start, |span| span.start)..word.end);
         }
         (span, values)
     }
 
-    fn vertex(&mut self, word: Range<usize>) -> Result<(), ReadError> {
+    fn vertex(&mut self, word: Range<usize>) -> Result<(), Fault> {
         let (span, values) = self.numbers();
-        let (Some(span), Ok(values)) = (span, <[f64; 3]>::try_from(values)) else {
+        let Ok(values) = <[f64; 3]>::try_from(values) else {
             let next = self.words.next().map_or(String::new(), |next| shown(&self.text[next]));
             let found = format!("a vertex needs three numbers, and `{next}` is none");
-            return Err(self.fault(word.start, found, "correct the line"));
+            return Err(damaged(word.start, found, "correct the line"));
         };
         let solid = self.solid();
         solid.vertices.push(span);
@@ -276,7 +247,7 @@ impl<'a> Parser<'a> {
         Ok(())
     }
 
-    fn end_facet(&mut self, word: Range<usize>) -> Result<(), ReadError> {
+    fn end_facet(&mut self, word: Range<usize>) -> Result<(), Fault> {
         self.facet = None;
         let solid = self.solid();
         let count = solid.vertices.len();
@@ -285,10 +256,10 @@ impl<'a> Parser<'a> {
         facet.vertices.end = count;
         match facet.vertices.len() {
             3 => {}
-            4.. => self.odd.polygons.add(word.start),
+            4.. => self.notes.add(POLYGON, word.start),
             few => {
                 let found = format!("a facet with {}; it needs 3", counted(few, "vertex", "vertices"));
-                return Err(self.fault(word.start, found, "correct the facet"));
+                return Err(damaged(word.start, found, "correct the facet"));
             }
         }
         Ok(())
@@ -296,27 +267,12 @@ impl<'a> Parser<'a> {
 
     /// The solid that is open.
     fn solid(&mut self) -> &mut SolidText {
-        if self.solids.is_empty() {
-            self.solids.push(SolidText::default());
-        }
-        let last = self.solids.len() - 1;
-        &mut self.solids[last]
+        self.solids.last_mut().expect("a facet opens a solid")
     }
+}
 
-    fn notes(&self) -> Vec<Note> {
-        let places = |offsets: &[usize]| lines_of(self.text, offsets).into_iter().map(Place::Line).collect();
-        let odd = &self.odd;
-        [
-            (&odd.unopened, "no `solid` line before this"),
-            (&odd.unclosed, "a solid begins before `endsolid`"),
-            (&odd.unknown, "a line that is no STL was skipped"),
-            (&odd.without_normal, "a facet without a normal of three numbers"),
-            (&odd.polygons, "a facet with more than three vertices was read as a polygon"),
-        ]
-        .into_iter()
-        .filter_map(|(tally, text)| tally.note(Severity::Warning, places, text))
-        .collect()
-    }
+fn damaged(offset: usize, found: String, advice: &'static str) -> Fault {
+    Fault::new(Problem::Syntax, offset, found, advice)
 }
 
 /// The name behind `solid`, without the comment behind that.

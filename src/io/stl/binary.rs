@@ -1,35 +1,19 @@
 //! Binary STL: an 80-byte header, the number of facets, 50 bytes a facet (normal, three vertices, two attribute
 //! bytes), all little-endian.
 
-use super::facets::FacetEdit;
-use crate::io::tally::{build_part, non_finite_note};
+use super::document::{FACET, FIRST, HEADER, declared_facets};
+use crate::io::mesh_checks::{build_part, non_finite_note};
 use crate::io::text::counted;
 use crate::io::{Note, Part, Place, Problem, ReadError, ReadOptions};
 use crate::mesh::{Column, Columns, Faces, MeshBuilder, MeshError, Storage};
 use glam::DVec3;
 
-/// Bytes of the header, where the number of facets is.
-pub(super) const HEADER: usize = 80;
-/// Where the first facet starts.
-pub(super) const FIRST: usize = 84;
-/// Bytes of a facet.
-pub(super) const FACET: usize = 50;
 /// Bytes of a normal or a vertex.
-const VECTOR: usize = 12;
-
-/// What the header says.
-fn declared(bytes: &[u8]) -> Option<u32> {
-    Some(u32::from_le_bytes(bytes.get(HEADER..FIRST)?.try_into().ok()?))
-}
-
-/// Whether a file is exactly as long as its number of facets demands.
-pub(super) fn has_exact_length(bytes: &[u8]) -> bool {
-    declared(bytes).is_some_and(|count| bytes.len() as u64 == FIRST as u64 + u64::from(count) * FACET as u64)
-}
+pub(super) const VECTOR: usize = 12;
 
 /// The number of facets to read.
-pub(super) fn count(bytes: &[u8]) -> Result<usize, ReadError> {
-    let declared = declared(bytes).unwrap_or(0);
+pub(super) fn facet_count(bytes: &[u8]) -> Result<usize, ReadError> {
+    let declared = declared_facets(bytes).unwrap_or(0);
     let rest = bytes.len().saturating_sub(FIRST);
     let present = rest / FACET;
     if declared as usize > present {
@@ -51,12 +35,6 @@ fn vectors(facet: &[u8]) -> [DVec3; 4] {
     let (values, _) = facet.as_chunks::<4>();
     let number = |k: usize| f64::from(f32::from_le_bytes(values[k]));
     [0, 3, 6, 9].map(|k| DVec3::new(number(k), number(k + 1), number(k + 2)))
-}
-
-/// How many facets have attribute bytes that are not 0.
-pub(super) fn attributes(bytes: &[u8], count: usize) -> usize {
-    let (facets, _) = bytes[FIRST..FIRST + count * FACET].as_chunks::<FACET>();
-    facets.iter().filter(|facet| facet[FACET - 2..] != [0, 0]).count()
 }
 
 /// Reads so many facets, of which there are at least as many bytes.
@@ -92,7 +70,7 @@ pub(super) fn read(
         _ => Place::File,
     };
     let part = build_part(String::new(), builder, options, place)?;
-    let declared = declared(bytes).unwrap_or(0) as usize;
+    let declared = declared_facets(bytes).unwrap_or(0) as usize;
     if declared != count {
         let text = format!("the header counts {}; all {count} that are there were read", facets_of(declared));
         notes.push(Note::warning(Place::Byte(HEADER as u64), text));
@@ -113,42 +91,4 @@ pub(super) fn read(
         }
     }
     Ok((vec![part], notes))
-}
-
-/// The file with its facets edited; what is before and behind them stays.
-pub(super) fn edit(bytes: &[u8], facets: &[FacetEdit]) -> Vec<u8> {
-    let mut out = Vec::with_capacity(bytes.len());
-    out.extend_from_slice(&bytes[..FIRST]);
-    let end = FIRST + facets.len() * FACET;
-    for (edit, record) in facets.iter().zip(bytes[FIRST..end].chunks_exact(FACET)) {
-        if edit.dropped {
-            continue;
-        }
-        let start = out.len();
-        out.extend_from_slice(record);
-        if let Some(normal) = edit.normal {
-            out[start..start + VECTOR].copy_from_slice(&vector_bytes(normal));
-        }
-        if edit.reversed {
-            // The first corner stays the first.
-            let (second, third) = out[start + 2 * VECTOR..start + 4 * VECTOR].split_at_mut(VECTOR);
-            second.swap_with_slice(third);
-        }
-    }
-    out.extend_from_slice(&bytes[end..]);
-    let dropped = facets.iter().filter(|facet| facet.dropped).count();
-    if dropped > 0 {
-        let count = (facets.len() - dropped) as u32;
-        out[HEADER..FIRST].copy_from_slice(&count.to_le_bytes());
-    }
-    out
-}
-
-/// The twelve bytes of a vector.
-pub(super) fn vector_bytes(vector: [f32; 3]) -> [u8; VECTOR] {
-    let mut bytes = [0; VECTOR];
-    for (chunk, value) in bytes.chunks_exact_mut(4).zip(vector) {
-        chunk.copy_from_slice(&value.to_le_bytes());
-    }
-    bytes
 }

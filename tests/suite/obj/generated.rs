@@ -245,7 +245,7 @@ proptest! {
     }
 }
 
-/// Several stretches' worth of text with everything that crosses their borders.
+/// Several pieces of text with everything that crosses their borders.
 fn long_text() -> (String, Vec<DVec3>, Vec<Vec<u32>>) {
     let mut random = Random(9);
     let (mut text, mut positions, mut faces) = (String::from("v 0 0 0\r\n"), vec![DVec3::ZERO], Vec::new());
@@ -334,8 +334,8 @@ fn the_first_fault_in_the_file_is_the_one_that_is_reported() {
 }
 
 #[test]
-fn kept_normals_are_counted_across_stretches() {
-    // More than a stretch of normals in front of the first face, and one behind it.
+fn kept_normals_are_counted_across_pieces() {
+    // More than a piece of normals before the first face, and one behind it.
     let count = 200_000;
     let mut text: String = (0..count).map(|number| format!("vn {number} 0 1\n")).collect();
     write!(text, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1//1 2//{count} 3//-1\nvn 0 0 7\nf 1//-1 2//-1 3//-1\n")

@@ -1,6 +1,6 @@
 //! The bytes behind `buffers`: the BIN chunk, data URIs, files.
 
-use crate::io::companion::{Companions, Refusal};
+use crate::io::companion_files::{Companions, Refusal};
 use crate::io::gltf::container::uri::{self, Uri};
 use crate::io::gltf::json::fields::{At, Fields};
 use crate::io::gltf::json::tree::{Json, Value};

@@ -2,7 +2,7 @@
 
 use crate::io::gltf::document::mesh::{Assembler, Block, Layout};
 use crate::io::gltf::json::fields::At;
-use crate::io::tally::non_finite_note;
+use crate::io::mesh_checks::non_finite_note;
 use crate::io::text::counted;
 use crate::io::{NonFinite, Note, Problem, ReadError};
 use crate::mesh::{Column, Columns, Faces, Mesh, MeshBuilder, MeshError, NONE, Storage};

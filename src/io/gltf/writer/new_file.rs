@@ -10,9 +10,8 @@ use crate::io::gltf::writer::data::{Array, Blob, Bounds, Target, accessor_json, 
 use crate::io::gltf::writer::material;
 use crate::io::gltf::writer::objects::pieces;
 use crate::io::gltf::writer::vertices::Shape;
-use crate::io::left_out::{Feature, left_out};
-use crate::io::rounding::displacement_note;
 use crate::io::text::counted;
+use crate::io::unsupported_features::{Feature, displacement_note, unsupported_notes};
 use crate::io::{
     FileMaterial, Format, NormalFormat, Note, OutputContent, OutputFile, Part, Place, WriteError,
     WriteOptions, Written,
@@ -271,7 +270,7 @@ impl<'a> File<'a> {
 
 /// What did not come along.
 fn notes(parts: &[Part], unused: usize, textures: usize) -> Vec<Note> {
-    let mut notes = left_out("glTF", &NOT_HELD, parts);
+    let mut notes = unsupported_notes("glTF", &NOT_HELD, parts);
     if parts.iter().any(|part| part.mesh.columns().smoothing.is_some()) {
         notes.push(Note::remark("glTF has no smoothing groups: the normals keep what they say"));
     }

@@ -1,0 +1,103 @@
+//! Checks that readers of all formats share: the size of the file, positions, faces.
+
+use super::text::counted;
+use super::{NonFinite, Note, Part, Place, Problem, ReadError, ReadOptions};
+use crate::mesh::{Faces, Mesh, MeshBuilder, MeshError};
+use glam::DVec3;
+use rayon::prelude::*;
+
+/// Refuses a file that is larger than the limit.
+pub(super) fn check_size(bytes: &[u8], options: &ReadOptions) -> Result<(), ReadError> {
+    if bytes.len() as u64 <= options.limits.bytes {
+        return Ok(());
+    }
+    let found = format!("{} bytes, more than the limit of {}", bytes.len(), options.limits.bytes);
+    Err(ReadError::new(Problem::Limit, Place::File, found, "raise the limit"))
+}
+
+/// The warning about positions that are not finite in a file that is accepted with them.
+pub(super) fn non_finite_note(positions: &[DVec3], non_finite: NonFinite) -> Option<Note> {
+    let is_bad = |position: &DVec3| !position.is_finite();
+    let first = positions.iter().position(is_bad).filter(|_| non_finite == NonFinite::DropFaces)?;
+    let count = counted(positions.iter().filter(|position| is_bad(position)).count(), "vertex", "vertices");
+    let text = format!(
+        "no finite position: {count} (the first is vertex {first}, counted from 0); faces there are dropped, and what \
+         the file says stays where it is edited, but is the origin in a new file"
+    );
+    Some(Note::warning(Place::File, text))
+}
+
+/// Builds a mesh; also returns the faces that use a vertex without a finite position.
+pub(super) fn build_mesh(builder: MeshBuilder, non_finite: NonFinite) -> Result<(Mesh, Vec<u32>), MeshError> {
+    match non_finite {
+        NonFinite::Refuse => builder.build().map(|mesh| (mesh, Vec::new())),
+        NonFinite::DropFaces => builder.build_dropping_non_finite(),
+    }
+}
+
+/// Builds the mesh of a part. `place` is where the vertex or face of the error is.
+pub(super) fn build_part(
+    name: String,
+    builder: MeshBuilder,
+    options: &ReadOptions,
+    place: impl FnOnce(&MeshError) -> Place,
+) -> Result<Part, ReadError> {
+    let (mesh, non_finite_faces) = build_mesh(builder, options.non_finite).map_err(|error| {
+        let (problem, advice) = match error {
+            MeshError::NonFinite { .. } => (
+                Problem::NonFinite,
+                "correct it (text beyond 1.8e308 reads as infinite), or drop the faces that use such vertices with `crease normals --force` (`crease render --force` draws the others)",
+            ),
+            MeshError::TooLarge { .. } => (Problem::Limit, "divide the mesh"),
+            _ => (Problem::Range, "the file is damaged, or its writer is at fault"),
+        };
+        ReadError::new(problem, place(&error), error.to_string(), advice)
+    })?;
+    Ok(Part { name, mesh, non_finite_faces })
+}
+
+/// Warnings about the faces of a file as a whole.
+pub(super) fn face_notes(parts: &[Part]) -> Vec<Note> {
+    if parts.iter().all(|part| part.mesh.face_count() == 0) {
+        return vec![Note::warning(Place::File, "it has no faces, and so no normals")];
+    }
+    let repeating: usize = parts.iter().map(|part| repeating(part.mesh.faces())).sum();
+    let text = || {
+        let polygons = counted(repeating as u64, "polygon passes", "polygons pass");
+        format!("{polygons} through a vertex more than once; what they enclose counts")
+    };
+    (repeating > 0).then(|| Note::warning(Place::File, text())).into_iter().collect()
+}
+
+/// How many faces of four corners or more pass through a vertex more than once. Triangles that do have no area and are
+/// counted as that.
+fn repeating(faces: &Faces) -> usize {
+    if faces.is_triangles() {
+        return 0;
+    }
+    let repeats = |sorted: &mut Vec<u32>, face: usize| {
+        sorted.clear();
+        sorted.extend_from_slice(faces.face(face));
+        sorted.sort_unstable();
+        sorted.len() > 3 && sorted.windows(2).any(|pair| pair[0] == pair[1])
+    };
+    (0..faces.len()).into_par_iter().map_init(Vec::new, repeats).filter(|&repeats| repeats).count()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::io::{Format, ReadOptions, read_bytes};
+
+    #[test]
+    fn files_without_faces_and_faces_that_come_back_are_reported() {
+        let notes = |faces: &str| {
+            let text = format!("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 2 0\n{faces}");
+            let loaded = read_bytes(text.into(), Some(Format::Obj), None, &ReadOptions::default()).unwrap();
+            loaded.notes.iter().map(|note| note.text.clone()).collect::<Vec<_>>()
+        };
+        assert_eq!(notes(""), ["it has no faces, and so no normals"]);
+        assert_eq!(notes("f 1 2 3 4\nf 1 2 3\n"), [] as [&str; 0]);
+        let reported = "polygon passes through a vertex more than once; what they enclose counts";
+        assert_eq!(notes("f 1 2 3 4\nf 1 2 3 5 3 4\n"), [format!("1 {reported}")]);
+    }
+}

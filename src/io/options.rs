@@ -1,0 +1,97 @@
+//! Options of readers and writers.
+
+use std::path::PathBuf;
+
+/// What a reader may do and how much it may take.
+#[derive(Clone, Debug, Default)]
+pub struct ReadOptions {
+    /// Companion files (MTL, glTF buffers) may be read from this folder and below, in addition to the folder of the input itself;
+    /// those of a stream are searched for here. Nothing is ever read from a network.
+    pub root: Option<PathBuf>,
+    /// What to do with positions that are infinite or not a number.
+    pub non_finite: NonFinite,
+    /// Bounds on the resources that a file may use.
+    pub limits: Limits,
+}
+
+/// What to do with positions that are infinite or not a number.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum NonFinite {
+    /// Refuse the file and name the first such vertex.
+    #[default]
+    Refuse,
+    /// Drop the faces that use one, and count them in [`Part::non_finite_faces`](super::Part::non_finite_faces).
+    DropFaces,
+}
+
+/// Bounds on the resources that a file may use. Counts in a header never drive an allocation by themselves.
+#[derive(Clone, Debug)]
+pub struct Limits {
+    /// Largest input, companion files counted, in bytes.
+    pub bytes: u64,
+    /// Deepest nesting of JSON values.
+    pub json_depth: usize,
+    /// Most elements of an accessor without stored data.
+    pub implied_elements: u64,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self { bytes: 16 << 30, json_depth: 128, implied_elements: 1 << 22 }
+    }
+}
+
+/// Which normals an output carries.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Emit {
+    /// One per corner, shared where equal.
+    #[default]
+    Corner,
+    /// One per vertex.
+    Vertex,
+    /// One per face.
+    Face,
+}
+
+/// What happens to tangents when normals change.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum TangentPolicy {
+    /// Leave them out, with a note; glTF readers then generate them.
+    #[default]
+    Drop,
+    /// Keep them unchanged.
+    Keep,
+    /// Compute them anew by MikkTSpace where texture coordinates allow.
+    Regenerate,
+}
+
+/// How glTF normals are stored.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum NormalFormat {
+    /// As they were, `f32` where there were none.
+    #[default]
+    Same,
+    /// 32-bit floats.
+    F32,
+    /// Normalised 16-bit integers (`KHR_mesh_quantization`).
+    I16,
+    /// Normalised 8-bit integers (`KHR_mesh_quantization`).
+    I8,
+}
+
+/// How to write.
+#[derive(Clone, Debug, Default)]
+pub struct WriteOptions {
+    /// Which normals.
+    pub emit: Emit,
+    /// Tangents (glTF).
+    pub tangents: TangentPolicy,
+    /// Storage of normals (glTF).
+    pub normal_format: NormalFormat,
+    /// File name without extension of the output, for naming companion files; `None` when writing to a stream,
+    /// where everything must fit into one file.
+    pub stem: Option<String>,
+    /// The folder of the output, if it is known. Files outside it that the input refers to need no copy if the
+    /// output's own reference leads to them too.
+    pub folder: Option<PathBuf>,
+}

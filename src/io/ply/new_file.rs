@@ -1,0 +1,257 @@
+//! A new PLY from any meshes.
+
+use super::scalar::{Encoding, Scalar};
+use crate::io::unsupported_features::{Feature, needs_f64, unsupported_notes};
+use crate::io::{Emit, Note, Part, Place, WriteError, WriteOptions, Written};
+use crate::mesh::{Column, ColumnIndex, Mesh, NONE, VertexSplit, split_vertices};
+use glam::{DVec2, DVec3, DVec4};
+
+const UNSUPPORTED: [Feature; 5] =
+    [Feature::Materials, Feature::Objects, Feature::Smoothing, Feature::HardEdges, Feature::MorphTargets];
+
+/// A binary little-endian PLY of all parts in one, with polygons as they are and lines as edges.
+///
+/// Positions and normals are floats, or doubles if floats would change a position. Vertices are split where corners differ in
+/// normal or uv. With [`Emit::Face`] normals are those of faces, which the corners of each must share. If only some parts have
+/// normals, the others get +Z.
+///
+/// # Errors
+/// [`WriteError::TooLarge`] for more vertices than 32 bits count.
+pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Written, WriteError> {
+    let layout = Layout::of(parts, options);
+    let by_face = options.emit == Emit::Face;
+    let split: Vec<Split<'_>> = parts.iter().map(|part| Split::of(&part.mesh, by_face)).collect();
+    let vertices: usize = split.iter().map(|part| part.split.source.len()).sum();
+    if vertices >= NONE as usize {
+        let text = format!("{vertices} vertices are more than PLY's indices can count");
+        return Err(WriteError::TooLarge(text));
+    }
+    let mut writer = Writer { out: layout.header(parts, vertices).into_bytes(), layout, without_normal: 0 };
+    for part in &split {
+        writer.vertices(part);
+    }
+    let mut base = 0;
+    for part in &split {
+        writer.faces(part, base);
+        base += part.split.source.len() as u32;
+    }
+    let mut base = 0;
+    for part in &split {
+        for pair in part.mesh.columns().lines.iter().flat_map(|line| line.windows(2)) {
+            writer.indices(pair.iter().map(|vertex| base + vertex));
+        }
+        base += part.split.source.len() as u32;
+    }
+    let old: usize = parts.iter().map(|part| part.mesh.vertex_count()).sum();
+    let notes = notes(parts, writer.without_normal);
+    let (vertices, added_vertices) = (vertices as u64, (vertices - old) as u64);
+    Ok(Written { bytes: writer.out, notes, vertices, added_vertices, ..Written::default() })
+}
+
+/// What some properties of a vertex hold.
+#[derive(Clone, Copy)]
+enum Content {
+    Position,
+    Normal,
+    Uv,
+    Color,
+}
+
+/// Names of properties of one type.
+type Names = &'static [&'static str];
+
+const NORMALS: Names = &["nx", "ny", "nz"];
+
+/// The properties and their types.
+struct Layout {
+    vertex: Vec<(Content, Scalar, Names)>,
+    /// The type of the normals of faces, if they have some.
+    face_normals: Option<Scalar>,
+    index: Scalar,
+    count: Scalar,
+}
+
+impl Layout {
+    fn of(parts: &[Part], options: &WriteOptions) -> Self {
+        let any = |test: &dyn Fn(&Mesh) -> bool| parts.iter().any(|part| test(&part.mesh));
+        let position = if any(&needs_f64) { Scalar::F64 } else { Scalar::F32 };
+        // Every corner may become a vertex.
+        let most: usize =
+            parts.iter().map(|part| part.mesh.vertex_count() + part.mesh.faces().corner_count()).sum();
+        let mut colors = parts.iter().filter_map(|part| part.mesh.columns().colors.as_ref()).flatten();
+        let by_face = options.emit == Emit::Face;
+        let has_normals = any(&|mesh| mesh.columns().normals.is_some());
+        let mut vertex: Vec<(Content, Scalar, Names)> = vec![(Content::Position, position, &["x", "y", "z"])];
+        if has_normals && !by_face {
+            vertex.push((Content::Normal, position, NORMALS));
+        }
+        if any(&|mesh| mesh.columns().uvs.is_some()) {
+            vertex.push((Content::Uv, Scalar::F32, &["s", "t"]));
+        }
+        if any(&|mesh| mesh.columns().colors.is_some()) {
+            let channels: Names = &["red", "green", "blue", "alpha"];
+            let has_opacity = colors.any(|color| color[3] != 1.0);
+            vertex.push((Content::Color, Scalar::U8, &channels[..if has_opacity { 4 } else { 3 }]));
+        }
+        Self {
+            vertex,
+            face_normals: (has_normals && by_face).then_some(position),
+            index: if most as f64 <= Scalar::I32.largest() { Scalar::I32 } else { Scalar::U32 },
+            count: if any(&|mesh| mesh.faces().max_arity() > 255) { Scalar::I32 } else { Scalar::U8 },
+        }
+    }
+
+    fn header(&self, parts: &[Part], vertices: usize) -> String {
+        let mut text = concat!(
+            "ply\nformat binary_little_endian 1.0\ncomment made by crease ",
+            env!("CARGO_PKG_VERSION"),
+            "\n"
+        )
+        .to_owned();
+        let mut element = |name: &str, count: usize, properties: &[(&str, Names)]| {
+            text.push_str(&format!("element {name} {count}\n"));
+            for (kind, names) in properties {
+                names.iter().for_each(|name| text.push_str(&format!("property {kind} {name}\n")));
+            }
+        };
+        let properties = self.vertex.iter().map(|&(_, scalar, names)| (scalar.name(false), names));
+        element("vertex", vertices, &properties.collect::<Vec<_>>());
+        let faces: usize = parts.iter().map(|part| part.mesh.face_count()).sum();
+        if faces > 0 {
+            let list = format!("list {} {}", self.count.name(false), self.index.name(false));
+            let normals = self.face_normals.map(|scalar| (scalar.name(false), NORMALS));
+            let list: (&str, Names) = (&list, &["vertex_indices"]);
+            element("face", faces, &[list].into_iter().chain(normals).collect::<Vec<_>>());
+        }
+        let lines = parts.iter().flat_map(|part| &part.mesh.columns().lines);
+        let edges: usize = lines.map(|line| line.len().saturating_sub(1)).sum();
+        if edges > 0 {
+            element("edge", edges, &[(self.index.name(false), &["vertex1", "vertex2"])]);
+        }
+        text.push_str("end_header\n");
+        text
+    }
+}
+
+/// A part and its vertices, split.
+struct Split<'a> {
+    mesh: &'a Mesh,
+    split: VertexSplit,
+}
+
+impl<'a> Split<'a> {
+    fn of(mesh: &'a Mesh, by_face: bool) -> Self {
+        let columns = mesh.columns();
+        let normals = columns.normals.as_ref().filter(|_| !by_face).map(|column| &column.index);
+        let uvs = columns.uvs.as_ref().map(|column| &column.index);
+        let keys: Vec<&[u32]> = [normals, uvs]
+            .into_iter()
+            .filter_map(|index| match index? {
+                ColumnIndex::PerCorner(index) => Some(&index[..]),
+                ColumnIndex::PerVertex => None,
+            })
+            .collect();
+        Self { mesh, split: split_vertices(mesh.vertex_count(), mesh.faces().corners(), &keys) }
+    }
+
+    /// The value that a vertex has of a column.
+    fn value<T: Copy>(&self, column: Option<&Column<T>>, vertex: usize) -> Option<T> {
+        let column = column?;
+        let slot = match &column.index {
+            ColumnIndex::PerVertex => self.split.source[vertex],
+            ColumnIndex::PerCorner(index) => {
+                let corner = Some(self.split.sample[vertex]).filter(|&corner| corner != NONE)?;
+                Some(index[corner as usize]).filter(|&slot| slot != NONE)?
+            }
+        };
+        Some(column.values[slot as usize])
+    }
+}
+
+struct Writer {
+    out: Vec<u8>,
+    layout: Layout,
+    /// Used vertices or faces without a normal, for which +Z was written.
+    without_normal: u64,
+}
+
+impl Writer {
+    fn numbers(&mut self, scalar: Scalar, values: &[f64]) {
+        values.iter().for_each(|&value| scalar.push(&mut self.out, value, Encoding::Little));
+    }
+
+    fn indices(&mut self, indices: impl Iterator<Item = u32>) {
+        for index in indices {
+            self.layout.index.push(&mut self.out, f64::from(index), Encoding::Little);
+        }
+    }
+
+    fn normal_or_z(&mut self, normal: Option<DVec3>, is_used: bool) -> DVec3 {
+        self.without_normal += u64::from(normal.is_none() && is_used);
+        normal.unwrap_or(DVec3::Z)
+    }
+
+    fn vertices(&mut self, part: &Split<'_>) {
+        let columns = part.mesh.columns();
+        for (vertex, &source) in part.split.source.iter().enumerate() {
+            let source = source as usize;
+            for property in 0..self.layout.vertex.len() {
+                let (content, scalar, names) = self.layout.vertex[property];
+                let values = match content {
+                    Content::Position => part.mesh.positions()[source].extend(0.0),
+                    Content::Normal => {
+                        let is_used = part.split.sample[vertex] != NONE;
+                        self.normal_or_z(part.value(columns.normals.as_ref(), vertex), is_used).extend(0.0)
+                    }
+                    Content::Uv => {
+                        let uv = part.value(columns.uvs.as_ref(), vertex).unwrap_or(DVec2::ZERO);
+                        uv.extend(0.0).extend(0.0)
+                    }
+                    Content::Color => {
+                        let color = columns.colors.as_ref().map_or([1.0; 4], |colors| colors[source]);
+                        DVec4::from_array(color.map(f64::from)) * 255.0
+                    }
+                };
+                self.numbers(scalar, &values.to_array()[..names.len()]);
+            }
+        }
+    }
+
+    fn faces(&mut self, part: &Split<'_>, base: u32) {
+        let normals = part.mesh.columns().normals.as_ref();
+        for range in part.mesh.faces().ranges() {
+            self.numbers(self.layout.count, &[range.len() as f64]);
+            self.indices(part.split.corners[range.clone()].iter().map(|vertex| base + vertex));
+            if let Some(scalar) = self.layout.face_normals {
+                let corner = range.start;
+                let normal =
+                    normals.and_then(|column| column.get(corner, part.mesh.faces().corners()[corner]));
+                let normal = self.normal_or_z(normal.copied(), true);
+                self.numbers(scalar, &normal.to_array());
+            }
+        }
+    }
+}
+
+/// What PLY cannot store.
+fn notes(parts: &[Part], without_normal: u64) -> Vec<Note> {
+    let mut notes = unsupported_notes("PLY", &UNSUPPORTED, parts);
+    if parts.len() > 1 {
+        let text =
+            format!("PLY has no parts: all {} were put into one mesh, their names left out", parts.len());
+        notes.push(Note::warning(Place::File, text));
+    }
+    if without_normal > 0 {
+        let text = format!("0 0 1 was written for normals that are not there: {without_normal}");
+        notes.push(Note::warning(Place::File, text));
+    }
+    let is_coarse = |value: &f32| {
+        let byte = value * 255.0;
+        (byte - byte.round()).abs() > 0.01 || !(0.0..=255.0).contains(&byte)
+    };
+    let colors = || parts.iter().filter_map(|part| part.mesh.columns().colors.as_ref()).flatten();
+    if colors().flatten().any(is_coarse) {
+        notes.push(Note::remark("colours were rounded to 8 bits"));
+    }
+    notes
+}

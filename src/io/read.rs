@@ -1,0 +1,180 @@
+//! Reading a file of any format: opening it, detecting its format, calling its reader.
+
+use super::mesh_checks::face_notes;
+use super::text::without_byte_order_mark;
+use super::{Format, Limits, Loaded, Place, Problem, ReadError, ReadOptions};
+use super::{gltf, obj, ply, stl};
+#[cfg(unix)]
+use rayon::prelude::*;
+use std::fs;
+use std::io::ErrorKind;
+use std::path::Path;
+
+/// The format of a file: from its content if that is decisive, else from its name, else from its first words.
+///
+/// Decisive are the magic words of GLB and PLY, the brace that a glTF begins with, and the length or facets of an STL.
+pub fn detect(bytes: &[u8], path: Option<&Path>) -> Option<Format> {
+    decisive(bytes).or_else(|| Format::from_path(path?)).or_else(|| likely(bytes))
+}
+
+fn decisive(bytes: &[u8]) -> Option<Format> {
+    if bytes.starts_with(b"glTF") {
+        return Some(Format::Glb);
+    }
+    if let [b'p', b'l', b'y', b' ' | b'\t' | b'\r' | b'\n', ..] = bytes {
+        return Some(Format::Ply);
+    }
+    if stl::is_certain(bytes) {
+        return Some(Format::Stl);
+    }
+    (without_byte_order_mark(bytes).trim_ascii_start().first() == Some(&b'{')).then_some(Format::Gltf)
+}
+
+/// Text whose first statement is one of OBJ.
+fn likely(bytes: &[u8]) -> Option<Format> {
+    const KEYWORDS: [&[u8]; 12] =
+        [b"v", b"vt", b"vn", b"vp", b"f", b"l", b"p", b"o", b"g", b"s", b"mtllib", b"usemtl"];
+    let lines = without_byte_order_mark(bytes).split(|byte| matches!(byte, b'\n' | b'\r'));
+    let statement = lines.map(<[u8]>::trim_ascii).find(|line| !line.is_empty() && line[0] != b'#')?;
+    let keyword = statement.split(u8::is_ascii_whitespace).next()?;
+    KEYWORDS.contains(&keyword).then_some(Format::Obj)
+}
+
+/// Reads a file. Without a format, content and name determine it ([`detect`]).
+///
+/// # Errors
+/// If the file is missing, not a regular file, not readable, too large or of no known format, or the error of its
+/// format's reader.
+pub fn read(path: &Path, format: Option<Format>, options: &ReadOptions) -> Result<Loaded, ReadError> {
+    let bytes = read_whole(path, &options.limits)?;
+    let format = format.or_else(|| detect(&bytes, Some(path)));
+    read_bytes(bytes, format, Some(path.parent().unwrap_or(path)), options)
+}
+
+/// The bytes of a file.
+pub(crate) fn read_whole(path: &Path, limits: &Limits) -> Result<Vec<u8>, ReadError> {
+    let metadata = fs::metadata(path).map_err(|error| io_error(&error))?;
+    if !metadata.is_file() {
+        let (found, advice) = match metadata.is_dir() {
+            true => ("it is a folder", "name a file in it"),
+            // Opening a pipe may wait for ever.
+            false => ("it is no regular file", "read a stream from standard input with -"),
+        };
+        return Err(ReadError::new(Problem::Io, Place::File, found, advice));
+    }
+    if metadata.len() > limits.bytes {
+        let found = format!("{} bytes, more than the limit of {}", metadata.len(), limits.bytes);
+        return Err(ReadError::new(Problem::Limit, Place::File, found, "raise the limit"));
+    }
+    read_length(path, metadata.len()).map_err(|error| io_error(&error))
+}
+
+/// Reads a file of about this many bytes; a large one on all threads, since most of the time goes into giving it memory.
+fn read_length(path: &Path, length: u64) -> std::io::Result<Vec<u8>> {
+    #[cfg(unix)]
+    if let Some(bytes) = read_in_pieces(path, length)? {
+        return Ok(bytes);
+    }
+    #[cfg(not(unix))]
+    let _ = length;
+    fs::read(path)
+}
+
+/// `None` if the file is small, or does not have this length.
+#[cfg(unix)]
+fn read_in_pieces(path: &Path, length: u64) -> std::io::Result<Option<Vec<u8>>> {
+    use std::os::unix::fs::FileExt;
+    const PIECE: usize = 1 << 20;
+    let Some(length) = usize::try_from(length).ok().filter(|&length| length > 2 * PIECE) else {
+        return Ok(None);
+    };
+    let file = fs::File::open(path)?;
+    let mut bytes = vec![0; length];
+    let pieces = bytes.par_chunks_mut(PIECE).enumerate();
+    let read = pieces.map(|(number, piece)| file.read_exact_at(piece, (number * PIECE) as u64));
+    match read.collect::<std::io::Result<()>>() {
+        Err(error) if error.kind() == ErrorKind::UnexpectedEof => return Ok(None),
+        result => result?,
+    }
+    let has_grown = file.read_at(&mut [0], length as u64)? > 0;
+    Ok((!has_grown).then_some(bytes))
+}
+
+fn io_error(error: &std::io::Error) -> ReadError {
+    let (found, advice) = match error.kind() {
+        ErrorKind::NotFound => ("there is no such file".to_owned(), "check the name"),
+        ErrorKind::PermissionDenied => ("it may not be read".to_owned(), "check its permissions"),
+        ErrorKind::OutOfMemory => ("it does not fit into memory".to_owned(), "divide it"),
+        _ => (error.to_string(), "check the path"),
+    };
+    ReadError::new(Problem::Io, Place::File, found, advice)
+}
+
+/// Reads a file that is in memory. Without a format, its content determines it. `base` is the folder that companion files
+/// are searched for in; `None` for a stream, which has none: then it is the root of the options.
+///
+/// # Errors
+/// If the content has no known format, or the error of the format's reader.
+pub fn read_bytes(
+    bytes: Vec<u8>,
+    format: Option<Format>,
+    base: Option<&Path>,
+    options: &ReadOptions,
+) -> Result<Loaded, ReadError> {
+    let Some(format) = format.or_else(|| detect(&bytes, None)) else {
+        let found = if bytes.is_empty() { "the file is empty" } else { "the content tells no mesh format" };
+        return Err(ReadError::new(Problem::Syntax, Place::File, found, "name the format with --format"));
+    };
+    let mut loaded = match format {
+        Format::Obj => obj::read(bytes, base, options),
+        Format::Gltf | Format::Glb => gltf::read(bytes, base, options),
+        Format::Stl => stl::read(bytes, base, options),
+        Format::Ply => ply::read(bytes, base, options),
+    }?;
+    loaded.notes.extend(face_notes(&loaded.parts));
+    Ok(loaded)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn content_reports_before_the_name() {
+        let mut binary = b"solid but binary".to_vec();
+        binary.resize(84, 0);
+        let stl = b"SOLID x\nfacet normal 0 0 1\n";
+        for (bytes, name, expected) in [
+            (&b"glTF\x02\0\0\0"[..], "a.obj", Some(Format::Glb)),
+            (b"ply\r\nformat", "a.obj", Some(Format::Ply)),
+            (b"\xef\xbb\xbf \n{\"asset\"", "a.glb", Some(Format::Gltf)),
+            (stl, "a.obj", Some(Format::Stl)),
+            (&binary, "a.bin", Some(Format::Stl)),
+            (b"solid", "a.stl", Some(Format::Stl)),
+            (b"# hello\n\nv 1 2 3", "a.txt", Some(Format::Obj)),
+            (b"# hello\n\nv 1 2 3", "a.STL", Some(Format::Stl)),
+            (b"plywood", "a", None),
+            (b"vertex", "a", None),
+            (b"", "a", None),
+        ] {
+            assert_eq!(detect(bytes, Some(Path::new(name))), expected, "{name}");
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_opened_is_an_error() {
+        let folder = tempfile::tempdir().unwrap();
+        let error = |path: &Path| read(path, None, &ReadOptions::default()).unwrap_err();
+        assert!(error(folder.path()).found.contains("folder"));
+        assert!(error(&folder.path().join("none")).found.contains("no such file"));
+        assert!(error(Path::new("/dev/null")).found.contains("no regular file"));
+        let path = folder.path().join("a.xyz");
+        fs::write(&path, "???").unwrap();
+        assert!(error(&path).found.contains("tells no mesh format"));
+        fs::write(&path, "v 0 0 0\n").unwrap();
+        assert_eq!(read(&path, None, &ReadOptions::default()).unwrap().format, Format::Obj);
+        let mut options = ReadOptions::default();
+        options.limits.bytes = 4;
+        assert_eq!(read(&path, None, &options).unwrap_err().problem, Problem::Limit);
+    }
+}

@@ -1,0 +1,112 @@
+//! The change of a file.
+
+use super::edited_part::{EditedPart, applied};
+use super::outcome::{FaultCounts, PartOutcome, ReplacedCounts};
+use super::task::{Degenerate, Task};
+use crate::io::{Emit, Format, Loaded, Part, PartEdit};
+use crate::mesh::{FaceEdit, Mesh, Orient, Orientation, Orientations, Placed, Topology, cavities, orient};
+use crate::normals::{self, FaultReason, When, select};
+use glam::DVec3;
+use rayon::prelude::*;
+use std::borrow::Cow;
+
+/// What changes in a file, and what was found on the way.
+#[derive(Clone, Debug, Default)]
+pub struct Revision {
+    /// The change of each part, in the order of [`Loaded::parts`].
+    pub edits: Vec<PartEdit>,
+    /// What was found in each part.
+    pub parts: Vec<PartOutcome>,
+}
+
+/// Computes what a task changes in a file that will be written as `target`; `None` if it will not be written.
+///
+/// `done` gets the number of faces of each finished part, from any thread. Parts without faces do not change. The result is the same for any number of threads.
+pub fn revise(
+    loaded: &Loaded,
+    task: &Task,
+    target: Option<Format>,
+    done: &(dyn Fn(usize) + Sync),
+) -> Revision {
+    let (edits, parts) = loaded
+        .parts
+        .par_iter()
+        .zip(find_orientations(loaded, task))
+        .map(|(part, orientation)| {
+            let (mut edit, outcome, facets) = revise_part(part, orientation, task);
+            let wants_facets = task.emit == Emit::Face || target == Some(Format::Stl);
+            let same_facets = target == Some(Format::Stl) && loaded.format == Format::Stl && edit.is_empty();
+            edit.face_normals = facets.filter(|_| wants_facets && !same_facets);
+            if task.emit == Emit::Face {
+                edit = PartEdit { normals: None, kept: 0, morph_normals: Vec::new(), ..edit };
+            }
+            done(part.mesh.face_count());
+            (edit, outcome)
+        })
+        .unzip();
+    Revision { edits, parts }
+}
+
+/// The change of a part, what was found in it, and one normal a face.
+fn revise_part(
+    part: &Part,
+    orientation: Option<Orientation>,
+    task: &Task,
+) -> (PartEdit, PartOutcome, Option<Vec<DVec3>>) {
+    let mut outcome = PartOutcome::new(part);
+    if part.mesh.face_count() == 0 {
+        return (PartEdit::default(), outcome, None);
+    }
+    let mut edited = EditedPart::new(part, orientation, task);
+    let mut field = normals::compute(&edited.mesh, &task.recipe);
+    outcome.orientation = edited.orientation.take();
+    outcome.faults = FaultCounts::of(&field.faults);
+    outcome.fault_places = edited.fault_places(&field.faults);
+    if task.degenerate == Degenerate::Drop {
+        let zero_area = field.faults.faces.iter().filter(|fault| fault.reason == FaultReason::ZeroArea);
+        let dropped: Vec<u32> = zero_area.map(|fault| fault.index).collect();
+        if !dropped.is_empty() {
+            edited.drop_faces(dropped);
+            field = normals::compute(&edited.mesh, &task.recipe);
+        }
+    }
+    outcome.entries = field.normals.values.len();
+    outcome.summary = field.summary;
+    let mut selection = select(&edited.mesh, field, task.when);
+    outcome.replaced = ReplacedCounts::of(&selection);
+    if task.when != When::Always {
+        outcome.kept = edited.mesh.faces().corner_count() - outcome.replaced.total();
+    }
+    outcome.broken_places = edited.broken_places(&selection.broken);
+    let facets = edited.faces_as_read(std::mem::take(&mut selection.face_normals));
+    let edit = edited.edit(selection, task);
+    outcome.reversed_faces = edit.faces.reversed.len();
+    outcome.dropped_faces = edit.faces.dropped.len() - part.non_finite_faces.len();
+    (edit, outcome, Some(facets))
+}
+
+/// What a task finds in each part; `None` if it asks for nothing. Faces are numbered without those that have no
+/// finite positions.
+fn find_orientations(loaded: &Loaded, task: &Task) -> Vec<Option<Orientation>> {
+    if task.orient == Orient::Keep {
+        return vec![None; loaded.parts.len()];
+    }
+    let weld = task.recipe.weld;
+    let without = |dropped: &Vec<u32>| FaceEdit { dropped: dropped.clone(), reversed: Vec::new() };
+    let present: Vec<Cow<'_, Mesh>> =
+        loaded.parts.iter().map(|part| applied(&part.mesh, &without(&part.non_finite_faces))).collect();
+    let alone =
+        |mesh: &Cow<'_, Mesh>| orient(mesh, &Topology::build(mesh, weld), task.orient, task.confidence);
+    let mut found: Vec<Orientation> = present.par_iter().map(alone).collect();
+    if found.iter().any(|found| found.inside_out + found.rooms > 0) {
+        let parts = present.iter().zip(loaded.places());
+        let parts: Vec<Placed<'_>> = parts.map(|(mesh, places)| Placed { mesh, places }).collect();
+        for ((found, mesh), cavities) in found.iter_mut().zip(&present).zip(cavities(&parts, weld)) {
+            if !cavities.is_empty() {
+                let orientations = Orientations::new(mesh, &Topology::build(mesh, weld));
+                *found = orientations.outward(mesh, task.confidence, &cavities);
+            }
+        }
+    }
+    found.into_iter().map(Some).collect()
+}

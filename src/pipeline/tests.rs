@@ -1,0 +1,208 @@
+//! Tests of the revision of single parts.
+
+use super::*;
+use crate::io::Document;
+use crate::io::{Emit, Format, Loaded, Part, PartEdit};
+use crate::mesh::Orient;
+use crate::mesh::{Column, ColumnIndex, Faces, MeshBuilder, NONE};
+use crate::normals::{self, When};
+use glam::DVec3;
+
+/// A tetrahedron with its third face turned round, a face without area, and a face that stands for one with
+/// a position that is not finite.
+fn part(normals: Option<Column<DVec3>>) -> Part {
+    let positions = vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z, DVec3::X * 2.0, DVec3::ONE];
+    let mut faces = Faces::new();
+    for face in [[0, 2, 1], [0, 1, 3], [0, 2, 3], [0, 1, 4], [1, 2, 3], [1, 2, 5]] {
+        faces.push(&face);
+    }
+    let builder = MeshBuilder { positions, faces, ..MeshBuilder::default() };
+    let mut mesh = builder.build().unwrap();
+    if normals.is_some() {
+        mesh = mesh.with_normals(normals);
+    }
+    Part { name: "part".into(), mesh, non_finite_faces: vec![5] }
+}
+
+fn revise_one(part: &Part, task: &Task, target: Option<Format>) -> (PartEdit, PartOutcome) {
+    let loaded = Loaded {
+        format: Format::Obj,
+        parts: vec![part.clone()],
+        nodes: Vec::new(),
+        notes: Vec::new(),
+        document: Document::None,
+    };
+    let mut revision = revise(&loaded, task, target, &|_| {});
+    (revision.edits.pop().unwrap(), revision.parts.pop().unwrap())
+}
+
+/// The normal at each corner of the output, found in the way of a writer.
+fn written(part: &Part, edit: &PartEdit) -> Vec<DVec3> {
+    let (_, order) = edit.faces.corner_order(part.mesh.faces());
+    let normals = edit.normals.as_ref().unwrap();
+    let corners = part.mesh.faces().corners();
+    order.iter().map(|&c| *normals.get(c as usize, corners[c as usize]).expect("a normal")).collect()
+}
+
+/// What the library computes on the mesh as it stands in the output.
+fn expected(part: &Part, edit: &PartEdit, task: &Task) -> Vec<DVec3> {
+    let mesh = part.mesh.with_faces(&edit.faces);
+    let field = normals::compute(&mesh, &task.recipe);
+    let corners = mesh.faces().corners();
+    (0..corners.len()).map(|c| *field.normals.get(c, corners[c]).unwrap()).collect()
+}
+
+#[test]
+fn normals_are_those_of_the_output_in_the_numbers_of_the_input() {
+    let part = part(None);
+    for flip in [false, true] {
+        for orient in [Orient::Keep, Orient::Consistent, Orient::Outward] {
+            for degenerate in [Degenerate::Keep, Degenerate::Drop] {
+                let task = Task { flip, orient, degenerate, ..Task::default() };
+                let (edit, outcome) = revise_one(&part, &task, None);
+                let dropped = if degenerate == Degenerate::Drop { &[3, 5][..] } else { &[5] };
+                assert_eq!(edit.faces.dropped, dropped);
+                assert_eq!(outcome.dropped_faces + outcome.non_finite_faces, dropped.len());
+                assert_eq!(outcome.reversed_faces, edit.faces.reversed.len());
+                assert_eq!(written(&part, &edit), expected(&part, &edit, &task), "{task:?}");
+                assert_eq!(edit.kept, 0);
+            }
+        }
+    }
+}
+
+#[test]
+fn faces_are_turned_by_orientation_and_then_by_flipping() {
+    let part = part(None);
+    let reversed = |orient, flip| {
+        let (edit, outcome) = revise_one(&part, &Task { orient, flip, ..Task::default() }, None);
+        assert_eq!(outcome.orientation.is_some(), orient != Orient::Keep);
+        edit.faces.reversed
+    };
+    let outward = reversed(Orient::Outward, false);
+    assert!(outward.contains(&2) && !outward.contains(&0), "{outward:?}");
+    assert_eq!(reversed(Orient::Keep, true), [0, 1, 2, 3, 4]);
+    let both = reversed(Orient::Outward, true);
+    assert!((0..5).all(|face| outward.contains(&face) != both.contains(&face)), "{both:?}");
+}
+
+#[test]
+fn values_of_dropped_faces_are_forgotten() {
+    let part = part(None);
+    let task = Task { degenerate: Degenerate::Drop, ..Task::default() };
+    let (edit, _) = revise_one(&part, &task, None);
+    let normals = edit.normals.unwrap();
+    let ColumnIndex::PerCorner(index) = &normals.index else { panic!("per corner") };
+    assert_eq!(index.len(), 18);
+    assert!(index[9..12].iter().chain(&index[15..]).all(|&slot| slot == NONE));
+    let used: std::collections::BTreeSet<u32> = index.iter().copied().filter(|&slot| slot != NONE).collect();
+    assert_eq!(used.len(), normals.values.len(), "each value is used");
+}
+
+/// Two sides of a bent strip have an edge of their own each, with a face without area between them: without it, they
+/// meet, and share normals.
+#[test]
+fn normals_are_those_of_what_remains() {
+    let edge = [DVec3::ZERO, DVec3::Y];
+    let positions = vec![edge[0], edge[1], edge[0], edge[1], DVec3::new(1.0, 0.5, 0.2), DVec3::NEG_X];
+    let faces = Faces::triangles(vec![0, 4, 1, 2, 3, 5, 0, 1, 3, 0, 3, 2]);
+    let builder = MeshBuilder { positions, faces, ..MeshBuilder::default() };
+    let part = Part { mesh: builder.build().unwrap(), ..Part::default() };
+    for degenerate in [Degenerate::Keep, Degenerate::Drop] {
+        let task = Task { degenerate, ..Task::default() };
+        let (edit, outcome) = revise_one(&part, &task, None);
+        let written = written(&part, &edit);
+        assert_eq!(written, expected(&part, &edit, &task));
+        assert_eq!(outcome.faults.faces.iter().map(|(_, count)| count).sum::<usize>(), 2);
+        let meet = written[0] == written[3];
+        assert_eq!(meet, degenerate == Degenerate::Drop, "{written:?}");
+    }
+}
+
+#[test]
+fn good_stored_normals_stay_and_turned_ones_are_new() {
+    let corner = |face: usize| [[0, 2, 1], [0, 1, 3], [0, 2, 3], [0, 1, 4], [1, 2, 3], [1, 2, 5]][face];
+    let outward = [-DVec3::Z, -DVec3::Y, -DVec3::X, DVec3::Z, DVec3::ONE.normalize(), DVec3::Z];
+    let index: Vec<u32> = (0..6).flat_map(|face| corner(face).map(|_| face as u32)).collect();
+    let stored = Column::per_corner(outward.to_vec(), index);
+    let task = Task { when: When::Missing, ..Task::default() };
+    let (edit, outcome) = revise_one(&part(Some(stored.clone())), &task, Some(Format::Stl));
+    assert!(edit.normals.is_none(), "nothing is missing");
+    assert_eq!((outcome.kept, outcome.replaced.total()), (15, 0));
+    let facets = edit.face_normals.expect("an STL file carries them");
+    assert_eq!(facets[..5], outward[..5]);
+
+    let mut holes = stored.clone();
+    let ColumnIndex::PerCorner(index) = &mut holes.index else { panic!("per corner") };
+    index[0] = NONE;
+    let holed = part(Some(holes));
+    let (edit, outcome) = revise_one(&holed, &task, None);
+    assert_eq!((edit.kept, outcome.replaced.missing), (6, 1));
+    assert_eq!(edit.normals.as_ref().unwrap().values[..6], outward);
+    assert_eq!(written(&holed, &edit)[3], -DVec3::Y);
+
+    let flipped = Task { flip: true, ..task };
+    let turned = part(Some(stored));
+    let (edit, _) = revise_one(&turned, &flipped, None);
+    assert_eq!(edit.kept, 0, "they are no longer the file's own");
+    assert_eq!(written(&turned, &edit)[12], -outward[4]);
+}
+
+/// Faces 1 and 2 are told by the numbers of the file although face 0 is dropped, and corners by the order of
+/// the file although a face is turned round.
+#[test]
+fn places_are_those_of_the_file() {
+    let positions = vec![DVec3::NAN, DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::X * 2.0];
+    let faces = Faces::triangles(vec![0, 1, 2, 1, 2, 4, 1, 2, 3]);
+    let stored = Column::per_corner(vec![DVec3::Z, DVec3::Z * 3.0], vec![0, 0, 0, 0, 0, 0, 0, 0, 1]);
+    let columns = crate::mesh::Columns { normals: Some(stored), ..Default::default() };
+    let builder = MeshBuilder { positions, faces, columns, ..MeshBuilder::default() };
+    let (mesh, non_finite_faces) = builder.build_dropping_non_finite().unwrap();
+    let part = Part { name: String::new(), mesh, non_finite_faces };
+    for flip in [false, true] {
+        let task = Task { flip, when: When::Broken, ..Task::default() };
+        let (_, outcome) = revise_one(&part, &task, None);
+        assert!(outcome.fault_places.contains(&(Spot::Face(1), normals::FaultReason::ZeroArea)));
+        // Turned values become new ones, so what is no unit vector has been left out before.
+        let broken = Spot::Corner { face: 2, corner: 2, vertex: 3 };
+        let expected = if flip { vec![] } else { vec![(broken, normals::Broken::Length)] };
+        assert_eq!(outcome.broken_places, expected);
+        let of_corners: Vec<Spot> = outcome
+            .fault_places
+            .iter()
+            .map(|place| place.0)
+            .filter(|spot| matches!(spot, Spot::Corner { .. }))
+            .collect();
+        let own = |corner, vertex| Spot::Corner { face: 1, corner, vertex };
+        let expected =
+            if flip { [own(0, 1), own(2, 4), own(1, 2)] } else { [own(0, 1), own(1, 2), own(2, 4)] };
+        assert!(of_corners.iter().all(|spot| expected.contains(spot)), "{of_corners:?}");
+        assert!(of_corners.contains(&own(2, 4)), "{of_corners:?}");
+    }
+}
+
+#[test]
+fn face_normals_are_given_where_they_are_wanted() {
+    let part = part(None);
+    let facets = |emit, target| {
+        let (edit, _) = revise_one(&part, &Task { emit, ..Task::default() }, target);
+        assert_eq!(edit.normals.is_none(), emit == Emit::Face);
+        edit.face_normals
+    };
+    assert!(facets(Emit::Corner, Some(Format::Ply)).is_none());
+    assert!(facets(Emit::Corner, None).is_none());
+    for (emit, target) in
+        [(Emit::Face, None), (Emit::Face, Some(Format::Ply)), (Emit::Corner, Some(Format::Stl))]
+    {
+        let facets = facets(emit, target).unwrap();
+        assert_eq!(facets.len(), 6, "one a face as it was read");
+        assert_eq!(facets[0], -DVec3::Z);
+    }
+}
+
+#[test]
+fn a_part_without_faces_stays_as_it_is() {
+    let task = Task { flip: true, orient: Orient::Outward, degenerate: Degenerate::Drop, ..Task::default() };
+    let (edit, outcome) = revise_one(&Part::default(), &task, Some(Format::Stl));
+    assert!(edit.is_empty() && outcome.faces == 0);
+}
