@@ -35,13 +35,13 @@ const HARMLESS: &[&str] = &[
 ];
 
 /// Attributes stored as integers.
-pub(super) const QUANTIZATION: &str = "KHR_mesh_quantization";
+pub const QUANTIZATION: &str = "KHR_mesh_quantization";
 
 /// The name under which a primitive's Draco data are stored.
-pub(super) const DRACO: &str = "KHR_draco_mesh_compression";
+pub const DRACO: &str = "KHR_draco_mesh_compression";
 
 /// Checks what a document requires, and remarks on what is used but not expanded.
-pub(super) fn check(root: &Fields<'_>, notes: &mut Vec<Note>) -> Result<(), ReadError> {
+pub fn check(root: &Fields<'_>, notes: &mut Vec<Note>) -> Result<(), ReadError> {
     let names = |list: &str| -> Result<Vec<(Value, String)>, ReadError> {
         let array = root.array(list)?;
         let values = array.into_iter().flat_map(|array| root.json.elements(array));
@@ -68,23 +68,23 @@ pub(super) fn check(root: &Fields<'_>, notes: &mut Vec<Note>) -> Result<(), Read
 
 /// An extension of a primitive or mesh that counts vertices or triangles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Ordered {
-    pub(super) name: &'static str,
+pub struct Ordered {
+    pub name: &'static str,
     /// It refers to vertices by number, so that a vertex may not be split from its triangles unseen.
-    pub(super) vertices: bool,
+    pub vertices: bool,
     /// It refers to triangles or their corners by number, so that none may be dropped or turned.
-    pub(super) triangles: bool,
+    pub triangles: bool,
 }
 
 /// The extensions that refer to the order of vertices or triangles.
-pub(super) const ORDERED: &[Ordered] = &[
+pub const ORDERED: &[Ordered] = &[
     Ordered { name: "CESIUM_primitive_outline", vertices: true, triangles: false },
     Ordered { name: "EXT_mesh_primitive_edge_visibility", vertices: true, triangles: true },
     Ordered { name: "EXT_mesh_manifold", vertices: true, triangles: true },
 ];
 
 /// Whether `EXT_mesh_features` on a primitive numbers its features by vertex.
-pub(super) fn has_implicit_features(primitive: &Fields<'_>) -> bool {
+pub fn has_implicit_features(primitive: &Fields<'_>) -> bool {
     let json = primitive.json;
     let Some(extension) = primitive.extension("EXT_mesh_features") else { return false };
     let Some(sets) = json.member(extension, "featureIds") else { return false };

@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 /// Where the bytes of a buffer are.
 #[derive(Clone, Debug)]
-pub(in crate::io::gltf) enum Storage {
+pub enum Storage {
     /// In the BIN chunk of the file itself.
     Bin(Range<usize>),
     /// In the JSON, as a data URI.
@@ -26,22 +26,22 @@ pub(in crate::io::gltf) enum Storage {
 
 /// A buffer: its declared length, never more than what is there.
 #[derive(Clone, Debug)]
-pub(in crate::io::gltf) struct Buffer {
-    pub(in crate::io::gltf) storage: Storage,
-    pub(in crate::io::gltf) length: u64,
+pub struct Buffer {
+    pub storage: Storage,
+    pub length: u64,
 }
 
 /// All buffers of a document.
 #[derive(Clone, Debug, Default)]
-pub(in crate::io::gltf) struct Buffers {
+pub struct Buffers {
     /// The file, for the BIN chunk; empty for `.gltf`.
-    pub(in crate::io::gltf) file: Vec<u8>,
-    pub(in crate::io::gltf) list: Vec<Buffer>,
+    pub file: Vec<u8>,
+    pub list: Vec<Buffer>,
 }
 
 impl Buffers {
     /// The bytes of a buffer, cut to its declared length; `None` if only a compressed copy exists.
-    pub(in crate::io::gltf) fn bytes(&self, buffer: usize) -> Option<&[u8]> {
+    pub fn bytes(&self, buffer: usize) -> Option<&[u8]> {
         let buffer = &self.list[buffer];
         let bytes: &[u8] = match &buffer.storage {
             Storage::Bin(range) => &self.file[range.clone()],
@@ -52,13 +52,13 @@ impl Buffers {
     }
 
     /// Sum of all lengths, which bounds what decoding may allocate.
-    pub(in crate::io::gltf) fn total(&self) -> u64 {
+    pub fn total(&self) -> u64 {
         self.list.iter().map(|buffer| buffer.length).sum()
     }
 }
 
 /// Finds the bytes of every buffer.
-pub(in crate::io::gltf) fn load(
+pub fn load(
     json: &Json,
     objects: &[Value],
     file: Vec<u8>,
@@ -157,7 +157,7 @@ fn read(path: &Path, name: &str, left: &mut u64, place: Place) -> Result<Vec<u8>
 
 /// Warns of images that are not there, or that point where nothing is read. Images themselves are never opened.
 /// Returns the image files that are there, as relative name and path.
-pub(in crate::io::gltf) fn check_images(
+pub fn check_images(
     json: &Json,
     images: &[Value],
     base: Option<&Path>,

@@ -13,18 +13,18 @@ const SHORTEST: usize = 20;
 
 /// The chunks of a GLB file, in order, as spans of the file.
 #[derive(Clone, Debug, Default)]
-pub(in crate::io::gltf) struct Glb {
+pub struct Glb {
     chunks: Vec<(u32, Range<usize>)>,
 }
 
 /// Whether a file is in the binary container.
-pub(in crate::io::gltf) fn is_glb(bytes: &[u8]) -> bool {
+pub fn is_glb(bytes: &[u8]) -> bool {
     bytes.starts_with(MAGIC)
 }
 
 impl Glb {
     /// Reads the chunk table.
-    pub(in crate::io::gltf) fn parse(bytes: &[u8], notes: &mut Vec<Note>) -> Result<Glb, ReadError> {
+    pub fn parse(bytes: &[u8], notes: &mut Vec<Note>) -> Result<Glb, ReadError> {
         let truncated = |at: usize, found: String| {
             let advice = "the file is cut off; copy or export it again";
             ReadError::new(Problem::Truncated, Place::Byte(at as u64), found, advice)
@@ -87,12 +87,12 @@ impl Glb {
     }
 
     /// Where the JSON is.
-    pub(in crate::io::gltf) fn json(&self) -> Range<usize> {
+    pub fn json(&self) -> Range<usize> {
         self.chunks[0].1.clone()
     }
 
     /// Where the binary buffer is.
-    pub(in crate::io::gltf) fn bin(&self) -> Option<Range<usize>> {
+    pub fn bin(&self) -> Option<Range<usize>> {
         self.bin_chunk().map(|chunk| self.chunks[chunk].1.clone())
     }
 
@@ -101,17 +101,12 @@ impl Glb {
     }
 
     /// How many chunks there are beside JSON and the first BIN.
-    pub(in crate::io::gltf) fn other_chunks(&self) -> usize {
+    pub fn other_chunks(&self) -> usize {
         self.chunks.len() - 1 - usize::from(self.bin_chunk().is_some())
     }
 
     /// A file with the same chunks in the same order, but other JSON and, if given, another BIN.
-    pub(in crate::io::gltf) fn rewrite(
-        &self,
-        bytes: &[u8],
-        json: &str,
-        bin: Option<&[u8]>,
-    ) -> Result<Vec<u8>, WriteError> {
+    pub fn rewrite(&self, bytes: &[u8], json: &str, bin: Option<&[u8]>) -> Result<Vec<u8>, WriteError> {
         let bin_chunk = self.bin_chunk();
         let mut chunks: Vec<(u32, &[u8])> = vec![(JSON, json.as_bytes())];
         if let (None, Some(bin)) = (bin_chunk, bin) {
@@ -128,7 +123,7 @@ impl Glb {
 }
 
 /// A new GLB file from JSON and BIN.
-pub(in crate::io::gltf) fn glb(json: &str, bin: &[&[u8]]) -> Result<Vec<u8>, WriteError> {
+pub fn glb(json: &str, bin: &[&[u8]]) -> Result<Vec<u8>, WriteError> {
     let size: usize = bin.iter().map(|piece| piece.len()).sum();
     if size == 0 {
         return assemble(&[(JSON, json.as_bytes())]);
@@ -171,7 +166,7 @@ fn chunk(out: &mut Vec<u8>, kind: u32, data: &[&[u8]]) {
 }
 
 /// The next multiple of four: where a chunk or a buffer view may begin.
-pub(in crate::io::gltf) fn padded(length: usize) -> usize {
+pub fn padded(length: usize) -> usize {
     length.next_multiple_of(4)
 }
 

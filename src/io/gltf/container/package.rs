@@ -13,7 +13,7 @@ use crate::io::{Format, Note, OutputContent, OutputFile, Place, WriteError, Writ
 use std::path::Path;
 
 /// Makes the output of a changed document.
-pub(in crate::io::gltf) fn package(
+pub fn package(
     document: &GltfDocument,
     mut store: Store<'_>,
     to: Format,

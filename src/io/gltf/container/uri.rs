@@ -6,7 +6,7 @@ use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 
 /// What an address is.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(in crate::io::gltf) enum Uri {
+pub enum Uri {
     /// Data in the address itself.
     Data,
     /// A file, relative to the document.
@@ -16,7 +16,7 @@ pub(in crate::io::gltf) enum Uri {
 }
 
 impl Uri {
-    pub(in crate::io::gltf) fn parse(uri: &str) -> Uri {
+    pub fn parse(uri: &str) -> Uri {
         if uri.get(..5).is_some_and(|head| head.eq_ignore_ascii_case("data:")) {
             return Uri::Data;
         }
@@ -30,7 +30,7 @@ impl Uri {
 }
 
 /// The bytes of a data URI.
-pub(in crate::io::gltf) fn decode_data(uri: &str, place: Place) -> Result<Vec<u8>, ReadError> {
+pub fn decode_data(uri: &str, place: Place) -> Result<Vec<u8>, ReadError> {
     let broken = |found: String| {
         ReadError::new(Problem::Syntax, place.clone(), found, "the data URI is broken; export the file again")
     };
@@ -46,7 +46,7 @@ pub(in crate::io::gltf) fn decode_data(uri: &str, place: Place) -> Result<Vec<u8
 }
 
 /// A data URI of raw bytes.
-pub(in crate::io::gltf) fn encode_data(bytes: &[u8]) -> String {
+pub fn encode_data(bytes: &[u8]) -> String {
     let mut uri = String::from("data:application/octet-stream;base64,");
     base64::engine::general_purpose::STANDARD.encode_string(bytes, &mut uri);
     uri
@@ -79,7 +79,7 @@ fn percent_decoded_bytes(text: &str) -> Vec<u8> {
 }
 
 /// A file name as a relative address.
-pub(in crate::io::gltf) fn percent_encoded(name: &str) -> String {
+pub fn percent_encoded(name: &str) -> String {
     let mut out = String::with_capacity(name.len());
     for byte in name.bytes() {
         if byte.is_ascii_alphanumeric() || b"-._~/".contains(&byte) {

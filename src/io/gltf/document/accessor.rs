@@ -10,13 +10,13 @@ use std::cell::Cell;
 
 /// The bytes of an accessor's elements, in place.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::io::gltf) struct Elements<'a> {
+pub struct Elements<'a> {
     /// From the first byte of the first element to the last of the last; empty when there are no stored data.
     bytes: &'a [u8],
     /// From one element to the next; 0 when there are no stored data, which then are zeros.
     stride: usize,
-    pub(in crate::io::gltf) count: usize,
-    pub(in crate::io::gltf) format: Format,
+    pub count: usize,
+    pub format: Format,
     /// The exceptions, ascending.
     sparse: Option<Exceptions<'a>>,
 }
@@ -29,18 +29,18 @@ struct Exceptions<'a> {
 }
 
 /// Reads the accessors of a document.
-pub(in crate::io::gltf) struct Source<'a> {
-    pub(in crate::io::gltf) records: &'a Records,
-    pub(in crate::io::gltf) buffers: &'a Buffers,
+pub struct Source<'a> {
+    pub records: &'a Records,
+    pub buffers: &'a Buffers,
     /// Elements that accessors without stored data may still stand for.
-    pub(in crate::io::gltf) implied_limit: u64,
+    pub implied_limit: u64,
     /// Bytes of memory that decoding may still take; one file's bytes can be asked for any number of times.
-    pub(in crate::io::gltf) memory: Cell<u64>,
+    pub memory: Cell<u64>,
 }
 
 impl<'a> Source<'a> {
     /// Finds the elements of an accessor.
-    pub(in crate::io::gltf) fn elements(&self, accessor: usize) -> Result<Elements<'a>, ReadError> {
+    pub fn elements(&self, accessor: usize) -> Result<Elements<'a>, ReadError> {
         let at = At::new("accessors", accessor);
         let record = &self.records.accessors[accessor];
         let Some(format) = record.format else {
@@ -87,7 +87,7 @@ impl<'a> Source<'a> {
     }
 
     /// Takes memory from the budget before something is decoded.
-    pub(in crate::io::gltf) fn spend(&self, bytes: u64, at: At) -> Result<(), ReadError> {
+    pub fn spend(&self, bytes: u64, at: At) -> Result<(), ReadError> {
         match self.memory.get().checked_sub(bytes) {
             Some(left) => {
                 self.memory.set(left);
@@ -178,7 +178,7 @@ fn check_exceptions(
 
 impl<'a> Elements<'a> {
     /// All elements as raw bytes without gaps.
-    pub(in crate::io::gltf) fn raw(&self) -> Cow<'a, [u8]> {
+    pub fn raw(&self) -> Cow<'a, [u8]> {
         let size = self.format.size();
         if self.sparse.is_none() && self.stride == size {
             return Cow::Borrowed(self.bytes);
@@ -202,7 +202,7 @@ impl<'a> Elements<'a> {
 
     /// All elements as `f32` vectors; normalised integers divided by their largest value, as the standard says.
     /// Elements of fewer components are filled up with `fill`, those of more cut.
-    pub(in crate::io::gltf) fn floats<const N: usize>(&self, fill: f32) -> Vec<[f32; N]> {
+    pub fn floats<const N: usize>(&self, fill: f32) -> Vec<[f32; N]> {
         let raw = self.raw();
         let (component, normalized) = (self.format.component, self.format.normalized);
         let size = component.size();
@@ -220,7 +220,7 @@ impl<'a> Elements<'a> {
     }
 
     /// All elements as unsigned integers, first component only.
-    pub(in crate::io::gltf) fn integers(&self) -> Vec<u32> {
+    pub fn integers(&self) -> Vec<u32> {
         let component = self.format.component;
         self.raw().chunks_exact(self.format.size()).map(|bytes| unsigned(bytes, component)).collect()
     }

@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 ///
 /// # Errors
 /// Whatever makes it no camera, with the place and, if it has one, its name.
-pub(in crate::io::gltf) fn at_node(node: &Placed<'_>) -> Result<Option<FileCamera>, ReadError> {
+pub fn at_node(node: &Placed<'_>) -> Result<Option<FileCamera>, ReadError> {
     let Some(number) = node.fields.index("camera")? else { return Ok(None) };
     let json = node.fields.json;
     let root = Fields { json, object: json.root(), at: At::default() };

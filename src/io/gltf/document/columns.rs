@@ -11,7 +11,7 @@ use rustc_hash::FxHashMap;
 
 impl Assembler<'_> {
     /// Decodes the vertices of all blocks and builds the mesh.
-    pub(in crate::io::gltf) fn fill(
+    pub fn fill(
         &self,
         mesh: usize,
         layout: &mut Layout,

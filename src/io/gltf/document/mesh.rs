@@ -11,25 +11,25 @@ use std::hash::{Hash, Hasher};
 
 /// The vertex accessors of a primitive. Primitives for which these are equal share their vertices.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::io::gltf) struct VertexSource<'a>(pub(in crate::io::gltf) &'a Primitive);
+pub struct VertexSource<'a>(pub(in crate::io::gltf) &'a Primitive);
 
 impl<'a> VertexSource<'a> {
     /// The attributes, then those of each morph target, each list sorted by semantic.
-    pub(in crate::io::gltf) fn lists(self) -> impl Iterator<Item = (Option<usize>, &'a [(String, usize)])> {
+    pub fn lists(self) -> impl Iterator<Item = (Option<usize>, &'a [(String, usize)])> {
         let targets = self.0.targets.iter().enumerate();
         let targets = targets.map(|(number, target)| (Some(number), target.list.as_slice()));
         std::iter::once((None, self.0.attributes.list.as_slice())).chain(targets)
     }
 
-    pub(in crate::io::gltf) fn targets(self) -> usize {
+    pub fn targets(self) -> usize {
         self.0.targets.len()
     }
 
-    pub(in crate::io::gltf) fn get(self, semantic: &str) -> Option<usize> {
+    pub fn get(self, semantic: &str) -> Option<usize> {
         self.0.attributes.get(semantic)
     }
 
-    pub(in crate::io::gltf) fn target(self, target: usize, semantic: &str) -> Option<usize> {
+    pub fn target(self, target: usize, semantic: &str) -> Option<usize> {
         self.0.targets.get(target)?.get(semantic)
     }
 }
@@ -50,48 +50,44 @@ impl Hash for VertexSource<'_> {
 
 /// How a part's mesh is made of vertex blocks and primitives.
 #[derive(Clone, Debug, Default)]
-pub(in crate::io::gltf) struct Layout {
-    pub(in crate::io::gltf) blocks: Vec<Block>,
-    pub(in crate::io::gltf) pieces: Vec<Piece>,
+pub struct Layout {
+    pub blocks: Vec<Block>,
+    pub pieces: Vec<Piece>,
 }
 
 /// The vertices of one source within a part.
 #[derive(Clone, Debug)]
-pub(in crate::io::gltf) struct Block {
-    pub(in crate::io::gltf) source: usize,
-    pub(in crate::io::gltf) first_vertex: u32,
-    pub(in crate::io::gltf) count: u32,
+pub struct Block {
+    pub source: usize,
+    pub first_vertex: u32,
+    pub count: u32,
     /// Triangles use it.
-    pub(in crate::io::gltf) solid: bool,
+    pub solid: bool,
     /// Where its stored normals begin among the part's, if it has any.
-    pub(in crate::io::gltf) first_normal: Option<u32>,
+    pub first_normal: Option<u32>,
 }
 
 /// The triangles of one primitive within a part.
 #[derive(Clone, Debug)]
-pub(in crate::io::gltf) struct Piece {
-    pub(in crate::io::gltf) primitive: usize,
-    pub(in crate::io::gltf) block: usize,
-    pub(in crate::io::gltf) first_face: u32,
-    pub(in crate::io::gltf) faces: u32,
+pub struct Piece {
+    pub primitive: usize,
+    pub block: usize,
+    pub first_face: u32,
+    pub faces: u32,
 }
 
 /// Reads meshes one after the other, and collects the vertex sources that they share.
-pub(in crate::io::gltf) struct Assembler<'a> {
-    pub(in crate::io::gltf) source: Source<'a>,
-    pub(in crate::io::gltf) non_finite: NonFinite,
-    pub(in crate::io::gltf) sources: Vec<VertexSource<'a>>,
-    pub(in crate::io::gltf) numbers: FxHashMap<VertexSource<'a>, usize>,
-    pub(in crate::io::gltf) materials: Materials<'a>,
+pub struct Assembler<'a> {
+    pub source: Source<'a>,
+    pub non_finite: NonFinite,
+    pub sources: Vec<VertexSource<'a>>,
+    pub numbers: FxHashMap<VertexSource<'a>, usize>,
+    pub materials: Materials<'a>,
 }
 
 impl<'a> Assembler<'a> {
     /// Reads one mesh.
-    pub(in crate::io::gltf) fn part(
-        &mut self,
-        mesh: usize,
-        notes: &mut Vec<Note>,
-    ) -> Result<(Part, Layout), ReadError> {
+    pub fn part(&mut self, mesh: usize, notes: &mut Vec<Note>) -> Result<(Part, Layout), ReadError> {
         let records: &'a Records = self.source.records;
         let record = &records.meshes[mesh];
         let mut layout = Layout::default();
@@ -228,10 +224,10 @@ impl<'a> Assembler<'a> {
 }
 
 /// Names of materials, no two alike, so that formats which know materials by name keep them apart.
-pub(in crate::io::gltf) struct Materials<'a> {
-    pub(in crate::io::gltf) records: &'a Records,
-    pub(in crate::io::gltf) names: FxHashMap<usize, String>,
-    pub(in crate::io::gltf) taken: FxHashSet<String>,
+pub struct Materials<'a> {
+    pub records: &'a Records,
+    pub names: FxHashMap<usize, String>,
+    pub taken: FxHashSet<String>,
 }
 
 impl Materials<'_> {

@@ -1,22 +1,22 @@
 //! Document: the typed records of a file.
 
 // The records that geometry needs.
-pub(super) mod records;
+pub mod records;
 // Accessors to numbers.
-pub(super) mod accessor;
+pub mod accessor;
 // Cameras.
-pub(super) mod camera;
+pub mod camera;
 // Materials, cameras and lights.
-pub(super) mod appearance;
+pub mod appearance;
 // The node tree.
-pub(super) mod nodes;
+pub mod nodes;
 // Primitives.
-pub(super) mod primitive;
+pub mod primitive;
 // Vertex columns.
-pub(super) mod columns;
+pub mod columns;
 // Tangents and morph targets.
-pub(super) mod attributes;
+pub mod attributes;
 // Document content outside meshes and nodes.
-pub(super) mod other_content;
+pub mod other_content;
 // glTF meshes to parts.
-pub(super) mod mesh;
+pub mod mesh;

@@ -8,11 +8,7 @@ use crate::num::UnitVec3;
 use glam::{DMat3, DMat4, DQuat, DVec3, DVec4};
 
 /// The meshes of the default scene (of all root nodes, where there is none), in the order of the tree.
-pub(in crate::io::gltf) fn read(
-    json: &Json,
-    meshes: usize,
-    notes: &mut Vec<Note>,
-) -> Result<Vec<FileNode>, ReadError> {
+pub fn read(json: &Json, meshes: usize, notes: &mut Vec<Note>) -> Result<Vec<FileNode>, ReadError> {
     let mut placed = Vec::new();
     let (mut unturned, mut skinned_elsewhere) = (Vec::new(), None);
     each(json, |node| {
@@ -41,18 +37,18 @@ pub(in crate::io::gltf) fn read(
 }
 
 /// A node at its place.
-pub(in crate::io::gltf) struct Placed<'a> {
-    pub(in crate::io::gltf) number: usize,
-    pub(in crate::io::gltf) fields: Fields<'a>,
+pub struct Placed<'a> {
+    pub number: usize,
+    pub fields: Fields<'a>,
     /// From its own space to the world's.
-    pub(in crate::io::gltf) world: DMat4,
+    pub world: DMat4,
     /// The rotations of the node and of all above it, one after the other: how it stands with all scaling ignored.
-    pub(in crate::io::gltf) turn: DQuat,
+    pub turn: DQuat,
     /// The nearest node at or above it that has no rotation, and the member that should give it: a quaternion of length 0,
     /// or a matrix without an inverse.
-    pub(in crate::io::gltf) without_rotation: Option<(usize, &'static str)>,
+    pub without_rotation: Option<(usize, &'static str)>,
     /// Whether the default scene has it.
-    pub(in crate::io::gltf) shown: bool,
+    pub shown: bool,
 }
 
 /// The nodes of a file, for questions about single ones.
@@ -66,7 +62,7 @@ impl<'a> NodeTree<'a> {
     /// The most nodes of a way that are told: those nearest to its end.
     const DEEPEST: usize = 32;
 
-    pub(in crate::io::gltf) fn new(json: &'a Json) -> Result<Self, ReadError> {
+    pub fn new(json: &'a Json) -> Result<Self, ReadError> {
         let nodes = list(&Fields { json, object: json.root(), at: At::default() }, "nodes")?;
         let fields = |node: usize| Fields { json, object: nodes[node], at: At::new("nodes", node) };
         let tree = Tree::new((0..nodes.len()).map(fields), nodes.len())?;
@@ -99,7 +95,7 @@ impl<'a> NodeTree<'a> {
 
     /// The names of a node and of all above it, from the root on, as `body/arm/hand`. Of very deep ones the names nearest to
     /// the node are told.
-    pub(in crate::io::gltf) fn path(&self, node: usize) -> String {
+    pub fn path(&self, node: usize) -> String {
         let (way, is_cut) = self.way(node);
         let names: Vec<String> = way.into_iter().map(|node| self.name(node)).collect();
         format!("{}{}", if is_cut { "…/" } else { "" }, names.join("/"))
@@ -117,7 +113,7 @@ impl<'a> NodeTree<'a> {
 }
 
 /// Visits all nodes, each after its parent and before its next sibling.
-pub(in crate::io::gltf) fn each<'a>(
+pub fn each<'a>(
     json: &'a Json,
     mut visit: impl FnMut(Placed<'a>) -> Result<(), ReadError>,
 ) -> Result<(), ReadError> {

@@ -7,7 +7,7 @@ use crate::io::text::counted;
 use crate::io::{Note, Place, Problem, ReadError};
 
 /// glTF's codes for what a primitive draws.
-pub(in crate::io::gltf) mod mode {
+pub mod mode {
     pub const POINTS: u64 = 0;
     pub const LINES: u64 = 1;
     pub const LINE_LOOP: u64 = 2;
@@ -18,7 +18,7 @@ pub(in crate::io::gltf) mod mode {
 }
 
 /// What a primitive draws, as vertex numbers of its own accessors.
-pub(in crate::io::gltf) enum Drawn {
+pub enum Drawn {
     Points(Vec<u32>),
     Lines(Vec<Vec<u32>>),
     /// Three numbers a triangle.
@@ -26,7 +26,7 @@ pub(in crate::io::gltf) enum Drawn {
 }
 
 /// Reads the indices of a primitive with `count` vertices and resolves its mode.
-pub(in crate::io::gltf) fn draw(
+pub fn draw(
     source: &Source<'_>,
     primitive: &Primitive,
     count: usize,

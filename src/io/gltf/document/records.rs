@@ -6,43 +6,43 @@ use crate::io::{Note, Place, Problem, ReadError};
 
 /// A `bufferView`.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::io::gltf) struct View {
-    pub(in crate::io::gltf) object: Value,
-    pub(in crate::io::gltf) buffer: usize,
-    pub(in crate::io::gltf) offset: u64,
-    pub(in crate::io::gltf) length: u64,
-    pub(in crate::io::gltf) stride: Option<u64>,
+pub struct View {
+    pub object: Value,
+    pub buffer: usize,
+    pub offset: u64,
+    pub length: u64,
+    pub stride: Option<u64>,
     /// The name of the meshopt extension under which a compressed copy of the view is stored.
-    pub(in crate::io::gltf) meshopt: Option<&'static str>,
-    pub(in crate::io::gltf) extended: bool,
+    pub meshopt: Option<&'static str>,
+    pub extended: bool,
 }
 
 /// An `accessor`.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::io::gltf) struct Accessor {
-    pub(in crate::io::gltf) object: Value,
-    pub(in crate::io::gltf) view: Option<usize>,
-    pub(in crate::io::gltf) offset: u64,
-    pub(in crate::io::gltf) count: u64,
+pub struct Accessor {
+    pub object: Value,
+    pub view: Option<usize>,
+    pub offset: u64,
+    pub count: u64,
     /// How elements are stored; `None` for types that only an extension can mean.
-    pub(in crate::io::gltf) format: Option<Format>,
-    pub(in crate::io::gltf) sparse: Option<Sparse>,
+    pub format: Option<Format>,
+    pub sparse: Option<Sparse>,
 }
 
 /// Where the exceptions of a sparse accessor are.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::io::gltf) struct Sparse {
-    pub(in crate::io::gltf) count: u64,
-    pub(in crate::io::gltf) index_view: usize,
-    pub(in crate::io::gltf) index_offset: u64,
-    pub(in crate::io::gltf) index_component: Component,
-    pub(in crate::io::gltf) value_view: usize,
-    pub(in crate::io::gltf) value_offset: u64,
+pub struct Sparse {
+    pub count: u64,
+    pub index_view: usize,
+    pub index_offset: u64,
+    pub index_component: Component,
+    pub value_view: usize,
+    pub value_offset: u64,
 }
 
 /// The type of a number in a buffer, by its glTF code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(in crate::io::gltf) enum Component {
+pub enum Component {
     I8 = 5120,
     U8 = 5121,
     I16 = 5122,
@@ -52,12 +52,12 @@ pub(in crate::io::gltf) enum Component {
 }
 
 impl Component {
-    pub(in crate::io::gltf) fn from_code(code: u64) -> Option<Component> {
+    pub fn from_code(code: u64) -> Option<Component> {
         use Component::{F32, I8, I16, U8, U16, U32};
         [I8, U8, I16, U16, U32, F32].into_iter().find(|component| *component as u64 == code)
     }
 
-    pub(in crate::io::gltf) fn size(self) -> usize {
+    pub fn size(self) -> usize {
         match self {
             Component::I8 | Component::U8 => 1,
             Component::I16 | Component::U16 => 2,
@@ -68,22 +68,22 @@ impl Component {
 
 /// How one element of an accessor is stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(in crate::io::gltf) struct Format {
-    pub(in crate::io::gltf) component: Component,
-    pub(in crate::io::gltf) normalized: bool,
+pub struct Format {
+    pub component: Component,
+    pub normalized: bool,
     /// Components of a vector, or of a column of a matrix.
-    pub(in crate::io::gltf) width: usize,
+    pub width: usize,
     /// Columns of a matrix; 1 for scalars and vectors.
-    pub(in crate::io::gltf) columns: usize,
+    pub columns: usize,
 }
 
 impl Format {
-    pub(in crate::io::gltf) fn vector(component: Component, normalized: bool, width: usize) -> Format {
+    pub fn vector(component: Component, normalized: bool, width: usize) -> Format {
         Format { component, normalized, width, columns: 1 }
     }
 
     /// Bytes of an element. Each column of a matrix begins at a multiple of four.
-    pub(in crate::io::gltf) fn size(self) -> usize {
+    pub fn size(self) -> usize {
         let column = self.width * self.component.size();
         if self.columns == 1 { column } else { column.next_multiple_of(4) * self.columns }
     }
@@ -91,51 +91,51 @@ impl Format {
 
 /// A drawn piece of a mesh.
 #[derive(Clone, Debug)]
-pub(in crate::io::gltf) struct Primitive {
-    pub(in crate::io::gltf) object: Value,
-    pub(in crate::io::gltf) at: At,
-    pub(in crate::io::gltf) attributes: Attributes,
-    pub(in crate::io::gltf) targets: Vec<Attributes>,
-    pub(in crate::io::gltf) indices: Option<usize>,
-    pub(in crate::io::gltf) mode: u64,
-    pub(in crate::io::gltf) material: Option<usize>,
+pub struct Primitive {
+    pub object: Value,
+    pub at: At,
+    pub attributes: Attributes,
+    pub targets: Vec<Attributes>,
+    pub indices: Option<usize>,
+    pub mode: u64,
+    pub material: Option<usize>,
 }
 
 /// Accessors by semantic, and the JSON object that lists them.
 #[derive(Clone, Debug)]
-pub(in crate::io::gltf) struct Attributes {
-    pub(in crate::io::gltf) object: Value,
-    pub(in crate::io::gltf) list: Vec<(String, usize)>,
+pub struct Attributes {
+    pub object: Value,
+    pub list: Vec<(String, usize)>,
 }
 
 impl Attributes {
-    pub(in crate::io::gltf) fn get(&self, semantic: &str) -> Option<usize> {
+    pub fn get(&self, semantic: &str) -> Option<usize> {
         self.list.iter().find(|(name, _)| name == semantic).map(|&(_, accessor)| accessor)
     }
 }
 
 /// A mesh and the JSON object that it is.
 #[derive(Clone, Debug)]
-pub(in crate::io::gltf) struct MeshRecord {
-    pub(in crate::io::gltf) object: Value,
-    pub(in crate::io::gltf) name: String,
-    pub(in crate::io::gltf) primitives: Vec<Primitive>,
+pub struct MeshRecord {
+    pub object: Value,
+    pub name: String,
+    pub primitives: Vec<Primitive>,
 }
 
 /// A document without its buffers' bytes.
 #[derive(Clone, Debug)]
-pub(in crate::io::gltf) struct Records {
-    pub(in crate::io::gltf) json: Json,
-    pub(in crate::io::gltf) buffers: Vec<Value>,
-    pub(in crate::io::gltf) views: Vec<View>,
-    pub(in crate::io::gltf) accessors: Vec<Accessor>,
-    pub(in crate::io::gltf) meshes: Vec<MeshRecord>,
-    pub(in crate::io::gltf) materials: Vec<Value>,
+pub struct Records {
+    pub json: Json,
+    pub buffers: Vec<Value>,
+    pub views: Vec<View>,
+    pub accessors: Vec<Accessor>,
+    pub meshes: Vec<MeshRecord>,
+    pub materials: Vec<Value>,
 }
 
 impl Records {
     /// Reads the records and checks that every number between them leads somewhere.
-    pub(in crate::io::gltf) fn new(json: Json, notes: &mut Vec<Note>) -> Result<Records, ReadError> {
+    pub fn new(json: Json, notes: &mut Vec<Note>) -> Result<Records, ReadError> {
         let root = Fields::new(&json, json.root(), At::default())?;
         check_version(&root, notes)?;
         let objects = |name: &'static str| list(&root, name);
@@ -148,7 +148,7 @@ impl Records {
 }
 
 /// All objects of a top-level list, by number.
-pub(in crate::io::gltf) fn list(root: &Fields<'_>, name: &'static str) -> Result<Vec<Value>, ReadError> {
+pub fn list(root: &Fields<'_>, name: &'static str) -> Result<Vec<Value>, ReadError> {
     let array = root.array(name)?;
     let values: Vec<Value> = array.into_iter().flat_map(|array| root.json.elements(array)).collect();
     for (number, &value) in values.iter().enumerate() {

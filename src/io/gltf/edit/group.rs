@@ -18,11 +18,11 @@ use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 
 /// Primitives with the same vertex accessors, all of which get normals.
-pub(super) struct Group<'g, 'a> {
-    pub(super) vertices: VertexSource<'g>,
-    pub(super) members: &'g [Member<'a>],
-    pub(super) source: &'g Source<'a>,
-    pub(super) options: &'g WriteOptions,
+pub struct Group<'g, 'a> {
+    pub vertices: VertexSource<'g>,
+    pub members: &'g [Member<'a>],
+    pub source: &'g Source<'a>,
+    pub options: &'g WriteOptions,
 }
 
 /// A tangent for every corner, and its number among the different ones.
@@ -33,7 +33,7 @@ struct CornerTangents {
 
 impl Group<'_, '_> {
     /// Writes what changes. Returns how many vertices were added.
-    pub(super) fn write(
+    pub fn write(
         &self,
         store: &mut Store<'_>,
         tables: &mut SlotTables,
@@ -96,7 +96,7 @@ impl Group<'_, '_> {
     }
 
     /// Writes faces dropped and turned, where normals are as they were.
-    pub(super) fn write_faces(&self, store: &mut Store<'_>, remarks: &mut Remarks) -> Result<(), WriteError> {
+    pub fn write_faces(&self, store: &mut Store<'_>, remarks: &mut Remarks) -> Result<(), WriteError> {
         self.repair_positions(store)?;
         for member in self.members {
             let indices = member.corners.iter().map(|&corner| member.vertex(corner)).collect();

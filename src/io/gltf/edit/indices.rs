@@ -11,7 +11,7 @@ use std::borrow::Cow;
 
 /// Gives a primitive new triangles, as plain ones, if they are not what it has. Their type is as wide as it was, or
 /// as it has to be for the number of vertices.
-pub(super) fn rewrite_indices(
+pub fn rewrite_indices(
     store: &mut Store<'_>,
     member: &Member<'_>,
     mut indices: Vec<u32>,

@@ -7,14 +7,14 @@ mod member;
 mod refs;
 mod remarks;
 mod rows;
-pub(super) mod store;
+pub mod store;
 mod tangents;
 
 use crate::io::gltf::GltfDocument;
 use crate::io::gltf::container::package;
 use crate::io::gltf::extensions::QUANTIZATION;
 use crate::io::{Format, Loaded, Note, Part, PartEdit, Place, WriteError, WriteOptions, Written};
-pub(super) use encode::steps;
+pub use encode::steps;
 use group::Group;
 use member::Member;
 use remarks::Remarks;

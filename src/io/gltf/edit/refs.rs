@@ -8,7 +8,7 @@ use rustc_hash::FxHashSet;
 use std::ops::Range;
 
 /// How often each accessor and view is referred to.
-pub(super) struct References {
+pub struct References {
     accessors: Vec<u32>,
     views: Vec<u32>,
     /// Numbers that stand anywhere in an extension, and so may mean an accessor or a view.
@@ -21,7 +21,7 @@ pub(super) struct References {
 const NO_ACCESSORS: &[&str] = &["KHR_materials_variants", "KHR_lights_punctual"];
 
 impl References {
-    pub(super) fn new(document: &GltfDocument) -> References {
+    pub fn new(document: &GltfDocument) -> References {
         let records = &document.records;
         let json = &records.json;
         let mut accessors = vec![0; records.accessors.len()];
@@ -60,17 +60,17 @@ impl References {
     }
 
     /// Whether all references to an accessor are the `sites` that a change will go through.
-    pub(super) fn is_only_at(&self, accessor: usize, sites: usize) -> bool {
+    pub fn is_only_at(&self, accessor: usize, sites: usize) -> bool {
         self.accessors[accessor] as usize == sites && !self.pinned.contains(&(accessor as u64))
     }
 
     /// Whether one accessor alone uses a view.
-    pub(super) fn is_only_user(&self, view: usize) -> bool {
+    pub fn is_only_user(&self, view: usize) -> bool {
         self.views[view] == 1 && !self.pinned.contains(&(view as u64))
     }
 
     /// Whether an accessor's bytes are in the BIN chunk and nobody else's.
-    pub(super) fn owns_bytes(&self, accessor: usize) -> bool {
+    pub fn owns_bytes(&self, accessor: usize) -> bool {
         self.unaliased.contains(&accessor)
     }
 }
@@ -184,7 +184,7 @@ fn whole(document: &GltfDocument, view: usize) -> Extent {
 }
 
 /// An accessor reader for a document that was read, and so checked, before.
-pub(super) fn source(document: &GltfDocument) -> Source<'_> {
+pub fn source(document: &GltfDocument) -> Source<'_> {
     let (implied_limit, memory) = (u64::MAX, std::cell::Cell::new(u64::MAX));
     Source { records: &document.records, buffers: &document.buffers, implied_limit, memory }
 }

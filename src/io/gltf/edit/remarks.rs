@@ -10,27 +10,27 @@ use crate::io::{Note, Place, WriteError};
 
 /// Counts of what is worth telling, each told once.
 #[derive(Default)]
-pub(super) struct Remarks {
+pub struct Remarks {
     /// Corners without a normal of their own among others that have one.
-    pub(super) without_normal: usize,
+    pub without_normal: usize,
     /// Primitives whose morph targets have normal deltas that nobody recomputed.
-    pub(super) stale_deltas: usize,
+    pub stale_deltas: usize,
     /// Primitives whose tangents were left out.
-    pub(super) tangents_dropped: usize,
+    pub tangents_dropped: usize,
     /// Primitives whose morph targets lost their tangents to new ones of the base.
-    pub(super) tangent_deltas_dropped: usize,
+    pub tangent_deltas_dropped: usize,
     /// Primitives that lost all their faces.
-    pub(super) emptied: usize,
+    pub emptied: usize,
     /// Primitives whose compressed copy was left out.
     draco_dropped: usize,
     /// Normals are stored as integers.
-    pub(super) quantized: bool,
+    pub quantized: bool,
 }
 
 impl Remarks {
     /// Refuses to break an extension that counts vertices or triangles. `indices` are the new ones; `moved` tells
     /// that some of them name new vertices.
-    pub(super) fn check_order(
+    pub fn check_order(
         &self,
         document: &GltfDocument,
         member: &Member<'_>,
@@ -71,7 +71,7 @@ impl Remarks {
     }
 
     /// Leaves out a compressed copy of a primitive that no longer is one.
-    pub(super) fn drop_draco(&mut self, store: &mut Store<'_>, member: &Member<'_>) {
+    pub fn drop_draco(&mut self, store: &mut Store<'_>, member: &Member<'_>) {
         let json = &store.document.records.json;
         let extensions = json.member(member.primitive.object, "extensions");
         if let Some(extensions) = extensions.filter(|&extensions| json.member(extensions, DRACO).is_some()) {
@@ -81,7 +81,7 @@ impl Remarks {
     }
 
     /// Turns the counts into notes.
-    pub(super) fn tell(&self, notes: &mut Vec<Note>) {
+    pub fn tell(&self, notes: &mut Vec<Note>) {
         let mut warn = |count: usize, of: [&str; 2], text: &str| {
             if count > 0 {
                 let [one, many] = of;

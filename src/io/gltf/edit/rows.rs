@@ -12,18 +12,18 @@ use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 
 /// What a set of vertices has stored so far, and how it will be stored.
-pub(super) struct Stored<'a> {
-    pub(super) format: Format,
+pub struct Stored<'a> {
+    pub format: Format,
     /// The stored normals, as bytes of `format`; `None` where there are none, or they were stored otherwise.
     same: Option<Cow<'a, [u8]>>,
     /// The stored normals as numbers, if there are any.
     floats: Option<Vec<[f32; 3]>>,
     /// The stored normal deltas of each morph target that gets new ones.
-    pub(super) deltas: Vec<Option<Vec<[f32; 3]>>>,
+    pub deltas: Vec<Option<Vec<[f32; 3]>>>,
 }
 
 impl<'a> Stored<'a> {
-    pub(super) fn new(
+    pub fn new(
         source: &Source<'a>,
         vertices: VertexSource<'_>,
         wanted: NormalFormat,
@@ -100,7 +100,7 @@ impl<'a> Stored<'a> {
     }
 
     /// The normal of a row.
-    pub(super) fn decode(&self, row: &[u8]) -> Vec3 {
+    pub fn decode(&self, row: &[u8]) -> Vec3 {
         let number = |axis: usize| match self.format.size() {
             3 => f32::from(row[axis] as i8) / 127.0,
             6 => f32::from(i16::from_le_bytes([row[2 * axis], row[2 * axis + 1]])) / 32767.0,
@@ -115,17 +115,17 @@ fn push_raw(vector: [f32; 3], out: &mut Vec<u8>) {
 }
 
 /// The rows that the corners of a group of primitives ask for, equal ones once.
-pub(super) struct Rows {
+pub struct Rows {
     bytes: Vec<u8>,
     size: usize,
     /// The row of each corner, over all members.
-    pub(super) of_corner: Vec<u32>,
+    pub of_corner: Vec<u32>,
     /// Corners without a normal of their own, among others that have one.
-    pub(super) missing: usize,
+    pub missing: usize,
 }
 
 impl Rows {
-    pub(super) fn new(stored: &Stored<'_>, members: &[Member<'_>], tables: &mut SlotTables) -> Rows {
+    pub fn new(stored: &Stored<'_>, members: &[Member<'_>], tables: &mut SlotTables) -> Rows {
         let mut rows = Rows { bytes: Vec::new(), size: stored.size(), of_corner: Vec::new(), missing: 0 };
         let mut count = 0;
         for member in members {
@@ -167,13 +167,13 @@ impl Rows {
         self.of_corner.iter_mut().for_each(|row| *row = canonical[*row as usize]);
     }
 
-    pub(super) fn row(&self, number: u32) -> &[u8] {
+    pub fn row(&self, number: u32) -> &[u8] {
         let start = number as usize * self.size;
         &self.bytes[start..start + self.size]
     }
 
     /// The rows of vertices, one after the other: that of the given number, or as stored where it is [`NONE`].
-    pub(super) fn gather(&self, stored: &Stored<'_>, vertices: impl Iterator<Item = (u32, u32)>) -> Table {
+    pub fn gather(&self, stored: &Stored<'_>, vertices: impl Iterator<Item = (u32, u32)>) -> Table {
         let mut bytes = Vec::new();
         for (row, old_vertex) in vertices {
             if row == NONE {
@@ -187,24 +187,24 @@ impl Rows {
 }
 
 /// One row a vertex.
-pub(super) struct Table {
+pub struct Table {
     bytes: Vec<u8>,
     size: usize,
 }
 
 impl Table {
     /// Normals, as bytes without gaps.
-    pub(super) fn normals(&self, stored: &Stored<'_>) -> Cow<'_, [u8]> {
+    pub fn normals(&self, stored: &Stored<'_>) -> Cow<'_, [u8]> {
         self.column(0, stored.format.size())
     }
 
     /// Normal deltas of a morph target.
-    pub(super) fn deltas(&self, stored: &Stored<'_>, target: usize) -> Cow<'_, [u8]> {
+    pub fn deltas(&self, stored: &Stored<'_>, target: usize) -> Cow<'_, [u8]> {
         self.column(stored.format.size() + 12 * target, 12)
     }
 
     /// Whether this is what is stored already.
-    pub(super) fn is_stored(&self, stored: &Stored<'_>) -> bool {
+    pub fn is_stored(&self, stored: &Stored<'_>) -> bool {
         let same = stored.same.as_ref().is_some_and(|bytes| *bytes == self.normals(stored));
         let delta = |(target, delta): (usize, &Option<Vec<[f32; 3]>>)| {
             let new = self.deltas(stored, target);
@@ -217,7 +217,7 @@ impl Table {
     }
 
     /// Mends the normals of vertices that no corner uses, given the row that each vertex comes from.
-    pub(super) fn mend_unused(&mut self, stored: &Stored<'_>, vertices: impl Iterator<Item = (u32, u32)>) {
+    pub fn mend_unused(&mut self, stored: &Stored<'_>, vertices: impl Iterator<Item = (u32, u32)>) {
         for (row, _) in
             self.bytes.chunks_exact_mut(self.size).zip(vertices).filter(|(_, (row, _))| *row == NONE)
         {
@@ -239,7 +239,7 @@ impl Table {
 
 /// For each part, a table from normal numbers to rows, kept empty between groups.
 #[derive(Default)]
-pub(super) struct SlotTables {
+pub struct SlotTables {
     tables: FxHashMap<usize, Vec<u32>>,
 }
 

@@ -13,9 +13,9 @@ use std::borrow::Cow;
 use std::ops::Range;
 
 /// Collects the changes to a document.
-pub(in crate::io::gltf) struct Store<'a> {
-    pub(in crate::io::gltf) document: &'a GltfDocument,
-    pub(in crate::io::gltf) splices: Splices<'a>,
+pub struct Store<'a> {
+    pub document: &'a GltfDocument,
+    pub splices: Splices<'a>,
     refs: References,
     /// Bytes to write over those of the BIN chunk: where, how far apart, how large, and what.
     patches: Vec<Patch>,
@@ -29,7 +29,7 @@ pub(in crate::io::gltf) struct Store<'a> {
 
 /// Where appended data go.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Home {
+pub enum Home {
     /// Into the BIN chunk, from this byte on.
     Bin(usize),
     /// Into a buffer of their own with this number.
@@ -44,29 +44,29 @@ struct Patch {
 }
 
 /// New elements of an accessor.
-pub(super) struct NewData<'d> {
-    pub(super) format: Format,
-    pub(super) count: usize,
+pub struct NewData<'d> {
+    pub format: Format,
+    pub count: usize,
     /// Elements without gaps.
-    pub(super) bytes: Cow<'d, [u8]>,
-    pub(super) target: Target,
+    pub bytes: Cow<'d, [u8]>,
+    pub target: Target,
     /// The values are the old ones, only more of each, so that their bounds stay right.
-    pub(super) same_bounds: bool,
+    pub same_bounds: bool,
 }
 
 /// All that was collected, in the form that a file is made of.
-pub(in crate::io::gltf) struct Changed {
-    pub(in crate::io::gltf) json: String,
+pub struct Changed {
+    pub json: String,
     /// The BIN chunk, if it changed.
-    pub(in crate::io::gltf) bin: Option<Vec<u8>>,
+    pub bin: Option<Vec<u8>>,
     /// The content of the additional buffer, if there is one.
-    pub(in crate::io::gltf) extra: Option<Vec<u8>>,
+    pub extra: Option<Vec<u8>>,
     /// The old buffer that the additional one stands in for.
-    pub(in crate::io::gltf) replaced: Option<usize>,
+    pub replaced: Option<usize>,
 }
 
 impl<'a> Store<'a> {
-    pub(super) fn new(document: &'a GltfDocument) -> Self {
+    pub fn new(document: &'a GltfDocument) -> Self {
         let buffers = &document.buffers.list;
         let home = match (&document.glb, buffers.first().map(|buffer| &buffer.storage)) {
             (Some(_), Some(Storage::Bin(range))) => Home::Bin(padded(range.len())),
@@ -87,12 +87,12 @@ impl<'a> Store<'a> {
     }
 
     /// Whether anything changed.
-    pub(in crate::io::gltf) fn is_empty(&self) -> bool {
+    pub fn is_empty(&self) -> bool {
         self.patches.is_empty() && self.splices.is_empty()
     }
 
     /// Stores new elements for a member of the objects `sites`, which all refer to the accessor `old`, or to none.
-    pub(super) fn put(&mut self, old: Option<usize>, name: &str, sites: &[Value], data: &NewData<'_>) {
+    pub fn put(&mut self, old: Option<usize>, name: &str, sites: &[Value], data: &NewData<'_>) {
         let Some(old) = old else {
             let view = self.append_view(data);
             let accessor = self.append_accessor(accessor_json(view, data.format, data.count, None));
@@ -262,7 +262,7 @@ impl<'a> Store<'a> {
     }
 
     /// Makes the document use and require an extension.
-    pub(super) fn require(&mut self, name: &str) {
+    pub fn require(&mut self, name: &str) {
         for list in ["extensionsUsed", "extensionsRequired"] {
             if !self.document.lists(list, name) {
                 self.push(list, quoted(name));
@@ -272,11 +272,7 @@ impl<'a> Store<'a> {
 
     /// Makes all changes. An additional buffer gets the address that `uri` makes of its content; it takes the number
     /// of the buffer `stale`, if nothing is left in that one.
-    pub(in crate::io::gltf) fn finish(
-        mut self,
-        stale: Option<usize>,
-        uri: impl FnOnce(&[u8]) -> Option<String>,
-    ) -> Changed {
+    pub fn finish(mut self, stale: Option<usize>, uri: impl FnOnce(&[u8]) -> Option<String>) -> Changed {
         let document = self.document;
         let bin = document.glb.as_ref().and_then(|glb| glb.bin());
         let old: &[u8] = bin.map_or(&[], |range: Range<usize>| &document.buffers.file[range]);

@@ -7,35 +7,35 @@ use std::borrow::Cow;
 /// The place of an object in a document: up to two numbered steps, such as `/meshes/3/primitives/1`, and perhaps one more
 /// by name.
 #[derive(Clone, Copy, Debug, Default)]
-pub(in crate::io::gltf) struct At {
+pub struct At {
     steps: [Option<(&'static str, usize)>; 2],
     last: Option<&'static str>,
 }
 
 impl At {
-    pub(in crate::io::gltf) fn new(list: &'static str, number: usize) -> At {
+    pub fn new(list: &'static str, number: usize) -> At {
         At { steps: [Some((list, number)), None], last: None }
     }
 
-    pub(in crate::io::gltf) fn then(self, list: &'static str, number: usize) -> At {
+    pub fn then(self, list: &'static str, number: usize) -> At {
         At { steps: [self.steps[0], Some((list, number))], last: None }
     }
 
     /// The place of a member that is an object itself.
-    pub(in crate::io::gltf) fn member_at(self, name: &'static str) -> At {
+    pub fn member_at(self, name: &'static str) -> At {
         At { last: Some(name), ..self }
     }
 
-    pub(in crate::io::gltf) fn place(self) -> Place {
+    pub fn place(self) -> Place {
         Place::Json(self.pointer())
     }
 
-    pub(in crate::io::gltf) fn member(self, name: &str) -> Place {
+    pub fn member(self, name: &str) -> Place {
         Place::Json(format!("{}/{name}", self.pointer()))
     }
 
     /// The numbers of the two steps; 0 for one that is not there.
-    pub(in crate::io::gltf) fn numbers(self) -> (usize, usize) {
+    pub fn numbers(self) -> (usize, usize) {
         let [first, second] = self.steps.map(|step| step.map_or(0, |(_, number)| number));
         (first, second)
     }
@@ -48,15 +48,15 @@ impl At {
 
 /// An object whose members are read by name and type.
 #[derive(Clone, Copy)]
-pub(in crate::io::gltf) struct Fields<'a> {
-    pub(in crate::io::gltf) json: &'a Json,
-    pub(in crate::io::gltf) object: Value,
-    pub(in crate::io::gltf) at: At,
+pub struct Fields<'a> {
+    pub json: &'a Json,
+    pub object: Value,
+    pub at: At,
 }
 
 impl<'a> Fields<'a> {
     /// The fields of a value, which must be an object.
-    pub(in crate::io::gltf) fn new(json: &'a Json, object: Value, at: At) -> Result<Self, ReadError> {
+    pub fn new(json: &'a Json, object: Value, at: At) -> Result<Self, ReadError> {
         if json.kind(object) == Kind::Object {
             Ok(Self { json, object, at })
         } else {
@@ -65,40 +65,37 @@ impl<'a> Fields<'a> {
     }
 
     /// A non-negative integer.
-    pub(in crate::io::gltf) fn integer(&self, name: &str) -> Result<Option<u64>, ReadError> {
+    pub fn integer(&self, name: &str) -> Result<Option<u64>, ReadError> {
         self.typed(name, "a non-negative integer", |value| self.json.integer(value))
     }
 
     /// The number of an element in another list.
-    pub(in crate::io::gltf) fn index(&self, name: &str) -> Result<Option<usize>, ReadError> {
+    pub fn index(&self, name: &str) -> Result<Option<usize>, ReadError> {
         let index = self.integer(name)?;
         Ok(index.map(|index| usize::try_from(index).unwrap_or(usize::MAX)))
     }
 
     /// A non-negative integer that has to be there.
-    pub(in crate::io::gltf) fn required(&self, name: &str) -> Result<u64, ReadError> {
+    pub fn required(&self, name: &str) -> Result<u64, ReadError> {
         self.integer(name)?.ok_or_else(|| self.missing(name))
     }
 
-    pub(in crate::io::gltf) fn boolean(&self, name: &str) -> Result<Option<bool>, ReadError> {
+    pub fn boolean(&self, name: &str) -> Result<Option<bool>, ReadError> {
         self.typed(name, "true or false", |value| self.json.boolean(value))
     }
 
-    pub(in crate::io::gltf) fn string(&self, name: &str) -> Result<Option<Cow<'a, str>>, ReadError> {
+    pub fn string(&self, name: &str) -> Result<Option<Cow<'a, str>>, ReadError> {
         let json = self.json;
         self.typed(name, "a string", |value| json.string(value))
     }
 
     /// A finite number.
-    pub(in crate::io::gltf) fn number(&self, name: &str) -> Result<Option<f64>, ReadError> {
+    pub fn number(&self, name: &str) -> Result<Option<f64>, ReadError> {
         self.typed(name, "a finite number", |value| self.json.number(value).filter(|n| n.is_finite()))
     }
 
     /// A list of exactly `N` numbers, all finite.
-    pub(in crate::io::gltf) fn numbers<const N: usize>(
-        &self,
-        name: &str,
-    ) -> Result<Option<[f64; N]>, ReadError> {
+    pub fn numbers<const N: usize>(&self, name: &str) -> Result<Option<[f64; N]>, ReadError> {
         self.typed(name, "a list of finite numbers of the right length", |value| {
             let mut numbers = [0.0; N];
             let mut elements = self.json.elements(value);
@@ -109,16 +106,16 @@ impl<'a> Fields<'a> {
         })
     }
 
-    pub(in crate::io::gltf) fn object(&self, name: &str) -> Result<Option<Value>, ReadError> {
+    pub fn object(&self, name: &str) -> Result<Option<Value>, ReadError> {
         self.typed(name, "an object", |value| (self.json.kind(value) == Kind::Object).then_some(value))
     }
 
-    pub(in crate::io::gltf) fn array(&self, name: &str) -> Result<Option<Value>, ReadError> {
+    pub fn array(&self, name: &str) -> Result<Option<Value>, ReadError> {
         self.typed(name, "a list", |value| (self.json.kind(value) == Kind::Array).then_some(value))
     }
 
     /// A list of element numbers; empty if there is none.
-    pub(in crate::io::gltf) fn indices(&self, name: &str) -> Result<Vec<usize>, ReadError> {
+    pub fn indices(&self, name: &str) -> Result<Vec<usize>, ReadError> {
         let Some(array) = self.array(name)? else { return Ok(Vec::new()) };
         let index = |value| {
             let index = self.json.integer(value).and_then(|index| usize::try_from(index).ok());
@@ -128,12 +125,12 @@ impl<'a> Fields<'a> {
     }
 
     /// An extension object by name, if there.
-    pub(in crate::io::gltf) fn extension(&self, name: &str) -> Option<Value> {
+    pub fn extension(&self, name: &str) -> Option<Value> {
         let extensions = self.json.member(self.object, "extensions")?;
         self.json.member(extensions, name)
     }
 
-    pub(in crate::io::gltf) fn missing(&self, name: &str) -> ReadError {
+    pub fn missing(&self, name: &str) -> ReadError {
         let found = format!("no `{name}`, which glTF requires");
         ReadError::new(Problem::Syntax, self.at.place(), found, "export the file again")
     }
@@ -161,7 +158,7 @@ fn mismatch(json: &Json, value: Value, place: Place, wanted: &str) -> ReadError 
 }
 
 /// An error about an element number that is too large.
-pub(in crate::io::gltf) fn dangling(place: Place, what: &str, index: usize, count: usize) -> ReadError {
+pub fn dangling(place: Place, what: &str, index: usize, count: usize) -> ReadError {
     let found = format!("{what} {index} is asked for, counted from 0, where the file has {count}");
     ReadError::new(Problem::Range, place, found, "the file is broken; export it again")
 }

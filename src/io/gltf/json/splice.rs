@@ -5,12 +5,12 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// What becomes of the members of an object: a new text, or `None` to leave the member out.
-pub(in crate::io::gltf) type Changes = Vec<(String, Option<String>)>;
+pub type Changes = Vec<(String, Option<String>)>;
 
 /// Changes to objects and arrays of a text, to be made all at once.
 ///
 /// New members and elements take over the blanks of the one before them, so that indented text stays indented.
-pub(in crate::io::gltf) struct Splices<'a> {
+pub struct Splices<'a> {
     json: &'a Json,
     objects: BTreeMap<Value, Changes>,
     arrays: BTreeMap<Value, Vec<String>>,
@@ -20,7 +20,7 @@ pub(in crate::io::gltf) struct Splices<'a> {
 }
 
 impl<'a> Splices<'a> {
-    pub(in crate::io::gltf) fn new(json: &'a Json) -> Self {
+    pub fn new(json: &'a Json) -> Self {
         Self {
             json,
             objects: BTreeMap::new(),
@@ -31,34 +31,34 @@ impl<'a> Splices<'a> {
     }
 
     /// Gives a member of an object a new text, or adds the member.
-    pub(in crate::io::gltf) fn set(&mut self, object: Value, name: &str, text: impl ToString) {
+    pub fn set(&mut self, object: Value, name: &str, text: impl ToString) {
         self.change(object, name, Some(text.to_string()));
     }
 
     /// Takes a member out of an object, if it is there.
-    pub(in crate::io::gltf) fn remove(&mut self, object: Value, name: &str) {
+    pub fn remove(&mut self, object: Value, name: &str) {
         self.change(object, name, None);
     }
 
     /// Makes several changes to an object.
-    pub(in crate::io::gltf) fn change_all(&mut self, object: Value, changes: Changes) {
+    pub fn change_all(&mut self, object: Value, changes: Changes) {
         for (name, text) in changes {
             self.change(object, &name, text);
         }
     }
 
     /// Adds an element to an array.
-    pub(in crate::io::gltf) fn push(&mut self, array: Value, text: String) {
+    pub fn push(&mut self, array: Value, text: String) {
         self.arrays.entry(array).or_default().push(text);
     }
 
     /// Adds an element to a list of an object that does not have the list yet.
-    pub(in crate::io::gltf) fn push_new(&mut self, object: Value, name: &'static str, text: String) {
+    pub fn push_new(&mut self, object: Value, name: &'static str, text: String) {
         self.new_arrays.entry((object, name)).or_default().push(text);
     }
 
     /// Whether no change was asked for.
-    pub(in crate::io::gltf) fn is_empty(&self) -> bool {
+    pub fn is_empty(&self) -> bool {
         self.objects.is_empty()
             && self.arrays.is_empty()
             && self.values.is_empty()
@@ -66,12 +66,12 @@ impl<'a> Splices<'a> {
     }
 
     /// Replaces a whole value that is in no other change.
-    pub(in crate::io::gltf) fn replace(&mut self, value: Value, text: String) {
+    pub fn replace(&mut self, value: Value, text: String) {
         self.values.insert(value, text);
     }
 
     /// The text with all changes made.
-    pub(in crate::io::gltf) fn apply(mut self) -> String {
+    pub fn apply(mut self) -> String {
         let mut splices: Vec<(Range<usize>, String)> = Vec::new();
         for ((object, name), elements) in std::mem::take(&mut self.new_arrays) {
             self.set(object, name, format!("[{}]", elements.join(",")));
@@ -96,7 +96,7 @@ impl<'a> Splices<'a> {
 }
 
 /// An object's text with changes made to it.
-pub(in crate::io::gltf) fn changed_object(json: &Json, object: Value, changes: &Changes) -> String {
+pub fn changed_object(json: &Json, object: Value, changes: &Changes) -> String {
     let mut splices = Vec::new();
     object_splices(json, object, changes, &mut splices);
     spliced(json.text(), json.span(object), splices)

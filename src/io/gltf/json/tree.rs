@@ -10,11 +10,11 @@ use std::ops::Range;
 
 /// A value of a [`Json`] text: its number in document order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub(in crate::io::gltf) struct Value(u32);
+pub struct Value(u32);
 
 /// What a value is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::io::gltf) enum Kind {
+pub enum Kind {
     Object,
     Array,
     String,
@@ -33,18 +33,14 @@ struct Node {
 
 /// A JSON text and the spans of its values.
 #[derive(Clone, Debug)]
-pub(in crate::io::gltf) struct Json {
+pub struct Json {
     text: String,
     nodes: Vec<Node>,
 }
 
 impl Json {
     /// Scans a text. `origin` is the offset of the text in its file, for error places.
-    pub(in crate::io::gltf) fn parse(
-        text: Vec<u8>,
-        origin: u64,
-        max_depth: usize,
-    ) -> Result<Json, ReadError> {
+    pub fn parse(text: Vec<u8>, origin: u64, max_depth: usize) -> Result<Json, ReadError> {
         let syntax = |at: usize, found: String| {
             let advice = "the JSON is broken; export the file again";
             ReadError::new(Problem::Syntax, Place::Byte(origin + at as u64), found, advice)
@@ -77,32 +73,32 @@ impl Json {
     }
 
     /// The whole text.
-    pub(in crate::io::gltf) fn text(&self) -> &str {
+    pub fn text(&self) -> &str {
         &self.text
     }
 
     /// The outermost value.
-    pub(in crate::io::gltf) fn root(&self) -> Value {
+    pub fn root(&self) -> Value {
         Value(0)
     }
 
-    pub(in crate::io::gltf) fn kind(&self, value: Value) -> Kind {
+    pub fn kind(&self, value: Value) -> Kind {
         self.node(value).kind
     }
 
     /// The bytes of the text that a value takes.
-    pub(in crate::io::gltf) fn span(&self, value: Value) -> Range<usize> {
+    pub fn span(&self, value: Value) -> Range<usize> {
         let node = self.node(value);
         node.start as usize..node.end as usize
     }
 
     /// A value as it is spelt.
-    pub(in crate::io::gltf) fn raw(&self, value: Value) -> &str {
+    pub fn raw(&self, value: Value) -> &str {
         &self.text[self.span(value)]
     }
 
     /// The members of an object, in order; nothing for other values.
-    pub(in crate::io::gltf) fn members(&self, object: Value) -> impl Iterator<Item = (Value, Value)> + '_ {
+    pub fn members(&self, object: Value) -> impl Iterator<Item = (Value, Value)> + '_ {
         let end = if self.kind(object) == Kind::Object { self.node(object).next } else { object.0 + 1 };
         let mut key = object.0 + 1;
         std::iter::from_fn(move || {
@@ -116,7 +112,7 @@ impl Json {
     }
 
     /// The elements of an array, in order; nothing for other values.
-    pub(in crate::io::gltf) fn elements(&self, array: Value) -> impl Iterator<Item = Value> + '_ {
+    pub fn elements(&self, array: Value) -> impl Iterator<Item = Value> + '_ {
         let end = if self.kind(array) == Kind::Array { self.node(array).next } else { array.0 + 1 };
         let mut element = array.0 + 1;
         std::iter::from_fn(move || {
@@ -130,17 +126,17 @@ impl Json {
     }
 
     /// All values inside a value, at any depth, keys included.
-    pub(in crate::io::gltf) fn descendants(&self, value: Value) -> impl Iterator<Item = Value> + '_ {
+    pub fn descendants(&self, value: Value) -> impl Iterator<Item = Value> + '_ {
         (value.0 + 1..self.node(value).next).map(Value)
     }
 
     /// The member of an object with a name; the last one if there are several, as browsers do.
-    pub(in crate::io::gltf) fn member(&self, object: Value, name: &str) -> Option<Value> {
+    pub fn member(&self, object: Value, name: &str) -> Option<Value> {
         self.members(object).filter(|&(key, _)| self.is_string(key, name)).map(|(_, value)| value).last()
     }
 
     /// The text of a string, without quotes and escapes; `None` for other values.
-    pub(in crate::io::gltf) fn string(&self, value: Value) -> Option<Cow<'_, str>> {
+    pub fn string(&self, value: Value) -> Option<Cow<'_, str>> {
         if self.kind(value) != Kind::String {
             return None;
         }
@@ -155,12 +151,12 @@ impl Json {
     }
 
     /// A number; `None` for other values.
-    pub(in crate::io::gltf) fn number(&self, value: Value) -> Option<f64> {
+    pub fn number(&self, value: Value) -> Option<f64> {
         if self.kind(value) == Kind::Number { self.raw(value).parse().ok() } else { None }
     }
 
     /// A number without fraction and sign, however spelt (`3`, `3.0`, `3e0`); `None` for other values.
-    pub(in crate::io::gltf) fn integer(&self, value: Value) -> Option<u64> {
+    pub fn integer(&self, value: Value) -> Option<u64> {
         if self.kind(value) != Kind::Number {
             return None;
         }
@@ -171,7 +167,7 @@ impl Json {
     }
 
     /// `true` or `false`; `None` for other values.
-    pub(in crate::io::gltf) fn boolean(&self, value: Value) -> Option<bool> {
+    pub fn boolean(&self, value: Value) -> Option<bool> {
         match self.raw(value) {
             "true" => Some(true),
             "false" => Some(false),
@@ -189,7 +185,7 @@ impl Json {
 }
 
 /// A string as JSON, quotes included.
-pub(in crate::io::gltf) fn quoted(text: &str) -> String {
+pub fn quoted(text: &str) -> String {
     serde_json::Value::from(text).to_string()
 }
 

@@ -10,14 +10,14 @@ const _: () = assert!(cfg!(target_endian = "little"), "a big-endian machine need
 
 /// What a view is for: glTF's codes for vertex attributes and for indices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::io::gltf) enum Target {
+pub enum Target {
     Vertices = 34962,
     Indices = 34963,
 }
 
 /// An array that becomes a buffer view of its own.
 #[derive(Clone, Debug)]
-pub(in crate::io::gltf) enum Array<'a> {
+pub enum Array<'a> {
     Vec2(Vec<[f32; 2]>),
     Vec3(Vec<[f32; 3]>),
     Vec4(Vec<[f32; 4]>),
@@ -31,7 +31,7 @@ pub(in crate::io::gltf) enum Array<'a> {
 
 impl Array<'_> {
     /// Indices in the smallest type of two or four bytes that has room; the largest value of each is forbidden.
-    pub(in crate::io::gltf) fn indices(indices: Cow<'_, [u32]>, vertices: usize) -> Array<'_> {
+    pub fn indices(indices: Cow<'_, [u32]>, vertices: usize) -> Array<'_> {
         if vertices <= usize::from(u16::MAX) {
             Array::U16(indices.iter().map(|&index| index as u16).collect())
         } else {
@@ -39,7 +39,7 @@ impl Array<'_> {
         }
     }
 
-    pub(in crate::io::gltf) fn bytes(&self) -> &[u8] {
+    pub fn bytes(&self) -> &[u8] {
         match self {
             Array::Vec2(values) => bytemuck::cast_slice(values),
             Array::Vec3(values) => bytemuck::cast_slice(values),
@@ -52,12 +52,12 @@ impl Array<'_> {
     }
 
     /// How many elements it has.
-    pub(in crate::io::gltf) fn count(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.bytes().len() / self.stride().unwrap_or(self.format().size())
     }
 
     /// From the beginning of an element to that of the next, where fillers are between them.
-    pub(in crate::io::gltf) fn stride(&self) -> Option<usize> {
+    pub fn stride(&self) -> Option<usize> {
         match self {
             Array::Bytes3(_) => Some(size_of::<[i8; 4]>()),
             Array::Shorts3(_) => Some(size_of::<[i16; 4]>()),
@@ -65,7 +65,7 @@ impl Array<'_> {
         }
     }
 
-    pub(in crate::io::gltf) fn format(&self) -> Format {
+    pub fn format(&self) -> Format {
         match self {
             Array::Vec2(_) => Format::vector(Component::F32, false, 2),
             Array::Vec3(_) => Format::vector(Component::F32, false, 3),
@@ -79,13 +79,7 @@ impl Array<'_> {
 }
 
 /// The JSON of a buffer view. A stride is told where elements do not fill whole multiples of four.
-pub(in crate::io::gltf) fn view_json(
-    buffer: usize,
-    offset: u64,
-    length: usize,
-    stride: Option<usize>,
-    target: Target,
-) -> String {
+pub fn view_json(buffer: usize, offset: u64, length: usize, stride: Option<usize>, target: Target) -> String {
     let mut json = format!("{{\"buffer\":{buffer},\"byteOffset\":{offset},\"byteLength\":{length}");
     if let Some(stride) = stride {
         let _ = write!(json, ",\"byteStride\":{stride}");
@@ -95,12 +89,7 @@ pub(in crate::io::gltf) fn view_json(
 }
 
 /// The JSON of an accessor that fills a view from its start.
-pub(in crate::io::gltf) fn accessor_json(
-    view: usize,
-    format: Format,
-    count: usize,
-    bounds: Option<&Bounds>,
-) -> String {
+pub fn accessor_json(view: usize, format: Format, count: usize, bounds: Option<&Bounds>) -> String {
     let kind = ["SCALAR", "VEC2", "VEC3", "VEC4"][format.width - 1];
     let mut json = format!("{{\"bufferView\":{view},\"componentType\":{}", format.component as u32);
     if format.normalized {
@@ -116,13 +105,13 @@ pub(in crate::io::gltf) fn accessor_json(
 
 /// Smallest and largest value of each component, in the units of the storage.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::io::gltf) struct Bounds {
-    pub(in crate::io::gltf) low: Vec<f64>,
-    pub(in crate::io::gltf) high: Vec<f64>,
+pub struct Bounds {
+    pub low: Vec<f64>,
+    pub high: Vec<f64>,
 }
 
 /// A list of numbers, each in the shortest spelling that reads back as the same double.
-pub(in crate::io::gltf) fn number_list(numbers: &[f64]) -> String {
+pub fn number_list(numbers: &[f64]) -> String {
     let spelt: Vec<String> =
         numbers.iter().map(|&number| serde_json::Value::from(number).to_string()).collect();
     format!("[{}]", spelt.join(","))
@@ -130,14 +119,14 @@ pub(in crate::io::gltf) fn number_list(numbers: &[f64]) -> String {
 
 /// Pieces that make up a buffer, each at a multiple of four.
 #[derive(Clone, Debug, Default)]
-pub(in crate::io::gltf) struct Blob<'a> {
-    pub(in crate::io::gltf) arrays: Vec<Array<'a>>,
-    pub(in crate::io::gltf) length: u64,
+pub struct Blob<'a> {
+    pub arrays: Vec<Array<'a>>,
+    pub length: u64,
 }
 
 impl<'a> Blob<'a> {
     /// Adds an array and returns where it begins.
-    pub(in crate::io::gltf) fn push(&mut self, array: Array<'a>) -> u64 {
+    pub fn push(&mut self, array: Array<'a>) -> u64 {
         let offset = self.length;
         self.length += padded(array.bytes().len()) as u64;
         self.arrays.push(array);
@@ -145,7 +134,7 @@ impl<'a> Blob<'a> {
     }
 
     /// The bytes, piece by piece, fillers included.
-    pub(in crate::io::gltf) fn pieces(&self) -> Vec<&[u8]> {
+    pub fn pieces(&self) -> Vec<&[u8]> {
         const FILLER: [u8; 4] = [0; 4];
         let bytes = self.arrays.iter().map(Array::bytes);
         bytes.flat_map(|bytes| [bytes, &FILLER[..padded(bytes.len()) - bytes.len()]]).collect()

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 /// Vertices that nothing uses are left out, and counted. `None` if all faces are of one object, or of none.
 ///
 /// Normals are as they are: what was smoothed across objects stays smooth across them.
-pub(in crate::io::gltf) fn by_object(part: &Part) -> Option<(Vec<Part>, usize)> {
+pub fn by_object(part: &Part) -> Option<(Vec<Part>, usize)> {
     let mesh = &part.mesh;
     let labels = mesh.columns().objects.as_ref()?;
     let first = *labels.of_face.first()?;
@@ -169,7 +169,7 @@ fn cut_labels(labels: &FaceLabels, faces: &[u32], numbers: &mut Numbers) -> Face
 }
 
 /// The parts to write: those given, or where one has several objects, these.
-pub(in crate::io::gltf) fn pieces(parts: &[Part]) -> (Vec<Cow<'_, Part>>, usize) {
+pub fn pieces(parts: &[Part]) -> (Vec<Cow<'_, Part>>, usize) {
     let mut all = Vec::with_capacity(parts.len());
     let mut unused = 0;
     for part in parts {
