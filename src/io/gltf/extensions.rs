@@ -1,8 +1,8 @@
 //! What is known about extensions: which may be required, and which refer to the order of vertices or triangles.
 
 use crate::io::gltf::json::fields::Fields;
-use crate::io::gltf::json::tree::Value;
 use crate::io::{Note, Place, Problem, ReadError};
+use std::borrow::Cow;
 
 /// Extensions that say nothing about where surfaces are, by name or family. A document may require them.
 const HARMLESS: &[&str] = &[
@@ -40,26 +40,24 @@ pub const QUANTIZATION: &str = "KHR_mesh_quantization";
 /// The name under which a primitive's Draco data are stored.
 pub const DRACO: &str = "KHR_draco_mesh_compression";
 
-/// Checks what a document requires, and remarks on what is used but not expanded.
+/// Checks what a document requires, and adds notes on what is used but not expanded.
 pub fn check(root: &Fields<'_>, notes: &mut Vec<Note>) -> Result<(), ReadError> {
-    let names = |list: &str| -> Result<Vec<(Value, String)>, ReadError> {
-        let array = root.array(list)?;
-        let values = array.into_iter().flat_map(|array| root.json.elements(array));
-        Ok(values.filter_map(|value| Some((value, root.json.string(value)?.into_owned()))).collect())
+    let names = |list: &str| -> Result<Vec<Cow<'_, str>>, ReadError> {
+        Ok(root.items(list)?.filter_map(|value| root.json.string(value)).collect())
     };
-    for (number, (_, name)) in names("extensionsRequired")?.into_iter().enumerate() {
-        if HARMLESS.iter().any(|known| name.starts_with(known)) {
-            continue;
-        }
-        let advice = match name.as_str() {
+    let is_harmless = |name: &str| HARMLESS.iter().any(|known| name.starts_with(known));
+    let required = names("extensionsRequired")?;
+    if let Some(number) = required.iter().position(|name| !is_harmless(name)) {
+        let advice = match required[number].as_ref() {
             DRACO => "decode it first, for example with `gltf-transform copy`",
             _ => "it may change what the geometry means; convert the file to plain glTF 2.0 first",
         };
-        let found = format!("the document requires the extension {name}, which is not supported");
+        let found =
+            format!("the document requires the extension {}, which is not supported", required[number]);
         let place = Place::Json(format!("/extensionsRequired/{number}"));
         return Err(ReadError::new(Problem::Unsupported, place, found, advice));
     }
-    if names("extensionsUsed")?.iter().any(|(_, name)| name == "EXT_mesh_gpu_instancing") {
+    if names("extensionsUsed")?.iter().any(|name| name == "EXT_mesh_gpu_instancing") {
         let text = "EXT_mesh_gpu_instancing: instances are kept, but stand only once where another format is written";
         notes.push(Note::warning(Place::File, text));
     }
@@ -87,7 +85,6 @@ pub const ORDERED: &[Ordered] = &[
 pub fn has_implicit_features(primitive: &Fields<'_>) -> bool {
     let json = primitive.json;
     let Some(extension) = primitive.extension("EXT_mesh_features") else { return false };
-    let Some(sets) = json.member(extension, "featureIds") else { return false };
-    json.elements(sets)
+    json.items(extension, "featureIds")
         .any(|set| json.member(set, "attribute").is_none() && json.member(set, "texture").is_none())
 }

@@ -15,8 +15,9 @@ mod json;
 mod container;
 // Document: the typed records of a file.
 mod document;
-// Writer: new files from meshes.
+// Edit: changes to a document.
 mod edit;
+// Writer: new files from meshes.
 mod writer;
 
 pub(super) use document::appearance::appearance;
@@ -25,15 +26,17 @@ pub use edit::edit;
 pub use writer::new_file::write;
 pub(super) use writer::new_file::write_with_materials;
 
+use super::tally::check_size;
 use super::text::counted;
 use super::{Document, Format, Loaded, Note, Place, Problem, ReadError, ReadOptions};
 use container::buffers::Buffers;
 use container::glb::Glb;
-use document::mesh::{Assembler, Layout, Materials, VertexSource};
-use document::records::Records;
-use json::fields::{At, Fields};
+use document::accessor::Source;
+use document::mesh::{Assembler, Layout};
+use document::records::{Records, VertexAccessors};
+use json::fields::Fields;
 use json::tree::Json;
-use rustc_hash::{FxHashMap, FxHashSet};
+use std::borrow::Cow;
 use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -69,18 +72,21 @@ impl GltfDocument {
         self.records.json.text().len() as u64 + self.buffers.total()
     }
 
-    fn vertex_source(&self, number: usize) -> VertexSource<'_> {
-        let (mesh, primitive) = self.sources[number];
-        VertexSource(&self.records.meshes[mesh].primitives[primitive])
+    /// The vertex accessors of a source.
+    fn vertex_accessors(&self, source: usize) -> &VertexAccessors {
+        let (mesh, primitive) = self.sources[source];
+        &self.records.meshes[mesh].primitives[primitive].vertices
     }
 
-    /// Whether a top-level list of strings has a certain one.
-    fn lists(&self, list: &str, name: &str) -> bool {
+    /// The strings of a top-level list.
+    fn strings(&self, list: &str) -> impl Iterator<Item = Cow<'_, str>> {
         let json = &self.records.json;
-        let list = json.member(json.root(), list);
-        list.is_some_and(|list| {
-            json.elements(list).any(|value| json.string(value).is_some_and(|string| string == name))
-        })
+        json.items(json.root(), list).filter_map(|value| json.string(value))
+    }
+
+    /// Whether a top-level list of strings contains a certain one.
+    fn lists(&self, list: &str, name: &str) -> bool {
+        self.strings(list).any(|string| string == name)
     }
 }
 
@@ -95,14 +101,10 @@ fn check_primitive_count(records: &Records, bytes: u64) -> Result<(), ReadError>
     if count <= limit {
         return Ok(());
     }
+    let place = Place::Json("/meshes".into());
     let primitives = counted(count, "primitive", "primitives");
     let found = format!("{primitives} in {bytes} bytes; the limit for that size is {limit}");
-    Err(ReadError::new(
-        Problem::Limit,
-        Place::Json("/meshes".into()),
-        found,
-        "merge primitives, or divide the file",
-    ))
+    Err(ReadError::new(Problem::Limit, place, found, "merge primitives, or divide the file"))
 }
 
 /// Reads a glTF document in either spelling. `base` is the folder of the file, where its buffers are looked for;
@@ -113,10 +115,7 @@ fn check_primitive_count(records: &Records, bytes: u64) -> Result<(), ReadError>
 /// plain copy, requires an unknown extension, or cannot be found.
 pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Result<Loaded, ReadError> {
     let mut notes = Vec::new();
-    if bytes.len() as u64 > options.limits.bytes {
-        let found = format!("{} bytes, more than the limit of {}", bytes.len(), options.limits.bytes);
-        return Err(ReadError::new(Problem::Limit, Place::File, found, "split the file"));
-    }
+    check_size(&bytes, options)?;
     let (glb, json, file) = if container::glb::is_glb(&bytes) {
         let glb = Glb::parse(&bytes, &mut notes)?;
         let span = glb.json();
@@ -124,55 +123,34 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
         (Some(glb), json, bytes)
     } else {
         if bytes.starts_with(b"\xEF\xBB\xBF") {
-            notes.push(Note::warning(
-                Place::Byte(0),
-                "a byte order mark, which glTF does not allow; it is kept",
-            ));
+            let text = "a byte order mark, which glTF does not allow; it is kept";
+            notes.push(Note::warning(Place::Byte(0), text));
         }
         (None, Json::parse(bytes, 0, options.limits.json_depth)?, Vec::new())
     };
     let input = file.len().max(json.text().len()) as u64;
     let records = Records::new(json, &mut notes)?;
     let json = &records.json;
-    let root = Fields { json, object: json.root(), at: At::default() };
-    extensions::check(&root, &mut notes)?;
+    extensions::check(&Fields::root(json), &mut notes)?;
     let bin = glb.as_ref().and_then(Glb::bin);
     let buffers = container::buffers::load(json, &records.buffers, file, bin, base, options)?;
-    let images = container::buffers::check_images(
-        json,
-        &document::records::list(&root, "images")?,
-        base,
-        options,
-        &mut notes,
-    )?;
+    let images = container::buffers::check_images(json, base, options, &mut notes)?;
     check_primitive_count(&records, input + buffers.total())?;
     let nodes = document::nodes::read(json, records.meshes.len(), &mut notes)?;
 
     // A value takes at most six times its stored bytes when decoded; twelve times allows for shared ones.
-    let memory = 12 * (input + buffers.total()) + 24 * options.limits.implied_elements;
     let implied_limit = options.limits.implied_elements;
-    let source = document::accessor::Source {
-        records: &records,
-        buffers: &buffers,
-        implied_limit,
-        memory: Cell::new(memory),
-    };
-    let mut assembler = Assembler {
-        source,
-        non_finite: options.non_finite,
-        sources: Vec::new(),
-        numbers: FxHashMap::default(),
-        materials: Materials { records: &records, names: FxHashMap::default(), taken: FxHashSet::default() },
-    };
+    let memory = Cell::new(12 * (input + buffers.total()) + 24 * implied_limit);
+    let source = Source { records: &records, buffers: &buffers, implied_limit, memory };
+    let mut assembler = Assembler::new(source, options.non_finite);
     let (mut parts, mut layouts) = (Vec::new(), Vec::new());
     for mesh in 0..records.meshes.len() {
         let (part, layout) = assembler.part(mesh, &mut notes)?;
         parts.push(part);
         layouts.push(layout);
     }
-    let sources = assembler.sources.iter().map(|source| source.0.at.numbers()).collect();
+    let Assembler { sources, materials, .. } = assembler;
     let format = if glb.is_some() { Format::Glb } else { Format::Gltf };
-    let materials = assembler.materials.names.into_iter().map(|(material, name)| (name, material)).collect();
     let document = GltfDocument { records, buffers, glb, sources, layouts, materials, images };
     Ok(Loaded { format, parts, nodes, notes, document: Document::Gltf(Box::new(document)) })
 }

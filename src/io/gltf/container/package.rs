@@ -34,9 +34,9 @@ pub fn package(
     Ok(written)
 }
 
-/// Sees to it that the output finds the buffers that are files: beside it under the name that they have, or where they
-/// are if their name leads there. Else they get a name that does not lead out of the output's folder, or, in a
-/// stream, a place in the document itself.
+/// Lets the output find the buffers that are files: in its folder under the name that they have, or where they are if their
+/// name leads there. Otherwise they get a name that does not lead out of the output's folder, or, in a stream, are stored in
+/// the document itself.
 fn settle_buffers(
     document: &GltfDocument,
     store: &mut Store<'_>,
@@ -96,9 +96,7 @@ fn same_gltf(document: &GltfDocument, store: Store<'_>, options: &WriteOptions, 
     let stem = options.stem.as_ref().filter(|_| external);
     let name = stem.map(|stem| free_name(document, written, stem, "normals.bin"));
     let stale = stem.and_then(|stem| own_earlier(document, stem));
-    let changed = store.finish(stale, |extra| {
-        Some(name.as_ref().map_or_else(|| uri::encode_data(extra), |name| uri::percent_encoded(name)))
-    });
+    let changed = store.finish(stale, |extra| Some(address(name.as_deref(), extra)));
     written.bytes = changed.json.into_bytes();
     if let (Some(name), Some(extra)) = (name, changed.extra) {
         if let Some(Storage::File { path, .. }) =
@@ -108,6 +106,11 @@ fn same_gltf(document: &GltfDocument, store: Store<'_>, options: &WriteOptions, 
         }
         written.companions.insert(0, OutputFile { name, content: OutputContent::Bytes(extra) });
     }
+}
+
+/// The address of data: of a file of this name, or of the data themselves.
+fn address(name: Option<&str>, data: &[u8]) -> String {
+    name.map_or_else(|| uri::encode_data(data), uri::percent_encoded)
 }
 
 /// The last buffer whose file an earlier edit of this document wrote, which the next may replace. The file itself gets
@@ -145,50 +148,41 @@ fn free_name(document: &GltfDocument, written: &Written, stem: &str, name: &str)
 fn as_glb(document: &GltfDocument, store: Store<'_>, written: &mut Written) -> Result<(), WriteError> {
     let Changed { json, extra, .. } = store.finish(None, |_| None);
     let json = reparsed(json)?;
-    let lists = |name: &str| -> Vec<Value> {
-        json.member(json.root(), name).into_iter().flat_map(|list| json.elements(list)).collect()
-    };
-    let objects = lists("buffers");
-    let contents: Vec<Option<&[u8]>> = (0..document.buffers.list.len())
-        .map(|buffer| document.buffers.bytes(buffer))
-        .chain([extra.as_deref()])
-        .collect();
+    let objects: Vec<Value> = json.items(json.root(), "buffers").collect();
+    let old = (0..document.buffers.list.len()).map(|buffer| document.buffers.bytes(buffer));
     let mut splices = Splices::new(&json);
     let mut pieces: Vec<&[u8]> = Vec::new();
+    // The buffer and the offset where each old buffer begins.
     let mut homes: Vec<(usize, u64)> = Vec::new();
     let (mut length, mut absent) = (0_usize, Vec::new());
-    for (&object, content) in objects.iter().zip(&contents) {
-        match content {
-            Some(bytes) => {
-                homes.push((0, length as u64));
-                pieces.extend([bytes, &[0; 4][..glb::padded(bytes.len()) - bytes.len()]]);
-                length += glb::padded(bytes.len());
-            }
-            None => {
-                absent.push(json.raw(object).to_owned());
-                homes.push((absent.len(), 0));
-            }
-        }
+    for (&object, content) in objects.iter().zip(old.chain([extra.as_deref()])) {
+        let Some(bytes) = content else {
+            absent.push(json.raw(object).to_owned());
+            homes.push((absent.len(), 0));
+            continue;
+        };
+        homes.push((0, length as u64));
+        pieces.extend([bytes, &[0; 4][..glb::padded(bytes.len()) - bytes.len()]]);
+        length += glb::padded(bytes.len());
     }
-    for view in lists("bufferViews") {
+    for view in json.items(json.root(), "bufferViews") {
         move_reference(&json, view, &homes, &mut splices);
         let extensions = json.member(view, "extensions");
         for (_, compressed) in extensions.into_iter().flat_map(|extensions| json.members(extensions)) {
             move_reference(&json, compressed, &homes, &mut splices);
         }
     }
-    if let (Some(list), Some(&first)) = (json.member(json.root(), "buffers"), objects.first()) {
-        // The first buffer's object stands for all, so that its name and extras survive.
+    if let Some(&first) = objects.first() {
+        // The first buffer's object is kept for all, so that its name and extras survive.
         let changes = vec![("uri".to_owned(), None), ("byteLength".to_owned(), Some(length.to_string()))];
         let merged = std::iter::once(changed_object(&json, first, &changes)).chain(absent);
-        splices.replace(list, format!("[{}]", merged.collect::<Vec<_>>().join(",")));
+        splices.set(json.root(), "buffers", format!("[{}]", merged.collect::<Vec<_>>().join(",")));
         let named = |object: &Value| {
             json.members(*object).any(|(key, _)| !matches!(json.raw(key), "\"uri\"" | "\"byteLength\""))
         };
         if objects[1..].iter().any(named) {
-            written.notes.push(Note::remark(
-                "buffers were merged into one; what the others said of themselves is lost",
-            ));
+            let text = "buffers were merged into one; what the others said of themselves is lost";
+            written.notes.push(Note::remark(text));
         }
     }
     written.bytes = glb::glb(unpadded(&splices.apply()), &pieces)?;
@@ -221,8 +215,7 @@ fn as_gltf(
     let changed = store.finish(None, |extra| Some(uri::encode_data(extra)));
     let json = reparsed(changed.json)?;
     let mut splices = Splices::new(&json);
-    let buffers = json.member(json.root(), "buffers");
-    let first = buffers.and_then(|buffers| json.elements(buffers).next());
+    let first = json.items(json.root(), "buffers").next();
     if let Some(first) = first.filter(|&first| json.member(first, "uri").is_none()) {
         let bin = match (&changed.bin, glb.bin()) {
             (Some(bin), _) => bin.as_slice(),
@@ -231,15 +224,10 @@ fn as_gltf(
         };
         let length = json.member(first, "byteLength").and_then(|length| json.integer(length)).unwrap_or(0);
         let bin = &bin[..bin.len().min(length as usize)];
-        match &options.stem {
-            Some(stem) => {
-                let name = free_name(document, written, stem, ".bin");
-                splices.set(first, "uri", quoted(&uri::percent_encoded(&name)));
-                let content = OutputContent::Bytes(bin.to_vec());
-                written.companions.push(OutputFile { name, content });
-            }
-            None => splices.set(first, "uri", quoted(&uri::encode_data(bin))),
-        }
+        let name = options.stem.as_ref().map(|stem| free_name(document, written, stem, ".bin"));
+        splices.set(first, "uri", quoted(&address(name.as_deref(), bin)));
+        let content = || OutputContent::Bytes(bin.to_vec());
+        written.companions.extend(name.map(|name| OutputFile { name, content: content() }));
     }
     if glb.other_chunks() > 0 {
         let chunks = counted(glb.other_chunks(), "chunk", "chunks");

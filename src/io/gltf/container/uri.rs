@@ -24,7 +24,7 @@ impl Uri {
         if head.contains(':') || uri.starts_with("//") {
             Uri::Elsewhere
         } else {
-            Uri::File(percent_decoded(uri))
+            Uri::File(String::from_utf8(percent_decoded(uri)).unwrap_or_else(|_| uri.to_owned()))
         }
     }
 }
@@ -38,7 +38,7 @@ pub fn decode_data(uri: &str, place: Place) -> Result<Vec<u8>, ReadError> {
         return Err(broken("a data URI without a comma".into()));
     };
     if !head.to_ascii_lowercase().ends_with(";base64") {
-        return Ok(percent_decoded_bytes(data));
+        return Ok(percent_decoded(data));
     }
     let config = GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent);
     let engine = GeneralPurpose::new(&base64::alphabet::STANDARD, config);
@@ -52,15 +52,7 @@ pub fn encode_data(bytes: &[u8]) -> String {
     uri
 }
 
-fn percent_decoded(text: &str) -> String {
-    if text.contains('%') {
-        String::from_utf8(percent_decoded_bytes(text)).unwrap_or_else(|_| text.to_owned())
-    } else {
-        text.to_owned()
-    }
-}
-
-fn percent_decoded_bytes(text: &str) -> Vec<u8> {
+fn percent_decoded(text: &str) -> Vec<u8> {
     let hex = |byte: u8| (byte as char).to_digit(16).map(|digit| digit as u8);
     let mut out = Vec::with_capacity(text.len());
     let mut rest = text.as_bytes();
@@ -80,15 +72,10 @@ fn percent_decoded_bytes(text: &str) -> Vec<u8> {
 
 /// A file name as a relative address.
 pub fn percent_encoded(name: &str) -> String {
-    let mut out = String::with_capacity(name.len());
-    for byte in name.bytes() {
-        if byte.is_ascii_alphanumeric() || b"-._~/".contains(&byte) {
-            out.push(byte as char);
-        } else {
-            out.push_str(&format!("%{byte:02X}"));
-        }
-    }
-    out
+    let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-._~/".contains(&byte);
+    let encoded =
+        |byte: u8| if is_plain(byte) { char::from(byte).to_string() } else { format!("%{byte:02X}") };
+    name.bytes().map(encoded).collect()
 }
 
 #[cfg(test)]

@@ -1,22 +1,20 @@
-//! Document: the typed records of a file.
+//! Document: the typed records of a file, and what is read by them.
 
 // The records that geometry needs.
 pub mod records;
 // Accessors to numbers.
 pub mod accessor;
+// Primitives to triangles, lines and points.
+pub mod primitive;
+// glTF meshes to parts.
+pub mod mesh;
+// The vertex columns of a part.
+pub mod columns;
+// The node tree.
+pub mod nodes;
 // Cameras.
 pub mod camera;
 // Materials, cameras and lights.
 pub mod appearance;
-// The node tree.
-pub mod nodes;
-// Primitives.
-pub mod primitive;
-// Vertex columns.
-pub mod columns;
-// Tangents and morph targets.
-pub mod attributes;
-// Document content outside meshes and nodes.
-pub mod other_content;
-// glTF meshes to parts.
-pub mod mesh;
+// Content outside meshes and nodes.
+pub mod content;

@@ -1,10 +1,10 @@
 //! Primitives: which vertices their triangles, lines and points use.
 
-use crate::io::gltf::document::accessor::{Elements, Source};
-use crate::io::gltf::document::records::{Component, Primitive};
-use crate::io::gltf::json::fields::At;
+use crate::io::gltf::document::accessor::Source;
+use crate::io::gltf::document::records::{Component, Format, Primitive};
+use crate::io::gltf::json::fields::{At, out_of_range};
 use crate::io::text::counted;
-use crate::io::{Note, Place, Problem, ReadError};
+use crate::io::{Note, ReadError};
 
 /// glTF's codes for what a primitive draws.
 pub mod mode {
@@ -32,14 +32,14 @@ pub fn draw(
     count: usize,
     notes: &mut Vec<Note>,
 ) -> Result<Drawn, ReadError> {
-    let order = match primitive.indices {
+    let mut order = match primitive.indices {
         Some(accessor) => {
             let elements = source.elements(accessor)?;
-            check_format(&elements, accessor)?;
+            check_format(elements.format, accessor)?;
             let expansion = if primitive.mode == mode::TRIANGLES { 1 } else { 8 };
             source.spend(4 * expansion * elements.count as u64, primitive.at)?;
             let indices = elements.integers();
-            check_range(&indices, &elements, count, accessor)?;
+            check_range(&indices, elements.format, count, accessor)?;
             indices
         }
         None => {
@@ -53,7 +53,6 @@ pub fn draw(
         mode::LINE_LOOP => Drawn::Lines(polyline(order.iter().chain(order.first()))),
         mode::LINE_STRIP => Drawn::Lines(polyline(order.iter())),
         mode::TRIANGLES => {
-            let mut order = order;
             let rest = order.len() % 3;
             if rest > 0 {
                 let corners = counted(rest, "corner", "corners");
@@ -66,9 +65,8 @@ pub fn draw(
         mode::TRIANGLE_STRIP => Drawn::Triangles(strip(&order)),
         mode::TRIANGLE_FAN => Drawn::Triangles(fan(&order)),
         other => {
-            let found = format!("primitive mode {other}");
-            let place = primitive.at.member("mode");
-            return Err(ReadError::new(Problem::Range, place, found, "glTF has the modes 0 to 6"));
+            let found = format!("primitive mode {other}, where glTF has 0 to 6");
+            return Err(out_of_range(primitive.at.member("mode"), found));
         }
     };
     Ok(drawn)
@@ -91,37 +89,24 @@ fn fan(order: &[u32]) -> Vec<u32> {
     rim.windows(2).flat_map(|edge| [edge[0], edge[1], centre]).collect()
 }
 
-fn check_format(elements: &Elements<'_>, accessor: usize) -> Result<(), ReadError> {
-    let format = elements.format;
+/// Checks that indices are unsigned integers.
+fn check_format(format: Format, accessor: usize) -> Result<(), ReadError> {
     let unsigned = matches!(format.component, Component::U8 | Component::U16 | Component::U32);
     if unsigned && format.width == 1 {
         return Ok(());
     }
-    let found = "indices that are not unsigned integers";
-    let place = At::new("accessors", accessor).place();
-    Err(ReadError::new(Problem::Range, place, found, "the file is broken; export it again"))
+    Err(out_of_range(At::new("accessors", accessor).place(), "indices that are not unsigned integers"))
 }
 
-fn check_range(
-    indices: &[u32],
-    elements: &Elements<'_>,
-    count: usize,
-    accessor: usize,
-) -> Result<(), ReadError> {
+fn check_range(indices: &[u32], format: Format, count: usize, accessor: usize) -> Result<(), ReadError> {
     let Some(position) = indices.iter().position(|&index| index as usize >= count) else { return Ok(()) };
     let index = indices[position];
-    let restart = match elements.format.component.size() {
-        1 => 0xFF,
-        2 => 0xFFFF,
-        _ => u32::MAX,
-    };
-    let found = if index == restart {
+    let found = if index == u32::MAX >> (32 - 8 * format.component.size()) {
         format!("index number {position} is {index}, which restarts a primitive; glTF does not allow it")
     } else {
         format!("index number {position} asks for vertex {index}, counted from 0, of {count}")
     };
-    let place = Place::Json(format!("/accessors/{accessor}"));
-    Err(ReadError::new(Problem::Range, place, found, "the file is broken; export it again"))
+    Err(out_of_range(At::new("accessors", accessor).place(), found))
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! Normals as they are stored.
+//! Encoding of normals.
 
 use crate::io::NormalFormat;
 use crate::io::gltf::document::records::{Component, Format};

@@ -3,8 +3,8 @@
 use crate::io::WriteError;
 use crate::io::gltf::document::primitive::mode;
 use crate::io::gltf::document::records::{Component, Format};
-use crate::io::gltf::edit::Remarks;
 use crate::io::gltf::edit::member::Member;
+use crate::io::gltf::edit::remarks::Remarks;
 use crate::io::gltf::edit::store::{NewData, Store};
 use crate::io::gltf::writer::data::Target;
 use std::borrow::Cow;
@@ -44,7 +44,6 @@ pub fn rewrite_indices(
     };
     let data = NewData {
         format: Format::vector(component, false, 1),
-        count: indices.len(),
         bytes: Cow::Owned(bytes),
         target: Target::Indices,
         same_bounds: false,

@@ -1,14 +1,23 @@
 //! Editing a document so that only normals, and what depends on them, change.
 
+// Encoding of normals.
 mod encode;
-mod group;
-mod indices;
-mod member;
-mod refs;
-mod remarks;
-mod rows;
-pub mod store;
+// Tangents by MikkTSpace.
 mod tangents;
+// References between records: what may be changed in place.
+mod refs;
+// New data for accessors.
+pub mod store;
+// The corners and primitives of an edit.
+mod member;
+// Notes and refusals.
+mod remarks;
+// New indices.
+mod indices;
+// The values of vertices.
+mod rows;
+// New normals for primitives that share vertices.
+mod group;
 
 use crate::io::gltf::GltfDocument;
 use crate::io::gltf::container::package;
@@ -40,7 +49,7 @@ pub fn edit(
 ) -> Result<Written, WriteError> {
     let mut store = Store::new(document);
     let mut remarks = Remarks::default();
-    let source = refs::source(document);
+    let source = document.accessors();
     let mut tables = SlotTables::default();
     let mut groups: BTreeMap<(usize, bool), Vec<Member<'_>>> = BTreeMap::new();
     for member in Member::all(document, loaded, edits) {
@@ -48,7 +57,7 @@ pub fn edit(
     }
     let mut added = 0;
     for ((number, new_normals), members) in &groups {
-        let group = Group { vertices: document.vertex_source(*number), members, source: &source, options };
+        let group = Group { vertices: document.vertex_accessors(*number), members, source: &source, options };
         if *new_normals {
             added += group.write(&mut store, &mut tables, &mut remarks)?;
         } else {
@@ -62,7 +71,7 @@ pub fn edit(
     let vertices: usize = loaded.parts.iter().map(|part: &Part| part.mesh.vertex_count()).sum();
     written.vertices = vertices as u64 + added;
     written.added_vertices = added;
-    remarks.tell(&mut written.notes);
+    remarks.add_to(&mut written.notes);
     let drops = edits.iter().any(|edit| !edit.faces.dropped.is_empty());
     if (added > 0 || drops) && document.lists("extensionsUsed", "FB_geometry_metadata") {
         let text = "FB_geometry_metadata still counts the vertices and faces of the input";

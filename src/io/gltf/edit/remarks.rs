@@ -1,19 +1,18 @@
-//! What an edit has to say, and what it must not do.
+//! Notes on an edit, and edits that are refused.
 
 use crate::io::gltf::GltfDocument;
 use crate::io::gltf::edit::member::Member;
 use crate::io::gltf::edit::store::Store;
 use crate::io::gltf::extensions::{DRACO, ORDERED, has_implicit_features};
-use crate::io::gltf::json::fields::Fields;
 use crate::io::text::counted;
 use crate::io::{Note, Place, WriteError};
 
-/// Counts of what is worth telling, each told once.
+/// Counts of what an edit changed besides normals; each becomes one note.
 #[derive(Default)]
 pub struct Remarks {
     /// Corners without a normal of their own among others that have one.
     pub without_normal: usize,
-    /// Primitives whose morph targets have normal deltas that nobody recomputed.
+    /// Primitives whose morph targets have normal deltas that were not recomputed.
     pub stale_deltas: usize,
     /// Primitives whose tangents were left out.
     pub tangents_dropped: usize,
@@ -28,8 +27,8 @@ pub struct Remarks {
 }
 
 impl Remarks {
-    /// Refuses to break an extension that counts vertices or triangles. `indices` are the new ones; `moved` tells
-    /// that some of them name new vertices.
+    /// Refuses to break an extension that counts vertices or triangles. `indices` are the new ones; `moved` if
+    /// some of them are of other vertices.
     pub fn check_order(
         &self,
         document: &GltfDocument,
@@ -37,10 +36,9 @@ impl Remarks {
         indices: &[u32],
         moved: bool,
     ) -> Result<(), WriteError> {
-        let json = &document.records.json;
         let at = member.primitive.at;
-        let primitive = Fields { json, object: member.primitive.object, at };
-        let mesh = Fields { object: document.records.meshes[member.part].object, ..primitive };
+        let primitive = document.records.fields(member.primitive.object, at);
+        let mesh = document.records.fields(document.records.meshes[member.part].object, at);
         let refuse = |name: &str, what: &str| {
             let text = format!(
                 "{}: the extension {name} refers to {what} by number, and these would change; keep them as they are \
@@ -80,39 +78,39 @@ impl Remarks {
         }
     }
 
-    /// Turns the counts into notes.
-    pub fn tell(&self, notes: &mut Vec<Note>) {
-        let mut warn = |count: usize, of: [&str; 2], text: &str| {
+    /// Adds a note for each count.
+    pub fn add_to(&self, notes: &mut Vec<Note>) {
+        let (corners, primitives) = (["corner", "corners"], ["primitive", "primitives"]);
+        for (count, [one, many], text) in [
+            (
+                self.without_normal,
+                corners,
+                "without a normal to write, the stored one is kept, or +Z written",
+            ),
+            (self.stale_deltas, primitives, "normal deltas of morph targets still belong to the old normals"),
+            (
+                self.tangents_dropped,
+                primitives,
+                "tangents belonged to the old normals and were left out; viewers make them again (a validator then \
+                 reports MESH_PRIMITIVE_GENERATED_TANGENT_SPACE where there is a normal map), see --tangents",
+            ),
+            (
+                self.tangent_deltas_dropped,
+                primitives,
+                "morph targets had tangents for the old ones of the base, which were left out",
+            ),
+            (
+                self.emptied,
+                primitives,
+                "all faces are gone, and one triangle without area stands for them, as glTF needs one",
+            ),
+            (self.draco_dropped, primitives, "the Draco copy was left out and the plain data kept"),
+        ] {
             if count > 0 {
-                let [one, many] = of;
                 let text = format!("{text}: {}", counted(count, one, many));
                 notes.push(Note::warning(Place::File, text));
             }
-        };
-        let primitives = ["primitive", "primitives"];
-        warn(
-            self.without_normal,
-            ["corner", "corners"],
-            "without a normal to write, the stored one is kept, or +Z written",
-        );
-        warn(self.stale_deltas, primitives, "normal deltas of morph targets still belong to the old normals");
-        warn(
-            self.tangents_dropped,
-            primitives,
-            "tangents belonged to the old normals and were left out; viewers make them again (a validator then \
-             reports MESH_PRIMITIVE_GENERATED_TANGENT_SPACE where there is a normal map), see --tangents",
-        );
-        warn(
-            self.tangent_deltas_dropped,
-            primitives,
-            "morph targets had tangents for the old ones of the base, which were left out",
-        );
-        warn(
-            self.emptied,
-            primitives,
-            "all faces are gone, and one triangle without area stands for them, as glTF needs one",
-        );
-        warn(self.draco_dropped, primitives, "the Draco copy was left out and the plain data kept");
+        }
     }
 }
 

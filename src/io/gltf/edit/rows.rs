@@ -1,8 +1,7 @@
 //! The values that a vertex can have: a stored normal and the deltas of each morph target, as bytes.
 
-use crate::io::gltf::document::accessor::Source;
-use crate::io::gltf::document::mesh::VertexSource;
-use crate::io::gltf::document::records::Format;
+use crate::io::gltf::document::accessor::{Source, float};
+use crate::io::gltf::document::records::{Format, VertexAccessors};
 use crate::io::gltf::edit::encode;
 use crate::io::gltf::edit::member::Member;
 use crate::io::{NormalFormat, ReadError};
@@ -25,21 +24,18 @@ pub struct Stored<'a> {
 impl<'a> Stored<'a> {
     pub fn new(
         source: &Source<'a>,
-        vertices: VertexSource<'_>,
+        vertices: &VertexAccessors,
         wanted: NormalFormat,
         morph: bool,
     ) -> Result<Self, ReadError> {
-        let elements = vertices.get("NORMAL").map(|accessor| source.elements(accessor)).transpose()?;
-        let format = encode::format(elements.map(|elements| elements.format), wanted);
-        let same = elements.filter(|elements| elements.format == format).map(|elements| elements.raw());
-        let floats = elements.map(|elements| elements.floats(0.0));
-        let delta = |target| {
-            let accessor = vertices.target(target, "NORMAL");
-            accessor.map(|accessor| Ok(source.elements(accessor)?.floats(0.0))).transpose()
-        };
-        let targets = if morph { vertices.targets() } else { 0 };
-        let deltas = (0..targets).map(delta).collect::<Result<_, ReadError>>()?;
-        Ok(Self { format, same, floats, deltas })
+        let elements = |set| vertices.of_set(set, "NORMAL").map(|number| source.elements(number)).transpose();
+        let base = elements(0)?;
+        let format = encode::format(base.map(|base| base.format), wanted);
+        let same = base.filter(|base| base.format == format).map(|base| base.raw());
+        let targets = vertices.target_sets().filter(|_| morph);
+        let deltas = targets.map(|set| Ok(elements(set)?.map(|deltas| deltas.floats(0.0))));
+        let deltas = deltas.collect::<Result<_, ReadError>>()?;
+        Ok(Self { format, same, floats: base.map(|base| base.floats(0.0)), deltas })
     }
 
     /// Bytes of a row.
@@ -82,8 +78,8 @@ impl<'a> Stored<'a> {
         }
     }
 
-    /// Makes a stored normal that nothing replaces +Z, if it is not one that a reader would accept.
-    fn mend(&self, row: &mut [u8]) {
+    /// Replaces a stored normal by +Z if readers would not accept it.
+    fn repair(&self, row: &mut [u8]) {
         let length = self.decode(row).as_dvec3().length();
         // Not a number is not within the tolerance either.
         let is_unit = (length - 1.0).abs() < encode::LENGTH_TOLERANCE;
@@ -101,11 +97,8 @@ impl<'a> Stored<'a> {
 
     /// The normal of a row.
     pub fn decode(&self, row: &[u8]) -> Vec3 {
-        let number = |axis: usize| match self.format.size() {
-            3 => f32::from(row[axis] as i8) / 127.0,
-            6 => f32::from(i16::from_le_bytes([row[2 * axis], row[2 * axis + 1]])) / 32767.0,
-            _ => f32::from_le_bytes([row[4 * axis], row[4 * axis + 1], row[4 * axis + 2], row[4 * axis + 3]]),
-        };
+        let component = self.format.component;
+        let number = |axis: usize| float(&row[component.size() * axis..], component, true);
         Vec3::new(number(0), number(1), number(2)).max(Vec3::NEG_ONE)
     }
 }
@@ -133,9 +126,9 @@ impl Rows {
             let table = tables.table(member.part, normals.values.len());
             let mut seen = Vec::new();
             for &corner in &member.corners {
-                let row = match member.slot(normals, corner) {
-                    Some(slot) if table[slot as usize] != NONE => table[slot as usize],
-                    Some(slot) => {
+                let row = match member.slot(normals, corner).map(|slot| (slot, table[slot as usize])) {
+                    Some((_, row)) if row != NONE => row,
+                    Some((slot, _)) => {
                         stored.push_given(member, normals, slot, &mut rows.bytes);
                         table[slot as usize] = count;
                         seen.push(slot);
@@ -145,7 +138,7 @@ impl Rows {
                     None => {
                         let start = rows.bytes.len();
                         stored.push_stored(member.vertex(corner) as usize, &mut rows.bytes);
-                        stored.mend(&mut rows.bytes[start..]);
+                        stored.repair(&mut rows.bytes[start..]);
                         rows.missing += 1;
                         count += 1;
                         count - 1
@@ -216,13 +209,10 @@ impl Table {
         same && stored.deltas.iter().enumerate().all(delta)
     }
 
-    /// Mends the normals of vertices that no corner uses, given the row that each vertex comes from.
-    pub fn mend_unused(&mut self, stored: &Stored<'_>, vertices: impl Iterator<Item = (u32, u32)>) {
-        for (row, _) in
-            self.bytes.chunks_exact_mut(self.size).zip(vertices).filter(|(_, (row, _))| *row == NONE)
-        {
-            stored.mend(row);
-        }
+    /// Repairs the normals of vertices that no corner uses, given the row that each vertex comes from.
+    pub fn repair_unused(&mut self, stored: &Stored<'_>, vertices: impl Iterator<Item = (u32, u32)>) {
+        let rows = self.bytes.chunks_exact_mut(self.size).zip(vertices);
+        rows.filter(|(_, (row, _))| *row == NONE).for_each(|(row, _)| stored.repair(row));
     }
 
     fn column(&self, start: usize, size: usize) -> Cow<'_, [u8]> {
@@ -230,9 +220,8 @@ impl Table {
             return Cow::Borrowed(&self.bytes);
         }
         let mut column = Vec::with_capacity(self.bytes.len() / self.size * size);
-        self.bytes
-            .chunks_exact(self.size)
-            .for_each(|row| column.extend_from_slice(&row[start..start + size]));
+        let rows = self.bytes.chunks_exact(self.size);
+        rows.for_each(|row| column.extend_from_slice(&row[start..start + size]));
         Cow::Owned(column)
     }
 }

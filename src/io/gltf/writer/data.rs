@@ -91,7 +91,7 @@ pub fn view_json(buffer: usize, offset: u64, length: usize, stride: Option<usize
 /// The JSON of an accessor that fills a view from its start.
 pub fn accessor_json(view: usize, format: Format, count: usize, bounds: Option<&Bounds>) -> String {
     let kind = ["SCALAR", "VEC2", "VEC3", "VEC4"][format.width - 1];
-    let mut json = format!("{{\"bufferView\":{view},\"componentType\":{}", format.component as u32);
+    let mut json = format!("{{\"bufferView\":{view},\"componentType\":{}", format.component.as_gl_enum());
     if format.normalized {
         json.push_str(",\"normalized\":true");
     }
