@@ -96,7 +96,7 @@ fn same_gltf(document: &GltfDocument, store: Store<'_>, options: &WriteOptions, 
     let stem = options.stem.as_ref().filter(|_| external);
     let name = stem.map(|stem| free_name(document, written, stem, "normals.bin"));
     let stale = stem.and_then(|stem| own_earlier(document, stem));
-    let changed = store.finish(stale, |extra| Some(address(name.as_deref(), extra)));
+    let changed = store.finish(stale, |extra| Some(uri::address(name.as_deref(), extra)));
     written.bytes = changed.json.into_bytes();
     if let (Some(name), Some(extra)) = (name, changed.extra) {
         if let Some(Storage::File { path, .. }) =
@@ -106,11 +106,6 @@ fn same_gltf(document: &GltfDocument, store: Store<'_>, options: &WriteOptions, 
         }
         written.companions.insert(0, OutputFile { name, content: OutputContent::Bytes(extra) });
     }
-}
-
-/// The address of data: of a file of this name, or of the data themselves.
-fn address(name: Option<&str>, data: &[u8]) -> String {
-    name.map_or_else(|| uri::encode_data(data), uri::percent_encoded)
 }
 
 /// The last buffer whose file an earlier edit of this document wrote, which the next may replace. The file itself gets
@@ -225,7 +220,7 @@ fn as_gltf(
         let length = json.member(first, "byteLength").and_then(|length| json.integer(length)).unwrap_or(0);
         let bin = &bin[..bin.len().min(length as usize)];
         let name = options.stem.as_ref().map(|stem| free_name(document, written, stem, ".bin"));
-        splices.set(first, "uri", quoted(&address(name.as_deref(), bin)));
+        splices.set(first, "uri", quoted(&uri::address(name.as_deref(), bin)));
         let content = || OutputContent::Bytes(bin.to_vec());
         written.companions.extend(name.map(|name| OutputFile { name, content: content() }));
     }

@@ -70,6 +70,11 @@ fn percent_decoded(text: &str) -> Vec<u8> {
     out
 }
 
+/// The address of data: of a file of this name, or a data URI.
+pub fn address(name: Option<&str>, data: &[u8]) -> String {
+    name.map_or_else(|| encode_data(data), percent_encoded)
+}
+
 /// A file name as a relative address.
 pub fn percent_encoded(name: &str) -> String {
     let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-._~/".contains(&byte);

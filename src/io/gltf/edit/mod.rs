@@ -1,7 +1,7 @@
 //! Editing a document so that only normals, and what depends on them, change.
 
 // Encoding of normals.
-mod encode;
+pub mod encode;
 // Tangents by MikkTSpace.
 mod tangents;
 // References between records: what may be changed in place.
@@ -23,7 +23,6 @@ use crate::io::gltf::GltfDocument;
 use crate::io::gltf::container::package;
 use crate::io::gltf::extensions::QUANTIZATION;
 use crate::io::{Format, Loaded, Note, Part, PartEdit, Place, WriteError, WriteOptions, Written};
-pub use encode::steps;
 use group::Group;
 use member::Member;
 use remarks::Remarks;

@@ -191,20 +191,20 @@ impl<'a> Store<'a> {
 
     /// Appends data, and returns the number of their view: `view`, which is moved there, or that of a new one.
     fn append(&mut self, data: &NewData<'_>, view: Option<usize>) -> usize {
-        let (size, target) = (data.format.size(), data.target);
-        let step = if target == Target::Vertices { padded(size) } else { size };
+        let (size, target, stride) = (data.format.size(), data.target, data.target.stride(data.format));
         let start = padded(self.appended.len());
         self.appended.resize(start, 0);
-        if step == size {
-            self.appended.extend_from_slice(&data.bytes);
-        } else {
-            for element in data.bytes.chunks_exact(size) {
-                self.appended.extend_from_slice(element);
-                self.appended.resize(self.appended.len() + step - size, 0);
+        match stride {
+            None => self.appended.extend_from_slice(&data.bytes),
+            Some(stride) => {
+                for element in data.bytes.chunks_exact(size) {
+                    self.appended.extend_from_slice(element);
+                    self.appended.resize(self.appended.len() + stride - size, 0);
+                }
             }
         }
         let length = self.appended.len() - start;
-        self.placed.push(Placed { view, start, length, stride: (step != size).then_some(step), target });
+        self.placed.push(Placed { view, start, length, stride, target });
         view.unwrap_or_else(|| {
             self.next_view += 1;
             self.next_view - 1

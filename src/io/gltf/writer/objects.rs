@@ -76,6 +76,12 @@ impl Numbers {
         *number
     }
 
+    /// The numbers of a piece, which begins with them; [`NONE`] stays.
+    fn of_all(&mut self, old: impl Iterator<Item = u32>) -> Vec<u32> {
+        self.begin();
+        old.map(|old| if old == NONE { NONE } else { self.of(old) }).collect()
+    }
+
     fn values<T: Clone>(&self, values: &[T]) -> Vec<T> {
         self.list.iter().map(|&old| values[old as usize].clone()).collect()
     }
@@ -100,16 +106,15 @@ impl<'a> Cutter<'a> {
     /// Some faces, with all that belongs to them. The pieces of a right mesh are right.
     fn piece(&mut self, numbers: &[u32]) -> Option<Mesh> {
         let (mesh, old) = (self.mesh, self.mesh.columns());
-        self.vertices.begin();
-        let mut faces = Faces::with_capacity(3 * numbers.len());
-        let mut corners = Vec::with_capacity(3 * numbers.len());
-        let mut face_corners = Vec::new();
-        for &face in numbers {
-            corners.extend(mesh.faces().range(face as usize));
-            face_corners.clear();
-            face_corners
-                .extend(mesh.faces().face(face as usize).iter().map(|&vertex| self.vertices.of(vertex)));
-            faces.push(&face_corners);
+        let ranges = || numbers.iter().map(|&face| mesh.faces().range(face as usize));
+        let corners: Vec<usize> = ranges().flatten().collect();
+        let vertices = self.vertices.of_all(corners.iter().map(|&corner| mesh.faces().corners()[corner]));
+        let mut faces = Faces::with_capacity(corners.len());
+        let mut rest = vertices.as_slice();
+        for range in ranges() {
+            let (face, after) = rest.split_at(range.len());
+            faces.push(face);
+            rest = after;
         }
         let columns = Columns {
             normals: old.normals.as_ref().map(|column| cut(mesh, column, &corners, &mut self.normals)),
@@ -130,8 +135,7 @@ impl<'a> Cutter<'a> {
         if old.points.is_empty() && old.lines.is_empty() {
             return Some(None);
         }
-        self.vertices.begin();
-        let points = old.points.iter().map(|&vertex| self.vertices.of(vertex)).collect();
+        let points = self.vertices.of_all(old.points.iter().copied());
         let line = |line: &Vec<u32>| line.iter().map(|&vertex| self.vertices.of(vertex)).collect();
         let lines = old.lines.iter().map(line).collect();
         let columns = Columns { points, lines, ..Columns::default() };
@@ -149,22 +153,13 @@ impl<'a> Cutter<'a> {
 }
 
 fn cut<T: Clone>(mesh: &Mesh, column: &Column<T>, corners: &[usize], numbers: &mut Numbers) -> Column<T> {
-    numbers.begin();
-    let index = corners.iter().map(|&corner| {
-        let slot = column.slot(corner, mesh.faces().corners()[corner]);
-        slot.map_or(NONE, |slot| numbers.of(slot))
-    });
-    let index = index.collect();
+    let slot = |&corner: &usize| column.slot(corner, mesh.faces().corners()[corner]).unwrap_or(NONE);
+    let index = numbers.of_all(corners.iter().map(slot));
     Column::per_corner(numbers.values(&column.values), index)
 }
 
 fn cut_labels(labels: &FaceLabels, faces: &[u32], numbers: &mut Numbers) -> FaceLabels {
-    numbers.begin();
-    let label = |&face: &u32| match labels.of_face[face as usize] {
-        NONE => NONE,
-        label => numbers.of(label),
-    };
-    let of_face = faces.iter().map(label).collect();
+    let of_face = numbers.of_all(faces.iter().map(|&face| labels.of_face[face as usize]));
     FaceLabels { of_face, names: numbers.values(&labels.names) }
 }
 
