@@ -1,10 +1,10 @@
-//! What is known about extensions: which may be required, and which refer to the order of vertices or triangles.
+//! Extensions: which may be required, and which refer to the order of vertices or triangles.
 
 use crate::io::gltf::json::fields::Fields;
 use crate::io::{Note, Place, Problem, ReadError};
 use std::borrow::Cow;
 
-/// Extensions that say nothing about where surfaces are, by name or family. A document may require them.
+/// Extensions that do not affect the shape of surfaces, by name or family. A document may require them.
 const HARMLESS: &[&str] = &[
     "ADOBE_materials_",
     "AGI_articulations",
@@ -30,7 +30,7 @@ const HARMLESS: &[&str] = &[
     // Readable if the plain data are there too, which accessors find out.
     "EXT_meshopt_compression",
     "KHR_meshopt_compression",
-    // Instances are a matter of nodes; a note tells that they are not expanded.
+    // Instances concern nodes; a note reports that they are not expanded.
     "EXT_mesh_gpu_instancing",
 ];
 
@@ -64,21 +64,12 @@ pub fn check(root: &Fields<'_>, notes: &mut Vec<Note>) -> Result<(), ReadError> 
     Ok(())
 }
 
-/// An extension of a primitive or mesh that counts vertices or triangles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Ordered {
-    pub name: &'static str,
-    /// It refers to vertices by number, so that a vertex may not be split from its triangles unseen.
-    pub vertices: bool,
-    /// It refers to triangles or their corners by number, so that none may be dropped or turned.
-    pub triangles: bool,
-}
-
-/// The extensions that refer to the order of vertices or triangles.
-pub const ORDERED: &[Ordered] = &[
-    Ordered { name: "CESIUM_primitive_outline", vertices: true, triangles: false },
-    Ordered { name: "EXT_mesh_primitive_edge_visibility", vertices: true, triangles: true },
-    Ordered { name: "EXT_mesh_manifold", vertices: true, triangles: true },
+/// The extensions of a primitive or mesh that refer to vertices by number, so that none may be split, and whether they also
+/// refer to triangles or their corners, so that none may be dropped or flipped.
+pub const ORDERED: [(&str, bool); 3] = [
+    ("CESIUM_primitive_outline", false),
+    ("EXT_mesh_primitive_edge_visibility", true),
+    ("EXT_mesh_manifold", true),
 ];
 
 /// Whether `EXT_mesh_features` on a primitive numbers its features by vertex.

@@ -37,7 +37,7 @@ use document::records::{Records, VertexAccessors};
 use json::fields::Fields;
 use json::tree::Json;
 use std::borrow::Cow;
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -141,15 +141,17 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
     // A value takes at most six times its stored bytes when decoded; twelve times allows for shared ones.
     let implied_limit = options.limits.implied_elements;
     let memory = Cell::new(12 * (input + buffers.total()) + 24 * implied_limit);
-    let source = Source { records: &records, buffers: &buffers, implied_limit, memory };
+    let notes = RefCell::new(notes);
+    let source = Source { records: &records, buffers: &buffers, implied_limit, memory, notes };
     let mut assembler = Assembler::new(source, options.non_finite);
     let (mut parts, mut layouts) = (Vec::new(), Vec::new());
     for mesh in 0..records.meshes.len() {
-        let (part, layout) = assembler.part(mesh, &mut notes)?;
+        let (part, layout) = assembler.part(mesh)?;
         parts.push(part);
         layouts.push(layout);
     }
-    let Assembler { sources, materials, .. } = assembler;
+    let Assembler { source, sources, materials, .. } = assembler;
+    let notes = source.notes.into_inner();
     let format = if glb.is_some() { Format::Glb } else { Format::Gltf };
     let document = GltfDocument { records, buffers, glb, sources, layouts, materials, images };
     Ok(Loaded { format, parts, nodes, notes, document: Document::Gltf(Box::new(document)) })

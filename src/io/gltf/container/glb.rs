@@ -1,4 +1,4 @@
-//! The GLB container: a header and chunks, all kept as they are.
+//! The GLB container: a header and chunks, all of which are kept.
 
 use crate::io::text::counted;
 use crate::io::{Note, Place, Problem, ReadError, WriteError};
@@ -91,41 +91,34 @@ impl Glb {
         self.chunks.iter().position(|(kind, _)| *kind == BIN)
     }
 
-    /// How many chunks there are beside JSON and the first BIN.
+    /// The number of chunks other than JSON and the first BIN.
     pub fn other_chunks(&self) -> usize {
         self.chunks.len() - 1 - usize::from(self.bin_chunk().is_some())
     }
 
     /// A file with the same chunks in the same order, but other JSON and, if given, another BIN.
     pub fn rewrite(&self, bytes: &[u8], json: &str, bin: Option<&[u8]>) -> Result<Vec<u8>, WriteError> {
-        let bin_chunk = self.bin_chunk();
-        let mut chunks: Vec<(u32, &[&[u8]])> = Vec::new();
-        let others: Vec<&[u8]> = self.chunks.iter().map(|(_, span)| &bytes[span.clone()]).collect();
-        let (json, bin) = ([json.as_bytes()], bin.map(|bin| [bin]));
-        chunks.push((JSON, &json));
-        if let (None, Some(bin)) = (bin_chunk, &bin) {
-            chunks.push((BIN, bin));
-        }
-        for (number, (kind, _)) in self.chunks.iter().enumerate().skip(1) {
-            match &bin {
-                Some(bin) if Some(number) == bin_chunk => chunks.push((BIN, bin)),
-                _ => chunks.push((*kind, &others[number..=number])),
-            }
+        let chunk = |(kind, span): &(u32, Range<usize>)| (*kind, vec![&bytes[span.clone()]]);
+        let mut chunks: Vec<(u32, Vec<&[u8]>)> = self.chunks.iter().map(chunk).collect();
+        chunks[0].1 = vec![json.as_bytes()];
+        match (self.bin_chunk(), bin) {
+            (_, None) => {}
+            (Some(number), Some(bin)) => chunks[number].1 = vec![bin],
+            (None, Some(bin)) => chunks.insert(1, (BIN, vec![bin])),
         }
         assemble(&chunks)
     }
 }
 
 /// A new GLB file from JSON and BIN.
-pub fn glb(json: &str, bin: &[&[u8]]) -> Result<Vec<u8>, WriteError> {
-    let json = [json.as_bytes()];
-    let chunks = [(JSON, &json[..]), (BIN, bin)];
+pub fn glb(json: &str, bin: Vec<&[u8]>) -> Result<Vec<u8>, WriteError> {
     let has_bin = bin.iter().any(|piece| !piece.is_empty());
+    let chunks = [(JSON, vec![json.as_bytes()]), (BIN, bin)];
     assemble(if has_bin { &chunks } else { &chunks[..1] })
 }
 
 /// A GLB file of chunks, each given in pieces.
-fn assemble(chunks: &[(u32, &[&[u8]])]) -> Result<Vec<u8>, WriteError> {
+fn assemble(chunks: &[(u32, Vec<&[u8]>)]) -> Result<Vec<u8>, WriteError> {
     let size = |pieces: &[&[u8]]| pieces.iter().map(|piece| piece.len()).sum::<usize>();
     let length = 12 + chunks.iter().map(|(_, pieces)| 8 + padded(size(pieces))).sum::<usize>();
     let Ok(counted) = u32::try_from(length) else {
@@ -158,8 +151,8 @@ mod tests {
 
     #[test]
     fn unknown_chunks_stay_where_they_are() {
-        let chunks: [(u32, &[&[u8]]); 4] =
-            [(JSON, &[b"{}  "]), (7, &[b"abcd"]), (BIN, &[b"1234"]), (9, &[b"xy", b"\0\0"])];
+        let chunks: [(u32, Vec<&[u8]>); 4] =
+            [(JSON, vec![b"{}  "]), (7, vec![b"abcd"]), (BIN, vec![b"1234"]), (9, vec![b"xy", b"\0\0"])];
         let file = assemble(&chunks).unwrap();
         let glb = Glb::parse(&file, &mut Vec::new()).unwrap();
         assert_eq!(&file[glb.json()], b"{}  ");
@@ -180,7 +173,7 @@ mod tests {
         assert!(error(b"glTF\x02\0").contains("a GLB of 6 bytes"));
         assert!(error(&header(12)).contains("a GLB of 12 bytes, where the headers of file and JSON take 20"));
         assert!(error(&header(13)).contains("a header that states 13 bytes where the file has 12"));
-        let mut file = glb("{}", &[b"1234"]).unwrap();
+        let mut file = glb("{}", vec![b"1234"]).unwrap();
         file[12] = 200;
         let error = error(&file);
         assert!(error.contains("a chunk that states 200 bytes where the file has 16 more"), "{error}");
@@ -189,7 +182,7 @@ mod tests {
 
     #[test]
     fn every_prefix_is_an_error() {
-        let file = glb("{}", &[b"12", b"34"]).unwrap();
+        let file = glb("{}", vec![b"12", b"34"]).unwrap();
         for end in 0..file.len() {
             assert!(Glb::parse(&file[..end], &mut Vec::new()).is_err(), "{end}");
         }

@@ -3,7 +3,7 @@
 use crate::io::companion::{leads_to, output_name};
 use crate::io::gltf::GltfDocument;
 use crate::io::gltf::container::buffers::Storage;
-use crate::io::gltf::container::glb;
+use crate::io::gltf::container::glb::{self, Glb};
 use crate::io::gltf::container::uri;
 use crate::io::gltf::edit::store::{Changed, Store};
 use crate::io::gltf::json::splice::{Splices, changed_object};
@@ -19,169 +19,226 @@ pub fn package(
     to: Format,
     options: &WriteOptions,
 ) -> Result<Written, WriteError> {
-    let mut written = Written::default();
+    let mut package = Package { document, options, written: Written::default() };
     let into_one = to == Format::Glb && document.glb.is_none();
     if !into_one {
-        settle_buffers(document, &mut store, options, &mut written);
+        package.settle_buffers(&mut store);
     }
     match (&document.glb, to) {
-        (Some(_), Format::Glb) => same_glb(document, store, &mut written)?,
-        (Some(_), _) => as_gltf(document, store, options, &mut written)?,
-        (None, Format::Glb) => as_glb(document, store, &mut written)?,
-        (None, _) => same_gltf(document, store, options, &mut written),
+        (Some(glb), Format::Glb) => package.same_glb(glb, store)?,
+        (Some(glb), _) => package.as_gltf(glb, store)?,
+        (None, Format::Glb) => package.as_glb(store)?,
+        (None, _) => package.same_gltf(store),
     }
-    copy_images(document, options, &mut written);
-    Ok(written)
+    package.copy_images();
+    Ok(package.written)
 }
 
-/// Lets the output find the buffers that are files: in its folder under the name that they have, or where they are if their
-/// name leads there. Otherwise they get a name that does not lead out of the output's folder, or, in a stream, are stored in
-/// the document itself.
-fn settle_buffers(
-    document: &GltfDocument,
-    store: &mut Store<'_>,
-    options: &WriteOptions,
-    written: &mut Written,
-) {
-    for (buffer, &object) in document.buffers.list.iter().zip(&document.records.buffers) {
-        let Storage::File { name, path, bytes } = &buffer.storage else { continue };
-        let Some(stem) = &options.stem else {
-            store.splices.set(object, "uri", quoted(&uri::encode_data(bytes)));
-            continue;
-        };
-        let next_to = output_name(Path::new(""), name);
-        if next_to.is_none() && leads_to(options.folder.as_deref(), name, path) {
-            continue;
-        }
-        let next_to = next_to.unwrap_or_else(|| {
+/// The output of a document.
+struct Package<'a> {
+    document: &'a GltfDocument,
+    options: &'a WriteOptions,
+    written: Written,
+}
+
+impl Package<'_> {
+    /// Lets the output find the buffers that are files: in its folder under the name that they have, or where they are if their
+    /// name leads there. Otherwise they get a name that does not lead out of the output's folder, or, in a stream, are stored in
+    /// the document itself.
+    fn settle_buffers(&mut self, store: &mut Store<'_>) {
+        let document = self.document;
+        for (buffer, &object) in document.buffers.list.iter().zip(&document.records.buffers) {
+            let Storage::File { name, path, bytes } = &buffer.storage else { continue };
+            let Some(stem) = &self.options.stem else {
+                store.splices.set(object, "uri", quoted(&uri::encode_data(bytes)));
+                continue;
+            };
+            let next_to = output_name(Path::new(""), name);
+            if next_to.is_none() && leads_to(self.options.folder.as_deref(), name, path) {
+                continue;
+            }
+            let next_to = next_to.unwrap_or_else(|| {
             let taken =
                 |other: &OutputFile| matches!(&other.content, OutputContent::CopyOf(file) if file == path);
-            let known = written.companions.iter().find(|other| taken(other)).map(|other| other.name.clone());
-            let safe = known.unwrap_or_else(|| free_name(document, written, stem, &bare_name(path)));
+            let known = self.written.companions.iter().find(|other| taken(other)).map(|other| other.name.clone());
+            let safe = known.unwrap_or_else(|| self.free_name(stem, &bare_name(path)));
             store.splices.set(object, "uri", quoted(&uri::percent_encoded(&safe)));
             safe
         });
-        add_copy(next_to, path, written);
+            self.add_copy(next_to, path);
+        }
+    }
+
+    fn add_copy(&mut self, name: String, path: &Path) {
+        if !self.written.companions.iter().any(|file| file.name == name) {
+            self.written
+                .companions
+                .push(OutputFile { name, content: OutputContent::CopyOf(path.to_owned()) });
+        }
+    }
+
+    fn same_glb(&mut self, glb: &Glb, store: Store<'_>) -> Result<(), WriteError> {
+        let document = self.document;
+        if store.is_empty() {
+            self.written.bytes = document.buffers.file.clone();
+            return Ok(());
+        }
+        // A GLB keeps to one file even where it has no BIN chunk to append to.
+        let changed = store.finish(None, |extra| Some(uri::encode_data(extra)));
+        let json = if changed.json == document.records.json.text() {
+            &changed.json
+        } else {
+            unpadded(&changed.json)
+        };
+        self.written.bytes = glb.rewrite(&document.buffers.file, json, changed.bin.as_deref())?;
+        Ok(())
+    }
+
+    fn same_gltf(&mut self, store: Store<'_>) {
+        let document = self.document;
+        // A document that is one file stays one.
+        let external =
+            document.buffers.list.iter().any(|buffer| matches!(buffer.storage, Storage::File { .. }));
+        let stem = self.options.stem.as_ref().filter(|_| external);
+        let name = stem.map(|stem| self.free_name(stem, "normals.bin"));
+        let stale = stem.and_then(|stem| self.own_earlier(stem));
+        let changed = store.finish(stale, |extra| Some(uri::address(name.as_deref(), extra)));
+        self.written.bytes = changed.json.into_bytes();
+        if let (Some(name), Some(extra)) = (name, changed.extra) {
+            if let Some(Storage::File { path, .. }) =
+                changed.replaced.map(|buffer| &document.buffers.list[buffer].storage)
+            {
+                self.written.companions.retain(|file| file.content != OutputContent::CopyOf(path.clone()));
+            }
+            self.written.companions.insert(0, OutputFile { name, content: OutputContent::Bytes(extra) });
+        }
+    }
+
+    /// The last buffer whose file an earlier edit of this document wrote, which the next may replace. The file itself gets
+    /// another name all the same: until the document is stored, the old one has to find what it refers to.
+    fn own_earlier(&self, stem: &str) -> Option<usize> {
+        let is_own = |name: &str| {
+            let number = name.strip_prefix(stem).and_then(|name| name.strip_prefix(".normals"));
+            let number = number.and_then(|name| name.strip_suffix(".bin"));
+            number.is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()))
+        };
+        let mut buffers = self.document.buffers.list.iter();
+        buffers.rposition(|buffer| matches!(&buffer.storage, Storage::File { name, .. } if is_own(name)))
+    }
+
+    /// A name for a file next to the output, `<stem>.<name>` or with a number in it, that no other such file has.
+    fn free_name(&self, stem: &str, name: &str) -> String {
+        let is_taken = |name: &String| {
+            let of_input = self.document.buffers.list.iter().any(|buffer| match &buffer.storage {
+                Storage::File { name: other, .. } => output_name(Path::new(""), other).as_ref() == Some(name),
+                _ => false,
+            });
+            of_input || self.written.companions.iter().any(|file| file.name == *name)
+        };
+        let (front, extension) = name.rsplit_once('.').unwrap_or((name, "bin"));
+        let front = if front.is_empty() { stem.to_owned() } else { format!("{stem}.{front}") };
+        let numbered = (2_u64..).map(|number| format!("{front}{number}.{extension}"));
+        let mut names = std::iter::once(format!("{front}.{extension}")).chain(numbered);
+        names.find(|name| !is_taken(name)).unwrap_or_default()
+    }
+
+    /// `.glb` from `.gltf`: all buffers become one, and views move with them.
+    fn as_glb(&mut self, store: Store<'_>) -> Result<(), WriteError> {
+        let document = self.document;
+        let Changed { json, extra, .. } = store.finish(None, |_| None);
+        let json = reparsed(json)?;
+        let objects: Vec<Value> = json.items(json.root(), "buffers").collect();
+        let old = (0..document.buffers.list.len()).map(|buffer| document.buffers.bytes(buffer));
+        let mut splices = Splices::new(&json);
+        let mut pieces: Vec<&[u8]> = Vec::new();
+        // The buffer and the offset where each old buffer begins.
+        let mut homes: Vec<(usize, u64)> = Vec::new();
+        let (mut length, mut absent) = (0_usize, Vec::new());
+        for (&object, content) in objects.iter().zip(old.chain([extra.as_deref()])) {
+            let Some(bytes) = content else {
+                absent.push(json.raw(object).to_owned());
+                homes.push((absent.len(), 0));
+                continue;
+            };
+            homes.push((0, length as u64));
+            pieces.extend([bytes, &[0; 4][..glb::padded(bytes.len()) - bytes.len()]]);
+            length += glb::padded(bytes.len());
+        }
+        for view in json.items(json.root(), "bufferViews") {
+            move_reference(&json, view, &homes, &mut splices);
+            let extensions = json.member(view, "extensions");
+            for (_, compressed) in extensions.into_iter().flat_map(|extensions| json.members(extensions)) {
+                move_reference(&json, compressed, &homes, &mut splices);
+            }
+        }
+        if let Some(&first) = objects.first() {
+            // The first buffer's object is kept for all, so that its name and extras survive.
+            let changes = vec![("uri".to_owned(), None), ("byteLength".to_owned(), Some(length.to_string()))];
+            let merged = std::iter::once(changed_object(&json, first, &changes)).chain(absent);
+            splices.set(json.root(), "buffers", format!("[{}]", merged.collect::<Vec<_>>().join(",")));
+            let named = |object: &Value| {
+                json.members(*object).any(|(key, _)| !matches!(json.raw(key), "\"uri\"" | "\"byteLength\""))
+            };
+            if objects[1..].iter().any(named) {
+                let text = "buffers were merged into one; what the others said of themselves is lost";
+                self.written.notes.push(Note::remark(text));
+            }
+        }
+        self.written.bytes = glb::glb(unpadded(&splices.apply()), pieces)?;
+        Ok(())
+    }
+
+    /// `.gltf` from `.glb`: the BIN chunk becomes a file, or part of the text.
+    fn as_gltf(&mut self, glb: &Glb, store: Store<'_>) -> Result<(), WriteError> {
+        let changed = store.finish(None, |extra| Some(uri::encode_data(extra)));
+        let json = reparsed(changed.json)?;
+        let mut splices = Splices::new(&json);
+        let first = json.items(json.root(), "buffers").next();
+        if let Some(first) = first.filter(|&first| json.member(first, "uri").is_none()) {
+            let bin = match (&changed.bin, glb.bin()) {
+                (Some(bin), _) => bin.as_slice(),
+                (None, Some(range)) => &self.document.buffers.file[range],
+                (None, None) => &[],
+            };
+            let length =
+                json.member(first, "byteLength").and_then(|length| json.integer(length)).unwrap_or(0);
+            let bin = &bin[..bin.len().min(length as usize)];
+            let name = self.options.stem.as_ref().map(|stem| self.free_name(stem, ".bin"));
+            splices.set(first, "uri", quoted(&uri::address(name.as_deref(), bin)));
+            let content = || OutputContent::Bytes(bin.to_vec());
+            self.written.companions.extend(name.map(|name| OutputFile { name, content: content() }));
+        }
+        if glb.other_chunks() > 0 {
+            let chunks = counted(glb.other_chunks(), "chunk", "chunks");
+            let text = format!("left out, because only a GLB can hold it: {chunks}");
+            self.written.notes.push(Note::warning(Place::File, text));
+        }
+        self.written.bytes = unpadded(&splices.apply()).as_bytes().to_vec();
+        Ok(())
+    }
+
+    /// Lists the images that the output refers to as the input does.
+    fn copy_images(&mut self) {
+        let mut left: Vec<&str> = Vec::new();
+        for (name, path) in &self.document.images {
+            match output_name(Path::new(""), name).filter(|_| self.options.stem.is_some()) {
+                Some(name) => self.add_copy(name, path),
+                None if leads_to(self.options.folder.as_deref(), name, path) => {}
+                None => left.push(name),
+            }
+        }
+        if let Some(first) = left.first() {
+            let images = counted(left.len(), "image", "images");
+            let text =
+                format!("not copied, though the output refers to them: {images} (the first is {first:?})");
+            self.written.notes.push(Note::warning(Place::File, text));
+        }
     }
 }
 
 /// The last part of a path, without what would make it lead elsewhere.
 fn bare_name(path: &Path) -> String {
     path.file_name().map_or_else(|| "buffer.bin".into(), |name| name.to_string_lossy().into_owned())
-}
-
-fn add_copy(name: String, path: &Path, written: &mut Written) {
-    if !written.companions.iter().any(|file| file.name == name) {
-        written.companions.push(OutputFile { name, content: OutputContent::CopyOf(path.to_owned()) });
-    }
-}
-
-fn same_glb(document: &GltfDocument, store: Store<'_>, written: &mut Written) -> Result<(), WriteError> {
-    let Some(glb) = &document.glb else { return Ok(()) };
-    if store.is_empty() {
-        written.bytes = document.buffers.file.clone();
-        return Ok(());
-    }
-    // A GLB keeps to one file even where it has no BIN chunk to append to.
-    let changed = store.finish(None, |extra| Some(uri::encode_data(extra)));
-    let json =
-        if changed.json == document.records.json.text() { &changed.json } else { unpadded(&changed.json) };
-    written.bytes = glb.rewrite(&document.buffers.file, json, changed.bin.as_deref())?;
-    Ok(())
-}
-
-fn same_gltf(document: &GltfDocument, store: Store<'_>, options: &WriteOptions, written: &mut Written) {
-    // A document that is one file stays one.
-    let external = document.buffers.list.iter().any(|buffer| matches!(buffer.storage, Storage::File { .. }));
-    let stem = options.stem.as_ref().filter(|_| external);
-    let name = stem.map(|stem| free_name(document, written, stem, "normals.bin"));
-    let stale = stem.and_then(|stem| own_earlier(document, stem));
-    let changed = store.finish(stale, |extra| Some(uri::address(name.as_deref(), extra)));
-    written.bytes = changed.json.into_bytes();
-    if let (Some(name), Some(extra)) = (name, changed.extra) {
-        if let Some(Storage::File { path, .. }) =
-            changed.replaced.map(|buffer| &document.buffers.list[buffer].storage)
-        {
-            written.companions.retain(|file| file.content != OutputContent::CopyOf(path.clone()));
-        }
-        written.companions.insert(0, OutputFile { name, content: OutputContent::Bytes(extra) });
-    }
-}
-
-/// The last buffer whose file an earlier edit of this document wrote, which the next may replace. The file itself gets
-/// another name all the same: until the document is stored, the old one has to find what it refers to.
-fn own_earlier(document: &GltfDocument, stem: &str) -> Option<usize> {
-    let is_own = |name: &str| {
-        let number = name.strip_prefix(stem).and_then(|name| name.strip_prefix(".normals"));
-        let number = number.and_then(|name| name.strip_suffix(".bin"));
-        number.is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()))
-    };
-    document
-        .buffers
-        .list
-        .iter()
-        .rposition(|buffer| matches!(&buffer.storage, Storage::File { name, .. } if is_own(name)))
-}
-
-/// A name for a file beside the output, `<stem>.<name>` or with a number in it, that no other such file has.
-fn free_name(document: &GltfDocument, written: &Written, stem: &str, name: &str) -> String {
-    let is_taken = |name: &String| {
-        let of_input = document.buffers.list.iter().any(|buffer| match &buffer.storage {
-            Storage::File { name: other, .. } => output_name(Path::new(""), other).as_ref() == Some(name),
-            _ => false,
-        });
-        of_input || written.companions.iter().any(|file| file.name == *name)
-    };
-    let (front, extension) = name.rsplit_once('.').unwrap_or((name, "bin"));
-    let front = if front.is_empty() { stem.to_owned() } else { format!("{stem}.{front}") };
-    let numbered = (2_u64..).map(|number| format!("{front}{number}.{extension}"));
-    let mut names = std::iter::once(format!("{front}.{extension}")).chain(numbered);
-    names.find(|name| !is_taken(name)).unwrap_or_default()
-}
-
-/// `.glb` from `.gltf`: all buffers become one, and views move with them.
-fn as_glb(document: &GltfDocument, store: Store<'_>, written: &mut Written) -> Result<(), WriteError> {
-    let Changed { json, extra, .. } = store.finish(None, |_| None);
-    let json = reparsed(json)?;
-    let objects: Vec<Value> = json.items(json.root(), "buffers").collect();
-    let old = (0..document.buffers.list.len()).map(|buffer| document.buffers.bytes(buffer));
-    let mut splices = Splices::new(&json);
-    let mut pieces: Vec<&[u8]> = Vec::new();
-    // The buffer and the offset where each old buffer begins.
-    let mut homes: Vec<(usize, u64)> = Vec::new();
-    let (mut length, mut absent) = (0_usize, Vec::new());
-    for (&object, content) in objects.iter().zip(old.chain([extra.as_deref()])) {
-        let Some(bytes) = content else {
-            absent.push(json.raw(object).to_owned());
-            homes.push((absent.len(), 0));
-            continue;
-        };
-        homes.push((0, length as u64));
-        pieces.extend([bytes, &[0; 4][..glb::padded(bytes.len()) - bytes.len()]]);
-        length += glb::padded(bytes.len());
-    }
-    for view in json.items(json.root(), "bufferViews") {
-        move_reference(&json, view, &homes, &mut splices);
-        let extensions = json.member(view, "extensions");
-        for (_, compressed) in extensions.into_iter().flat_map(|extensions| json.members(extensions)) {
-            move_reference(&json, compressed, &homes, &mut splices);
-        }
-    }
-    if let Some(&first) = objects.first() {
-        // The first buffer's object is kept for all, so that its name and extras survive.
-        let changes = vec![("uri".to_owned(), None), ("byteLength".to_owned(), Some(length.to_string()))];
-        let merged = std::iter::once(changed_object(&json, first, &changes)).chain(absent);
-        splices.set(json.root(), "buffers", format!("[{}]", merged.collect::<Vec<_>>().join(",")));
-        let named = |object: &Value| {
-            json.members(*object).any(|(key, _)| !matches!(json.raw(key), "\"uri\"" | "\"byteLength\""))
-        };
-        if objects[1..].iter().any(named) {
-            let text = "buffers were merged into one; what the others said of themselves is lost";
-            written.notes.push(Note::remark(text));
-        }
-    }
-    written.bytes = glb::glb(unpadded(&splices.apply()), &pieces)?;
-    Ok(())
 }
 
 /// Points what has `buffer` and `byteOffset` at the merged buffer.
@@ -196,57 +253,6 @@ fn move_reference(json: &Json, object: Value, homes: &[(usize, u64)], splices: &
     }
     if offset > 0 {
         splices.set(object, "byteOffset", integer("byteOffset").unwrap_or(0).saturating_add(offset));
-    }
-}
-
-/// `.gltf` from `.glb`: the BIN chunk becomes a file, or part of the text.
-fn as_gltf(
-    document: &GltfDocument,
-    store: Store<'_>,
-    options: &WriteOptions,
-    written: &mut Written,
-) -> Result<(), WriteError> {
-    let Some(glb) = &document.glb else { return Ok(()) };
-    let changed = store.finish(None, |extra| Some(uri::encode_data(extra)));
-    let json = reparsed(changed.json)?;
-    let mut splices = Splices::new(&json);
-    let first = json.items(json.root(), "buffers").next();
-    if let Some(first) = first.filter(|&first| json.member(first, "uri").is_none()) {
-        let bin = match (&changed.bin, glb.bin()) {
-            (Some(bin), _) => bin.as_slice(),
-            (None, Some(range)) => &document.buffers.file[range],
-            (None, None) => &[],
-        };
-        let length = json.member(first, "byteLength").and_then(|length| json.integer(length)).unwrap_or(0);
-        let bin = &bin[..bin.len().min(length as usize)];
-        let name = options.stem.as_ref().map(|stem| free_name(document, written, stem, ".bin"));
-        splices.set(first, "uri", quoted(&uri::address(name.as_deref(), bin)));
-        let content = || OutputContent::Bytes(bin.to_vec());
-        written.companions.extend(name.map(|name| OutputFile { name, content: content() }));
-    }
-    if glb.other_chunks() > 0 {
-        let chunks = counted(glb.other_chunks(), "chunk", "chunks");
-        let text = format!("left out, because only a GLB can hold it: {chunks}");
-        written.notes.push(Note::warning(Place::File, text));
-    }
-    written.bytes = unpadded(&splices.apply()).as_bytes().to_vec();
-    Ok(())
-}
-
-/// Lists the images that the output refers to as the input does.
-fn copy_images(document: &GltfDocument, options: &WriteOptions, written: &mut Written) {
-    let mut left: Vec<&str> = Vec::new();
-    for (name, path) in &document.images {
-        match output_name(Path::new(""), name).filter(|_| options.stem.is_some()) {
-            Some(name) => add_copy(name, path, written),
-            None if leads_to(options.folder.as_deref(), name, path) => {}
-            None => left.push(name),
-        }
-    }
-    if let Some(first) = left.first() {
-        let images = counted(left.len(), "image", "images");
-        let text = format!("not copied, though the output refers to them: {images} (the first is {first:?})");
-        written.notes.push(Note::warning(Place::File, text));
     }
 }
 

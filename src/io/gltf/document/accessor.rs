@@ -4,9 +4,9 @@ use crate::io::gltf::container::buffers::Buffers;
 use crate::io::gltf::document::records::{Component, Format, Records, Sparse};
 use crate::io::gltf::json::fields::{At, only_compressed, out_of_range};
 use crate::io::text::counted;
-use crate::io::{Problem, ReadError};
+use crate::io::{Note, Place, Problem, ReadError};
 use std::borrow::Cow;
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 /// The bytes of an accessor's elements, in place.
 #[derive(Clone, Copy, Debug)]
@@ -32,10 +32,11 @@ struct Exceptions<'a> {
 pub struct Source<'a> {
     pub records: &'a Records,
     pub buffers: &'a Buffers,
-    /// Elements that accessors without stored data may still stand for.
+    /// The most elements of an accessor without stored data.
     pub implied_limit: u64,
     /// Bytes of memory that decoding may still take; one file's bytes can be asked for any number of times.
     pub memory: Cell<u64>,
+    pub notes: RefCell<Vec<Note>>,
 }
 
 impl<'a> Source<'a> {
@@ -94,6 +95,11 @@ impl<'a> Source<'a> {
             previous = Some(index);
         }
         Ok(Exceptions { indices, component, values })
+    }
+
+    /// Adds a warning to the notes.
+    pub fn warn(&self, place: Place, text: impl Into<String>) {
+        self.notes.borrow_mut().push(Note::warning(place, text));
     }
 
     /// Takes memory from the budget before something is decoded.

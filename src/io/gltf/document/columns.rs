@@ -12,31 +12,29 @@ impl Assembler<'_> {
     /// Decodes the vertices of all blocks and builds the mesh. Also returns the faces that are dropped from it.
     pub fn fill(
         &self,
-        mesh: usize,
         layout: &mut Layout,
         corners: Vec<u32>,
         mut columns: Columns,
-        notes: &mut Vec<Note>,
     ) -> Result<(Mesh, Vec<u32>), ReadError> {
-        let at = At::new("meshes", mesh);
         let mut positions = Vec::new();
         for block in &layout.blocks {
-            self.source.spend(24 * u64::from(block.count), at)?;
+            self.source.spend(24 * u64::from(block.count), self.at)?;
             positions.extend(self.vectors(self.accessors(block).position())?);
         }
         let first_normals;
         (columns.normals, first_normals) =
-            self.column(layout, &corners, "NORMAL", at, |accessor| self.vectors(accessor))?;
+            self.column(layout, &corners, "NORMAL", |accessor| self.vectors(accessor))?;
         layout.blocks.iter_mut().zip(first_normals).for_each(|(block, first)| block.first_normal = first);
         // glTF counts v from the top of the image, meshes count from the bottom.
         let uv = |[u, v]: [f32; 2]| DVec2::new(u.into(), 1.0 - f64::from(v));
-        (columns.uvs, _) = self.column(layout, &corners, "TEXCOORD_0", at, |accessor| {
-            Ok(self.shown::<2>(accessor, notes)?.into_iter().map(uv))
+        (columns.uvs, _) = self.column(layout, &corners, "TEXCOORD_0", |accessor| {
+            Ok(self.shown::<2>(accessor)?.into_iter().map(uv))
         })?;
-        columns.colors = self.colors(layout, at, notes)?;
-        columns.morph_targets = self.morph_targets(layout, positions.len(), at, notes)?;
+        columns.colors = self.colors(layout)?;
+        columns.morph_targets = self.morph_targets(layout, positions.len())?;
         let note = non_finite_note(&positions, self.non_finite);
-        notes.extend(note.map(|note| Note { place: at.place(), ..note }));
+        let note = note.map(|note| Note { place: self.at.place(), ..note });
+        self.source.notes.borrow_mut().extend(note);
         let faces = Faces::triangles(corners);
         let builder = MeshBuilder { positions, storage: Storage::F32, faces, columns };
         let built = match self.non_finite {
@@ -45,7 +43,7 @@ impl Assembler<'_> {
         };
         built.map_err(|error| match error {
             MeshError::NonFinite { vertex, position } => self.non_finite_position(layout, vertex, position),
-            other => out_of_range(at.place(), other.to_string()),
+            other => out_of_range(self.at.place(), other.to_string()),
         })
     }
 
@@ -65,19 +63,15 @@ impl Assembler<'_> {
         Ok(floats.into_iter().map(|[x, y, z]| DVec3::new(x.into(), y.into(), z.into())))
     }
 
-    /// Floats for show: what is not a finite number becomes 0, with a warning.
-    fn shown<const N: usize>(
-        &self,
-        accessor: usize,
-        notes: &mut Vec<Note>,
-    ) -> Result<Vec<[f32; N]>, ReadError> {
+    /// The floats of texture coordinates or colours: those that are not finite become 0, with a warning.
+    fn shown<const N: usize>(&self, accessor: usize) -> Result<Vec<[f32; N]>, ReadError> {
         let mut floats = self.source.elements(accessor)?.floats::<N>(1.0);
         let broken = floats.as_flattened_mut().iter_mut().filter(|x| !x.is_finite());
         let count = broken.map(|x| *x = 0.0).count();
         if count > 0 {
             let numbers = counted(count, "number", "numbers");
             let text = format!("texture coordinates or colours that are not finite count as 0: {numbers}");
-            notes.push(Note::warning(At::new("accessors", accessor).place(), text));
+            self.source.warn(At::new("accessors", accessor).place(), text);
         }
         Ok(floats)
     }
@@ -89,14 +83,13 @@ impl Assembler<'_> {
         layout: &Layout,
         corners: &[u32],
         semantic: &str,
-        at: At,
-        mut read: impl FnMut(usize) -> Result<I, ReadError>,
+        read: impl Fn(usize) -> Result<I, ReadError>,
     ) -> Result<(Option<Column<T>>, Vec<Option<u32>>), ReadError> {
         let mut values: Vec<T> = Vec::new();
         let mut first = vec![None; layout.blocks.len()];
         for (block, first) in layout.blocks.iter().zip(&mut first).filter(|(block, _)| block.solid) {
             let Some(accessor) = self.accessors(block).get(semantic) else { continue };
-            self.source.spend(size_of::<T>() as u64 * u64::from(block.count), at)?;
+            self.source.spend(size_of::<T>() as u64 * u64::from(block.count), self.at)?;
             *first = Some(values.len() as u32);
             values.extend(read(accessor)?);
         }
@@ -106,7 +99,7 @@ impl Assembler<'_> {
         if first.iter().all(Option::is_some) {
             return Ok((Some(Column::per_vertex(values)), first));
         }
-        self.source.spend(4 * corners.len() as u64, at)?;
+        self.source.spend(4 * corners.len() as u64, self.at)?;
         let mut index = Vec::with_capacity(corners.len());
         for piece in &layout.pieces {
             let (first, first_vertex) = (first[piece.block], layout.blocks[piece.block].first_vertex);
@@ -116,21 +109,16 @@ impl Assembler<'_> {
         Ok((Some(Column::per_corner(values, index)), first))
     }
 
-    fn colors(
-        &self,
-        layout: &Layout,
-        at: At,
-        notes: &mut Vec<Note>,
-    ) -> Result<Option<Vec<[f32; 4]>>, ReadError> {
+    fn colors(&self, layout: &Layout) -> Result<Option<Vec<[f32; 4]>>, ReadError> {
         let colors_of = || layout.blocks.iter().map(|block| self.accessors(block).get("COLOR_0"));
         if colors_of().all(|accessor| accessor.is_none()) {
             return Ok(None);
         }
         let mut colors = Vec::new();
         for (block, accessor) in layout.blocks.iter().zip(colors_of()) {
-            self.source.spend(16 * u64::from(block.count), at)?;
+            self.source.spend(16 * u64::from(block.count), self.at)?;
             match accessor {
-                Some(accessor) => colors.extend(self.shown::<4>(accessor, notes)?),
+                Some(accessor) => colors.extend(self.shown::<4>(accessor)?),
                 // Colours multiply, so that white is the same as none.
                 None => colors.extend(std::iter::repeat_n([1.0; 4], block.count as usize)),
             }
@@ -138,19 +126,13 @@ impl Assembler<'_> {
         Ok(Some(colors))
     }
 
-    fn morph_targets(
-        &self,
-        layout: &Layout,
-        vertices: usize,
-        at: At,
-        notes: &mut Vec<Note>,
-    ) -> Result<Vec<Vec<DVec3>>, ReadError> {
+    fn morph_targets(&self, layout: &Layout, vertices: usize) -> Result<Vec<Vec<DVec3>>, ReadError> {
         let counts = layout.blocks.iter().map(|block| self.accessors(block).target_sets().len());
         let count = counts.clone().max().unwrap_or(0);
         if counts.min().unwrap_or(0) < count {
-            notes.push(Note::warning(at.place(), "primitives with different numbers of morph targets"));
+            self.source.warn(self.at.place(), "primitives with different numbers of morph targets");
         }
-        self.source.spend((24 * vertices as u64).saturating_mul(count as u64), at)?;
+        self.source.spend((24 * vertices as u64).saturating_mul(count as u64), self.at)?;
         let mut targets = vec![vec![DVec3::ZERO; vertices]; count];
         for block in &layout.blocks {
             for (number, target) in targets.iter_mut().enumerate() {
@@ -168,10 +150,10 @@ impl Assembler<'_> {
                 format!("morph target {number} displaces vertex {vertex} by what is not a finite number");
             if self.non_finite == NonFinite::Refuse {
                 let advice = "repair the file, or omit such displacements with `crease normals --force`";
-                return Err(ReadError::new(Problem::NonFinite, at.place(), found, advice));
+                return Err(ReadError::new(Problem::NonFinite, self.at.place(), found, advice));
             }
             target.iter_mut().filter(|d| !d.is_finite()).for_each(|d| *d = DVec3::ZERO);
-            notes.push(Note::warning(at.place(), format!("{found}; such vertices stay where they are")));
+            self.source.warn(self.at.place(), format!("{found}; such vertices stay where they are"));
         }
         Ok(targets)
     }

@@ -9,7 +9,7 @@ use crate::io::gltf::extensions::{DRACO, QUANTIZATION};
 use crate::io::text::counted;
 use crate::io::{Document, Format, Loaded, Note, Place};
 use glam::{DVec3, DVec4};
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
 
 /// Attributes that meshes of this program have.
@@ -29,8 +29,13 @@ const LISTS: [(&str, &str, &str); 4] = [
 impl GltfDocument {
     /// A reader of accessors, all of which were checked when the document was read.
     pub fn accessors(&self) -> Source<'_> {
-        let (implied_limit, memory) = (u64::MAX, Cell::new(u64::MAX));
-        Source { records: &self.records, buffers: &self.buffers, implied_limit, memory }
+        Source {
+            records: &self.records,
+            buffers: &self.buffers,
+            implied_limit: u64::MAX,
+            memory: Cell::new(u64::MAX),
+            notes: RefCell::default(),
+        }
     }
 
     /// A vertex attribute of set `set` of a part; empty if no vertex has it.
@@ -118,7 +123,7 @@ impl Loaded {
         }
     }
 
-    /// What a morph target adds to the normals of a part's vertices, where it says so; empty if it says nothing, and for
+    /// What a morph target adds to the normals of a part's vertices, where it has normals; empty if it has none, and for
     /// formats without morph targets (all but glTF).
     pub fn morph_normals(&self, part: usize, target: usize) -> Vec<Option<DVec3>> {
         match &self.document {

@@ -5,7 +5,7 @@ use crate::io::gltf::document::primitive::{Drawn, draw};
 use crate::io::gltf::document::records::{Component, Format, Primitive, VertexAccessors};
 use crate::io::gltf::extensions::DRACO;
 use crate::io::gltf::json::fields::{At, only_compressed, out_of_range};
-use crate::io::{NonFinite, Note, Part, Problem, ReadError};
+use crate::io::{NonFinite, Part, Problem, ReadError};
 use crate::mesh::{Columns, FaceLabels, NONE};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
@@ -43,6 +43,8 @@ pub struct Piece {
 pub struct Assembler<'a> {
     pub source: Source<'a>,
     pub non_finite: NonFinite,
+    /// The mesh at hand.
+    pub at: At,
     /// The first primitive of each vertex source, as numbers of mesh and primitive.
     pub sources: Vec<(usize, usize)>,
     source_numbers: FxHashMap<&'a VertexAccessors, usize>,
@@ -56,6 +58,7 @@ impl<'a> Assembler<'a> {
         Self {
             source,
             non_finite,
+            at: At::default(),
             sources: Vec::new(),
             source_numbers: FxHashMap::default(),
             materials: BTreeMap::new(),
@@ -64,7 +67,8 @@ impl<'a> Assembler<'a> {
     }
 
     /// Reads one mesh.
-    pub fn part(&mut self, mesh: usize, notes: &mut Vec<Note>) -> Result<(Part, Layout), ReadError> {
+    pub fn part(&mut self, mesh: usize) -> Result<(Part, Layout), ReadError> {
+        self.at = At::new("meshes", mesh);
         let record = &self.source.records.meshes[mesh];
         let mut layout = Layout::default();
         let mut blocks: FxHashMap<usize, usize> = FxHashMap::default();
@@ -74,8 +78,7 @@ impl<'a> Assembler<'a> {
         for (number, primitive) in record.primitives.iter().enumerate() {
             let at = primitive.at;
             let Some(position) = primitive.vertices.get("POSITION") else {
-                let text = "a primitive without positions; nothing can be drawn";
-                notes.push(Note::warning(at.place(), text));
+                self.source.warn(at.place(), "a primitive without positions; nothing can be drawn");
                 continue;
             };
             let source = self.vertex_source(mesh, number)?;
@@ -97,7 +100,7 @@ impl<'a> Assembler<'a> {
                 return Err(too_many("a mesh of ", vertices));
             }
             let first = layout.blocks[block].first_vertex;
-            match draw(&self.source, primitive, count as usize, notes)? {
+            match draw(&self.source, primitive, count as usize)? {
                 Drawn::Points(points) => columns.points.extend(points.iter().map(|v| v + first)),
                 Drawn::Lines(lines) => {
                     let shifted = |line: Vec<u32>| line.iter().map(|v| v + first).collect();
@@ -112,7 +115,7 @@ impl<'a> Assembler<'a> {
             }
         }
         columns.materials = self.labels(&record.primitives, &layout)?;
-        let (mesh, non_finite_faces) = self.fill(mesh, &mut layout, corners, columns, notes)?;
+        let (mesh, non_finite_faces) = self.fill(&mut layout, corners, columns)?;
         Ok((Part { name: record.name.clone(), mesh, non_finite_faces }, layout))
     }
 

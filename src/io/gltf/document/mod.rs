@@ -1,4 +1,4 @@
-//! Document: the typed records of a file, and what is read by them.
+//! Document: the typed records of a file, and the meshes, nodes and looks that they describe.
 
 // The records that geometry needs.
 pub mod records;

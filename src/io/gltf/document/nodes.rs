@@ -18,7 +18,7 @@ pub fn read(json: &Json, meshes: usize, notes: &mut Vec<Note>) -> Result<Vec<Fil
         if !node.shown {
             return Ok(());
         }
-        // Only its joints move a skinned mesh; its node's own transform is ignored, says the standard.
+        // Only its joints move a skinned mesh; the standard ignores its node's own transform.
         let is_skinned = node.fields.index("skin")?.is_some();
         if is_skinned && node.frame.world != DMat4::IDENTITY {
             moved_skin.get_or_insert(node.number);

@@ -1,10 +1,10 @@
 //! Primitives: which vertices their triangles, lines and points use.
 
+use crate::io::ReadError;
 use crate::io::gltf::document::accessor::Source;
 use crate::io::gltf::document::records::{Component, Format, Primitive};
 use crate::io::gltf::json::fields::{At, out_of_range};
 use crate::io::text::counted;
-use crate::io::{Note, ReadError};
 
 /// glTF's codes for what a primitive draws.
 pub mod mode {
@@ -26,12 +26,7 @@ pub enum Drawn {
 }
 
 /// Reads the indices of a primitive with `count` vertices and resolves its mode.
-pub fn draw(
-    source: &Source<'_>,
-    primitive: &Primitive,
-    count: usize,
-    notes: &mut Vec<Note>,
-) -> Result<Drawn, ReadError> {
+pub fn draw(source: &Source<'_>, primitive: &Primitive, count: usize) -> Result<Drawn, ReadError> {
     let mut order = match primitive.indices {
         Some(accessor) => {
             let elements = source.elements(accessor)?;
@@ -57,7 +52,7 @@ pub fn draw(
             if rest > 0 {
                 let corners = counted(rest, "corner", "corners");
                 let text = format!("ignored, because whole triangles leave it over: {corners}");
-                notes.push(Note::warning(primitive.at.place(), text));
+                source.warn(primitive.at.place(), text);
                 order.truncate(order.len() - rest);
             }
             Drawn::Triangles(order)
@@ -77,7 +72,7 @@ fn polyline<'a>(order: impl Iterator<Item = &'a u32>) -> Vec<Vec<u32>> {
     if line.len() < 2 { Vec::new() } else { vec![line] }
 }
 
-/// Triangles of a strip: every other one is turned, so that all face the same way.
+/// Triangles of a strip: every other one is flipped, so that all face the same way.
 fn strip(order: &[u32]) -> Vec<u32> {
     let triangles = order.windows(3).enumerate();
     triangles.flat_map(|(i, w)| if i % 2 == 0 { [w[0], w[1], w[2]] } else { [w[0], w[2], w[1]] }).collect()

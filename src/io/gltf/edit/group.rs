@@ -2,9 +2,8 @@
 
 use crate::io::gltf::document::accessor::{Elements, Source};
 use crate::io::gltf::document::records::{Component, Format, VertexAccessors};
-use crate::io::gltf::edit::indices::rewrite_indices;
+use crate::io::gltf::edit::indices::{drop_draco, rewrite_indices};
 use crate::io::gltf::edit::member::Member;
-use crate::io::gltf::edit::remarks::Remarks;
 use crate::io::gltf::edit::rows::{Rows, SlotTables, Stored};
 use crate::io::gltf::edit::store::{NewData, Store};
 use crate::io::gltf::edit::tangents::{Corners, tangents};
@@ -31,30 +30,25 @@ struct CornerTangents {
 
 impl Group<'_, '_> {
     /// Writes what changes. Returns how many vertices were added.
-    pub fn write(
-        &self,
-        store: &mut Store<'_>,
-        tables: &mut SlotTables,
-        remarks: &mut Remarks,
-    ) -> Result<u64, WriteError> {
+    pub fn write(&self, store: &mut Store<'_>, tables: &mut SlotTables) -> Result<u64, WriteError> {
         let target_sets = self.vertices.target_sets();
         let morph = self.members.iter().all(|member| member.has_morph_normals(target_sets.len()));
         let stored =
             Stored::new(self.source, self.vertices, self.options.normal_format, morph).map_err(unreadable)?;
         let rows = Rows::new(&stored, self.members, tables);
-        remarks.without_normal += rows.missing;
+        store.remarks.without_normal += rows.missing;
 
         let count = self.members[0].block.count as usize;
         let locals: Vec<u32> = self.corners().map(|(member, corner)| member.vertex(corner)).collect();
         let mut split = split_vertices(count, &locals, &[&rows.of_corner]);
         let table = rows.gather(&stored, samples(&split, &rows.of_corner));
         if split.added(count) == 0 && table.is_stored(&stored) {
-            self.write_faces(store, remarks)?;
+            self.write_faces(store)?;
             return Ok(0);
         }
         let has_normals = |set| self.vertices.of_set(set, "NORMAL").is_some();
         if !morph && target_sets.clone().any(has_normals) {
-            remarks.stale_deltas += self.members.len();
+            store.remarks.stale_deltas += self.members.len();
         }
         let new_tangents = self.tangents(&stored, &rows, &locals)?;
         let mut table = match &new_tangents {
@@ -67,7 +61,7 @@ impl Group<'_, '_> {
         table.repair_unused(&stored, samples(&split, &rows.of_corner));
 
         if stored.format.component != Component::F32 {
-            remarks.quantized = true;
+            store.remarks.quantized = true;
         }
         self.put(store, 0, "NORMAL", stored.format, &table.normals(&stored), false);
         for (target, set) in target_sets.enumerate().take(stored.deltas.len()) {
@@ -76,7 +70,7 @@ impl Group<'_, '_> {
                 self.put(store, set, "NORMAL", Format::vector(Component::F32, false, 3), &deltas, false);
             }
         }
-        self.write_tangents(store, &split, new_tangents.as_ref(), remarks)?;
+        self.write_tangents(store, &split, new_tangents.as_ref())?;
         if split.added(count) > 0 {
             self.copy_others(store, &split, morph)?;
         } else {
@@ -85,18 +79,20 @@ impl Group<'_, '_> {
         let mut corners = split.corners.iter();
         for member in self.members {
             let indices = corners.by_ref().take(member.corners.len()).copied().collect();
-            rewrite_indices(store, member, indices, split.source.len(), remarks)?;
-            remarks.drop_draco(store, member);
+            rewrite_indices(store, member, indices, split.source.len())?;
+            drop_draco(store, member);
         }
         Ok(split.added(count) as u64)
     }
 
-    /// Writes faces dropped and turned, where normals are as they were.
-    pub fn write_faces(&self, store: &mut Store<'_>, remarks: &mut Remarks) -> Result<(), WriteError> {
+    /// Writes dropped and flipped faces, where normals do not change.
+    pub fn write_faces(&self, store: &mut Store<'_>) -> Result<(), WriteError> {
         self.repair_positions(store)?;
         for member in self.members {
             let indices = member.corners.iter().map(|&corner| member.vertex(corner)).collect();
-            rewrite_indices(store, member, indices, member.block.count as usize, remarks)?;
+            if rewrite_indices(store, member, indices, member.block.count as usize)? {
+                drop_draco(store, member);
+            }
         }
         Ok(())
     }
@@ -192,7 +188,6 @@ impl Group<'_, '_> {
         store: &mut Store<'_>,
         split: &VertexSplit,
         new: Option<&CornerTangents>,
-        remarks: &mut Remarks,
     ) -> Result<(), WriteError> {
         let Some(accessor) = self.vertices.get("TANGENT") else { return Ok(()) };
         let keep = self.options.tangents == TangentPolicy::Keep;
@@ -207,7 +202,7 @@ impl Group<'_, '_> {
             self.put(store, 0, "TANGENT", format, bytemuck::cast_slice(&values), false);
         } else if !keep {
             self.sites(0).into_iter().for_each(|site| store.splices.remove(site, "TANGENT"));
-            remarks.tangents_dropped += self.members.len();
+            store.remarks.tangents_dropped += self.members.len();
         }
         if !keep {
             let sets = self.vertices.target_sets();
@@ -216,7 +211,7 @@ impl Group<'_, '_> {
             let sites = had.iter().flat_map(|&set| self.sites(set));
             sites.for_each(|site| store.splices.remove(site, "TANGENT"));
             if new.is_some() && !had.is_empty() {
-                remarks.tangent_deltas_dropped += self.members.len();
+                store.remarks.tangent_deltas_dropped += self.members.len();
             }
         }
         Ok(())

@@ -1,4 +1,4 @@
-//! Which corners of which primitives an edit concerns.
+//! The primitives and corners that an edit changes.
 
 use crate::io::gltf::GltfDocument;
 use crate::io::gltf::document::mesh::{Block, Piece};
@@ -18,12 +18,12 @@ pub struct Member<'a> {
     pub edit: &'a PartEdit,
     /// The corners that stay, as numbers of the part's mesh, in their new order.
     pub corners: Vec<u32>,
-    /// Faces were dropped or turned round.
+    /// Faces were dropped or flipped.
     pub reshaped: bool,
 }
 
 impl<'a> Member<'a> {
-    /// All primitives that an edit says anything of, in the order of the document.
+    /// All primitives that an edit changes, in the order of the document.
     pub fn all(document: &'a GltfDocument, loaded: &'a Loaded, edits: &'a [PartEdit]) -> Vec<Member<'a>> {
         let mut members = Vec::new();
         for (part, (layout, edit)) in document.layouts.iter().zip(edits).enumerate() {
@@ -72,7 +72,7 @@ impl<'a> Member<'a> {
         normals.slot(corner as usize, self.mesh.faces().corners()[corner as usize])
     }
 
-    /// The element of the stored normals that a number stands for, if it is one of the file's own.
+    /// The element of the stored normals with a number, if it is one of the file's own.
     pub fn stored_element(&self, slot: u32) -> Option<usize> {
         if slot as usize >= self.edit.kept {
             return None;
@@ -82,7 +82,7 @@ impl<'a> Member<'a> {
     }
 }
 
-/// The corners of a primitive's faces after dropping and turning, and whether there was any of that.
+/// The corners of a primitive's faces that are kept, with flipped faces, and whether any face was dropped or flipped.
 fn order(edit: &PartEdit, piece: &Piece) -> (Vec<u32>, bool) {
     let faces = piece.first_face..piece.first_face + piece.faces;
     let dropped = within(&edit.faces.dropped, &faces);
@@ -90,17 +90,13 @@ fn order(edit: &PartEdit, piece: &Piece) -> (Vec<u32>, bool) {
     if dropped.is_empty() && reversed.is_empty() {
         return ((3 * faces.start..3 * faces.end).collect(), false);
     }
-    let (mut dropped, mut reversed) = (dropped.iter().peekable(), reversed.iter().peekable());
-    let mut corners = Vec::with_capacity(3 * faces.len());
-    for face in faces {
+    let kept = faces.filter(|face| dropped.binary_search(face).is_err());
+    let corners = kept.flat_map(|face| {
         let first = 3 * face;
-        let turned = reversed.next_if_eq(&&face).is_some();
-        if dropped.next_if_eq(&&face).is_none() {
-            let (second, third) = if turned { (first + 2, first + 1) } else { (first + 1, first + 2) };
-            corners.extend([first, second, third]);
-        }
-    }
-    (corners, true)
+        let is_reversed = reversed.binary_search(&face).is_ok();
+        if is_reversed { [first, first + 2, first + 1] } else { [first, first + 1, first + 2] }
+    });
+    (corners.collect(), true)
 }
 
 fn within<'a>(sorted: &'a [u32], range: &Range<u32>) -> &'a [u32] {

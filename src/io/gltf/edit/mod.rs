@@ -6,13 +6,13 @@ pub mod encode;
 mod tangents;
 // References between records: what may be changed in place.
 mod refs;
+// Notes.
+mod remarks;
 // New data for accessors.
 pub mod store;
 // The corners and primitives of an edit.
 mod member;
-// Notes and refusals.
-mod remarks;
-// New indices.
+// New indices, and the extensions that forbid them.
 mod indices;
 // The values of vertices.
 mod rows;
@@ -25,7 +25,6 @@ use crate::io::gltf::extensions::QUANTIZATION;
 use crate::io::{Format, Loaded, Note, Part, PartEdit, Place, WriteError, WriteOptions, Written};
 use group::Group;
 use member::Member;
-use remarks::Remarks;
 use rows::SlotTables;
 use std::collections::BTreeMap;
 use store::Store;
@@ -47,7 +46,6 @@ pub fn edit(
     options: &WriteOptions,
 ) -> Result<Written, WriteError> {
     let mut store = Store::new(document);
-    let mut remarks = Remarks::default();
     let source = document.accessors();
     let mut tables = SlotTables::default();
     let mut groups: BTreeMap<(usize, bool), Vec<Member<'_>>> = BTreeMap::new();
@@ -58,11 +56,12 @@ pub fn edit(
     for ((number, new_normals), members) in &groups {
         let group = Group { vertices: document.vertex_accessors(*number), members, source: &source, options };
         if *new_normals {
-            added += group.write(&mut store, &mut tables, &mut remarks)?;
+            added += group.write(&mut store, &mut tables)?;
         } else {
-            group.write_faces(&mut store, &mut remarks)?;
+            group.write_faces(&mut store)?;
         }
     }
+    let remarks = std::mem::take(&mut store.remarks);
     if remarks.quantized {
         store.require(QUANTIZATION);
     }

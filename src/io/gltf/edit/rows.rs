@@ -43,7 +43,7 @@ impl<'a> Stored<'a> {
         self.format.size() + 12 * self.deltas.len()
     }
 
-    /// The row of a vertex as it is stored; +Z where it has no normal.
+    /// The stored row of a vertex; +Z if it has no normal.
     fn push_stored(&self, vertex: usize, out: &mut Vec<u8>) {
         match (self.stored_bytes(vertex), &self.floats) {
             (Some(bytes), _) => out.extend_from_slice(bytes),

@@ -6,6 +6,7 @@ use crate::io::gltf::container::glb::padded;
 use crate::io::gltf::document::accessor::number;
 use crate::io::gltf::document::records::Format;
 use crate::io::gltf::edit::refs::References;
+use crate::io::gltf::edit::remarks::Remarks;
 use crate::io::gltf::json::splice::{Changes, Splices, changed_object};
 use crate::io::gltf::json::tree::{Value, quoted};
 use crate::io::gltf::writer::data::{Bounds, Target, accessor_json, number_list, view_json};
@@ -16,6 +17,7 @@ use std::borrow::Cow;
 pub struct Store<'a> {
     pub document: &'a GltfDocument,
     pub splices: Splices<'a>,
+    pub remarks: Remarks,
     refs: References,
     patches: Vec<Patch>,
     appended: Vec<u8>,
@@ -91,6 +93,7 @@ impl<'a> Store<'a> {
         Self {
             document,
             splices: Splices::new(&document.records.json),
+            remarks: Remarks::default(),
             refs: References::new(document),
             patches: Vec::new(),
             appended: Vec::new(),

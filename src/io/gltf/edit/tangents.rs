@@ -93,7 +93,7 @@ mod tests {
 
     #[test]
     fn a_plain_picture_on_a_square() {
-        // glTF's v runs down the image: the picture stands upright if v falls as y rises, and then the
+        // glTF's v runs down the image: the picture is upright if v falls as y rises, and then the
         // bitangent w · n × t points up.
         let upright = square([[0.0, 1.0], [1.0, 1.0], [1.0, 0.0], [0.0, 0.0]]);
         assert!(upright.iter().all(|&t| t == [1.0, 0.0, 0.0, 1.0]), "{upright:?}");

@@ -1,4 +1,4 @@
-//! Typed access to the members of JSON objects, with errors that say where.
+//! Typed access to the members of JSON objects, with errors that name the place.
 
 use crate::io::gltf::json::tree::{Json, Kind, Value};
 use crate::io::{Place, Problem, ReadError};

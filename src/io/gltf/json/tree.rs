@@ -83,7 +83,7 @@ impl Json {
         node.start as usize..node.end as usize
     }
 
-    /// A value as it is spelt.
+    /// The text of a value.
     pub fn raw(&self, value: Value) -> &str {
         &self.text[self.span(value)]
     }

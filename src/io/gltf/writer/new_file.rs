@@ -52,16 +52,16 @@ pub(in crate::io) fn write_with_materials(
     let (pieces, unused) = pieces(parts);
     let known = materials.iter().map(|material| (material.name.as_str(), material)).collect();
     let mut file = File { known, normal_format: options.normal_format, ..File::default() };
-    let mut written = Written::default();
     for part in &pieces {
-        file.part(part, &mut written)?;
+        file.part(part)?;
     }
+    let mut written = std::mem::take(&mut file.written);
     let old: usize = parts.iter().map(|part| part.mesh.vertex_count()).sum();
     written.added_vertices = written.vertices.saturating_sub(old as u64);
     written.notes.extend(notes(parts, unused, file.textures));
     let pieces = file.blob.pieces();
     if to == Format::Glb {
-        written.bytes = glb::glb(&file.json(None), &pieces)?;
+        written.bytes = glb::glb(&file.json(None), pieces)?;
     } else if file.blob.length == 0 {
         written.bytes = file.json(None).into_bytes();
     } else {
@@ -75,6 +75,8 @@ pub(in crate::io) fn write_with_materials(
 
 #[derive(Default)]
 struct File<'a> {
+    /// Counts and notes.
+    written: Written,
     blob: Blob<'a>,
     views: Vec<String>,
     accessors: Vec<String>,
@@ -123,15 +125,14 @@ impl<'a> File<'a> {
         json
     }
 
-    fn part(&mut self, part: &'a Part, written: &mut Written) -> Result<(), WriteError> {
+    fn part(&mut self, part: &'a Part) -> Result<(), WriteError> {
         let mesh = &part.mesh;
         if mesh.vertex_count() == 0 {
             return Ok(());
         }
-        let shape = Shape::new(mesh, written);
-        let attributes = self.attributes(mesh, &shape, written)?;
-        let mut primitives = Vec::new();
-        self.solids(mesh, shape, &attributes, &mut primitives);
+        let shape = Shape::new(mesh, &mut self.written);
+        let attributes = self.attributes(mesh, &shape)?;
+        let mut primitives = self.solids(mesh, shape, &attributes);
         self.loose(mesh, &attributes, &mut primitives);
         let name =
             if part.name.is_empty() { String::new() } else { format!(",\"name\":{}", quoted(&part.name)) };
@@ -141,23 +142,17 @@ impl<'a> File<'a> {
     }
 
     /// Stores the vertex attributes, which all primitives of the part share.
-    fn attributes(
-        &mut self,
-        mesh: &Mesh,
-        shape: &Shape<'_>,
-        written: &mut Written,
-    ) -> Result<Attributes, WriteError> {
+    fn attributes(&mut self, mesh: &Mesh, shape: &Shape<'_>) -> Result<Attributes, WriteError> {
         let columns = mesh.columns();
         let vertices = shape.vertex_count(mesh);
-        written.vertices += vertices as u64;
-        let (positions, bounds) = positions(mesh, shape.split.as_ref(), &mut written.notes)?;
+        self.written.vertices += vertices as u64;
+        let (positions, bounds) = positions(mesh, shape.split.as_ref(), &mut self.written.notes)?;
         let float = |width| ElementFormat::vector(Component::F32, false, width);
-        let mut loose =
-            format!("\"POSITION\":{}", self.store(positions, float(3), Target::Vertices, Some(&bounds)));
+        let mut loose = format!("\"POSITION\":{}", self.vertices(positions, float(3), Some(&bounds)));
         if let Some(colors) = &columns.colors {
             let clamped = |color: &[f32; 4]| color.map(|c| if c > 0.0 { c.min(1.0) } else { 0.0 });
             let colors: Vec<_> = (0..vertices).map(|v| clamped(&colors[shape.source(v)])).collect();
-            let accessor = self.store(colors, float(4), Target::Vertices, None);
+            let accessor = self.vertices(colors, float(4), None);
             let _ = write!(loose, ",\"COLOR_0\":{accessor}");
         }
         let mut flat = loose.clone();
@@ -165,7 +160,7 @@ impl<'a> File<'a> {
             // glTF counts v from the top of the image, meshes count from the bottom.
             let finite = |x: f64| if (x as f32).is_finite() { x as f32 } else { 0.0 };
             let values = shape.values(mesh, uvs, [0.0; 2], |uv| [finite(uv.x), finite(1.0 - uv.y)]);
-            let accessor = self.store(values, float(2), Target::Vertices, None);
+            let accessor = self.vertices(values, float(2), None);
             let _ = write!(flat, ",\"TEXCOORD_0\":{accessor}");
         }
         let mut full = flat.clone();
@@ -185,28 +180,23 @@ impl<'a> File<'a> {
             Component::I16 => {
                 let coded = |n: &DVec3| padded(encode::steps(*n, i16::MAX.into())).map(|step| step as i16);
                 let values = shape.values(mesh, normals, coded(&DVec3::Z), coded);
-                self.store(values, format, Target::Vertices, None)
+                self.vertices(values, format, None)
             }
             Component::I8 => {
                 let coded = |n: &DVec3| padded(encode::steps(*n, i8::MAX.into())).map(|step| step as i8);
                 let values = shape.values(mesh, normals, coded(&DVec3::Z), coded);
-                self.store(values, format, Target::Vertices, None)
+                self.vertices(values, format, None)
             }
             _ => {
                 let values = shape.values(mesh, normals, [0.0, 0.0, 1.0], |n| n.as_vec3().to_array());
-                self.store(values, format, Target::Vertices, None)
+                self.vertices(values, format, None)
             }
         }
     }
 
     /// The triangles: a primitive for each material, and separate ones for faces without normals.
-    fn solids(
-        &mut self,
-        mesh: &'a Mesh,
-        shape: Shape<'a>,
-        attributes: &Attributes,
-        primitives: &mut Vec<String>,
-    ) {
+    fn solids(&mut self, mesh: &'a Mesh, shape: Shape<'a>, attributes: &Attributes) -> Vec<String> {
+        let mut primitives = Vec::new();
         let vertices = shape.vertex_count(mesh);
         let groups = shape.groups(mesh);
         let mut vertex_of = shape.vertex_of;
@@ -224,6 +214,7 @@ impl<'a> File<'a> {
             json.push('}');
             primitives.push(json);
         }
+        primitives
     }
 
     /// Points and lines; a mesh with nothing but vertices is drawn as points.
@@ -272,6 +263,11 @@ impl<'a> File<'a> {
         } else {
             self.store(indices, format(Component::U32), Target::Indices, None)
         }
+    }
+
+    /// Stores a vertex attribute.
+    fn vertices(&mut self, data: impl Bytes + 'a, format: ElementFormat, bounds: Option<&Bounds>) -> usize {
+        self.store(data, format, Target::Vertices, bounds)
     }
 
     /// Stores an array in a view and an accessor of its own, and returns the accessor's number.

@@ -7,9 +7,9 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// A part for each object, in the order of their first faces, and one for points and lines, which belong to none.
-/// Vertices that nothing uses are left out, and counted. `None` if all faces are of one object, or of none.
+/// Unused vertices are omitted, and counted. `None` if all faces are of one object, or of none.
 ///
-/// Normals are as they are: what was smoothed across objects stays smooth across them.
+/// Normals do not change: what was smoothed across objects stays smooth across them.
 pub fn by_object(part: &Part) -> Option<(Vec<Part>, usize)> {
     let mesh = &part.mesh;
     let labels = mesh.columns().objects.as_ref()?;
@@ -48,12 +48,12 @@ struct Cutter<'a> {
     materials: Numbers,
 }
 
-/// Numbers of a list, counted anew for each piece in the order in which it asks for them.
+/// Numbers of a list, counted anew for each piece in the order of use.
 struct Numbers {
-    /// The number within the last piece that asked, and which piece that was.
+    /// The number within the last piece that uses it, and which piece that is.
     known: Vec<(u32, u32)>,
     piece: u32,
-    /// What the present piece has, by old numbers.
+    /// The old numbers of the present piece.
     list: Vec<u32>,
 }
 

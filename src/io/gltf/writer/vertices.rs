@@ -45,7 +45,7 @@ impl<'a> Shape<'a> {
         let normal_keys = columns.normals.as_ref().and_then(corner_keys);
         let uv_keys = columns.uvs.as_ref().and_then(corner_keys);
         let corners = mesh.faces().corners();
-        // What goes by vertex, though told by corner, splits none.
+        // Values that are stored per corner, but are the same at all corners of a vertex, split none.
         let keys: Vec<&[u32]> =
             normal_keys.into_iter().chain(uv_keys).filter(|&keys| keys != corners).collect();
         if keys.is_empty() {
