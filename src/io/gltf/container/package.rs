@@ -20,8 +20,7 @@ pub fn package(
     options: &WriteOptions,
 ) -> Result<Written, WriteError> {
     let mut package = Package { document, options, written: Written::default() };
-    let into_one = to == Format::Glb && document.glb.is_none();
-    if !into_one {
+    if to != Format::Glb || document.glb.is_some() {
         package.settle_buffers(&mut store);
     }
     match (&document.glb, to) {
@@ -53,27 +52,26 @@ impl Package<'_> {
                 store.splices.set(object, "uri", quoted(&uri::encode_data(bytes)));
                 continue;
             };
-            let next_to = output_name(Path::new(""), name);
-            if next_to.is_none() && leads_to(self.options.folder.as_deref(), name, path) {
-                continue;
-            }
-            let next_to = next_to.unwrap_or_else(|| {
-            let taken =
-                |other: &OutputFile| matches!(&other.content, OutputContent::CopyOf(file) if file == path);
-            let known = self.written.companions.iter().find(|other| taken(other)).map(|other| other.name.clone());
-            let safe = known.unwrap_or_else(|| self.free_name(stem, &bare_name(path)));
-            store.splices.set(object, "uri", quoted(&uri::percent_encoded(&safe)));
-            safe
-        });
-            self.add_copy(next_to, path);
+            let name = match output_name(Path::new(""), name) {
+                Some(name) => name,
+                None if leads_to(self.options.folder.as_deref(), name, path) => continue,
+                None => {
+                    let copy = OutputContent::CopyOf(path.clone());
+                    let known = self.written.companions.iter().find(|other| other.content == copy);
+                    let known = known.map(|other| other.name.clone());
+                    let name = known.unwrap_or_else(|| self.free_name(stem, &bare_name(path)));
+                    store.splices.set(object, "uri", quoted(&uri::percent_encoded(&name)));
+                    name
+                }
+            };
+            self.add_copy(name, path);
         }
     }
 
     fn add_copy(&mut self, name: String, path: &Path) {
-        if !self.written.companions.iter().any(|file| file.name == name) {
-            self.written
-                .companions
-                .push(OutputFile { name, content: OutputContent::CopyOf(path.to_owned()) });
+        let companions = &mut self.written.companions;
+        if !companions.iter().any(|file| file.name == name) {
+            companions.push(OutputFile { name, content: OutputContent::CopyOf(path.to_owned()) });
         }
     }
 
@@ -85,11 +83,8 @@ impl Package<'_> {
         }
         // A GLB keeps to one file even where it has no BIN chunk to append to.
         let changed = store.finish(None, |extra| Some(uri::encode_data(extra)));
-        let json = if changed.json == document.records.json.text() {
-            &changed.json
-        } else {
-            unpadded(&changed.json)
-        };
+        let is_same = changed.json == document.records.json.text();
+        let json = if is_same { &changed.json } else { unpadded(&changed.json) };
         self.written.bytes = glb.rewrite(&document.buffers.file, json, changed.bin.as_deref())?;
         Ok(())
     }
@@ -105,9 +100,8 @@ impl Package<'_> {
         let changed = store.finish(stale, |extra| Some(uri::address(name.as_deref(), extra)));
         self.written.bytes = changed.json.into_bytes();
         if let (Some(name), Some(extra)) = (name, changed.extra) {
-            if let Some(Storage::File { path, .. }) =
-                changed.replaced.map(|buffer| &document.buffers.list[buffer].storage)
-            {
+            let replaced = changed.replaced.map(|buffer| &document.buffers.list[buffer].storage);
+            if let Some(Storage::File { path, .. }) = replaced {
                 self.written.companions.retain(|file| file.content != OutputContent::CopyOf(path.clone()));
             }
             self.written.companions.insert(0, OutputFile { name, content: OutputContent::Bytes(extra) });

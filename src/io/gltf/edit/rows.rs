@@ -126,25 +126,27 @@ impl Rows {
             let table = tables.table(member.part, normals.values.len());
             let mut seen = Vec::new();
             for &corner in &member.corners {
-                let row = match member.slot(normals, corner).map(|slot| (slot, table[slot as usize])) {
-                    Some((_, row)) if row != NONE => row,
-                    Some((slot, _)) => {
+                let slot = member.slot(normals, corner);
+                let known = slot.map(|slot| table[slot as usize]).filter(|&row| row != NONE);
+                if let Some(row) = known {
+                    rows.of_corner.push(row);
+                    continue;
+                }
+                match slot {
+                    Some(slot) => {
                         stored.push_given(member, normals, slot, &mut rows.bytes);
                         table[slot as usize] = count;
                         seen.push(slot);
-                        count += 1;
-                        count - 1
                     }
                     None => {
                         let start = rows.bytes.len();
                         stored.push_stored(member.vertex(corner) as usize, &mut rows.bytes);
                         stored.repair(&mut rows.bytes[start..]);
                         rows.missing += 1;
-                        count += 1;
-                        count - 1
                     }
-                };
-                rows.of_corner.push(row);
+                }
+                rows.of_corner.push(count);
+                count += 1;
             }
             seen.iter().for_each(|&slot| table[slot as usize] = NONE);
         }
