@@ -151,8 +151,8 @@ mod tests {
 
     #[test]
     fn unknown_chunks_stay_where_they_are() {
-        let chunks: [(u32, Vec<&[u8]>); 4] =
-            [(JSON, vec![b"{}  "]), (7, vec![b"abcd"]), (BIN, vec![b"1234"]), (9, vec![b"xy", b"\0\0"])];
+        let chunk = |kind, data: &'static [u8]| (kind, vec![data]);
+        let chunks = [chunk(JSON, b"{}  "), chunk(7, b"abcd"), chunk(BIN, b"1234"), chunk(9, b"xy\0\0")];
         let file = assemble(&chunks).unwrap();
         let glb = Glb::parse(&file, &mut Vec::new()).unwrap();
         assert_eq!(&file[glb.json()], b"{}  ");
@@ -173,7 +173,7 @@ mod tests {
         assert!(error(b"glTF\x02\0").contains("a GLB of 6 bytes"));
         assert!(error(&header(12)).contains("a GLB of 12 bytes, where the headers of file and JSON take 20"));
         assert!(error(&header(13)).contains("a header that states 13 bytes where the file has 12"));
-        let mut file = glb("{}", vec![b"1234"]).unwrap();
+        let mut file = glb("{}", vec![&b"1234"[..]]).unwrap();
         file[12] = 200;
         let error = error(&file);
         assert!(error.contains("a chunk that states 200 bytes where the file has 16 more"), "{error}");
@@ -182,7 +182,7 @@ mod tests {
 
     #[test]
     fn every_prefix_is_an_error() {
-        let file = glb("{}", vec![b"12", b"34"]).unwrap();
+        let file = glb("{}", vec![&b"12"[..], b"34"]).unwrap();
         for end in 0..file.len() {
             assert!(Glb::parse(&file[..end], &mut Vec::new()).is_err(), "{end}");
         }

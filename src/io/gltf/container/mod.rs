@@ -6,5 +6,3 @@ pub mod uri;
 pub mod glb;
 // The bytes of buffers.
 pub mod buffers;
-// A changed document as files.
-pub mod package;

@@ -1,8 +1,8 @@
 //! Materials, cameras and lights; materials and lights as the records of the `gltf` crate.
 
 use crate::io::appearance::as_written;
-use crate::io::gltf::GltfDocument;
 use crate::io::gltf::document::camera;
+use crate::io::gltf::document::gltf_document::GltfDocument;
 use crate::io::gltf::document::nodes::{NodeTree, Placed};
 use crate::io::gltf::json::fields::{At, Fields, out_of_range};
 use crate::io::gltf::json::tree::{Json, Value};

@@ -1,6 +1,7 @@
 //! The vertices of a part: positions and every column that meshes know.
 
-use crate::io::gltf::document::mesh::{Assembler, Layout};
+use crate::io::gltf::document::gltf_document::Layout;
+use crate::io::gltf::document::mesh::Assembler;
 use crate::io::gltf::json::fields::{At, out_of_range};
 use crate::io::tally::non_finite_note;
 use crate::io::text::counted;

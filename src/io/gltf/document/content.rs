@@ -1,15 +1,13 @@
 //! Content of a document that is not in meshes: tangents, normals of morph targets, paths to nodes, and what other formats
 //! cannot hold.
 
-use crate::io::gltf::GltfDocument;
-use crate::io::gltf::document::accessor::Source;
+use crate::io::gltf::document::gltf_document::GltfDocument;
 use crate::io::gltf::document::nodes::NodeTree;
 use crate::io::gltf::document::records::MESHOPT;
 use crate::io::gltf::extensions::{DRACO, QUANTIZATION};
 use crate::io::text::counted;
 use crate::io::{Document, Format, Loaded, Note, Place};
 use glam::{DVec3, DVec4};
-use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
 
 /// Attributes that meshes of this program have.
@@ -27,17 +25,6 @@ const LISTS: [(&str, &str, &str); 4] = [
 ];
 
 impl GltfDocument {
-    /// A reader of accessors, all of which were checked when the document was read.
-    pub fn accessors(&self) -> Source<'_> {
-        Source {
-            records: &self.records,
-            buffers: &self.buffers,
-            implied_limit: u64::MAX,
-            memory: Cell::new(u64::MAX),
-            notes: RefCell::default(),
-        }
-    }
-
     /// A vertex attribute of set `set` of a part; empty if no vertex has it.
     fn attribute<T: Copy, const N: usize>(
         &self,

@@ -1,6 +1,7 @@
 //! glTF meshes to [`Part`]s: all primitives of a mesh in one, vertices shared where primitives share accessors.
 
 use crate::io::gltf::document::accessor::Source;
+use crate::io::gltf::document::gltf_document::{Block, Layout, Piece};
 use crate::io::gltf::document::primitive::{Drawn, draw};
 use crate::io::gltf::document::records::{Component, Format, Primitive, VertexAccessors};
 use crate::io::gltf::extensions::DRACO;
@@ -10,34 +11,6 @@ use crate::mesh::{Columns, FaceLabels, NONE};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 use std::collections::hash_map::Entry;
-
-/// How a part's mesh is made of vertex blocks and primitives.
-#[derive(Clone, Debug, Default)]
-pub struct Layout {
-    pub blocks: Vec<Block>,
-    pub pieces: Vec<Piece>,
-}
-
-/// The vertices of one source within a part.
-#[derive(Clone, Debug)]
-pub struct Block {
-    pub source: usize,
-    pub first_vertex: u32,
-    pub count: u32,
-    /// Triangles use it.
-    pub solid: bool,
-    /// Where its stored normals begin among the part's, if it has any.
-    pub first_normal: Option<u32>,
-}
-
-/// The triangles of one primitive within a part.
-#[derive(Clone, Debug)]
-pub struct Piece {
-    pub primitive: usize,
-    pub block: usize,
-    pub first_face: u32,
-    pub faces: u32,
-}
 
 /// Reads meshes one after the other, and collects the vertex sources and materials that they share.
 pub struct Assembler<'a> {

@@ -4,6 +4,8 @@
 pub mod records;
 // Accessors to numbers.
 pub mod accessor;
+// A document that is kept for editing.
+pub mod gltf_document;
 // Primitives to triangles, lines and points.
 pub mod primitive;
 // glTF meshes to parts.

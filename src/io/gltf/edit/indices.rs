@@ -1,7 +1,7 @@
 //! New indices for a primitive, and the extensions that forbid them.
 
 use crate::io::WriteError;
-use crate::io::gltf::GltfDocument;
+use crate::io::gltf::document::gltf_document::GltfDocument;
 use crate::io::gltf::document::primitive::mode;
 use crate::io::gltf::document::records::{Component, Format};
 use crate::io::gltf::edit::member::Member;

@@ -1,7 +1,6 @@
 //! The primitives and corners that an edit changes.
 
-use crate::io::gltf::GltfDocument;
-use crate::io::gltf::document::mesh::{Block, Piece};
+use crate::io::gltf::document::gltf_document::{Block, GltfDocument, Piece};
 use crate::io::gltf::document::records::Primitive;
 use crate::io::{Loaded, PartEdit};
 use crate::mesh::{Column, Mesh};

@@ -1,7 +1,7 @@
 //! References between records: which accessors, views and bytes may be changed without touching anything else.
 
-use crate::io::gltf::GltfDocument;
 use crate::io::gltf::container::buffers::Storage;
+use crate::io::gltf::document::gltf_document::GltfDocument;
 use crate::io::gltf::json::tree::{Json, Kind, Value};
 use rustc_hash::FxHashSet;
 use std::ops::Range;

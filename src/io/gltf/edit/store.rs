@@ -1,9 +1,9 @@
 //! New data for accessors, in the least invasive place: over the old bytes, or appended.
 
-use crate::io::gltf::GltfDocument;
 use crate::io::gltf::container::buffers::Storage;
 use crate::io::gltf::container::glb::padded;
 use crate::io::gltf::document::accessor::number;
+use crate::io::gltf::document::gltf_document::GltfDocument;
 use crate::io::gltf::document::records::Format;
 use crate::io::gltf::edit::refs::References;
 use crate::io::gltf::edit::remarks::Remarks;

@@ -1,10 +1,10 @@
 //! A changed document as files: the same spelling again, or `.gltf` as `.glb` and the other way round.
 
 use crate::io::companion::{leads_to, output_name};
-use crate::io::gltf::GltfDocument;
 use crate::io::gltf::container::buffers::Storage;
 use crate::io::gltf::container::glb::{self, Glb};
 use crate::io::gltf::container::uri;
+use crate::io::gltf::document::gltf_document::GltfDocument;
 use crate::io::gltf::edit::store::{Changed, Store};
 use crate::io::gltf::json::splice::{Splices, changed_object};
 use crate::io::gltf::json::tree::{Json, Value, quoted};
