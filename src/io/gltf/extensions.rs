@@ -1,10 +1,10 @@
-//! What is known about extensions: which may be required, and which refer to the order of vertices or triangles.
+//! Extensions: which may be required, and which refer to the order of vertices or triangles.
 
 use crate::io::gltf::json::fields::Fields;
-use crate::io::gltf::json::tree::Value;
 use crate::io::{Note, Place, Problem, ReadError};
+use std::borrow::Cow;
 
-/// Extensions that say nothing about where surfaces are, by name or family. A document may require them.
+/// Extensions that do not affect the shape of surfaces, by name or family. A document may require them.
 const HARMLESS: &[&str] = &[
     "ADOBE_materials_",
     "AGI_articulations",
@@ -30,64 +30,52 @@ const HARMLESS: &[&str] = &[
     // Readable if the plain data are there too, which accessors find out.
     "EXT_meshopt_compression",
     "KHR_meshopt_compression",
-    // Instances are a matter of nodes; a note tells that they are not expanded.
+    // Instances concern nodes; a note reports that they are not expanded.
     "EXT_mesh_gpu_instancing",
 ];
 
 /// Attributes stored as integers.
-pub(super) const QUANTIZATION: &str = "KHR_mesh_quantization";
+pub const QUANTIZATION: &str = "KHR_mesh_quantization";
 
 /// The name under which a primitive's Draco data are stored.
-pub(super) const DRACO: &str = "KHR_draco_mesh_compression";
+pub const DRACO: &str = "KHR_draco_mesh_compression";
 
-/// Checks what a document requires, and remarks on what is used but not expanded.
-pub(super) fn check(root: &Fields<'_>, notes: &mut Vec<Note>) -> Result<(), ReadError> {
-    let names = |list: &str| -> Result<Vec<(Value, String)>, ReadError> {
-        let array = root.array(list)?;
-        let values = array.into_iter().flat_map(|array| root.json.elements(array));
-        Ok(values.filter_map(|value| Some((value, root.json.string(value)?.into_owned()))).collect())
+/// Checks what a document requires, and adds notes on what is used but not expanded.
+pub fn check(root: &Fields<'_>, notes: &mut Vec<Note>) -> Result<(), ReadError> {
+    let names = |list: &str| -> Result<Vec<Cow<'_, str>>, ReadError> {
+        Ok(root.items(list)?.filter_map(|value| root.json.string(value)).collect())
     };
-    for (number, (_, name)) in names("extensionsRequired")?.into_iter().enumerate() {
-        if HARMLESS.iter().any(|known| name.starts_with(known)) {
-            continue;
-        }
-        let advice = match name.as_str() {
+    let is_harmless = |name: &str| HARMLESS.iter().any(|known| name.starts_with(known));
+    let required = names("extensionsRequired")?;
+    if let Some(number) = required.iter().position(|name| !is_harmless(name)) {
+        let advice = match required[number].as_ref() {
             DRACO => "decode it first, for example with `gltf-transform copy`",
             _ => "it may change what the geometry means; convert the file to plain glTF 2.0 first",
         };
-        let found = format!("the document requires the extension {name}, which is not supported");
+        let found =
+            format!("the document requires the extension {}, which is not supported", required[number]);
         let place = Place::Json(format!("/extensionsRequired/{number}"));
         return Err(ReadError::new(Problem::Unsupported, place, found, advice));
     }
-    if names("extensionsUsed")?.iter().any(|(_, name)| name == "EXT_mesh_gpu_instancing") {
+    if names("extensionsUsed")?.iter().any(|name| name == "EXT_mesh_gpu_instancing") {
         let text = "EXT_mesh_gpu_instancing: instances are kept, but stand only once where another format is written";
         notes.push(Note::warning(Place::File, text));
     }
     Ok(())
 }
 
-/// An extension of a primitive or mesh that counts vertices or triangles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Ordered {
-    pub(super) name: &'static str,
-    /// It refers to vertices by number, so that a vertex may not be split from its triangles unseen.
-    pub(super) vertices: bool,
-    /// It refers to triangles or their corners by number, so that none may be dropped or turned.
-    pub(super) triangles: bool,
-}
-
-/// The extensions that refer to the order of vertices or triangles.
-pub(super) const ORDERED: &[Ordered] = &[
-    Ordered { name: "CESIUM_primitive_outline", vertices: true, triangles: false },
-    Ordered { name: "EXT_mesh_primitive_edge_visibility", vertices: true, triangles: true },
-    Ordered { name: "EXT_mesh_manifold", vertices: true, triangles: true },
+/// The extensions of a primitive or mesh that refer to vertices by number, so that none may be split, and whether they also
+/// refer to triangles or their corners, so that none may be dropped or flipped.
+pub const ORDERED: [(&str, bool); 3] = [
+    ("CESIUM_primitive_outline", false),
+    ("EXT_mesh_primitive_edge_visibility", true),
+    ("EXT_mesh_manifold", true),
 ];
 
 /// Whether `EXT_mesh_features` on a primitive numbers its features by vertex.
-pub(super) fn has_implicit_features(primitive: &Fields<'_>) -> bool {
+pub fn has_implicit_features(primitive: &Fields<'_>) -> bool {
     let json = primitive.json;
     let Some(extension) = primitive.extension("EXT_mesh_features") else { return false };
-    let Some(sets) = json.member(extension, "featureIds") else { return false };
-    json.elements(sets)
+    json.items(extension, "featureIds")
         .any(|set| json.member(set, "attribute").is_none() && json.member(set, "texture").is_none())
 }

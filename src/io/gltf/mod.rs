@@ -7,172 +7,25 @@
 //!
 //! Standard: Khronos, *glTF 2.0 Specification*, 2021, with `KHR_mesh_quantization`.
 
+// JSON with the position of every value.
+mod json;
 // Known extensions.
 mod extensions;
-// JSON: a document with the position of every value.
-mod json;
-// Container: GLB chunks, buffers and their addresses.
+// GLB chunks, buffers and their addresses.
 mod container;
-// Document: the typed records of a file.
+// The typed records of a file, and what they describe.
 mod document;
-// Writer: new files from meshes.
-mod edit;
+// Reading a file.
+mod reader;
+// New files from meshes.
 mod writer;
+// Changes to a document.
+mod edit;
 
 pub(super) use document::appearance::appearance;
+pub use document::gltf_document::GltfDocument;
 pub(crate) use document::nodes::NodeTree;
-pub use edit::edit;
+pub use edit::apply::edit;
+pub use reader::read;
 pub use writer::new_file::write;
 pub(super) use writer::new_file::write_with_materials;
-
-use super::text::counted;
-use super::{Document, Format, Loaded, Note, Place, Problem, ReadError, ReadOptions};
-use container::buffers::Buffers;
-use container::glb::Glb;
-use document::mesh::{Assembler, Layout, Materials, VertexSource};
-use document::records::Records;
-use json::fields::{At, Fields};
-use json::tree::Json;
-use rustc_hash::{FxHashMap, FxHashSet};
-use std::cell::Cell;
-use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
-
-/// A glTF document, kept for editing.
-#[derive(Clone, Debug)]
-pub struct GltfDocument {
-    records: Records,
-    buffers: Buffers,
-    /// The chunks of the file, if it is a GLB.
-    glb: Option<Glb>,
-    /// The primitives, by mesh and number, whose vertices no primitive before them has.
-    sources: Vec<(usize, usize)>,
-    /// How each part is made of primitives, one a mesh.
-    layouts: Vec<Layout>,
-    /// The materials in use, by their name among the labels of faces.
-    materials: BTreeMap<String, usize>,
-    /// Image files that the document refers to and that are there: relative name and path.
-    images: Vec<(String, PathBuf)>,
-}
-
-impl GltfDocument {
-    /// The file as it was read.
-    pub(in crate::io) fn source(&self) -> &[u8] {
-        match self.glb {
-            Some(_) => &self.buffers.file,
-            None => self.records.json.text().as_bytes(),
-        }
-    }
-
-    /// Bytes of the document and its buffers.
-    pub(in crate::io) fn bytes(&self) -> u64 {
-        self.records.json.text().len() as u64 + self.buffers.total()
-    }
-
-    fn vertex_source(&self, number: usize) -> VertexSource<'_> {
-        let (mesh, primitive) = self.sources[number];
-        VertexSource(&self.records.meshes[mesh].primitives[primitive])
-    }
-
-    /// Whether a top-level list of strings has a certain one.
-    fn lists(&self, list: &str, name: &str) -> bool {
-        let json = &self.records.json;
-        let list = json.member(json.root(), list);
-        list.is_some_and(|list| {
-            json.elements(list).any(|value| json.string(value).is_some_and(|string| string == name))
-        })
-    }
-}
-
-/// So many primitives are fine in a file of any size; more only where each has as many bytes as the smallest of real ones. A
-/// primitive takes kilobytes in memory, so that very many of a few bytes would cost far more than their file.
-const PRIMITIVES_OF_ANY_SIZE: u64 = 1 << 16;
-const SMALLEST_PRIMITIVE: u64 = 256;
-
-fn check_primitive_count(records: &Records, bytes: u64) -> Result<(), ReadError> {
-    let count: u64 = records.meshes.iter().map(|mesh| mesh.primitives.len().max(1) as u64).sum();
-    let limit = PRIMITIVES_OF_ANY_SIZE.max(bytes / SMALLEST_PRIMITIVE);
-    if count <= limit {
-        return Ok(());
-    }
-    let primitives = counted(count, "primitive", "primitives");
-    let found = format!("{primitives} in {bytes} bytes; the limit for that size is {limit}");
-    Err(ReadError::new(
-        Problem::Limit,
-        Place::Json("/meshes".into()),
-        found,
-        "merge primitives, or divide the file",
-    ))
-}
-
-/// Reads a glTF document in either spelling. `base` is the folder of the file, where its buffers are looked for;
-/// images are not opened.
-///
-/// # Errors
-/// A [`ReadError`] with a JSON pointer or a byte offset for what is broken, out of range, compressed without a
-/// plain copy, requires an unknown extension, or cannot be found.
-pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Result<Loaded, ReadError> {
-    let mut notes = Vec::new();
-    if bytes.len() as u64 > options.limits.bytes {
-        let found = format!("{} bytes, more than the limit of {}", bytes.len(), options.limits.bytes);
-        return Err(ReadError::new(Problem::Limit, Place::File, found, "split the file"));
-    }
-    let (glb, json, file) = if container::glb::is_glb(&bytes) {
-        let glb = Glb::parse(&bytes, &mut notes)?;
-        let span = glb.json();
-        let json = Json::parse(bytes[span.clone()].to_vec(), span.start as u64, options.limits.json_depth)?;
-        (Some(glb), json, bytes)
-    } else {
-        if bytes.starts_with(b"\xEF\xBB\xBF") {
-            notes.push(Note::warning(
-                Place::Byte(0),
-                "a byte order mark, which glTF does not allow; it is kept",
-            ));
-        }
-        (None, Json::parse(bytes, 0, options.limits.json_depth)?, Vec::new())
-    };
-    let input = file.len().max(json.text().len()) as u64;
-    let records = Records::new(json, &mut notes)?;
-    let json = &records.json;
-    let root = Fields { json, object: json.root(), at: At::default() };
-    extensions::check(&root, &mut notes)?;
-    let bin = glb.as_ref().and_then(Glb::bin);
-    let buffers = container::buffers::load(json, &records.buffers, file, bin, base, options)?;
-    let images = container::buffers::check_images(
-        json,
-        &document::records::list(&root, "images")?,
-        base,
-        options,
-        &mut notes,
-    )?;
-    check_primitive_count(&records, input + buffers.total())?;
-    let nodes = document::nodes::read(json, records.meshes.len(), &mut notes)?;
-
-    // A value takes at most six times its stored bytes when decoded; twelve times allows for shared ones.
-    let memory = 12 * (input + buffers.total()) + 24 * options.limits.implied_elements;
-    let implied_limit = options.limits.implied_elements;
-    let source = document::accessor::Source {
-        records: &records,
-        buffers: &buffers,
-        implied_limit,
-        memory: Cell::new(memory),
-    };
-    let mut assembler = Assembler {
-        source,
-        non_finite: options.non_finite,
-        sources: Vec::new(),
-        numbers: FxHashMap::default(),
-        materials: Materials { records: &records, names: FxHashMap::default(), taken: FxHashSet::default() },
-    };
-    let (mut parts, mut layouts) = (Vec::new(), Vec::new());
-    for mesh in 0..records.meshes.len() {
-        let (part, layout) = assembler.part(mesh, &mut notes)?;
-        parts.push(part);
-        layouts.push(layout);
-    }
-    let sources = assembler.sources.iter().map(|source| source.0.at.numbers()).collect();
-    let format = if glb.is_some() { Format::Glb } else { Format::Gltf };
-    let materials = assembler.materials.names.into_iter().map(|(material, name)| (name, material)).collect();
-    let document = GltfDocument { records, buffers, glb, sources, layouts, materials, images };
-    Ok(Loaded { format, parts, nodes, notes, document: Document::Gltf(Box::new(document)) })
-}

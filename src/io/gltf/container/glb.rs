@@ -1,4 +1,4 @@
-//! The GLB container: a header and chunks, all kept as they are.
+//! The GLB container: a header and chunks, all of which are kept.
 
 use crate::io::text::counted;
 use crate::io::{Note, Place, Problem, ReadError, WriteError};
@@ -13,86 +13,77 @@ const SHORTEST: usize = 20;
 
 /// The chunks of a GLB file, in order, as spans of the file.
 #[derive(Clone, Debug, Default)]
-pub(in crate::io::gltf) struct Glb {
+pub struct Glb {
     chunks: Vec<(u32, Range<usize>)>,
 }
 
 /// Whether a file is in the binary container.
-pub(in crate::io::gltf) fn is_glb(bytes: &[u8]) -> bool {
+pub fn is_glb(bytes: &[u8]) -> bool {
     bytes.starts_with(MAGIC)
 }
 
 impl Glb {
     /// Reads the chunk table.
-    pub(in crate::io::gltf) fn parse(bytes: &[u8], notes: &mut Vec<Note>) -> Result<Glb, ReadError> {
-        let truncated = |at: usize, found: String| {
-            let advice = "the file is cut off; copy or export it again";
-            ReadError::new(Problem::Truncated, Place::Byte(at as u64), found, advice)
+    pub fn parse(bytes: &[u8], notes: &mut Vec<Note>) -> Result<Glb, ReadError> {
+        let error = |problem, at: usize, found: String, advice: &str| {
+            Err(ReadError::new(problem, Place::Byte(at as u64), found, advice))
         };
+        let truncated =
+            |at, found| error(Problem::Truncated, at, found, "the file is cut off; copy or export it again");
         let word = |at: usize| bytes.get(at..at + 4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]));
         let (Some(version), Some(length)) = (word(4), word(8)) else {
             let found = format!("a GLB of {} bytes, of which its header alone takes 12", bytes.len());
-            return Err(truncated(bytes.len(), found));
+            return truncated(bytes.len(), found);
         };
         if version != 2 {
             let advice = "only glTF 2.0 is read; convert the file, for example with glTF-Transform";
-            let found = format!("GLB version {version}");
-            return Err(ReadError::new(Problem::Unsupported, Place::Byte(4), found, advice));
+            return error(Problem::Unsupported, 4, format!("GLB version {version}"), advice);
         }
         let length = length as usize;
         if length > bytes.len() {
-            let found = format!("a header that tells {length} bytes where the file has {}", bytes.len());
-            return Err(truncated(8, found));
+            let found = format!("a header that states {length} bytes where the file has {}", bytes.len());
+            return truncated(8, found);
         }
         if length < SHORTEST {
             let found =
                 format!("a GLB of {length} bytes, where the headers of file and JSON take {SHORTEST}");
-            let advice = "nothing is in it; copy or export the file again";
-            return Err(ReadError::new(Problem::Truncated, Place::Byte(8), found, advice));
+            return error(Problem::Truncated, 8, found, "nothing is in it; copy or export the file again");
         }
         if length < bytes.len() {
             let rest = counted(bytes.len() - length, "byte", "bytes");
-            let text = format!("ignored, because it is behind the end that the header tells: {rest}");
+            let text = format!("ignored, because it is behind the end that the header states: {rest}");
             notes.push(Note::warning(Place::Byte(length as u64), text));
         }
         let mut chunks = Vec::new();
         let mut at = 12;
         while at < length {
             let (Some(size), Some(kind), true) = (word(at), word(at + 4), at + 8 <= length) else {
-                return Err(truncated(at, "a chunk header that is cut off".into()));
+                return truncated(at, "a chunk header that is cut off".into());
             };
-            let start = at + 8;
-            let size = size as usize;
+            let (start, size) = (at + 8, size as usize);
             if size > length - start {
-                let found =
-                    format!("a chunk that tells {size} bytes where the file has {} more", length - start);
+                let rest = length - start;
+                let found = format!("a chunk that states {size} bytes where the file has {rest} more");
                 let advice = "the length of the chunk or of the file is wrong; copy or export the file again";
-                return Err(ReadError::new(Problem::Truncated, Place::Byte(at as u64), found, advice));
+                return error(Problem::Truncated, at, found, advice);
             }
             chunks.push((kind, start..start + size));
             at = start + size;
         }
-        match chunks.first() {
-            Some((JSON, _)) => Ok(Glb { chunks }),
-            _ => {
-                let found = "a GLB whose first chunk is not JSON";
-                Err(ReadError::new(
-                    Problem::Syntax,
-                    Place::Byte(12),
-                    found,
-                    "the file is broken; export it again",
-                ))
-            }
+        if chunks.first().is_none_or(|(kind, _)| *kind != JSON) {
+            let advice = "the file is broken; export it again";
+            return error(Problem::Syntax, 12, "a GLB whose first chunk is not JSON".into(), advice);
         }
+        Ok(Glb { chunks })
     }
 
     /// Where the JSON is.
-    pub(in crate::io::gltf) fn json(&self) -> Range<usize> {
+    pub fn json(&self) -> Range<usize> {
         self.chunks[0].1.clone()
     }
 
     /// Where the binary buffer is.
-    pub(in crate::io::gltf) fn bin(&self) -> Option<Range<usize>> {
+    pub fn bin(&self) -> Option<Range<usize>> {
         self.bin_chunk().map(|chunk| self.chunks[chunk].1.clone())
     }
 
@@ -100,54 +91,36 @@ impl Glb {
         self.chunks.iter().position(|(kind, _)| *kind == BIN)
     }
 
-    /// How many chunks there are beside JSON and the first BIN.
-    pub(in crate::io::gltf) fn other_chunks(&self) -> usize {
+    /// The number of chunks other than JSON and the first BIN.
+    pub fn other_chunks(&self) -> usize {
         self.chunks.len() - 1 - usize::from(self.bin_chunk().is_some())
     }
 
     /// A file with the same chunks in the same order, but other JSON and, if given, another BIN.
-    pub(in crate::io::gltf) fn rewrite(
-        &self,
-        bytes: &[u8],
-        json: &str,
-        bin: Option<&[u8]>,
-    ) -> Result<Vec<u8>, WriteError> {
-        let bin_chunk = self.bin_chunk();
-        let mut chunks: Vec<(u32, &[u8])> = vec![(JSON, json.as_bytes())];
-        if let (None, Some(bin)) = (bin_chunk, bin) {
-            chunks.push((BIN, bin));
-        }
-        for (number, (kind, span)) in self.chunks.iter().enumerate().skip(1) {
-            match bin {
-                Some(bin) if Some(number) == bin_chunk => chunks.push((BIN, bin)),
-                _ => chunks.push((*kind, &bytes[span.clone()])),
-            }
+    pub fn rewrite(&self, bytes: &[u8], json: &str, bin: Option<&[u8]>) -> Result<Vec<u8>, WriteError> {
+        let chunk = |(kind, span): &(u32, Range<usize>)| (*kind, vec![&bytes[span.clone()]]);
+        let mut chunks: Vec<(u32, Vec<&[u8]>)> = self.chunks.iter().map(chunk).collect();
+        chunks[0].1 = vec![json.as_bytes()];
+        match (self.bin_chunk(), bin) {
+            (_, None) => {}
+            (Some(number), Some(bin)) => chunks[number].1 = vec![bin],
+            (None, Some(bin)) => chunks.insert(1, (BIN, vec![bin])),
         }
         assemble(&chunks)
     }
 }
 
 /// A new GLB file from JSON and BIN.
-pub(in crate::io::gltf) fn glb(json: &str, bin: &[&[u8]]) -> Result<Vec<u8>, WriteError> {
-    let size: usize = bin.iter().map(|piece| piece.len()).sum();
-    if size == 0 {
-        return assemble(&[(JSON, json.as_bytes())]);
-    }
-    let mut out = begin(12 + 8 + padded(json.len()) + 8 + padded(size))?;
-    chunk(&mut out, JSON, &[json.as_bytes()]);
-    chunk(&mut out, BIN, bin);
-    Ok(out)
+pub fn glb(json: &str, bin: Vec<&[u8]>) -> Result<Vec<u8>, WriteError> {
+    let has_bin = bin.iter().any(|piece| !piece.is_empty());
+    let chunks = [(JSON, vec![json.as_bytes()]), (BIN, bin)];
+    assemble(if has_bin { &chunks } else { &chunks[..1] })
 }
 
-fn assemble(chunks: &[(u32, &[u8])]) -> Result<Vec<u8>, WriteError> {
-    let mut out = begin(12 + chunks.iter().map(|(_, data)| 8 + padded(data.len())).sum::<usize>())?;
-    for (kind, data) in chunks {
-        chunk(&mut out, *kind, &[data]);
-    }
-    Ok(out)
-}
-
-fn begin(length: usize) -> Result<Vec<u8>, WriteError> {
+/// A GLB file of chunks, each given in pieces.
+fn assemble(chunks: &[(u32, Vec<&[u8]>)]) -> Result<Vec<u8>, WriteError> {
+    let size = |pieces: &[&[u8]]| pieces.iter().map(|piece| piece.len()).sum::<usize>();
+    let length = 12 + chunks.iter().map(|(_, pieces)| 8 + padded(size(pieces))).sum::<usize>();
     let Ok(counted) = u32::try_from(length) else {
         let text = format!("{length} bytes are more than a GLB file can count (4 GiB); write .gltf instead");
         return Err(WriteError::TooLarge(text));
@@ -156,22 +129,19 @@ fn begin(length: usize) -> Result<Vec<u8>, WriteError> {
     out.extend_from_slice(MAGIC);
     out.extend_from_slice(&2_u32.to_le_bytes());
     out.extend_from_slice(&counted.to_le_bytes());
+    for (kind, pieces) in chunks {
+        let padded = padded(size(pieces));
+        out.extend_from_slice(&(padded as u32).to_le_bytes());
+        out.extend_from_slice(&kind.to_le_bytes());
+        let end = out.len() + padded;
+        pieces.iter().for_each(|piece| out.extend_from_slice(piece));
+        out.resize(end, if *kind == JSON { b' ' } else { 0 });
+    }
     Ok(out)
 }
 
-fn chunk(out: &mut Vec<u8>, kind: u32, data: &[&[u8]]) {
-    let size = data.iter().map(|piece| piece.len()).sum();
-    out.extend_from_slice(&(padded(size) as u32).to_le_bytes());
-    out.extend_from_slice(&kind.to_le_bytes());
-    for piece in data {
-        out.extend_from_slice(piece);
-    }
-    let filler = if kind == JSON { b' ' } else { 0 };
-    out.resize(out.len() + padded(size) - size, filler);
-}
-
 /// The next multiple of four: where a chunk or a buffer view may begin.
-pub(in crate::io::gltf) fn padded(length: usize) -> usize {
+pub fn padded(length: usize) -> usize {
     length.next_multiple_of(4)
 }
 
@@ -181,7 +151,8 @@ mod tests {
 
     #[test]
     fn unknown_chunks_stay_where_they_are() {
-        let chunks: [(u32, &[u8]); 4] = [(JSON, b"{}  "), (7, b"abcd"), (BIN, b"1234"), (9, b"xy\0\0")];
+        let chunk = |kind, data: &'static [u8]| (kind, vec![data]);
+        let chunks = [chunk(JSON, b"{}  "), chunk(7, b"abcd"), chunk(BIN, b"1234"), chunk(9, b"xy\0\0")];
         let file = assemble(&chunks).unwrap();
         let glb = Glb::parse(&file, &mut Vec::new()).unwrap();
         assert_eq!(&file[glb.json()], b"{}  ");
@@ -201,17 +172,17 @@ mod tests {
         let header = |length: u32| [&b"glTF\x02\0\0\0"[..], &length.to_le_bytes()].concat();
         assert!(error(b"glTF\x02\0").contains("a GLB of 6 bytes"));
         assert!(error(&header(12)).contains("a GLB of 12 bytes, where the headers of file and JSON take 20"));
-        assert!(error(&header(13)).contains("a header that tells 13 bytes where the file has 12"));
-        let mut file = glb("{}", &[b"1234"]).unwrap();
+        assert!(error(&header(13)).contains("a header that states 13 bytes where the file has 12"));
+        let mut file = glb("{}", vec![&b"1234"[..]]).unwrap();
         file[12] = 200;
         let error = error(&file);
-        assert!(error.contains("a chunk that tells 200 bytes where the file has 16 more"), "{error}");
-        assert!(!error.contains("cut off"), "the file has the length that it tells: {error}");
+        assert!(error.contains("a chunk that states 200 bytes where the file has 16 more"), "{error}");
+        assert!(!error.contains("cut off"), "the file has the length that it states: {error}");
     }
 
     #[test]
     fn every_prefix_is_an_error() {
-        let file = glb("{}", &[b"12", b"34"]).unwrap();
+        let file = glb("{}", vec![&b"12"[..], b"34"]).unwrap();
         for end in 0..file.len() {
             assert!(Glb::parse(&file[..end], &mut Vec::new()).is_err(), "{end}");
         }

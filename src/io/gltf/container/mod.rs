@@ -1,10 +1,8 @@
 //! Container: GLB chunks, buffers and their addresses.
 
 // Data URIs and file names.
-pub(super) mod uri;
+pub mod uri;
 // The GLB container.
-pub(super) mod glb;
+pub mod glb;
 // The bytes of buffers.
-pub(super) mod buffers;
-// A changed document as files.
-pub(super) mod package;
+pub mod buffers;

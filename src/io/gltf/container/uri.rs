@@ -6,7 +6,7 @@ use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 
 /// What an address is.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(in crate::io::gltf) enum Uri {
+pub enum Uri {
     /// Data in the address itself.
     Data,
     /// A file, relative to the document.
@@ -16,7 +16,7 @@ pub(in crate::io::gltf) enum Uri {
 }
 
 impl Uri {
-    pub(in crate::io::gltf) fn parse(uri: &str) -> Uri {
+    pub fn parse(uri: &str) -> Uri {
         if uri.get(..5).is_some_and(|head| head.eq_ignore_ascii_case("data:")) {
             return Uri::Data;
         }
@@ -24,13 +24,13 @@ impl Uri {
         if head.contains(':') || uri.starts_with("//") {
             Uri::Elsewhere
         } else {
-            Uri::File(percent_decoded(uri))
+            Uri::File(String::from_utf8(percent_decoded(uri)).unwrap_or_else(|_| uri.to_owned()))
         }
     }
 }
 
 /// The bytes of a data URI.
-pub(in crate::io::gltf) fn decode_data(uri: &str, place: Place) -> Result<Vec<u8>, ReadError> {
+pub fn decode_data(uri: &str, place: Place) -> Result<Vec<u8>, ReadError> {
     let broken = |found: String| {
         ReadError::new(Problem::Syntax, place.clone(), found, "the data URI is broken; export the file again")
     };
@@ -38,7 +38,7 @@ pub(in crate::io::gltf) fn decode_data(uri: &str, place: Place) -> Result<Vec<u8
         return Err(broken("a data URI without a comma".into()));
     };
     if !head.to_ascii_lowercase().ends_with(";base64") {
-        return Ok(percent_decoded_bytes(data));
+        return Ok(percent_decoded(data));
     }
     let config = GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent);
     let engine = GeneralPurpose::new(&base64::alphabet::STANDARD, config);
@@ -46,21 +46,13 @@ pub(in crate::io::gltf) fn decode_data(uri: &str, place: Place) -> Result<Vec<u8
 }
 
 /// A data URI of raw bytes.
-pub(in crate::io::gltf) fn encode_data(bytes: &[u8]) -> String {
+pub fn encode_data(bytes: &[u8]) -> String {
     let mut uri = String::from("data:application/octet-stream;base64,");
     base64::engine::general_purpose::STANDARD.encode_string(bytes, &mut uri);
     uri
 }
 
-fn percent_decoded(text: &str) -> String {
-    if text.contains('%') {
-        String::from_utf8(percent_decoded_bytes(text)).unwrap_or_else(|_| text.to_owned())
-    } else {
-        text.to_owned()
-    }
-}
-
-fn percent_decoded_bytes(text: &str) -> Vec<u8> {
+fn percent_decoded(text: &str) -> Vec<u8> {
     let hex = |byte: u8| (byte as char).to_digit(16).map(|digit| digit as u8);
     let mut out = Vec::with_capacity(text.len());
     let mut rest = text.as_bytes();
@@ -78,17 +70,17 @@ fn percent_decoded_bytes(text: &str) -> Vec<u8> {
     out
 }
 
+/// The address of data: of a file of this name, or a data URI.
+pub fn address(name: Option<&str>, data: &[u8]) -> String {
+    name.map_or_else(|| encode_data(data), percent_encoded)
+}
+
 /// A file name as a relative address.
-pub(in crate::io::gltf) fn percent_encoded(name: &str) -> String {
-    let mut out = String::with_capacity(name.len());
-    for byte in name.bytes() {
-        if byte.is_ascii_alphanumeric() || b"-._~/".contains(&byte) {
-            out.push(byte as char);
-        } else {
-            out.push_str(&format!("%{byte:02X}"));
-        }
-    }
-    out
+pub fn percent_encoded(name: &str) -> String {
+    let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-._~/".contains(&byte);
+    let encoded =
+        |byte: u8| if is_plain(byte) { char::from(byte).to_string() } else { format!("%{byte:02X}") };
+    name.bytes().map(encoded).collect()
 }
 
 #[cfg(test)]

@@ -1,22 +1,22 @@
 //! Accessors to numbers. Every offset and count is checked against the bytes that are there.
 
 use crate::io::gltf::container::buffers::Buffers;
-use crate::io::gltf::document::records::{Component, Format, Records, View};
-use crate::io::gltf::json::fields::At;
+use crate::io::gltf::document::records::{Component, Format, Records, Sparse};
+use crate::io::gltf::json::fields::{At, only_compressed, out_of_range};
 use crate::io::text::counted;
-use crate::io::{Place, Problem, ReadError};
+use crate::io::{Note, Place, Problem, ReadError};
 use std::borrow::Cow;
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 /// The bytes of an accessor's elements, in place.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::io::gltf) struct Elements<'a> {
+pub struct Elements<'a> {
     /// From the first byte of the first element to the last of the last; empty when there are no stored data.
     bytes: &'a [u8],
     /// From one element to the next; 0 when there are no stored data, which then are zeros.
     stride: usize,
-    pub(in crate::io::gltf) count: usize,
-    pub(in crate::io::gltf) format: Format,
+    pub count: usize,
+    pub format: Format,
     /// The exceptions, ascending.
     sparse: Option<Exceptions<'a>>,
 }
@@ -29,30 +29,30 @@ struct Exceptions<'a> {
 }
 
 /// Reads the accessors of a document.
-pub(in crate::io::gltf) struct Source<'a> {
-    pub(in crate::io::gltf) records: &'a Records,
-    pub(in crate::io::gltf) buffers: &'a Buffers,
-    /// Elements that accessors without stored data may still stand for.
-    pub(in crate::io::gltf) implied_limit: u64,
+pub struct Source<'a> {
+    pub records: &'a Records,
+    pub buffers: &'a Buffers,
+    /// The most elements of an accessor without stored data.
+    pub implied_limit: u64,
     /// Bytes of memory that decoding may still take; one file's bytes can be asked for any number of times.
-    pub(in crate::io::gltf) memory: Cell<u64>,
+    pub memory: Cell<u64>,
+    pub notes: RefCell<Vec<Note>>,
 }
 
 impl<'a> Source<'a> {
     /// Finds the elements of an accessor.
-    pub(in crate::io::gltf) fn elements(&self, accessor: usize) -> Result<Elements<'a>, ReadError> {
+    pub fn elements(&self, accessor: usize) -> Result<Elements<'a>, ReadError> {
         let at = At::new("accessors", accessor);
         let record = &self.records.accessors[accessor];
         let Some(format) = record.format else {
             let found = "an accessor whose type or component type glTF 2.0 does not have";
-            return Err(ReadError::new(Problem::Range, at.place(), found, "export the file again"));
+            return Err(out_of_range(at.place(), found));
         };
-        let count = usize::try_from(record.count).unwrap_or(usize::MAX);
         if record.count == 0 {
-            let found = "an accessor without elements";
-            return Err(ReadError::new(Problem::Range, at.member("count"), found, "export the file again"));
+            return Err(out_of_range(at.member("count"), "an accessor without elements"));
         }
-        let size = format.size();
+        let count = usize::try_from(record.count).unwrap_or(usize::MAX);
+        let size = format.size() as u64;
         let (bytes, stride) = match record.view {
             None if record.count > self.implied_limit => {
                 let found = format!("{count} elements of zeros, for which the file stores no data");
@@ -61,91 +61,97 @@ impl<'a> Source<'a> {
             }
             None => (&[][..], 0),
             Some(view) => {
-                let view = &self.records.views[view];
-                let stride = view.stride.unwrap_or(size as u64);
-                let range = Extent { offset: record.offset, count: record.count, size: size as u64, stride };
-                (self.slice(view, range, at)?, stride as usize)
+                let stride = self.records.views[view].stride.unwrap_or(size);
+                let extent = Extent { offset: record.offset, count: record.count, size, stride };
+                (self.slice(view, extent, at)?, stride as usize)
             }
         };
-        let sparse = record.sparse.map(|sparse| {
-            let place = at.member("sparse");
-            if sparse.count == 0 || sparse.count > record.count {
-                let found = format!("{} exceptions for {count} elements", sparse.count);
-                return Err(ReadError::new(Problem::Range, place, found, "export the file again"));
+        let sparse =
+            record.sparse.map(|sparse| self.exceptions(sparse, record.count, size, at)).transpose()?;
+        Ok(Elements { bytes, stride, count, format, sparse })
+    }
+
+    /// The exceptions of a sparse accessor of `count` elements.
+    fn exceptions(&self, sparse: Sparse, count: u64, size: u64, at: At) -> Result<Exceptions<'a>, ReadError> {
+        let place = at.member("sparse");
+        if sparse.count == 0 || sparse.count > count {
+            return Err(out_of_range(place, format!("{} exceptions for {count} elements", sparse.count)));
+        }
+        let component = sparse.index_component;
+        let part = |view, offset, size| {
+            self.slice(view, Extent { offset, count: sparse.count, size, stride: size }, at)
+        };
+        let indices = part(sparse.index_view, sparse.index_offset, component.size() as u64)?;
+        let values = part(sparse.value_view, sparse.value_offset, size)?;
+        let mut previous = None;
+        for index in indices.chunks_exact(component.size()).map(|bytes| unsigned(bytes, component)) {
+            if u64::from(index) >= count {
+                return Err(out_of_range(place, format!("an exception for element {index} of {count}")));
             }
-            let part = |view: usize, offset: u64, size: usize| {
-                let extent = Extent { offset, count: sparse.count, size: size as u64, stride: size as u64 };
-                self.slice(&self.records.views[view], extent, at)
-            };
-            let component = sparse.index_component;
-            let indices = part(sparse.index_view, sparse.index_offset, component.size())?;
-            let values = part(sparse.value_view, sparse.value_offset, size)?;
-            check_exceptions(indices, component, count, place)?;
-            Ok(Exceptions { indices, component, values })
-        });
-        Ok(Elements { bytes, stride, count, format, sparse: sparse.transpose()? })
+            if previous.is_some_and(|previous| index <= previous) {
+                let found = format!("exceptions that do not ascend (at element {index})");
+                return Err(out_of_range(place, found));
+            }
+            previous = Some(index);
+        }
+        Ok(Exceptions { indices, component, values })
+    }
+
+    /// Adds a warning to the notes.
+    pub fn warn(&self, place: Place, text: impl Into<String>) {
+        self.notes.borrow_mut().push(Note::warning(place, text));
     }
 
     /// Takes memory from the budget before something is decoded.
-    pub(in crate::io::gltf) fn spend(&self, bytes: u64, at: At) -> Result<(), ReadError> {
-        match self.memory.get().checked_sub(bytes) {
-            Some(left) => {
-                self.memory.set(left);
-                Ok(())
-            }
-            None => {
-                let found = "the file uses the same bytes so often that its meshes would not fit into memory";
-                let advice = "check where it comes from; splitting it into several files helps";
-                Err(ReadError::new(Problem::Limit, at.place(), found, advice))
-            }
-        }
+    pub fn spend(&self, bytes: u64, at: At) -> Result<(), ReadError> {
+        let Some(left) = self.memory.get().checked_sub(bytes) else {
+            let found = "the file uses the same bytes so often that its meshes would not fit into memory";
+            let advice = "check where it comes from; splitting it into several files helps";
+            return Err(ReadError::new(Problem::Limit, at.place(), found, advice));
+        };
+        self.memory.set(left);
+        Ok(())
     }
 
-    fn slice(&self, view: &View, extent: Extent, at: At) -> Result<&'a [u8], ReadError> {
-        let range = |found: String| {
-            Err(ReadError::new(
-                Problem::Range,
-                at.place(),
-                found,
-                "the file is broken or cut off; export it again",
-            ))
-        };
+    fn slice(&self, view: usize, extent: Extent, at: At) -> Result<&'a [u8], ReadError> {
+        let view = &self.records.views[view];
+        let Extent { offset, count, size, stride } = extent;
+        let bytes = |count: u64| counted(count, "byte", "bytes");
         let Some(buffer) = self.buffers.bytes(view.buffer) else {
             let name = view.meshopt.unwrap_or("an extension");
-            let found = format!("data that are only there compressed by {name}");
-            let advice = "decompress the file first, for example with `gltf-transform copy`";
-            return Err(ReadError::new(Problem::Unsupported, at.place(), found, advice));
+            return Err(only_compressed(
+                at.place(),
+                format!("data that are only there compressed by {name}"),
+            ));
         };
-        if extent.stride < extent.size {
-            let found =
-                format!("elements of {} only {} apart", bytes_of(extent.size), bytes_of(extent.stride));
-            return range(found);
+        if stride < size {
+            let found = format!("elements of {} only {} apart", bytes(size), bytes(stride));
+            return Err(out_of_range(at.place(), found));
         }
-        let needed =
-            (extent.count - 1).checked_mul(extent.stride).and_then(|all| all.checked_add(extent.size));
-        let end = needed.and_then(|needed| needed.checked_add(extent.offset));
+        let needed = (count - 1).checked_mul(stride).and_then(|all| all.checked_add(size));
+        let end = needed.and_then(|needed| needed.checked_add(offset));
         if end.is_none_or(|end| end > view.length) {
-            let Extent { offset, count, size, .. } = extent;
             let elements = counted(count, "element", "elements");
-            let view = bytes_of(view.length);
-            return range(format!("{elements} of {} from byte {offset} of a view of {view}", bytes_of(size)));
+            let found = format!(
+                "{elements} of {} from byte {offset} of a view of {}",
+                bytes(size),
+                bytes(view.length)
+            );
+            return Err(out_of_range(at.place(), found));
         }
-        let start = view.offset.checked_add(extent.offset);
         let whole = view.offset.checked_add(view.length).filter(|&end| end <= buffer.len() as u64);
-        match (start, needed, whole) {
-            (Some(start), Some(needed), Some(_)) => Ok(&buffer[start as usize..(start + needed) as usize]),
-            _ => {
-                let (length, size) = (bytes_of(view.length), bytes_of(buffer.len() as u64));
-                range(format!("a view of {length} from byte {} of a buffer of {size}", view.offset))
-            }
-        }
+        let (Some(needed), Some(_)) = (needed, whole) else {
+            let (length, size) = (bytes(view.length), bytes(buffer.len() as u64));
+            let found = format!("a view of {length} from byte {} of a buffer of {size}", view.offset);
+            return Err(out_of_range(at.place(), found));
+        };
+        // Within the view, which is within the buffer.
+        let start = view.offset + offset;
+        Ok(&buffer[start as usize..(start + needed) as usize])
     }
 }
 
-fn bytes_of(count: u64) -> String {
-    counted(count, "byte", "bytes")
-}
-
+/// Elements within a buffer view.
 #[derive(Clone, Copy)]
 struct Extent {
     offset: u64,
@@ -155,30 +161,9 @@ struct Extent {
     stride: u64,
 }
 
-fn check_exceptions(
-    indices: &[u8],
-    component: Component,
-    count: usize,
-    place: Place,
-) -> Result<(), ReadError> {
-    let mut previous = None;
-    for index in indices.chunks_exact(component.size()).map(|bytes| unsigned(bytes, component)) {
-        let found = if index as usize >= count {
-            format!("an exception for element {index} of {count}")
-        } else if previous.is_some_and(|previous| index <= previous) {
-            format!("exceptions that do not ascend (at element {index})")
-        } else {
-            previous = Some(index);
-            continue;
-        };
-        return Err(ReadError::new(Problem::Range, place, found, "the file is broken; export it again"));
-    }
-    Ok(())
-}
-
 impl<'a> Elements<'a> {
     /// All elements as raw bytes without gaps.
-    pub(in crate::io::gltf) fn raw(&self) -> Cow<'a, [u8]> {
+    pub fn raw(&self) -> Cow<'a, [u8]> {
         let size = self.format.size();
         if self.sparse.is_none() && self.stride == size {
             return Cow::Borrowed(self.bytes);
@@ -202,7 +187,7 @@ impl<'a> Elements<'a> {
 
     /// All elements as `f32` vectors; normalised integers divided by their largest value, as the standard says.
     /// Elements of fewer components are filled up with `fill`, those of more cut.
-    pub(in crate::io::gltf) fn floats<const N: usize>(&self, fill: f32) -> Vec<[f32; N]> {
+    pub fn floats<const N: usize>(&self, fill: f32) -> Vec<[f32; N]> {
         let raw = self.raw();
         let (component, normalized) = (self.format.component, self.format.normalized);
         let size = component.size();
@@ -220,29 +205,34 @@ impl<'a> Elements<'a> {
     }
 
     /// All elements as unsigned integers, first component only.
-    pub(in crate::io::gltf) fn integers(&self) -> Vec<u32> {
+    pub fn integers(&self) -> Vec<u32> {
         let component = self.format.component;
         self.raw().chunks_exact(self.format.size()).map(|bytes| unsigned(bytes, component)).collect()
     }
 }
 
-fn float(bytes: &[u8], component: Component, normalized: bool) -> f32 {
+/// A number as the standard reads it: normalised integers are divided by their largest value.
+pub fn float(bytes: &[u8], component: Component, normalized: bool) -> f32 {
+    let most = match component {
+        Component::F32 => return f32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]),
+        Component::I8 if normalized => 127.0,
+        Component::U8 if normalized => 255.0,
+        Component::I16 if normalized => 32767.0,
+        Component::U16 if normalized => 65535.0,
+        _ => return number(bytes, component) as f32,
+    };
+    (number(bytes, component) as f32 / most).max(-1.0)
+}
+
+/// A number in the units of its storage.
+pub fn number(bytes: &[u8], component: Component) -> f64 {
     match component {
-        Component::F32 => f32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]),
-        Component::I8 if normalized => (f32::from(bytes[0] as i8) / 127.0).max(-1.0),
-        Component::I8 => f32::from(bytes[0] as i8),
-        Component::U8 if normalized => f32::from(bytes[0]) / 255.0,
-        Component::U8 => f32::from(bytes[0]),
-        Component::I16 | Component::U16 => {
-            let pair = [bytes[0], bytes[1]];
-            match (component, normalized) {
-                (Component::I16, true) => (f32::from(i16::from_le_bytes(pair)) / 32767.0).max(-1.0),
-                (Component::I16, false) => f32::from(i16::from_le_bytes(pair)),
-                (_, true) => f32::from(u16::from_le_bytes(pair)) / 65535.0,
-                (_, false) => f32::from(u16::from_le_bytes(pair)),
-            }
-        }
-        Component::U32 => u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]) as f32,
+        Component::I8 => f64::from(bytes[0] as i8),
+        Component::U8 => f64::from(bytes[0]),
+        Component::I16 => f64::from(i16::from_le_bytes([bytes[0], bytes[1]])),
+        Component::U16 => f64::from(u16::from_le_bytes([bytes[0], bytes[1]])),
+        Component::U32 => f64::from(u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]])),
+        Component::F32 => f64::from(f32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]])),
     }
 }
 

@@ -1,13 +1,12 @@
-//! Materials, cameras and lights; materials and lights by the typed view of the `gltf` crate.
+//! Materials, cameras and lights; materials and lights as the records of the `gltf` crate.
 
 use crate::io::appearance::as_written;
-use crate::io::gltf::GltfDocument;
 use crate::io::gltf::document::camera;
-use crate::io::gltf::document::nodes;
-use crate::io::gltf::json::fields::{At, Fields};
-use crate::io::gltf::json::tree::{Json, Kind, Value};
-use crate::io::{Appearance, FileLight, FileLightKind, FileMaterial, FileReflection, Note, Place};
-use glam::DMat4;
+use crate::io::gltf::document::gltf_document::GltfDocument;
+use crate::io::gltf::document::nodes::{NodeTree, Placed};
+use crate::io::gltf::json::fields::{At, Fields, out_of_range};
+use crate::io::gltf::json::tree::{Json, Value};
+use crate::io::{Appearance, FileLight, FileLightKind, FileMaterial, FileReflection, Note, Place, ReadError};
 use gltf::json::extensions::scene::khr_lights_punctual::{Light, Type as LightType};
 use gltf::json::material::Material;
 use gltf::json::validation::Checked;
@@ -15,112 +14,107 @@ use serde::de::DeserializeOwned;
 
 const LIGHTS: &str = "KHR_lights_punctual";
 
-/// What the document says about looks. Materials and lights that the standard does not allow are left out with a note.
+/// The materials, cameras and lights of a document. Materials and lights that the standard does not allow are omitted with
+/// a note.
 pub(in crate::io) fn appearance(document: &GltfDocument) -> Appearance {
+    let records = &document.records;
+    let json = &records.json;
     let mut found = Appearance::default();
-    let json = &document.records.json;
     for (name, &number) in &document.materials {
-        found.material(json, name, document.records.materials[number], number);
+        let fields = records.fields(records.materials[number], At::new("materials", number));
+        match material(&fields, name) {
+            Ok(material) => found.materials.push(material),
+            Err(error) => found.notes.push(not_understood(error)),
+        }
     }
-    let lights = punctual_lights(json);
-    let visited = nodes::each(json, |node| {
-        if !node.shown {
-            return Ok(());
-        }
-        found.cameras.extend(camera::at_node(&node).transpose());
-        if let Some(extension) = node.fields.extension(LIGHTS) {
-            let light = json.member(extension, "light").and_then(|light| json.integer(light));
-            found.light(json, &lights, light, node.fields.at, node.world);
-        }
-        Ok(())
+    let extension = Fields::root(json).extension(LIGHTS);
+    let lights: Vec<Value> = extension.into_iter().flat_map(|object| json.items(object, "lights")).collect();
+    let visited = NodeTree::new(json).and_then(|tree| {
+        tree.each(|node| {
+            if !node.shown {
+                return Ok(());
+            }
+            found.cameras.extend(camera::at_node(&node).transpose());
+            if let Some(extension) = node.fields.extension(LIGHTS) {
+                match light(&node, extension, &lights) {
+                    Ok(light) => found.lights.push(light),
+                    Err(error) => found.notes.push(not_understood(error)),
+                }
+            }
+            Ok(())
+        })
     });
     if let Err(error) = visited {
-        found.notes.push(Note::warning(error.place.clone(), error.found.clone()));
+        found.notes.push(Note::warning(error.place, error.found));
     }
     found
 }
 
-fn elements(json: &Json, list: Option<Value>) -> Vec<Value> {
-    let list = list.filter(|&list| json.kind(list) == Kind::Array);
-    list.map_or_else(Vec::new, |list| json.elements(list).collect())
+fn not_understood(error: ReadError) -> Note {
+    Note::warning(error.place, format!("not understood and left out: {}", error.found))
 }
 
-fn punctual_lights(json: &Json) -> Vec<Value> {
-    let extension = json.member(json.root(), "extensions").and_then(|all| json.member(all, LIGHTS));
-    elements(json, extension.and_then(|extension| json.member(extension, "lights")))
+/// A value as a record of the `gltf` crate.
+fn typed<T: DeserializeOwned>(json: &Json, value: Value, place: Place) -> Result<T, ReadError> {
+    serde_json::from_str(json.raw(value)).map_err(|error| out_of_range(place, error.to_string()))
 }
 
-impl Appearance {
-    /// A value as a record of the `gltf` crate.
-    fn typed<T: DeserializeOwned>(&mut self, json: &Json, value: Option<Value>, place: Place) -> Option<T> {
-        let typed = match value {
-            Some(value) => serde_json::from_str(json.raw(value)).map_err(|error| error.to_string()),
-            None => Err("it is not there".to_owned()),
-        };
-        typed.map_err(|error| self.warn(place, &error)).ok()
+fn material(fields: &Fields<'_>, name: &str) -> Result<FileMaterial, ReadError> {
+    let material: Material = typed(fields.json, fields.object, fields.at.place())?;
+    let surface = &material.pbr_metallic_roughness;
+    let [r, g, b, opacity] = surface.base_color_factor.0.map(as_written);
+    let [metallic, roughness] = [surface.metallic_factor.0, surface.roughness_factor.0].map(as_written);
+    if [r, g, b, opacity, metallic, roughness].iter().any(|factor| !(0.0..=1.0).contains(factor)) {
+        return Err(out_of_range(fields.at.place(), "factors of a material are numbers from 0 to 1"));
     }
+    let unlit = fields.extension("KHR_materials_unlit").is_some();
+    let textures = [
+        surface.base_color_texture.is_some(),
+        surface.metallic_roughness_texture.is_some(),
+        material.normal_texture.is_some(),
+        material.occlusion_texture.is_some(),
+        material.emissive_texture.is_some(),
+    ];
+    let base_colour = [r, g, b];
+    Ok(FileMaterial {
+        name: name.to_owned(),
+        reflection: FileReflection::MetallicRoughness { base_colour, metallic, roughness, unlit },
+        opacity: Some(opacity),
+        textures: textures.into_iter().filter(|&is_there| is_there).count(),
+    })
+}
 
-    fn warn(&mut self, place: Place, reason: &str) {
-        self.notes.push(Note::warning(place, format!("not understood and left out: {reason}")));
-    }
-
-    fn material(&mut self, json: &Json, name: &str, object: Value, number: usize) {
-        let at = At::new("materials", number);
-        let Some(material) = self.typed::<Material>(json, Some(object), at.place()) else { return };
-        let surface = &material.pbr_metallic_roughness;
-        let [r, g, b, opacity] = surface.base_color_factor.0.map(as_written);
-        let [metallic, roughness] = [surface.metallic_factor.0, surface.roughness_factor.0].map(as_written);
-        if [r, g, b, opacity, metallic, roughness].iter().any(|factor| !(0.0..=1.0).contains(factor)) {
-            return self.warn(at.place(), "factors of a material are numbers from 0 to 1");
+/// The light that an extension of a node refers to.
+fn light(node: &Placed<'_>, extension: Value, lights: &[Value]) -> Result<FileLight, ReadError> {
+    let json = node.fields.json;
+    let number = json.member(extension, "light").and_then(|light| json.integer(light));
+    let Some(number) = number else {
+        return Err(out_of_range(node.fields.at.member("extensions"), "a light is named by its number"));
+    };
+    let place = Place::Json(format!("/extensions/{LIGHTS}/lights/{number}"));
+    let value = usize::try_from(number).ok().and_then(|number| lights.get(number));
+    let value = value.ok_or_else(|| out_of_range(place.clone(), "it is not there"))?;
+    let light: Light = typed(json, *value, place.clone())?;
+    let kind = match (&light.type_, &light.spot) {
+        (Checked::Valid(LightType::Directional), _) => FileLightKind::Directional,
+        (Checked::Valid(LightType::Point), _) => FileLightKind::Point,
+        (Checked::Valid(LightType::Spot), Some(spot)) => FileLightKind::Spot {
+            inner: as_written(spot.inner_cone_angle),
+            outer: as_written(spot.outer_cone_angle),
+        },
+        _ => {
+            let found = "a light is directional, point or spot, and a spot says how wide";
+            return Err(out_of_range(place, found));
         }
-        let unlit = Fields { json, object, at }.extension("KHR_materials_unlit").is_some();
-        let textures = [
-            surface.base_color_texture.is_some(),
-            surface.metallic_roughness_texture.is_some(),
-            material.normal_texture.is_some(),
-            material.occlusion_texture.is_some(),
-            material.emissive_texture.is_some(),
-        ];
-        self.materials.push(FileMaterial {
-            name: name.to_owned(),
-            reflection: FileReflection::MetallicRoughness {
-                base_colour: [r, g, b],
-                metallic,
-                roughness,
-                unlit,
-            },
-            opacity: Some(opacity),
-            textures: textures.into_iter().filter(|&there| there).count(),
-        });
-    }
-
-    fn light(&mut self, json: &Json, lights: &[Value], number: Option<u64>, at: At, world: DMat4) {
-        let number = number.and_then(|number| usize::try_from(number).ok());
-        let Some(number) = number else {
-            return self.warn(at.member("extensions"), "a light is named by its number");
-        };
-        let place = Place::Json(format!("/extensions/{LIGHTS}/lights/{number}"));
-        let Some(light) = self.typed::<Light>(json, lights.get(number).copied(), place.clone()) else {
-            return;
-        };
-        let kind = match (&light.type_, &light.spot) {
-            (Checked::Valid(LightType::Directional), _) => FileLightKind::Directional,
-            (Checked::Valid(LightType::Point), _) => FileLightKind::Point,
-            (Checked::Valid(LightType::Spot), Some(spot)) => FileLightKind::Spot {
-                inner: as_written(spot.inner_cone_angle),
-                outer: as_written(spot.outer_cone_angle),
-            },
-            _ => return self.warn(place, "a light is directional, point or spot, and a spot says how wide"),
-        };
-        self.lights.push(FileLight {
-            name: light.name.unwrap_or_default(),
-            world_from_light: world,
-            kind,
-            colour: light.color.map(as_written),
-            intensity: as_written(light.intensity),
-            range: light.range.map(as_written),
-        });
-    }
+    };
+    Ok(FileLight {
+        name: light.name.unwrap_or_default(),
+        world_from_light: node.frame.world,
+        kind,
+        colour: light.color.map(as_written),
+        intensity: as_written(light.intensity),
+        range: light.range.map(as_written),
+    })
 }
 
 #[cfg(test)]

@@ -1,22 +1,22 @@
-//! Document: the typed records of a file.
+//! Document: the typed records of a file, and the meshes, nodes and looks that they describe.
 
 // The records that geometry needs.
-pub(super) mod records;
+pub mod records;
 // Accessors to numbers.
-pub(super) mod accessor;
-// Cameras.
-pub(super) mod camera;
-// Materials, cameras and lights.
-pub(super) mod appearance;
-// The node tree.
-pub(super) mod nodes;
-// Primitives.
-pub(super) mod primitive;
-// Vertex columns.
-pub(super) mod columns;
-// Tangents and morph targets.
-pub(super) mod attributes;
-// Document content outside meshes and nodes.
-pub(super) mod other_content;
+pub mod accessor;
+// A document that is kept for editing.
+pub mod gltf_document;
+// Primitives to triangles, lines and points.
+pub mod primitive;
 // glTF meshes to parts.
-pub(super) mod mesh;
+pub mod mesh;
+// The vertex columns of a part.
+pub mod columns;
+// The node tree.
+pub mod nodes;
+// Cameras.
+pub mod camera;
+// Materials, cameras and lights.
+pub mod appearance;
+// Content outside meshes and nodes.
+pub mod content;

@@ -1,13 +1,13 @@
 //! Primitives: which vertices their triangles, lines and points use.
 
-use crate::io::gltf::document::accessor::{Elements, Source};
-use crate::io::gltf::document::records::{Component, Primitive};
-use crate::io::gltf::json::fields::At;
+use crate::io::ReadError;
+use crate::io::gltf::document::accessor::Source;
+use crate::io::gltf::document::records::{Component, Format, Primitive};
+use crate::io::gltf::json::fields::{At, out_of_range};
 use crate::io::text::counted;
-use crate::io::{Note, Place, Problem, ReadError};
 
 /// glTF's codes for what a primitive draws.
-pub(in crate::io::gltf) mod mode {
+pub mod mode {
     pub const POINTS: u64 = 0;
     pub const LINES: u64 = 1;
     pub const LINE_LOOP: u64 = 2;
@@ -18,7 +18,7 @@ pub(in crate::io::gltf) mod mode {
 }
 
 /// What a primitive draws, as vertex numbers of its own accessors.
-pub(in crate::io::gltf) enum Drawn {
+pub enum Drawn {
     Points(Vec<u32>),
     Lines(Vec<Vec<u32>>),
     /// Three numbers a triangle.
@@ -26,20 +26,15 @@ pub(in crate::io::gltf) enum Drawn {
 }
 
 /// Reads the indices of a primitive with `count` vertices and resolves its mode.
-pub(in crate::io::gltf) fn draw(
-    source: &Source<'_>,
-    primitive: &Primitive,
-    count: usize,
-    notes: &mut Vec<Note>,
-) -> Result<Drawn, ReadError> {
-    let order = match primitive.indices {
+pub fn draw(source: &Source<'_>, primitive: &Primitive, count: usize) -> Result<Drawn, ReadError> {
+    let mut order = match primitive.indices {
         Some(accessor) => {
             let elements = source.elements(accessor)?;
-            check_format(&elements, accessor)?;
+            check_format(elements.format, accessor)?;
             let expansion = if primitive.mode == mode::TRIANGLES { 1 } else { 8 };
             source.spend(4 * expansion * elements.count as u64, primitive.at)?;
             let indices = elements.integers();
-            check_range(&indices, &elements, count, accessor)?;
+            check_range(&indices, elements.format, count, accessor)?;
             indices
         }
         None => {
@@ -53,12 +48,11 @@ pub(in crate::io::gltf) fn draw(
         mode::LINE_LOOP => Drawn::Lines(polyline(order.iter().chain(order.first()))),
         mode::LINE_STRIP => Drawn::Lines(polyline(order.iter())),
         mode::TRIANGLES => {
-            let mut order = order;
             let rest = order.len() % 3;
             if rest > 0 {
                 let corners = counted(rest, "corner", "corners");
                 let text = format!("ignored, because whole triangles leave it over: {corners}");
-                notes.push(Note::warning(primitive.at.place(), text));
+                source.warn(primitive.at.place(), text);
                 order.truncate(order.len() - rest);
             }
             Drawn::Triangles(order)
@@ -66,9 +60,8 @@ pub(in crate::io::gltf) fn draw(
         mode::TRIANGLE_STRIP => Drawn::Triangles(strip(&order)),
         mode::TRIANGLE_FAN => Drawn::Triangles(fan(&order)),
         other => {
-            let found = format!("primitive mode {other}");
-            let place = primitive.at.member("mode");
-            return Err(ReadError::new(Problem::Range, place, found, "glTF has the modes 0 to 6"));
+            let found = format!("primitive mode {other}, where glTF has 0 to 6");
+            return Err(out_of_range(primitive.at.member("mode"), found));
         }
     };
     Ok(drawn)
@@ -79,7 +72,7 @@ fn polyline<'a>(order: impl Iterator<Item = &'a u32>) -> Vec<Vec<u32>> {
     if line.len() < 2 { Vec::new() } else { vec![line] }
 }
 
-/// Triangles of a strip: every other one is turned, so that all face the same way.
+/// Triangles of a strip: every other one is flipped, so that all face the same way.
 fn strip(order: &[u32]) -> Vec<u32> {
     let triangles = order.windows(3).enumerate();
     triangles.flat_map(|(i, w)| if i % 2 == 0 { [w[0], w[1], w[2]] } else { [w[0], w[2], w[1]] }).collect()
@@ -91,37 +84,24 @@ fn fan(order: &[u32]) -> Vec<u32> {
     rim.windows(2).flat_map(|edge| [edge[0], edge[1], centre]).collect()
 }
 
-fn check_format(elements: &Elements<'_>, accessor: usize) -> Result<(), ReadError> {
-    let format = elements.format;
+/// Checks that indices are unsigned integers.
+fn check_format(format: Format, accessor: usize) -> Result<(), ReadError> {
     let unsigned = matches!(format.component, Component::U8 | Component::U16 | Component::U32);
     if unsigned && format.width == 1 {
         return Ok(());
     }
-    let found = "indices that are not unsigned integers";
-    let place = At::new("accessors", accessor).place();
-    Err(ReadError::new(Problem::Range, place, found, "the file is broken; export it again"))
+    Err(out_of_range(At::new("accessors", accessor).place(), "indices that are not unsigned integers"))
 }
 
-fn check_range(
-    indices: &[u32],
-    elements: &Elements<'_>,
-    count: usize,
-    accessor: usize,
-) -> Result<(), ReadError> {
+fn check_range(indices: &[u32], format: Format, count: usize, accessor: usize) -> Result<(), ReadError> {
     let Some(position) = indices.iter().position(|&index| index as usize >= count) else { return Ok(()) };
     let index = indices[position];
-    let restart = match elements.format.component.size() {
-        1 => 0xFF,
-        2 => 0xFFFF,
-        _ => u32::MAX,
-    };
-    let found = if index == restart {
+    let found = if index == u32::MAX >> (32 - 8 * format.component.size()) {
         format!("index number {position} is {index}, which restarts a primitive; glTF does not allow it")
     } else {
         format!("index number {position} asks for vertex {index}, counted from 0, of {count}")
     };
-    let place = Place::Json(format!("/accessors/{accessor}"));
-    Err(ReadError::new(Problem::Range, place, found, "the file is broken; export it again"))
+    Err(out_of_range(At::new("accessors", accessor).place(), found))
 }
 
 #[cfg(test)]

@@ -1,160 +1,169 @@
-//! The parts of a glTF document that geometry needs, as typed records beside their places in the JSON.
+//! The typed records of a glTF document that geometry needs, with their places in the JSON.
 
-use crate::io::gltf::json::fields::{At, Fields, dangling};
+use crate::io::gltf::json::fields::{At, Fields, checked_index};
 use crate::io::gltf::json::tree::{Json, Value};
-use crate::io::{Note, Place, Problem, ReadError};
+use crate::io::{Note, Problem, ReadError};
+pub use gltf::json::accessor::ComponentType as Component;
+use std::ops::Range;
+
+/// The extensions that compress buffer views.
+pub const MESHOPT: [&str; 2] = ["EXT_meshopt_compression", "KHR_meshopt_compression"];
 
 /// A `bufferView`.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::io::gltf) struct View {
-    pub(in crate::io::gltf) object: Value,
-    pub(in crate::io::gltf) buffer: usize,
-    pub(in crate::io::gltf) offset: u64,
-    pub(in crate::io::gltf) length: u64,
-    pub(in crate::io::gltf) stride: Option<u64>,
+pub struct View {
+    pub object: Value,
+    pub buffer: usize,
+    pub offset: u64,
+    pub length: u64,
+    pub stride: Option<u64>,
     /// The name of the meshopt extension under which a compressed copy of the view is stored.
-    pub(in crate::io::gltf) meshopt: Option<&'static str>,
-    pub(in crate::io::gltf) extended: bool,
+    pub meshopt: Option<&'static str>,
+    pub extended: bool,
 }
 
 /// An `accessor`.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::io::gltf) struct Accessor {
-    pub(in crate::io::gltf) object: Value,
-    pub(in crate::io::gltf) view: Option<usize>,
-    pub(in crate::io::gltf) offset: u64,
-    pub(in crate::io::gltf) count: u64,
+pub struct Accessor {
+    pub object: Value,
+    pub view: Option<usize>,
+    pub offset: u64,
+    pub count: u64,
     /// How elements are stored; `None` for types that only an extension can mean.
-    pub(in crate::io::gltf) format: Option<Format>,
-    pub(in crate::io::gltf) sparse: Option<Sparse>,
+    pub format: Option<Format>,
+    pub sparse: Option<Sparse>,
 }
 
 /// Where the exceptions of a sparse accessor are.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::io::gltf) struct Sparse {
-    pub(in crate::io::gltf) count: u64,
-    pub(in crate::io::gltf) index_view: usize,
-    pub(in crate::io::gltf) index_offset: u64,
-    pub(in crate::io::gltf) index_component: Component,
-    pub(in crate::io::gltf) value_view: usize,
-    pub(in crate::io::gltf) value_offset: u64,
+pub struct Sparse {
+    pub count: u64,
+    pub index_view: usize,
+    pub index_offset: u64,
+    pub index_component: Component,
+    pub value_view: usize,
+    pub value_offset: u64,
 }
 
-/// The type of a number in a buffer, by its glTF code.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(in crate::io::gltf) enum Component {
-    I8 = 5120,
-    U8 = 5121,
-    I16 = 5122,
-    U16 = 5123,
-    U32 = 5125,
-    F32 = 5126,
+/// The type of a number with a glTF code.
+fn component(code: u64) -> Option<Component> {
+    use Component::{F32, I8, I16, U8, U16, U32};
+    [I8, U8, I16, U16, U32, F32].into_iter().find(|component| u64::from(component.as_gl_enum()) == code)
 }
 
-impl Component {
-    pub(in crate::io::gltf) fn from_code(code: u64) -> Option<Component> {
-        use Component::{F32, I8, I16, U8, U16, U32};
-        [I8, U8, I16, U16, U32, F32].into_iter().find(|component| *component as u64 == code)
-    }
-
-    pub(in crate::io::gltf) fn size(self) -> usize {
-        match self {
-            Component::I8 | Component::U8 => 1,
-            Component::I16 | Component::U16 => 2,
-            Component::U32 | Component::F32 => 4,
-        }
-    }
-}
+/// The types of elements: name, components of a column, columns.
+pub const SHAPES: [(&str, usize, usize); 7] = [
+    ("SCALAR", 1, 1),
+    ("VEC2", 2, 1),
+    ("VEC3", 3, 1),
+    ("VEC4", 4, 1),
+    ("MAT2", 2, 2),
+    ("MAT3", 3, 3),
+    ("MAT4", 4, 4),
+];
 
 /// How one element of an accessor is stored.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(in crate::io::gltf) struct Format {
-    pub(in crate::io::gltf) component: Component,
-    pub(in crate::io::gltf) normalized: bool,
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Format {
+    pub component: Component,
+    pub normalized: bool,
     /// Components of a vector, or of a column of a matrix.
-    pub(in crate::io::gltf) width: usize,
+    pub width: usize,
     /// Columns of a matrix; 1 for scalars and vectors.
-    pub(in crate::io::gltf) columns: usize,
+    pub columns: usize,
 }
 
 impl Format {
-    pub(in crate::io::gltf) fn vector(component: Component, normalized: bool, width: usize) -> Format {
+    pub fn vector(component: Component, normalized: bool, width: usize) -> Format {
         Format { component, normalized, width, columns: 1 }
     }
 
     /// Bytes of an element. Each column of a matrix begins at a multiple of four.
-    pub(in crate::io::gltf) fn size(self) -> usize {
+    pub fn size(self) -> usize {
         let column = self.width * self.component.size();
         if self.columns == 1 { column } else { column.next_multiple_of(4) * self.columns }
     }
 }
 
-/// A drawn piece of a mesh.
+/// A primitive of a mesh.
 #[derive(Clone, Debug)]
-pub(in crate::io::gltf) struct Primitive {
-    pub(in crate::io::gltf) object: Value,
-    pub(in crate::io::gltf) at: At,
-    pub(in crate::io::gltf) attributes: Attributes,
-    pub(in crate::io::gltf) targets: Vec<Attributes>,
-    pub(in crate::io::gltf) indices: Option<usize>,
-    pub(in crate::io::gltf) mode: u64,
-    pub(in crate::io::gltf) material: Option<usize>,
+pub struct Primitive {
+    pub object: Value,
+    pub at: At,
+    pub vertices: VertexAccessors,
+    /// The JSON objects that list the vertex accessors, one a set.
+    pub sites: Vec<Value>,
+    pub indices: Option<usize>,
+    pub mode: u64,
+    pub material: Option<usize>,
 }
 
-/// Accessors by semantic, and the JSON object that lists them.
-#[derive(Clone, Debug)]
-pub(in crate::io::gltf) struct Attributes {
-    pub(in crate::io::gltf) object: Value,
-    pub(in crate::io::gltf) list: Vec<(String, usize)>,
+/// The vertex accessors of a primitive. Primitives for which these are equal share their vertices.
+///
+/// Set 0 are the attributes, set n + 1 those of morph target n: pairs of semantic and accessor, sorted by semantic.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct VertexAccessors {
+    pub sets: Vec<Vec<(String, usize)>>,
 }
 
-impl Attributes {
-    pub(in crate::io::gltf) fn get(&self, semantic: &str) -> Option<usize> {
-        self.list.iter().find(|(name, _)| name == semantic).map(|&(_, accessor)| accessor)
+impl VertexAccessors {
+    /// The accessor of a semantic among the attributes.
+    pub fn get(&self, semantic: &str) -> Option<usize> {
+        self.of_set(0, semantic)
+    }
+
+    /// The accessor of a semantic in a set.
+    pub fn of_set(&self, set: usize, semantic: &str) -> Option<usize> {
+        self.sets.get(set)?.iter().find(|(name, _)| name == semantic).map(|&(_, accessor)| accessor)
+    }
+
+    /// The accessor of positions, which all primitives have whose vertices are read.
+    pub fn position(&self) -> usize {
+        self.get("POSITION").unwrap_or_default()
+    }
+
+    /// The sets of all morph targets.
+    pub fn target_sets(&self) -> Range<usize> {
+        1..self.sets.len()
     }
 }
 
 /// A mesh and the JSON object that it is.
 #[derive(Clone, Debug)]
-pub(in crate::io::gltf) struct MeshRecord {
-    pub(in crate::io::gltf) object: Value,
-    pub(in crate::io::gltf) name: String,
-    pub(in crate::io::gltf) primitives: Vec<Primitive>,
+pub struct MeshRecord {
+    pub object: Value,
+    pub name: String,
+    pub primitives: Vec<Primitive>,
 }
 
 /// A document without its buffers' bytes.
 #[derive(Clone, Debug)]
-pub(in crate::io::gltf) struct Records {
-    pub(in crate::io::gltf) json: Json,
-    pub(in crate::io::gltf) buffers: Vec<Value>,
-    pub(in crate::io::gltf) views: Vec<View>,
-    pub(in crate::io::gltf) accessors: Vec<Accessor>,
-    pub(in crate::io::gltf) meshes: Vec<MeshRecord>,
-    pub(in crate::io::gltf) materials: Vec<Value>,
+pub struct Records {
+    pub json: Json,
+    pub buffers: Vec<Value>,
+    pub views: Vec<View>,
+    pub accessors: Vec<Accessor>,
+    pub meshes: Vec<MeshRecord>,
+    pub materials: Vec<Value>,
 }
 
 impl Records {
     /// Reads the records and checks that every number between them leads somewhere.
-    pub(in crate::io::gltf) fn new(json: Json, notes: &mut Vec<Note>) -> Result<Records, ReadError> {
-        let root = Fields::new(&json, json.root(), At::default())?;
+    pub fn new(json: Json, notes: &mut Vec<Note>) -> Result<Records, ReadError> {
+        Fields::new(&json, json.root(), At::default())?;
+        let root = Fields::root(&json);
         check_version(&root, notes)?;
-        let objects = |name: &'static str| list(&root, name);
-        let (buffers, materials) = (objects("buffers")?, objects("materials")?);
+        let (buffers, materials) = (root.list("buffers")?, root.list("materials")?);
         let views = records(&root, "bufferViews", |fields| view(fields, buffers.len()))?;
         let accessors = records(&root, "accessors", |fields| accessor(fields, views.len()))?;
         let meshes = records(&root, "meshes", |fields| mesh(fields, accessors.len(), materials.len()))?;
         Ok(Records { buffers, views, accessors, meshes, materials, json })
     }
-}
 
-/// All objects of a top-level list, by number.
-pub(in crate::io::gltf) fn list(root: &Fields<'_>, name: &'static str) -> Result<Vec<Value>, ReadError> {
-    let array = root.array(name)?;
-    let values: Vec<Value> = array.into_iter().flat_map(|array| root.json.elements(array)).collect();
-    for (number, &value) in values.iter().enumerate() {
-        Fields::new(root.json, value, At::new(name, number))?;
+    /// The fields of an object at a place.
+    pub fn fields(&self, object: Value, at: At) -> Fields<'_> {
+        Fields { json: &self.json, object, at }
     }
-    Ok(values)
 }
 
 fn records<T>(
@@ -162,16 +171,14 @@ fn records<T>(
     name: &'static str,
     record: impl Fn(Fields<'_>) -> Result<T, ReadError>,
 ) -> Result<Vec<T>, ReadError> {
-    let values = list(root, name)?.into_iter().enumerate();
+    let values = root.list(name)?.into_iter().enumerate();
     values
         .map(|(number, object)| record(Fields { json: root.json, object, at: At::new(name, number) }))
         .collect()
 }
 
 fn check_version(root: &Fields<'_>, notes: &mut Vec<Note>) -> Result<(), ReadError> {
-    let asset = root.object("asset")?.ok_or_else(|| root.missing("asset"))?;
-    let asset = Fields { object: asset, ..*root };
-    let place = |name: &str| Place::Json(format!("/asset/{name}"));
+    let asset = root.required_child("asset")?;
     let version = asset.string("version")?.ok_or_else(|| asset.missing("version"))?;
     let parse = |text: &str| {
         let (major, minor) = text.split_once('.')?;
@@ -180,13 +187,13 @@ fn check_version(root: &Fields<'_>, notes: &mut Vec<Note>) -> Result<(), ReadErr
     let unsupported = |name, text: &str| {
         let found = format!("glTF version {text:?}");
         let advice = "only glTF 2.0 is read; convert the file, for example with glTF-Transform";
-        Err(ReadError::new(Problem::Unsupported, place(name), found, advice))
+        Err(ReadError::new(Problem::Unsupported, asset.at.member(name), found, advice))
     };
     match parse(&version) {
         Some((2, 0)) => {}
         Some((2, _)) => {
             let text = format!("version {version} is read as 2.0; what is newer in it is not understood");
-            notes.push(Note::warning(place("version"), text));
+            notes.push(Note::warning(asset.at.member("version"), text));
         }
         _ => return unsupported("version", &version),
     }
@@ -199,81 +206,53 @@ fn check_version(root: &Fields<'_>, notes: &mut Vec<Note>) -> Result<(), ReadErr
 }
 
 fn view(fields: Fields<'_>, buffers: usize) -> Result<View, ReadError> {
-    let buffer = usize::try_from(fields.required("buffer")?).unwrap_or(usize::MAX);
-    if buffer >= buffers {
-        return Err(dangling(fields.at.member("buffer"), "buffer", buffer, buffers));
-    }
-    let meshopt = ["EXT_meshopt_compression", "KHR_meshopt_compression"];
     Ok(View {
         object: fields.object,
-        buffer,
+        buffer: required(&fields, "buffer", "buffer", buffers)?,
         offset: fields.integer("byteOffset")?.unwrap_or(0),
         length: fields.required("byteLength")?,
         stride: fields.integer("byteStride")?,
-        meshopt: meshopt.into_iter().find(|name| fields.extension(name).is_some()),
+        meshopt: MESHOPT.into_iter().find(|name| fields.extension(name).is_some()),
         extended: fields.object("extensions")?.is_some(),
     })
 }
 
+/// The number of an element of another list, which has to be there.
+fn required(fields: &Fields<'_>, name: &str, what: &str, count: usize) -> Result<usize, ReadError> {
+    fields.reference(name, what, count)?.ok_or_else(|| fields.missing(name))
+}
+
 fn accessor(fields: Fields<'_>, views: usize) -> Result<Accessor, ReadError> {
-    let code = fields.required("componentType")?;
-    let shape = fields.string("type")?.ok_or_else(|| fields.missing("type"))?;
-    let shape = match shape.as_ref() {
-        "SCALAR" => Some((1, 1)),
-        "VEC2" => Some((2, 1)),
-        "VEC3" => Some((3, 1)),
-        "VEC4" => Some((4, 1)),
-        "MAT2" => Some((2, 2)),
-        "MAT3" => Some((3, 3)),
-        "MAT4" => Some((4, 4)),
-        _ => None,
-    };
+    let component = component(fields.required("componentType")?);
+    let name = fields.string("type")?.ok_or_else(|| fields.missing("type"))?;
+    let shape = SHAPES.into_iter().find(|shape| shape.0 == name);
     let normalized = fields.boolean("normalized")?.unwrap_or(false);
-    let format = Component::from_code(code).zip(shape).map(|(component, (width, columns))| Format {
-        component,
-        normalized,
-        width,
-        columns,
-    });
-    let view = fields.index("bufferView")?;
-    if let Some(view) = view.filter(|&view| view >= views) {
-        return Err(dangling(fields.at.member("bufferView"), "buffer view", view, views));
-    }
+    let format = |(component, (_, width, columns))| Format { component, normalized, width, columns };
     Ok(Accessor {
         object: fields.object,
-        view,
+        view: fields.reference("bufferView", "buffer view", views)?,
         offset: fields.integer("byteOffset")?.unwrap_or(0),
         count: fields.required("count")?,
-        format,
+        format: component.zip(shape).map(format),
         sparse: sparse(&fields, views)?,
     })
 }
 
 fn sparse(accessor: &Fields<'_>, views: usize) -> Result<Option<Sparse>, ReadError> {
-    let Some(object) = accessor.object("sparse")? else { return Ok(None) };
-    let sparse = Fields { object, ..*accessor };
-    let part = |name: &str| {
-        let object = sparse.object(name)?.ok_or_else(|| sparse.missing(name))?;
-        let part = Fields { object, ..sparse };
-        let view = usize::try_from(part.required("bufferView")?).unwrap_or(usize::MAX);
-        if view >= views {
-            return Err(dangling(part.at.member("sparse"), "buffer view", view, views));
-        }
+    let Some(sparse) = accessor.child("sparse")? else { return Ok(None) };
+    let part = |name: &'static str| {
+        let part = sparse.required_child(name)?;
+        let view = required(&part, "bufferView", "buffer view", views)?;
         Ok((part, view, part.integer("byteOffset")?.unwrap_or(0)))
     };
     let (indices, index_view, index_offset) = part("indices")?;
     let (_, value_view, value_offset) = part("values")?;
     let code = indices.required("componentType")?;
     let unsigned = [Component::U8, Component::U16, Component::U32];
-    let index_component = Component::from_code(code).filter(|component| unsigned.contains(component));
+    let index_component = component(code).filter(|component| unsigned.contains(component));
     let index_component = index_component.ok_or_else(|| {
         let found = format!("component type {code} for sparse indices");
-        ReadError::new(
-            Problem::Range,
-            accessor.at.member("sparse"),
-            found,
-            "5121, 5123 and 5125 can be indices",
-        )
+        ReadError::new(Problem::Range, sparse.at.place(), found, "5121, 5123 and 5125 can be indices")
     })?;
     let count = sparse.required("count")?;
     Ok(Some(Sparse { count, index_view, index_offset, index_component, value_view, value_offset }))
@@ -281,62 +260,55 @@ fn sparse(accessor: &Fields<'_>, views: usize) -> Result<Option<Sparse>, ReadErr
 
 fn mesh(fields: Fields<'_>, accessors: usize, materials: usize) -> Result<MeshRecord, ReadError> {
     let name = fields.string("name")?.unwrap_or_default().into_owned();
-    let array = fields.array("primitives")?;
-    let objects = array.into_iter().flat_map(|array| fields.json.elements(array));
     let primitive = |(number, object)| {
         let at = fields.at.then("primitives", number);
         primitive(Fields::new(fields.json, object, at)?, accessors, materials)
     };
-    let primitives = objects.enumerate().map(primitive).collect::<Result<_, _>>()?;
+    let primitives = fields.items("primitives")?.enumerate().map(primitive).collect::<Result<_, _>>()?;
     Ok(MeshRecord { object: fields.object, name, primitives })
 }
 
 fn primitive(fields: Fields<'_>, accessors: usize, materials: usize) -> Result<Primitive, ReadError> {
-    let object = fields.object("attributes")?.ok_or_else(|| fields.missing("attributes"))?;
-    let attributes = attributes(&fields, object, "attributes", accessors)?;
-    let targets = fields.array("targets")?;
-    let targets = targets.into_iter().flat_map(|targets| fields.json.elements(targets));
-    let targets = targets
-        .map(|object| {
-            Fields::new(fields.json, object, fields.at)?;
-            self::attributes(&fields, object, "targets", accessors)
-        })
-        .collect::<Result<_, _>>()?;
-    let indices = fields.index("indices")?;
-    if let Some(indices) = indices.filter(|&indices| indices >= accessors) {
-        return Err(dangling(fields.at.member("indices"), "accessor", indices, accessors));
+    let base = fields.object("attributes")?.ok_or_else(|| fields.missing("attributes"))?;
+    let mut sites = vec![base];
+    let mut sets = vec![vertex_set(&fields, base, "attributes", accessors)?];
+    for object in fields.items("targets")? {
+        Fields::new(fields.json, object, fields.at)?;
+        sites.push(object);
+        sets.push(vertex_set(&fields, object, "targets", accessors)?);
     }
-    let material = fields.index("material")?;
-    if let Some(material) = material.filter(|&material| material >= materials) {
-        return Err(dangling(fields.at.member("material"), "material", material, materials));
-    }
-    let mode = fields.integer("mode")?.unwrap_or(4);
-    Ok(Primitive { object: fields.object, at: fields.at, attributes, targets, indices, mode, material })
+    Ok(Primitive {
+        object: fields.object,
+        at: fields.at,
+        vertices: VertexAccessors { sets },
+        sites,
+        indices: fields.reference("indices", "accessor", accessors)?,
+        mode: fields.integer("mode")?.unwrap_or(4),
+        material: fields.reference("material", "material", materials)?,
+    })
 }
 
-fn attributes(
-    owner: &Fields<'_>,
+fn vertex_set(
+    primitive: &Fields<'_>,
     object: Value,
     member: &str,
     accessors: usize,
-) -> Result<Attributes, ReadError> {
-    let mut list: Vec<(String, usize)> = Vec::new();
-    for (key, value) in owner.json.members(object) {
-        let index = owner.json.integer(value).and_then(|index| usize::try_from(index).ok());
-        let index = index.unwrap_or(usize::MAX);
-        if index >= accessors {
-            return Err(dangling(owner.at.member(member), "accessor", index, accessors));
-        }
-        list.push((owner.json.string(key).unwrap_or_default().into_owned(), index));
+) -> Result<Vec<(String, usize)>, ReadError> {
+    let json = primitive.json;
+    let mut set: Vec<(String, usize)> = Vec::new();
+    for (key, value) in json.members(object) {
+        let index = json.integer(value).and_then(|index| usize::try_from(index).ok()).unwrap_or(usize::MAX);
+        let index = checked_index(index, accessors, "accessor", || primitive.at.member(member))?;
+        set.push((json.string(key).unwrap_or_default().into_owned(), index));
     }
-    // Sorted, equal sets of attributes are equal lists. Of duplicates the last counts, as everywhere.
-    list.sort_by(|a, b| a.0.cmp(&b.0));
-    list.dedup_by(|later, earlier| {
+    // Sorted, equal sets are equal lists. Of duplicates the last counts, as everywhere.
+    set.sort_by(|a, b| a.0.cmp(&b.0));
+    set.dedup_by(|later, earlier| {
         let same = later.0 == earlier.0;
         if same {
             earlier.1 = later.1;
         }
         same
     });
-    Ok(Attributes { object, list })
+    Ok(set)
 }

@@ -1,11 +1,11 @@
-//! Normals as they are stored.
+//! Encoding of normals.
 
 use crate::io::NormalFormat;
 use crate::io::gltf::document::records::{Component, Format};
 use glam::DVec3;
 
 /// How the normals of a primitive are to be stored, from how they were.
-pub(super) fn format(stored: Option<Format>, wanted: NormalFormat) -> Format {
+pub fn format(stored: Option<Format>, wanted: NormalFormat) -> Format {
     let as_stored = stored.filter(|format| format.component == Component::F32 || format.normalized);
     match wanted {
         NormalFormat::Same => as_stored.unwrap_or(Format::vector(Component::F32, false, 3)),
@@ -16,7 +16,7 @@ pub(super) fn format(stored: Option<Format>, wanted: NormalFormat) -> Format {
 }
 
 /// Appends a unit vector. −0 is stored as +0, so that equal vectors are equal bytes.
-pub(super) fn push(normal: DVec3, format: Format, out: &mut Vec<u8>) {
+pub fn push(normal: DVec3, format: Format, out: &mut Vec<u8>) {
     match format.component {
         Component::I8 => out.extend(steps(normal, 127).iter().map(|&step| step as i8 as u8)),
         Component::I16 => {
@@ -27,16 +27,16 @@ pub(super) fn push(normal: DVec3, format: Format, out: &mut Vec<u8>) {
 }
 
 /// Appends three floats.
-pub(super) fn push_floats(vector: DVec3, out: &mut Vec<u8>) {
+pub fn push_floats(vector: DVec3, out: &mut Vec<u8>) {
     out.extend(vector.as_vec3().to_array().iter().flat_map(|x| (x + 0.0).to_le_bytes()));
 }
 
 /// The bound that the glTF validator puts on |length - 1|.
-pub(super) const LENGTH_TOLERANCE: f64 = 0.00674;
+pub const LENGTH_TOLERANCE: f64 = 0.00674;
 
 /// A unit vector in steps of 1/`most`: rounded, or where eight bits are too coarse for a unit length, the one of
 /// the eight grid points around it with a good length that is nearest.
-pub(in crate::io::gltf) fn steps(normal: DVec3, most: i32) -> [i32; 3] {
+pub fn steps(normal: DVec3, most: i32) -> [i32; 3] {
     let scaled = normal * f64::from(most);
     let rounded = scaled.round();
     let is_unit = |steps: DVec3| ((steps / f64::from(most)).length() - 1.0).abs() < LENGTH_TOLERANCE;

@@ -1,15 +1,12 @@
 //! New normals for the primitives that share one set of vertices.
 
 use crate::io::gltf::document::accessor::{Elements, Source};
-use crate::io::gltf::document::mesh::VertexSource;
-use crate::io::gltf::document::records::{Component, Format};
-use crate::io::gltf::edit::Remarks;
-use crate::io::gltf::edit::indices::rewrite_indices;
+use crate::io::gltf::document::records::{Component, Format, VertexAccessors};
+use crate::io::gltf::edit::indices::{drop_draco, rewrite_indices};
 use crate::io::gltf::edit::member::Member;
 use crate::io::gltf::edit::rows::{Rows, SlotTables, Stored};
 use crate::io::gltf::edit::store::{NewData, Store};
 use crate::io::gltf::edit::tangents::{Corners, tangents};
-use crate::io::gltf::json::fields::{At, Fields};
 use crate::io::gltf::json::tree::Value;
 use crate::io::gltf::writer::data::Target;
 use crate::io::{ReadError, TangentPolicy, WriteError, WriteOptions};
@@ -18,11 +15,11 @@ use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 
 /// Primitives with the same vertex accessors, all of which get normals.
-pub(super) struct Group<'g, 'a> {
-    pub(super) vertices: VertexSource<'g>,
-    pub(super) members: &'g [Member<'a>],
-    pub(super) source: &'g Source<'a>,
-    pub(super) options: &'g WriteOptions,
+pub struct Group<'g, 'a> {
+    pub vertices: &'g VertexAccessors,
+    pub members: &'g [Member<'a>],
+    pub source: &'g Source<'a>,
+    pub options: &'g WriteOptions,
 }
 
 /// A tangent for every corner, and its number among the different ones.
@@ -33,29 +30,25 @@ struct CornerTangents {
 
 impl Group<'_, '_> {
     /// Writes what changes. Returns how many vertices were added.
-    pub(super) fn write(
-        &self,
-        store: &mut Store<'_>,
-        tables: &mut SlotTables,
-        remarks: &mut Remarks,
-    ) -> Result<u64, WriteError> {
-        let targets = self.vertices.targets();
-        let morph = self.members.iter().all(|member| member.has_morph_normals(targets));
+    pub fn write(&self, store: &mut Store<'_>, tables: &mut SlotTables) -> Result<u64, WriteError> {
+        let target_sets = self.vertices.target_sets();
+        let morph = self.members.iter().all(|member| member.has_morph_normals(target_sets.len()));
         let stored =
             Stored::new(self.source, self.vertices, self.options.normal_format, morph).map_err(unreadable)?;
         let rows = Rows::new(&stored, self.members, tables);
-        remarks.without_normal += rows.missing;
+        store.remarks.without_normal += rows.missing;
 
         let count = self.members[0].block.count as usize;
         let locals: Vec<u32> = self.corners().map(|(member, corner)| member.vertex(corner)).collect();
         let mut split = split_vertices(count, &locals, &[&rows.of_corner]);
         let table = rows.gather(&stored, samples(&split, &rows.of_corner));
         if split.added(count) == 0 && table.is_stored(&stored) {
-            self.write_faces(store, remarks)?;
+            self.write_faces(store)?;
             return Ok(0);
         }
-        if !morph && (0..targets).any(|target| self.vertices.target(target, "NORMAL").is_some()) {
-            remarks.stale_deltas += self.members.len();
+        let has_normals = |set| self.vertices.of_set(set, "NORMAL").is_some();
+        if !morph && target_sets.clone().any(has_normals) {
+            store.remarks.stale_deltas += self.members.len();
         }
         let new_tangents = self.tangents(&stored, &rows, &locals)?;
         let mut table = match &new_tangents {
@@ -65,22 +58,19 @@ impl Group<'_, '_> {
             }
             None => table,
         };
-        table.mend_unused(&stored, samples(&split, &rows.of_corner));
+        table.repair_unused(&stored, samples(&split, &rows.of_corner));
 
         if stored.format.component != Component::F32 {
-            remarks.quantized = true;
+            store.remarks.quantized = true;
         }
-        let normals = table.normals(&stored);
-        self.put(store, None, "NORMAL", stored.format, &normals, false);
-        for target in 0..stored.deltas.len() {
+        self.put(store, 0, "NORMAL", stored.format, &table.normals(&stored), false);
+        for (target, set) in target_sets.enumerate().take(stored.deltas.len()) {
             let deltas = table.deltas(&stored, target);
-            if self.vertices.target(target, "NORMAL").is_none() && deltas.iter().all(|&byte| byte == 0) {
-                continue;
+            if has_normals(set) || deltas.iter().any(|&byte| byte != 0) {
+                self.put(store, set, "NORMAL", Format::vector(Component::F32, false, 3), &deltas, false);
             }
-            let format = Format::vector(Component::F32, false, 3);
-            self.put(store, Some(target), "NORMAL", format, &deltas, false);
         }
-        self.write_tangents(store, &split, new_tangents.as_ref(), remarks)?;
+        self.write_tangents(store, &split, new_tangents.as_ref())?;
         if split.added(count) > 0 {
             self.copy_others(store, &split, morph)?;
         } else {
@@ -89,30 +79,31 @@ impl Group<'_, '_> {
         let mut corners = split.corners.iter();
         for member in self.members {
             let indices = corners.by_ref().take(member.corners.len()).copied().collect();
-            rewrite_indices(store, member, indices, split.source.len(), remarks)?;
-            remarks.drop_draco(store, member);
+            rewrite_indices(store, member, indices, split.source.len())?;
+            drop_draco(store, member);
         }
         Ok(split.added(count) as u64)
     }
 
-    /// Writes faces dropped and turned, where normals are as they were.
-    pub(super) fn write_faces(&self, store: &mut Store<'_>, remarks: &mut Remarks) -> Result<(), WriteError> {
+    /// Writes dropped and flipped faces, where normals do not change.
+    pub fn write_faces(&self, store: &mut Store<'_>) -> Result<(), WriteError> {
         self.repair_positions(store)?;
         for member in self.members {
             let indices = member.corners.iter().map(|&corner| member.vertex(corner)).collect();
-            rewrite_indices(store, member, indices, member.block.count as usize, remarks)?;
+            if rewrite_indices(store, member, indices, member.block.count as usize)? {
+                drop_draco(store, member);
+            }
         }
         Ok(())
     }
 
     /// Puts vertices without a finite position at the origin, where the mesh has them; no face uses them any more.
     fn repair_positions(&self, store: &mut Store<'_>) -> Result<(), WriteError> {
-        for (target, accessor) in
-            self.vertices.lists().filter_map(|(target, list)| Some((target, position(list)?)))
-        {
+        for set in 0..self.vertices.sets.len() {
+            let Some(accessor) = self.vertices.of_set(set, "POSITION") else { continue };
             let elements = self.source.elements(accessor).map_err(unreadable)?;
             if let Some(bytes) = finite(&elements) {
-                self.put(store, target, "POSITION", elements.format, &bytes, false);
+                self.put(store, set, "POSITION", elements.format, &bytes, false);
             }
         }
         Ok(())
@@ -122,39 +113,22 @@ impl Group<'_, '_> {
         self.members.iter().flat_map(|member| member.corners.iter().map(move |&corner| (member, corner)))
     }
 
-    /// The JSON objects that list the attributes of the primitives, or of one of their morph targets.
-    fn sites(&self, target: Option<usize>) -> Vec<Value> {
-        let primitives = self.members.iter().map(|member| member.primitive);
-        match target {
-            None => primitives.map(|primitive| primitive.attributes.object).collect(),
-            Some(target) => primitives.map(|primitive| primitive.targets[target].object).collect(),
-        }
-    }
-
-    fn accessor(&self, target: Option<usize>, semantic: &str) -> Option<usize> {
-        match target {
-            None => self.vertices.get(semantic),
-            Some(target) => self.vertices.target(target, semantic),
-        }
+    /// The JSON objects that list the vertex accessors of a set, one a primitive.
+    fn sites(&self, set: usize) -> Vec<Value> {
+        self.members.iter().map(|member| member.primitive.sites[set]).collect()
     }
 
     fn put(
         &self,
         store: &mut Store<'_>,
-        target: Option<usize>,
+        set: usize,
         semantic: &str,
         format: Format,
         bytes: &[u8],
         same_bounds: bool,
     ) {
-        let data = NewData {
-            format,
-            count: bytes.len() / format.size(),
-            bytes: Cow::Borrowed(bytes),
-            target: Target::Vertices,
-            same_bounds,
-        };
-        store.put(self.accessor(target, semantic), semantic, &self.sites(target), &data);
+        let data = NewData { format, bytes: Cow::Borrowed(bytes), target: Target::Vertices, same_bounds };
+        store.put(self.vertices.of_set(set, semantic), semantic, &self.sites(set), &data);
     }
 
     /// Tangents to go with the new normals, if they are wanted and can be had.
@@ -174,19 +148,15 @@ impl Group<'_, '_> {
             let uvs = self.source.elements(uv_set).map_err(unreadable)?.floats::<2>(0.0);
             let range = values.len()..values.len() + member.corners.len();
             let finite = |uv: [f32; 2]| uv.map(|x| if x.is_finite() { x } else { 0.0 });
-            let position = |&corner: &u32| {
-                member.mesh.positions()[member.mesh.faces().corners()[corner as usize] as usize]
-            };
+            let vertices =
+                member.corners.iter().map(|&corner| member.mesh.faces().corners()[corner as usize]);
+            let positions =
+                vertices.map(|vertex| member.mesh.positions()[vertex as usize].as_vec3().to_array());
+            let normals =
+                rows.of_corner[range.clone()].iter().map(|&row| stored.decode(rows.row(row)).to_array());
             values.extend(tangents(Corners {
-                positions: member
-                    .corners
-                    .iter()
-                    .map(|corner| position(corner).as_vec3().to_array())
-                    .collect(),
-                normals: rows.of_corner[range.clone()]
-                    .iter()
-                    .map(|&row| stored.decode(rows.row(row)).to_array())
-                    .collect(),
+                positions: positions.collect(),
+                normals: normals.collect(),
                 uvs: locals[range].iter().map(|&vertex| finite(uvs[vertex as usize])).collect(),
             }));
         }
@@ -203,10 +173,9 @@ impl Group<'_, '_> {
     fn uv_accessor(&self, member: &Member<'_>) -> Option<usize> {
         let records = self.source.records;
         let set = member.primitive.material.and_then(|material| {
-            let fields =
-                Fields { json: &records.json, object: records.materials[material], at: At::default() };
-            let map = fields.json.member(fields.object, "normalTexture")?;
-            fields.json.integer(fields.json.member(map, "texCoord")?)
+            let json = &records.json;
+            let map = json.member(records.materials[material], "normalTexture")?;
+            json.integer(json.member(map, "texCoord")?)
         });
         let accessor = self.vertices.get(&format!("TEXCOORD_{}", set.unwrap_or(0)))?;
         let format = records.accessors[accessor].format?;
@@ -219,7 +188,6 @@ impl Group<'_, '_> {
         store: &mut Store<'_>,
         split: &VertexSplit,
         new: Option<&CornerTangents>,
-        remarks: &mut Remarks,
     ) -> Result<(), WriteError> {
         let Some(accessor) = self.vertices.get("TANGENT") else { return Ok(()) };
         let keep = self.options.tangents == TangentPolicy::Keep;
@@ -231,20 +199,19 @@ impl Group<'_, '_> {
             };
             let values: Vec<[f32; 4]> = split.sample.iter().zip(&split.source).map(value).collect();
             let format = Format::vector(Component::F32, false, 4);
-            self.put(store, None, "TANGENT", format, bytemuck::cast_slice(&values), false);
+            self.put(store, 0, "TANGENT", format, bytemuck::cast_slice(&values), false);
         } else if !keep {
-            self.sites(None).into_iter().for_each(|site| store.splices.remove(site, "TANGENT"));
-            remarks.tangents_dropped += self.members.len();
+            self.sites(0).into_iter().for_each(|site| store.splices.remove(site, "TANGENT"));
+            store.remarks.tangents_dropped += self.members.len();
         }
         if !keep {
-            let targets = 0..self.vertices.targets();
+            let sets = self.vertices.target_sets();
             let had: Vec<usize> =
-                targets.filter(|&target| self.vertices.target(target, "TANGENT").is_some()).collect();
-            for &target in &had {
-                self.sites(Some(target)).into_iter().for_each(|site| store.splices.remove(site, "TANGENT"));
-            }
+                sets.filter(|&set| self.vertices.of_set(set, "TANGENT").is_some()).collect();
+            let sites = had.iter().flat_map(|&set| self.sites(set));
+            sites.for_each(|site| store.splices.remove(site, "TANGENT"));
             if new.is_some() && !had.is_empty() {
-                remarks.tangent_deltas_dropped += self.members.len();
+                store.remarks.tangent_deltas_dropped += self.members.len();
             }
         }
         Ok(())
@@ -253,9 +220,9 @@ impl Group<'_, '_> {
     /// Copies all other attributes of split vertices.
     fn copy_others(&self, store: &mut Store<'_>, split: &VertexSplit, morph: bool) -> Result<(), WriteError> {
         let keep_tangents = self.options.tangents == TangentPolicy::Keep;
-        for (target, list) in self.vertices.lists() {
+        for (set, list) in self.vertices.sets.iter().enumerate() {
             for (semantic, accessor) in list {
-                let new_normals = semantic == "NORMAL" && (target.is_none() || morph);
+                let new_normals = semantic == "NORMAL" && (set == 0 || morph);
                 if new_normals || (semantic == "TANGENT" && !keep_tangents) {
                     continue;
                 }
@@ -268,15 +235,11 @@ impl Group<'_, '_> {
                 for &vertex in &split.source {
                     bytes.extend_from_slice(&raw[vertex as usize * size..(vertex as usize + 1) * size]);
                 }
-                self.put(store, target, semantic, elements.format, &bytes, same_bounds);
+                self.put(store, set, semantic, elements.format, &bytes, same_bounds);
             }
         }
         Ok(())
     }
-}
-
-fn position(list: &[(String, usize)]) -> Option<usize> {
-    list.iter().find(|(semantic, _)| semantic == "POSITION").map(|&(_, accessor)| accessor)
 }
 
 /// The elements with zeros for those that are not finite; `None` if all are.

@@ -1,72 +1,24 @@
 //! Editing a document so that only normals, and what depends on them, change.
 
-mod encode;
-mod group;
-mod indices;
-mod member;
-mod refs;
-mod remarks;
-mod rows;
-pub(super) mod store;
+// Encoding of normals.
+pub mod encode;
+// Tangents by MikkTSpace.
 mod tangents;
-
-use crate::io::gltf::GltfDocument;
-use crate::io::gltf::container::package;
-use crate::io::gltf::extensions::QUANTIZATION;
-use crate::io::{Format, Loaded, Note, Part, PartEdit, Place, WriteError, WriteOptions, Written};
-pub(super) use encode::steps;
-use group::Group;
-use member::Member;
-use remarks::Remarks;
-use rows::SlotTables;
-use std::collections::BTreeMap;
-use store::Store;
-
-/// Writes a document again with changes, one entry of `edits` a part, in the spelling `to`.
-///
-/// Normals replace the stored ones in place where nothing else uses those bytes, or are appended; vertices are
-/// split where corners need different normals, and then all their attributes are copied. Everything else stays
-/// byte for byte.
-///
-/// # Errors
-/// [`WriteError::Unsupported`] where an extension refers to vertices or triangles by number and these change;
-/// [`WriteError::TooLarge`] for a GLB beyond 4 GiB.
-pub fn edit(
-    document: &GltfDocument,
-    loaded: &Loaded,
-    edits: &[PartEdit],
-    to: Format,
-    options: &WriteOptions,
-) -> Result<Written, WriteError> {
-    let mut store = Store::new(document);
-    let mut remarks = Remarks::default();
-    let source = refs::source(document);
-    let mut tables = SlotTables::default();
-    let mut groups: BTreeMap<(usize, bool), Vec<Member<'_>>> = BTreeMap::new();
-    for member in Member::all(document, loaded, edits) {
-        groups.entry((member.block.source, member.has_normals())).or_default().push(member);
-    }
-    let mut added = 0;
-    for ((number, new_normals), members) in &groups {
-        let group = Group { vertices: document.vertex_source(*number), members, source: &source, options };
-        if *new_normals {
-            added += group.write(&mut store, &mut tables, &mut remarks)?;
-        } else {
-            group.write_faces(&mut store, &mut remarks)?;
-        }
-    }
-    if remarks.quantized {
-        store.require(QUANTIZATION);
-    }
-    let mut written = package::package(document, store, to, options)?;
-    let vertices: usize = loaded.parts.iter().map(|part: &Part| part.mesh.vertex_count()).sum();
-    written.vertices = vertices as u64 + added;
-    written.added_vertices = added;
-    remarks.tell(&mut written.notes);
-    let drops = edits.iter().any(|edit| !edit.faces.dropped.is_empty());
-    if (added > 0 || drops) && document.lists("extensionsUsed", "FB_geometry_metadata") {
-        let text = "FB_geometry_metadata still counts the vertices and faces of the input";
-        written.notes.push(Note::warning(Place::File, text));
-    }
-    Ok(written)
-}
+// References between records: what may be changed in place.
+mod refs;
+// Notes.
+mod remarks;
+// New data for accessors.
+pub mod store;
+// The corners and primitives of an edit.
+mod member;
+// New indices, and the extensions that forbid them.
+mod indices;
+// The values of vertices.
+mod rows;
+// New normals for primitives that share vertices.
+mod group;
+// A changed document as files.
+mod package;
+// An edit as a whole.
+pub mod apply;

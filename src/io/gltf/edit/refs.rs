@@ -1,19 +1,18 @@
-//! Who refers to what: which accessors, views and bytes may be changed without touching anything else.
+//! References between records: which accessors, views and bytes may be changed without touching anything else.
 
-use crate::io::gltf::GltfDocument;
 use crate::io::gltf::container::buffers::Storage;
-use crate::io::gltf::document::accessor::Source;
+use crate::io::gltf::document::gltf_document::GltfDocument;
 use crate::io::gltf::json::tree::{Json, Kind, Value};
 use rustc_hash::FxHashSet;
 use std::ops::Range;
 
 /// How often each accessor and view is referred to.
-pub(super) struct References {
+pub struct References {
     accessors: Vec<u32>,
     views: Vec<u32>,
-    /// Numbers that stand anywhere in an extension, and so may mean an accessor or a view.
+    /// Numbers anywhere in an extension, and so may mean an accessor or a view.
     pinned: FxHashSet<u64>,
-    /// Accessors whose bytes in the BIN chunk are nobody else's.
+    /// Accessors whose bytes in the BIN chunk are no other accessor's.
     unaliased: FxHashSet<usize>,
 }
 
@@ -21,7 +20,7 @@ pub(super) struct References {
 const NO_ACCESSORS: &[&str] = &["KHR_materials_variants", "KHR_lights_punctual"];
 
 impl References {
-    pub(super) fn new(document: &GltfDocument) -> References {
+    pub fn new(document: &GltfDocument) -> References {
         let records = &document.records;
         let json = &records.json;
         let mut accessors = vec![0; records.accessors.len()];
@@ -30,20 +29,17 @@ impl References {
             accessor.into_iter().for_each(|count| *count += 1);
         };
         for primitive in records.meshes.iter().flat_map(|mesh| &mesh.primitives) {
-            let lists = std::iter::once(&primitive.attributes).chain(&primitive.targets);
-            let attributes = lists
-                .flat_map(|attributes| json.members(attributes.object))
-                .map(|(_, value)| json.integer(value));
-            attributes.chain([primitive.indices.map(|index| index as u64)]).for_each(&mut count);
+            let attributes = primitive.sites.iter().flat_map(|&site| json.members(site));
+            attributes.for_each(|(_, value)| count(json.integer(value)));
+            count(primitive.indices.map(|index| index as u64));
         }
         let integer = |object: Value, name: &str| json.integer(json.member(object, name)?);
-        for animation in elements(json, json.root(), "animations") {
-            for sampler in elements(json, animation, "samplers") {
-                count(integer(sampler, "input"));
-                count(integer(sampler, "output"));
-            }
+        let list = |name| json.items(json.root(), name);
+        for sampler in list("animations").flat_map(|animation| json.items(animation, "samplers")) {
+            count(integer(sampler, "input"));
+            count(integer(sampler, "output"));
         }
-        elements(json, json.root(), "skins").for_each(|skin| count(integer(skin, "inverseBindMatrices")));
+        list("skins").for_each(|skin| count(integer(skin, "inverseBindMatrices")));
 
         let mut views = vec![0; records.views.len()];
         let sparse = records.accessors.iter().filter_map(|accessor| accessor.sparse);
@@ -51,7 +47,7 @@ impl References {
         let of_accessors = records.accessors.iter().filter_map(|accessor| accessor.view);
         of_accessors.chain(of_sparse).for_each(|view| views[view] += 1);
         let pinned = pinned(json);
-        let images = elements(json, json.root(), "images").filter_map(|image| integer(image, "bufferView"));
+        let images = list("images").filter_map(|image| integer(image, "bufferView"));
         let images: Vec<usize> = images.filter_map(|view| usize::try_from(view).ok()).collect();
         images.iter().for_each(|&view| views.get_mut(view).into_iter().for_each(|count| *count += 1));
         let other = pinned.iter().filter_map(|&view| usize::try_from(view).ok()).chain(images);
@@ -60,23 +56,19 @@ impl References {
     }
 
     /// Whether all references to an accessor are the `sites` that a change will go through.
-    pub(super) fn is_only_at(&self, accessor: usize, sites: usize) -> bool {
+    pub fn is_only_at(&self, accessor: usize, sites: usize) -> bool {
         self.accessors[accessor] as usize == sites && !self.pinned.contains(&(accessor as u64))
     }
 
     /// Whether one accessor alone uses a view.
-    pub(super) fn is_only_user(&self, view: usize) -> bool {
+    pub fn is_only_user(&self, view: usize) -> bool {
         self.views[view] == 1 && !self.pinned.contains(&(view as u64))
     }
 
-    /// Whether an accessor's bytes are in the BIN chunk and nobody else's.
-    pub(super) fn owns_bytes(&self, accessor: usize) -> bool {
+    /// Whether an accessor's bytes are in the BIN chunk and no other accessor's.
+    pub fn owns_bytes(&self, accessor: usize) -> bool {
         self.unaliased.contains(&accessor)
     }
-}
-
-fn elements<'a>(json: &'a Json, object: Value, name: &str) -> impl Iterator<Item = Value> + use<'a> {
-    json.member(object, name).into_iter().flat_map(|array| json.elements(array))
 }
 
 /// All integers in extensions of what may refer to accessors or views.
@@ -92,9 +84,8 @@ fn pinned(json: &Json) -> FxHashSet<u64> {
             if json.string(name).is_some_and(|name| NO_ACCESSORS.contains(&name.as_ref())) {
                 continue;
             }
-            pinned.extend(
-                json.descendants(extension).chain([extension]).filter_map(|value| json.integer(value)),
-            );
+            let values = json.descendants(extension).chain([extension]);
+            pinned.extend(values.filter_map(|value| json.integer(value)));
         }
     }
     pinned
@@ -127,7 +118,7 @@ impl Extent {
 /// The stride of a view that is used from end to end.
 const WHOLE: u64 = u64::MAX;
 
-/// More extents than this that lie in each other are not told apart: their bytes count as shared.
+/// More extents than this that overlap are not examined: their bytes count as shared.
 const LARGEST_CLUSTER: usize = 64;
 
 /// The accessors whose bytes no other accessor shares, nor any of the `other` views.
@@ -181,12 +172,6 @@ fn whole(document: &GltfDocument, view: usize) -> Extent {
     let view = &document.records.views[view];
     let bytes = view.offset..view.offset.saturating_add(view.length);
     Extent { bytes, stride: WHOLE, size: view.length, accessor: None }
-}
-
-/// An accessor reader for a document that was read, and so checked, before.
-pub(super) fn source(document: &GltfDocument) -> Source<'_> {
-    let (implied_limit, memory) = (u64::MAX, std::cell::Cell::new(u64::MAX));
-    Source { records: &document.records, buffers: &document.buffers, implied_limit, memory }
 }
 
 #[cfg(test)]

@@ -1,8 +1,7 @@
 //! The values that a vertex can have: a stored normal and the deltas of each morph target, as bytes.
 
-use crate::io::gltf::document::accessor::Source;
-use crate::io::gltf::document::mesh::VertexSource;
-use crate::io::gltf::document::records::Format;
+use crate::io::gltf::document::accessor::{Source, float};
+use crate::io::gltf::document::records::{Format, VertexAccessors};
 use crate::io::gltf::edit::encode;
 use crate::io::gltf::edit::member::Member;
 use crate::io::{NormalFormat, ReadError};
@@ -12,34 +11,31 @@ use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 
 /// What a set of vertices has stored so far, and how it will be stored.
-pub(super) struct Stored<'a> {
-    pub(super) format: Format,
+pub struct Stored<'a> {
+    pub format: Format,
     /// The stored normals, as bytes of `format`; `None` where there are none, or they were stored otherwise.
     same: Option<Cow<'a, [u8]>>,
     /// The stored normals as numbers, if there are any.
     floats: Option<Vec<[f32; 3]>>,
     /// The stored normal deltas of each morph target that gets new ones.
-    pub(super) deltas: Vec<Option<Vec<[f32; 3]>>>,
+    pub deltas: Vec<Option<Vec<[f32; 3]>>>,
 }
 
 impl<'a> Stored<'a> {
-    pub(super) fn new(
+    pub fn new(
         source: &Source<'a>,
-        vertices: VertexSource<'_>,
+        vertices: &VertexAccessors,
         wanted: NormalFormat,
         morph: bool,
     ) -> Result<Self, ReadError> {
-        let elements = vertices.get("NORMAL").map(|accessor| source.elements(accessor)).transpose()?;
-        let format = encode::format(elements.map(|elements| elements.format), wanted);
-        let same = elements.filter(|elements| elements.format == format).map(|elements| elements.raw());
-        let floats = elements.map(|elements| elements.floats(0.0));
-        let delta = |target| {
-            let accessor = vertices.target(target, "NORMAL");
-            accessor.map(|accessor| Ok(source.elements(accessor)?.floats(0.0))).transpose()
-        };
-        let targets = if morph { vertices.targets() } else { 0 };
-        let deltas = (0..targets).map(delta).collect::<Result<_, ReadError>>()?;
-        Ok(Self { format, same, floats, deltas })
+        let elements = |set| vertices.of_set(set, "NORMAL").map(|number| source.elements(number)).transpose();
+        let base = elements(0)?;
+        let format = encode::format(base.map(|base| base.format), wanted);
+        let same = base.filter(|base| base.format == format).map(|base| base.raw());
+        let targets = vertices.target_sets().filter(|_| morph);
+        let deltas = targets.map(|set| Ok(elements(set)?.map(|deltas| deltas.floats(0.0))));
+        let deltas = deltas.collect::<Result<_, ReadError>>()?;
+        Ok(Self { format, same, floats: base.map(|base| base.floats(0.0)), deltas })
     }
 
     /// Bytes of a row.
@@ -47,7 +43,7 @@ impl<'a> Stored<'a> {
         self.format.size() + 12 * self.deltas.len()
     }
 
-    /// The row of a vertex as it is stored; +Z where it has no normal.
+    /// The stored row of a vertex; +Z if it has no normal.
     fn push_stored(&self, vertex: usize, out: &mut Vec<u8>) {
         match (self.stored_bytes(vertex), &self.floats) {
             (Some(bytes), _) => out.extend_from_slice(bytes),
@@ -82,8 +78,8 @@ impl<'a> Stored<'a> {
         }
     }
 
-    /// Makes a stored normal that nothing replaces +Z, if it is not one that a reader would accept.
-    fn mend(&self, row: &mut [u8]) {
+    /// Replaces a stored normal by +Z if readers would not accept it.
+    fn repair(&self, row: &mut [u8]) {
         let length = self.decode(row).as_dvec3().length();
         // Not a number is not within the tolerance either.
         let is_unit = (length - 1.0).abs() < encode::LENGTH_TOLERANCE;
@@ -100,12 +96,9 @@ impl<'a> Stored<'a> {
     }
 
     /// The normal of a row.
-    pub(super) fn decode(&self, row: &[u8]) -> Vec3 {
-        let number = |axis: usize| match self.format.size() {
-            3 => f32::from(row[axis] as i8) / 127.0,
-            6 => f32::from(i16::from_le_bytes([row[2 * axis], row[2 * axis + 1]])) / 32767.0,
-            _ => f32::from_le_bytes([row[4 * axis], row[4 * axis + 1], row[4 * axis + 2], row[4 * axis + 3]]),
-        };
+    pub fn decode(&self, row: &[u8]) -> Vec3 {
+        let component = self.format.component;
+        let number = |axis: usize| float(&row[component.size() * axis..], component, true);
         Vec3::new(number(0), number(1), number(2)).max(Vec3::NEG_ONE)
     }
 }
@@ -115,17 +108,17 @@ fn push_raw(vector: [f32; 3], out: &mut Vec<u8>) {
 }
 
 /// The rows that the corners of a group of primitives ask for, equal ones once.
-pub(super) struct Rows {
+pub struct Rows {
     bytes: Vec<u8>,
     size: usize,
     /// The row of each corner, over all members.
-    pub(super) of_corner: Vec<u32>,
+    pub of_corner: Vec<u32>,
     /// Corners without a normal of their own, among others that have one.
-    pub(super) missing: usize,
+    pub missing: usize,
 }
 
 impl Rows {
-    pub(super) fn new(stored: &Stored<'_>, members: &[Member<'_>], tables: &mut SlotTables) -> Rows {
+    pub fn new(stored: &Stored<'_>, members: &[Member<'_>], tables: &mut SlotTables) -> Rows {
         let mut rows = Rows { bytes: Vec::new(), size: stored.size(), of_corner: Vec::new(), missing: 0 };
         let mut count = 0;
         for member in members {
@@ -133,25 +126,27 @@ impl Rows {
             let table = tables.table(member.part, normals.values.len());
             let mut seen = Vec::new();
             for &corner in &member.corners {
-                let row = match member.slot(normals, corner) {
-                    Some(slot) if table[slot as usize] != NONE => table[slot as usize],
+                let slot = member.slot(normals, corner);
+                let known = slot.map(|slot| table[slot as usize]).filter(|&row| row != NONE);
+                if let Some(row) = known {
+                    rows.of_corner.push(row);
+                    continue;
+                }
+                match slot {
                     Some(slot) => {
                         stored.push_given(member, normals, slot, &mut rows.bytes);
                         table[slot as usize] = count;
                         seen.push(slot);
-                        count += 1;
-                        count - 1
                     }
                     None => {
                         let start = rows.bytes.len();
                         stored.push_stored(member.vertex(corner) as usize, &mut rows.bytes);
-                        stored.mend(&mut rows.bytes[start..]);
+                        stored.repair(&mut rows.bytes[start..]);
                         rows.missing += 1;
-                        count += 1;
-                        count - 1
                     }
-                };
-                rows.of_corner.push(row);
+                }
+                rows.of_corner.push(count);
+                count += 1;
             }
             seen.iter().for_each(|&slot| table[slot as usize] = NONE);
         }
@@ -167,13 +162,13 @@ impl Rows {
         self.of_corner.iter_mut().for_each(|row| *row = canonical[*row as usize]);
     }
 
-    pub(super) fn row(&self, number: u32) -> &[u8] {
+    pub fn row(&self, number: u32) -> &[u8] {
         let start = number as usize * self.size;
         &self.bytes[start..start + self.size]
     }
 
     /// The rows of vertices, one after the other: that of the given number, or as stored where it is [`NONE`].
-    pub(super) fn gather(&self, stored: &Stored<'_>, vertices: impl Iterator<Item = (u32, u32)>) -> Table {
+    pub fn gather(&self, stored: &Stored<'_>, vertices: impl Iterator<Item = (u32, u32)>) -> Table {
         let mut bytes = Vec::new();
         for (row, old_vertex) in vertices {
             if row == NONE {
@@ -187,24 +182,24 @@ impl Rows {
 }
 
 /// One row a vertex.
-pub(super) struct Table {
+pub struct Table {
     bytes: Vec<u8>,
     size: usize,
 }
 
 impl Table {
     /// Normals, as bytes without gaps.
-    pub(super) fn normals(&self, stored: &Stored<'_>) -> Cow<'_, [u8]> {
+    pub fn normals(&self, stored: &Stored<'_>) -> Cow<'_, [u8]> {
         self.column(0, stored.format.size())
     }
 
     /// Normal deltas of a morph target.
-    pub(super) fn deltas(&self, stored: &Stored<'_>, target: usize) -> Cow<'_, [u8]> {
+    pub fn deltas(&self, stored: &Stored<'_>, target: usize) -> Cow<'_, [u8]> {
         self.column(stored.format.size() + 12 * target, 12)
     }
 
     /// Whether this is what is stored already.
-    pub(super) fn is_stored(&self, stored: &Stored<'_>) -> bool {
+    pub fn is_stored(&self, stored: &Stored<'_>) -> bool {
         let same = stored.same.as_ref().is_some_and(|bytes| *bytes == self.normals(stored));
         let delta = |(target, delta): (usize, &Option<Vec<[f32; 3]>>)| {
             let new = self.deltas(stored, target);
@@ -216,13 +211,10 @@ impl Table {
         same && stored.deltas.iter().enumerate().all(delta)
     }
 
-    /// Mends the normals of vertices that no corner uses, given the row that each vertex comes from.
-    pub(super) fn mend_unused(&mut self, stored: &Stored<'_>, vertices: impl Iterator<Item = (u32, u32)>) {
-        for (row, _) in
-            self.bytes.chunks_exact_mut(self.size).zip(vertices).filter(|(_, (row, _))| *row == NONE)
-        {
-            stored.mend(row);
-        }
+    /// Repairs the normals of vertices that no corner uses, given the row that each vertex comes from.
+    pub fn repair_unused(&mut self, stored: &Stored<'_>, vertices: impl Iterator<Item = (u32, u32)>) {
+        let rows = self.bytes.chunks_exact_mut(self.size).zip(vertices);
+        rows.filter(|(_, (row, _))| *row == NONE).for_each(|(row, _)| stored.repair(row));
     }
 
     fn column(&self, start: usize, size: usize) -> Cow<'_, [u8]> {
@@ -230,16 +222,15 @@ impl Table {
             return Cow::Borrowed(&self.bytes);
         }
         let mut column = Vec::with_capacity(self.bytes.len() / self.size * size);
-        self.bytes
-            .chunks_exact(self.size)
-            .for_each(|row| column.extend_from_slice(&row[start..start + size]));
+        let rows = self.bytes.chunks_exact(self.size);
+        rows.for_each(|row| column.extend_from_slice(&row[start..start + size]));
         Cow::Owned(column)
     }
 }
 
 /// For each part, a table from normal numbers to rows, kept empty between groups.
 #[derive(Default)]
-pub(super) struct SlotTables {
+pub struct SlotTables {
     tables: FxHashMap<usize, Vec<u32>>,
 }
 

@@ -1,23 +1,24 @@
 //! New data for accessors, in the least invasive place: over the old bytes, or appended.
 
-use crate::io::gltf::GltfDocument;
 use crate::io::gltf::container::buffers::Storage;
 use crate::io::gltf::container::glb::padded;
-use crate::io::gltf::document::records::{Component, Format};
+use crate::io::gltf::document::accessor::number;
+use crate::io::gltf::document::gltf_document::GltfDocument;
+use crate::io::gltf::document::records::Format;
 use crate::io::gltf::edit::refs::References;
+use crate::io::gltf::edit::remarks::Remarks;
 use crate::io::gltf::json::splice::{Changes, Splices, changed_object};
 use crate::io::gltf::json::tree::{Value, quoted};
 use crate::io::gltf::writer::data::{Bounds, Target, accessor_json, number_list, view_json};
 use rustc_hash::FxHashSet;
 use std::borrow::Cow;
-use std::ops::Range;
 
 /// Collects the changes to a document.
-pub(in crate::io::gltf) struct Store<'a> {
-    pub(in crate::io::gltf) document: &'a GltfDocument,
-    pub(in crate::io::gltf) splices: Splices<'a>,
+pub struct Store<'a> {
+    pub document: &'a GltfDocument,
+    pub splices: Splices<'a>,
+    pub remarks: Remarks,
     refs: References,
-    /// Bytes to write over those of the BIN chunk: where, how far apart, how large, and what.
     patches: Vec<Patch>,
     appended: Vec<u8>,
     /// The views of what is appended, in the order of their numbers where they are new.
@@ -29,13 +30,14 @@ pub(in crate::io::gltf) struct Store<'a> {
 
 /// Where appended data go.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Home {
+enum Home {
     /// Into the BIN chunk, from this byte on.
     Bin(usize),
     /// Into a buffer of their own with this number.
     Buffer(usize),
 }
 
+/// Elements to write over those of the BIN chunk.
 struct Patch {
     start: usize,
     stride: usize,
@@ -43,30 +45,45 @@ struct Patch {
     bytes: Vec<u8>,
 }
 
+/// Where appended data are, from their own beginning, and the view of them.
+struct Placed {
+    /// The view that is moved there; `None` for a new one.
+    view: Option<usize>,
+    start: usize,
+    length: usize,
+    stride: Option<usize>,
+    target: Target,
+}
+
 /// New elements of an accessor.
-pub(super) struct NewData<'d> {
-    pub(super) format: Format,
-    pub(super) count: usize,
+pub struct NewData<'d> {
+    pub format: Format,
     /// Elements without gaps.
-    pub(super) bytes: Cow<'d, [u8]>,
-    pub(super) target: Target,
+    pub bytes: Cow<'d, [u8]>,
+    pub target: Target,
     /// The values are the old ones, only more of each, so that their bounds stay right.
-    pub(super) same_bounds: bool,
+    pub same_bounds: bool,
+}
+
+impl NewData<'_> {
+    fn count(&self) -> usize {
+        self.bytes.len() / self.format.size()
+    }
 }
 
 /// All that was collected, in the form that a file is made of.
-pub(in crate::io::gltf) struct Changed {
-    pub(in crate::io::gltf) json: String,
+pub struct Changed {
+    pub json: String,
     /// The BIN chunk, if it changed.
-    pub(in crate::io::gltf) bin: Option<Vec<u8>>,
+    pub bin: Option<Vec<u8>>,
     /// The content of the additional buffer, if there is one.
-    pub(in crate::io::gltf) extra: Option<Vec<u8>>,
-    /// The old buffer that the additional one stands in for.
-    pub(in crate::io::gltf) replaced: Option<usize>,
+    pub extra: Option<Vec<u8>>,
+    /// The old buffer that the additional one replaces.
+    pub replaced: Option<usize>,
 }
 
 impl<'a> Store<'a> {
-    pub(super) fn new(document: &'a GltfDocument) -> Self {
+    pub fn new(document: &'a GltfDocument) -> Self {
         let buffers = &document.buffers.list;
         let home = match (&document.glb, buffers.first().map(|buffer| &buffer.storage)) {
             (Some(_), Some(Storage::Bin(range))) => Home::Bin(padded(range.len())),
@@ -76,6 +93,7 @@ impl<'a> Store<'a> {
         Self {
             document,
             splices: Splices::new(&document.records.json),
+            remarks: Remarks::default(),
             refs: References::new(document),
             patches: Vec::new(),
             appended: Vec::new(),
@@ -87,84 +105,73 @@ impl<'a> Store<'a> {
     }
 
     /// Whether anything changed.
-    pub(in crate::io::gltf) fn is_empty(&self) -> bool {
+    pub fn is_empty(&self) -> bool {
         self.patches.is_empty() && self.splices.is_empty()
     }
 
     /// Stores new elements for a member of the objects `sites`, which all refer to the accessor `old`, or to none.
-    pub(super) fn put(&mut self, old: Option<usize>, name: &str, sites: &[Value], data: &NewData<'_>) {
-        let Some(old) = old else {
-            let view = self.append_view(data);
-            let accessor = self.append_accessor(accessor_json(view, data.format, data.count, None));
-            sites.iter().for_each(|&site| self.splices.set(site, name, accessor));
-            return;
+    pub fn put(&mut self, old: Option<usize>, name: &str, sites: &[Value], data: &NewData<'_>) {
+        let records = &self.document.records;
+        let json = match old {
+            Some(old) if self.refs.is_only_at(old, sites.len()) => {
+                if !self.patch(old, data) {
+                    let record = &records.accessors[old];
+                    let own_view = record.view.filter(|_| record.sparse.is_none());
+                    let view = own_view
+                        .filter(|&view| self.refs.is_only_user(view) && !records.views[view].extended);
+                    let changes = self.accessor_changes(old, view, data);
+                    self.splices.change(record.object, changes);
+                }
+                return;
+            }
+            Some(old) => {
+                let changes = self.accessor_changes(old, None, data);
+                changed_object(&records.json, records.accessors[old].object, &changes)
+            }
+            None => accessor_json(self.append(data, None), data.format, data.count(), None),
         };
-        let json = &self.document.records.json;
-        let record = &self.document.records.accessors[old];
-        if !self.refs.is_only_at(old, sites.len()) {
-            let changes = self.accessor_changes(old, None, data);
-            let accessor = self.append_accessor(changed_object(json, record.object, &changes));
-            sites.iter().for_each(|&site| self.splices.set(site, name, accessor));
-        } else if !self.patch(old, data) {
-            let own_view = record.view.filter(|_| record.sparse.is_none());
-            let view = own_view
-                .filter(|&view| self.refs.is_only_user(view) && !self.document.records.views[view].extended);
-            let changes = self.accessor_changes(old, view, data);
-            self.splices.change_all(record.object, changes);
-        }
+        self.splices.push("accessors", json);
+        sites.iter().for_each(|&site| self.splices.set(site, name, self.next_accessor));
+        self.next_accessor += 1;
     }
 
     /// Writes over the old bytes, if that touches nothing else.
     fn patch(&mut self, old: usize, data: &NewData<'_>) -> bool {
         let records = &self.document.records;
         let record = &records.accessors[old];
-        let same = record.format == Some(data.format)
-            && record.count == data.count as u64
-            && record.sparse.is_none();
-        let Some(view) =
-            record.view.filter(|_| same && data.target == Target::Vertices && self.refs.owns_bytes(old))
-        else {
+        let is_same = record.format == Some(data.format)
+            && record.count == data.count() as u64
+            && record.sparse.is_none()
+            && data.target == Target::Vertices;
+        let view = record.view.map(|view| &records.views[view]);
+        let Some(view) = view.filter(|view| is_same && !view.extended && self.refs.owns_bytes(old)) else {
             return false;
         };
-        let view = &records.views[view];
-        if view.extended {
-            return false;
-        }
         let size = data.format.size();
         let stride = view.stride.map_or(size, |stride| stride as usize);
         let start = (view.offset + record.offset) as usize;
         self.patches.push(Patch { start, stride, size, bytes: data.bytes.to_vec() });
-        let changes = self.bound_changes(record.object, data);
-        self.splices.change_all(record.object, changes);
+        self.splices.change(record.object, self.bound_changes(record.object, data));
         true
     }
 
-    /// What an accessor's JSON must say of new data, which are appended. With `view` that view is moved there
-    /// instead of adding one.
+    /// Changes to an accessor's JSON for new data, which are appended: into `view`, which is moved, or into a new view.
     fn accessor_changes(&mut self, old: usize, view: Option<usize>, data: &NewData<'_>) -> Changes {
-        let records = &self.document.records;
-        let record = &records.accessors[old];
-        let number = match view {
-            Some(view) => {
-                self.move_view(view, data);
-                view
-            }
-            None => self.append_view(data),
-        };
-        let set = |name: &str, text: String| (name.to_owned(), Some(text));
+        let record = &self.document.records.accessors[old];
+        let view = self.append(data, view);
+        let (format, count) = (data.format, data.count());
         let mut changes = vec![("byteOffset".to_owned(), None), ("sparse".to_owned(), None)];
-        if record.view != Some(number) {
-            changes.push(set("bufferView", number.to_string()));
-        }
-        if record.count != data.count as u64 {
-            changes.push(set("count", data.count.to_string()));
-        }
-        if record.format.map(|format| format.component) != Some(data.format.component) {
-            changes.push(set("componentType", (data.format.component as u32).to_string()));
-        }
-        if record.format.map(|format| format.normalized) != Some(data.format.normalized) {
-            changes.push(("normalized".to_owned(), data.format.normalized.then(|| "true".to_owned())));
-        }
+        let mut set = |is_new: bool, name: &str, text: Option<String>| {
+            changes.extend(is_new.then(|| (name.to_owned(), text)));
+        };
+        set(record.view != Some(view), "bufferView", Some(view.to_string()));
+        set(record.count != count as u64, "count", Some(count.to_string()));
+        let component = record.format.map(|format| format.component);
+        let code = format.component.as_gl_enum().to_string();
+        set(component != Some(format.component), "componentType", Some(code));
+        let normalized = record.format.map(|format| format.normalized);
+        let text = format.normalized.then(|| "true".to_owned());
+        set(normalized != Some(format.normalized), "normalized", text);
         if !data.same_bounds {
             changes.extend(self.bound_changes(record.object, data));
         }
@@ -174,33 +181,46 @@ impl<'a> Store<'a> {
     /// New `min` and `max`, where the accessor has them.
     fn bound_changes(&self, accessor: Value, data: &NewData<'_>) -> Changes {
         let json = &self.document.records.json;
-        let stated: Vec<&str> =
-            ["min", "max"].into_iter().filter(|name| json.member(accessor, name).is_some()).collect();
-        if stated.is_empty() {
-            return Changes::new();
+        let mut changes = Changes::new();
+        let has = |name| json.member(accessor, name).is_some();
+        if has("min") || has("max") {
+            let bounds = bounds(&data.bytes, data.format);
+            for (name, values) in [("min", &bounds.low), ("max", &bounds.high)] {
+                changes.extend(has(name).then(|| (name.to_owned(), Some(number_list(values)))));
+            }
         }
-        let bounds = bounds(&data.bytes, data.format);
-        let text = |name: &str| number_list(if name == "min" { &bounds.low } else { &bounds.high });
-        stated.into_iter().map(|name| (name.to_owned(), Some(text(name)))).collect()
+        changes
     }
 
-    fn append_view(&mut self, data: &NewData<'_>) -> usize {
-        self.append(data, None);
-        self.next_view += 1;
-        self.next_view - 1
-    }
-
-    fn move_view(&mut self, view: usize, data: &NewData<'_>) {
-        self.append(data, Some(view));
+    /// Appends data, and returns the number of their view: `view`, which is moved there, or that of a new one.
+    fn append(&mut self, data: &NewData<'_>, view: Option<usize>) -> usize {
+        let (size, target, stride) = (data.format.size(), data.target, data.target.stride(data.format));
+        let start = padded(self.appended.len());
+        self.appended.resize(start, 0);
+        match stride {
+            None => self.appended.extend_from_slice(&data.bytes),
+            Some(stride) => {
+                for element in data.bytes.chunks_exact(size) {
+                    self.appended.extend_from_slice(element);
+                    self.appended.resize(self.appended.len() + stride - size, 0);
+                }
+            }
+        }
+        let length = self.appended.len() - start;
+        self.placed.push(Placed { view, start, length, stride, target });
+        view.unwrap_or_else(|| {
+            self.next_view += 1;
+            self.next_view - 1
+        })
     }
 
     /// Writes the views of all that was appended, which begins at this byte of this buffer.
     fn write_views(&mut self, buffer: usize, base: usize) {
-        for placed in std::mem::take(&mut self.placed) {
-            let Placed { view, start, length, stride, target } = placed;
+        for Placed { view, start, length, stride, target } in std::mem::take(&mut self.placed) {
             let offset = base + start;
             let Some(view) = view else {
-                self.push("bufferViews", view_json(buffer, offset as u64, length, stride, target));
+                let json = view_json(buffer, offset as u64, length, stride, target);
+                self.splices.push("bufferViews", json);
                 continue;
             };
             let record = &self.document.records.views[view];
@@ -220,106 +240,64 @@ impl<'a> Store<'a> {
     /// Whether no view is left in a buffer once those that were moved are out of it.
     fn is_deserted(&self, buffer: usize) -> bool {
         let moved: FxHashSet<usize> = self.placed.iter().filter_map(|placed| placed.view).collect();
-        let views = &self.document.records.views;
         // An extension of a view may refer to any buffer.
-        views
-            .iter()
-            .enumerate()
-            .all(|(number, view)| !view.extended && (view.buffer != buffer || moved.contains(&number)))
-    }
-
-    fn append_accessor(&mut self, json: String) -> usize {
-        self.push("accessors", json);
-        self.next_accessor += 1;
-        self.next_accessor - 1
-    }
-
-    /// Adds an element to a top-level list, which may have to be made.
-    fn push(&mut self, list: &'static str, text: String) {
-        let json = &self.document.records.json;
-        match json.member(json.root(), list) {
-            Some(array) => self.splices.push(array, text),
-            None => self.splices.push_new(json.root(), list, text),
-        }
-    }
-
-    fn append(&mut self, data: &NewData<'_>, view: Option<usize>) {
-        let size = data.format.size();
-        let step = if data.target == Target::Vertices { padded(size) } else { size };
-        let start = padded(self.appended.len());
-        self.appended.resize(start, 0);
-        if step == size {
-            self.appended.extend_from_slice(&data.bytes);
-        } else {
-            for element in data.bytes.chunks_exact(size) {
-                self.appended.extend_from_slice(element);
-                self.appended.resize(self.appended.len() + step - size, 0);
-            }
-        }
-        let length = self.appended.len() - start;
-        let (stride, target) = ((step != size).then_some(step), data.target);
-        self.placed.push(Placed { view, start, length, stride, target });
+        let mut views = self.document.records.views.iter().enumerate();
+        views.all(|(number, view)| !view.extended && (view.buffer != buffer || moved.contains(&number)))
     }
 
     /// Makes the document use and require an extension.
-    pub(super) fn require(&mut self, name: &str) {
+    pub fn require(&mut self, name: &str) {
         for list in ["extensionsUsed", "extensionsRequired"] {
             if !self.document.lists(list, name) {
-                self.push(list, quoted(name));
+                self.splices.push(list, quoted(name));
             }
         }
     }
 
     /// Makes all changes. An additional buffer gets the address that `uri` makes of its content; it takes the number
     /// of the buffer `stale`, if nothing is left in that one.
-    pub(in crate::io::gltf) fn finish(
-        mut self,
-        stale: Option<usize>,
-        uri: impl FnOnce(&[u8]) -> Option<String>,
-    ) -> Changed {
+    pub fn finish(mut self, stale: Option<usize>, uri: impl FnOnce(&[u8]) -> Option<String>) -> Changed {
         let document = self.document;
         let bin = document.glb.as_ref().and_then(|glb| glb.bin());
-        let old: &[u8] = bin.map_or(&[], |range: Range<usize>| &document.buffers.file[range]);
+        let old: &[u8] = bin.map_or(&[], |range| &document.buffers.file[range]);
         let appended = std::mem::take(&mut self.appended);
-        let mut new_bin = None;
-        let mut extra = None;
-        let stale = stale.filter(|&buffer| self.is_deserted(buffer));
-        match (self.home, stale) {
-            (Home::Bin(base), _) => self.write_views(0, base),
-            (Home::Buffer(_), Some(buffer)) | (Home::Buffer(buffer), None) => self.write_views(buffer, 0),
+        let replaced = stale.filter(|&buffer| self.is_deserted(buffer));
+        let (mut bin, mut extra) = (None, None);
+        match self.home {
+            Home::Bin(base) => self.write_views(0, base),
+            Home::Buffer(buffer) => self.write_views(replaced.unwrap_or(buffer), 0),
         }
         match self.home {
-            Home::Bin(base) if !appended.is_empty() => {
+            _ if appended.is_empty() => {}
+            Home::Bin(base) => {
                 let length = base + appended.len();
                 match document.records.buffers.first() {
                     Some(&buffer) => self.splices.set(buffer, "byteLength", length),
-                    None => self.push("buffers", format!("{{\"byteLength\":{length}}}")),
+                    None => self.splices.push("buffers", format!("{{\"byteLength\":{length}}}")),
                 }
                 let mut bytes = Vec::with_capacity(length);
                 bytes.extend_from_slice(old);
                 bytes.resize(base, 0);
                 bytes.extend_from_slice(&appended);
-                new_bin = Some(bytes);
+                bin = Some(bytes);
             }
-            Home::Buffer(_) if !appended.is_empty() => {
-                let uri = uri(&appended).map(|uri| quoted(&uri));
-                match (stale, uri) {
-                    (Some(buffer), Some(uri)) => {
-                        let object = document.records.buffers[buffer];
+            Home::Buffer(_) => {
+                let (length, uri) = (appended.len(), uri(&appended).map(|uri| quoted(&uri)));
+                match (replaced.map(|buffer| document.records.buffers[buffer]), uri) {
+                    (Some(object), Some(uri)) => {
                         self.splices.set(object, "uri", uri);
-                        self.splices.set(object, "byteLength", appended.len());
+                        self.splices.set(object, "byteLength", length);
                     }
                     (_, uri) => {
                         let uri = uri.map_or(String::new(), |uri| format!(",\"uri\":{uri}"));
-                        self.push("buffers", format!("{{\"byteLength\":{}{uri}}}", appended.len()));
+                        self.splices.push("buffers", format!("{{\"byteLength\":{length}{uri}}}"));
                     }
                 }
                 extra = Some(appended);
             }
-            _ => {}
         }
         if !self.patches.is_empty() {
-            let bytes = new_bin.get_or_insert_with(|| old.to_vec());
+            let bytes = bin.get_or_insert_with(|| old.to_vec());
             for patch in &self.patches {
                 let elements = bytes[patch.start..].chunks_mut(patch.stride);
                 for (to, from) in elements.zip(patch.bytes.chunks_exact(patch.size)) {
@@ -327,36 +305,17 @@ impl<'a> Store<'a> {
                 }
             }
         }
-        Changed { json: self.splices.apply(), bin: new_bin, extra, replaced: stale }
+        Changed { json: self.splices.apply(), bin, extra, replaced }
     }
-}
-
-/// Where appended data are, from their own beginning, and the view of them.
-struct Placed {
-    /// The view that is moved there; `None` for a new one.
-    view: Option<usize>,
-    start: usize,
-    length: usize,
-    stride: Option<usize>,
-    target: Target,
 }
 
 /// Bounds in the units of the storage, as `min` and `max` are.
 fn bounds(bytes: &[u8], format: Format) -> Bounds {
-    let size = format.component.size();
-    let number = |bytes: &[u8]| match format.component {
-        Component::I8 => f64::from(bytes[0] as i8),
-        Component::U8 => f64::from(bytes[0]),
-        Component::I16 => f64::from(i16::from_le_bytes([bytes[0], bytes[1]])),
-        Component::U16 => f64::from(u16::from_le_bytes([bytes[0], bytes[1]])),
-        Component::U32 => f64::from(u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]])),
-        Component::F32 => f64::from(f32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]])),
-    };
-    let width = format.width * format.columns;
+    let (size, width) = (format.component.size(), format.width * format.columns);
     let (mut low, mut high) = (vec![f64::INFINITY; width], vec![f64::NEG_INFINITY; width]);
     for element in bytes.chunks_exact(format.size()) {
         for (axis, bytes) in element.chunks_exact(size).take(width).enumerate() {
-            let value = number(bytes);
+            let value = number(bytes, format.component);
             low[axis] = low[axis].min(value);
             high[axis] = high[axis].max(value);
         }

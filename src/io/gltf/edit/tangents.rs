@@ -4,16 +4,16 @@ use bevy_mikktspace::{Geometry, Ops, TangentSpace, generate_tangents};
 use glam::Vec3;
 
 /// What tangents depend on, one entry a corner, three corners a triangle.
-pub(super) struct Corners {
-    pub(super) positions: Vec<[f32; 3]>,
-    pub(super) normals: Vec<[f32; 3]>,
+pub struct Corners {
+    pub positions: Vec<[f32; 3]>,
+    pub normals: Vec<[f32; 3]>,
     /// As stored, v counted from the top of the image.
-    pub(super) uvs: Vec<[f32; 2]>,
+    pub uvs: Vec<[f32; 2]>,
 }
 
 /// The tangent of every corner, its handedness in `w`. Where uv have no direction it is some unit vector
 /// perpendicular to the normal.
-pub(super) fn tangents(corners: Corners) -> Vec<[f32; 4]> {
+pub fn tangents(corners: Corners) -> Vec<[f32; 4]> {
     let tangents = corners.normals.iter().map(|&normal| perpendicular(normal)).collect();
     let mut surface = Surface { corners, tangents };
     // The error type has no values.
@@ -93,7 +93,7 @@ mod tests {
 
     #[test]
     fn a_plain_picture_on_a_square() {
-        // glTF's v runs down the image: the picture stands upright if v falls as y rises, and then the
+        // glTF's v runs down the image: the picture is upright if v falls as y rises, and then the
         // bitangent w · n × t points up.
         let upright = square([[0.0, 1.0], [1.0, 1.0], [1.0, 0.0], [0.0, 0.0]]);
         assert!(upright.iter().all(|&t| t == [1.0, 0.0, 0.0, 1.0]), "{upright:?}");

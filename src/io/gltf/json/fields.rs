@@ -1,62 +1,62 @@
-//! Typed access to the members of JSON objects, with errors that say where.
+//! Typed access to the members of JSON objects, with errors that name the place.
 
 use crate::io::gltf::json::tree::{Json, Kind, Value};
 use crate::io::{Place, Problem, ReadError};
 use std::borrow::Cow;
 
-/// The place of an object in a document: up to two numbered steps, such as `/meshes/3/primitives/1`, and perhaps one more
-/// by name.
+/// The place of an object in a document: up to two numbered steps, such as `/meshes/3/primitives/1`, and up to two more by
+/// name.
 #[derive(Clone, Copy, Debug, Default)]
-pub(in crate::io::gltf) struct At {
+pub struct At {
     steps: [Option<(&'static str, usize)>; 2],
-    last: Option<&'static str>,
+    names: [Option<&'static str>; 2],
 }
 
 impl At {
-    pub(in crate::io::gltf) fn new(list: &'static str, number: usize) -> At {
-        At { steps: [Some((list, number)), None], last: None }
+    pub fn new(list: &'static str, number: usize) -> At {
+        At { steps: [Some((list, number)), None], names: [None; 2] }
     }
 
-    pub(in crate::io::gltf) fn then(self, list: &'static str, number: usize) -> At {
-        At { steps: [self.steps[0], Some((list, number))], last: None }
+    pub fn then(self, list: &'static str, number: usize) -> At {
+        At { steps: [self.steps[0], Some((list, number))], names: [None; 2] }
     }
 
     /// The place of a member that is an object itself.
-    pub(in crate::io::gltf) fn member_at(self, name: &'static str) -> At {
-        At { last: Some(name), ..self }
+    pub fn member_at(self, name: &'static str) -> At {
+        let [first, _] = self.names;
+        At { names: first.map_or([Some(name), None], |first| [Some(first), Some(name)]), ..self }
     }
 
-    pub(in crate::io::gltf) fn place(self) -> Place {
+    pub fn place(self) -> Place {
         Place::Json(self.pointer())
     }
 
-    pub(in crate::io::gltf) fn member(self, name: &str) -> Place {
+    pub fn member(self, name: &str) -> Place {
         Place::Json(format!("{}/{name}", self.pointer()))
-    }
-
-    /// The numbers of the two steps; 0 for one that is not there.
-    pub(in crate::io::gltf) fn numbers(self) -> (usize, usize) {
-        let [first, second] = self.steps.map(|step| step.map_or(0, |(_, number)| number));
-        (first, second)
     }
 
     fn pointer(self) -> String {
         let steps = self.steps.iter().flatten().map(|(list, number)| format!("/{list}/{number}"));
-        steps.chain(self.last.map(|name| format!("/{name}"))).collect()
+        steps.chain(self.names.iter().flatten().map(|name| format!("/{name}"))).collect()
     }
 }
 
 /// An object whose members are read by name and type.
 #[derive(Clone, Copy)]
-pub(in crate::io::gltf) struct Fields<'a> {
-    pub(in crate::io::gltf) json: &'a Json,
-    pub(in crate::io::gltf) object: Value,
-    pub(in crate::io::gltf) at: At,
+pub struct Fields<'a> {
+    pub json: &'a Json,
+    pub object: Value,
+    pub at: At,
 }
 
 impl<'a> Fields<'a> {
+    /// The fields of a whole document, which is known to be an object.
+    pub fn root(json: &'a Json) -> Self {
+        Self { json, object: json.root(), at: At::default() }
+    }
+
     /// The fields of a value, which must be an object.
-    pub(in crate::io::gltf) fn new(json: &'a Json, object: Value, at: At) -> Result<Self, ReadError> {
+    pub fn new(json: &'a Json, object: Value, at: At) -> Result<Self, ReadError> {
         if json.kind(object) == Kind::Object {
             Ok(Self { json, object, at })
         } else {
@@ -64,41 +64,54 @@ impl<'a> Fields<'a> {
         }
     }
 
+    /// The fields of a member, which must be an object.
+    pub fn child(&self, name: &'static str) -> Result<Option<Self>, ReadError> {
+        Ok(self.object(name)?.map(|object| Self { object, at: self.at.member_at(name), ..*self }))
+    }
+
+    /// The fields of a member that has to be there.
+    pub fn required_child(&self, name: &'static str) -> Result<Self, ReadError> {
+        self.child(name)?.ok_or_else(|| self.missing(name))
+    }
+
     /// A non-negative integer.
-    pub(in crate::io::gltf) fn integer(&self, name: &str) -> Result<Option<u64>, ReadError> {
+    pub fn integer(&self, name: &str) -> Result<Option<u64>, ReadError> {
         self.typed(name, "a non-negative integer", |value| self.json.integer(value))
     }
 
     /// The number of an element in another list.
-    pub(in crate::io::gltf) fn index(&self, name: &str) -> Result<Option<usize>, ReadError> {
+    pub fn index(&self, name: &str) -> Result<Option<usize>, ReadError> {
         let index = self.integer(name)?;
         Ok(index.map(|index| usize::try_from(index).unwrap_or(usize::MAX)))
     }
 
+    /// The number of one of `count` elements of another list, which are called `what`.
+    pub fn reference(&self, name: &str, what: &str, count: usize) -> Result<Option<usize>, ReadError> {
+        let index = self.index(name)?;
+        index.map(|index| checked_index(index, count, what, || self.at.member(name))).transpose()
+    }
+
     /// A non-negative integer that has to be there.
-    pub(in crate::io::gltf) fn required(&self, name: &str) -> Result<u64, ReadError> {
+    pub fn required(&self, name: &str) -> Result<u64, ReadError> {
         self.integer(name)?.ok_or_else(|| self.missing(name))
     }
 
-    pub(in crate::io::gltf) fn boolean(&self, name: &str) -> Result<Option<bool>, ReadError> {
+    pub fn boolean(&self, name: &str) -> Result<Option<bool>, ReadError> {
         self.typed(name, "true or false", |value| self.json.boolean(value))
     }
 
-    pub(in crate::io::gltf) fn string(&self, name: &str) -> Result<Option<Cow<'a, str>>, ReadError> {
+    pub fn string(&self, name: &str) -> Result<Option<Cow<'a, str>>, ReadError> {
         let json = self.json;
         self.typed(name, "a string", |value| json.string(value))
     }
 
     /// A finite number.
-    pub(in crate::io::gltf) fn number(&self, name: &str) -> Result<Option<f64>, ReadError> {
+    pub fn number(&self, name: &str) -> Result<Option<f64>, ReadError> {
         self.typed(name, "a finite number", |value| self.json.number(value).filter(|n| n.is_finite()))
     }
 
     /// A list of exactly `N` numbers, all finite.
-    pub(in crate::io::gltf) fn numbers<const N: usize>(
-        &self,
-        name: &str,
-    ) -> Result<Option<[f64; N]>, ReadError> {
+    pub fn numbers<const N: usize>(&self, name: &str) -> Result<Option<[f64; N]>, ReadError> {
         self.typed(name, "a list of finite numbers of the right length", |value| {
             let mut numbers = [0.0; N];
             let mut elements = self.json.elements(value);
@@ -109,31 +122,45 @@ impl<'a> Fields<'a> {
         })
     }
 
-    pub(in crate::io::gltf) fn object(&self, name: &str) -> Result<Option<Value>, ReadError> {
+    pub fn object(&self, name: &str) -> Result<Option<Value>, ReadError> {
         self.typed(name, "an object", |value| (self.json.kind(value) == Kind::Object).then_some(value))
     }
 
-    pub(in crate::io::gltf) fn array(&self, name: &str) -> Result<Option<Value>, ReadError> {
+    pub fn array(&self, name: &str) -> Result<Option<Value>, ReadError> {
         self.typed(name, "a list", |value| (self.json.kind(value) == Kind::Array).then_some(value))
     }
 
+    /// The elements of a list; none if there is none.
+    pub fn items(&self, name: &str) -> Result<impl Iterator<Item = Value> + use<'a>, ReadError> {
+        let json = self.json;
+        Ok(self.array(name)?.into_iter().flat_map(|array| json.elements(array)))
+    }
+
+    /// All values of a top-level list, which must be objects, by number; empty if there is no list.
+    pub fn list(&self, name: &'static str) -> Result<Vec<Value>, ReadError> {
+        let values: Vec<Value> = self.items(name)?.collect();
+        for (number, &value) in values.iter().enumerate() {
+            Fields::new(self.json, value, At::new(name, number))?;
+        }
+        Ok(values)
+    }
+
     /// A list of element numbers; empty if there is none.
-    pub(in crate::io::gltf) fn indices(&self, name: &str) -> Result<Vec<usize>, ReadError> {
-        let Some(array) = self.array(name)? else { return Ok(Vec::new()) };
+    pub fn indices(&self, name: &str) -> Result<Vec<usize>, ReadError> {
         let index = |value| {
             let index = self.json.integer(value).and_then(|index| usize::try_from(index).ok());
             index.ok_or_else(|| mismatch(self.json, value, self.at.member(name), "a non-negative integer"))
         };
-        self.json.elements(array).map(index).collect()
+        self.items(name)?.map(index).collect()
     }
 
     /// An extension object by name, if there.
-    pub(in crate::io::gltf) fn extension(&self, name: &str) -> Option<Value> {
+    pub fn extension(&self, name: &str) -> Option<Value> {
         let extensions = self.json.member(self.object, "extensions")?;
         self.json.member(extensions, name)
     }
 
-    pub(in crate::io::gltf) fn missing(&self, name: &str) -> ReadError {
+    pub fn missing(&self, name: &str) -> ReadError {
         let found = format!("no `{name}`, which glTF requires");
         ReadError::new(Problem::Syntax, self.at.place(), found, "export the file again")
     }
@@ -160,8 +187,27 @@ fn mismatch(json: &Json, value: Value, place: Place, wanted: &str) -> ReadError 
     ReadError::new(Problem::Syntax, place, found, "export the file again")
 }
 
-/// An error about an element number that is too large.
-pub(in crate::io::gltf) fn dangling(place: Place, what: &str, index: usize, count: usize) -> ReadError {
+/// An index if it is that of one of `count` elements, which are called `what`.
+pub fn checked_index(
+    index: usize,
+    count: usize,
+    what: &str,
+    place: impl FnOnce() -> Place,
+) -> Result<usize, ReadError> {
+    if index < count {
+        return Ok(index);
+    }
     let found = format!("{what} {index} is asked for, counted from 0, where the file has {count}");
+    Err(out_of_range(place(), found))
+}
+
+/// An error about a file that contradicts itself.
+pub fn out_of_range(place: Place, found: impl Into<String>) -> ReadError {
     ReadError::new(Problem::Range, place, found, "the file is broken; export it again")
+}
+
+/// An error about data that only an extension can decompress.
+pub fn only_compressed(place: Place, found: impl Into<String>) -> ReadError {
+    let advice = "decompress the file first, for example with `gltf-transform copy`";
+    ReadError::new(Problem::Unsupported, place, found, advice)
 }

@@ -1,8 +1,8 @@
 //! JSON: a document with the position of every value.
 
 // JSON with byte spans.
-pub(super) mod tree;
+pub mod tree;
 // Typed access with errors that name the position.
-pub(super) mod fields;
+pub mod fields;
 // Changes that leave every other byte alone.
-pub(super) mod splice;
+pub mod splice;

@@ -4,99 +4,74 @@ use crate::io::gltf::json::tree::{Json, Value, quoted};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// What becomes of the members of an object: a new text, or `None` to leave the member out.
-pub(in crate::io::gltf) type Changes = Vec<(String, Option<String>)>;
+/// Changes to the members of an object: a new text, or `None` to remove the member.
+pub type Changes = Vec<(String, Option<String>)>;
 
-/// Changes to objects and arrays of a text, to be made all at once.
+/// Changes to objects and top-level lists of a text, to be made all at once.
 ///
 /// New members and elements take over the blanks of the one before them, so that indented text stays indented.
-pub(in crate::io::gltf) struct Splices<'a> {
+pub struct Splices<'a> {
     json: &'a Json,
     objects: BTreeMap<Value, Changes>,
-    arrays: BTreeMap<Value, Vec<String>>,
-    values: BTreeMap<Value, String>,
-    /// Arrays that an object does not have yet.
-    new_arrays: BTreeMap<(Value, &'static str), Vec<String>>,
+    /// New elements of top-level lists.
+    lists: BTreeMap<&'static str, Vec<String>>,
 }
 
 impl<'a> Splices<'a> {
-    pub(in crate::io::gltf) fn new(json: &'a Json) -> Self {
-        Self {
-            json,
-            objects: BTreeMap::new(),
-            arrays: BTreeMap::new(),
-            values: BTreeMap::new(),
-            new_arrays: BTreeMap::new(),
-        }
+    pub fn new(json: &'a Json) -> Self {
+        Self { json, objects: BTreeMap::new(), lists: BTreeMap::new() }
     }
 
     /// Gives a member of an object a new text, or adds the member.
-    pub(in crate::io::gltf) fn set(&mut self, object: Value, name: &str, text: impl ToString) {
-        self.change(object, name, Some(text.to_string()));
+    pub fn set(&mut self, object: Value, name: &str, text: impl ToString) {
+        self.change(object, vec![(name.to_owned(), Some(text.to_string()))]);
     }
 
-    /// Takes a member out of an object, if it is there.
-    pub(in crate::io::gltf) fn remove(&mut self, object: Value, name: &str) {
-        self.change(object, name, None);
+    /// Removes a member of an object, if it is there.
+    pub fn remove(&mut self, object: Value, name: &str) {
+        self.change(object, vec![(name.to_owned(), None)]);
     }
 
     /// Makes several changes to an object.
-    pub(in crate::io::gltf) fn change_all(&mut self, object: Value, changes: Changes) {
+    pub fn change(&mut self, object: Value, changes: Changes) {
+        let old = self.objects.entry(object).or_default();
         for (name, text) in changes {
-            self.change(object, &name, text);
+            match old.iter_mut().find(|(other, _)| *other == name) {
+                Some((_, old)) => *old = text,
+                None => old.push((name, text)),
+            }
         }
     }
 
-    /// Adds an element to an array.
-    pub(in crate::io::gltf) fn push(&mut self, array: Value, text: String) {
-        self.arrays.entry(array).or_default().push(text);
-    }
-
-    /// Adds an element to a list of an object that does not have the list yet.
-    pub(in crate::io::gltf) fn push_new(&mut self, object: Value, name: &'static str, text: String) {
-        self.new_arrays.entry((object, name)).or_default().push(text);
+    /// Adds an element to a top-level list, which is made if the document does not have it.
+    pub fn push(&mut self, list: &'static str, text: String) {
+        self.lists.entry(list).or_default().push(text);
     }
 
     /// Whether no change was asked for.
-    pub(in crate::io::gltf) fn is_empty(&self) -> bool {
-        self.objects.is_empty()
-            && self.arrays.is_empty()
-            && self.values.is_empty()
-            && self.new_arrays.is_empty()
-    }
-
-    /// Replaces a whole value that is in no other change.
-    pub(in crate::io::gltf) fn replace(&mut self, value: Value, text: String) {
-        self.values.insert(value, text);
+    pub fn is_empty(&self) -> bool {
+        self.objects.is_empty() && self.lists.is_empty()
     }
 
     /// The text with all changes made.
-    pub(in crate::io::gltf) fn apply(mut self) -> String {
+    pub fn apply(mut self) -> String {
+        let json = self.json;
         let mut splices: Vec<(Range<usize>, String)> = Vec::new();
-        for ((object, name), elements) in std::mem::take(&mut self.new_arrays) {
-            self.set(object, name, format!("[{}]", elements.join(",")));
+        for (name, elements) in std::mem::take(&mut self.lists) {
+            match json.member(json.root(), name) {
+                Some(array) => splices.push(array_splice(json, array, &elements)),
+                None => self.set(json.root(), name, format!("[{}]", elements.join(","))),
+            }
         }
         for (&object, changes) in &self.objects {
-            object_splices(self.json, object, changes, &mut splices);
+            object_splices(json, object, changes, &mut splices);
         }
-        for (&array, elements) in &self.arrays {
-            array_splices(self.json, array, elements, &mut splices);
-        }
-        splices.extend(self.values.into_iter().map(|(value, text)| (self.json.span(value), text)));
-        spliced(self.json.text(), 0..self.json.text().len(), splices)
-    }
-
-    fn change(&mut self, object: Value, name: &str, text: Option<String>) {
-        let changes = self.objects.entry(object).or_default();
-        match changes.iter_mut().find(|(other, _)| other == name) {
-            Some((_, old)) => *old = text,
-            None => changes.push((name.to_owned(), text)),
-        }
+        spliced(json.text(), 0..json.text().len(), splices)
     }
 }
 
 /// An object's text with changes made to it.
-pub(in crate::io::gltf) fn changed_object(json: &Json, object: Value, changes: &Changes) -> String {
+pub fn changed_object(json: &Json, object: Value, changes: &Changes) -> String {
     let mut splices = Vec::new();
     object_splices(json, object, changes, &mut splices);
     spliced(json.text(), json.span(object), splices)
@@ -166,17 +141,17 @@ fn object_splices(json: &Json, object: Value, changes: &Changes, out: &mut Vec<(
     }
 }
 
-fn array_splices(json: &Json, array: Value, elements: &[String], out: &mut Vec<(Range<usize>, String)>) {
-    let last = json.elements(array).last().map(|value| json.span(value));
-    let (at, separator) = match last {
-        Some(last) => (last.end, format!(",{}", blanks_before(json.text(), last.start))),
-        None => (json.span(array).end - 1, ",".to_owned()),
-    };
-    let mut insertion = elements.join(&separator);
-    if at != json.span(array).end - 1 || json.elements(array).next().is_some() {
-        insertion.insert_str(0, &separator);
+fn array_splice(json: &Json, array: Value, elements: &[String]) -> (Range<usize>, String) {
+    match json.elements(array).last().map(|value| json.span(value)) {
+        Some(last) => {
+            let separator = format!(",{}", blanks_before(json.text(), last.start));
+            (last.end..last.end, separator.clone() + &elements.join(&separator))
+        }
+        None => {
+            let at = json.span(array).end - 1;
+            (at..at, elements.join(","))
+        }
     }
-    out.push((at..at, insertion));
 }
 
 fn blanks_before(text: &str, at: usize) -> &str {
@@ -242,12 +217,11 @@ mod tests {
     #[test]
     fn arrays_grow_at_their_end() {
         let json = parse("{\"a\":[ ],\"b\":[\n  1,\n  2\n]}");
-        let (a, b) = (json.member(json.root(), "a").unwrap(), json.member(json.root(), "b").unwrap());
         let mut splices = Splices::new(&json);
-        splices.push(a, "7".into());
-        splices.push(a, "8".into());
-        splices.push(b, "3".into());
-        assert_eq!(splices.apply(), "{\"a\":[ 7,8],\"b\":[\n  1,\n  2,\n  3\n]}");
+        for (list, text) in [("a", "7"), ("a", "8"), ("b", "3"), ("c", "4"), ("c", "5")] {
+            splices.push(list, text.into());
+        }
+        assert_eq!(splices.apply(), "{\"a\":[ 7,8],\"b\":[\n  1,\n  2,\n  3\n],\"c\":[4,5]}");
     }
 
     #[test]

@@ -1,20 +1,21 @@
-//! JSON that knows where every value stands in the text.
+//! A JSON text with the byte span of every value.
 //!
-//! A glTF document is edited, not written anew, so what matters here is the byte span of each value. The text
-//! is scanned once, without recursion and with bounded nesting, into a flat list of nodes in document order;
-//! every number keeps its spelling, every object its duplicates and order.
+//! A glTF document is edited, not written anew. The text is scanned without recursion and with bounded nesting into a
+//! flat list of nodes in document order: every number keeps its spelling, every object its duplicates and order.
+//! `serde_json` checks that it is JSON.
 
 use crate::io::{Place, Problem, ReadError};
+use serde::de::IgnoredAny;
 use std::borrow::Cow;
 use std::ops::Range;
 
 /// A value of a [`Json`] text: its number in document order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub(in crate::io::gltf) struct Value(u32);
+pub struct Value(u32);
 
 /// What a value is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::io::gltf) enum Kind {
+pub enum Kind {
     Object,
     Array,
     String,
@@ -33,114 +34,99 @@ struct Node {
 
 /// A JSON text and the spans of its values.
 #[derive(Clone, Debug)]
-pub(in crate::io::gltf) struct Json {
+pub struct Json {
     text: String,
     nodes: Vec<Node>,
 }
 
 impl Json {
-    /// Scans a text. `origin` is the offset of the text in its file, for error places.
-    pub(in crate::io::gltf) fn parse(
-        text: Vec<u8>,
-        origin: u64,
-        max_depth: usize,
-    ) -> Result<Json, ReadError> {
-        let syntax = |at: usize, found: String| {
-            let advice = "the JSON is broken; export the file again";
-            ReadError::new(Problem::Syntax, Place::Byte(origin + at as u64), found, advice)
+    /// Reads a text. `origin` is the offset of the text in its file, for error places.
+    pub fn parse(text: Vec<u8>, origin: u64, max_depth: usize) -> Result<Json, ReadError> {
+        let error = |problem, at: usize, found: String, advice: &str| {
+            ReadError::new(problem, Place::Byte(origin + at as u64), found, advice)
         };
+        let syntax =
+            |at, found| error(Problem::Syntax, at, found, "the JSON is broken; export the file again");
         if u32::try_from(text.len()).is_err() {
             let found = format!("{} bytes of JSON, more than 4 GiB", text.len());
-            return Err(ReadError::new(
-                Problem::Limit,
-                Place::File,
-                found,
-                "store the buffers in binary files",
-            ));
+            return Err(error(Problem::Limit, 0, found, "store the buffers in binary files"));
         }
         let text = String::from_utf8(text)
             .map_err(|error| syntax(error.utf8_error().valid_up_to(), "a byte that is not UTF-8".into()))?;
-        let mut scanner = Scanner { text: text.as_bytes(), at: 0, nodes: Vec::new(), max_depth };
-        match scanner.document() {
-            Ok(()) => {
-                let nodes = scanner.nodes;
-                Ok(Json { text, nodes })
-            }
-            Err(Fault::Depth(at)) => Err(ReadError::new(
-                Problem::Limit,
-                Place::Byte(origin + at as u64),
-                format!("JSON nested more than {max_depth} deep"),
-                "no glTF file needs this; check where it comes from",
-            )),
-            Err(Fault::Syntax(at, found)) => Err(syntax(at, found)),
-        }
+        let begin = if text.starts_with('\u{FEFF}') { '\u{FEFF}'.len_utf8() } else { 0 };
+        let nodes = scan(text.as_bytes(), begin, max_depth).map_err(|at| {
+            let found = format!("JSON nested more than {max_depth} deep");
+            error(Problem::Limit, at, found, "no glTF file needs this; check where it comes from")
+        })?;
+        serde_json::from_str::<IgnoredAny>(&text[begin..])
+            .map_err(|error| syntax(begin + offset_of(&error, &text[begin..]), error.to_string()))?;
+        Ok(Json { text, nodes })
     }
 
     /// The whole text.
-    pub(in crate::io::gltf) fn text(&self) -> &str {
+    pub fn text(&self) -> &str {
         &self.text
     }
 
     /// The outermost value.
-    pub(in crate::io::gltf) fn root(&self) -> Value {
+    pub fn root(&self) -> Value {
         Value(0)
     }
 
-    pub(in crate::io::gltf) fn kind(&self, value: Value) -> Kind {
+    pub fn kind(&self, value: Value) -> Kind {
         self.node(value).kind
     }
 
     /// The bytes of the text that a value takes.
-    pub(in crate::io::gltf) fn span(&self, value: Value) -> Range<usize> {
+    pub fn span(&self, value: Value) -> Range<usize> {
         let node = self.node(value);
         node.start as usize..node.end as usize
     }
 
-    /// A value as it is spelt.
-    pub(in crate::io::gltf) fn raw(&self, value: Value) -> &str {
+    /// The text of a value.
+    pub fn raw(&self, value: Value) -> &str {
         &self.text[self.span(value)]
     }
 
-    /// The members of an object, in order; nothing for other values.
-    pub(in crate::io::gltf) fn members(&self, object: Value) -> impl Iterator<Item = (Value, Value)> + '_ {
-        let end = if self.kind(object) == Kind::Object { self.node(object).next } else { object.0 + 1 };
-        let mut key = object.0 + 1;
-        std::iter::from_fn(move || {
-            if key >= end {
-                return None;
-            }
-            let pair = (Value(key), Value(key + 1));
-            key = self.nodes[key as usize + 1].next;
-            Some(pair)
-        })
+    /// The members of an object, in order; none for other values.
+    pub fn members(&self, object: Value) -> impl Iterator<Item = (Value, Value)> + '_ {
+        let keys = self.siblings(object, Kind::Object, 1);
+        keys.map(|key| (key, Value(key.0 + 1)))
     }
 
-    /// The elements of an array, in order; nothing for other values.
-    pub(in crate::io::gltf) fn elements(&self, array: Value) -> impl Iterator<Item = Value> + '_ {
-        let end = if self.kind(array) == Kind::Array { self.node(array).next } else { array.0 + 1 };
-        let mut element = array.0 + 1;
+    /// The elements of an array, in order; none for other values.
+    pub fn elements(&self, array: Value) -> impl Iterator<Item = Value> + '_ {
+        self.siblings(array, Kind::Array, 0)
+    }
+
+    /// The first values of the entries of a container of a kind; the last value of an entry is `last` nodes after its first.
+    fn siblings(&self, container: Value, kind: Kind, last: u32) -> impl Iterator<Item = Value> + '_ {
+        let end = if self.kind(container) == kind { self.node(container).next } else { 0 };
+        let mut at = container.0 + 1;
         std::iter::from_fn(move || {
-            if element >= end {
-                return None;
-            }
-            let value = Value(element);
-            element = self.nodes[element as usize].next;
+            let value = (at < end).then_some(Value(at))?;
+            at = self.nodes[(at + last) as usize].next;
             Some(value)
         })
     }
 
     /// All values inside a value, at any depth, keys included.
-    pub(in crate::io::gltf) fn descendants(&self, value: Value) -> impl Iterator<Item = Value> + '_ {
+    pub fn descendants(&self, value: Value) -> impl Iterator<Item = Value> + '_ {
         (value.0 + 1..self.node(value).next).map(Value)
     }
 
     /// The member of an object with a name; the last one if there are several, as browsers do.
-    pub(in crate::io::gltf) fn member(&self, object: Value, name: &str) -> Option<Value> {
+    pub fn member(&self, object: Value, name: &str) -> Option<Value> {
         self.members(object).filter(|&(key, _)| self.is_string(key, name)).map(|(_, value)| value).last()
     }
 
+    /// The elements of a member that is an array; none if it is not.
+    pub fn items(&self, object: Value, name: &str) -> impl Iterator<Item = Value> + '_ {
+        self.member(object, name).into_iter().flat_map(|array| self.elements(array))
+    }
+
     /// The text of a string, without quotes and escapes; `None` for other values.
-    pub(in crate::io::gltf) fn string(&self, value: Value) -> Option<Cow<'_, str>> {
+    pub fn string(&self, value: Value) -> Option<Cow<'_, str>> {
         if self.kind(value) != Kind::String {
             return None;
         }
@@ -155,12 +141,12 @@ impl Json {
     }
 
     /// A number; `None` for other values.
-    pub(in crate::io::gltf) fn number(&self, value: Value) -> Option<f64> {
+    pub fn number(&self, value: Value) -> Option<f64> {
         if self.kind(value) == Kind::Number { self.raw(value).parse().ok() } else { None }
     }
 
     /// A number without fraction and sign, however spelt (`3`, `3.0`, `3e0`); `None` for other values.
-    pub(in crate::io::gltf) fn integer(&self, value: Value) -> Option<u64> {
+    pub fn integer(&self, value: Value) -> Option<u64> {
         if self.kind(value) != Kind::Number {
             return None;
         }
@@ -171,7 +157,7 @@ impl Json {
     }
 
     /// `true` or `false`; `None` for other values.
-    pub(in crate::io::gltf) fn boolean(&self, value: Value) -> Option<bool> {
+    pub fn boolean(&self, value: Value) -> Option<bool> {
         match self.raw(value) {
             "true" => Some(true),
             "false" => Some(false),
@@ -189,195 +175,73 @@ impl Json {
 }
 
 /// A string as JSON, quotes included.
-pub(in crate::io::gltf) fn quoted(text: &str) -> String {
+pub fn quoted(text: &str) -> String {
     serde_json::Value::from(text).to_string()
 }
 
-enum Fault {
-    Syntax(usize, String),
-    Depth(usize),
-}
-
-struct Scanner<'a> {
-    text: &'a [u8],
-    at: usize,
-    nodes: Vec<Node>,
-    max_depth: usize,
-}
-
-impl Scanner<'_> {
-    fn document(&mut self) -> Result<(), Fault> {
-        if self.text.starts_with(b"\xEF\xBB\xBF") {
-            self.at = 3;
-        }
-        let mut open: Vec<u32> = Vec::new();
-        loop {
-            let complete = self.value(&mut open)?;
-            if complete && !self.after_value(&mut open)? {
-                break;
+/// The values of a text from `at` on, in document order. The nodes of a text that is not JSON mean nothing, but are no more than it has
+/// bytes.
+///
+/// # Errors
+/// The offset of a container that is nested too deep.
+fn scan(text: &[u8], mut at: usize, max_depth: usize) -> Result<Vec<Node>, usize> {
+    let mut nodes: Vec<Node> = Vec::new();
+    let mut open: Vec<usize> = Vec::new();
+    while let Some(&first) = text.get(at) {
+        let start = at;
+        at += 1;
+        let kind = match first {
+            b' ' | b'\t' | b'\n' | b'\r' | b',' | b':' => continue,
+            b'}' | b']' => {
+                if let Some(container) = open.pop() {
+                    let next = nodes.len() as u32;
+                    let node = &mut nodes[container];
+                    (node.end, node.next) = (at as u32, next);
+                }
+                continue;
             }
-        }
-        self.blanks();
-        if self.at < self.text.len() {
-            return Err(self.unexpected("the end of the document"));
-        }
-        Ok(())
-    }
-
-    /// Reads a leaf or an empty container, or opens a container up to its first value. Returns whether the
-    /// value is complete.
-    fn value(&mut self, open: &mut Vec<u32>) -> Result<bool, Fault> {
-        self.blanks();
-        let start = self.at;
-        match self.text.get(start) {
-            Some(&opening @ (b'{' | b'[')) => {
-                if open.len() >= self.max_depth {
-                    return Err(Fault::Depth(start));
+            b'{' | b'[' => {
+                if open.len() >= max_depth {
+                    return Err(start);
                 }
-                self.at += 1;
-                let object = opening == b'{';
-                self.push(start, if object { Kind::Object } else { Kind::Array });
-                self.blanks();
-                if self.text.get(self.at) == Some(if object { &b'}' } else { &b']' }) {
-                    self.at += 1;
-                    self.close(self.nodes.len() as u32 - 1);
-                    return Ok(true);
-                }
-                open.push(self.nodes.len() as u32 - 1);
-                if object {
-                    self.key()?;
-                }
-                Ok(false)
+                open.push(nodes.len());
+                if first == b'{' { Kind::Object } else { Kind::Array }
             }
-            Some(b'"') => self.string().map(|()| true),
-            Some(b'-' | b'0'..=b'9') => self.number().map(|()| true),
+            b'"' => {
+                at = end_of_string(text, at);
+                Kind::String
+            }
             _ => {
-                let literal = [&b"true"[..], b"false", b"null"];
-                let found = literal.into_iter().find(|literal| self.text[start..].starts_with(literal));
-                let Some(found) = found else { return Err(self.unexpected("a value")) };
-                self.at += found.len();
-                self.push(start, Kind::Literal);
-                Ok(true)
+                let is_inside = |byte: &&u8| byte.is_ascii_alphanumeric() || b"+-.".contains(byte);
+                at += text[at..].iter().take_while(is_inside).count();
+                if first.is_ascii_alphabetic() { Kind::Literal } else { Kind::Number }
             }
-        }
-    }
-
-    /// Closes containers up to the next comma. Returns whether a value follows.
-    fn after_value(&mut self, open: &mut Vec<u32>) -> Result<bool, Fault> {
-        while let Some(&container) = open.last() {
-            self.blanks();
-            let object = self.nodes[container as usize].kind == Kind::Object;
-            match (self.text.get(self.at), object) {
-                (Some(b','), _) => {
-                    self.at += 1;
-                    if object {
-                        self.key()?;
-                    }
-                    return Ok(true);
-                }
-                (Some(b'}'), true) | (Some(b']'), false) => {
-                    self.at += 1;
-                    self.close(container);
-                    open.pop();
-                }
-                _ => return Err(self.unexpected(if object { "`,` or `}`" } else { "`,` or `]`" })),
-            }
-        }
-        Ok(false)
-    }
-
-    fn key(&mut self) -> Result<(), Fault> {
-        self.blanks();
-        if self.text.get(self.at) != Some(&b'"') {
-            return Err(self.unexpected("a member's name"));
-        }
-        self.string()?;
-        self.blanks();
-        if self.text.get(self.at) != Some(&b':') {
-            return Err(self.unexpected("`:`"));
-        }
-        self.at += 1;
-        Ok(())
-    }
-
-    fn string(&mut self) -> Result<(), Fault> {
-        let start = self.at;
-        self.at += 1;
-        loop {
-            let Some(offset) = memchr::memchr2(b'"', b'\\', &self.text[self.at..]) else {
-                return Err(Fault::Syntax(start, "a string without an end".into()));
-            };
-            let piece = &self.text[self.at..self.at + offset];
-            if let Some(control) = piece.iter().position(|&byte| byte < 0x20) {
-                return Err(Fault::Syntax(self.at + control, "a control character inside a string".into()));
-            }
-            self.at += offset + 1;
-            if self.text[self.at - 1] == b'"' {
-                self.push(start, Kind::String);
-                return Ok(());
-            }
-            let hex = |digits: &[u8]| digits.len() == 4 && digits.iter().all(u8::is_ascii_hexdigit);
-            let rest = &self.text[self.at..];
-            self.at += match rest.first() {
-                Some(b'"' | b'\\' | b'/' | b'b' | b'f' | b'n' | b'r' | b't') => 1,
-                Some(b'u') if rest.get(1..5).is_some_and(hex) => 5,
-                _ => return Err(Fault::Syntax(self.at - 1, "an escape that JSON does not have".into())),
-            };
-        }
-    }
-
-    fn number(&mut self) -> Result<(), Fault> {
-        let start = self.at;
-        self.at += usize::from(self.text[start] == b'-');
-        let whole = self.digits()?;
-        if self.text[whole.start] == b'0' && whole.len() > 1 {
-            return Err(Fault::Syntax(start, "a number with a leading zero".into()));
-        }
-        if self.text.get(self.at) == Some(&b'.') {
-            self.at += 1;
-            self.digits()?;
-        }
-        if matches!(self.text.get(self.at), Some(b'e' | b'E')) {
-            self.at += 1;
-            self.at += usize::from(matches!(self.text.get(self.at), Some(b'+' | b'-')));
-            self.digits()?;
-        }
-        self.push(start, Kind::Number);
-        Ok(())
-    }
-
-    fn digits(&mut self) -> Result<Range<usize>, Fault> {
-        let start = self.at;
-        while self.text.get(self.at).is_some_and(u8::is_ascii_digit) {
-            self.at += 1;
-        }
-        if self.at == start { Err(self.unexpected("a digit")) } else { Ok(start..self.at) }
-    }
-
-    fn blanks(&mut self) {
-        while matches!(self.text.get(self.at), Some(b' ' | b'\t' | b'\n' | b'\r')) {
-            self.at += 1;
-        }
-    }
-
-    fn push(&mut self, start: usize, kind: Kind) {
-        let next = self.nodes.len() as u32 + 1;
-        self.nodes.push(Node { start: start as u32, end: self.at as u32, next, kind });
-    }
-
-    fn close(&mut self, container: u32) {
-        let next = self.nodes.len() as u32;
-        let node = &mut self.nodes[container as usize];
-        (node.end, node.next) = (self.at as u32, next);
-    }
-
-    fn unexpected(&self, wanted: &str) -> Fault {
-        let found = match self.text.get(self.at) {
-            None => format!("the end of the text where {wanted} should be"),
-            Some(byte) => format!("{:?} where {wanted} should be", *byte as char),
         };
-        Fault::Syntax(self.at, found)
+        let next = nodes.len() as u32 + 1;
+        nodes.push(Node { start: start as u32, end: at as u32, next, kind });
     }
+    Ok(nodes)
+}
+
+/// The offset after the closing quote of a string, whose content begins at `at`.
+fn end_of_string(text: &[u8], mut at: usize) -> usize {
+    while let Some(offset) = text.get(at..).and_then(|rest| memchr::memchr2(b'"', b'\\', rest)) {
+        at += offset + 1;
+        if text[at - 1] == b'"' {
+            return at;
+        }
+        at += 1;
+    }
+    text.len()
+}
+
+/// The offset of what `serde_json` complains about.
+fn offset_of(error: &serde_json::Error, text: &str) -> usize {
+    if error.is_eof() {
+        return text.len();
+    }
+    let lines = text.split_inclusive('\n').take(error.line().saturating_sub(1));
+    lines.map(str::len).sum::<usize>() + error.column().saturating_sub(1)
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 /// The diffuse colour is the base colour of a dielectric, number for number. A highlight of exponent n belongs to
 /// a surface of α = √(2/(n + 2)) (Walter et al., "Microfacet models for refraction", 2007, eq. 30 with
 /// n ≈ 2/α² − 2), and glTF's roughness is √α.
-pub(in crate::io::gltf) fn members(material: &FileMaterial) -> String {
+pub fn members(material: &FileMaterial) -> String {
     let unit = |value: f64| value.clamp(0.0, 1.0);
     let (base, metallic, roughness) = match material.reflection {
         FileReflection::Phong { diffuse, exponent, .. } => {

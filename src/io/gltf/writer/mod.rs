@@ -1,12 +1,12 @@
 //! Writer: new files from meshes.
 
 // Triangles and vertices of a new file.
-pub(super) mod vertices;
+pub mod vertices;
 // Binary data and the JSON that describes it.
-pub(super) mod data;
+pub mod data;
 // Materials of other formats.
-pub(super) mod material;
+pub mod material;
 // Objects as nodes.
-pub(super) mod objects;
+pub mod objects;
 // A new glTF file.
-pub(super) mod new_file;
+pub mod new_file;

@@ -3,10 +3,11 @@
 use crate::io::gltf::container::glb;
 use crate::io::gltf::container::uri;
 use crate::io::gltf::document::primitive::mode;
-use crate::io::gltf::edit::steps;
+use crate::io::gltf::document::records::{Component, Format as ElementFormat};
+use crate::io::gltf::edit::encode;
 use crate::io::gltf::extensions::QUANTIZATION;
 use crate::io::gltf::json::tree::quoted;
-use crate::io::gltf::writer::data::{Array, Blob, Bounds, Target, accessor_json, view_json};
+use crate::io::gltf::writer::data::{Blob, Bounds, Bytes, Target, accessor_json, view_json};
 use crate::io::gltf::writer::material;
 use crate::io::gltf::writer::objects::pieces;
 use crate::io::gltf::writer::vertices::Shape;
@@ -50,32 +51,31 @@ pub(in crate::io) fn write_with_materials(
     let (pieces, unused) = pieces(parts);
     let known = materials.iter().map(|material| (material.name.as_str(), material)).collect();
     let mut file = File { known, normal_format: options.normal_format, ..File::default() };
-    let mut written = Written::default();
     for part in &pieces {
-        file.part(part, &mut written)?;
+        file.part(part)?;
     }
+    let mut written = std::mem::take(&mut file.written);
     let old: usize = parts.iter().map(|part| part.mesh.vertex_count()).sum();
     written.added_vertices = written.vertices.saturating_sub(old as u64);
     written.notes.extend(notes(parts, unused, file.textures));
-    let embed = |data: &[&[u8]]| uri::encode_data(&data.concat());
+    let pieces = file.blob.pieces();
     if to == Format::Glb {
-        let json = file.json(None);
-        written.bytes = glb::glb(&json, &file.blob.pieces())?;
+        written.bytes = glb::glb(&file.json(None), pieces)?;
     } else if file.blob.length == 0 {
         written.bytes = file.json(None).into_bytes();
-    } else if let Some(stem) = &options.stem {
-        let name = format!("{stem}.bin");
-        written.bytes = file.json(Some(&uri::percent_encoded(&name))).into_bytes();
-        let content = OutputContent::Bytes(file.blob.pieces().concat());
-        written.companions.push(OutputFile { name, content });
     } else {
-        written.bytes = file.json(Some(&embed(&file.blob.pieces()))).into_bytes();
+        let (name, data) = (options.stem.as_ref().map(|stem| format!("{stem}.bin")), pieces.concat());
+        written.bytes = file.json(Some(&uri::address(name.as_deref(), &data))).into_bytes();
+        let companion = name.map(|name| OutputFile { name, content: OutputContent::Bytes(data) });
+        written.companions.extend(companion);
     }
     Ok(written)
 }
 
 #[derive(Default)]
 struct File<'a> {
+    /// Counts and notes.
+    written: Written,
     blob: Blob<'a>,
     views: Vec<String>,
     accessors: Vec<String>,
@@ -124,15 +124,14 @@ impl<'a> File<'a> {
         json
     }
 
-    fn part(&mut self, part: &'a Part, written: &mut Written) -> Result<(), WriteError> {
+    fn part(&mut self, part: &'a Part) -> Result<(), WriteError> {
         let mesh = &part.mesh;
         if mesh.vertex_count() == 0 {
             return Ok(());
         }
-        let shape = Shape::new(mesh, written);
-        let attributes = self.attributes(mesh, &shape, written)?;
-        let mut primitives = Vec::new();
-        self.solids(mesh, shape, &attributes, &mut primitives);
+        let shape = Shape::new(mesh, &mut self.written);
+        let attributes = self.attributes(mesh, &shape)?;
+        let mut primitives = self.solids(mesh, shape, &attributes);
         self.loose(mesh, &attributes, &mut primitives);
         let name =
             if part.name.is_empty() { String::new() } else { format!(",\"name\":{}", quoted(&part.name)) };
@@ -142,66 +141,61 @@ impl<'a> File<'a> {
     }
 
     /// Stores the vertex attributes, which all primitives of the part share.
-    fn attributes(
-        &mut self,
-        mesh: &Mesh,
-        shape: &Shape<'_>,
-        written: &mut Written,
-    ) -> Result<Attributes, WriteError> {
+    fn attributes(&mut self, mesh: &Mesh, shape: &Shape<'_>) -> Result<Attributes, WriteError> {
         let columns = mesh.columns();
         let vertices = shape.vertex_count(mesh);
-        written.vertices += vertices as u64;
-        let (positions, bounds) = positions(mesh, shape.split.as_ref(), &mut written.notes)?;
-        let mut loose =
-            format!("\"POSITION\":{}", self.store(Array::Vec3(positions), Target::Vertices, Some(&bounds)));
+        self.written.vertices += vertices as u64;
+        let (positions, bounds) = positions(mesh, shape.split.as_ref(), &mut self.written.notes)?;
+        let float = |width| ElementFormat::vector(Component::F32, false, width);
+        let mut loose = format!("\"POSITION\":{}", self.vertices(positions, float(3), Some(&bounds)));
         if let Some(colors) = &columns.colors {
             let clamped = |color: &[f32; 4]| color.map(|c| if c > 0.0 { c.min(1.0) } else { 0.0 });
-            let colors = (0..vertices).map(|v| clamped(&colors[shape.source(v)])).collect();
-            let _ = write!(loose, ",\"COLOR_0\":{}", self.store(Array::Vec4(colors), Target::Vertices, None));
+            let colors: Vec<_> = (0..vertices).map(|v| clamped(&colors[shape.source(v)])).collect();
+            let accessor = self.vertices(colors, float(4), None);
+            let _ = write!(loose, ",\"COLOR_0\":{accessor}");
         }
         let mut flat = loose.clone();
         if let Some(uvs) = &columns.uvs {
             // glTF counts v from the top of the image, meshes count from the bottom.
             let finite = |x: f64| if (x as f32).is_finite() { x as f32 } else { 0.0 };
             let values = shape.values(mesh, uvs, [0.0; 2], |uv| [finite(uv.x), finite(1.0 - uv.y)]);
-            let _ =
-                write!(flat, ",\"TEXCOORD_0\":{}", self.store(Array::Vec2(values), Target::Vertices, None));
+            let accessor = self.vertices(values, float(2), None);
+            let _ = write!(flat, ",\"TEXCOORD_0\":{accessor}");
         }
         let mut full = flat.clone();
         if let Some(normals) = &columns.normals {
-            let values = self.normals(mesh, shape, normals);
-            let _ = write!(full, ",\"NORMAL\":{}", self.store(values, Target::Vertices, None));
+            let _ = write!(full, ",\"NORMAL\":{}", self.normals(mesh, shape, normals));
         }
         Ok(Attributes { loose, flat, full })
     }
 
-    /// The normal of every vertex as it is to be stored, +z where there is none.
-    fn normals(&mut self, mesh: &Mesh, shape: &Shape<'_>, normals: &Column<DVec3>) -> Array<'a> {
+    /// Stores the normal of every vertex, +z where there is none.
+    fn normals(&mut self, mesh: &Mesh, shape: &Shape<'_>, normals: &Column<DVec3>) -> usize {
+        let format = encode::format(None, self.normal_format);
+        self.is_quantized |= format.normalized;
+        // Elements begin at multiples of four bytes.
         let padded = |[x, y, z]: [i32; 3]| [x, y, z, 0];
-        self.is_quantized |= matches!(self.normal_format, NormalFormat::I8 | NormalFormat::I16);
-        match self.normal_format {
-            NormalFormat::Same | NormalFormat::F32 => {
-                Array::Vec3(shape.values(mesh, normals, [0.0, 0.0, 1.0], |n| n.as_vec3().to_array()))
+        match format.component {
+            Component::I16 => {
+                let coded = |n: &DVec3| padded(encode::steps(*n, i16::MAX.into())).map(|step| step as i16);
+                let values = shape.values(mesh, normals, coded(&DVec3::Z), coded);
+                self.vertices(values, format, None)
             }
-            NormalFormat::I16 => {
-                let coded = |n: &DVec3| padded(steps(*n, i32::from(i16::MAX))).map(|step| step as i16);
-                Array::Shorts3(shape.values(mesh, normals, coded(&DVec3::Z), coded))
+            Component::I8 => {
+                let coded = |n: &DVec3| padded(encode::steps(*n, i8::MAX.into())).map(|step| step as i8);
+                let values = shape.values(mesh, normals, coded(&DVec3::Z), coded);
+                self.vertices(values, format, None)
             }
-            NormalFormat::I8 => {
-                let coded = |n: &DVec3| padded(steps(*n, i32::from(i8::MAX))).map(|step| step as i8);
-                Array::Bytes3(shape.values(mesh, normals, coded(&DVec3::Z), coded))
+            _ => {
+                let values = shape.values(mesh, normals, [0.0, 0.0, 1.0], |n| n.as_vec3().to_array());
+                self.vertices(values, format, None)
             }
         }
     }
 
-    /// The triangles, a primitive for each material, apart for faces without normals.
-    fn solids(
-        &mut self,
-        mesh: &'a Mesh,
-        shape: Shape<'a>,
-        attributes: &Attributes,
-        primitives: &mut Vec<String>,
-    ) {
+    /// The triangles: a primitive for each material, and separate ones for faces without normals.
+    fn solids(&mut self, mesh: &'a Mesh, shape: Shape<'a>, attributes: &Attributes) -> Vec<String> {
+        let mut primitives = Vec::new();
         let vertices = shape.vertex_count(mesh);
         let groups = shape.groups(mesh);
         let mut vertex_of = shape.vertex_of;
@@ -210,7 +204,7 @@ impl<'a> File<'a> {
                 None => std::mem::take(&mut vertex_of),
                 Some(corners) => corners.iter().map(|&corner| vertex_of[corner as usize]).collect(),
             };
-            let indices = self.store(Array::indices(indices, vertices), Target::Indices, None);
+            let indices = self.indices(indices, vertices);
             let list = if group.flat { &attributes.flat } else { &attributes.full };
             let mut json = format!("{{\"attributes\":{{{list}}},\"indices\":{indices}");
             if let (Some(labels), true) = (&mesh.columns().materials, group.label != NONE) {
@@ -219,6 +213,7 @@ impl<'a> File<'a> {
             json.push('}');
             primitives.push(json);
         }
+        primitives
     }
 
     /// Points and lines; a mesh with nothing but vertices is drawn as points.
@@ -226,7 +221,7 @@ impl<'a> File<'a> {
         let columns = mesh.columns();
         let vertices = mesh.vertex_count();
         let mut primitive = |file: &mut Self, mode: u64, indices: Cow<'a, [u32]>| {
-            let indices = file.store(Array::indices(indices, vertices), Target::Indices, None);
+            let indices = file.indices(indices, vertices);
             let list = &attributes.loose;
             primitives.push(format!("{{\"attributes\":{{{list}}},\"indices\":{indices},\"mode\":{mode}}}"));
         };
@@ -258,17 +253,40 @@ impl<'a> File<'a> {
         })
     }
 
-    fn store(&mut self, array: Array<'a>, target: Target, bounds: Option<&Bounds>) -> usize {
-        let (format, length, count, stride) =
-            (array.format(), array.bytes().len(), array.count(), array.stride());
-        let offset = self.blob.push(array);
+    /// Stores indices in the smallest type of two or four bytes that has room; the largest value of each is forbidden.
+    fn indices(&mut self, indices: Cow<'a, [u32]>, vertices: usize) -> usize {
+        let format = |component| ElementFormat::vector(component, false, 1);
+        if vertices <= usize::from(u16::MAX) {
+            let indices: Vec<u16> = indices.iter().map(|&index| index as u16).collect();
+            self.store(indices, format(Component::U16), Target::Indices, None)
+        } else {
+            self.store(indices, format(Component::U32), Target::Indices, None)
+        }
+    }
+
+    /// Stores a vertex attribute.
+    fn vertices(&mut self, data: impl Bytes + 'a, format: ElementFormat, bounds: Option<&Bounds>) -> usize {
+        self.store(data, format, Target::Vertices, bounds)
+    }
+
+    /// Stores an array in a view and an accessor of its own, and returns the accessor's number.
+    fn store(
+        &mut self,
+        data: impl Bytes + 'a,
+        format: ElementFormat,
+        target: Target,
+        bounds: Option<&Bounds>,
+    ) -> usize {
+        let (length, stride) = (data.bytes().len(), target.stride(format));
+        let count = length / stride.unwrap_or(format.size());
+        let offset = self.blob.push(data);
         self.views.push(view_json(0, offset, length, stride, target));
         self.accessors.push(accessor_json(self.views.len() - 1, format, count, bounds));
         self.accessors.len() - 1
     }
 }
 
-/// What did not come along.
+/// Notes on what was omitted.
 fn notes(parts: &[Part], unused: usize, textures: usize) -> Vec<Note> {
     let mut notes = unsupported_notes("glTF", &NOT_HELD, parts);
     if parts.iter().any(|part| part.mesh.columns().smoothing.is_some()) {

@@ -7,10 +7,10 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// A part for each object, in the order of their first faces, and one for points and lines, which belong to none.
-/// Vertices that nothing uses are left out, and counted. `None` if all faces are of one object, or of none.
+/// Unused vertices are omitted, and counted. `None` if all faces are of one object, or of none.
 ///
-/// Normals are as they are: what was smoothed across objects stays smooth across them.
-pub(in crate::io::gltf) fn by_object(part: &Part) -> Option<(Vec<Part>, usize)> {
+/// Normals do not change: what was smoothed across objects stays smooth across them.
+pub fn by_object(part: &Part) -> Option<(Vec<Part>, usize)> {
     let mesh = &part.mesh;
     let labels = mesh.columns().objects.as_ref()?;
     let first = *labels.of_face.first()?;
@@ -48,12 +48,12 @@ struct Cutter<'a> {
     materials: Numbers,
 }
 
-/// Numbers of a list, counted anew for each piece in the order in which it asks for them.
+/// Numbers of a list, counted anew for each piece in the order of use.
 struct Numbers {
-    /// The number within the last piece that asked, and which piece that was.
+    /// The number within the last piece that uses it, and which piece that is.
     known: Vec<(u32, u32)>,
     piece: u32,
-    /// What the present piece has, by old numbers.
+    /// The old numbers of the present piece.
     list: Vec<u32>,
 }
 
@@ -74,6 +74,12 @@ impl Numbers {
             self.list.push(old);
         }
         *number
+    }
+
+    /// The numbers of a piece, which begins with them; [`NONE`] stays.
+    fn of_all(&mut self, old: impl Iterator<Item = u32>) -> Vec<u32> {
+        self.begin();
+        old.map(|old| if old == NONE { NONE } else { self.of(old) }).collect()
     }
 
     fn values<T: Clone>(&self, values: &[T]) -> Vec<T> {
@@ -100,16 +106,15 @@ impl<'a> Cutter<'a> {
     /// Some faces, with all that belongs to them. The pieces of a right mesh are right.
     fn piece(&mut self, numbers: &[u32]) -> Option<Mesh> {
         let (mesh, old) = (self.mesh, self.mesh.columns());
-        self.vertices.begin();
-        let mut faces = Faces::with_capacity(3 * numbers.len());
-        let mut corners = Vec::with_capacity(3 * numbers.len());
-        let mut face_corners = Vec::new();
-        for &face in numbers {
-            corners.extend(mesh.faces().range(face as usize));
-            face_corners.clear();
-            face_corners
-                .extend(mesh.faces().face(face as usize).iter().map(|&vertex| self.vertices.of(vertex)));
-            faces.push(&face_corners);
+        let ranges = || numbers.iter().map(|&face| mesh.faces().range(face as usize));
+        let corners: Vec<usize> = ranges().flatten().collect();
+        let vertices = self.vertices.of_all(corners.iter().map(|&corner| mesh.faces().corners()[corner]));
+        let mut faces = Faces::with_capacity(corners.len());
+        let mut rest = vertices.as_slice();
+        for range in ranges() {
+            let (face, after) = rest.split_at(range.len());
+            faces.push(face);
+            rest = after;
         }
         let columns = Columns {
             normals: old.normals.as_ref().map(|column| cut(mesh, column, &corners, &mut self.normals)),
@@ -130,8 +135,7 @@ impl<'a> Cutter<'a> {
         if old.points.is_empty() && old.lines.is_empty() {
             return Some(None);
         }
-        self.vertices.begin();
-        let points = old.points.iter().map(|&vertex| self.vertices.of(vertex)).collect();
+        let points = self.vertices.of_all(old.points.iter().copied());
         let line = |line: &Vec<u32>| line.iter().map(|&vertex| self.vertices.of(vertex)).collect();
         let lines = old.lines.iter().map(line).collect();
         let columns = Columns { points, lines, ..Columns::default() };
@@ -149,27 +153,18 @@ impl<'a> Cutter<'a> {
 }
 
 fn cut<T: Clone>(mesh: &Mesh, column: &Column<T>, corners: &[usize], numbers: &mut Numbers) -> Column<T> {
-    numbers.begin();
-    let index = corners.iter().map(|&corner| {
-        let slot = column.slot(corner, mesh.faces().corners()[corner]);
-        slot.map_or(NONE, |slot| numbers.of(slot))
-    });
-    let index = index.collect();
+    let slot = |&corner: &usize| column.slot(corner, mesh.faces().corners()[corner]).unwrap_or(NONE);
+    let index = numbers.of_all(corners.iter().map(slot));
     Column::per_corner(numbers.values(&column.values), index)
 }
 
 fn cut_labels(labels: &FaceLabels, faces: &[u32], numbers: &mut Numbers) -> FaceLabels {
-    numbers.begin();
-    let label = |&face: &u32| match labels.of_face[face as usize] {
-        NONE => NONE,
-        label => numbers.of(label),
-    };
-    let of_face = faces.iter().map(label).collect();
+    let of_face = numbers.of_all(faces.iter().map(|&face| labels.of_face[face as usize]));
     FaceLabels { of_face, names: numbers.values(&labels.names) }
 }
 
 /// The parts to write: those given, or where one has several objects, these.
-pub(in crate::io::gltf) fn pieces(parts: &[Part]) -> (Vec<Cow<'_, Part>>, usize) {
+pub fn pieces(parts: &[Part]) -> (Vec<Cow<'_, Part>>, usize) {
     let mut all = Vec::with_capacity(parts.len());
     let mut unused = 0;
     for part in parts {

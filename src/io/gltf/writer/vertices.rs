@@ -9,25 +9,25 @@ use std::borrow::Cow;
 
 /// Triangles that become one primitive.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub(in crate::io::gltf) struct Group {
+pub struct Group {
     /// The material of all its faces.
-    pub(in crate::io::gltf) label: u32,
+    pub label: u32,
     /// Some corner of its faces has no normal.
-    pub(in crate::io::gltf) flat: bool,
+    pub flat: bool,
 }
 
 /// How the corners of a mesh become triangles and vertices.
-pub(in crate::io::gltf) struct Shape<'a> {
+pub struct Shape<'a> {
     /// The written vertex of every corner.
-    pub(in crate::io::gltf) vertex_of: Cow<'a, [u32]>,
+    pub vertex_of: Cow<'a, [u32]>,
     /// Corner numbers, three a triangle, and the face of each; `None` if the faces are triangles already.
     triangles: Option<(Vec<u32>, Vec<u32>)>,
     /// `None` if no vertex has to be split. Its `corners` are in `vertex_of`.
-    pub(in crate::io::gltf) split: Option<VertexSplit>,
+    pub split: Option<VertexSplit>,
 }
 
 impl<'a> Shape<'a> {
-    pub(in crate::io::gltf) fn new(mesh: &'a Mesh, written: &mut Written) -> Self {
+    pub fn new(mesh: &'a Mesh, written: &mut Written) -> Self {
         let columns = mesh.columns();
         let triangles = (!mesh.faces().is_triangles()).then(|| {
             let cut = triangulate(mesh);
@@ -45,7 +45,7 @@ impl<'a> Shape<'a> {
         let normal_keys = columns.normals.as_ref().and_then(corner_keys);
         let uv_keys = columns.uvs.as_ref().and_then(corner_keys);
         let corners = mesh.faces().corners();
-        // What goes by vertex, though told by corner, splits none.
+        // Values that are stored per corner, but are the same at all corners of a vertex, split none.
         let keys: Vec<&[u32]> =
             normal_keys.into_iter().chain(uv_keys).filter(|&keys| keys != corners).collect();
         if keys.is_empty() {
@@ -55,17 +55,17 @@ impl<'a> Shape<'a> {
         Self { vertex_of: Cow::Owned(std::mem::take(&mut split.corners)), triangles, split: Some(split) }
     }
 
-    pub(in crate::io::gltf) fn vertex_count(&self, mesh: &Mesh) -> usize {
+    pub fn vertex_count(&self, mesh: &Mesh) -> usize {
         self.split.as_ref().map_or(mesh.vertex_count(), |split| split.source.len())
     }
 
     /// The vertex of the mesh behind a written one.
-    pub(in crate::io::gltf) fn source(&self, vertex: usize) -> usize {
+    pub fn source(&self, vertex: usize) -> usize {
         self.split.as_ref().map_or(vertex, |split| split.source[vertex] as usize)
     }
 
     /// The value of every written vertex, `default` where no corner has one.
-    pub(in crate::io::gltf) fn values<T: Sync, U: Copy + Send + Sync>(
+    pub fn values<T: Sync, U: Copy + Send + Sync>(
         &self,
         mesh: &Mesh,
         column: &Column<T>,
@@ -95,7 +95,7 @@ impl<'a> Shape<'a> {
     }
 
     /// The corners of the triangles of each primitive; `None` for every corner of the mesh in order.
-    pub(in crate::io::gltf) fn groups(&self, mesh: &Mesh) -> Vec<(Group, Option<Vec<u32>>)> {
+    pub fn groups(&self, mesh: &Mesh) -> Vec<(Group, Option<Vec<u32>>)> {
         let faces = mesh.face_count();
         if faces == 0 {
             return Vec::new();

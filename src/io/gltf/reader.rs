@@ -1,0 +1,84 @@
+//! Reading a glTF file.
+
+use crate::io::gltf::container::buffers::{check_images, load};
+use crate::io::gltf::container::glb::{Glb, is_glb};
+use crate::io::gltf::document::accessor::Source;
+use crate::io::gltf::document::gltf_document::GltfDocument;
+use crate::io::gltf::document::mesh::Assembler;
+use crate::io::gltf::document::nodes;
+use crate::io::gltf::document::records::Records;
+use crate::io::gltf::extensions;
+use crate::io::gltf::json::fields::Fields;
+use crate::io::gltf::json::tree::Json;
+use crate::io::mesh_checks::check_size;
+use crate::io::text::counted;
+use crate::io::{Document, Format, Loaded, Note, Place, Problem, ReadError, ReadOptions};
+use std::cell::{Cell, RefCell};
+use std::path::Path;
+
+/// So many primitives are fine in a file of any size; more only where each has as many bytes as the smallest of real ones. A
+/// primitive takes kilobytes in memory, so that very many of a few bytes would cost far more than their file.
+const PRIMITIVES_OF_ANY_SIZE: u64 = 1 << 16;
+const SMALLEST_PRIMITIVE: u64 = 256;
+
+fn check_primitive_count(records: &Records, bytes: u64) -> Result<(), ReadError> {
+    let count: u64 = records.meshes.iter().map(|mesh| mesh.primitives.len().max(1) as u64).sum();
+    let limit = PRIMITIVES_OF_ANY_SIZE.max(bytes / SMALLEST_PRIMITIVE);
+    if count <= limit {
+        return Ok(());
+    }
+    let place = Place::Json("/meshes".into());
+    let primitives = counted(count, "primitive", "primitives");
+    let found = format!("{primitives} in {bytes} bytes; the limit for that size is {limit}");
+    Err(ReadError::new(Problem::Limit, place, found, "merge primitives, or divide the file"))
+}
+
+/// Reads a glTF document in either spelling. `base` is the folder of the file, where its buffers are looked for;
+/// images are not opened.
+///
+/// # Errors
+/// A [`ReadError`] with a JSON pointer or a byte offset for what is broken, out of range, compressed without a
+/// plain copy, requires an unknown extension, or cannot be found.
+pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Result<Loaded, ReadError> {
+    let mut notes = Vec::new();
+    check_size(&bytes, options)?;
+    let (glb, json, file) = if is_glb(&bytes) {
+        let glb = Glb::parse(&bytes, &mut notes)?;
+        let span = glb.json();
+        let json = Json::parse(bytes[span.clone()].to_vec(), span.start as u64, options.limits.json_depth)?;
+        (Some(glb), json, bytes)
+    } else {
+        if bytes.starts_with(b"\xEF\xBB\xBF") {
+            let text = "a byte order mark, which glTF does not allow; it is kept";
+            notes.push(Note::warning(Place::Byte(0), text));
+        }
+        (None, Json::parse(bytes, 0, options.limits.json_depth)?, Vec::new())
+    };
+    let input = file.len().max(json.text().len()) as u64;
+    let records = Records::new(json, &mut notes)?;
+    let json = &records.json;
+    extensions::check(&Fields::root(json), &mut notes)?;
+    let bin = glb.as_ref().and_then(Glb::bin);
+    let buffers = load(json, &records.buffers, file, bin, base, options)?;
+    let images = check_images(json, base, options, &mut notes)?;
+    check_primitive_count(&records, input + buffers.total())?;
+    let nodes = nodes::read(json, records.meshes.len(), &mut notes)?;
+
+    // A value takes at most six times its stored bytes when decoded; twelve times allows for shared ones.
+    let implied_limit = options.limits.implied_elements;
+    let memory = Cell::new(12 * (input + buffers.total()) + 24 * implied_limit);
+    let notes = RefCell::new(notes);
+    let source = Source { records: &records, buffers: &buffers, implied_limit, memory, notes };
+    let mut assembler = Assembler::new(source, options.non_finite);
+    let (mut parts, mut layouts) = (Vec::new(), Vec::new());
+    for mesh in 0..records.meshes.len() {
+        let (part, layout) = assembler.part(mesh)?;
+        parts.push(part);
+        layouts.push(layout);
+    }
+    let Assembler { source, sources, materials, .. } = assembler;
+    let notes = source.notes.into_inner();
+    let format = if glb.is_some() { Format::Glb } else { Format::Gltf };
+    let document = GltfDocument { records, buffers, glb, sources, layouts, materials, images };
+    Ok(Loaded { format, parts, nodes, notes, document: Document::Gltf(Box::new(document)) })
+}
