@@ -20,7 +20,7 @@ pub(crate) struct Edge {
 
 impl Edge {
     /// All edges, each once.
-    pub(crate) fn all<'a>(facts: &'a Facts<'_>) -> impl ParallelIterator<Item = Edge> {
+    pub(crate) fn all(facts: &Facts<'_>) -> impl ParallelIterator<Item = Edge> {
         let half_edges = (0..facts.mesh.faces().corner_count() as u32).into_par_iter();
         half_edges.filter_map(|half_edge| Self::once(facts, half_edge))
     }

@@ -58,7 +58,7 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
         let is_certain = || {
             let is_few = is_crease && count < FEWEST_SHARP as u64;
             (follows || (estimate.is_departed_from() && !is_crease && is_cut(facts)))
-                && !(is_few && !has_sharp_edges(facts))
+                && (!is_few || has_sharp_edges(facts))
         };
         let severity = (count > 0 && !is_certain()).then_some(Severity::Note);
         let tally = edges.tally(finding);
