@@ -1,70 +1,21 @@
-//! Every finding there is: what it means for a picture, and what to do.
+//! All findings, and their texts: what they mean for a picture, and what to do.
 //!
 //! `crease inspect --explain` and the pages of reports read from here.
 
 use crate::num::three_digits;
-use crate::quality::finding::{Element, Severity};
+use crate::quality::definition::Definition;
+use crate::quality::element::{Element, Severity};
+use crate::quality::findings::geometry::{
+    duplicates, edges, far_from_origin, nodes, polygons, slivers, vertices,
+};
+use crate::quality::findings::shading::interpolation;
+use crate::quality::findings::smoothing::{facets, seams, soft};
+use crate::quality::findings::storage::quantisation;
+use crate::quality::findings::stored::{attributes, coordinate_space, deviations, rotated, values};
+use crate::quality::findings::winding::{components, neighbours};
 use crate::text::{Catalogue, Language, catalogue};
 
 static TEXTS: Catalogue = catalogue!("catalogue", en);
-
-/// A kind of finding.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[allow(missing_docs, reason = "the catalogue has an entry for each: `Kind::entry`")]
-pub enum Kind {
-    NoNormals,
-    MissingNormals,
-    NotFinite,
-    ZeroNormals,
-    NotUnit,
-    LooseLength,
-    Inverted,
-    Flipped,
-    AgainstFace,
-    Constant,
-    SwappedAxes,
-    Rotated,
-    Untransformed,
-    Stray,
-    Custom,
-    Faceted,
-    Soft,
-    Quantised,
-    Tangents,
-    MorphNormals,
-    AveragedCrease,
-    SplitSeam,
-    NeedlessSeam,
-    CrackedSeam,
-    GroupMismatch,
-    NoFaces,
-    InconsistentWinding,
-    NonOrientable,
-    InsideOut,
-    OpenInsideOut,
-    Room,
-    ZeroArea,
-    BelowStorage,
-    Needles,
-    DuplicateFaces,
-    BackToBack,
-    DuplicateVertices,
-    NonPlanar,
-    Concave,
-    Crossed,
-    NonManifold,
-    PinchedVertices,
-    Folded,
-    Cancelling,
-    HighValence,
-    FarFromOrigin,
-    MirroredNode,
-    SingularNode,
-    Terminator,
-    MachBands,
-    CoarseOutline,
-    LostHighlight,
-}
 
 /// The groups of findings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -75,7 +26,7 @@ pub enum Family {
     Smoothing,
     /// Geometry that spoils normals.
     Geometry,
-    /// What even right normals will show.
+    /// What even correct normals show.
     Shading,
 }
 
@@ -92,115 +43,99 @@ impl Family {
 }
 
 /// What the catalogue says of a kind of finding.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Entry {
     /// The kind.
     pub kind: Kind,
+    /// What it is about.
+    pub family: Family,
     /// The stable name, on the command line and in reports.
     pub id: &'static str,
-    /// How much it matters at most; a finding may be less.
+    /// The highest severity; a finding may be less severe.
     pub severity: Severity,
     /// What it counts.
     pub element: Element,
-    /// What it is about.
-    pub family: Family,
     /// Options of `crease normals` that fix it; `None` if none does. A finding may have better ones.
     pub remedy: Option<&'static str>,
+    pub(crate) definition: &'static Definition,
 }
 
-const fn entry(
-    kind: Kind,
-    id: &'static str,
-    severity: Severity,
-    element: Element,
-    remedy: Option<&'static str>,
-) -> Entry {
-    Entry { kind, id, severity, element, family: kind.family(), remedy }
+/// Makes [`Kind`] and [`ENTRIES`] from one line for each finding: its kind and its definition, by family.
+macro_rules! findings {
+    ($($family:ident { $($kind:ident: $definition:path,)* })*) => {
+        /// A kind of finding.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[allow(missing_docs, reason = "the catalogue has an entry for each: `Kind::entry`")]
+        pub enum Kind { $($($kind,)*)* }
+
+        /// All entries, in the order of [`Kind`].
+        static ENTRIES: &[Entry] =
+            &[$($(Entry::new(Kind::$kind, Family::$family, &$definition),)*)*];
+    };
 }
 
-/// All entries, in the order of [`Kind`].
-const ENTRIES: [Entry; Kind::COUNT] = [
-    // The normals that a file stores.
-    entry(Kind::NoNormals, "no-normals", Severity::Note, Element::Mesh, Some("")),
-    entry(
-        Kind::MissingNormals,
-        "missing-normals",
-        Severity::Warning,
-        Element::Corner,
-        Some("--when missing"),
-    ),
-    entry(Kind::NotFinite, "not-finite-normals", Severity::Error, Element::Corner, Some("--when broken")),
-    entry(Kind::ZeroNormals, "zero-normals", Severity::Error, Element::Corner, Some("--when broken")),
-    entry(Kind::NotUnit, "not-unit-normals", Severity::Warning, Element::Corner, Some("--when broken")),
-    entry(Kind::LooseLength, "loose-length", Severity::Note, Element::Corner, Some("")),
-    entry(Kind::Inverted, "inverted-normals", Severity::Error, Element::Corner, Some("")),
-    entry(Kind::Flipped, "flipped-normals", Severity::Error, Element::Corner, Some("--when broken")),
-    entry(
-        Kind::AgainstFace,
-        "normals-against-face",
-        Severity::Warning,
-        Element::Corner,
-        Some("--when broken"),
-    ),
-    entry(Kind::Constant, "constant-normals", Severity::Warning, Element::Mesh, Some("")),
-    entry(Kind::SwappedAxes, "swapped-axes", Severity::Error, Element::Mesh, Some("")),
-    entry(Kind::Rotated, "rotated-normals", Severity::Error, Element::Mesh, Some("")),
-    entry(Kind::Untransformed, "untransformed-normals", Severity::Error, Element::Mesh, Some("")),
-    entry(Kind::Stray, "stray-normals", Severity::Warning, Element::Corner, Some("")),
-    entry(Kind::Custom, "custom-normals", Severity::Note, Element::Corner, None),
-    entry(Kind::Faceted, "faceted-normals", Severity::Note, Element::Mesh, Some("")),
-    entry(Kind::Soft, "soft-normals", Severity::Warning, Element::Edge, Some("--crease 40")),
-    entry(Kind::Quantised, "coarse-normals", Severity::Note, Element::Mesh, Some("")),
-    entry(
-        Kind::Tangents,
-        "tangents-off-normals",
-        Severity::Warning,
-        Element::Corner,
-        Some("--tangents regenerate"),
-    ),
-    entry(Kind::MorphNormals, "wrong-morph-normals", Severity::Warning, Element::Corner, Some("")),
-    // The edges that they are smooth over.
-    entry(Kind::AveragedCrease, "averaged-crease", Severity::Warning, Element::Edge, Some("")),
-    entry(Kind::SplitSeam, "split-seam", Severity::Warning, Element::Edge, Some("")),
-    entry(Kind::NeedlessSeam, "needless-seam", Severity::Note, Element::Edge, None),
-    entry(Kind::CrackedSeam, "cracked-seam", Severity::Warning, Element::Edge, Some("")),
-    entry(Kind::GroupMismatch, "group-mismatch", Severity::Note, Element::Edge, Some("--groups honour")),
-    // Geometry that spoils normals.
-    entry(Kind::NoFaces, "no-faces", Severity::Warning, Element::Mesh, None),
-    entry(
-        Kind::InconsistentWinding,
-        "inconsistent-winding",
-        Severity::Error,
-        Element::Face,
-        Some("--orient consistent"),
-    ),
-    entry(Kind::NonOrientable, "non-orientable", Severity::Warning, Element::Face, None),
-    entry(Kind::InsideOut, "inside-out", Severity::Error, Element::Face, Some("--orient outward")),
-    entry(Kind::OpenInsideOut, "open-inside-out", Severity::Warning, Element::Face, Some("--orient outward")),
-    entry(Kind::Room, "room", Severity::Note, Element::Face, None),
-    entry(Kind::ZeroArea, "zero-area-faces", Severity::Note, Element::Face, Some("--degenerate drop")),
-    entry(Kind::BelowStorage, "faces-below-storage", Severity::Note, Element::Face, None),
-    entry(Kind::Needles, "needle-faces", Severity::Note, Element::Face, None),
-    entry(Kind::DuplicateFaces, "duplicate-faces", Severity::Warning, Element::Face, None),
-    entry(Kind::BackToBack, "back-to-back-faces", Severity::Note, Element::Face, None),
-    entry(Kind::DuplicateVertices, "duplicate-vertices", Severity::Note, Element::Vertex, None),
-    entry(Kind::NonPlanar, "non-planar-polygons", Severity::Note, Element::Face, None),
-    entry(Kind::Concave, "concave-polygons", Severity::Note, Element::Face, None),
-    entry(Kind::Crossed, "crossed-polygons", Severity::Warning, Element::Face, None),
-    entry(Kind::NonManifold, "non-manifold-edges", Severity::Note, Element::Edge, None),
-    entry(Kind::PinchedVertices, "pinched-vertices", Severity::Note, Element::Vertex, None),
-    entry(Kind::Folded, "folded-edges", Severity::Note, Element::Edge, None),
-    entry(Kind::Cancelling, "cancelling-fans", Severity::Warning, Element::Corner, None),
-    entry(Kind::HighValence, "high-valence-poles", Severity::Note, Element::Vertex, None),
-    entry(Kind::FarFromOrigin, "far-from-origin", Severity::Warning, Element::Mesh, None),
-    entry(Kind::MirroredNode, "mirrored-node", Severity::Note, Element::Node, None),
-    entry(Kind::SingularNode, "singular-node", Severity::Warning, Element::Node, None),
-    // Effects that even correct normals show.
-    entry(Kind::Terminator, "shading-terminator", Severity::Note, Element::Corner, None),
-    entry(Kind::MachBands, "mach-bands", Severity::Note, Element::Edge, None),
-    entry(Kind::CoarseOutline, "coarse-outline", Severity::Note, Element::Edge, None),
-    entry(Kind::LostHighlight, "lost-highlight", Severity::Note, Element::Face, None),
-];
+findings! {
+    Stored {
+        NoNormals: values::NO_NORMALS,
+        MissingNormals: values::MISSING_NORMALS,
+        NotFinite: values::NOT_FINITE,
+        ZeroNormals: values::ZERO_NORMALS,
+        NotUnit: values::NOT_UNIT,
+        LooseLength: values::LOOSE_LENGTH,
+        Inverted: deviations::INVERTED,
+        Flipped: deviations::FLIPPED,
+        AgainstFace: deviations::AGAINST_FACE,
+        Constant: rotated::CONSTANT,
+        SwappedAxes: rotated::SWAPPED_AXES,
+        Rotated: rotated::ROTATED,
+        Untransformed: coordinate_space::UNTRANSFORMED,
+        Stray: deviations::OUTLIERS,
+        Custom: deviations::CUSTOM,
+        Faceted: facets::FACETED,
+        Soft: soft::SOFT,
+        Quantised: quantisation::QUANTISED,
+        Tangents: attributes::TANGENTS,
+        MorphNormals: attributes::MORPH_NORMALS,
+    }
+    Smoothing {
+        AveragedCrease: seams::AVERAGED_CREASE,
+        SplitSeam: seams::SPLIT_SEAM,
+        NeedlessSeam: seams::NEEDLESS_SEAM,
+        CrackedSeam: seams::CRACKED_SEAM,
+        GroupMismatch: seams::GROUP_MISMATCH,
+    }
+    Geometry {
+        NoFaces: nodes::NO_FACES,
+        InconsistentWinding: neighbours::INCONSISTENT_WINDING,
+        NonOrientable: neighbours::NON_ORIENTABLE,
+        InsideOut: components::INSIDE_OUT,
+        OpenInsideOut: components::OPEN_INSIDE_OUT,
+        Room: components::ROOM,
+        ZeroArea: slivers::ZERO_AREA,
+        BelowStorage: slivers::BELOW_STORAGE,
+        Needles: slivers::NEEDLES,
+        DuplicateFaces: duplicates::DUPLICATE_FACES,
+        BackToBack: duplicates::BACK_TO_BACK,
+        DuplicateVertices: duplicates::DUPLICATE_VERTICES,
+        NonPlanar: polygons::NON_PLANAR,
+        Concave: polygons::CONCAVE,
+        Crossed: polygons::CROSSED,
+        NonManifold: edges::NON_MANIFOLD,
+        PinchedVertices: vertices::PINCHED_VERTICES,
+        Folded: edges::FOLDED,
+        Cancelling: vertices::CANCELLING,
+        HighValence: vertices::HIGH_VALENCE,
+        FarFromOrigin: far_from_origin::FAR_FROM_ORIGIN,
+        MirroredNode: nodes::MIRRORED_NODE,
+        SingularNode: nodes::SINGULAR_NODE,
+    }
+    Shading {
+        Terminator: interpolation::TERMINATOR,
+        MachBands: interpolation::MACH_BANDS,
+        CoarseOutline: interpolation::COARSE_OUTLINE,
+        LostHighlight: interpolation::LOST_HIGHLIGHT,
+    }
+}
 
 /// All entries, in the order of [`Kind`].
 pub fn entries() -> impl Iterator<Item = &'static Entry> {
@@ -208,7 +143,12 @@ pub fn entries() -> impl Iterator<Item = &'static Entry> {
 }
 
 impl Entry {
-    /// The cause in few words.
+    const fn new(kind: Kind, family: Family, definition: &'static Definition) -> Self {
+        let Definition { id, severity, element, remedy, .. } = *definition;
+        Self { kind, family, id, severity, element, remedy, definition }
+    }
+
+    /// The cause in a few words.
     pub fn title(&self) -> String {
         self.text("title")
     }
@@ -229,32 +169,12 @@ impl Entry {
 }
 
 impl Kind {
-    /// How many kinds there are.
-    pub(super) const COUNT: usize = Kind::LostHighlight as usize + 1;
-
-    /// Kinds stand in the order of their families.
-    const fn family(self) -> Family {
-        match self as usize {
-            number if number < Kind::AveragedCrease as usize => Family::Stored,
-            number if number < Kind::NoFaces as usize => Family::Smoothing,
-            number if number < Kind::Terminator as usize => Family::Geometry,
-            _ => Family::Shading,
-        }
+    /// The unit of the amount at the worst position, if it is not an angle; of needles less is worse.
+    pub fn unit(self) -> Option<&'static str> {
+        self.entry().definition.unit
     }
 
-    /// What follows the number that says how bad it is, where that is no angle; of needles less is worse.
-    pub const fn unit(self) -> Option<&'static str> {
-        match self {
-            Kind::Needles => Some("times as wide as long"),
-            Kind::NonManifold => Some("faces at an edge"),
-            Kind::HighValence => Some("faces at a vertex"),
-            Kind::MachBands => Some("grey steps a pixel"),
-            Kind::CoarseOutline => Some("pixels"),
-            _ => None,
-        }
-    }
-
-    /// That number as it is told: whole where it counts, three digits where it measures.
+    /// That amount in words: whole if it counts, with three digits if it measures.
     pub fn write_amount(self, amount: f64) -> String {
         match self {
             Kind::NonManifold | Kind::HighValence => format!("{amount}"),
@@ -285,7 +205,6 @@ mod tests {
 
     #[test]
     fn every_kind_has_one_entry_in_its_place() {
-        assert_eq!(entries().count(), Kind::COUNT);
         let mut ids = BTreeSet::new();
         for (number, entry) in entries().enumerate() {
             assert_eq!(entry.kind as usize, number, "{}", entry.id);

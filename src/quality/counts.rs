@@ -1,149 +1,59 @@
-//! Counting findings, in parallel and with the same result at any number of threads.
+//! Counting occurrences, in parallel and with the same result at any number of threads.
 
-use crate::mesh::NONE;
-use crate::quality::catalogue::{Kind, entries};
-use crate::quality::finding::Severity;
+use crate::quality::element::Severity;
+use crate::quality::spot::Spot;
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// What the weight of an occurrence says besides the order of places.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Gauge {
-    /// Nothing.
-    Order,
-    /// By how many degrees a normal is off.
-    Angle,
-    /// What it does to the grey value under a key light, in steps of 8 bits.
-    Steps,
-    /// How many of the [kind's unit](Kind::unit); less than nothing where less is worse.
-    Amount,
-}
-
-/// One occurrence. What it is not about is [`NONE`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Spot {
-    pub(super) face: u32,
-    /// A corner of the mesh, not of the face.
-    pub(super) corner: u32,
-    pub(super) vertex: u32,
-    /// Of the nodes that have the part, by their order.
-    pub(super) node: u32,
-    /// How bad it is: the order of places.
-    pub(super) weight: f64,
-    pub(super) gauge: Gauge,
-}
-
-impl Spot {
-    /// A corner that is off by an angle.
-    pub(super) fn corner(face: usize, corner: usize, degrees: f64) -> Self {
-        Self {
-            face: face as u32,
-            corner: corner as u32,
-            vertex: NONE,
-            node: NONE,
-            weight: degrees,
-            gauge: Gauge::Angle,
-        }
-    }
-
-    /// A face, with something that makes it worse than others.
-    pub(super) fn face(face: usize, weight: f64) -> Self {
-        Self { face: face as u32, corner: NONE, vertex: NONE, node: NONE, weight, gauge: Gauge::Order }
-    }
-
-    /// A vertex.
-    pub(super) fn vertex(vertex: usize, weight: f64) -> Self {
-        Self { face: NONE, corner: NONE, vertex: vertex as u32, node: NONE, weight, gauge: Gauge::Order }
-    }
-
-    /// A place of the mesh in the world.
-    pub(super) fn node(number: usize) -> Self {
-        Self { node: number as u32, ..Self::mesh() }
-    }
-
-    /// Neither face nor vertex: the mesh as a whole.
-    pub(super) fn mesh() -> Self {
-        Self { face: NONE, corner: NONE, vertex: NONE, node: NONE, weight: 0.0, gauge: Gauge::Order }
-    }
-
-    /// The same, with an angle for its weight.
-    pub(super) fn by(self, degrees: f64) -> Self {
-        Self { weight: degrees, gauge: Gauge::Angle, ..self }
-    }
-
-    /// The same, measured otherwise.
-    pub(super) fn of(self, gauge: Gauge, weight: f64) -> Self {
-        Self { weight, gauge, ..self }
-    }
-
-    /// Worse ones first; among equals the first of the mesh.
-    fn order(&self, other: &Self) -> std::cmp::Ordering {
-        let place = |spot: &Self| (spot.face, spot.corner, spot.vertex, spot.node);
-        other.weight.total_cmp(&self.weight).then_with(|| place(self).cmp(&place(other)))
-    }
-}
-
-/// What is milder than what a finding counts, and is told beside it.
+/// Occurrences of a lower severity, which are mentioned but not counted.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Milder {
-    pub(super) components: u64,
-    pub(super) count: u64,
+pub(crate) struct Milder {
+    pub(crate) components: u64,
+    pub(crate) count: u64,
 }
 
 impl Milder {
-    pub(super) fn add(&mut self, components: u64, count: u64) {
+    pub(crate) fn add(&mut self, components: u64, count: u64) {
         self.components += components;
         self.count += count;
     }
 }
 
-/// What else is to be said of a finding.
+/// A sentence about a finding.
 #[derive(Clone, Debug)]
-pub(super) struct Remark {
-    /// Of several parts the remark about the one with most of this is told.
-    pub(super) weight: f64,
-    pub(super) text: String,
+pub(crate) struct Remark {
+    /// Of the remarks on several parts, that with the largest weight is kept.
+    pub(crate) weight: f64,
+    pub(crate) text: String,
 }
 
-/// Of two remarks the one with more weight; the first among equals.
-pub(super) fn weightier(a: Option<Remark>, b: Option<Remark>) -> Option<Remark> {
-    a.into_iter().chain(b).reduce(|a, b| if b.weight > a.weight { b } else { a })
-}
-
-/// How often something was found, and the worst places.
+/// How often something was found, and the worst occurrences.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Tally {
-    pub(super) count: u64,
-    pub(super) area: f64,
-    /// At most so many as were asked for, worst first.
-    pub(super) worst: Vec<Spot>,
-    pub(super) remark: Option<Remark>,
-    /// Vertices that could be merged away, which are told in place of a remark.
-    pub(super) mergeable: usize,
-    /// Components that it is of, where they are told in place of a remark.
-    pub(super) components: u64,
-    /// Components of a lower severity, which are not counted.
-    pub(super) milder: Milder,
-    /// Where it is not the catalogue's.
-    pub(super) severity: Option<Severity>,
-    /// Where it is not the catalogue's.
-    pub(super) remedy: Option<String>,
-    /// It may be meant, and nothing is suggested.
-    pub(super) may_be_meant: bool,
-    /// How sure it is, at least, where that is a question.
-    pub(super) confidence: Option<f64>,
-    /// By how many degrees one turn of all is, where that is told rather than how far the worst place is off.
-    pub(super) turn: Option<f64>,
-}
-
-/// The smaller of two numbers that may not be there.
-pub(super) fn least(a: Option<f64>, b: Option<f64>) -> Option<f64> {
-    a.into_iter().chain(b).reduce(f64::min)
+pub(crate) struct Tally {
+    pub(crate) count: u64,
+    pub(crate) area: f64,
+    /// No more than were asked for, worst first.
+    pub(crate) worst: Vec<Spot>,
+    pub(crate) remark: Option<Remark>,
+    /// Components or vertices, which the definition puts into words where there is no remark.
+    pub(crate) sum: u64,
+    pub(crate) milder: Milder,
+    /// Where it differs from that of the definition.
+    pub(crate) severity: Option<Severity>,
+    /// Where it differs from that of the definition.
+    pub(crate) remedy: Option<String>,
+    /// The count of the part that the remedy is from.
+    remedy_count: u64,
+    /// It may be intended: no command is suggested.
+    pub(crate) may_be_meant: bool,
+    /// The least confidence, if there is a choice.
+    pub(crate) confidence: Option<f64>,
+    /// The angle of one rotation of all normals in degrees, reported in place of that of the worst occurrence.
+    pub(crate) turn: Option<f64>,
 }
 
 impl Tally {
-    /// Counts an occurrence that covers so much area.
-    pub(super) fn add(&mut self, spot: Spot, area: f64, most: usize) {
+    fn add(&mut self, spot: Spot, area: f64, most: usize) {
         self.count += 1;
         self.area += area;
         self.keep(spot, most);
@@ -158,131 +68,124 @@ impl Tally {
         self.worst.truncate(most);
     }
 
-    pub(super) fn merge(&mut self, other: Tally, most: usize) {
+    fn merge(&mut self, other: Tally, most: usize) {
         self.count += other.count;
         self.area += other.area;
         other.worst.into_iter().for_each(|spot| self.keep(spot, most));
-        self.remark = weightier(self.remark.take(), other.remark);
-        self.mergeable += other.mergeable;
-        self.components += other.components;
+        let remarks = self.remark.take().into_iter().chain(other.remark);
+        self.remark = remarks.reduce(|a, b| if b.weight > a.weight { b } else { a });
+        self.sum += other.sum;
         self.milder.add(other.milder.components, other.milder.count);
         self.severity = self.severity.max(other.severity);
         self.remedy = self.remedy.take().or(other.remedy);
         self.may_be_meant |= other.may_be_meant;
-        self.confidence = least(self.confidence, other.confidence);
+        self.confidence = self.confidence.into_iter().chain(other.confidence).reduce(f64::min);
         self.turn = self.turn.into_iter().chain(other.turn).reduce(f64::max);
     }
+
+    /// Adds what another part has, of at most this severity. Only the highest severity is counted. The remedy is that of the
+    /// part with the most occurrences.
+    fn add_part(&mut self, mut part: Tally, highest: Severity, most: usize) {
+        let severity = Some(part.severity.unwrap_or(Severity::Error).min(highest));
+        if self.severity > severity {
+            self.may_be_meant |= part.may_be_meant;
+            self.milder.add(part.sum, part.count);
+            return;
+        }
+        if self.count > 0 && self.severity < severity {
+            self.milder.add(self.sum, self.count);
+            *self = Self { milder: self.milder, may_be_meant: self.may_be_meant, ..Self::default() };
+        }
+        if part.count > self.remedy_count {
+            (self.remedy_count, self.remedy) = (part.count, part.remedy.take());
+        }
+        part.remedy = None;
+        part.severity = severity;
+        self.merge(part, most);
+    }
 }
 
-/// One tally for every kind of finding.
+/// Tallies by key, usually the definition of a finding. There are few, so a search is faster than a map.
 #[derive(Clone, Debug)]
-pub(super) struct Tallies {
-    tallies: Vec<Tally>,
-    /// How many places of each finding are kept.
+pub(crate) struct Tallies<K> {
+    tallies: Vec<(K, Tally)>,
+    /// How many occurrences are kept for each key.
     most: usize,
 }
 
-/// What is gathered block by block.
-pub(super) trait Gathered: Send {
-    /// Nothing yet, with room for so many places of each finding.
-    fn new(most: usize) -> Self;
-
-    /// Adds what a later block has.
-    fn merge(&mut self, other: Self);
-}
-
-impl Gathered for Tallies {
-    fn new(most: usize) -> Self {
-        Tallies::new(most)
+impl<K: Copy + PartialEq> Tallies<K> {
+    pub(crate) fn new(most: usize) -> Self {
+        Self { tallies: Vec::new(), most }
     }
 
-    fn merge(&mut self, other: Self) {
-        self.merge(other);
-    }
-}
-
-impl Tallies {
-    pub(super) fn new(most: usize) -> Self {
-        Self { tallies: vec![Tally::default(); Kind::COUNT], most }
+    pub(crate) fn merge(&mut self, other: Self) {
+        other.tallies.into_iter().for_each(|(key, tally)| self.absorb(key, tally));
     }
 
-    pub(super) fn merge(&mut self, other: Self) {
+    /// How often a key was counted.
+    pub(crate) fn count(&self, key: K) -> u64 {
+        self.tallies.iter().find(|known| known.0 == key).map_or(0, |known| known.1.count)
+    }
+
+    /// The tally of a key; empty if nothing was counted.
+    pub(crate) fn tally(&mut self, key: K) -> &mut Tally {
+        let known = self.tallies.iter().position(|known| known.0 == key);
+        let at = known.unwrap_or_else(|| {
+            self.tallies.push((key, Tally::default()));
+            self.tallies.len() - 1
+        });
+        &mut self.tallies[at].1
+    }
+
+    pub(crate) fn take(&mut self, key: K) -> Tally {
+        std::mem::take(self.tally(key))
+    }
+
+    pub(crate) fn add(&mut self, key: K, spot: Spot, area: f64) {
         let most = self.most;
-        self.tallies.iter_mut().zip(other.tallies).for_each(|(own, other)| own.merge(other, most));
+        self.tally(key).add(spot, area, most);
     }
 
-    /// An option that every command needs here.
-    pub(super) fn add_to_remedies(&mut self, option: &str) {
-        for entry in entries() {
-            let tally = self.tally(entry.kind);
-            let own = tally.remedy.take().or_else(|| entry.remedy.map(str::to_owned));
-            tally.remedy =
-                own.map(|own| if own.is_empty() { option.to_owned() } else { format!("{own} {option}") });
-        }
+    /// Counts a whole mesh, with the positions where it shows.
+    pub(crate) fn add_mesh(&mut self, key: K, area: f64, worst: Vec<Spot>) {
+        self.absorb(key, Tally { count: 1, area, worst, ..Tally::default() });
     }
 
-    pub(super) fn get(&self, kind: Kind) -> &Tally {
-        &self.tallies[kind as usize]
-    }
-
-    pub(super) fn tally(&mut self, kind: Kind) -> &mut Tally {
-        &mut self.tallies[kind as usize]
-    }
-
-    pub(super) fn take(&mut self, kind: Kind) -> Tally {
-        std::mem::take(&mut self.tallies[kind as usize])
-    }
-
-    /// Counts an occurrence that covers so much area.
-    pub(super) fn add(&mut self, kind: Kind, spot: Spot, area: f64) {
+    /// Adds what a part has ([`Tally::add_part`]).
+    pub(crate) fn add_part(&mut self, key: K, part: Tally, highest: Severity) {
         let most = self.most;
-        self.tally(kind).add(spot, area, most);
+        self.tally(key).add_part(part, highest, most);
     }
 
-    /// Counts a whole mesh, with places where it shows.
-    pub(super) fn add_mesh(&mut self, kind: Kind, area: f64, worst: Vec<Spot>) {
+    /// Adds a tally to that of a key.
+    pub(crate) fn absorb(&mut self, key: K, tally: Tally) {
         let most = self.most;
-        let tally = self.tally(kind);
-        tally.count += 1;
-        tally.area += area;
-        worst.into_iter().for_each(|spot| tally.keep(spot, most));
+        self.tally(key).merge(tally, most);
     }
 
-    /// What one kind has goes over to another.
-    pub(super) fn rename(&mut self, from: Kind, to: Kind) {
-        let tally = self.take(from);
-        self.absorb(to, tally);
-    }
-
-    /// What was counted elsewhere turns out to be of a kind.
-    pub(super) fn absorb(&mut self, kind: Kind, tally: Tally) {
-        let most = self.most;
-        self.tally(kind).merge(tally, most);
+    /// All that was counted.
+    pub(crate) fn iter_mut(&mut self) -> impl Iterator<Item = (K, &mut Tally)> {
+        self.tallies.iter_mut().filter(|(_, tally)| tally.count > 0).map(|(key, tally)| (*key, tally))
     }
 }
 
-/// Looks at all of so many things, in parallel, and counts what is found.
-pub(super) fn scan(count: usize, most: usize, look: impl Fn(Range<usize>, &mut Tallies) + Sync) -> Tallies {
-    gather(count, most, look)
-}
-
-/// Looks at all of so many things, in parallel, block by block. Blocks have a fixed length and are added up in their
-/// order, so that sums do not depend on the number of threads.
-pub(super) fn gather<T: Gathered>(
+/// Searches `count` items in parallel. Blocks have a fixed length and are added up in their order, so that sums do not depend
+/// on the number of threads.
+pub(crate) fn scan<K: Copy + PartialEq + Send>(
     count: usize,
     most: usize,
-    look: impl Fn(Range<usize>, &mut T) + Sync,
-) -> T {
+    search: impl Fn(Range<usize>, &mut Tallies<K>) + Sync,
+) -> Tallies<K> {
     const BLOCK: usize = 1 << 14;
-    let blocks: Vec<T> = (0..count.div_ceil(BLOCK))
+    let blocks: Vec<Tallies<K>> = (0..count.div_ceil(BLOCK))
         .into_par_iter()
         .map(|block| {
-            let mut found = T::new(most);
-            look(block * BLOCK..((block + 1) * BLOCK).min(count), &mut found);
+            let mut found = Tallies::new(most);
+            search(block * BLOCK..((block + 1) * BLOCK).min(count), &mut found);
             found
         })
         .collect();
-    let mut all = T::new(most);
+    let mut all = Tallies::new(most);
     blocks.into_iter().for_each(|found| all.merge(found));
     all
 }
@@ -293,13 +196,11 @@ mod tests {
 
     #[test]
     fn the_worst_places_are_kept_in_order() {
-        let weight = |i: usize| ((i * 7919) % 1000) as f64;
-        let found = scan(100_000, 10, |range, found| {
-            range.for_each(|i| found.add(Kind::Needles, Spot::face(i, weight(i)), 0.5));
-        });
-        let tally = found.get(Kind::Needles);
+        let spot = |i: usize| Spot::face(i).by(((i * 7919) % 1000) as f64);
+        let mut found = scan(100_000, 10, |range, found| range.for_each(|i| found.add((), spot(i), 0.5)));
+        let tally = found.take(());
         assert_eq!((tally.count, tally.area), (100_000, 50_000.0));
-        let mut all: Vec<Spot> = (0..100_000).map(|i| Spot::face(i, weight(i))).collect();
+        let mut all: Vec<Spot> = (0..100_000).map(spot).collect();
         all.sort_by(Spot::order);
         assert_eq!(tally.worst, all[..10]);
         assert!(tally.worst.iter().all(|spot| spot.weight == 999.0));

@@ -1,40 +1,41 @@
 //! From a file to its findings.
 
-use crate::io::{Document, FileNode, Format, Loaded};
-use crate::mesh::{Mesh, NONE, normal_matrix};
-use crate::quality::catalogue::{Kind, entries};
-use crate::quality::counts::{Gauge, Milder, Remark, Spot, Tallies, Tally, least, weightier};
-use crate::quality::effect::lost_light::key_light_lost;
-use crate::quality::effect::lost_light::key_light_steps;
-use crate::quality::effect::risk_findings;
-use crate::quality::effect::specular_exponent::{self, Gloss};
-use crate::quality::estimate::other_programs;
+use crate::io::{FileNode, Loaded};
+use crate::quality::angles::Limit;
+use crate::quality::catalogue::{Entry, Kind, entries};
+use crate::quality::counts::Tallies;
+use crate::quality::definition::Found;
+use crate::quality::element::{Element, Severity};
 use crate::quality::estimate::recipe::Estimate;
 use crate::quality::facts::Facts;
-use crate::quality::finding::{Element, Finding, Severity, Site};
-use crate::quality::geometry::geometry_findings;
-use crate::quality::smoothing::smoothing_findings;
-use crate::quality::storage::quantisation::Precision;
-use crate::quality::stored::attributes;
-use crate::quality::stored::coordinate_space::Spaces;
-use crate::quality::stored::neighbours::Around;
-use crate::quality::stored::stored_findings;
+use crate::quality::finding::Finding;
+use crate::quality::findings::geometry::{
+    duplicates, edges, far_from_origin, nodes, polygons, slivers, vertices,
+};
+use crate::quality::findings::shading::interpolation;
+use crate::quality::findings::smoothing::{facets, seams, soft};
+use crate::quality::findings::storage::quantisation::{self, Precision};
+use crate::quality::findings::stored::coordinate_space::Spaces;
+use crate::quality::findings::stored::{attributes, deviations, values};
+use crate::quality::findings::winding::{components, neighbours};
+use crate::quality::input::file::FileContext;
+use crate::quality::sites::{locate, nodes_of_parts, site};
+use crate::quality::spot::Spot;
 use crate::quality::thresholds::Thresholds;
-use glam::DMat3;
 
-/// What was found in a file.
+/// The diagnosis of a file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Diagnosis {
     /// The file's parts, in their order.
     pub parts: Vec<PartDiagnosis>,
-    /// Findings over all parts: the gravest first, then in the order of the catalogue.
+    /// Findings over all parts: the most severe first, then in the order of the catalogue.
     pub findings: Vec<Finding>,
 }
 
 /// A part of a file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PartDiagnosis {
-    /// Its name.
+    /// The name of the part.
     pub name: String,
     /// Vertices that faces use; in STL every corner has its own.
     pub vertices: usize,
@@ -42,14 +43,14 @@ pub struct PartDiagnosis {
     pub faces: usize,
     /// Corners of all faces.
     pub corners: usize,
-    /// How its stored normals were made; `None` if it has none that tell.
+    /// How its stored normals were made; `None` if it has none with a direction.
     pub estimate: Option<Estimate>,
-    /// What they were rounded to; `None` if that is no grid of ours, or they are too few to tell.
+    /// What they were rounded to; `None` if that is no known grid, or they are too few.
     pub precision: Option<Precision>,
 }
 
 impl Diagnosis {
-    /// The gravest severity; `None` if nothing was found.
+    /// The highest severity; `None` if nothing was found.
     pub fn worst(&self) -> Option<Severity> {
         self.findings.iter().map(|finding| finding.severity).max()
     }
@@ -65,10 +66,10 @@ impl Diagnosis {
     }
 }
 
-/// Looks for everything in the catalogue in every part of a file.
+/// Searches every part of a file for all findings of the catalogue.
 ///
-/// `done` is told the number of faces of each part that is finished. Time is linear in the mesh, but for sorting; the
-/// result is the same for any number of threads.
+/// `done` is called with the number of faces of each part that is finished. Time is linear in the mesh except for sorting. The
+/// result does not depend on the number of threads.
 ///
 /// ```
 /// use crease::io::{Format, ReadOptions, read_bytes};
@@ -82,307 +83,167 @@ impl Diagnosis {
 /// # Ok::<(), crease::io::ReadError>(())
 /// ```
 pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) -> Diagnosis {
-    let mut diagnosis = Diagnosis::default();
-    let mut merged: Vec<Merged> = entries().map(|_| Merged::default()).collect();
-    let nodes_of_parts = nodes_of_parts(loaded);
-    let around = Around::new(loaded, thresholds.weld);
+    let file = FileContext::new(loaded, thresholds);
     let spaces = Spaces::new(loaded);
-    let materials = specular_exponent::materials(loaded, thresholds.exponent);
+    let nodes = nodes_of_parts(loaded);
+    let mut diagnosis = Diagnosis::default();
+    let mut totals =
+        Totals { found: Tallies::new(thresholds.places), elements: Default::default(), area: 0.0 };
     for (number, part) in loaded.parts.iter().enumerate() {
         let mut own = PartDiagnosis { name: part.name.clone(), ..PartDiagnosis::default() };
         if part.mesh.face_count() > 0 {
-            let nodes = &nodes_of_parts[number];
-            let gloss = Gloss::new(&part.mesh, &materials, thresholds.exponent);
-            let mut facts = Facts::new(&around, number, thresholds.confidence, gloss);
-            let mut found = Tallies::new(thresholds.places);
-            // What is told of normals of another space is of what they are in that of the mesh.
-            let mistaken = spaces.mistaken(&facts, nodes, thresholds);
-            if let Some(mistaken) = &mistaken {
-                let mesh = &mistaken.taken_back;
-                let gloss = Gloss::new(mesh, &materials, thresholds.exponent);
-                let mut back = Facts::of(&around, (number, mesh), thresholds.confidence, gloss);
-                if mistaken.is_proved(facts.estimate, back.estimate) {
-                    mistaken.tell(&facts, thresholds.places, &mut found);
-                    back.written = facts.stored;
-                    back.estimate.iter_mut().for_each(|estimate| estimate.turned = true);
-                    facts = back;
-                }
-            }
-            own.precision = look(&facts, nodes, thresholds, &mut found);
-            attributes::find(&facts, loaded, number, thresholds, &mut found);
-            if let Some(near) = facts.near {
-                found.add_to_remedies(&format!("--weld {near:e}"));
-            }
-            own.estimate = facts.estimate;
-            own.faces = part.mesh.face_count();
-            own.corners = part.mesh.faces().corner_count();
-            own.vertices =
-                if facts.shares_vertices { facts.field.summary.referenced_vertices } else { own.corners };
-            for (entry, merged) in entries().zip(&mut merged) {
-                merged.of += elements(&facts, entry.element, nodes.len());
-                merged.all_area += facts.total_area / (facts.scale * facts.scale);
-                merged.add((entry.kind, found.take(entry.kind)), &facts, number);
-                merged.sites.truncate(thresholds.places);
-            }
+            diagnose_part(&file, &spaces, number, &nodes[number], &mut own, &mut totals);
         }
         done(part.mesh.face_count());
         diagnosis.parts.push(own);
     }
     if diagnosis.parts.iter().all(|part| part.faces == 0) {
-        merged[Kind::NoFaces as usize] = Merged::whole_file(!diagnosis.parts.is_empty());
+        let first_part = diagnosis.parts.first().map(|_| Spot::mesh());
+        totals.elements[Element::Mesh as usize] = 1;
+        totals.found.add_mesh(&nodes::NO_FACES, 0.0, first_part.into_iter().collect());
     }
-    diagnosis.findings =
-        entries().zip(merged).filter_map(|(entry, merged)| merged.finding(entry.kind)).collect();
+    diagnosis.findings = entries().filter_map(|entry| totals.finding(entry, loaded)).collect();
     locate(diagnosis.findings.iter_mut().flat_map(|finding| &mut finding.places), loaded);
     diagnosis.findings.sort_by_key(|finding| (std::cmp::Reverse(finding.severity), finding.kind));
     diagnosis
 }
 
-/// Adds to every place where it is in the file: the way to the first node that has its part (glTF), or the line of its face,
-/// of its vertex where it is on none (OBJ).
-pub(super) fn locate<'a>(sites: impl Iterator<Item = &'a mut Site>, loaded: &Loaded) {
-    let mut sites: Vec<&mut Site> = sites.collect();
-    if !loaded.nodes.is_empty() {
-        let nodes = nodes_of_parts(loaded);
-        let first = |site: &Site| {
-            let place = site.place.unwrap_or_default() as usize;
-            nodes[site.part].get(place).map(|node| node.number)
-        };
-        let numbers: Vec<usize> = sites.iter().filter_map(|site| first(site)).collect();
-        let reported = sites.iter_mut().filter(|site| first(site).is_some());
-        reported.zip(loaded.node_paths(&numbers)).for_each(|(site, path)| site.node = Some(path));
-    }
-    if loaded.format == Format::Stl {
-        sites.iter_mut().for_each(|site| site.vertex = vertex_in_stl(site, loaded));
-    }
-    if let Document::Obj(document) = &loaded.document {
-        for site in sites {
-            site.line = match (site.face, site.vertex) {
-                (Some(face), _) => document.lines().of_face(face),
-                (None, Some(vertex)) => document.lines().of_vertex(vertex),
-                (None, None) => None,
-            };
+fn diagnose_part<'a>(
+    file: &'a FileContext<'a>,
+    spaces: &Spaces<'_>,
+    number: usize,
+    nodes: &[&FileNode],
+    own: &mut PartDiagnosis,
+    totals: &mut Totals,
+) {
+    let mut found = Tallies::new(file.thresholds.places);
+    let mut facts = Facts::new(file, number);
+    // Normals in another space are judged as they are in the space of the mesh.
+    let mistake = spaces.mistake(&facts, nodes);
+    if let Some(mistake) = &mistake {
+        let taken_back = Facts::of_transformed(&facts, &mistake.taken_back);
+        if mistake.is_proved(facts.estimate, taken_back.estimate) {
+            mistake.report(&facts, &mut found);
+            facts = taken_back;
         }
     }
+    own.precision = search(&facts, nodes, &mut found);
+    own.estimate = facts.estimate;
+    own.faces = facts.mesh.face_count();
+    own.corners = facts.mesh.faces().corner_count();
+    own.vertices = match file.shares_vertices() {
+        true => facts.field.summary.referenced_vertices,
+        false => own.corners,
+    };
+    totals.add(&facts, found, nodes.len());
 }
 
-/// The number of a place's vertex where every facet has three of its own, as in the file, whether these are shared by now or not.
-fn vertex_in_stl(site: &Site, loaded: &Loaded) -> Option<u32> {
-    let faces = loaded.parts[site.part].mesh.faces();
-    let vertex = site.vertex?;
-    let first = || faces.corners().iter().position(|&other| other == vertex).map(|corner| corner as u32);
-    site.face
-        .zip(site.corner)
-        .map(|(face, corner)| faces.range(face as usize).start as u32 + corner)
-        .or_else(first)
-}
-
-/// The nodes of each part, in their order.
-fn nodes_of_parts(loaded: &Loaded) -> Vec<Vec<&FileNode>> {
-    let mut nodes = vec![Vec::new(); loaded.parts.len()];
-    loaded.nodes.iter().for_each(|node| nodes[node.part].push(node));
-    nodes
-}
-
-fn look(
-    facts: &Facts<'_>,
-    nodes: &[&FileNode],
-    thresholds: &Thresholds,
-    found: &mut Tallies,
-) -> Option<Precision> {
-    let precision = stored_findings::find(facts, thresholds, found);
-    smoothing_findings::find(facts, thresholds, found);
-    geometry_findings::find(facts, thresholds, found);
-    risk_findings::find(facts, thresholds, found);
-    for (number, node) in nodes.iter().enumerate() {
-        place(number, node, found);
+/// Searches a part for all findings. Returns the precision of its stored normals.
+fn search(facts: &Facts<'_>, nodes: &[&FileNode], found: &mut Found) -> Option<Precision> {
+    let mut precision = None;
+    if facts.stored.is_none() {
+        values::report_none(facts, found);
+    } else {
+        values::search(facts, found);
+        deviations::search(facts, found);
+        refine_remedies(facts, found);
+        facets::search(facts, found);
+        soft::search(facts, found);
+        precision = quantisation::search(facts, found);
+        attributes::search(facts, found);
+    }
+    seams::search(facts, found);
+    duplicates::search_faces(facts, found);
+    duplicates::search_vertices(facts, found);
+    neighbours::search(facts, found);
+    components::search(facts, found);
+    slivers::search(facts, found);
+    let folded = Limit::new(facts.thresholds.fold.0);
+    found.merge(facts.scan_faces(|face, found| {
+        slivers::check(facts, face, found);
+        polygons::check(facts, face, found);
+        edges::check_folds(facts, face, folded, found);
+    }));
+    edges::search_non_manifold(facts, found);
+    vertices::search(facts, found);
+    vertices::search_cancelling(facts, found);
+    far_from_origin::search(facts, found);
+    interpolation::search(facts, found);
+    nodes::search(nodes, found);
+    if facts.has_near_edges {
+        add_to_remedies(found, &format!("--weld {:e}", facts.thresholds.weld));
     }
     precision
 }
 
-/// What the places of a part in the world mean for its normals.
-fn place(number: usize, node: &FileNode, found: &mut Tallies) {
-    let Some(matrix) = normal_matrix(DMat3::from_mat4(node.world_from_part)) else {
-        found.add(Kind::SingularNode, Spot::node(number).of(Gauge::Steps, key_light_lost()), 0.0);
-        return;
-    };
-    if matrix.mirrored() {
-        // To a viewer that does not turn the winding.
-        found.add(Kind::MirroredNode, Spot::node(number).by(180.0), 0.0);
+/// Single normals are to be replaced by ones of the estimated recipe, or they would be outliers. If no recipe is known, the default
+/// one is as good as any.
+fn refine_remedies(facts: &Facts<'_>, found: &mut Found) {
+    let is_usual = |it: &Estimate| it.is_default() && facts.mesh.columns().smoothing.is_none();
+    let Some(estimate) = facts.estimate.filter(|it| it.fits_most() && !is_usual(it)) else { return };
+    let replaced = [
+        &values::MISSING_NORMALS,
+        &values::NOT_FINITE,
+        &values::ZERO_NORMALS,
+        &values::NOT_UNIT,
+        &deviations::FLIPPED,
+        &deviations::AGAINST_FACE,
+    ];
+    for finding in replaced {
+        let own = finding.remedy.unwrap_or_default();
+        found.tally(finding).remedy = Some(format!("{own} {}", estimate.options()));
     }
 }
 
-/// How many elements of a kind a part has.
-fn elements(facts: &Facts<'_>, element: Element, nodes: usize) -> u64 {
-    let edges = &facts.field.summary.edges;
-    let count = match element {
-        Element::Corner => facts.mesh.faces().corner_count(),
-        Element::Face => facts.mesh.face_count(),
-        Element::Edge => {
-            edges.smooth
-                + edges.boundary
-                + edges.non_manifold
-                + edges.inconsistent
-                + edges.ambiguous
-                + edges.marked
-                + edges.crease
-        }
-        Element::Vertex => facts.field.summary.referenced_vertices,
-        Element::Node => nodes,
-        Element::Mesh => 1,
-    };
-    count as u64
+/// Adds an option that every command needs.
+fn add_to_remedies(found: &mut Found, option: &str) {
+    for (finding, tally) in found.iter_mut() {
+        let own = tally.remedy.take().or_else(|| finding.remedy.map(str::to_owned));
+        tally.remedy = own.map(|own| format!("{own} {option}").trim_start().to_owned());
+    }
 }
 
-/// One kind of finding over all parts.
-#[derive(Default)]
-struct Merged {
-    count: u64,
-    of: u64,
+/// What was found in all parts so far.
+struct Totals {
+    found: Found,
+    /// How many elements of each type the parts have.
+    elements: [u64; Element::COUNT],
     area: f64,
-    all_area: f64,
-    severity: Option<Severity>,
-    sites: Vec<(Spot, Site)>,
-    /// How much of it the part has whose remedy is told: no other has more.
-    most: u64,
-    remark: Option<Remark>,
-    mergeable: usize,
-    components: u64,
-    /// What is less grave, of components or in other parts, which is not counted.
-    milder: Milder,
-    remedy: Option<String>,
-    /// In one of the parts it may be meant.
-    may_be_meant: bool,
-    confidence: Option<f64>,
-    turn: Option<f64>,
 }
 
-impl Merged {
-    /// Something about the file, not about a part.
-    fn whole_file(has_parts: bool) -> Self {
-        let severity = Some(Severity::Error);
-        let first_part = has_parts.then(|| (Spot::mesh(), Site::default()));
-        Self { count: 1, of: 1, severity, sites: first_part.into_iter().collect(), ..Self::default() }
-    }
-
-    fn add(&mut self, (kind, tally): (Kind, Tally), facts: &Facts<'_>, part: usize) {
-        if tally.count == 0 {
-            return;
-        }
-        let severity = tally.severity.unwrap_or(Severity::Error).min(kind.entry().severity);
-        // To mend the file is to mend all of its parts.
-        self.may_be_meant |= tally.may_be_meant;
-        if self.severity > Some(severity) {
-            self.milder.add(tally.components, tally.count);
-            return;
-        }
-        if self.count > 0 && self.severity < Some(severity) {
-            self.milder.add(self.components, self.count);
-            let (of, all_area, milder, may_be_meant) =
-                (self.of, self.all_area, self.milder, self.may_be_meant);
-            *self = Self { of, all_area, milder, may_be_meant, ..Self::default() };
-        }
-        self.milder.add(tally.milder.components, tally.milder.count);
-        self.count += tally.count;
-        self.area += tally.area / (facts.scale * facts.scale);
-        self.severity = self.severity.max(Some(severity));
-        if tally.count > self.most {
-            self.most = tally.count;
-            self.remedy = tally.remedy;
-        }
-        self.remark = weightier(self.remark.take(), tally.remark);
-        self.mergeable += tally.mergeable;
-        self.components += tally.components;
-        self.confidence = least(self.confidence, tally.confidence);
-        self.turn = self.turn.into_iter().chain(tally.turn).reduce(f64::max);
-        let site = |spot: Spot| {
-            let mut site = site(facts.mesh, spot, part);
-            site.degrees = site.degrees.or_else(|| other_programs::next_to(facts, kind, &spot));
-            (spot, site)
-        };
-        self.sites.extend(tally.worst.into_iter().map(site));
-        // Stable: among equals earlier parts come first.
-        self.sites.sort_by(|a, b| b.0.weight.total_cmp(&a.0.weight));
-    }
-
-    fn finding(self, kind: Kind) -> Option<Finding> {
-        let entry = kind.entry();
-        let severity = self.severity?.min(entry.severity);
-        let off = self.sites.iter().filter_map(|(_, site)| site.degrees).reduce(f64::max);
-        let degrees = self.turn.or(off);
-        let steps = self.sites.iter().filter_map(|(spot, site)| match spot.gauge {
-            Gauge::Steps => Some(spot.weight),
-            _ => site.degrees.map(|degrees| key_light_steps(self.turn.unwrap_or(degrees))),
-        });
-        let steps = steps.reduce(f64::max);
-        let amount = self.sites.first().filter(|(spot, _)| spot.gauge == Gauge::Amount);
-        let what = if kind == Kind::OpenInsideOut { "open" } else { "closed" };
-        let of_components = match self.components {
-            0 => None,
-            1 => Some(format!("in 1 {what} component")),
-            many => Some(format!("in {many} {what} components")),
-        };
-        let of_components = of_components.map(|reported| match self.milder {
-            Milder { components: 0, .. } => reported,
-            Milder { components, count } => {
-                let plural = if components == 1 { "" } else { "s" };
-                format!(
-                    "{reported}, against the stored normals; not counted: {components} other{plural} of {count} faces, which no stored \
-                     normals contradict"
-                )
+impl Totals {
+    /// Adds what was found in a part with so many nodes.
+    fn add(&mut self, facts: &Facts<'_>, mut found: Found, nodes: usize) {
+        let edges = &facts.field.summary.edges;
+        let plain = edges.smooth + edges.boundary + edges.crease + edges.marked;
+        let edges = plain + edges.non_manifold + edges.inconsistent + edges.ambiguous;
+        let counts = [
+            (Element::Corner, facts.mesh.faces().corner_count() as u64),
+            (Element::Face, facts.mesh.face_count() as u64),
+            (Element::Edge, edges as u64),
+            (Element::Vertex, facts.field.summary.referenced_vertices as u64),
+            (Element::Node, nodes as u64),
+            (Element::Mesh, 1),
+        ];
+        counts.into_iter().for_each(|(element, count)| self.elements[element as usize] += count);
+        let unscaled = |area: f64| area / (facts.scale * facts.scale);
+        self.area += unscaled(facts.total_area);
+        for (finding, tally) in found.iter_mut() {
+            let mut tally = std::mem::take(tally);
+            tally.area = unscaled(tally.area);
+            for spot in &mut tally.worst {
+                spot.part = facts.number as u32;
+                spot.degrees = spot.degrees.or_else(|| finding.angle.map(|angle| angle(facts, spot)));
             }
-        });
-        let of_vertices = (self.mergeable > 0).then(|| {
-            let vertices = if self.mergeable == 1 { "vertex" } else { "vertices" };
-            format!("{} {vertices} could be merged away", self.mergeable)
-        });
-        let remark = self.remark.map(|remark| remark.text);
-        let of_others = match self.milder {
-            Milder { components: 0, count: 1.. } => {
-                Some(format!("not counted: {} in other parts, where it matters less", self.milder.count))
-            }
-            _ => None,
-        };
-        let said = [remark.or(of_vertices).or(of_components), of_others].into_iter().flatten();
-        let said = said.collect::<Vec<_>>().join("; ");
-        let cause = if said.is_empty() { entry.title() } else { format!("{}: {said}", entry.title()) };
-        Some(Finding {
-            kind,
-            severity,
-            cause,
-            count: self.count,
-            of: self.of,
-            area_share: entry.element.has_area().then(|| match self.all_area {
-                all if all > 0.0 => (self.area / all).min(1.0),
-                _ => 0.0,
-            }),
-            degrees,
-            steps,
-            amount: amount.map(|(spot, _)| spot.weight.abs()),
-            confidence: self.confidence,
-            places: self.sites.into_iter().map(|(_, site)| site).collect(),
-            remedy: self.remedy.or_else(|| entry.remedy.map(str::to_owned)).filter(|_| !self.may_be_meant),
-        })
-    }
-}
-
-/// Where an occurrence is, as it is told.
-pub(super) fn site(mesh: &Mesh, spot: Spot, part: usize) -> Site {
-    let is = |number: u32| (number != NONE).then_some(number);
-    let faces = mesh.faces();
-    let corner = is(spot.corner).map(|corner| corner - faces.range(spot.face as usize).start as u32);
-    let vertex = is(spot.vertex).or_else(|| is(spot.corner).map(|corner| faces.corners()[corner as usize]));
-    let position = match (vertex, is(spot.face)) {
-        (Some(vertex), _) => Some(mesh.positions()[vertex as usize]),
-        (None, Some(face)) => {
-            let corners = faces.face(face as usize);
-            let sum: glam::DVec3 =
-                corners.iter().map(|&v| mesh.positions()[v as usize] / corners.len() as f64).sum();
-            Some(sum)
+            self.found.add_part(finding, tally, finding.severity);
         }
-        (None, None) => None,
-    };
-    let degrees = (spot.gauge == Gauge::Angle).then_some(spot.weight);
-    let place = is(spot.node);
-    Site { part, face: is(spot.face), corner, vertex, position, degrees, place, node: None, line: None }
+    }
+
+    /// The finding of an entry, if there is one.
+    fn finding(&mut self, entry: &Entry, loaded: &Loaded) -> Option<Finding> {
+        let tally = self.found.take(entry.definition);
+        let places = tally.worst.iter().map(|spot| site(loaded, spot)).collect();
+        let of = self.elements[entry.element as usize];
+        (tally.count > 0).then(|| Finding::new(entry, tally, of, self.area, places))
+    }
 }

@@ -1,134 +1,101 @@
-//! What a diagnosis says: findings with causes, counts and places.
+//! A finding in a file: its cause in words, its numbers and its positions.
 
 use crate::io::shell_word;
-use crate::quality::catalogue::Kind;
+use crate::quality::catalogue::{Entry, Kind};
+use crate::quality::counts::{Milder, Tally};
+use crate::quality::effect::lost_light::key_light_steps;
+use crate::quality::element::Severity;
+use crate::quality::spot::Measure;
 use glam::DVec3;
-use serde::Serialize;
 
-/// How much a finding matters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Severity {
-    /// Significance knowing; may well be meant.
-    Note,
-    /// Shows in pictures, in some light or some viewer.
-    Warning,
-    /// Wrong in any picture.
-    Error,
-}
-
-impl Severity {
-    /// All severities, from the least.
-    pub const ALL: [Severity; 3] = [Severity::Note, Severity::Warning, Severity::Error];
-
-    /// The name used on the command line and in reports.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Severity::Note => "note",
-            Severity::Warning => "warning",
-            Severity::Error => "error",
-        }
-    }
-}
-
-/// What a finding counts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Element {
-    /// Corners of faces.
-    Corner,
-    /// Faces.
-    Face,
-    /// Edges between two faces, each counted once.
-    Edge,
-    /// Vertices that faces use.
-    Vertex,
-    /// Places of a mesh in the world.
-    Node,
-    /// Whole meshes.
-    Mesh,
-}
-
-impl Element {
-    /// Whether it covers a part of the surface.
-    pub(super) const fn has_area(self) -> bool {
-        matches!(self, Element::Corner | Element::Face | Element::Mesh)
-    }
-
-    /// The name used in reports, in the singular.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Element::Corner => "corner",
-            Element::Face => "face",
-            Element::Edge => "edge",
-            Element::Vertex => "vertex",
-            Element::Node => "node",
-            Element::Mesh => "mesh",
-        }
-    }
-}
-
-/// One of the places of a finding. All numbers count from 0, as the mesh was read.
+/// One of the positions of a finding. All numbers count from 0, as the mesh was read.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Site {
-    /// Which part of the file.
+    /// The number of the part in the file.
     pub part: usize,
     /// The face, if it is about one.
     pub face: Option<u32>,
-    /// Which corner of the face.
+    /// The corner of the face.
     pub corner: Option<u32>,
     /// The vertex.
     pub vertex: Option<u32>,
     /// Where that is, in the space of the part.
     pub position: Option<DVec3>,
-    /// How far off it is, if that is an angle.
+    /// The deviation, if it is an angle, in degrees.
     pub degrees: Option<f64>,
-    /// Which of the nodes that have the part, in their order, if it is about one.
+    /// The index among the nodes that have the part, if it is about a node.
     pub place: Option<u32>,
-    /// The way to the node that has the part, as `body/arm/hand`; to the first one if there are several (glTF).
+    /// The path to the node that has the part, as `body/arm/hand`; to the first one if there are several (glTF).
     pub node: Option<String>,
-    /// The line of the file that has the face, or the vertex where it is on no face (OBJ).
+    /// The line of the face in the file, or of the vertex if it is about no face (OBJ).
     pub line: Option<u64>,
 }
 
-/// Something that is wrong, or worth knowing, and where.
+/// A fault, or something to know about a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
-    /// What it is: the key to the [catalogue](crate::quality::catalogue).
+    /// The kind: the key to the [catalogue](crate::quality::catalogue).
     pub kind: Kind,
     /// How much it matters here.
     pub severity: Severity,
     /// The cause in words, with the numbers of this mesh.
     pub cause: String,
-    /// How many elements.
+    /// How many elements have it.
     pub count: u64,
-    /// Of how many.
+    /// How many elements there are.
     pub of: u64,
-    /// Their share of the surface's area; a corner has its part of its face, and what has no area none.
+    /// Their share of the surface's area. A corner has its part of its face; `None` for elements without area.
     pub area_share: Option<f64>,
     /// The largest angle, in degrees, if an angle measures it.
     pub degrees: Option<f64>,
-    /// What that angle does to the grey value under a key light at most ([`key_light_steps`](crate::quality::key_light_steps)); for
-    /// normals that give no light, or too much, what that does. `None` where no normal is off.
+    /// The largest change of the grey value under a key light by that angle
+    /// ([`key_light_steps`](crate::quality::key_light_steps)), or by normals that give no light or too much. `None` if no normal
+    /// is off.
     pub steps: Option<f64>,
-    /// How bad it is at the worst place, in the [kind's unit](Kind::unit), if it has one.
+    /// The amount at the worst position, in the [kind's unit](Kind::unit), if it has one.
     pub amount: Option<f64>,
-    /// How sure it is, from ½ to 1, at the least sure place, where that is a question: which side of a surface is its
+    /// The confidence at the least certain position, from ½ to 1, where there is a choice: which side of a surface is its
     /// outer one ([`Confidence`](crate::mesh::Confidence)).
     pub confidence: Option<f64>,
-    /// The worst places, worst first: as many as [`Thresholds::places`](crate::quality::Thresholds::places).
+    /// The worst positions, worst first: as many as [`Thresholds::places`](crate::quality::Thresholds::places).
     pub places: Vec<Site>,
-    /// Options of `crease normals` that mend it; `None` if none does.
+    /// Options of `crease normals` that fix it; `None` if none does.
     pub remedy: Option<String>,
 }
 
 impl Finding {
-    /// The share of elements that it concerns.
+    /// A finding of so many elements, on a surface of some area.
+    pub(crate) fn new(entry: &Entry, tally: Tally, of: u64, area: f64, places: Vec<Site>) -> Self {
+        let largest = places.iter().filter_map(|site| site.degrees).reduce(f64::max);
+        let steps = tally.worst.iter().filter_map(|spot| match spot.measure {
+            Measure::Steps => Some(spot.weight),
+            _ => spot.degrees.map(|degrees| key_light_steps(tally.turn.unwrap_or(degrees))),
+        });
+        let amount = tally.worst.first().filter(|spot| spot.measure == Measure::Amount);
+        let share = || if area > 0.0 { (tally.area / area).min(1.0) } else { 0.0 };
+        let remedy = || tally.remedy.clone().or_else(|| entry.remedy.map(str::to_owned));
+        Self {
+            kind: entry.kind,
+            severity: tally.severity.unwrap_or(entry.severity),
+            cause: cause(entry, &tally),
+            count: tally.count,
+            of,
+            area_share: entry.element.has_area().then(share),
+            degrees: tally.turn.or(largest),
+            steps: steps.reduce(f64::max),
+            amount: amount.map(|spot| spot.weight.abs()),
+            confidence: tally.confidence,
+            places,
+            remedy: if tally.may_be_meant { None } else { remedy() },
+        }
+    }
+
+    /// The share of elements that have it.
     pub fn share(&self) -> f64 {
         if self.of == 0 { 0.0 } else { self.count as f64 / self.of as f64 }
     }
 
-    /// The command that mends it, for these names of input and output, which are quoted for a POSIX shell.
+    /// The command that fixes it, with these names of input and output quoted for a POSIX shell.
     ///
     /// ```
     /// use crease::io::{Format, ReadOptions, read_bytes};
@@ -147,4 +114,29 @@ impl Finding {
         let [input, output] = [input, output].map(shell_word);
         Some(format!("crease normals {input} -o {output}{space}{options}"))
     }
+}
+
+/// The title with the remark or the sum, and with what was not counted.
+fn cause(entry: &Entry, tally: &Tally) -> String {
+    let sum = entry.definition.say_sum.filter(|_| tally.sum > 0).map(|say| say(tally.sum));
+    let sum = sum.map(|sum| match tally.milder {
+        Milder { components: 0, .. } => sum,
+        Milder { components, count } => {
+            let plural = if components == 1 { "" } else { "s" };
+            format!(
+                "{sum}, against the stored normals; not counted: {components} other{plural} of {count} faces, which no stored \
+                 normals contradict"
+            )
+        }
+    });
+    let remark = tally.remark.as_ref().map(|remark| remark.text.clone()).or(sum);
+    let others = match tally.milder {
+        Milder { components: 0, count: count @ 1.. } => {
+            Some(format!("not counted: {count} in other parts, where it matters less"))
+        }
+        _ => None,
+    };
+    let details: Vec<String> = remark.into_iter().chain(others).collect();
+    let title = entry.title();
+    if details.is_empty() { title } else { format!("{title}: {}", details.join("; ")) }
 }

@@ -1,95 +1,104 @@
-//! What is wrong with a mesh's normals, why, where, and how much it shows (layer 3).
+//! What is wrong with the normals of a mesh: why, where, and how much it shows (layer 3).
 //!
-//! [`diagnose`] looks at a file and gives a [`Diagnosis`]: findings with a stable name, a cause in words, counts, the
-//! worst places, and what mends them. The [`catalogue`] tells what each finding means for a picture.
+//! [`diagnose`] checks a file and returns a [`Diagnosis`]: findings with a stable name, a cause in words, counts, the worst
+//! positions, and a command that fixes them. The [`catalogue`] explains what each finding means for a picture.
 //!
 //! # How a normal is judged
-//! Stored normals are compared with those that *this* mesh's own normals were most likely made by: the weighting and the
-//! crease angle that reproduce them best ([`Estimate`]). So a mesh made by another rule than our default is not wrong,
-//! and where no rule fits, the normals were made by hand and are only noted. Single corners are faults whatever made the
-//! others if nothing at their vertex explains them: no run of the faces there has such a mean, as marks on edges make, and no
-//! other corner there has the same normal, or most have what the best rule gives. What all corners of a vertex share can be
-//! told to stray only where a rule made the rest, and to be turned round besides where it is the very opposite of the right
-//! one, or alone of its face: leaves that are lit like a ball are meant. So they are beside the trunk of a tree: a connected
-//! piece of surface of whose normals fewer than one in three are what the rule gives, without having been negated or turned as a
-//! whole, was made otherwise than the rest. So was a region in which none is, and what they are off by goes on smoothly, unless
-//! all are negated or the same. Where none fits them as they are but one does once a rotation or reflection of all of them is taken off, that is what is told. Normals on fewer than three lines, as of
-//! a flat sheet or two, leave open what they were turned by, and so do normals of which no rule gives half. Faces that run
-//! against their neighbours, that are inside out or without direction have no say about normals: their cause is told of
-//! them, not of the normals; beside and on them a single normal is told to stray if no mean explains it, over these faces as
-//! they are or turned back. The normals of a closed surface that faces inwards and whose normals do so too are judged by
-//! its faces as they are; with closed things in it, in the same mesh, that face outwards, as most of their normals do, it is
-//! a room, and right.
+//! 1. **Estimate.** The recipe of the stored normals is estimated: the weighting and the crease angle that reproduce them best
+//!    ([`Estimate`]). Every normal is compared with what this recipe gives. A mesh that was made by another recipe than the
+//!    default is not wrong. If no recipe fits, the normals are authored, which is a note.
+//! 2. **All normals.** Normals may be constant, negated, or rotated or reflected as a whole. If no recipe fits the stored normals
+//!    but one fits after a rotation of all of them, the rotation is the finding. Normals on fewer than three lines leave the
+//!    rotation open, as those of flat sheets do, and so do normals of which no recipe gives half.
+//! 3. **Single corners.** A corner is a fault if nothing at its vertex explains its normal: it is the mean of no run of faces, as
+//!    marked edges make, and no other corner of the vertex has it, or most of these have the expected normal.
+//! 4. **Whole vertices.** A normal that all corners of a vertex share is an outlier only if a recipe made the rest of the mesh. It
+//!    is flipped if it is the exact opposite of the expected one, or the only one of its face. Leaves that are lit like a ball
+//!    are intended.
+//! 5. **Regions.** A connected component was made in another way than the rest if fewer than one in three of its normals follow the
+//!    recipe and they are neither negated nor rotated as a whole. So was a region in which no normal follows it and the deviations
+//!    change gradually.
+//! 6. **Winding.** Faces that run against their neighbours, face inwards or have no direction are findings of their own and do not
+//!    count against normals. At these faces a normal is an outlier only if no mean explains it, with the faces as they are or
+//!    reversed. A closed surface whose faces and normals point inwards is judged as it is. If it encloses closed components of
+//!    the same mesh whose faces and most normals point outwards, it is a room, and right.
 //!
-//! Findings about shading are notes: they are what even right normals will show.
+//! Findings about shading are notes: even correct normals have them.
 //!
-//! # What cannot be told
-//! - All corners of a vertex with one wrong normal, where the others follow no rule: an artist may have made it so. A rule is
-//!   followed where 98 of 100 normals are within 5° of what it gives; the exact ones of a coarsely cut surface may not be.
-//! - Few normals bent by hand in one place of a surface that follows a rule: fewer than 16 faces are taken for single faults.
-//! - More than half of all sharp edges averaged: what most edges have is then the rule, and the rest is custom.
-//! - Which of several nodes' matrices stands in normals where these do the same to them, as a turn and the one that takes it
-//!   back: one is named, and that there are others. A stretch shows in normals that lean between its axes only, and passes on
-//!   ones made by hand unless it is more than they are off their rule. What no node of the file does, as in formats without
-//!   nodes, is looked for as a turn or a mirror only: stretched normals pass as made by hand.
-//! - A cut through a coarse mesh where it bends by more than the 40° that creases begin at by default: it looks like one. Where
-//!   more than one in fifty of the edges that bend is split below the crease angle, a cut is told from edges that were marked
-//!   by how far the split edges bend: the middle one of them by no more than 1.25 times what three in four smooth edges bend
-//!   by. With many meant creases beside it, it stays a note.
-//! - By which rule normals were smoothed over what are the borders of parts now: each part is looked at by itself. Where another
-//!   part has the same normal at the same place of the world, to the bit, it is taken for one that goes on there.
-//! - Whether facets are meant: a ball stored flat gets a note. Whether a shape with bends of all sizes and no broad flats was
-//!   meant to be sharp: made smooth all over, it passes.
+//! # What cannot be determined
+//! - One wrong normal on all corners of a vertex, if the others follow no recipe: it may be authored. A recipe is followed if 98 of
+//!   100 normals are within 5° of it. The exact normals of a coarse surface may not be.
+//! - Few normals edited on a surface that follows a recipe: fewer than 16 faces are taken for single faults.
+//! - More than half of all sharp edges averaged: that is then the recipe, and the rest is custom.
+//! - Which of several nodes' matrices is in the normals, if they have the same effect. One is named, and that there are others. A
+//!   stretch shows only in normals between its axes, and not on authored normals unless it is larger than their deviation. In
+//!   formats without nodes, only a rotation or reflection is found: stretched normals pass as authored.
+//! - A cut through a coarse mesh at dihedral angles above the default crease angle of 40°: it looks like a crease. If more than one
+//!   in fifty edges is split below the crease angle, they are a cut if their median dihedral angle is at most 1.25 times the upper
+//!   quartile of smooth edges. Next to many intended creases it stays a note.
+//! - The recipe of normals that were smoothed across what are now borders of parts: each part is judged by itself. A normal that
+//!   another part has at the same position, to the bit, is taken to continue there.
+//! - Whether facets are intended: a ball with flat normals is a note. Whether a shape with dihedral angles of all sizes and no broad
+//!   flats should be sharp: if it is smooth all over, it passes.
 //!
 //! # How good that is
-//! Faults planted into clean meshes at known places, of twice the threshold or more: the lowest recall and precision over
-//! an icosphere, an uneven torus, an open wave, an open bowl and a gear, and what else is told of them. Rooms made of a
-//! ball, of a box and of the gear are held to the same.
+//! The lowest recall and precision of faults that were planted into clean meshes at known positions, of twice the threshold or more,
+//! over an icosphere, an uneven torus, an open wave, an open bowl and a gear, and what else is reported of them. Rooms made of a
+//! ball, of a box and of the gear have the same limits.
 //!
 #![doc = include_str!("measured/planted.md")]
 //!
-//! The confusion matrix: on how many of those meshes each kind was planted, and on how many each was reported, as error,
-//! warning or note, unless the clean mesh has it too. Rounding leaves loose lengths; what else stands beside the diagonal
-//! are notes of what else is true of the planted mesh.
+//! The confusion matrix: on how many of those meshes each kind was planted, and on how many each was reported, as error, warning or
+//! note, unless the clean mesh has it too. Rounding leaves loose lengths. The other entries off the diagonal are notes about the
+//! planted mesh that are also true.
 //!
 #![doc = include_str!("measured/confusion.md")]
 //!
-//! Recall by the size of the fault, over the icosphere and the bowl; below its threshold a fault passes:
+//! Recall by the size of the fault, over the icosphere and the bowl. Faults below the threshold pass:
 //!
 #![doc = include_str!("measured/recall.md")]
 
 // From which size a deviation is a finding.
 mod thresholds;
-// A finding: cause, count, positions.
-mod finding;
-// The analysis of one part that all findings use.
-mod facts;
-// Counts of findings in parallel.
+// Angles in degrees and limits of them.
+mod angles;
+// How much a finding matters, and what it counts.
+mod element;
+// One occurrence of a finding.
+mod spot;
+// Occurrences, counted in parallel.
 mod counts;
-// Data for pictures and histograms of a report.
-mod survey;
+// A part of a file, before its normals are judged.
+mod input;
+// Which recipe made the stored normals.
+mod estimate;
+// The analysis of a part that all findings use.
+mod facts;
+// What a wrong normal does to a picture.
+mod effect;
+// Id, severity, element and remedy of a finding.
+mod definition;
+// The findings, one file for each or for a close family.
+mod findings;
+// The list of all findings, with their texts.
+pub mod catalogue;
+// A finding in a file.
+mod finding;
+// Where an occurrence is in its file.
+mod sites;
 // From a file to its findings.
 mod diagnosis;
-// Geometry: faces, edges and vertices that spoil normals.
-mod geometry;
-// Smoothing: what stored normals do across edges.
-mod smoothing;
-// Stored: the normals of the file, corner by corner.
-mod stored;
-// Storage: the precision in which normals are stored.
-mod storage;
-// Estimate: which recipe made the stored normals.
-mod estimate;
-// Effect: what a wrong normal does to a picture.
-pub mod catalogue;
+// Before and after: two files of one shape.
 mod comparison;
-mod effect;
+// Data for the pictures and histograms of a report.
+mod survey;
 
-pub use comparison::{Comparison, Incomparable, compare};
+pub use comparison::changes::{Comparison, Incomparable, compare};
 pub use diagnosis::{Diagnosis, PartDiagnosis, diagnose};
 pub use effect::lost_light::key_light_steps;
+pub use element::{Element, Severity};
 pub use estimate::recipe::{Estimate, SAMPLE};
-pub use finding::{Element, Finding, Severity, Site};
-pub use storage::quantisation::Precision;
+pub use finding::{Finding, Site};
+pub use findings::storage::quantisation::Precision;
 pub use survey::{Survey, survey};
 pub use thresholds::Thresholds;

@@ -1,11 +1,10 @@
-//! What pictures and histograms of a report are made of.
+//! Data for the pictures and histograms of a report.
 
 use crate::io::Loaded;
-use crate::mesh::{Confidence, Mesh, place_key};
-use crate::num::{Degrees, angle_between};
-use crate::quality::effect::specular_exponent::Gloss;
-use crate::quality::facts::{Facts, Significance};
-use crate::quality::stored::neighbours::Around;
+use crate::mesh::{Mesh, place_key};
+use crate::quality::angles::degrees_between;
+use crate::quality::facts::Facts;
+use crate::quality::input::file::FileContext;
 use crate::quality::thresholds::Thresholds;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -13,91 +12,81 @@ use rayon::prelude::*;
 /// The numbers behind the findings about a mesh, element by element.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Survey {
-    /// The unit normal that each corner is shaded with: the stored one, else the computed one.
+    /// The unit normal that each corner is shaded with: the stored one, or the computed one.
     pub shaded: Vec<DVec3>,
     /// The unit normal of each face.
     pub face_normals: Vec<DVec3>,
-    /// The unit normal that the rule of its mesh gives each corner.
+    /// The unit normal of each corner by the recipe of its mesh.
     pub expected: Vec<DVec3>,
-    /// At each corner, the angle between its stored normal and the one that the rule of its mesh gives, in degrees; `None`
-    /// where none is stored, or one without a direction: zero, or no number. Of a face without a direction 0: nothing tells what
-    /// would be right there.
+    /// The angle at each corner between its stored normal and the expected one, in degrees; `None` if there is none with a
+    /// direction. 0 on a face without a direction, where the expected normal is unknown.
     pub deviations: Vec<Option<f64>>,
-    /// The bend of each edge between two faces, in degrees.
+    /// The dihedral angle of each edge between two faces, in degrees.
     pub bends: Vec<f64>,
     /// The angle of the face at each corner, in degrees.
     pub corner_angles: Vec<f64>,
-    /// The faces that meet at each place, ascending by its coordinates' bits.
+    /// The number of faces at each position, ascending by the bits of its coordinates.
     pub valences: Vec<f64>,
-    /// The length of the edge that leaves each corner, over the median of them.
+    /// The length of the edge that leaves each corner, divided by their median.
     pub edge_lengths: Vec<f64>,
 }
 
 /// Measures each part of a file.
 pub fn survey(loaded: &Loaded) -> Vec<Survey> {
-    let around = Around::new(loaded, Thresholds::default().weld);
-    let facts = |part: usize| {
-        let gloss = Gloss::new(around.mesh(part), &[], None);
-        Facts::new(&around, part, Confidence::default(), gloss)
+    let thresholds = Thresholds::default();
+    let file = FileContext::new(loaded, &thresholds);
+    let measure = |part: usize| match loaded.parts[part].mesh.face_count() {
+        0 => Survey::default(),
+        _ => measured(&Facts::new(&file, part)),
     };
-    let has_faces = |part: usize| around.mesh(part).face_count() > 0;
-    let parts = 0..loaded.parts.len();
-    parts.map(|part| if has_faces(part) { measured(&facts(part)) } else { Survey::default() }).collect()
+    (0..loaded.parts.len()).map(measure).collect()
 }
 
 fn measured(facts: &Facts<'_>) -> Survey {
-    let mesh = facts.mesh;
-    let corners = mesh.faces().corner_count();
-    let between = |a: DVec3, b: DVec3| Degrees::from(angle_between(a, b)).0;
-    let edge = |corner: usize| facts.place(facts.topology.next(corner as u32) as usize) - facts.place(corner);
+    let corners = 0..facts.mesh.faces().corner_count();
     let deviation = |corner: usize| {
-        let is_silent = facts.worth[facts.topology.face_of(corner as u32) as usize] == Significance::Silent;
-        let off = |stored: DVec3| if is_silent { 0.0 } else { between(stored, facts.expected(corner)) };
-        facts.stored_unit(corner).map(off)
+        let has_direction = facts.has_direction(facts.face_of(corner));
+        facts.deviation(corner).map(|degrees| if has_direction { degrees } else { 0.0 })
     };
     let bend = |corner: usize| {
-        let across = facts.topology.across(corner as u32).filter(|&across| (corner as u32) < across)?;
-        let faces = [corner as u32, across].map(|corner| facts.topology.face_of(corner) as usize);
-        faces
-            .iter()
-            .all(|&face| facts.area[face] > 0.0)
-            .then(|| between(facts.face_normal(faces[0]), facts.face_normal(faces[1])))
+        let across = facts.across_once(corner as u32)?;
+        let [a, b] = [corner, across as usize].map(|corner| facts.face_of(corner));
+        let have_areas = facts.area[a] > 0.0 && facts.area[b] > 0.0;
+        have_areas.then(|| degrees_between(facts.face_normal(a), facts.face_normal(b)))
     };
-    let angle = |corner: usize| between(edge(corner), -edge(facts.topology.previous(corner as u32) as usize));
-    let mut lengths: Vec<f64> = (0..corners).map(|corner| edge(corner).length()).collect();
-    let median = {
-        let mut sorted = lengths.clone();
-        sorted.sort_unstable_by(f64::total_cmp);
-        sorted[corners / 2]
+    let angle = |corner: usize| {
+        let previous = facts.topology.previous(corner as u32) as usize;
+        degrees_between(facts.edge(corner), -facts.edge(previous))
     };
+    let mut lengths: Vec<f64> = corners.clone().map(|corner| facts.edge(corner).length()).collect();
+    let mut sorted = lengths.clone();
+    sorted.sort_unstable_by(f64::total_cmp);
+    let median = sorted[sorted.len() / 2];
     if median > 0.0 {
         lengths.iter_mut().for_each(|length| *length /= median);
     }
     Survey {
-        shaded: (0..corners).map(|corner| facts.shaded(corner)).collect(),
-        expected: (0..corners).map(|corner| facts.expected(corner)).collect(),
-        face_normals: facts.field.face_normals.clone(),
-        deviations: (0..corners).map(deviation).collect(),
-        bends: (0..corners).filter_map(bend).collect(),
-        corner_angles: (0..corners).map(angle).collect(),
-        valences: valences(mesh),
+        shaded: corners.clone().map(|corner| facts.shaded(corner)).collect(),
+        face_normals: facts.face_normals.clone(),
+        expected: corners.clone().map(|corner| facts.expected(corner)).collect(),
+        deviations: corners.clone().map(deviation).collect(),
+        bends: corners.clone().filter_map(bend).collect(),
+        corner_angles: corners.map(angle).collect(),
+        valences: valences(facts.mesh),
         edge_lengths: lengths,
     }
 }
 
-/// How many faces meet at each place. Where normals or uvs differ several vertices stand at one.
+/// The number of faces at each position. Several vertices are at one if normals or texture coordinates differ.
 fn valences(mesh: &Mesh) -> Vec<f64> {
-    let mut places: Vec<[u64; 3]> = mesh
-        .faces()
-        .iter()
-        .flat_map(|face| {
-            let mut of_face: Vec<_> =
-                face.iter().map(|&vertex| place_key(mesh.positions()[vertex as usize])).collect();
-            of_face.sort_unstable();
-            of_face.dedup();
-            of_face
-        })
-        .collect();
-    places.par_sort_unstable();
-    places.chunk_by(|a, b| a == b).map(|faces| faces.len() as f64).collect()
+    let of_face = |face: &[u32]| {
+        let mut keys: Vec<_> =
+            face.iter().map(|&vertex| place_key(mesh.positions()[vertex as usize])).collect();
+        keys.sort_unstable();
+        keys.dedup();
+        keys
+    };
+    let mut keys: Vec<[u64; 3]> = mesh.faces().iter().flat_map(of_face).collect();
+    keys.par_sort_unstable();
+    keys.chunk_by(|a, b| a == b).map(|faces| faces.len() as f64).collect()
 }

@@ -1,57 +1,55 @@
-//! From where on something is a finding.
+//! The limits from which something is a finding.
 
 use crate::mesh::Confidence;
 use crate::num::Degrees;
 
-/// The limits that findings begin at. Angles are in degrees; everything else has no unit, so that the size of a mesh
-/// does not matter.
+/// The limits of findings. Angles are in degrees. Everything else is without a unit, so that the size of a mesh does not matter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Thresholds {
-    /// Most by which the length of a stored normal may differ from 1 without a warning: the glTF validator's bound.
+    /// The largest difference from 1 of the length of a stored normal without a warning: the bound of the glTF validator.
     pub length: f64,
-    /// The same without a note: what three decimals leave.
+    /// The same without a note: three decimals leave less.
     pub strict_length: f64,
-    /// How far a stored normal may be from the best-reproducing recomputed one.
+    /// The largest angle between a stored normal and the expected one.
     pub deviation: Degrees,
-    /// How far past 90° from its face a stored normal may point.
+    /// The largest angle beyond 90° between a stored normal and its face.
     pub against: Degrees,
-    /// How far a rotation of all stored normals may turn them.
+    /// The largest angle of a rotation of all stored normals.
     pub rotation: Degrees,
-    /// The error of stored precision that is worth a note.
+    /// The largest error of the stored precision.
     pub quantisation: Degrees,
-    /// How far a tangent may lean towards its normal or away from it.
+    /// The largest difference from 90° of the angle between a tangent and its normal.
     pub tangent: Degrees,
-    /// How far past the crease angle an edge with one normal on both sides may bend.
+    /// The largest dihedral angle beyond the crease angle of an edge with the same normal on both sides.
     pub crease: Degrees,
-    /// How far the stored normals on the two sides of a smooth edge may be apart.
+    /// The largest angle between the stored normals on the two sides of a smooth edge.
     pub seam: Degrees,
-    /// The distance between the ends of open edges, over the diagonal of the bounding box, below which two are taken for one:
-    /// what rounding coordinates to six digits or to 32 bits leaves. 0 for those that coincide alone.
+    /// The distance between the ends of open edges, divided by the diagonal of the bounding box, below which two count as one: more
+    /// than rounding coordinates to six digits or to 32 bits leaves. 0 if they have to coincide.
     pub weld: f64,
     /// Width over length below which a face is a needle: of a triangle, height over longest edge.
     pub needle: f64,
-    /// How far the corners of a polygon may leave its plane, as the angle between the normals at its corners.
+    /// The largest angle between a polygon and the planes at its corners.
     pub planarity: Degrees,
-    /// The bend from which on an edge is folded.
+    /// The dihedral angle from which an edge is folded.
     pub fold: Degrees,
-    /// How sure it has to be which side of a component with a rim is its outer one.
+    /// The least confidence in which side of a component with a rim is its outer one.
     pub confidence: Confidence,
-    /// The most faces round a vertex.
+    /// The largest number of faces at a vertex.
     pub valence: u32,
-    /// The error of face normals that rounding coordinates to 32 bits may make.
+    /// The largest error of face normals by rounding coordinates to 32 bits.
     pub rounding: Degrees,
-    /// How far the normal of a corner may be from its face before shadows break up.
+    /// The largest angle between the normal of a corner and its face at which shadows do not break up.
     pub terminator: Degrees,
-    /// The Blinn exponent whose highlight each face has to hold; `None` for that of its material, or 32 where the file
-    /// does not say.
+    /// The Blinn exponent of the highlight that each face has to hold; `None` for that of its material, or 32 if it has none.
     pub exponent: Option<f64>,
-    /// The change of slope at a smooth edge, in 8-bit steps a pixel, from which on it shows as a Mach band.
+    /// The change of slope at a smooth edge, in 8-bit steps a pixel, from which it shows as a Mach band.
     pub band: f64,
-    /// Pixels by which an outline may cut its curve, where the mesh is [`size`](Self::size) pixels wide.
+    /// The largest distance in pixels of an outline from its curve if the mesh is [`size`](Self::size) pixels wide.
     pub outline: f64,
-    /// The size in pixels that outlines and bands are measured at.
+    /// The size of the mesh in pixels at which outlines and bands are measured.
     pub size: f64,
-    /// How many places of each finding are told, the worst first. Counts are always complete.
+    /// How many positions of each finding are kept, the worst first. Counts are always complete.
     pub places: usize,
 }
 

@@ -1,31 +1,31 @@
-//! The diagnosis itself, tested: faults planted at known places, clean meshes, real meshes with known faults, and whether
-//! what is suggested mends what was found.
+//! Tests of the diagnosis: faults planted at known positions, clean meshes, real meshes with known faults, and whether the
+//! suggested commands fix what was found.
 
-mod against;
 mod attributes;
+mod authored;
 mod borders;
 mod causes;
 mod cavities;
 mod clean;
-mod cut;
-mod estimated;
+mod comparison;
+mod coordinate_spaces;
+mod cut_fans;
+mod degrees_and_steps;
+mod estimates;
 mod geometry;
-mod handmade;
-mod lightened;
-mod mended;
-mod mixing;
+mod light_documents;
 mod outliers;
-mod own;
+mod own_output;
 mod page;
 mod planted;
 mod real;
 mod recall;
+mod remedies;
 mod rooms;
 mod rotated;
 mod seams;
-mod soft;
-mod spaces;
-mod wholes;
+mod sharp_or_round;
+mod whole_meshes;
 
 use crease::io::{Document, FileNode, Format, Loaded, Part};
 use crease::mesh::{Columns, Faces, Mesh, MeshBuilder};

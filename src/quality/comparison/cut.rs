@@ -1,34 +1,34 @@
-//! Polygons that are triangles in another file, whichever way they were cut.
+//! Polygons that are triangles in another file, however they were cut.
 
 use crate::mesh::Faces;
-use crate::quality::comparison::matching::{MOST_STARTS, Side};
+use crate::quality::comparison::side::{MOST_CORNERS, Side};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 
-/// Polygons at one place that are looked through for one that a triangle is of.
-const LOOKED_THROUGH: usize = 64;
+/// The most polygons at one position that are tried for a triangle.
+const CANDIDATES: usize = 64;
 
-/// A triangle, and where its corners are in the polygon that it was cut from.
+/// A triangle, and the indices of its corners in the polygon that it was cut from.
 struct Piece {
     triangle: u32,
     at: [usize; 3],
 }
 
 /// A polygon and the triangles that it became.
-pub(super) struct Cut {
+pub(crate) struct Cut {
     /// The polygon.
-    pub(super) face: u32,
+    pub(crate) face: u32,
     /// The triangles.
-    pub(super) triangles: Vec<u32>,
-    /// Corners of the polygon and of triangles that are at the same place.
-    pub(super) pairs: Vec<[u32; 2]>,
-    /// Triangles that go round the other way.
-    pub(super) turned: usize,
+    pub(crate) triangles: Vec<u32>,
+    /// Corners of the polygon and of triangles at the same position.
+    pub(crate) pairs: Vec<[u32; 2]>,
+    /// The number of triangles that run the other way.
+    pub(crate) turned: usize,
 }
 
-/// Finds polygons of one file, of those that are marked, that triangles of another fill, of those that are marked there: each has
-/// all of its corners at corners of the polygon, and each edge of the polygon is one of theirs.
-pub(super) fn cuts(sides: [&Side<'_>; 2], faces: [&Faces; 2], wanted: [&[bool]; 2]) -> Vec<Cut> {
+/// Finds marked polygons of one file that marked triangles of another fill: all corners of each triangle are at corners of the
+/// polygon, and each edge of the polygon is an edge of a triangle.
+pub(crate) fn cuts(sides: [&Side<'_>; 2], faces: [&Faces; 2], wanted: [&[bool]; 2]) -> Vec<Cut> {
     let corners_at = corners_at(sides[0], faces[0], wanted[0]);
     if corners_at.is_empty() {
         return Vec::new();
@@ -36,10 +36,10 @@ pub(super) fn cuts(sides: [&Side<'_>; 2], faces: [&Faces; 2], wanted: [&[bool]; 
     let mut pieces: BTreeMap<u32, Vec<Piece>> = BTreeMap::new();
     for triangle in (0..faces[1].len()).filter(|&face| wanted[1][face] && faces[1].face(face).len() == 3) {
         let places = [0, 1, 2].map(|i| sides[1].place(faces[1].face(triangle)[i]));
-        let candidates = corners_at.get(&places[0]).into_iter().flatten().take(LOOKED_THROUGH);
+        let candidates = corners_at.get(&places[0]).into_iter().flatten().take(CANDIDATES);
         let homes = candidates
             .filter_map(|&face| Some((face, within(sides[0], faces[0].face(face as usize), places)?)));
-        // Where polygons stand several times, each has its own triangles.
+        // If polygons are several times at one position, each has its own triangles.
         let has_room = |(face, _): &(u32, [usize; 3])| {
             let taken = pieces.get(face).map_or(0, Vec::len);
             taken + 2 < faces[0].face(*face as usize).len()
@@ -53,11 +53,11 @@ pub(super) fn cuts(sides: [&Side<'_>; 2], faces: [&Faces; 2], wanted: [&[bool]; 
     filled.map(|(face, pieces)| cut(faces, face, &pieces)).collect()
 }
 
-/// The polygons that have a corner at each place.
+/// The polygons that have a corner at a position.
 fn corners_at(side: &Side<'_>, faces: &Faces, wanted: &[bool]) -> FxHashMap<[u32; 3], Vec<u32>> {
     let mut at: FxHashMap<[u32; 3], Vec<u32>> = FxHashMap::default();
     for (face, corners) in faces.iter().enumerate().filter(|&(face, _)| wanted[face]) {
-        if (4..=MOST_STARTS).contains(&corners.len()) {
+        if (4..=MOST_CORNERS).contains(&corners.len()) {
             for &corner in corners {
                 at.entry(side.place(corner)).or_default().push(face as u32);
             }
@@ -66,7 +66,7 @@ fn corners_at(side: &Side<'_>, faces: &Faces, wanted: &[bool]) -> FxHashMap<[u32
     at
 }
 
-/// Where three places are among the corners of a polygon.
+/// The indices of three positions among the corners of a polygon.
 fn within(side: &Side<'_>, polygon: &[u32], places: [[u32; 3]; 3]) -> Option<[usize; 3]> {
     let find = |place: [u32; 3]| polygon.iter().position(|&corner| side.place(corner) == place);
     let [a, b, c] = places.map(find);
@@ -93,7 +93,7 @@ fn cut(faces: [&Faces; 2], face: u32, pieces: &[Piece]) -> Cut {
         let triangle = faces[1].face(piece.triangle as usize);
         [0, 1, 2].map(|i| [polygon[piece.at[i]], triangle[i]])
     });
-    // Once round the polygon its numbers fall once.
+    // Once around the polygon its indices fall once.
     let falls = |piece: &Piece| (0..3).filter(|&i| piece.at[i] > piece.at[(i + 1) % 3]).count();
     Cut {
         face,

@@ -1,106 +1,32 @@
 //! Which corners of two files are the same corner of the same face.
 //!
-//! Faces are matched by the places of their corners, in single precision, since that is what most formats keep: neither
-//! the order of faces and vertices, nor splits, nor the cut into parts matters. Faces that stand several times at one
-//! place are matched in their order. Of what is left over, polygons are matched with the triangles that they became, and
-//! polygons that became other polygons as triangles.
+//! Faces are matched by the positions of their corners, in single precision, since most formats keep no more. The order of faces and
+//! vertices, splits and the cut into parts do not matter. Faces that are several times at one position are matched in their
+//! order. Of the rest, polygons are matched with the triangles that they became, and polygons that became other polygons as
+//! triangles.
 
-use crate::mesh::{Faces, Mesh, triangulate};
+use crate::mesh::Faces;
 use crate::quality::comparison::cut::cuts;
+use crate::quality::comparison::side::{MOST_CORNERS, Side};
 use rayon::prelude::*;
 
-/// Faces of one place that are looked through for one that runs the same way, before any is taken.
-const LOOKED_THROUGH: usize = 8;
+/// The most faces at one position of which one that runs the same way is preferred.
+const CANDIDATES: usize = 8;
 
-/// Polygons of more corners are not looked through for where they begin.
-pub(super) const MOST_STARTS: usize = 1024;
-
-/// The corners of all parts of a file, numbered through.
-pub(super) struct Side<'a> {
-    meshes: Vec<&'a Mesh>,
-    /// The number of the first corner of each part, and of all corners at the end.
-    starts: Vec<usize>,
-}
-
-/// What was found to be the same.
+/// The corners that two files share.
 #[derive(Default)]
-pub(super) struct Matching {
+pub(crate) struct Matching {
     /// Corners before and after, ascending, each pair once.
-    pub(super) pairs: Vec<[u32; 2]>,
-    /// Of each file, the faces that have no counterpart, or whose triangles have not all one.
-    pub(super) unmatched: [usize; 2],
-    /// Faces, or triangles of them, that go round the other way.
-    pub(super) turned: usize,
-}
-
-impl<'a> Side<'a> {
-    pub(super) fn new(meshes: Vec<&'a Mesh>) -> Self {
-        let mut starts = vec![0];
-        for mesh in &meshes {
-            starts.push(starts[starts.len() - 1] + mesh.faces().corner_count());
-        }
-        Self { meshes, starts }
-    }
-
-    /// How many corners there are.
-    pub(super) fn corners(&self) -> usize {
-        self.starts[self.meshes.len()]
-    }
-
-    /// How many faces there are.
-    pub(super) fn faces(&self) -> usize {
-        self.meshes.iter().map(|mesh| mesh.face_count()).sum()
-    }
-
-    /// The part of a corner, and its number in that part.
-    pub(super) fn locate(&self, corner: u32) -> (usize, usize) {
-        let part = self.starts.partition_point(|&start| start <= corner as usize) - 1;
-        (part, corner as usize - self.starts[part])
-    }
-
-    /// The bits of a corner's position in single precision, −0 taken as +0.
-    pub(super) fn place(&self, corner: u32) -> [u32; 3] {
-        let (part, corner) = self.locate(corner);
-        let mesh = self.meshes[part];
-        let position = mesh.positions()[mesh.faces().corners()[corner] as usize];
-        position.to_array().map(|x| (x as f32 + 0.0).to_bits())
-    }
-
-    /// All faces, as lists of corners.
-    fn whole(&self) -> Faces {
-        let mut faces = Faces::with_capacity(self.corners());
-        let mut corners = Vec::new();
-        for (mesh, start) in self.meshes.iter().zip(&self.starts) {
-            for range in mesh.faces().ranges() {
-                corners.clear();
-                corners.extend(range.map(|corner| (start + corner) as u32));
-                faces.push(&corners);
-            }
-        }
-        faces
-    }
-
-    /// The triangles of some faces, told by a mark for each face, as lists of corners; and the face of each.
-    fn triangles(&self, wanted: &[bool]) -> (Faces, Vec<u32>) {
-        let (mut corners, mut owners) = (Vec::new(), Vec::new());
-        let mut first_face = 0;
-        for (mesh, &start) in self.meshes.iter().zip(&self.starts) {
-            let cut = triangulate(mesh);
-            for (triangle, face) in cut.triangles.iter().zip(cut.source_face) {
-                if wanted[first_face + face as usize] {
-                    corners.extend(triangle.iter().map(|corner| start as u32 + corner));
-                    owners.push((first_face + face as usize) as u32);
-                }
-            }
-            first_face += mesh.face_count();
-        }
-        (Faces::triangles(corners), owners)
-    }
+    pub(crate) pairs: Vec<[u32; 2]>,
+    /// The number of faces of each file without a counterpart, or with a triangle without one.
+    pub(crate) unmatched: [usize; 2],
+    /// The number of faces, or of their triangles, that run the other way.
+    pub(crate) turned: usize,
 }
 
 impl Matching {
-    /// Matches whole faces, polygons with triangles, and what is left over as triangles.
-    pub(super) fn find(sides: &[Side<'_>; 2]) -> Self {
+    /// Matches whole faces, polygons with triangles, and the rest as triangles.
+    pub(crate) fn find(sides: &[Side<'_>; 2]) -> Self {
         let mut found = Self::default();
         let faces = sides.each_ref().map(Side::whole);
         let mut missing = found.pair_up(sides, &faces);
@@ -146,7 +72,7 @@ impl Matching {
         }
     }
 
-    /// Pairs the corners of faces that stand at the same places; marks the faces of each side that found none.
+    /// Pairs the corners of faces at the same positions. Returns a mark for each face of each side without a counterpart.
     fn pair_up(&mut self, sides: &[Side<'_>; 2], faces: &[Faces; 2]) -> [Vec<bool>; 2] {
         let keys = [0, 1].map(|side| keys(&sides[side], &faces[side]));
         let mut missing = [0, 1].map(|side| vec![true; faces[side].len()]);
@@ -160,18 +86,16 @@ impl Matching {
                     same = &same[1..];
                 }
                 let first = faces[0].face(before as usize);
-                let candidates = same.iter().take(LOOKED_THROUGH).map(|&(_, after)| after);
+                let candidates = same.iter().take(CANDIDATES).map(|&(_, after)| after);
                 let aligned = candidates.filter(|&after| missing[1][after as usize]).filter_map(|after| {
                     Some((after, Alignment::find(sides, first, faces[1].face(after as usize))?))
                 });
-                let Some((after, alignment)) = aligned.min_by_key(|(_, alignment)| alignment.is_turned)
-                else {
-                    continue;
-                };
+                let best = aligned.min_by_key(|(_, alignment)| alignment.is_reversed);
+                let Some((after, alignment)) = best else { continue };
                 let second = faces[1].face(after as usize);
-                self.pairs
-                    .extend((0..first.len()).map(|i| [first[i], second[alignment.at(i, second.len())]]));
-                self.turned += usize::from(alignment.is_turned);
+                let pair = |i: usize| [first[i], second[alignment.at(i, second.len())]];
+                self.pairs.extend((0..first.len()).map(pair));
+                self.turned += usize::from(alignment.is_reversed);
                 missing[0][before as usize] = false;
                 missing[1][after as usize] = false;
             }
@@ -180,13 +104,13 @@ impl Matching {
     }
 }
 
-/// How the corners of a face follow those of another.
+/// How the corners of a face correspond to those of another.
 #[derive(Clone, Copy)]
 struct Alignment {
-    /// Where the first corner of the one is in the other.
+    /// The index of the first corner of the one in the other.
     start: usize,
-    /// Whether the other goes round the other way.
-    is_turned: bool,
+    /// Whether the other runs the other way.
+    is_reversed: bool,
 }
 
 impl Alignment {
@@ -195,21 +119,22 @@ impl Alignment {
         if after.len() != count {
             return None;
         }
-        // Among very many corners only the first is tried; such polygons are still matched as triangles.
-        let starts = if count > MOST_STARTS { 1 } else { count };
-        let ways = [false, true];
-        let ways = ways.into_iter().flat_map(|is_turned| (0..starts).map(move |start| (start, is_turned)));
-        ways.map(|(start, is_turned)| Self { start, is_turned }).find(|way| {
-            (0..count).all(|i| sides[0].place(before[i]) == sides[1].place(after[way.at(i, count)]))
+        // Polygons of very many corners are still matched as triangles.
+        let starts = if count > MOST_CORNERS { 1 } else { count };
+        let alignments = [false, true];
+        let alignments =
+            alignments.into_iter().flat_map(|is_reversed| (0..starts).map(move |start| (start, is_reversed)));
+        alignments.map(|(start, is_reversed)| Self { start, is_reversed }).find(|at| {
+            (0..count).all(|i| sides[0].place(before[i]) == sides[1].place(after[at.at(i, count)]))
         })
     }
 
     fn at(self, corner: usize, count: usize) -> usize {
-        (self.start + if self.is_turned { count - corner } else { corner }) % count
+        (self.start + if self.is_reversed { count - corner } else { corner }) % count
     }
 }
 
-/// Each face with a number that depends on the places of its corners only, not on their order; sorted.
+/// A hash of the positions of the corners of each face, which does not depend on their order; sorted.
 fn keys(side: &Side<'_>, faces: &Faces) -> Vec<(u64, u32)> {
     let mix = |place: [u32; 3]| {
         place.iter().fold(0u64, |hash, &bits| {

@@ -1,4 +1,4 @@
-//! What a wrong normal does to a picture, in steps of 8 bits.
+//! What a wrong normal does to the grey value under a key light, in steps of 8 bits.
 
 use crate::num::Transfer;
 
@@ -22,12 +22,12 @@ pub fn key_light_steps(degrees: f64) -> f64 {
 }
 
 /// The same for a normal that gives no light at all.
-pub(in crate::quality) fn key_light_lost() -> f64 {
+pub(crate) fn key_light_lost() -> f64 {
     grey(KEY_LIGHT)
 }
 
 /// The same where nothing divides a normal by its length, and light is that many times as strong; white is the most there is.
-pub(in crate::quality) fn key_light_scaled(length: f64) -> f64 {
+pub(crate) fn key_light_scaled(length: f64) -> f64 {
     let light = (length * libm::cos(KEY_LIGHT.to_radians())).min(1.0);
     (Transfer::Srgb.encode(light) * 255.0 - grey(KEY_LIGHT)).abs()
 }
@@ -59,10 +59,10 @@ const GREY_AT_DIAGONAL: f64 = 218.825_973_324_677_62;
 ///
 /// Brightness is interpolated from the edge to what is beyond it on either side: the normals there by their parts along
 /// that of the edge and across it, positive on the first side's own side, of any length; and `pixels` from the edge.
-pub(in crate::quality) fn slope_jump(normals: [[f64; 2]; 2], pixels: [f64; 2]) -> f64 {
+pub(crate) fn slope_jump(normals: [[f64; 2]; 2], pixels: [f64; 2]) -> f64 {
     let units = normals.map(|[up, aside]| match (up * up + aside * aside).sqrt() {
         length if length > 0.0 => [up, aside].map(|part| part * (DIAGONAL / length)),
-        // Nothing to tell: as on the edge.
+        // No direction: as on the edge.
         _ => [DIAGONAL, 0.0],
     });
     // On either side of the edge: cos(θ ∓ 45°) = (cos θ ± sin θ)/√2.

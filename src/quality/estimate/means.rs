@@ -1,60 +1,55 @@
-//! Sums of the faces round a corner by each weighting, for a rule about which edges are smooth.
+//! Weighted sums of the face normals around a corner by each weighting, for a rule about which edges are smooth.
 
 use crate::normals::{CreaseTest, Weight};
 use crate::num::{Degrees, angle_between};
-use crate::quality::facts::{Facts, Significance};
-use crate::quality::stored::vertex_fans::{SHORT, VertexFans};
+use crate::quality::estimate::pole_cache::{PoleCache, SHORT};
+use crate::quality::input::part::Part;
 use glam::DVec3;
 
 /// All weightings but the quadric, which is a fit.
-pub(in crate::quality) const MEANS: [Weight; 6] =
+pub(crate) const MEANS: [Weight; 6] =
     [Weight::Angle, Weight::Area, Weight::Uniform, Weight::AngleArea, Weight::Max, Weight::Edge];
 
-/// Sums of the faces round a corner, by each weighting.
-pub(in crate::quality) type Sums = [DVec3; MEANS.len()];
+/// The sum of the faces around a corner by each weighting.
+pub(crate) type Sums = [DVec3; MEANS.len()];
 
 /// Which edges are smooth.
 #[derive(Clone, Copy)]
-pub(in crate::quality) struct Smoothness<'a> {
-    /// Those that bend by no more.
-    pub(in crate::quality) crease: Degrees,
+pub(crate) struct Smoothness<'a> {
+    /// Those of no larger dihedral angle.
+    pub(crate) crease: Degrees,
     test: CreaseTest,
-    /// Of those, the ones whose two faces have one of these numbers, and not 0.
-    pub(in crate::quality) groups: Option<&'a [u32]>,
+    /// Of those, the ones whose two faces have the same number here, and not 0.
+    pub(crate) groups: Option<&'a [u32]>,
 }
 
 impl<'a> Smoothness<'a> {
-    pub(in crate::quality) fn new(crease: Degrees, groups: Option<&'a [u32]>) -> Self {
+    pub(crate) fn new(crease: Degrees, groups: Option<&'a [u32]>) -> Self {
         Self { crease, test: CreaseTest::new(Some(crease)), groups }
     }
-}
 
-impl Smoothness<'_> {
     /// Whether an edge between two faces is smooth.
-    fn joins(self, facts: &Facts<'_>, [a, b]: [usize; 2]) -> bool {
+    fn joins(self, part: &Part<'_>, [a, b]: [usize; 2]) -> bool {
         let in_one_group = |groups: &[u32]| groups[a] == groups[b] && groups[a] != 0;
-        self.groups.is_none_or(in_one_group) && !self.test.is_over(facts.face_normal(a), facts.face_normal(b))
+        self.groups.is_none_or(in_one_group) && !self.test.is_over(part.face_normal(a), part.face_normal(b))
     }
 }
 
-/// The sum by each weighting over the faces that are reached from a corner without crossing a sharp edge.
-pub(in crate::quality) fn sums(
-    facts: &Facts<'_>,
-    corner: u32,
-    rule: Smoothness<'_>,
-    poles: &VertexFans<Sums>,
-) -> Sums {
+/// The sums over the faces that are reached from a corner without crossing a sharp edge.
+pub(crate) fn sums(part: &Part<'_>, corner: u32, rule: Smoothness<'_>, poles: &PoleCache<Sums>) -> Sums {
     let add = |sums: &mut Sums, corner| {
-        sums.iter_mut().zip(pulls(facts, corner)).for_each(|(sum, pull)| *sum += pull);
+        let Some(face) = CornerTerm::at(part, corner) else { return };
+        let angle = face.angle();
+        sums.iter_mut().zip(MEANS).for_each(|(sum, weight)| *sum += face.by(weight, || angle));
     };
     let short = || {
         let mut sums = Sums::default();
-        walk(facts, corner, rule, SHORT, |corner| add(&mut sums, corner)).then_some(sums)
+        walk(part, corner, rule, SHORT, |corner| add(&mut sums, corner)).then_some(sums)
     };
     let whole = || {
         let (mut sums, mut corners) = (Sums::default(), Vec::new());
-        walk(facts, corner, rule, usize::MAX, |corner| corners.push(corner));
-        // Whichever of them it began at, the order is the same.
+        walk(part, corner, rule, usize::MAX, |corner| corners.push(corner));
+        // The same order from whichever corner the walk began.
         corners.sort_unstable();
         corners.iter().for_each(|&corner| add(&mut sums, corner));
         (sums, corners)
@@ -62,73 +57,62 @@ pub(in crate::quality) fn sums(
     poles.of(corner, short, whole)
 }
 
-/// What the face of a corner adds to the sum there, by each weighting.
-fn pulls(facts: &Facts<'_>, corner: u32) -> Sums {
-    let Some(pull) = Pull::at(facts, corner) else { return Sums::default() };
-    let angle = pull.angle();
-    MEANS.map(|weight| pull.by(weight, || angle))
+/// What the face of a corner adds to the sum by a weighting; zero if the face has no direction.
+pub(crate) fn term(part: &Part<'_>, corner: u32, weight: Weight) -> DVec3 {
+    CornerTerm::at(part, corner).map_or(DVec3::ZERO, |term| term.by(weight, || term.angle()))
 }
 
-/// The same by one of the means.
-pub(in crate::quality) fn pull(facts: &Facts<'_>, corner: u32, weight: Weight) -> DVec3 {
-    Pull::at(facts, corner).map_or(DVec3::ZERO, |pull| pull.by(weight, || pull.angle()))
-}
-
-/// The same as if two triangles that a quadrilateral is cut into still were one, with its normal.
-pub(in crate::quality) fn pull_uncut(facts: &Facts<'_>, corner: u32, weight: Weight) -> DVec3 {
-    let face = facts.topology.face_of(corner) as usize;
-    let Some(mut pull) = Pull::at(facts, corner) else { return DVec3::ZERO };
-    if let Some(other) = other_half(facts, face) {
-        let sum = [face, other].map(|face| facts.area[face] * facts.face_normal(face)).iter().sum::<DVec3>();
-        pull.normal = sum.normalize_or(pull.normal);
+/// The same if the two triangles of a quadrilateral have its normal.
+pub(crate) fn term_of_quadrilateral(part: &Part<'_>, corner: u32, weight: Weight) -> DVec3 {
+    let face = part.face_of(corner as usize);
+    let Some(mut term) = CornerTerm::at(part, corner) else { return DVec3::ZERO };
+    if let Some(other) = other_half(part, face) {
+        let sum: DVec3 = [face, other].map(|face| part.area[face] * part.face_normal(face)).iter().sum();
+        term.normal = sum.normalize_or(term.normal);
     }
-    pull.by(weight, || pull.angle())
+    term.by(weight, || term.angle())
 }
 
-/// The triangle that was one quadrilateral with another, as programs cut them: a, b, c and right after it a, c, d, or a, b, d and
-/// b, c, d.
-fn other_half(facts: &Facts<'_>, face: usize) -> Option<usize> {
-    let faces = facts.mesh.faces();
+/// The other triangle of a quadrilateral abcd, as programs cut it: next to each other in the file are abc and acd, or abd and
+/// bcd.
+fn other_half(part: &Part<'_>, face: usize) -> Option<usize> {
     let is_cut = |first: usize| {
-        let [a, b] = [first, first + 1].map(|face| faces.range(face));
+        let [a, b] = [first, first + 1].map(|face| part.corners_of(face));
         let meets = |from: usize, to: usize| {
-            facts.topology.across((a.start + from) as u32) == Some((b.start + to) as u32)
+            part.topology.across((a.start + from) as u32) == Some((b.start + to) as u32)
         };
         a.len() == 3 && b.len() == 3 && (meets(2, 0) || meets(1, 2))
     };
-    if face + 1 < faces.len() && is_cut(face) {
+    if face + 1 < part.mesh.face_count() && is_cut(face) {
         return Some(face + 1);
     }
     face.checked_sub(1).filter(|&before| is_cut(before))
 }
 
-/// What weightings look at: a corner of a face that has a direction.
-struct Pull {
+/// What weightings need of a corner of a face.
+struct CornerTerm {
     normal: DVec3,
     ahead: DVec3,
     behind: DVec3,
     area: f64,
 }
 
-impl Pull {
-    fn at(facts: &Facts<'_>, corner: u32) -> Option<Self> {
-        let face = facts.topology.face_of(corner) as usize;
-        let here = facts.place(corner as usize);
-        let to = |other: u32| facts.place(other as usize) - here;
-        let [ahead, behind] = [facts.topology.next(corner), facts.topology.previous(corner)].map(to);
-        (facts.worth[face] != Significance::Silent).then(|| Self {
-            normal: facts.face_normal(face),
-            ahead,
-            behind,
-            area: facts.area[face],
-        })
+impl CornerTerm {
+    /// `None` if the face has no direction.
+    fn at(part: &Part<'_>, corner: u32) -> Option<Self> {
+        let face = part.face_of(corner as usize);
+        let here = part.position(corner as usize);
+        let [ahead, behind] = [part.topology.next(corner), part.topology.previous(corner)]
+            .map(|other| part.position(other as usize) - here);
+        let term = || Self { normal: part.face_normal(face), ahead, behind, area: part.area[face] };
+        part.has_direction(face).then(term)
     }
 
     fn angle(&self) -> f64 {
         angle_between(self.ahead, self.behind).0
     }
 
-    /// The normal of the face by its weight; the angle costs most and is asked for where it counts.
+    /// The face normal times its weight. The angle costs most and is computed only where it counts.
     fn by(&self, weight: Weight, angle: impl FnOnce() -> f64) -> DVec3 {
         let edges = || self.ahead.length() * self.behind.length();
         self.normal
@@ -144,17 +128,17 @@ impl Pull {
     }
 }
 
-/// Visits the corners of the smooth group of a corner, no more than so many to either side of it; gives whether those are all.
-pub(in crate::quality) fn walk(
-    facts: &Facts<'_>,
+/// Visits the corners of the smooth group of a corner, no more than `most` on either side of it. Returns whether those are
+/// all.
+pub(crate) fn walk(
+    part: &Part<'_>,
     start: u32,
     rule: Smoothness<'_>,
     most: usize,
     mut visit: impl FnMut(u32),
 ) -> bool {
-    let topology = &facts.topology;
-    let is_smooth =
-        |a: u32, b: u32| rule.joins(facts, [a, b].map(|corner| topology.face_of(corner) as usize));
+    let topology = &part.topology;
+    let is_smooth = |a: u32, b: u32| rule.joins(part, [a, b].map(|corner| part.face_of(corner as usize)));
     let ahead = |corner: u32| topology.across(corner).map(|across| topology.next(across));
     let behind = |corner: u32| topology.across(topology.previous(corner));
     visit(start);

@@ -1,14 +1,16 @@
-//! Estimate: which recipe made the stored normals.
+//! Which recipe made the stored normals.
 
 // The rotation closest to a set of direction pairs.
-pub(super) mod rotation;
-// Averages as other programs compute them.
-pub(super) mod other_programs;
+pub(crate) mod rotation;
+// Sums that are shared by all corners of a pole.
+pub(crate) mod pole_cache;
 // Averages by every weighting.
-pub(super) mod means;
+pub(crate) mod means;
+// The crease angle that separates smooth edges from sharp ones.
+pub(crate) mod crease_angle;
 // Normals of quadrics at sample corners.
-pub(super) mod quadrics;
+pub(crate) mod quadrics;
 // Fits of recipes to sampled normals.
-pub(super) mod fit;
+pub(crate) mod fit;
 // The recipe that fits best.
-pub(super) mod recipe;
+pub(crate) mod recipe;

@@ -1,51 +1,50 @@
-//! Normals by least-squares quadrics at some corners, from the faces round them alone: at all they would cost many times what the
-//! rest of a diagnosis does.
+//! Normals by least-squares quadrics at sample corners, from the faces around these only: at all corners they would cost many
+//! times as much as the rest of a diagnosis.
 
 use crate::mesh::{Columns, Faces, Mesh, MeshBuilder, SmoothingGroups, Topology, Weld};
 use crate::normals::{Crease, Groups, NormalRecipe, Weight, compute_on};
 use crate::num::Degrees;
 use crate::quality::estimate::means::{Smoothness, walk};
-use crate::quality::facts::Facts;
+use crate::quality::input::part::Part;
 use glam::DVec3;
 use rayon::prelude::*;
 
-/// Corners on the way round a vertex to either side, beyond which it is a pole and left out: its neighbours reach all of them.
+/// The most corners on either side around a vertex. Poles of more are omitted: all their neighbours reach all of them.
 const POLE: usize = 128;
 
-/// Some corners of a mesh with all faces that fits there look at, as a mesh of its own.
-pub(in crate::quality) struct Patch {
+/// Some corners of a mesh with all faces that fits there need, as a mesh of its own.
+pub(crate) struct Patch {
     mesh: Mesh,
     topology: Topology,
-    /// Those of the corners that are at no pole nor beside one, as places in the list of all, and their numbers in the patch.
+    /// The corners that are neither at a pole nor next to one: the index in the list of all, and the number in the patch.
     corners: Vec<(usize, usize)>,
 }
 
 impl Patch {
-    pub(in crate::quality) fn around(facts: &Facts<'_>, corners: &[u32]) -> Self {
-        // A fit takes the two-ring, and its neighbours' means bear it out: all of the faces at the corners of the faces round it.
-        let around: Vec<Option<Vec<u32>>> =
-            corners.par_iter().map(|&corner| two_rings(facts, corner)).collect();
+    pub(crate) fn around(part: &Part<'_>, corners: &[u32]) -> Self {
+        // A fit needs the two-ring and the means of its vertices.
+        let around: Vec<Option<Vec<u32>>> = corners.par_iter().map(|&it| two_rings(part, it)).collect();
         let mut faces: Vec<u32> = around.iter().flatten().flatten().copied().collect();
         faces.sort_unstable();
         faces.dedup();
-        let mesh = some_faces(facts.mesh, &faces);
-        let in_patch = |corner: u32| {
-            let face = facts.topology.face_of(corner);
-            let own = faces.binary_search(&face).expect("a corner's own face is round it");
-            mesh.faces().range(own).start + corner as usize - facts.mesh.faces().range(face as usize).start
+        let mesh = some_faces(part.mesh, &faces);
+        let in_patch = |corner: usize| {
+            let face = part.face_of(corner);
+            let own = faces.binary_search(&(face as u32)).expect("a corner's own face is around it");
+            mesh.faces().range(own).start + corner - part.corners_of(face).start
         };
-        let reported = around.iter().zip(corners).enumerate().filter(|(_, (faces, _))| faces.is_some());
-        let corners = reported.map(|(i, (_, &corner))| (i, in_patch(corner))).collect();
+        let usable = around.iter().zip(corners).enumerate().filter(|(_, (faces, _))| faces.is_some());
+        let corners = usable.map(|(i, (_, &corner))| (i, in_patch(corner as usize))).collect();
         Self { topology: Topology::build(&mesh, Weld::Exact), mesh, corners }
     }
 
-    /// The places in the list of all of those corners that have a normal here.
-    pub(in crate::quality) fn places(&self) -> impl Iterator<Item = usize> {
-        self.corners.iter().map(|&(place, _)| place)
+    /// The indices of the corners that have a normal here, in the list of all.
+    pub(crate) fn indices(&self) -> impl Iterator<Item = usize> {
+        self.corners.iter().map(|&(index, _)| index)
     }
 
-    /// The normals at these that `crease normals --weight quadric` would give.
-    pub(in crate::quality) fn normals(&self, crease: Degrees, groups: bool) -> Vec<DVec3> {
+    /// Their normals as `crease normals --weight quadric` would compute them.
+    pub(crate) fn normals(&self, crease: Degrees, groups: bool) -> Vec<DVec3> {
         let recipe = NormalRecipe {
             weight: Weight::Quadric,
             crease: Crease::Angle(crease),
@@ -54,23 +53,22 @@ impl Patch {
         };
         let field = compute_on(&self.mesh, &self.topology, &recipe);
         let vertices = self.mesh.faces().corners();
-        let normal =
-            |&(_, corner): &(usize, usize)| *field.normals.get(corner, vertices[corner]).expect("all");
-        self.corners.iter().map(normal).collect()
+        let normal = |corner: usize| *field.normals.get(corner, vertices[corner]).expect("all");
+        self.corners.iter().map(|&(_, corner)| normal(corner)).collect()
     }
 }
 
-/// The faces at all corners of the faces round a vertex, ascending; `None` where too many meet.
-fn two_rings(facts: &Facts<'_>, corner: u32) -> Option<Vec<u32>> {
-    let round = |corner: u32| {
+/// The faces at all corners of the faces around a vertex, ascending; `None` where too many meet.
+fn two_rings(part: &Part<'_>, corner: u32) -> Option<Vec<u32>> {
+    let around = |corner: u32| {
         let mut faces = Vec::new();
-        let add = |corner| faces.push(facts.topology.face_of(corner));
-        walk(facts, corner, Smoothness::new(Degrees(180.0), None), POLE, add).then_some(faces)
+        let add = |corner| faces.push(part.topology.face_of(corner));
+        walk(part, corner, Smoothness::new(Degrees(180.0), None), POLE, add).then_some(faces)
     };
     let mut all = Vec::new();
-    for face in round(corner)? {
-        for corner in facts.mesh.faces().range(face as usize) {
-            all.extend(round(corner as u32)?);
+    for face in around(corner)? {
+        for corner in part.corners_of(face as usize) {
+            all.extend(around(corner as u32)?);
         }
     }
     all.sort_unstable();

@@ -1,52 +1,45 @@
-//! How stored normals were made: which weighting and which crease angle reproduce them best.
+//! How stored normals were made: the weighting and the crease angle that reproduce them best.
 
-use crate::mesh::Column;
 use crate::normals::{Crease, Groups, NormalRecipe, Weight};
 use crate::num::Degrees;
-use crate::quality::estimate::fit::Sample;
-use crate::quality::facts::Facts;
-use glam::{DMat3, DVec3};
 
-/// The most corners that are looked at.
+/// The most corners that are sampled.
 pub const SAMPLE: usize = 100_000;
 
-/// Two normals closer than this, in degrees, are taken to be one: above what 8 bits do to each of them.
-pub(in crate::quality) const SAME: f64 = 1.0;
-
-/// The share of corners that a rule reproduces, if nothing else made them.
-pub(in crate::quality) const NEARLY_ALL: f64 = 0.98;
+/// The share of corners that a recipe reproduces if nothing else made them.
+pub(crate) const NEARLY_ALL: f64 = 0.98;
 
 /// A corner counts as reproduced within this many degrees.
-pub(in crate::quality) const REPRODUCED: f64 = 5.0;
+pub(crate) const REPRODUCED: f64 = 5.0;
 
-/// The same to the letter: above what 32 bits and four decimals do, below what differs between programs.
-pub(in crate::quality) const LETTER: f64 = 0.1;
+/// A corner counts as exactly reproduced within this many degrees: more than 32 bits and four decimals do, less than programs
+/// differ by.
+pub(crate) const EXACT: f64 = 0.1;
 
-/// The share of corners to the letter from which on the others depart from a rule, rather than that there is none: what is
-/// not all of them may be half, less what a border between two halves takes.
+/// The share of exactly reproduced corners from which the others depart from a recipe: half, less a border between two halves.
 const NEARLY_HALF: f64 = 0.4;
 
-/// The share of corners that a rule reproduces at least for the normals to be made by it rather than by none, once they are
-/// turned back if a turn explains them.
+/// The share of corners that a recipe reproduces at least, once they are rotated back if a rotation explains them.
 const MOST: f64 = 0.5;
 
-/// How much of what the best rule is off by, or of its median, a turn of all normals may leave, and a fit in place of a mean.
-pub(in crate::quality) const LEFT: f64 = 0.5;
+/// The share of the error of the best recipe, or of its median, that a rotation of all normals may leave, and a fit in place of
+/// a mean.
+pub(crate) const LEFT: f64 = 0.5;
 
-/// How the stored normals of a part were made, as far as they tell.
+/// How the stored normals of a part were made, as far as they show it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
-    /// The weighting that reproduces them best. The quadric, a fit that costs more and is at the mercy of few neighbours, only where
-    /// it leaves less than half of what the best mean of face normals is off by, and that is off by more than 0.01° on average:
-    /// finer meshes and coarser numbers tell no difference.
+    /// The weighting that reproduces them best. The quadric, a fit that costs more and depends on few neighbours, only if it
+    /// leaves less than half of the error of the best mean, and if that error is more than 0.01° on average: finer meshes and
+    /// coarser numbers show no difference.
     pub weight: Weight,
     /// The crease angle that reproduces them best: 0 if they are flat, 180 if no edge is sharp.
     pub crease: Degrees,
-    /// Whether smoothing groups reproduce them better than a crease angle alone; the angle then applies beside them.
+    /// Whether smoothing groups reproduce them better than a crease angle alone; the angle applies in addition.
     pub groups: bool,
-    /// Whether all normals were turned or mirrored together: what is told here is of them turned back.
+    /// Whether all normals were rotated or reflected together: the estimate is of them rotated back.
     pub turned: bool,
-    /// Corners looked at.
+    /// The number of corners in the sample.
     pub sample: usize,
     /// The share of them that it reproduces within 5°.
     pub reproduced: f64,
@@ -54,14 +47,14 @@ pub struct Estimate {
     pub closely: f64,
     /// The share of them that it reproduces within 0.1°.
     pub exactly: f64,
-    /// The share of the edges at them, of those that bend at all, that the crease angle puts on the right side.
+    /// The share of the edges at them, without flat ones, that the crease angle puts on the right side.
     pub separated: f64,
     /// The median angle between stored and reproduced normals.
     pub median: Degrees,
 }
 
 impl Estimate {
-    /// The recipe that it stands for.
+    /// The recipe.
     pub fn recipe(&self) -> NormalRecipe {
         NormalRecipe {
             weight: self.weight,
@@ -71,7 +64,7 @@ impl Estimate {
         }
     }
 
-    /// The same as options of `crease normals`.
+    /// The recipe as options of `crease normals`.
     pub fn options(&self) -> String {
         let mut options = match self.weight {
             Weight::Angle => String::new(),
@@ -82,55 +75,39 @@ impl Estimate {
         options
     }
 
-    /// Whether the recipe is what is computed without being asked for, on a mesh without smoothing groups.
-    pub(in crate::quality) fn is_default(&self) -> bool {
+    /// Whether the recipe is the default one of a mesh without smoothing groups.
+    pub(crate) fn is_default(&self) -> bool {
         self.weight == Weight::Angle && self.crease == Crease::DEFAULT_ANGLE
     }
 
-    /// The bend in degrees from which on edges may be sharp: with smoothing groups any.
-    pub(in crate::quality) fn sharp_from(&self) -> f64 {
+    /// The dihedral angle in degrees from which edges may be sharp: with smoothing groups any.
+    pub(crate) fn sharp_from(&self) -> f64 {
         if self.groups { 0.0 } else { self.crease.0 }
     }
 
-    /// Whether it reproduces half of the normals or more; where it does not, no rule is told.
+    /// Whether it reproduces half of the normals or more; if not, no recipe is reported.
     pub fn fits_most(&self) -> bool {
         self.reproduced >= MOST
     }
 
-    /// Whether the normals follow a rule closely enough for exceptions to be faults: nearly all do, or most do to the letter
-    /// and the others not at all.
+    /// Whether the normals follow the recipe closely enough for exceptions to be faults: nearly all do, or most do closely and the
+    /// others not at all.
     pub fn is_rule(&self) -> bool {
-        self.reproduced >= NEARLY_ALL || (self.closely >= 0.85 && self.reproduced - self.closely <= 0.01)
+        self.reproduced >= NEARLY_ALL || (self.closely >= 0.85 && self.is_clear_cut())
     }
-}
 
-impl Estimate {
-    /// Whether the normals follow a rule, or those that do follow it to the letter and are so many that the others depart from
-    /// it: however far they do.
-    pub(in crate::quality) fn is_departed_from(&self) -> bool {
+    /// Whether hardly any normals follow the recipe only roughly.
+    pub(crate) fn is_clear_cut(&self) -> bool {
+        self.reproduced - self.closely <= 0.01
+    }
+
+    /// Whether the normals follow the recipe, or so many follow it exactly that the others depart from it, by whatever angle.
+    pub(crate) fn is_departed_from(&self) -> bool {
         self.is_rule() || self.exactly >= NEARLY_HALF
     }
-}
 
-impl Estimate {
-    /// Whether the normals that this is of are what others, that no rule made, were before something was done to all of them.
-    pub(in crate::quality) fn clears_up(&self, before: &Estimate) -> bool {
+    /// Whether these normals are those of `before`, which follow no recipe, with a change to all of them undone.
+    pub(crate) fn clears_up(&self, before: &Estimate) -> bool {
         !before.is_rule() && self.fits_most() && self.median.0 < LEFT * before.median.0
     }
-}
-
-/// Estimates from a fixed sample; `None` if no corner has a usable normal. Where no rule reproduces the normals as they are,
-/// they may have been turned as a whole: the turn that stands between them and what a rule gives comes second.
-pub(in crate::quality) fn estimate(
-    facts: &Facts<'_>,
-    stored: &Column<DVec3>,
-) -> Option<(Estimate, Option<DMat3>)> {
-    let sample = Sample::of(facts, stored)?;
-    let as_stored = sample.best();
-    if !as_stored.estimate.is_rule()
-        && let Some(turned_back) = sample.best_turned_back(&as_stored)
-    {
-        return Some((turned_back.estimate, turned_back.turn));
-    }
-    Some((as_stored.estimate, None))
 }

@@ -1,24 +1,24 @@
-//! The one rotation or reflection that brings directions closest to others.
+//! The rotation or reflection that brings a set of directions closest to another.
 
 use crate::num::{Degrees, Radians};
 use glam::{DMat3, DVec3};
 
-/// How much the plane of directions that lie in one counts against a reflection in it: so little that it decides only where
-/// nothing else does.
+/// How much the plane of coplanar directions counts against a reflection in it: so little that it decides only if nothing else
+/// does.
 const IN_PLANE: f64 = 1e-3;
 
-/// Below this determinant of the mean of a·bᵀ directions are taken to lie on one line, which leaves a rotation about it free.
+/// Below this determinant of the mean of a·bᵀ, directions are taken as collinear: the rotation about their line is then free.
 const ON_A_LINE: f64 = 1e-9;
 
-/// Σ a · bᵀ, a term of it.
-pub(in crate::quality) fn outer(a: DVec3, b: DVec3) -> DMat3 {
+/// One term of Σ a · bᵀ.
+pub(crate) fn outer(a: DVec3, b: DVec3) -> DMat3 {
     DMat3::from_cols(a * b.x, a * b.y, a * b.z)
 }
 
 /// The rotation or reflection that brings each b closest to its a, from the mean of a · bᵀ: its orthogonal factor, by Newton's
-/// iteration (N. Higham, *Computing the polar decomposition*, 1986). Where all lie in a plane, which a reflection in it
-/// leaves as they are, the rotation; `None` if all lie on a line.
-pub(in crate::quality) fn closest_turn(mean: DMat3) -> Option<DMat3> {
+/// iteration (N. Higham, *Computing the polar decomposition*, 1986). The rotation if all are coplanar, which a reflection in
+/// their plane leaves unchanged; `None` if all are collinear.
+pub(crate) fn closest_turn(mean: DMat3) -> Option<DMat3> {
     let [a, b, c] = [mean.x_axis, mean.y_axis, mean.z_axis];
     // With singular values s and t in the plane, the cofactors have s·t across it, and the sign that makes a rotation.
     let cofactors = DMat3::from_cols(b.cross(c), c.cross(a), a.cross(b));
@@ -37,10 +37,10 @@ pub(in crate::quality) fn closest_turn(mean: DMat3) -> Option<DMat3> {
     x.is_finite().then_some(x)
 }
 
-/// The same from pairs of unit vectors a and b of which up to half may have nothing to do with it: those that are further off
-/// than most are left out, until that changes nothing.
-pub(in crate::quality) fn steady_turn(pairs: &[(DVec3, DVec3)]) -> Option<DMat3> {
-    /// Squared distances of unit vectors that are 1° apart: these always stay.
+/// The same from pairs of unit vectors a and b of which up to half may be outliers: pairs that are farther off than most are
+/// omitted, until that changes nothing.
+pub(crate) fn steady_turn(pairs: &[(DVec3, DVec3)]) -> Option<DMat3> {
+    /// The squared distance of unit vectors 1° from each other: nearer pairs always stay.
     const NEAR: f64 = 3e-4;
     const ROUNDS: usize = 20;
     let mut bound = f64::INFINITY;
@@ -66,8 +66,8 @@ pub(in crate::quality) fn steady_turn(pairs: &[(DVec3, DVec3)]) -> Option<DMat3>
     turn
 }
 
-/// Whether directions lie on three lines at least: one turn then has more to explain than any turn can.
-pub(in crate::quality) fn are_spread(directions: impl IntoIterator<Item = DVec3>) -> bool {
+/// Whether directions lie on at least three lines: fewer leave the rotation open.
+pub(crate) fn are_spread(directions: impl IntoIterator<Item = DVec3>) -> bool {
     /// The sine of 5°: lines that are closer count as one.
     const SEPARATE: f64 = 0.087;
     let mut lines: Vec<DVec3> = Vec::new();
@@ -82,8 +82,8 @@ pub(in crate::quality) fn are_spread(directions: impl IntoIterator<Item = DVec3>
     false
 }
 
-/// The angle of a rotation, in degrees; of a reflection that of what remains after the sign is taken off.
-pub(in crate::quality) fn rotation_angle(turn: DMat3) -> f64 {
+/// The angle of a rotation, in degrees; for a reflection, the angle of its negative.
+pub(crate) fn rotation_angle(turn: DMat3) -> f64 {
     let turn = if turn.determinant() < 0.0 { -turn } else { turn };
     let axis = DVec3::new(
         turn.y_axis.z - turn.z_axis.y,
@@ -148,8 +148,8 @@ mod tests {
 
     #[test]
     fn two_lines_are_not_spread() {
-        let bent = [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::new(1.0, 0.01, 0.0).normalize()];
-        assert!(!are_spread(bent));
+        let lines = [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::new(1.0, 0.01, 0.0).normalize()];
+        assert!(!are_spread(lines));
         assert!(are_spread([DVec3::X, DVec3::Y, DVec3::new(0.6, 0.8, 0.0)]));
     }
 }

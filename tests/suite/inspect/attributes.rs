@@ -1,4 +1,4 @@
-//! What goes with normals in glTF files: tangents and the normals of morph targets, with faults at known vertices.
+//! Attributes that go with normals in glTF files: tangents and the normals of morph targets, with faults at known vertices.
 
 use super::planted::Planted;
 use super::{grave, surface, with_normals};

@@ -1,4 +1,4 @@
-//! Surfaces that are parts of a file now, with normals from when they were one.
+//! Parts of a file that were one surface when their normals were made.
 
 use super::planted::{per_corner, unshared};
 use super::{recipe, surface, with_normals};

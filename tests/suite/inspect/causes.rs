@@ -1,4 +1,4 @@
-//! One cause is told once: what follows from it is not told beside it, and how grave it is grows with its size.
+//! Each cause is reported once, without its consequences, and its severity grows with its size.
 
 use super::clean::meshes;
 use super::planted::{averaged_crease, everywhere, per_corner, turned, unshared};

@@ -1,4 +1,4 @@
-//! Meshes that nothing is wrong with.
+//! Meshes without faults.
 
 use super::{grave, inspect, rebuilt, recipe, surface, with_normals};
 use crate::cli::data;

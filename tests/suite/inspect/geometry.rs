@@ -1,4 +1,4 @@
-//! Geometry that spoils normals, against what can be worked out by other means.
+//! Geometry that spoils normals, against independent computations.
 
 use super::{inspect, loaded, rebuilt, surface};
 use crease::io::{FileNode, Format, Loaded, Part, ReadOptions, read_bytes};

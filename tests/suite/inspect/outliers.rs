@@ -1,8 +1,8 @@
-//! Single normals at odds with the rest, whatever made the rest: by a rule, from a surface, by hand.
+//! Single normals that deviate from the rest, whatever made the rest: a recipe, a surface, or an artist.
 
 use super::clean::meshes;
 use super::planted::{per_corner, unshared};
-use super::wholes::turned_any_way;
+use super::whole_meshes::turned_any_way;
 use super::{loaded, surface};
 use crate::meshes::{path, rows};
 use crate::random::Random;

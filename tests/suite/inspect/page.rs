@@ -1,4 +1,4 @@
-//! The page of a diagnosis: it holds everything itself, its links lead somewhere, its pictures can be read out.
+//! The page of a diagnosis: it is self-contained, its links have targets, and its pictures have alternative text.
 
 use super::{loaded, rebuilt, surface, with_normals};
 use crease::mesh::{Faces, Mesh};

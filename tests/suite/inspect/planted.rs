@@ -1,7 +1,7 @@
-//! One fault of each kind, planted at known places: is it found, all of it and nothing else, and is its cause named?
+//! One fault of each kind, planted at known positions: all of it is found, nothing else, and with the right cause.
 
 use super::clean::Clean;
-use super::wholes::{self, by_chance, turned_any_way};
+use super::whole_meshes::{self, by_chance, turned_any_way};
 use super::{loaded, rebuilt, with_normals};
 use crate::random::Random;
 use crease::io::{FileNode, ReadOptions, read_bytes};
@@ -291,7 +291,7 @@ pub(super) fn faults(clean: &Clean) -> Vec<Planted> {
     let tilt = |n, random: &mut Random| turned_any_way(n, 30.0, random);
     all.push(by_chance(clean, ("1 % of corners negated, by chance", Kind::Flipped, 0.01), neg));
     all.push(by_chance(clean, ("10 % of corners tilted by 30°, by chance", Kind::Stray, 0.1), tilt));
-    all.extend(wholes::faults(clean));
+    all.extend(whole_meshes::faults(clean));
     // A room whose normals or faces are all turned round is a solid with one or the other turned.
     all.retain(|it| !clean.is_room || ![Kind::Inverted, Kind::InsideOut].contains(&it.expected));
     // To mirror the normals of a box is to turn those of two sides round.

@@ -1,4 +1,4 @@
-//! Real meshes: those with known faults, and all the others.
+//! Real meshes, with known faults and without.
 
 use super::grave;
 use crate::meshes::{path, rows};

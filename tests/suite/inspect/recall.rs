@@ -1,10 +1,10 @@
-//! How good the diagnosis is: what was planted against what was found, as the table and the curve of the documentation.
+//! Recall and precision of the diagnosis on planted faults, as the tables of the documentation have them.
 
 use super::clean::{Clean, meshes};
 use super::planted::{
     Planted, at_corners, averaged_crease, everywhere, faults, recall_and_precision, split_seam, turned,
 };
-use super::wholes::{by_chance, turned_any_way, zigzag};
+use super::whole_meshes::{by_chance, turned_any_way, zigzag};
 use super::{attributes, inspect};
 use crate::random::Random;
 use crease::num::three_digits;

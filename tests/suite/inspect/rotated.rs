@@ -1,4 +1,4 @@
-//! All normals turned together: about any axis, on any clean mesh, the turn is found, by its angle, and nothing else is blamed.
+//! All normals rotated about any axis, on any clean mesh: the rotation is found with its angle, and nothing else is a fault.
 
 use super::clean::meshes;
 use super::{grave, inspect, loaded, rebuilt, recipe, surface, with_normals};

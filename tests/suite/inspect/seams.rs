@@ -1,4 +1,4 @@
-//! Seams where one surface is made of several primitives of a mesh, where smooth meshes were cut, and where vertices nearly meet.
+//! Seams: one surface of several primitives, cuts through smooth meshes, and vertices that nearly meet.
 
 use super::cavities::one_mesh;
 use super::clean::{Clean, meshes};

@@ -1,0 +1,18 @@
+//! Stored: the normals of the file, corner by corner.
+
+// Normals that are missing, without a direction or not of unit length.
+pub(crate) mod values;
+// Where a normal that deviates may come from.
+pub(crate) mod origin;
+// Connected faces whose normals were edited gradually.
+pub(crate) mod gradual_edits;
+// Regions whose normals were made in another way.
+pub(crate) mod regions;
+// Normals that are constant, or rotated or reflected as a whole.
+pub(crate) mod rotated;
+// Normals in another space of the node tree.
+pub(crate) mod coordinate_space;
+// Normals that deviate from the recipe.
+pub(crate) mod deviations;
+// Tangents, and normals of morph targets.
+pub(crate) mod attributes;

@@ -1,0 +1,200 @@
+//! The command that `crease inspect` suggests fixes what it found.
+
+use super::clean::meshes;
+use super::planted::{Planted, faults};
+use super::{recipe, with_normals};
+use crate::cli::{crease, path, text};
+use crate::meshes::{Row, rows};
+use crease::io::{Format, Part, ReadOptions, WriteOptions, read, write_new};
+use crease::mesh::Mesh;
+use crease::normals::Weight;
+use crease::quality::catalogue::{Kind, entries};
+use rayon::prelude::*;
+use serde_json::Value;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// What the program finds in a file.
+fn findings(file: &Path) -> Vec<Value> {
+    let output = crease().args(["inspect", "--json", &path(file)]).output().unwrap();
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let report: Value = serde_json::from_str(text(&output.stdout)).unwrap();
+    report["findings"].as_array().unwrap().clone()
+}
+
+fn named<'a>(findings: &'a [Value], id: &str) -> Option<&'a Value> {
+    findings.iter().find(|finding| finding["id"] == id)
+}
+
+/// A file with a fault.
+struct Faulty {
+    kind: Kind,
+    format: Format,
+    bytes: Vec<u8>,
+}
+
+impl Faulty {
+    fn text(kind: Kind, text: &str) -> Self {
+        Self { kind, format: Format::Obj, bytes: text.as_bytes().to_vec() }
+    }
+
+    fn mesh(kind: Kind, mesh: Mesh) -> Self {
+        // Text has no spelling for what is no number.
+        let format = if kind == Kind::NotFinite { Format::Ply } else { Format::Obj };
+        let written =
+            write_new(&[Part { mesh, ..Part::default() }], format, &WriteOptions::default()).unwrap();
+        Self { kind, format, bytes: written.bytes }
+    }
+
+    /// A mesh below a node that turns it.
+    fn below_node(planted: Planted) -> Self {
+        let node = planted.node.expect("it stands somewhere");
+        let parts = [Part { mesh: planted.mesh, ..Part::default() }];
+        let written = write_new(&parts, Format::Gltf, &WriteOptions::default()).unwrap();
+        let mut document: Value = serde_json::from_slice(&written.bytes).unwrap();
+        document["nodes"][0]["matrix"] = node.to_cols_array().to_vec().into();
+        Self { kind: planted.expected, format: Format::Gltf, bytes: document.to_string().into_bytes() }
+    }
+
+    /// Stores the file, carries out what is suggested, and looks again; tells whether anything is.
+    fn check(&self, name: &str) -> bool {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join(format!("fault.{}", self.format.extension()));
+        fs::write(&file, &self.bytes).unwrap();
+        let id = self.kind.id();
+        let before = findings(&file);
+        let found = named(&before, id).unwrap_or_else(|| panic!("{name}: {id} is not found in {before:?}"));
+        let Some(command) = found["command"].as_str() else { return false };
+        let after = findings(&carried_out(command));
+        assert!(named(&after, id).is_none(), "{name}: {command} leaves {:?}", named(&after, id));
+        true
+    }
+}
+
+/// Carries out a command and gives the file that it writes.
+fn carried_out(command: &str) -> PathBuf {
+    let words: Vec<&str> = command.split(' ').collect();
+    let output = crease().args(&words[1..]).output().unwrap();
+    assert!(output.status.success(), "{command}: {}", text(&output.stderr));
+    words[words.iter().position(|word| *word == "-o").unwrap() + 1].into()
+}
+
+/// Faults that are told of files rather than planted into clean meshes.
+fn others(ball: &Mesh) -> Vec<Faulty> {
+    let bare = ball.clone().with_normals(None);
+    let flat = with_normals(bare.clone(), &recipe(Weight::Angle, 0.0));
+    let cut = super::seams::cut(&bare, glam::DVec3::X, 1e-9);
+    let corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\n";
+    let attributes = super::attributes::faulty();
+    let attributes = attributes.map(|(kind, bytes)| Faulty { kind, format: Format::Gltf, bytes });
+    let mut all = vec![
+        Faulty::mesh(Kind::NoNormals, bare),
+        Faulty::mesh(Kind::Faceted, flat),
+        Faulty::mesh(Kind::CrackedSeam, with_normals(cut.clone(), &recipe(Weight::Angle, 40.0))),
+        Faulty::mesh(Kind::CrackedSeam, cut),
+        Faulty::text(Kind::MissingNormals, &format!("{corners}f 1//1 2//1 3//1\nf 1 3 4\n")),
+        Faulty::text(Kind::ZeroArea, &format!("{corners}f 1//1 2//1 3//1 4//1\nf 1//1 2//1 2//1\n")),
+    ];
+    all.extend(attributes);
+    all
+}
+
+/// Every kind of finding that a command mends is planted somewhere, found, and gone after that command.
+#[test]
+fn what_is_suggested_mends() {
+    let mut mended = BTreeSet::new();
+    for clean in meshes().into_iter().filter(|clean| ["icosphere", "bowl", "gear"].contains(&clean.name)) {
+        let only_here = |kind: Kind| clean.name != "bowl" || kind == Kind::OpenInsideOut;
+        for planted in faults(&clean).into_iter().filter(|planted| only_here(planted.expected)) {
+            let kind = planted.expected;
+            let faulty = match planted.node {
+                Some(_) => Faulty::below_node(planted),
+                None => Faulty::mesh(kind, planted.mesh),
+            };
+            mended.extend(faulty.check(clean.name).then_some(kind));
+        }
+        if clean.name == "icosphere" {
+            let others = others(&clean.mesh);
+            mended
+                .extend(others.into_iter().filter(|faulty| faulty.check("others")).map(|faulty| faulty.kind));
+        }
+    }
+    let mendable = entries().filter(|entry| entry.remedy.is_some()).map(|entry| entry.kind);
+    let untried: Vec<&str> = mendable.filter(|kind| !mended.contains(kind)).map(Kind::id).collect();
+    assert!(untried.is_empty(), "not tried: {untried:?}");
+}
+
+/// All that is read of a file, in a folder of its own where more may be written: the file, and what it names.
+fn copied(row: &Row, folder: &Path) -> PathBuf {
+    let next_to = row.path.parent().unwrap();
+    let is_alone = ["stl", "ply", "obj", "gltf"].iter().any(|shared| next_to.ends_with(shared));
+    let names = |path: &Path| path.file_stem() == row.path.file_stem();
+    for entry in fs::read_dir(next_to).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_file() && (!is_alone || names(&path)) {
+            fs::copy(&path, folder.join(path.file_name().unwrap())).unwrap();
+        }
+    }
+    folder.join(row.path.file_name().unwrap())
+}
+
+/// What shows only once other things are mended, and is mended by its own command then: the normals that the box has lie in the
+/// plane of their face, at odds with those that its other faces get.
+const UNCOVERED: [(&str, &str); 1] = [("obj/box-incomplete-normals.obj", "stray-normals")];
+
+/// What is suggested for a real file removes what it is suggested for, and brings no error or warning of another kind.
+fn check_real(row: &Row) -> Vec<String> {
+    let folder = tempfile::tempdir().unwrap();
+    let file = copied(row, folder.path());
+    let before = findings(&file);
+    let mut by_command: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+    for finding in &before {
+        if let Some(command) = finding["command"].as_str() {
+            by_command.entry(command).or_default().push(finding["id"].as_str().unwrap());
+        }
+    }
+    let mut failures = Vec::new();
+    for (command, ids) in by_command {
+        let after = findings(&carried_out(command));
+        let left = ids.iter().filter(|id| named(&after, id).is_some());
+        failures.extend(left.map(|id| format!("{}: {command} leaves {id}", row.name())));
+        // A note that has become a warning is new as well.
+        let was_grave = |id: &str| named(&before, id).is_some_and(|it| it["severity"] != "note");
+        let new = after.iter().filter(|it| it["severity"] != "note");
+        let new = new.map(|it| it["id"].as_str().unwrap()).filter(|id| !was_grave(id));
+        for id in new {
+            let next = named(&after, id).and_then(|it| it["command"].as_str());
+            match next.filter(|_| UNCOVERED.contains(&(row.name(), id))) {
+                Some(next) => {
+                    let last = findings(&carried_out(next));
+                    let graver = last.iter().filter(|it| it["severity"] != "note");
+                    failures.extend(graver.map(|it| format!("{}: {next} leaves {}", row.name(), it["id"])));
+                }
+                None => failures.push(format!("{}: {command} brings {id}", row.name())),
+            }
+        }
+    }
+    failures
+}
+
+/// On real meshes as well, as they come. `CREASE_LONG` takes the large ones too.
+#[test]
+fn what_is_suggested_mends_real_meshes() {
+    let most = if std::env::var_os("CREASE_LONG").is_some() { u64::MAX } else { 100_000 };
+    let folders = [
+        ("obj", &["obj"][..]),
+        ("ply", &["ply"]),
+        ("stl", &["stl", "STL"]),
+        ("gltf", &["gltf", "glb"]),
+        ("ref", &["ply"]),
+    ];
+    let rows: Vec<Row> =
+        folders.into_iter().flat_map(|(folder, extensions)| rows(folder, extensions)).collect();
+    let is_wanted = |row: &&Row| {
+        let is_small = fs::metadata(&row.path).is_ok_and(|it| it.len() <= most);
+        is_small && read(&row.path, None, &ReadOptions::default()).is_ok()
+    };
+    let failures: Vec<String> = rows.par_iter().filter(is_wanted).flat_map(check_real).collect();
+    assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
+}
