@@ -32,7 +32,7 @@ pub struct Diagnosis {
 }
 
 /// A part of a file.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, serde::Serialize)]
 pub struct PartDiagnosis {
     /// Its name.
     pub name: String,

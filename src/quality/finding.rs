@@ -69,26 +69,38 @@ impl Element {
 }
 
 /// One of the places of a finding. All numbers count from 0, as the mesh was read.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Site {
     /// Which part of the file.
     pub part: usize,
     /// The face, if it is about one.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub face: Option<u32>,
     /// Which corner of the face.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub corner: Option<u32>,
     /// The vertex.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub vertex: Option<u32>,
     /// Where that is, in the space of the part.
+    #[serde(skip_serializing_if = "Option::is_none", serialize_with = "as_array")]
     pub position: Option<DVec3>,
     /// How far off it is, if that is an angle.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub degrees: Option<f64>,
     /// Which of the nodes that have the part, in their order, if it is about one.
+    #[serde(skip)]
     pub place: Option<u32>,
     /// The way to the node that has the part, as `body/arm/hand`; to the first one if there are several (glTF).
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub node: Option<String>,
     /// The line of the file that has the face, or the vertex where it is on no face (OBJ).
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub line: Option<u64>,
+}
+
+fn as_array<S: serde::Serializer>(position: &Option<DVec3>, serializer: S) -> Result<S::Ok, S::Error> {
+    position.map(|position| position.to_array()).serialize(serializer)
 }
 
 /// Something that is wrong, or worth knowing, and where.

@@ -1,8 +1,8 @@
-//! What was typed for `crease surface`, made into a surface and a tessellation.
+//! Options of `crease surface` made into a surface and a tessellation.
 
-use super::super::choice::name_of;
-use super::super::request::{RequestError, Target, file_target};
-use super::args::{KINDS, Kind, PATTERNS, PatternArgs, PatternName, ShapeArgs, SurfaceArgs};
+use super::args::{Kind, PatternArgs, PatternName, ShapeArgs, SurfaceArgs};
+use crate::cli::common::choice::Choose;
+use crate::cli::common::output::{Target, file_target};
 use crease::io::Format;
 use crease::surface::{
     Catenoid, Cone, Cylinder, Ellipsoid, MonkeySaddle, Pattern, Plane, Sphere, Superquadric, Surface,
@@ -21,13 +21,11 @@ pub struct Request {
 }
 
 impl Request {
-    /// Checks what was typed. Whatever is wrong is wrong usage.
+    /// Checks the options. All errors are wrong usage.
     pub fn resolve(args: &SurfaceArgs) -> Result<Self, String> {
         check_shape(args.kind, &args.shape)?;
         let surface = surface(args.kind, &args.shape).map_err(|error| error.to_string())?;
-        let (target, format) = file_target(&args.output, args.to).map_err(|error| match error {
-            RequestError::Usage(message) | RequestError::Input(message) => message,
-        })?;
+        let (target, format) = file_target(&args.output, args.to)?;
         let format = format.ok_or("standard output needs --to, to know the format")?;
         Ok(Self {
             surface,
@@ -37,12 +35,12 @@ impl Request {
                 DQuat::IDENTITY,
                 args.shape.offset,
             ),
-            target: target.expect("an output that is always given"),
+            target,
             format,
         })
     }
 
-    /// The output's name without extension, for files that stand beside it; `None` for a stream.
+    /// The output's name without extension, for its companion files; `None` for a stream.
     pub fn stem(&self) -> Option<String> {
         let Target::File(path) = &self.target else { return None };
         Some(path.file_stem()?.to_string_lossy().into_owned())
@@ -75,7 +73,7 @@ fn check_shape(kind: Kind, shape: &ShapeArgs) -> Result<(), String> {
         ("--semi-axes", shape.semi_axes.is_some()),
         ("--roundness", shape.roundness.is_some()),
     ];
-    let name = name_of(KINDS, &kind);
+    let name = kind.choice();
     if matches!(kind, Kind::Wave | Kind::MonkeySaddle) && shape.size.is_some_and(|[w, h]| w != h) {
         return Err(format!("{name} has one --size only"));
     }
@@ -129,7 +127,7 @@ fn surface(kind: Kind, shape: &ShapeArgs) -> Result<Surface, SurfaceError> {
 }
 
 fn tessellation(kind: Kind, args: &PatternArgs) -> Result<Tessellation, String> {
-    let name = name_of(PATTERNS, &args.pattern);
+    let name = args.pattern.choice();
     let has_ratio = matches!(args.pattern, PatternName::Stretched | PatternName::Slivers);
     let has_levels = args.pattern == PatternName::Icosphere;
     for (option, typed, has) in [

@@ -59,11 +59,13 @@ impl Default for Confidence {
 /// A *component* is faces connected over edges that join exactly two of them, by vertex index or welded. It is
 /// *closed* if, once its faces agree, their half-edges cancel at every edge. Faces of fewer than three distinct
 /// places belong to none.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, serde::Serialize)]
 pub struct Orientation {
     /// The faces to turn round, ascending: [`FaceEdit::reversed`](super::FaceEdit::reversed).
+    #[serde(skip)]
     pub reversed: Vec<u32>,
     /// Those of them that are of components with a rim, ascending ([`Orient::Outward`] only).
+    #[serde(skip)]
     pub reversed_open: Vec<u32>,
     /// How many components there are.
     pub components: usize,
@@ -72,6 +74,7 @@ pub struct Orientation {
     /// Components with a rim of which it was sure enough which side is the outer one ([`Orient::Outward`] only).
     pub open_told: usize,
     /// The least confidence among those; 0 if there are none.
+    #[serde(serialize_with = "null_if_zero")]
     pub confidence: f64,
     /// Components with a rim, left as they are because that was not sure ([`Orient::Outward`] only).
     pub open_left: usize,
@@ -92,7 +95,13 @@ pub struct Orientation {
     /// Closed components that face inwards and stay so, as rooms ([`Orient::Outward`] only).
     pub rooms: usize,
     /// The faces of these, ascending.
+    #[serde(skip)]
     pub room_faces: Vec<u32>,
+}
+
+/// No confidence, if there are no votes.
+fn null_if_zero<S: serde::Serializer>(confidence: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+    serde::Serialize::serialize(&Some(confidence).filter(|it| **it > 0.0), serializer)
 }
 
 /// Finds the faces to turn round so that neighbours agree and, if asked for, closed surfaces face outwards.

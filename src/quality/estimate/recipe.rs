@@ -34,7 +34,7 @@ const MOST: f64 = 0.5;
 pub(in crate::quality) const LEFT: f64 = 0.5;
 
 /// How the stored normals of a part were made, as far as they tell.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Estimate {
     /// The weighting that reproduces them best. The quadric, a fit that costs more and is at the mercy of few neighbours, only where
     /// it leaves less than half of what the best mean of face normals is off by, and that is off by more than 0.01° on average:
@@ -51,8 +51,10 @@ pub struct Estimate {
     /// The share of them that it reproduces within 5°.
     pub reproduced: f64,
     /// The share of them that it reproduces within 1°.
+    #[serde(skip)]
     pub closely: f64,
     /// The share of them that it reproduces within 0.1°.
+    #[serde(skip)]
     pub exactly: f64,
     /// The share of the edges at them, of those that bend at all, that the crease angle puts on the right side.
     pub separated: f64,

@@ -22,11 +22,12 @@ const VISIBLE: f64 = 0.5 / 255.0;
 const FINER: &str = "--normal-format i16";
 
 /// What stored normals were rounded to.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Precision {
     /// The grid, in words.
     pub grid: String,
     /// An angle that no normal is farther from what was stored of it, if it was rounded to the nearest: a bound, not measured.
+    #[serde(rename = "degrees")]
     pub error: Degrees,
     /// The largest exponent of a highlight that it shows in by half a step of 8 bits at most; `None` if it may show by more
     /// on a matte surface.

@@ -1,4 +1,4 @@
-//! What `crease artefact --json` tells.
+//! The report of `crease artefact` as JSON.
 //!
 //! # The JSON schema, `crease-artefact/2`
 //! One object on one line for each experiment.
@@ -30,73 +30,76 @@
 //! Texts are objects with `en` and `pt`. Nothing but `seconds` differs from run to run. `list` has the members up to `own_mesh`,
 //! and `parameters` as they are by default.
 
-use super::super::report::ErrorReport;
-use crate::cli::render::INTERPOLATIONS;
+use crate::cli::common::choice::Choose;
+use crate::cli::common::report::Head;
 use crease::artefact::{Experiment, Formula, Knob, Outcome, Setup, Taken, Text};
 use crease::normals::Weight;
+use crease::raster::Interpolation;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
 #[derive(Debug, Serialize)]
 pub struct Report<'a> {
-    pub schema: &'static str,
-    pub crease: &'static str,
-    pub status: &'static str,
+    #[serde(flatten)]
+    pub head: Head,
+    experiment: &'static str,
+    title: Text,
+    claim: Text,
+    sources: Vec<Text>,
+    formulas: Vec<Formula>,
+    takes: &'static [Knob],
+    ranges: BTreeMap<&'static str, Range>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub error: Option<ErrorReport>,
-    pub experiment: &'static str,
-    pub title: Text,
-    pub claim: Text,
-    pub sources: Vec<Text>,
-    pub formulas: Vec<Formula>,
-    pub takes: &'static [Knob],
-    pub ranges: BTreeMap<&'static str, Range>,
+    own_mesh: Option<Text>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub own_mesh: Option<Text>,
+    mesh: Option<&'a str>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub mesh: Option<&'a str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub finer: Option<&'a str>,
-    pub parameters: Taken<'a>,
+    finer: Option<&'a str>,
+    parameters: Taken<'a>,
+    #[serde(flatten)]
+    pub result: Option<RunReport<'a>>,
+}
+
+/// What came of an experiment that was run.
+#[derive(Debug, Serialize)]
+pub struct RunReport<'a> {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unheeded: Vec<&'static str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub outcome: Option<&'a Outcome>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub command: Option<String>,
+    pub outcome: &'a Outcome,
+    pub command: String,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub files: Vec<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub seconds: Option<f64>,
+    pub seconds: f64,
 }
 
 /// What may be given for a parameter.
 #[derive(Debug, Serialize)]
 #[serde(untagged)]
-pub enum Range {
+enum Range {
     Numbers([f64; 2]),
     Names(Vec<&'static str>),
 }
 
 impl Range {
     fn of(experiment: &Experiment, knob: Knob) -> Option<Self> {
+        fn names<T: Choose>() -> Option<Range> {
+            Some(Range::Names(T::CHOICES.iter().map(|choice| choice.0).collect()))
+        }
         match knob {
-            Knob::Weight => Some(Range::Names(Weight::ALL.map(Weight::name).to_vec())),
-            Knob::Interpolation => Some(Range::Names(INTERPOLATIONS.iter().map(|choice| choice.0).collect())),
+            Knob::Weight => names::<Weight>(),
+            Knob::Interpolation => names::<Interpolation>(),
             _ => experiment.range(knob).map(|range| Range::Numbers([*range.start(), *range.end()])),
         }
     }
 }
 
 impl<'a> Report<'a> {
+    /// A report on an experiment that is not run yet.
     pub fn new(experiment: &'static Experiment, setup: &'a Setup<'a>) -> Self {
         let ranges =
             experiment.takes.iter().filter_map(|&knob| Some((knob.name(), Range::of(experiment, knob)?)));
         Self {
-            schema: "crease-artefact/2",
-            crease: env!("CARGO_PKG_VERSION"),
-            status: "ok",
-            error: None,
+            head: Head::new("crease-artefact/2"),
             experiment: experiment.id,
             title: experiment.title(),
             claim: experiment.claim(),
@@ -108,11 +111,7 @@ impl<'a> Report<'a> {
             mesh: setup.mesh.map(|own| own.name),
             finer: setup.mesh.and_then(|own| own.finer).map(|(name, _)| name),
             parameters: Taken { knobs: experiment.takes, parameters: &setup.parameters },
-            unheeded: Vec::new(),
-            outcome: None,
-            command: None,
-            files: Vec::new(),
-            seconds: None,
+            result: None,
         }
     }
 }

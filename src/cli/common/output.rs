@@ -4,15 +4,41 @@
 //! main file last, so that whoever sees the new main file finds its companions. A link is followed to the file
 //! that it names, an existing file keeps its permissions, a new one gets those that the umask leaves.
 
-use super::request::Target;
 use anyhow::{Context, Result, bail, ensure};
-use crease::io::{Note, OutputContent, OutputFile, Written};
+use crease::io::{Format, Note, OutputContent, OutputFile, Written};
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::hash::{DefaultHasher, Hasher};
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Component, Path, PathBuf};
 use tempfile::NamedTempFile;
+
+/// Where an output goes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Target {
+    Stdout,
+    File(PathBuf),
+}
+
+impl Target {
+    /// The target that a path names; `-` is standard output.
+    pub fn of(path: &Path) -> Self {
+        if path.as_os_str() == "-" { Target::Stdout } else { Target::File(path.to_path_buf()) }
+    }
+
+    /// Its path, or `-`.
+    pub fn name(&self) -> String {
+        match self {
+            Target::Stdout => "-".into(),
+            Target::File(path) => path.to_string_lossy().into_owned(),
+        }
+    }
+
+    /// Stores a file that has no companions.
+    pub fn store(&self, bytes: Vec<u8>) -> Result<()> {
+        Store::default().store(Written { bytes, ..Written::default() }, self).map(drop)
+    }
+}
 
 /// Stores outputs and remembers which companions this run has written already.
 #[derive(Debug, Default)]
@@ -57,14 +83,6 @@ pub fn make_folder(folder: &Path) -> Result<()> {
     fs::create_dir_all(folder).with_context(|| format!("could not make the folder {}", folder.display()))
 }
 
-/// Tells of a file with other content that one beside the output has replaced.
-pub fn replaced_note(path: &Path) -> Note {
-    let path = path.display();
-    Note::remark(format!(
-        "{path} belongs to the output; the file of that name with other content is replaced"
-    ))
-}
-
 impl Store {
     /// With `sync`, each output is on the disk before its name is. With `dry_run` nothing is written, and all is
     /// refused that can be known to fail.
@@ -72,12 +90,11 @@ impl Store {
         Self { sync, dry_run, companions: BTreeMap::new() }
     }
 
-    /// Stores an output and the files that belong beside it. Tells which of these replace a file that had other
-    /// content.
+    /// Stores an output and its companion files. Returns a note for each of these that replaces a file with other content.
     ///
     /// # Errors
     /// If anything cannot be written; nothing half-written remains then.
-    pub fn store(&mut self, written: Written, target: &Target) -> Result<Vec<PathBuf>> {
+    pub fn store(&mut self, written: Written, target: &Target) -> Result<Vec<Note>> {
         match target {
             Target::Stdout => {
                 // A copied companion stands where the input refers to it; standard output has no folder for it.
@@ -94,7 +111,7 @@ impl Store {
         }
     }
 
-    /// Stores an output that is made while it is written, and tells how long it is: whole, or nothing remains of it.
+    /// Stores an output that is made while it is written, whole or not at all. Returns its length.
     ///
     /// # Errors
     /// Those of making it, and if it cannot be written.
@@ -135,7 +152,7 @@ impl Store {
         Ok(length)
     }
 
-    fn store_file(&mut self, written: Written, path: &Path) -> Result<Vec<PathBuf>> {
+    fn store_file(&mut self, written: Written, path: &Path) -> Result<Vec<Note>> {
         let path = follow_links(path)?;
         let mut claimed = Vec::new();
         for companion in written.companions {
@@ -143,7 +160,12 @@ impl Store {
         }
         // Each that is new has other content than what may be there, which may be somebody else's.
         let replaced = claimed.iter().filter(|claim| claim.is_new && claim.place.is_file());
-        let replaced = replaced.map(|claim| claim.place.clone()).collect();
+        let replaced = replaced.map(|claim| {
+            let path = claim.place.display();
+            let text = "belongs to the output; the file of that name with other content is replaced";
+            Note::remark(format!("{path} {text}"))
+        });
+        let replaced = replaced.collect();
         check_place(&path)?;
         if !self.dry_run {
             let mut staged = Vec::new();
@@ -333,6 +355,37 @@ fn follow_links(path: &Path) -> Result<PathBuf> {
 /// Whether both are there and one file.
 pub fn is_same_file(a: &Path, b: &Path) -> bool {
     matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
+}
+
+/// The file, or standard output, and the format that a path and `--to` name together.
+pub fn file_target(path: &Path, to: Option<Format>) -> Result<(Target, Option<Format>), String> {
+    let target = Target::of(path);
+    if target == Target::Stdout {
+        return Ok((target, to));
+    }
+    if path.is_dir() {
+        return Err(format!("{} is a folder; --out-dir writes into one", path.display()));
+    }
+    let format = match (Format::from_path(path), to) {
+        (Some(named), Some(to)) if named != to => {
+            return Err(format!("{} has the name of a {named} file, but --to says {to}", path.display()));
+        }
+        (None, None) => {
+            return Err(format!("the name of {} does not tell a format; --to does", path.display()));
+        }
+        (named, to) => to.or(named),
+    };
+    Ok((target, format))
+}
+
+/// A path with its folder made absolute, whether or not the file is there.
+pub fn resolve_parent(path: &Path) -> PathBuf {
+    path.canonicalize().unwrap_or_else(|_| {
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+        let folder = folder.canonicalize().unwrap_or_else(|_| folder.to_path_buf());
+        path.file_name().map_or_else(|| folder.clone(), |name| folder.join(name))
+    })
 }
 
 #[cfg(test)]

@@ -1,13 +1,14 @@
 //! What goes to which stream, and how it looks there.
 
-use super::args::{Color, RunArgs};
+use super::options::{Color, RunArgs};
 use super::output::forgive_broken_pipe;
+use crease::io::Severity;
 use std::cell::Cell;
 use std::fmt::Write as _;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 
-/// How much is told.
+/// How much is printed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Verbosity {
     Quiet,
@@ -39,7 +40,7 @@ impl Style {
     #[cfg(test)]
     pub const PLAIN: Style = Style(false);
 
-    /// Text in a colour, or as it is.
+    /// Text in a colour, or unchanged.
     pub fn paint(self, colour: &str, text: &str) -> String {
         if self.0 { format!("\x1b[{colour}m{text}\x1b[0m") } else { text.to_owned() }
     }
@@ -105,8 +106,16 @@ impl Console {
     }
 
     /// Prints a warning.
-    pub fn warning(&self, message: &str) {
+    fn warning(&self, message: &str) {
         self.remark(Style::YELLOW, "warning", message);
+    }
+
+    /// Prints a note or a warning.
+    pub fn about(&self, severity: Severity, message: &str) {
+        match severity {
+            Severity::Note => self.note(message),
+            Severity::Warning => self.warning(message),
+        }
     }
 
     /// Prints a remark of no consequence.

@@ -1,4 +1,4 @@
-//! What `crease stress` tells programs.
+//! The report of `crease stress` as JSON.
 //!
 //! # The JSON schema, `crease-stress/1`
 //! One object on one line.
@@ -28,55 +28,50 @@
 //! results are no numbers or no directions) and `unit`: `ulps` of `f32`, `degrees`, `relative`, `absolute`, or `wrong`
 //! (answers). A `bound` has `most`, in the same unit, and its `source`.
 
+use crate::cli::common::report::Head;
 use crease::trade::stress::{Bound, StressResult, Unit, Worst};
 use serde::Serialize;
 
 #[derive(Debug, Serialize)]
 pub struct Report<'a> {
-    schema: &'static str,
-    crease: &'static str,
-    status: &'static str,
-    cases: Vec<CaseReport<'a>>,
+    #[serde(flatten)]
+    head: Head,
+    cases: Vec<Case<'a>>,
     summary: Summary,
     seconds: f64,
 }
 
 #[derive(Debug, Serialize)]
-struct CaseReport<'a> {
+struct Case<'a> {
     group: &'static str,
     name: &'a str,
     what: &'static str,
     expectation: &'static str,
     samples: usize,
-    faithful: ErrorReport,
+    faithful: Error,
     #[serde(skip_serializing_if = "Option::is_none")]
-    fast: Option<ErrorReport>,
+    fast: Option<Error>,
     #[serde(skip_serializing_if = "Option::is_none")]
     without_fast: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    plain: Option<ErrorReport>,
+    plain: Option<Error>,
     holds: bool,
 }
 
 #[derive(Debug, Serialize)]
-struct ErrorReport {
-    worst: Option<f64>,
+struct Error {
+    /// JSON has `null` for infinity.
+    worst: f64,
     undefined: usize,
     unit: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
-    bound: Option<BoundReport>,
+    bound: Option<Bound>,
     #[serde(skip_serializing_if = "Option::is_none")]
     declined: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     formula: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     fails: Option<bool>,
-}
-
-#[derive(Debug, Serialize)]
-struct BoundReport {
-    most: f64,
-    source: &'static str,
 }
 
 /// Counts over cases.
@@ -101,28 +96,25 @@ impl Summary {
 impl<'a> Report<'a> {
     pub fn new(results: &[StressResult<'a>], seconds: f64) -> Self {
         let summary = Summary::new(results);
-        Self {
-            schema: "crease-stress/1",
-            crease: env!("CARGO_PKG_VERSION"),
-            status: if summary.broken == 0 { "ok" } else { "broken" },
-            cases: results.iter().map(CaseReport::new).collect(),
-            summary,
-            seconds,
+        let mut head = Head::new("crease-stress/1");
+        if summary.broken > 0 {
+            head.status = "broken";
         }
+        Self { head, cases: results.iter().map(Case::new).collect(), summary, seconds }
     }
 }
 
-impl<'a> CaseReport<'a> {
+impl<'a> Case<'a> {
     fn new(result: &StressResult<'a>) -> Self {
         let (case, measured) = (result.case, result.measured);
-        let fast = measured.fast.zip(case.fast_bound).map(|(worst, bound)| ErrorReport {
+        let fast = measured.fast.zip(case.fast_bound).map(|(worst, bound)| Error {
             declined: Some(measured.declined),
-            ..ErrorReport::bounded(worst, bound)
+            ..Error::bounded(worst, bound)
         });
-        let plain = measured.plain.map(|worst| ErrorReport {
+        let plain = measured.plain.map(|worst| Error {
             formula: Some(case.plain_formula),
             fails: Some(result.plain_fails()),
-            ..ErrorReport::new(worst, case.plain_unit)
+            ..Error::new(worst, case.plain_unit)
         });
         Self {
             group: case.group.name(),
@@ -130,7 +122,7 @@ impl<'a> CaseReport<'a> {
             what: case.what,
             expectation: case.expectation,
             samples: measured.samples,
-            faithful: ErrorReport::bounded(measured.faithful, case.bound),
+            faithful: Error::bounded(measured.faithful, case.bound),
             without_fast: fast.is_none().then(|| case.group.without_fast()),
             fast,
             plain,
@@ -139,21 +131,13 @@ impl<'a> CaseReport<'a> {
     }
 }
 
-impl ErrorReport {
-    fn new(worst: Worst, unit: Unit) -> Self {
-        Self {
-            worst: worst.error.is_finite().then_some(worst.error),
-            undefined: worst.undefined,
-            unit: unit.name(),
-            bound: None,
-            declined: None,
-            formula: None,
-            fails: None,
-        }
+impl Error {
+    fn new(Worst { error, undefined }: Worst, unit: Unit) -> Self {
+        let (bound, declined, formula, fails) = (None, None, None, None);
+        Self { worst: error, undefined, unit: unit.name(), bound, declined, formula, fails }
     }
 
     fn bounded(worst: Worst, bound: Bound) -> Self {
-        let Bound { most, unit, source } = bound;
-        Self { bound: Some(BoundReport { most, source }), ..Self::new(worst, unit) }
+        Self { bound: Some(bound), ..Self::new(worst, bound.unit) }
     }
 }
