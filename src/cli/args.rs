@@ -2,6 +2,8 @@
 
 use super::artefact::args::ArtefactArgs;
 use super::common::choice::one_of;
+use super::common::console::Console;
+use super::common::failure::{Exit, Failure, FailureKind};
 use super::common::options::{Color, EXIT_CODES};
 use super::inspect::args::InspectArgs;
 use super::normals::args::NormalsArgs;
@@ -51,4 +53,13 @@ pub fn usage_error(verb: &str, message: impl ToString) -> ! {
     command.build();
     let verb = command.find_subcommand_mut(verb).expect("a verb of this program");
     verb.error(ErrorKind::ArgumentConflict, message.to_string()).exit()
+}
+
+/// Ends a verb whose command line cannot be carried out; wrong usage ends the program.
+pub fn refused(verb: &str, failure: &Failure, console: &Console) -> Exit {
+    if failure.kind == FailureKind::Usage {
+        usage_error(verb, &failure.message);
+    }
+    console.error(&failure.message);
+    failure.exit()
 }

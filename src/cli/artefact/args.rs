@@ -1,6 +1,6 @@
 //! The options of `crease artefact`.
 
-use crate::cli::common::choice::{Choice, Choose, one_of};
+use crate::cli::common::choice::{choices, one_of};
 use crate::cli::common::options::{EXIT_CODES, RunArgs};
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser};
@@ -128,10 +128,10 @@ impl ParameterArgs {
     }
 }
 
-impl Choose for Language {
-    const CHOICES: &'static [Choice<Self>] =
-        &[("en", Language::English, "English"), ("pt", Language::Portuguese, "Portuguese")];
-}
+choices! { Language {
+    "en" => English: "English",
+    "pt" => Portuguese: "Portuguese",
+} }
 
 fn experiments() -> PossibleValuesParser {
     let named = EXPERIMENTS.iter().map(|experiment| {

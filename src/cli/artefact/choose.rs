@@ -23,8 +23,8 @@ pub fn chosen(args: &ArtefactArgs) -> Result<Chosen, String> {
     }
 }
 
-/// What was given.
-fn given(args: &ArtefactArgs) -> impl Iterator<Item = Knob> {
+/// The options that were given, of those that change what is drawn and measured.
+pub fn given(args: &ArtefactArgs) -> impl Iterator<Item = Knob> {
     let mesh = args.own.mesh.is_some().then_some(Knob::Mesh);
     args.parameters.changes().knobs().chain(mesh)
 }

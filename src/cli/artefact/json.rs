@@ -1,34 +1,4 @@
-//! The report of `crease artefact` as JSON.
-//!
-//! # The JSON schema, `crease-artefact/2`
-//! One object on one line for each experiment.
-//!
-//! | member | meaning |
-//! |---|---|
-//! | `schema`, `crease` | `"crease-artefact/2"`; the program's version |
-//! | `status`, `error` | as in `crease-normals/1`; `status` is `findings` if a number is not what it should be, and `left-out` if `all` leaves it out for a value that it does not take |
-//! | `experiment`, `title` | its id and title |
-//! | `claim`, `sources`, `formulas` | what is claimed, by whom, and the closed forms, of its own shapes: none with a mesh of one's own |
-//! | `takes` | the parameters that it takes |
-//! | `ranges` | of each of these the least and the most, or the names there are |
-//! | `own_mesh` | what a mesh of one's own is looked at for, if it takes one |
-//! | `mesh`, `finer` | the meshes that were given, if any |
-//! | `parameters` | their values |
-//! | `unheeded` | of `all`, the options that were given and change nothing of this one, if there are any |
-//! | `outcome` | [`Outcome`](crease::artefact::Outcome): `verdict`, `moved`, `measures`, `shots`, `charts`, `notes` |
-//! | `command` | the command that does it again |
-//! | `files` | what was written |
-//! | `seconds` | how long it took |
-//!
-//! A measure has `name`, `unit` and `value`; where something is known about it `expected`, which has `value` and `tolerance` or, of
-//! a bound, `at_most`, and `by`; with it `agrees`; where nothing is known with these parameters `beyond`, which says why.
-//!
-//! A shot has `name`, `role` (`bad`, `cured`, `attempt`: a cure that does too little, `absent`: no artefact is measured,
-//! `difference`, `truth`), `label`, `caption` and `size`; all but the last two roles have `measured`, which the role follows from:
-//! `name`, `unit`, `value`, and `present`, the value from which on the artefact is seen.
-//!
-//! Texts are objects with `en` and `pt`. Nothing but `seconds` differs from run to run. `list` has the members up to `own_mesh`,
-//! and `parameters` as they are by default.
+//! The report of `crease artefact` as JSON. Members are described in `docs/json.md`.
 
 use crate::cli::common::choice::Choose;
 use crate::cli::common::report::Head;

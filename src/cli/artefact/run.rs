@@ -1,7 +1,7 @@
 //! Runs `crease artefact`: experiments, their numbers, pages and pictures.
 
 use super::args::{ArtefactArgs, LIST};
-use super::choose::{Chosen, chosen};
+use super::choose::{Chosen, chosen, given};
 use super::files::{self, Run};
 use super::json::{Report, RunReport};
 use crate::cli::args::usage_error;
@@ -12,7 +12,7 @@ use crate::cli::common::options::Color;
 use crate::cli::common::output::make_folder;
 use crate::cli::common::progress::Progress;
 use crate::cli::common::report::json_line;
-use crease::artefact::{ArtefactError, Changes, EXPERIMENTS, Experiment, Knob, Language, Setup, UserMesh};
+use crease::artefact::{ArtefactError, EXPERIMENTS, Experiment, Knob, Language, Setup, UserMesh};
 use crease::io::{Loaded, ReadOptions, shell_word};
 use crease::mesh::{Faces, Mesh, MeshBuilder};
 use crease::report::{list_table, measure_table, misses, verdict_text};
@@ -79,16 +79,9 @@ fn report_unrun(
     }
 }
 
-/// The options that were typed, of those that change what is drawn and measured.
+/// The options that some experiments ignore; `--interpolation` has a note of its own.
 fn typed(args: &ArtefactArgs) -> impl Iterator<Item = Knob> {
-    let changes = args.parameters.changes();
-    let has_mesh = args.own.mesh.is_some();
-    Knob::ALL.into_iter().filter(move |&knob| match knob {
-        Knob::Mesh => has_mesh,
-        // It has a note of its own.
-        Knob::Interpolation => false,
-        _ => changes.only(&[knob]) != Changes::default(),
-    })
+    given(args).filter(|&knob| knob != Knob::Interpolation)
 }
 
 /// Which of the options that were typed change only some of the experiments, in words.

@@ -18,6 +18,17 @@ pub trait Choose: Copy + PartialEq + Send + Sync + 'static {
     }
 }
 
+/// Gives a type its table of names: `"name" => value: "help"`, with the name of a variant or a constant as the value.
+macro_rules! choices {
+    ($type:ident { $($name:literal => $value:ident $(($inner:expr))?: $help:expr,)+ }) => {
+        impl $crate::cli::common::choice::Choose for $type {
+            const CHOICES: &'static [$crate::cli::common::choice::Choice<Self>] =
+                &[$(($name, $type::$value $(($inner))?, $help)),+];
+        }
+    };
+}
+pub(crate) use choices;
+
 /// Serialises a value as its name.
 pub fn as_name<T: Choose, S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.serialize_str(value.choice())

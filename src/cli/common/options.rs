@@ -1,6 +1,6 @@
 //! Options that several verbs have, and their values.
 
-use super::choice::{Choice, Choose};
+use super::choice::choices;
 use clap::Args;
 use crease::io::Format;
 use crease::mesh::Confidence;
@@ -55,51 +55,35 @@ pub enum Color {
     Never,
 }
 
-impl Choose for Color {
-    const CHOICES: &'static [Choice<Self>] = &[
-        ("auto", Color::Auto, "on a terminal, unless NO_COLOR is set; CLICOLOR_FORCE forces it"),
-        ("always", Color::Always, "always"),
-        ("never", Color::Never, "never"),
-    ];
-}
+choices! { Color {
+    "auto" => Auto: "on a terminal, unless NO_COLOR is set; CLICOLOR_FORCE forces it",
+    "always" => Always: "always",
+    "never" => Never: "never",
+} }
 
-impl Choose for Format {
-    const CHOICES: &'static [Choice<Self>] = &[
-        ("obj", Format::Obj, "Wavefront OBJ"),
-        ("ply", Format::Ply, "PLY, ascii or binary"),
-        ("stl", Format::Stl, "STL, ascii or binary"),
-        ("gltf", Format::Gltf, "glTF 2.0, JSON"),
-        ("glb", Format::Glb, "glTF 2.0, binary"),
-    ];
-}
+choices! { Format {
+    "obj" => Obj: "Wavefront OBJ",
+    "ply" => Ply: "PLY, ascii or binary",
+    "stl" => Stl: "STL, ascii or binary",
+    "gltf" => Gltf: "glTF 2.0, JSON",
+    "glb" => Glb: "glTF 2.0, binary",
+} }
 
-impl Choose for Weight {
-    const CHOICES: &'static [Choice<Self>] = &[
-        ("uniform", Weight::Uniform, "all alike (Gouraud 1971)"),
-        ("area", Weight::Area, "area of the face"),
-        ("angle", Weight::Angle, "angle of the face at the corner (Thürmer & Wüthrich 1998)"),
-        ("angle-area", Weight::AngleArea, "angle times area"),
-        (
-            "max",
-            Weight::Max,
-            "sin of the angle over the product of the edge lengths; exact on a sphere (Max 1999)",
-        ),
-        ("edge", Weight::Edge, "1 over the product of the edge lengths"),
-        ("quadric", Weight::Quadric, "least-squares quadric through the two-ring: slow, second order"),
-    ];
-}
+choices! { Weight {
+    "uniform" => Uniform: "all alike (Gouraud 1971)",
+    "area" => Area: "area of the face",
+    "angle" => Angle: "angle of the face at the corner (Thürmer & Wüthrich 1998)",
+    "angle-area" => AngleArea: "angle times area",
+    "max" => Max: "sin of the angle over the product of the edge lengths; exact on a sphere (Max 1999)",
+    "edge" => Edge: "1 over the product of the edge lengths",
+    "quadric" => Quadric: "least-squares quadric through the two-ring: slow, second order",
+} }
 
-impl Choose for When {
-    const CHOICES: &'static [Choice<Self>] = &[
-        ("always", When::Always, "all"),
-        ("missing", When::Missing, "those that corners lack"),
-        (
-            "broken",
-            When::Broken,
-            "those too, and those not finite, zero, or against their own face; wrong lengths are divided by",
-        ),
-    ];
-}
+choices! { When {
+    "always" => Always: "all",
+    "missing" => Missing: "those that corners lack",
+    "broken" => Broken: "those too, and those not finite, zero, or against their own face; wrong lengths are divided by",
+} }
 
 pub fn confidence(text: &str) -> Result<Confidence, String> {
     match text.parse() {

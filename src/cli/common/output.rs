@@ -120,36 +120,15 @@ impl Store {
         target: &Target,
         make: impl FnOnce(&mut dyn Write) -> Result<(), E>,
     ) -> Result<u64, E> {
-        let place = match target {
-            Target::Stdout => None,
-            Target::File(path) => Some(follow_links(path)?),
-        };
-        let is_file = |path: &PathBuf| fs::metadata(path).map_or(true, |existing| existing.is_file());
-        let Some(path) = place.as_ref().filter(|path| is_file(path)) else {
-            // What cannot be replaced gets all of it at once, or nothing.
-            let mut bytes = Vec::new();
-            make(&mut bytes)?;
-            let length = bytes.len() as u64;
-            match place {
-                None => to_stdout(&bytes)?,
-                Some(path) => {
-                    check_place(&path)?;
-                    Staged::Direct(path, bytes).put(self.sync)?;
-                }
-            }
+        if let Target::File(path) = target {
+            let (staged, length) = self.stage(&follow_links(path)?, make)?;
+            staged.put(self.sync)?;
             return Ok(length);
-        };
-        check_place(path)?;
-        let could_not = || format!("could not write {}", path.display());
-        let mut file = temporary_in_folder(path)?;
-        let mut out = BufWriter::new(file.as_file_mut());
-        make(&mut out)?;
-        out.flush().with_context(could_not)?;
-        drop(out);
-        let length = file.as_file().metadata().with_context(could_not)?.len();
-        self.finish(&file, path).with_context(could_not)?;
-        Staged::Temporary(file, path.clone()).put(self.sync)?;
-        Ok(length)
+        }
+        let mut bytes = Vec::new();
+        make(&mut bytes)?;
+        to_stdout(&bytes)?;
+        Ok(bytes.len() as u64)
     }
 
     fn store_file(&mut self, written: Written, path: &Path) -> Result<Vec<Note>> {
@@ -171,9 +150,9 @@ impl Store {
             let mut staged = Vec::new();
             for claim in claimed.iter_mut().filter(|claim| claim.is_new) {
                 let bytes = claim.take_bytes()?;
-                staged.push(self.stage(&claim.place, bytes)?);
+                staged.push(self.stage_bytes(&claim.place, &bytes)?);
             }
-            staged.push(self.stage(&path, written.bytes)?);
+            staged.push(self.stage_bytes(&path, &written.bytes)?);
             for file in staged {
                 file.put(self.sync)?;
             }
@@ -217,22 +196,39 @@ impl Store {
         Ok(Some(Claim { is_new, place, mark, content }))
     }
 
-    fn stage(&self, path: &Path, bytes: Vec<u8>) -> Result<Staged> {
-        if fs::metadata(path).is_ok_and(|existing| !existing.is_file()) {
-            return Ok(Staged::Direct(path.to_path_buf(), bytes));
-        }
-        let mut file = temporary_in_folder(path)?;
-        let written = file.write_all(&bytes).and_then(|()| self.finish(&file, path));
-        written.with_context(|| format!("could not write {}", path.display()))?;
-        Ok(Staged::Temporary(file, path.to_path_buf()))
+    fn stage_bytes(&self, path: &Path, bytes: &[u8]) -> Result<Staged> {
+        let could_not = || format!("could not write {}", path.display());
+        self.stage(path, |out| out.write_all(bytes).with_context(could_not)).map(|(staged, _)| staged)
     }
 
-    /// Makes a complete file ready to take its place.
-    fn finish(&self, file: &NamedTempFile, path: &Path) -> io::Result<()> {
-        if let Ok(existing) = fs::metadata(path) {
-            file.as_file().set_permissions(existing.permissions())?;
+    /// Makes a complete file that can take its place, and returns its length.
+    fn stage<E: From<anyhow::Error>>(
+        &self,
+        path: &Path,
+        make: impl FnOnce(&mut dyn Write) -> Result<(), E>,
+    ) -> Result<(Staged, u64), E> {
+        check_place(path)?;
+        let existing = fs::metadata(path).ok();
+        if existing.as_ref().is_some_and(|existing| !existing.is_file()) {
+            let mut bytes = Vec::new();
+            make(&mut bytes)?;
+            let length = bytes.len() as u64;
+            return Ok((Staged::Direct(path.to_path_buf(), bytes), length));
         }
-        if self.sync { file.as_file().sync_all() } else { Ok(()) }
+        let could_not = || format!("could not write {}", path.display());
+        let mut file = temporary_in_folder(path)?;
+        let mut out = BufWriter::new(file.as_file_mut());
+        make(&mut out)?;
+        out.flush().with_context(could_not)?;
+        drop(out);
+        if let Some(existing) = existing {
+            file.as_file().set_permissions(existing.permissions()).with_context(could_not)?;
+        }
+        if self.sync {
+            file.as_file().sync_all().with_context(could_not)?;
+        }
+        let length = file.as_file().metadata().with_context(could_not)?.len();
+        Ok((Staged::Temporary(file, path.to_path_buf()), length))
     }
 }
 

@@ -14,7 +14,7 @@ pub fn json_line(report: &impl Serialize) -> String {
 }
 
 /// What every report begins with: the schema, the program's version, and how it went.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Default, Serialize)]
 pub struct Head {
     schema: &'static str,
     crease: &'static str,
@@ -39,7 +39,7 @@ impl Head {
 }
 
 /// The file that was read.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Default, Serialize)]
 pub struct InputReport {
     pub path: String,
     #[serde(skip_serializing_if = "Option::is_none", serialize_with = "extension")]

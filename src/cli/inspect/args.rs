@@ -1,6 +1,6 @@
 //! The options of `crease inspect`.
 
-use crate::cli::common::choice::{Choice, Choose, one_of};
+use crate::cli::common::choice::{choices, one_of};
 use crate::cli::common::options::{EXIT_CODES, RunArgs, confidence};
 use clap::Args;
 use crease::io::Format;
@@ -260,25 +260,21 @@ fn number(text: &str, least: f64) -> Result<f64, String> {
     number.ok_or_else(|| format!("expected a number of {least} or more, not {text}"))
 }
 
-impl Choose for Sight {
-    const CHOICES: &'static [Choice<Self>] = &[
-        ("auto", Sight::Auto, "from where most of the worst places face"),
-        ("front", Sight::From(DVec3::Z), "from +z"),
-        ("back", Sight::From(DVec3::NEG_Z), "from −z"),
-        ("right", Sight::From(DVec3::X), "from +x"),
-        ("left", Sight::From(DVec3::NEG_X), "from −x"),
-        ("top", Sight::From(DVec3::Y), "from +y"),
-        ("bottom", Sight::From(DVec3::NEG_Y), "from −y"),
-    ];
-}
+choices! { Sight {
+    "auto" => Auto: "from where most of the worst places face",
+    "front" => From(DVec3::Z): "from +z",
+    "back" => From(DVec3::NEG_Z): "from −z",
+    "right" => From(DVec3::X): "from +x",
+    "left" => From(DVec3::NEG_X): "from −x",
+    "top" => From(DVec3::Y): "from +y",
+    "bottom" => From(DVec3::NEG_Y): "from −y",
+} }
 
-impl Choose for Severity {
-    const CHOICES: &'static [Choice<Self>] = &[
-        ("error", Severity::Error, "wrong in any picture"),
-        ("warning", Severity::Warning, "shows in some light or some viewer"),
-        ("note", Severity::Note, "worth knowing, may be meant"),
-    ];
-}
+choices! { Severity {
+    "error" => Error: "wrong in any picture",
+    "warning" => Warning: "shows in some light or some viewer",
+    "note" => Note: "worth knowing, may be meant",
+} }
 
 fn kind(id: &str) -> Result<Kind, String> {
     Kind::of_id(id)

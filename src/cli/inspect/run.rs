@@ -4,9 +4,9 @@ use super::args::{Explained, FindingArgs, InspectArgs, PictureArgs};
 use super::json::{Against, Counts, InspectReport};
 use super::request::sources;
 use super::text;
-use crate::cli::args::usage_error;
+use crate::cli::args::refused;
 use crate::cli::common::console::{Console, Verbosity, escaped};
-use crate::cli::common::failure::{Exit, Failure, FailureKind, exit_code, guarded};
+use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
 use crate::cli::common::input::Source;
 use crate::cli::common::options::Color;
 use crate::cli::common::output::Target;
@@ -14,7 +14,7 @@ use crate::cli::common::progress::{FileProgress, Progress, Stage};
 use crate::cli::common::report::json_line;
 use crease::io::{Loaded, ReadOptions};
 use crease::num::Transfer;
-use crease::quality::{Comparison, Diagnosis, Thresholds, compare, diagnose};
+use crease::quality::{Diagnosis, Thresholds, compare, diagnose};
 use crease::report::{After, deviation_picture, diagnosis_page, encode_png};
 use std::path::Path;
 use std::time::Instant;
@@ -38,11 +38,7 @@ pub fn main(args: &InspectArgs, color: Color) -> Exit {
     }
     let sources = match sources(args) {
         Ok(sources) => sources,
-        Err(failure) if failure.kind == FailureKind::Usage => usage_error("inspect", failure.message),
-        Err(failure) => {
-            console.error(&failure.message);
-            return failure.exit();
-        }
+        Err(failure) => return refused("inspect", &failure, &console),
     };
     args.run.use_threads();
     run(&sources, args, &console)
@@ -79,10 +75,7 @@ fn run(sources: &[Source], args: &InspectArgs, console: &Console) -> Exit {
         Some(failure) => Err(failure),
         None => Ok(exit),
     };
-    match exit_code(Ok(Exit::Done), console) {
-        Exit::Done => exit_code(result, console),
-        lost => lost,
-    }
+    exit_code(result, console)
 }
 
 /// Reads, diagnoses and draws.
@@ -108,16 +101,23 @@ fn inspect(
         done.set(done.get() + faces);
         progress.within(Stage::Compute, done.get(), all);
     });
-    let after = match &args.against {
-        Some(path) => Some(Later::read(path, read, thresholds, &loaded, &diagnosis, progress)?),
-        None => None,
-    };
+    let mut after = None;
+    if let Some(path) = &args.against {
+        let source = Source::of(path);
+        let path = source.name();
+        let other = progress.read(&source, None, read, &mut None);
+        let other = other.map_err(|error| Failure::read(&path, error))?.without_source();
+        let findings = diagnose(&other, thresholds, &|_| {});
+        let comparison = compare([&loaded, &other], [&diagnosis, &findings], thresholds.places)
+            .map_err(|error| Failure::input(format!("--against {path}: {error}")))?;
+        report.against = Some(Against { path, comparison });
+        after = Some(other);
+    }
     report.seconds.inspect = start.elapsed().as_secs_f64();
-    report.against = after.as_ref().map(|after| Against::new(after.path.clone(), &after.comparison));
     report.hidden = keep_wanted(&mut diagnosis, &args.findings);
     let output = fixed(source, loaded.format.extension());
     report.fill(&diagnosis, &output);
-    draw(&loaded, &diagnosis, after.as_ref(), [&report.input.path, &output], args)?;
+    draw(&loaded, &diagnosis, after.as_ref(), report, &output, args)?;
     let is_grave = args.findings.fail_on.is_some_and(|least| diagnosis.worst() >= Some(least));
     let has_pictures = args.pictures.html.is_some() || args.pictures.heatmap.is_some();
     let has_faces = loaded.parts.iter().any(|part| part.mesh.face_count() > 0);
@@ -138,47 +138,24 @@ fn has_normals(loaded: &Loaded) -> bool {
     columns.flat_map(|columns| &columns.normals).any(|normals| !normals.values.is_empty())
 }
 
-/// The file that `--against` names, and what is different in it.
-struct Later {
-    path: String,
-    loaded: Loaded,
-    comparison: Comparison,
-}
-
-impl Later {
-    fn read(
-        path: &Path,
-        read: &ReadOptions,
-        thresholds: &Thresholds,
-        before: &Loaded,
-        diagnosis: &Diagnosis,
-        progress: &FileProgress<'_>,
-    ) -> Result<Self, Failure> {
-        let source = Source::of(path);
-        let path = source.name();
-        let loaded = progress.read(&source, None, read, &mut None);
-        let loaded = loaded.map_err(|error| Failure::read(&path, error))?.without_source();
-        let own = diagnose(&loaded, thresholds, &|_| {});
-        let comparison = compare([before, &loaded], [diagnosis, &own], thresholds.places)
-            .map_err(|error| Failure::input(format!("--against {path}: {error}")))?;
-        Ok(Self { path, loaded, comparison })
-    }
-}
-
-/// Makes and stores the pictures that were asked for. `names` are those of the file and of its fixed version.
+/// Makes and stores the pictures that were asked for. `after` is the file that `--against` names, `output` the name of a fixed
+/// version.
 fn draw(
     loaded: &Loaded,
     diagnosis: &Diagnosis,
-    after: Option<&Later>,
-    names: [&str; 2],
+    after: Option<&Loaded>,
+    report: &InspectReport,
+    output: &str,
     args: &InspectArgs,
 ) -> Result<(), Failure> {
     /// Pixels along the sides of a heat map of its own.
     const SIDE: u32 = 800;
     let PictureArgs { html, heatmap, view } = &args.pictures;
     if let Some(path) = html {
-        let after = after.map(|it| After { name: &it.path, loaded: &it.loaded, comparison: &it.comparison });
-        let page = diagnosis_page(loaded, diagnosis, after, names, *view);
+        let after = after.zip(report.against.as_ref());
+        let after =
+            after.map(|(loaded, Against { path, comparison })| After { name: path, loaded, comparison });
+        let page = diagnosis_page(loaded, diagnosis, after, [&report.input.path, output], *view);
         Target::of(path).store(page.map_err(Failure::input)?.into_bytes())?;
     }
     if let Some(path) = heatmap {

@@ -1,6 +1,6 @@
 //! The report of `crease inspect` on one input file, and explanations of findings, as text.
 
-use super::json::{Against, Change, Counts, FindingChange, FindingReport, InspectReport};
+use super::json::{Against, Counts, FindingReport, InspectReport};
 use crate::cli::common::console::{Style, escaped};
 use crate::cli::common::numbers::{count, counts_above_zero};
 use crease::num::{Degrees, three_digits};
@@ -129,42 +129,44 @@ fn place(site: &Site, report: &InspectReport) -> String {
 
 /// What is different in another file: one line, then the details.
 fn comparison(against: &Against, report: &InspectReport, style: Style, places: usize) -> String {
-    let angle = |Change { degrees: Degrees(degrees), steps }: Change| {
+    let Against { path, comparison } = against;
+    let [mean_steps, largest_steps] = comparison.steps();
+    let angle = |Degrees(degrees): Degrees, steps: f64| {
         format!("{}° ({} of 255 grey steps)", three_digits(degrees), three_digits(steps))
     };
-    let summary = match against.changed {
-        0 => format!("no direction of {} corners changed", against.corners),
+    let summary = match comparison.changed {
+        0 => format!("no direction of {} corners changed", comparison.corners),
         changed => format!(
             "{changed} of {} corners changed, {} visibly, by {} at most and {} in the mean, under a key light",
-            against.corners,
-            against.visible,
-            angle(against.largest),
-            angle(against.mean)
+            comparison.corners,
+            comparison.visible,
+            angle(comparison.largest, largest_steps),
+            angle(comparison.mean, mean_steps)
         ),
     };
     let mut lines = counts_above_zero(&[
-        (against.gained, "corners have a normal there that have none here"),
-        (against.lost, "corners have none there that have one here"),
-        (against.turned, "faces go round the other way"),
-        (against.unmatched[0], "faces stand here only"),
-        (against.unmatched[1], "faces stand there only"),
+        (comparison.gained, "corners have a normal there that have none here"),
+        (comparison.lost, "corners have none there that have one here"),
+        (comparison.turned, "faces go round the other way"),
+        (comparison.unmatched[0], "faces stand here only"),
+        (comparison.unmatched[1], "faces stand there only"),
     ]);
-    lines.extend(against.places.iter().take(places).map(|site| format!("at {}", place(site, report))));
-    let changes: [(&str, fn(&&FindingChange) -> bool); 3] = [
-        ("gone", |it| it.after == 0),
-        ("new", |it| it.before == 0),
-        ("other counts", |it| it.before != it.after && it.before > 0 && it.after > 0),
+    lines.extend(comparison.places.iter().take(places).map(|site| format!("at {}", place(site, report))));
+    let changes: [(&str, fn([u64; 2]) -> bool); 3] = [
+        ("gone", |[_, after]| after == 0),
+        ("new", |[before, _]| before == 0),
+        ("other counts", |[before, after]| before != after && before > 0 && after > 0),
     ];
     for (name, is_wanted) in changes {
-        let findings = against.findings.iter().filter(is_wanted);
+        let findings = comparison.findings.iter().filter(|(_, counts)| is_wanted(*counts));
         let findings: Vec<String> =
-            findings.map(|it| format!("{} {} → {}", it.id, it.before, it.after)).collect();
+            findings.map(|(kind, [before, after])| format!("{} {before} → {after}", kind.id())).collect();
         if !findings.is_empty() {
             lines.push(format!("{name}: {}", findings.join(", ")));
         }
     }
     let lines: String = lines.iter().map(|line| format!("    {line}\n")).collect();
-    format!("  against {}: {summary}\n{lines}", style.paint(Style::BOLD, &escaped(&against.path)))
+    format!("  against {}: {summary}\n{lines}", style.paint(Style::BOLD, &escaped(path)))
 }
 
 /// What the catalogue says of one finding.

@@ -1,6 +1,6 @@
 //! The options of `crease normals`.
 
-use crate::cli::common::choice::{Choice, Choose, as_name, one_of};
+use crate::cli::common::choice::{Choose, as_name, choices, one_of};
 use crate::cli::common::options::{EXIT_CODES, RunArgs, confidence, crease_angle};
 use clap::{ArgGroup, Args};
 use crease::io::{Emit, Format, NormalFormat, TangentPolicy};
@@ -188,99 +188,61 @@ pub enum HardEdge {
     Authored,
 }
 
-impl Choose for Emit {
-    const CHOICES: &'static [Choice<Self>] = &[
-        (
-            "corner",
-            Emit::Corner,
-            "one per corner of a face, shared where equal; vertices are split where the format needs it",
-        ),
-        ("vertex", Emit::Vertex, "one per vertex, over all faces at it; sharp edges are ignored"),
-        ("face", Emit::Face, "one per face: PLY face properties, STL facets, or rows of the JSON report"),
-    ];
-}
+choices! { Emit {
+    "corner" => Corner: "one per corner of a face, shared where equal; vertices are split where the format needs it",
+    "vertex" => Vertex: "one per vertex, over all faces at it; sharp edges are ignored",
+    "face" => Face: "one per face: PLY face properties, STL facets, or rows of the JSON report",
+} }
 
-impl Choose for CreaseRule {
-    const CHOICES: &'static [Choice<Self>] = &[
-        (
-            "fan",
-            CreaseRule::Fan,
-            "they cut the fan of faces at a vertex into smooth groups with one normal each",
-        ),
-        ("cone", CreaseRule::Cone, "each corner averages the faces within the angle of its own face"),
-    ];
-}
+choices! { CreaseRule {
+    "fan" => Fan: "they cut the fan of faces at a vertex into smooth groups with one normal each",
+    "cone" => Cone: "each corner averages the faces within the angle of its own face",
+} }
 
-impl Choose for Groups {
-    const CHOICES: &'static [Choice<Self>] = &[
-        ("honour", Groups::Honour, "edges between different groups, or without one, are sharp"),
-        ("ignore", Groups::Ignore, "nothing"),
-    ];
-}
+choices! { Groups {
+    "honour" => Honour: "edges between different groups, or without one, are sharp",
+    "ignore" => Ignore: "nothing",
+} }
 
-impl Choose for HardEdge {
-    const CHOICES: &'static [Choice<Self>] = &[
-        ("uv", HardEdge::Uv, "where texture coordinates are cut"),
-        ("material", HardEdge::Material, "between materials"),
-        (
-            "authored",
-            HardEdge::Authored,
-            "where the stored normals of the two sides differ by more than 0.1°",
-        ),
-    ];
-}
+choices! { HardEdge {
+    "uv" => Uv: "where texture coordinates are cut",
+    "material" => Material: "between materials",
+    "authored" => Authored: "where the stored normals of the two sides differ by more than 0.1°",
+} }
 
-impl Choose for Slivers {
-    const CHOICES: &'static [Choice<Self>] = &[
-        ("exclude", Slivers::Exclude, "they add nothing, unless a smooth group has no other face"),
-        ("keep", Slivers::Keep, "they count like any other"),
-    ];
-}
+choices! { Slivers {
+    "exclude" => Exclude: "they add nothing, unless a smooth group has no other face",
+    "keep" => Keep: "they count like any other",
+} }
 
-impl Choose for Precision {
-    const CHOICES: &'static [Choice<Self>] = &[
-        ("faithful", Precision::Faithful, "right to the last bit, at any magnitude, offset or thinness"),
-        (
-            "fast",
-            Precision::Fast,
-            "f32 arithmetic for well-shaped faces of edges 1e-6 to 1e6, else as faithful; on a mesh no faster (`crease trade` tells)",
-        ),
-    ];
-}
+choices! { Precision {
+    "faithful" => Faithful: "right to the last bit, at any magnitude, offset or thinness",
+    "fast" => Fast: "f32 arithmetic for well-shaped faces of edges 1e-6 to 1e6, else as faithful; on a mesh no faster (`crease trade` tells)",
+} }
 
-impl Choose for Degenerate {
-    const CHOICES: &'static [Choice<Self>] =
-        &[("keep", Degenerate::Keep, "they stay"), ("drop", Degenerate::Drop, "they are left out")];
-}
+choices! { Degenerate {
+    "keep" => Keep: "they stay",
+    "drop" => Drop: "they are left out",
+} }
 
-impl Choose for Orient {
-    const CHOICES: &'static [Choice<Self>] = &[
-        ("keep", Orient::Keep, "as they are"),
-        ("consistent", Orient::Consistent, "neighbours agree; the lesser part of a component is turned"),
-        (
-            "outward",
-            Orient::Outward,
-            "closed components face outward, cavities inward, and rooms if stored normals tell them; open ones the way that sees more, if that is sure",
-        ),
-    ];
-}
+choices! { Orient {
+    "keep" => Keep: "as they are",
+    "consistent" => Consistent: "neighbours agree; the lesser part of a component is turned",
+    "outward" => Outward: "closed components face outward, cavities inward, and rooms if stored normals tell them; open ones the way that sees more, if that is sure",
+} }
 
-impl Choose for TangentPolicy {
-    const CHOICES: &'static [Choice<Self>] = &[
-        ("drop", TangentPolicy::Drop, "left out, and a note says so; readers then generate them"),
-        ("keep", TangentPolicy::Keep, "kept as they are"),
-        ("regenerate", TangentPolicy::Regenerate, "made again by MikkTSpace where texture coordinates allow"),
-    ];
-}
+choices! { TangentPolicy {
+    "drop" => Drop: "left out, and a note says so; readers then generate them",
+    "keep" => Keep: "kept as they are",
+    "regenerate" => Regenerate: "made again by MikkTSpace where texture coordinates allow",
+} }
 
-impl Choose for NormalFormat {
-    const CHOICES: &'static [Choice<Self>] = &[
-        ("same", NormalFormat::Same, "as in the input, else f32"),
-        ("f32", NormalFormat::F32, "32-bit floats"),
-        ("i16", NormalFormat::I16, "16-bit integers (KHR_mesh_quantization)"),
-        ("i8", NormalFormat::I8, "8-bit integers (KHR_mesh_quantization)"),
-    ];
-}
+choices! { NormalFormat {
+    "same" => Same: "as in the input, else f32",
+    "f32" => F32: "32-bit floats",
+    "i16" => I16: "16-bit integers (KHR_mesh_quantization)",
+    "i8" => I8: "8-bit integers (KHR_mesh_quantization)",
+} }
 
 fn weld(text: &str) -> Result<Weld, String> {
     match (text, text.parse()) {

@@ -1,36 +1,4 @@
-//! The report on one input file, as JSON.
-//!
-//! # The JSON schema, `crease-normals/1`
-//! One object on one line for each input, in the order of the inputs. A change that could break a reader raises
-//! the number after the slash; new members may come at any time.
-//!
-//! | member | meaning |
-//! |---|---|
-//! | `schema`, `crease` | `"crease-normals/1"`; the program's version |
-//! | `status` | `"ok"` or `"failed"` |
-//! | `error` | absent if `ok`; else `kind` (`"usage"`, `"input"`, `"output"`, `"internal"`), `message`, and for `input` also `problem` (such as `"Syntax"`), `place`, `found`, `advice` |
-//! | `input` | `path` (`"-"`: standard input), `format`, `bytes`; the last two absent if unknown |
-//! | `output` | absent if none was made; else `path` (absent: nowhere), `format`, `bytes`, `vertices`, `added_vertices`, `unchanged` (the bytes are the input's), `companions` (names) |
-//! | `dry_run` | whether writing was left out |
-//! | `recipe` | what was asked for: `emit`, `weight`, `crease` (degrees; null: the default), `crease_rule`, `groups`, `hard_edges`, `when`, `weld` (`"exact"`, `"off"` or a fraction), `slivers`, `precision` |
-//! | `parts` | one object for each mesh of the file, below |
-//! | `notes` | `severity` (`"note"`, `"warning"`), `place` (absent: the file as a whole), `text`, and where there are several alike `more` (how many) and `also` (the places of the first 100 of these) |
-//! | `seconds` | `read`, `compute`, `write`, `total` |
-//!
-//! A `place` is `{"line": n}` from 1, `{"byte": n}` from 0, or `{"json": "/a/pointer"}`. A part has `name`; its
-//! mesh as it was read: `vertices`, `referenced_vertices`, `faces`, `corners`, `triangles`, `quads`, `polygons` (of
-//! five corners or more); the computed normals: `entries` (one for each vertex and smooth group), `splits`
-//! (entries minus referenced vertices), `crease_degrees` (the angle that was applied, or null), `near_crease` (edges
-//! within 0.1° of it, or within what the few digits of positions allow), `edges` (by kind; the kinds up to `crease` add up to all, `welded` is how many of them were
-//! joined by position), `faults` (of `faces`, `corners`, `vertices`: how often which reason), `kept_corners`,
-//! `replaced_corners` (by reason: `Missing`, `NotFinite`, `Zero`, `AgainstFace` for a computed normal, `Length` for the stored
-//! one divided by its length; both zero or empty unless `when` is `missing` or `broken`), `fault_places` and
-//! `broken_places` (the first places of faults, and of corners whose stored normal was broken: `face`, or `face`, `corner`
-//! and `vertex`, or `vertex`, all from 0 as in the file, and `reason`; at most 100 of each kind, absent if there are none), `reversed_faces`,
-//! `dropped_faces` (without area), `non_finite_faces` (dropped under `--force`), `orientation` (absent unless
-//! asked for: counts of `components`, `closed`, `open_told`, `open_left`, `non_orientable`, `flat`, `undecided`,
-//! `inside_out`, `open_inside_out`, `cavities`, `rooms`, and `confidence`, the least of those of `open_told`, or null), `quadric_fallbacks`, `cone_declined` (fans too large for the cone rule), `wide_clusters`, `faces_before_groups`, `fast_declined`; and under
-//! `--emit face --json` without an output `face_normals`: `[x, y, z]` for each face, null for a dropped one.
+//! The report on one input file, as JSON. Members are described in `docs/json.md`.
 
 use super::args::RecipeArgs;
 use super::request::{Job, Request};

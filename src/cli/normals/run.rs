@@ -4,9 +4,9 @@ use super::args::NormalsArgs;
 use super::json::{Part, Report};
 use super::request::{Job, Request};
 use super::text;
-use crate::cli::args::usage_error;
+use crate::cli::args::refused;
 use crate::cli::common::console::{Console, Verbosity, escaped};
-use crate::cli::common::failure::{Exit, Failure, FailureKind, exit_code, guarded};
+use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
 use crate::cli::common::input::Source;
 use crate::cli::common::notes;
 use crate::cli::common::numbers::count;
@@ -25,11 +25,7 @@ pub fn main(args: &NormalsArgs, color: Color) -> Exit {
     let console = Console::new(&args.run, color, args.output.output.as_deref());
     let request = match Request::resolve(args) {
         Ok(request) => request,
-        Err(failure) if failure.kind == FailureKind::Usage => usage_error("normals", failure.message),
-        Err(failure) => {
-            console.error(&failure.message);
-            return failure.exit();
-        }
+        Err(failure) => return refused("normals", &failure, &console),
     };
     args.run.use_threads();
     let progress = Progress::of_inputs(&console, request.jobs.iter().map(|job| &job.source));

@@ -4,8 +4,9 @@ use super::args::RenderArgs;
 use super::request::{FileKind, Request, Subject};
 use super::turn;
 use super::values::ReflectionChoice;
+use super::wire_contrast::contrast;
 use crate::cli::common::failure::Failure;
-use crease::num::{LinearRgb, Srgb8, Transfer};
+use crease::num::{LinearRgb, Transfer};
 use crease::raster::{Bits, RenderError, Samples, SceneFile, Show, default_lights, rotation};
 use crease::shade::{Guards, Light, Place, Reflection, ShadeError};
 
@@ -162,19 +163,6 @@ pub fn blame(args: &RenderArgs, error: &RenderError, lights: usize) -> Option<St
     }
 }
 
-/// The contrast ratio (Y₁ + 0.05)/(Y₂ + 0.05) of the lighter to the darker of two colours, as WCAG 2.1 defines it: 1 of the
-/// same luminance, 21 of black and white. Luminances are those that a screen shows for the codes, which it takes for sRGB.
-pub fn contrast(a: LinearRgb, b: LinearRgb, transfer: Transfer) -> f64 {
-    let luminance = |colour| LinearRgb::from(code(colour, transfer)).luminance() + 0.05;
-    let (a, b) = (luminance(a), luminance(b));
-    a.max(b) / a.min(b)
-}
-
-/// The codes that a colour is written as.
-pub fn code(colour: LinearRgb, transfer: Transfer) -> Srgb8 {
-    Srgb8(colour.to_array().map(|light| transfer.to_u8(light)))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -188,20 +176,5 @@ mod tests {
         assert_eq!(lights(&before, &[sun(3.0)], None), [ambient(0.1), sun(3.0)]);
         assert_eq!(lights(&before, &[], Some(LinearRgb::grey(0.5))), [ambient(0.5), sun(1.0), sun(2.0)]);
         assert_eq!(lights(&before, &[sun(3.0)], Some(LinearRgb::BLACK)), [ambient(0.0), sun(3.0)]);
-    }
-
-    #[test]
-    fn contrast_is_that_of_the_codes_on_a_screen() {
-        let (black, white) = (LinearRgb::BLACK, LinearRgb::WHITE);
-        for transfer in [Transfer::Srgb, Transfer::Direct] {
-            assert_eq!(contrast(white, black, transfer), 21.0);
-            assert_eq!(contrast(white, white, transfer), 1.0);
-        }
-        // #767676, the darkest grey that is known for 4.54:1 on white.
-        let grey = LinearRgb::from(Srgb8([0x76; 3]));
-        assert!((contrast(white, grey, Transfer::Srgb) - 4.54).abs() < 0.005);
-        // Light of 0.3 is code 77 if it is written as it is, of luminance 0.0742, and not 149.
-        assert!((contrast(white, LinearRgb::grey(0.3), Transfer::Direct) - 1.05 / 0.1242).abs() < 0.01);
-        assert!((contrast(LinearRgb::grey(0.3), white, Transfer::Srgb) - 3.0).abs() < 0.02);
     }
 }

@@ -1,20 +1,4 @@
-//! The report of `crease render` as JSON.
-//!
-//! # The JSON schema, `crease-render/1`
-//! One object on one line. A change that could break a reader raises the number after the slash; new members may come
-//! at any time.
-//!
-//! | member | meaning |
-//! |---|---|
-//! | `schema`, `crease` | `"crease-render/1"`; the program's version |
-//! | `status`, `error`, `notes` | as in `crease-normals/1` |
-//! | `input` | `path` (`"-"`: standard input), `bytes` |
-//! | `output` | absent if none was made; else `path`, `format` (`"png"`, `"gif"`), `bytes`, `width`, `height` |
-//! | `scene` | `objects`, `meshes`, `vertices`, `faces` (counts, each mesh once), `lights` (their kinds), `camera` (`eye`, `target`, `up`, `near`, and `angle` in degrees or `height`) |
-//! | `settings` | `width`, `height`, `shading`, `interpolation`, `samples`, `bits`, `tone`, `transfer`, `guards` (by name), `terminator` |
-//! | `drawings` | one for each panel or frame: `name` (absent for a single picture), `covered_pixels`, `triangles_drawn`, `triangles_clipped`, `triangles_culled`, and `seconds`: `geometry`, `binning`, `tiles` |
-//! | `probe` | absent unless asked for; what the library's `PixelReport` has |
-//! | `seconds` | `load` (reading, normals), `draw` (with encoding, and storing an animation), `write`, `total` |
+//! The report of `crease render` as JSON. Members are described in `docs/json.md`.
 
 use super::draw::Drawing;
 use super::request::{FileKind, Request};
@@ -30,7 +14,7 @@ use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 use std::collections::BTreeMap;
 
-#[derive(Serialize)]
+#[derive(Default, Serialize)]
 pub struct Report {
     #[serde(flatten)]
     pub head: Head,
@@ -85,13 +69,7 @@ impl Report {
         Self {
             head: Head::new("crease-render/1"),
             input: InputReport::new(&request.source, None),
-            output: None,
-            scene: None,
-            settings: None,
-            drawings: Vec::new(),
-            probe: None,
-            notes: Vec::new(),
-            seconds: Seconds::default(),
+            ..Self::default()
         }
     }
 }

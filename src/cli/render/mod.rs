@@ -22,3 +22,5 @@ mod turn;
 mod values;
 /// Options without effect, and pictures that show less than they could.
 mod warnings;
+/// The contrast of wireframes with the background.
+mod wire_contrast;

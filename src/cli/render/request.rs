@@ -6,7 +6,7 @@ use crate::cli::common::input::Source;
 use crate::cli::common::output::{Target, is_same_file};
 use crease::io::{Format, NonFinite, ReadOptions};
 use crease::normals::{Crease, NormalRecipe, When};
-use crease::raster::{Bits, LoadOptions, RenderSettings, Shading};
+use crease::raster::{Bits, LoadOptions, RenderSettings, SceneObject, SceneShape, Shading};
 use crease::report::panels_size;
 use crease::shade::Light;
 use std::path::Path;
@@ -197,4 +197,9 @@ fn target(args: &RenderArgs) -> Result<(Option<Target>, FileKind), String> {
 
 fn usage<T>(message: impl Into<String>) -> Result<T, String> {
     Err(message.into())
+}
+
+/// Whether an object is drawn by casting rays, whatever the shading.
+pub fn is_solid(object: &SceneObject) -> bool {
+    matches!(object.shape, SceneShape::Surface(_))
 }

@@ -1,6 +1,6 @@
 //! Values of options of `crease render`.
 
-use crate::cli::common::choice::{Choice, Choose};
+use crate::cli::common::choice::{Choose, choices};
 use crate::cli::common::vectors::number;
 use crease::num::{Degrees, Transfer};
 use crease::raster::{Bits, Cull, FlatSample, Interpolation, RenderSettings, Samples, Shading, Show};
@@ -108,123 +108,87 @@ impl Variant {
     }
 }
 
-impl Choose for Shading {
-    const CHOICES: &'static [Choice<Self>] = &[
-        ("flat", Shading::Flat, "once a face"),
-        ("gouraud", Shading::Gouraud, "at the corners; colours are interpolated (Gouraud 1971)"),
-        ("phong", Shading::Phong, "at every sample; normals are interpolated (Phong 1973)"),
-        ("wireframe", Shading::Wireframe, "nowhere: edges are drawn"),
-        ("exact", Shading::Exact, "at every sample, on the analytic surface that an object stands for"),
-    ];
-}
+choices! { Shading {
+    "flat" => Flat: "once a face",
+    "gouraud" => Gouraud: "at the corners; colours are interpolated (Gouraud 1971)",
+    "phong" => Phong: "at every sample; normals are interpolated (Phong 1973)",
+    "wireframe" => Wireframe: "nowhere: edges are drawn",
+    "exact" => Exact: "at every sample, on the analytic surface that an object stands for",
+} }
 
-impl Choose for Interpolation {
-    const CHOICES: &'static [Choice<Self>] = &[
-        (
-            "scanline",
-            Interpolation::Scanline,
-            "along the polygon's edges, then along the scanline: turns with the face",
-        ),
-        ("affine", Interpolation::Affine, "barycentric on triangles of the picture: ignores perspective"),
-        (
-            "perspective",
-            Interpolation::Perspective,
-            "barycentric on triangles of the scene: right under perspective",
-        ),
-    ];
-}
+choices! { Interpolation {
+    "scanline" => Scanline: "along the polygon's edges, then along the scanline: turns with the face",
+    "affine" => Affine: "barycentric on triangles of the picture: ignores perspective",
+    "perspective" => Perspective: "barycentric on triangles of the scene: right under perspective",
+} }
 
-impl Choose for Variant {
-    const CHOICES: &'static [Choice<Self>] = &[
-        ("flat", Variant::Shading(Shading::Flat), "flat shading"),
-        ("gouraud", Variant::Shading(Shading::Gouraud), "Gouraud shading"),
-        ("phong", Variant::Shading(Shading::Phong), "Phong shading"),
-        ("wireframe", Variant::Shading(Shading::Wireframe), "edges"),
-        ("exact", Variant::Shading(Shading::Exact), "the analytic surface"),
-        ("scanline", Variant::Interpolation(Interpolation::Scanline), "scanline interpolation"),
-        ("affine", Variant::Interpolation(Interpolation::Affine), "affine interpolation"),
-        (
-            "perspective",
-            Variant::Interpolation(Interpolation::Perspective),
-            "perspective-correct interpolation",
-        ),
-    ];
-}
+choices! { Variant {
+    "flat" => Shading(Shading::Flat): "flat shading",
+    "gouraud" => Shading(Shading::Gouraud): "Gouraud shading",
+    "phong" => Shading(Shading::Phong): "Phong shading",
+    "wireframe" => Shading(Shading::Wireframe): "edges",
+    "exact" => Shading(Shading::Exact): "the analytic surface",
+    "scanline" => Interpolation(Interpolation::Scanline): "scanline interpolation",
+    "affine" => Interpolation(Interpolation::Affine): "affine interpolation",
+    "perspective" => Interpolation(Interpolation::Perspective): "perspective-correct interpolation",
+} }
 
-impl Choose for ReflectionChoice {
-    const CHOICES: &'static [Choice<Self>] = &[
-        ("phong", ReflectionChoice::Phong, "(V·R)ⁿ with the mirrored ray (Phong 1973)"),
-        ("blinn", ReflectionChoice::Blinn, "(N·H)ⁿ with the half-vector (Blinn 1977)"),
-        ("given", ReflectionChoice::Given, "no light: the colours of vertices are interpolated"),
-    ];
-}
+choices! { ReflectionChoice {
+    "phong" => Phong: "(V·R)ⁿ with the mirrored ray (Phong 1973)",
+    "blinn" => Blinn: "(N·H)ⁿ with the half-vector (Blinn 1977)",
+    "given" => Given: "no light: the colours of vertices are interpolated",
+} }
 
-impl Choose for FlatSample {
-    const CHOICES: &'static [Choice<Self>] = &[
-        ("centroid", FlatSample::Centroid, "at the mean of the corners"),
-        ("vertex-mean", FlatSample::VertexMean, "at every corner; the face gets the mean of the colours"),
-    ];
-}
+choices! { FlatSample {
+    "centroid" => Centroid: "at the mean of the corners",
+    "vertex-mean" => VertexMean: "at every corner; the face gets the mean of the colours",
+} }
 
-impl Choose for Overlay {
-    const CHOICES: &'static [Choice<Self>] = &[
-        ("wire", Overlay::Wire, "edges of faces"),
-        ("creases", Overlay::Creases, "edges whose sides have different normals"),
-        ("vertex-normals", Overlay::VertexNormals, "lines along the normals of vertices"),
-        ("face-normals", Overlay::FaceNormals, "lines along the normals of faces"),
-    ];
-}
+choices! { Overlay {
+    "wire" => Wire: "edges of faces",
+    "creases" => Creases: "edges whose sides have different normals",
+    "vertex-normals" => VertexNormals: "lines along the normals of vertices",
+    "face-normals" => FaceNormals: "lines along the normals of faces",
+} }
 
-impl Choose for HiddenLines {
-    const CHOICES: &'static [Choice<Self>] = &[
-        ("remove", HiddenLines::Remove, "they are left out"),
-        ("show", HiddenLines::Show, "they are drawn like all others"),
-    ];
-}
+choices! { HiddenLines {
+    "remove" => Remove: "they are left out",
+    "show" => Show: "they are drawn like all others",
+} }
 
-impl Choose for Cull {
-    const CHOICES: &'static [Choice<Self>] = &[
-        ("none", Cull::None, "none"),
-        ("back", Cull::Back, "those seen from behind"),
-        ("front", Cull::Front, "those seen from the front"),
-    ];
-}
+choices! { Cull {
+    "none" => None: "none",
+    "back" => Back: "those seen from behind",
+    "front" => Front: "those seen from the front",
+} }
 
-impl Choose for Samples {
-    const CHOICES: &'static [Choice<Self>] = &[
-        ("1", Samples::One, "the centre"),
-        ("4", Samples::Four, "a rotated square"),
-        ("8", Samples::Eight, "eight places, no two in a row or column"),
-        ("16", Samples::Sixteen, "sixteen, likewise"),
-    ];
-}
+choices! { Samples {
+    "1" => One: "the centre",
+    "4" => Four: "a rotated square",
+    "8" => Eight: "eight places, no two in a row or column",
+    "16" => Sixteen: "sixteen, likewise",
+} }
 
-impl Choose for Bits {
-    const CHOICES: &'static [Choice<Self>] =
-        &[("8", Bits::Eight, "256 steps"), ("16", Bits::Sixteen, "65536 steps; PNG only")];
-}
+choices! { Bits {
+    "8" => Eight: "256 steps",
+    "16" => Sixteen: "65536 steps; PNG only",
+} }
 
-impl Choose for Terminator {
-    const CHOICES: &'static [Choice<Self>] = &[
-        ("smooth", Terminator::Smooth, "it stays: only the interpolated normal counts"),
-        ("hard", Terminator::Hard, "it goes, as in the face's own shadow: along the edges of faces"),
-        ("soft", Terminator::Soft, "it goes gradually (Chiang, Li and Burley 2019)"),
-    ];
-}
+choices! { Terminator {
+    "smooth" => Smooth: "it stays: only the interpolated normal counts",
+    "hard" => Hard: "it goes, as in the face's own shadow: along the edges of faces",
+    "soft" => Soft: "it goes gradually (Chiang, Li and Burley 2019)",
+} }
 
-impl Choose for ToneRule {
-    const CHOICES: &'static [Choice<Self>] = &[
-        ("clamp", ToneRule::Clamp, "each component is clamped to 1"),
-        ("max", ToneRule::DivideByMax, "the colour is divided by its largest component"),
-    ];
-}
+choices! { ToneRule {
+    "clamp" => Clamp: "each component is clamped to 1",
+    "max" => DivideByMax: "the colour is divided by its largest component",
+} }
 
-impl Choose for Transfer {
-    const CHOICES: &'static [Choice<Self>] = &[
-        ("srgb", Transfer::Srgb, "the curve of sRGB"),
-        ("direct", Transfer::Direct, "the number itself, as the lectures have it"),
-    ];
-}
+choices! { Transfer {
+    "srgb" => Srgb: "the curve of sRGB",
+    "direct" => Direct: "the number itself, as the lectures have it",
+} }
 
 #[cfg(test)]
 mod tests {

@@ -1,16 +1,13 @@
 //! Notes on options that have no effect, and on pictures that show less than they could.
 
 use super::args::RenderArgs;
-use super::changes::{code, contrast};
-use super::request::Request;
+use super::request::{Request, is_solid};
 use super::values::ReflectionChoice;
+use super::wire_contrast::faint_wireframe;
 use crate::cli::common::choice::Choose;
 use crease::io::{Note, Place};
-use crease::raster::{FlatSample, RenderSettings, SceneFile, SceneObject, SceneShape, Shading, Show};
+use crease::raster::{FlatSample, RenderSettings, SceneFile, SceneObject, Shading, Show};
 use crease::report::Overlay;
-
-/// The contrast that graphics need with what surrounds them: WCAG 2.1, success criterion 1.4.11.
-const LEAST_CONTRAST: f64 = 3.0;
 
 /// Notes on a scene that options have changed.
 pub fn notes(request: &Request, file: &SceneFile) -> Vec<Note> {
@@ -132,29 +129,4 @@ fn analytic(args: &RenderArgs, file: &SceneFile, panels: &[RenderSettings]) -> O
     panels.iter().any(is_other).then(|| {
         format!("{which} without a tessellation: whatever the shading, drawn exactly, by casting rays")
     })
-}
-
-fn is_solid(object: &SceneObject) -> bool {
-    matches!(object.shape, SceneShape::Surface(_))
-}
-
-/// A wireframe that hardly differs from the background.
-fn faint_wireframe(file: &SceneFile, panels: &[RenderSettings]) -> Option<String> {
-    let (wire, background, transfer) = (file.settings.wire.colour, file.background, file.settings.transfer);
-    let is_drawn = file.settings.show == Show::Shaded
-        && panels.iter().any(|panel| panel.shading == Shading::Wireframe)
-        && !file.objects.iter().all(is_solid);
-    let found = contrast(wire, background, transfer);
-    if !is_drawn || found >= LEAST_CONTRAST {
-        return None;
-    }
-    // Rounded down, so that it is below the limit.
-    let reported = (found * 100.0).floor() / 100.0;
-    let what = match code(wire, transfer) == code(background, transfer) {
-        true => "has the colour of the background".into(),
-        false => format!(
-            "is hard to tell from the background: their contrast is {reported:.2}:1, and WCAG 2.1 asks for {LEAST_CONTRAST}:1"
-        ),
-    };
-    Some(format!("the wireframe {what}; choose another --background"))
 }

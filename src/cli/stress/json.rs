@@ -1,32 +1,4 @@
-//! The report of `crease stress` as JSON.
-//!
-//! # The JSON schema, `crease-stress/1`
-//! One object on one line.
-//!
-//! | member | meaning |
-//! |---|---|
-//! | `schema`, `crease` | `"crease-stress/1"`; the program's version |
-//! | `status` | `"ok"`, or `"broken"` if an expectation does not hold |
-//! | `cases` | one object a case, as below |
-//! | `summary` | `cases`, `broken` (how many do not hold), `plain_fails` (in how many plain `f32` code fails visibly) |
-//! | `seconds` | how long it took |
-//!
-//! Members of a case:
-//!
-//! | member | meaning |
-//! |---|---|
-//! | `group`, `name` | together they name the case |
-//! | `what`, `expectation` | in words |
-//! | `samples` | how many results were looked at |
-//! | `faithful` | an error, as below, with `bound` |
-//! | `without_fast` | where there is no `fast` beside it: why |
-//! | `fast` | absent where it does not concern `fast`; an error with `bound` and `declined`, the samples left to `faithful` |
-//! | `plain` | absent where there is no plain formula; an error with `formula` and `fails`, whether it can be seen |
-//! | `holds` | whether the expectation holds |
-//!
-//! An error has `worst` (the largest of the results that are numbers; `null` if it is infinite), `undefined` (how many
-//! results are no numbers or no directions) and `unit`: `ulps` of `f32`, `degrees`, `relative`, `absolute`, or `wrong`
-//! (answers). A `bound` has `most`, in the same unit, and its `source`.
+//! The report of `crease stress` as JSON. Members are described in `docs/json.md`.
 
 use crate::cli::common::report::Head;
 use crease::trade::stress::{Bound, StressResult, Unit, Worst};

@@ -1,6 +1,6 @@
 //! The options of `crease surface`.
 
-use crate::cli::common::choice::{Choice, Choose, one_of};
+use crate::cli::common::choice::{choices, one_of};
 use crate::cli::common::options::{EXIT_CODES, RunArgs};
 use crate::cli::common::vectors::{finite_numbers, vector};
 use clap::Args;
@@ -149,22 +149,20 @@ pub enum Kind {
     Teapot,
 }
 
-impl Choose for Kind {
-    const CHOICES: &'static [Choice<Self>] = &[
-        ("plane", Kind::Plane, "a rectangle"),
-        ("sphere", Kind::Sphere, "a sphere"),
-        ("ellipsoid", Kind::Ellipsoid, "three different axes"),
-        ("cylinder", Kind::Cylinder, "a tube, open at both ends"),
-        ("cone", Kind::Cone, "with a tip, open at the base"),
-        ("torus", Kind::Torus, "a ring"),
-        ("catenoid", Kind::Catenoid, "the film between two rings: mean curvature zero"),
-        ("wave", Kind::Wave, "z = 0.3 sin 3x cos 3y"),
-        ("monkey-saddle", Kind::MonkeySaddle, "z = x³ − 3xy²"),
-        ("superquadric", Kind::Superquadric, "between box, ellipsoid and octahedron"),
-        ("bezier", Kind::Bezier, "one bicubic patch"),
-        ("teapot", Kind::Teapot, "Newell's, of 32 patches"),
-    ];
-}
+choices! { Kind {
+    "plane" => Plane: "a rectangle",
+    "sphere" => Sphere: "a sphere",
+    "ellipsoid" => Ellipsoid: "three different axes",
+    "cylinder" => Cylinder: "a tube, open at both ends",
+    "cone" => Cone: "with a tip, open at the base",
+    "torus" => Torus: "a ring",
+    "catenoid" => Catenoid: "the film between two rings: mean curvature zero",
+    "wave" => Wave: "z = 0.3 sin 3x cos 3y",
+    "monkey-saddle" => MonkeySaddle: "z = x³ − 3xy²",
+    "superquadric" => Superquadric: "between box, ellipsoid and octahedron",
+    "bezier" => Bezier: "one bicubic patch",
+    "teapot" => Teapot: "Newell's, of 32 patches",
+} }
 
 /// A pattern by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -179,30 +177,16 @@ pub enum PatternName {
     Scattered,
 }
 
-impl Choose for PatternName {
-    const CHOICES: &'static [Choice<Self>] = &[
-        ("triangles", PatternName::Triangles, "a grid of the parameters, its cells cut in two"),
-        ("stretched", PatternName::Stretched, "the same, with cells --ratio times as long one way"),
-        ("slivers", PatternName::Slivers, "every other row --ratio times as close to the next"),
-        ("quads", PatternName::Quads, "the cells themselves"),
-        (
-            "polygons",
-            PatternName::Polygons,
-            "the dual of the triangles: mostly hexagons; the tip of a cone is cut off",
-        ),
-        ("icosphere", PatternName::Icosphere, "a subdivided icosahedron (sphere, ellipsoid, superquadric)"),
-        (
-            "marching",
-            PatternName::Marching,
-            "marching tetrahedra (not bezier and teapot); --segments along the longest side",
-        ),
-        (
-            "scattered",
-            PatternName::Scattered,
-            "Delaunay triangles of random points (plane, wave, monkey-saddle)",
-        ),
-    ];
-}
+choices! { PatternName {
+    "triangles" => Triangles: "a grid of the parameters, its cells cut in two",
+    "stretched" => Stretched: "the same, with cells --ratio times as long one way",
+    "slivers" => Slivers: "every other row --ratio times as close to the next",
+    "quads" => Quads: "the cells themselves",
+    "polygons" => Polygons: "the dual of the triangles: mostly hexagons; the tip of a cone is cut off",
+    "icosphere" => Icosphere: "a subdivided icosahedron (sphere, ellipsoid, superquadric)",
+    "marching" => Marching: "marching tetrahedra (not bezier and teapot); --segments along the longest side",
+    "scattered" => Scattered: "Delaunay triangles of random points (plane, wave, monkey-saddle)",
+} }
 
 fn one_or_two(text: &str) -> Result<[f64; 2], String> {
     match finite_numbers(text)?[..] {

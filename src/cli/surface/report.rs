@@ -1,19 +1,4 @@
-//! The report of `crease surface` as JSON and as text.
-//!
-//! # The JSON schema, `crease-surface/1`
-//! One object on one line.
-//!
-//! | member | meaning |
-//! |---|---|
-//! | `schema`, `crease` | `"crease-surface/1"`; the program's version |
-//! | `status`, `error` | as in `crease-normals/1` |
-//! | `surface` | its name |
-//! | `tessellation` | `pattern`, `segments` (absent for an icosphere), `ratio`, `level` (of patterns that have them), `jitter`, `noise`, `seed`, `uv` |
-//! | `scale`, `offset` | three numbers each |
-//! | `mesh` | absent if none was made; else `vertices`, `faces`, `triangles`, `quads`, `polygons` (of five corners or more), `open_edges`, `euler` (vertices − edges + faces), `bounds` (`low` and `high`) |
-//! | `output` | absent if none was stored; else as in `crease-normals/1` |
-//! | `notes` | as in `crease-normals/1` |
-//! | `seconds` | from the first vertex to the stored file |
+//! The report of `crease surface` as JSON and as text. Members are described in `docs/json.md`.
 
 use super::args::SurfaceArgs;
 use super::request::Request;
@@ -24,14 +9,16 @@ use crate::cli::common::report::{Head, MeshOutput};
 use crease::io::Note;
 use crease::mesh::{Link, Mesh, Topology};
 use crease::surface::{Pattern, Tessellation};
-use serde::Serialize;
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Default, Serialize)]
 pub struct SurfaceReport {
     #[serde(flatten)]
     pub head: Head,
     surface: &'static str,
-    tessellation: TessellationReport,
+    #[serde(serialize_with = "members")]
+    tessellation: Tessellation,
     scale: [f64; 3],
     offset: [f64; 3],
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -40,21 +27,6 @@ pub struct SurfaceReport {
     pub output: Option<MeshOutput>,
     pub notes: Vec<Note>,
     pub seconds: f64,
-}
-
-#[derive(Debug, Serialize)]
-struct TessellationReport {
-    pattern: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    segments: Option<[u32; 2]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    ratio: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    level: Option<u32>,
-    jitter: f64,
-    noise: f64,
-    seed: u32,
-    uv: bool,
 }
 
 #[derive(Debug, Serialize)]
@@ -81,13 +53,10 @@ impl SurfaceReport {
         Self {
             head: Head::new("crease-surface/1"),
             surface: args.kind.choice(),
-            tessellation: TessellationReport::new(&request.tessellation),
+            tessellation: request.tessellation,
             scale: args.shape.scale.to_array(),
             offset: args.shape.offset.to_array(),
-            mesh: None,
-            output: None,
-            notes: Vec::new(),
-            seconds: 0.0,
+            ..Self::default()
         }
     }
 
@@ -112,24 +81,22 @@ impl SurfaceReport {
     }
 }
 
-impl TessellationReport {
-    fn new(tessellation: &Tessellation) -> Self {
-        let Tessellation { pattern, segments, jitter, noise, seed, uvs } = *tessellation;
-        let level = if let Pattern::Icosphere(level) = pattern { Some(level) } else { None };
-        Self {
-            pattern: pattern.name(),
-            segments: level.is_none().then_some(segments),
-            ratio: match pattern {
-                Pattern::Stretched(ratio) | Pattern::Slivers(ratio) => Some(ratio),
-                _ => None,
-            },
-            level,
-            jitter,
-            noise,
-            seed,
-            uv: uvs,
-        }
+fn members<S: Serializer>(tessellation: &Tessellation, serializer: S) -> Result<S::Ok, S::Error> {
+    let Tessellation { pattern, segments, jitter, noise, seed, uvs } = tessellation;
+    let mut map = serializer.serialize_map(None)?;
+    map.serialize_entry("pattern", pattern.name())?;
+    match pattern {
+        Pattern::Icosphere(level) => map.serialize_entry("level", level)?,
+        _ => map.serialize_entry("segments", segments)?,
     }
+    if let Pattern::Stretched(ratio) | Pattern::Slivers(ratio) = pattern {
+        map.serialize_entry("ratio", ratio)?;
+    }
+    map.serialize_entry("jitter", jitter)?;
+    map.serialize_entry("noise", noise)?;
+    map.serialize_entry("seed", seed)?;
+    map.serialize_entry("uv", uvs)?;
+    map.end()
 }
 
 impl MeshReport {
