@@ -11,7 +11,6 @@ use crate::cli::common::input::Source;
 use crate::cli::common::options::Color;
 use crate::cli::common::output::make_folder;
 use crate::cli::common::progress::Progress;
-use crate::cli::common::report::json_line;
 use crease::artefact::{ArtefactError, EXPERIMENTS, Experiment, Knob, Language, Setup, UserMesh};
 use crease::io::{Loaded, ReadOptions, shell_word};
 use crease::mesh::{Faces, Mesh, MeshBuilder};
@@ -54,12 +53,11 @@ pub fn main(args: &ArtefactArgs, color: Color) -> Exit {
 }
 
 fn list(args: &ArtefactArgs, console: &Console) {
-    if console.json {
-        for experiment in EXPERIMENTS {
-            let setup = Setup { parameters: experiment.defaults, mesh: None };
-            console.report(&json_line(&Report::new(experiment, &setup)));
-        }
-    } else {
+    for experiment in EXPERIMENTS.iter().filter(|_| console.json) {
+        let setup = Setup { parameters: experiment.defaults, mesh: None };
+        console.print(&Report::new(experiment, &setup), String::new);
+    }
+    if !console.json {
         console.report(&list_table(args.lang).to_text());
     }
 }
@@ -72,11 +70,9 @@ fn report_unrun(
     why: &Failure,
     console: &Console,
 ) {
-    if console.json {
-        let mut report = Report::new(experiment, setup);
-        (report.head.status, report.head.error) = (status, Some(why.clone()));
-        console.report(&json_line(&report));
-    }
+    let mut report = Report::new(experiment, setup);
+    (report.head.status, report.head.error) = (status, Some(why.clone()));
+    console.print(&report, String::new);
 }
 
 /// The options that some experiments ignore; `--interpolation` has a note of its own.
@@ -178,29 +174,24 @@ fn animated(command: String, args: &ArtefactArgs) -> String {
 fn print(run: &Run, files: Vec<String>, agrees: bool, args: &ArtefactArgs, console: &Console) {
     let language = args.lang;
     let Run { experiment, setup, outcome, seconds } = run;
-    if console.json {
-        let mut report = Report::new(experiment, setup);
-        report.head.status = if agrees { "ok" } else { "findings" };
-        report.result = Some(RunReport {
-            unheeded: typed(args).filter(|knob| !experiment.takes.contains(knob)).map(Knob::name).collect(),
-            outcome,
-            command: animated(experiment.command(setup, language), args),
-            files,
-            seconds: *seconds,
-        });
-        console.report(&json_line(&report));
-    } else if console.verbosity > Verbosity::Quiet {
+    let mut report = Report::new(experiment, setup);
+    report.head.status = if agrees { "ok" } else { "findings" };
+    report.result = Some(RunReport {
+        unheeded: typed(args).filter(|knob| !experiment.takes.contains(knob)).map(Knob::name).collect(),
+        outcome,
+        command: animated(experiment.command(setup, language), args),
+        files: files.clone(),
+        seconds: *seconds,
+    });
+    console.print(&report, || {
         let title = console.report_style().paint(Style::BOLD, experiment.title().get(language));
         let claim = experiment.claim();
         let claim = claim.get(language);
         let [verdict, condition] = verdict_text(outcome, language);
         let numbers = measure_table(outcome, language).to_text();
-        let files = match files.len() {
-            0 => String::new(),
-            _ => format!("  → {}\n", files.join(", ")),
-        };
-        console.report(&format!("{title}\n  {claim}\n  {verdict}: {condition}\n{numbers}{files}"));
-    }
+        let files = if files.is_empty() { String::new() } else { format!("  → {}\n", files.join(", ")) };
+        format!("{title}\n  {claim}\n  {verdict}: {condition}\n{numbers}{files}")
+    });
 }
 
 /// All meshes of a file as one, where they stand in it.

@@ -3,6 +3,7 @@
 use super::options::{Color, RunArgs};
 use super::output::forgive_broken_pipe;
 use crease::io::Severity;
+use serde::Serialize;
 use std::cell::Cell;
 use std::fmt::Write as _;
 use std::io::{self, IsTerminal, Write};
@@ -86,12 +87,28 @@ impl Console {
         self.report_style
     }
 
+    /// Prints a report: as JSON on one line if that was asked for, else as text unless the run is quiet.
+    pub fn print(&self, report: &impl Serialize, text: impl FnOnce() -> String) {
+        if self.json {
+            let line = serde_json::to_string(report).expect("a report has string keys");
+            self.report(&(line + "\n"));
+        }
+        self.text(text);
+    }
+
+    /// Prints text of a report, unless the report is JSON or the run is quiet.
+    pub fn text(&self, text: impl FnOnce() -> String) {
+        if !self.json && self.verbosity > Verbosity::Quiet {
+            self.report(&text());
+        }
+    }
+
     /// Prints a report, text or JSON, whole lines. Reports are outputs: one that is lost is a failure.
     pub fn report(&self, text: &str) {
         let printed = if self.reports_to_stderr {
-            print(io::stderr().lock(), text)
+            write(io::stderr().lock(), text)
         } else {
-            print(io::stdout().lock(), text)
+            write(io::stdout().lock(), text)
         };
         if let Err(error) = printed
             && !self.failed.replace(true)
@@ -127,13 +144,13 @@ impl Console {
         if !self.stderr_is_json() {
             let label = self.error_style.paint(colour, &format!("{kind}:"));
             // Where remarks cannot be printed, neither can a complaint about that.
-            let _ = print(io::stderr().lock(), &format!("{label} {}\n", escaped(message)));
+            let _ = write(io::stderr().lock(), &format!("{label} {}\n", escaped(message)));
         }
     }
 }
 
 /// Writes text. That its reader has gone away is no failure.
-fn print(mut stream: impl Write, text: &str) -> io::Result<()> {
+fn write(mut stream: impl Write, text: &str) -> io::Result<()> {
     forgive_broken_pipe(stream.write_all(text.as_bytes()).and_then(|()| stream.flush()))
 }
 

@@ -97,7 +97,7 @@ impl Store {
     pub fn store(&mut self, written: Written, target: &Target) -> Result<Vec<Note>> {
         match target {
             Target::Stdout => {
-                // A copied companion stands where the input refers to it; standard output has no folder for it.
+                // A copied companion exists where the input refers to it; standard output has no folder for new ones.
                 let new = written.companions.iter().find(|c| matches!(c.content, OutputContent::Bytes(_)));
                 if let Some(companion) = new {
                     bail!("{} would have to stand beside the output; give a file", companion.name);

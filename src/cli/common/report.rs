@@ -6,13 +6,6 @@ use super::output::Target;
 use crease::io::{Format, Written};
 use serde::{Serialize, Serializer};
 
-/// A report as JSON on one line.
-pub fn json_line(report: &impl Serialize) -> String {
-    let mut line = serde_json::to_string(report).expect("a report has string keys and finite numbers");
-    line.push('\n');
-    line
-}
-
 /// What every report begins with: the schema, the program's version, and how it went.
 #[derive(Debug, Default, Serialize)]
 pub struct Head {

@@ -11,7 +11,6 @@ use crate::cli::common::input::Source;
 use crate::cli::common::options::Color;
 use crate::cli::common::output::Target;
 use crate::cli::common::progress::{FileProgress, Progress, Stage};
-use crate::cli::common::report::json_line;
 use crease::io::{Loaded, ReadOptions};
 use crease::num::Transfer;
 use crease::quality::{Diagnosis, Thresholds, compare, diagnose};
@@ -189,16 +188,14 @@ fn print(report: &InspectReport, args: &InspectArgs, brief: bool, console: &Cons
     if let Some(error) = &report.head.error {
         console.error(&format!("{}: {}", escaped(&report.input.path), error.message));
     }
-    if console.json {
-        console.report(&json_line(report));
-    } else if console.verbosity > Verbosity::Quiet && report.head.error.is_none() {
+    console.print(report, || {
         let verbose = console.verbosity == Verbosity::Verbose;
         let style = console.report_style();
         let places = args.findings.places.unwrap_or(if verbose { usize::MAX } else { 1 });
-        console.report(&if brief && !verbose {
-            text::line(report, style)
-        } else {
-            text::block(report, style, verbose, places)
-        });
-    }
+        match brief && !verbose {
+            _ if report.head.error.is_some() => String::new(),
+            true => text::line(report, style),
+            false => text::block(report, style, verbose, places),
+        }
+    });
 }

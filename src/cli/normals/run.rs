@@ -13,7 +13,7 @@ use crate::cli::common::numbers::count;
 use crate::cli::common::options::Color;
 use crate::cli::common::output::{Store, Target, folder_of};
 use crate::cli::common::progress::{FileProgress, Progress, Stage};
-use crate::cli::common::report::{MeshOutput, json_line};
+use crate::cli::common::report::MeshOutput;
 use crease::io::{self, Format, Loaded, Written};
 use crease::pipeline;
 use std::path::Path;
@@ -49,9 +49,7 @@ pub fn main(args: &NormalsArgs, color: Color) -> Exit {
     }
     drop(progress);
     if request.jobs.len() > 1 {
-        if !console.json && console.verbosity > Verbosity::Quiet {
-            console.report(&summary(request.jobs.len(), failed));
-        }
+        console.text(|| summary(request.jobs.len(), failed));
         if failed > 0 {
             return Exit::PartOfBatch;
         }
@@ -72,21 +70,15 @@ fn print(report: &Report, request: &Request, console: &Console) {
         // The message itself names outputs.
         console.error(&format!("{}: {}", escaped(&report.input.path), error.message));
     }
-    if console.json {
-        console.report(&json_line(report));
-        return;
-    }
-    if console.verbosity == Verbosity::Quiet {
-        return;
-    }
     let brief = request.jobs.len() > 1 && console.verbosity < Verbosity::Verbose;
-    notes::print(&report.input.path, &report.notes, brief, console);
-    if report.head.error.is_none() {
-        console.report(&match brief {
+    console.print(report, || {
+        notes::print(&report.input.path, &report.notes, brief, console);
+        match brief {
+            _ if report.head.error.is_some() => String::new(),
             true => text::line(report, console.report_style()),
             false => text::block(report, request.args.output.dry_run, console),
-        });
-    }
+        }
+    });
 }
 
 /// Carries out one job: read, compute, write, store. The report gets what happened, as far as it went.

@@ -35,7 +35,7 @@ pub fn change(request: &Request, file: &mut SceneFile) -> Result<(), Failure> {
         let pivot = turn::pivot(file);
         turn::turn(file, rotation(degrees), pivot);
     }
-    // From here on the camera stays where it is, whatever turns.
+    // From here on the camera is fixed, even if objects rotate.
     let framed = if file.camera.is_none() { file.scene().bounds() } else { None };
     let camera = match request.subject {
         Subject::Turntable(_) => turn::camera(file),
@@ -113,7 +113,7 @@ fn change_materials(args: &RenderArgs, file: &mut SceneFile) -> Result<(), Strin
     Ok(())
 }
 
-/// The lights of a scene with some put in place of those that it had.
+/// The lights of a scene with some replaced.
 fn lights(before: &[Light], new: &[Light], ambient: Option<LinearRgb>) -> Vec<Light> {
     let is_ambient = |light: &&Light| matches!(light, Light::Ambient { .. });
     let old_ambient = before.iter().filter(|light| is_ambient(light) && ambient.is_none());
@@ -122,7 +122,7 @@ fn lights(before: &[Light], new: &[Light], ambient: Option<LinearRgb>) -> Vec<Li
     ambient.into_iter().chain(old_ambient.copied()).chain(old.copied()).chain(new.iter().copied()).collect()
 }
 
-/// What was typed that is to blame for an error of drawing, and what is wrong with it.
+/// The option that caused an error of drawing, with what is wrong with it.
 pub fn blame(args: &RenderArgs, error: &RenderError, lights: usize) -> Option<String> {
     let (scene, shading) = (&args.scene, &args.shading);
     let typed = |is_typed: bool, option: &str, what: &dyn std::fmt::Display| {

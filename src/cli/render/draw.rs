@@ -1,12 +1,14 @@
 //! A picture, panels side by side, or an animation.
 
+use super::changes::blame;
 use super::request::{FileKind, Request, Subject};
 use super::turn;
 use crate::cli::common::choice::Choose;
+use crate::cli::common::failure::Failure;
 use crate::cli::common::output::Store;
 use crate::cli::common::progress::Progress;
 use crease::num::Degrees;
-use crease::raster::{Image, RenderError, RenderSettings, SceneFile, Statistics, render};
+use crease::raster::{Image, RenderSettings, SceneFile, Statistics, render};
 use crease::report::{Animation, Panel, Picture, ReportError, encode_png, overlay, panels};
 
 /// A picture as a file, and what was drawn for it.
@@ -37,34 +39,8 @@ pub struct Drawing {
     pub statistics: Statistics,
 }
 
-/// Why there is no picture.
-#[derive(Debug)]
-pub enum DrawError {
-    Render(RenderError),
-    Report(ReportError),
-    Store(anyhow::Error),
-}
-
-impl From<anyhow::Error> for DrawError {
-    fn from(error: anyhow::Error) -> Self {
-        Self::Store(error)
-    }
-}
-
-impl From<RenderError> for DrawError {
-    fn from(error: RenderError) -> Self {
-        Self::Render(error)
-    }
-}
-
-impl From<ReportError> for DrawError {
-    fn from(error: ReportError) -> Self {
-        Self::Report(error)
-    }
-}
-
 /// Draws a changed scene, and turns it for an animation.
-pub fn draw(file: &mut SceneFile, request: &Request, progress: &Progress) -> Result<Drawn, DrawError> {
+pub fn draw(file: &mut SceneFile, request: &Request, progress: &Progress) -> Result<Drawn, Failure> {
     match request.subject {
         Subject::Picture => {
             let image = image(file, &file.settings, request)?;
@@ -95,7 +71,7 @@ pub fn draw(file: &mut SceneFile, request: &Request, progress: &Progress) -> Res
 }
 
 /// Draws a scene and its overlays.
-fn image(file: &SceneFile, settings: &RenderSettings, request: &Request) -> Result<Image, RenderError> {
+fn image(file: &SceneFile, settings: &RenderSettings, request: &Request) -> Result<Image, Failure> {
     let mut scene = file.scene();
     let kinds = &request.args.shading.overlay;
     let mut lines: Vec<_> = kinds.iter().flat_map(|&kind| overlay(&scene, settings.size, kind)).collect();
@@ -103,7 +79,10 @@ fn image(file: &SceneFile, settings: &RenderSettings, request: &Request) -> Resu
         lines.style.hide = request.hides_lines(lines.style.hide);
     }
     scene.lines.extend(lines);
-    render(&scene, settings)
+    render(&scene, settings).map_err(|error| {
+        let lights = file.lights.as_ref().map_or(0, Vec::len);
+        blame(request.args, &error, lights).map_or_else(|| Failure::input(error), Failure::usage)
+    })
 }
 
 fn as_file(picture: &Picture, settings: &RenderSettings, kind: FileKind) -> Result<Vec<u8>, ReportError> {
@@ -132,13 +111,13 @@ fn turntable(
     frames: u16,
     request: &Request,
     progress: &Progress,
-) -> Result<Drawn, DrawError> {
+) -> Result<Drawn, Failure> {
     let pivot = turn::pivot(file);
     let placed: Vec<_> = file.objects.iter().map(|object| object.transform).collect();
     let up = file.scene().camera.up;
     let size = file.settings.size;
     let mut drawings = Vec::new();
-    let mut draw = |frame: usize| -> Result<Picture, DrawError> {
+    let mut draw = |frame: usize| -> Result<Picture, Failure> {
         let angle = Degrees(360.0 * frame as f64 / f64::from(frames));
         // Each frame turns from the start: roundings do not add up.
         file.objects.iter_mut().zip(&placed).for_each(|(object, &transform)| object.transform = transform);

@@ -1,19 +1,18 @@
 //! Runs `crease render`: load a scene, change it, draw it, store the picture.
 
 use super::args::RenderArgs;
-use super::changes::{blame, change};
-use super::draw::{DrawError, Drawing, Drawn, draw, turn_of};
+use super::changes::change;
+use super::draw::{Drawing, draw, turn_of};
 use super::json::{PictureReport, Report, SceneReport, Settings};
 use super::request::{Request, Subject};
 use super::{text, warnings};
 use crate::cli::args::usage_error;
-use crate::cli::common::console::{Console, Verbosity, escaped};
+use crate::cli::common::console::{Console, escaped};
 use crate::cli::common::failure::{Exit, Failure, FailureKind, exit_code, guarded};
 use crate::cli::common::input::Source;
 use crate::cli::common::notes;
 use crate::cli::common::options::Color;
 use crate::cli::common::progress::Progress;
-use crate::cli::common::report::json_line;
 use crease::io::{Note, Place, ReadError};
 use crease::raster::{Image, Object, SceneFile, Shading, Shape, Unseen, load};
 use crease::report::{PixelReport, probe_pixel};
@@ -51,7 +50,15 @@ fn run(request: &Request, console: &Console, report: &mut Report) -> Result<Exit
     report.seconds.load = start.elapsed().as_secs_f64();
 
     let start = Instant::now();
-    let drawn = draw_scene(request, &mut file, console)?;
+    let frames = match request.subject {
+        // Without a file each is drawn once.
+        Subject::Turntable(frames) if request.target.is_none() => frames.into(),
+        Subject::Turntable(frames) => turn_of(frames).drawings(file.settings.size),
+        _ => 1,
+    };
+    let progress = Progress::of_count(console, "drawing", "frames", frames as u64);
+    let drawn = draw(&mut file, request, &progress)?;
+    drop(progress);
     report.drawings = drawn.drawings;
     if let (Some(pixel), Some(image)) = (request.args.output.probe, &drawn.image) {
         report.probe = Some(probe(&file, image, pixel).map_err(Failure::input)?);
@@ -78,24 +85,6 @@ fn read(request: &Request) -> Result<SceneFile, ReadError> {
             SceneFile::from_loaded(loaded, &request.load)
         }
     }
-}
-
-fn draw_scene(request: &Request, file: &mut SceneFile, console: &Console) -> Result<Drawn, Failure> {
-    let frames = match request.subject {
-        // Without a file each is drawn once.
-        Subject::Turntable(frames) if request.target.is_none() => frames.into(),
-        Subject::Turntable(frames) => turn_of(frames).drawings(file.settings.size),
-        _ => 1,
-    };
-    let progress = Progress::of_count(console, "drawing", "frames", frames as u64);
-    draw(file, request, &progress).map_err(|error| match error {
-        DrawError::Render(error) => {
-            let lights = file.lights.as_ref().map_or(0, Vec::len);
-            blame(request.args, &error, lights).map_or_else(|| Failure::input(error), Failure::usage)
-        }
-        DrawError::Report(error) => error.into(),
-        DrawError::Store(error) => error.into(),
-    })
 }
 
 /// A warning about what is not visible, and why. An empty picture may be intended, so it is no error.
@@ -151,18 +140,13 @@ fn print(report: &Report, console: &Console) {
             _ => console.error(&format!("{}: {}", escaped(&report.input.path), error.message)),
         }
     }
-    if console.json {
-        console.report(&json_line(report));
-        return;
-    }
-    if console.verbosity > Verbosity::Quiet {
+    console.print(report, || {
         notes::print(&report.input.path, &report.notes, false, console);
-        if report.head.error.is_none() && report.probe.is_none() {
-            console.report(&text::block(report, console.report_style()));
-        }
-    }
+        let has_block = report.head.error.is_none() && report.probe.is_none();
+        if has_block { text::block(report, console.report_style()) } else { String::new() }
+    });
     // A probe is printed even under --quiet.
-    if let Some(probe) = &report.probe {
+    if let Some(probe) = report.probe.as_ref().filter(|_| !console.json) {
         console.report(&probe.to_string());
     }
 }

@@ -7,7 +7,6 @@ use crate::cli::common::console::{Console, Verbosity};
 use crate::cli::common::failure::{Exit, exit_code};
 use crate::cli::common::options::Color;
 use crate::cli::common::progress::Progress;
-use crate::cli::common::report::json_line;
 use crease::trade::stress::{Group, StressCase, StressResult, cases_of};
 use rayon::prelude::*;
 use std::time::Instant;
@@ -28,12 +27,10 @@ pub fn main(args: &StressArgs, color: Color) -> Exit {
     let results: Vec<StressResult> = cases.par_iter().map(StressCase::run).inspect(done).collect();
     drop(progress);
     let seconds = start.elapsed().as_secs_f64();
-    if console.json {
-        console.report(&json_line(&Report::new(&results, seconds)));
-    } else if console.verbosity > Verbosity::Quiet {
-        let verbose = console.verbosity > Verbosity::Normal;
-        console.report(&text::table(&results, seconds, verbose, console.report_style()));
-    }
+    let verbose = console.verbosity > Verbosity::Normal;
+    console.print(&Report::new(&results, seconds), || {
+        text::table(&results, seconds, verbose, console.report_style())
+    });
     for result in results.iter().filter(|result| !result.holds()) {
         console.error(&text::breach(result));
     }
@@ -68,6 +65,8 @@ mod tests {
             reported.starts_with("product: nearly equal products: faithful is off by 0.5 rel, NaN x3"),
             "{reported}"
         );
-        assert!(json_line(&Report::new(&results, 0.0)).contains("\"status\":\"broken\""));
+        assert!(
+            serde_json::to_string(&Report::new(&results, 0.0)).unwrap().contains("\"status\":\"broken\"")
+        );
     }
 }

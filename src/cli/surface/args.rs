@@ -5,6 +5,7 @@ use crate::cli::common::options::{EXIT_CODES, RunArgs};
 use crate::cli::common::vectors::{finite_numbers, vector};
 use clap::Args;
 use crease::io::Format;
+use crease::surface::Pattern;
 use glam::DVec3;
 use std::path::PathBuf;
 
@@ -99,8 +100,8 @@ pub struct ShapeArgs {
 #[command(next_help_heading = "Mesh")]
 pub struct PatternArgs {
     /// How vertices and faces are arranged
-    #[arg(long, value_name = "PATTERN", default_value = "triangles", value_parser = one_of::<PatternName>())]
-    pub pattern: PatternName,
+    #[arg(long, value_name = "PATTERN", default_value = "triangles", value_parser = one_of::<Pattern>())]
+    pub pattern: Pattern,
 
     /// Cells one way and the other, or both; of each patch for the teapot [default: 64x32; bezier 32x32; teapot 8x8]
     #[arg(long, value_name = "U[xV]", value_parser = segments)]
@@ -164,26 +165,13 @@ choices! { Kind {
     "teapot" => Teapot: "Newell's, of 32 patches",
 } }
 
-/// A pattern by name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PatternName {
-    Triangles,
-    Stretched,
-    Slivers,
-    Quads,
-    Polygons,
-    Icosphere,
-    Marching,
-    Scattered,
-}
-
-choices! { PatternName {
+choices! { Pattern {
     "triangles" => Triangles: "a grid of the parameters, its cells cut in two",
-    "stretched" => Stretched: "the same, with cells --ratio times as long one way",
-    "slivers" => Slivers: "every other row --ratio times as close to the next",
+    "stretched" => Stretched(10.0): "the same, with cells --ratio times as long one way",
+    "slivers" => Slivers(1000.0): "every other row --ratio times as close to the next",
     "quads" => Quads: "the cells themselves",
     "polygons" => Polygons: "the dual of the triangles: mostly hexagons; the tip of a cone is cut off",
-    "icosphere" => Icosphere: "a subdivided icosahedron (sphere, ellipsoid, superquadric)",
+    "icosphere" => Icosphere(3): "a subdivided icosahedron (sphere, ellipsoid, superquadric)",
     "marching" => Marching: "marching tetrahedra (not bezier and teapot); --segments along the longest side",
     "scattered" => Scattered: "Delaunay triangles of random points (plane, wave, monkey-saddle)",
 } }

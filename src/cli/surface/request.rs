@@ -1,6 +1,6 @@
 //! Options of `crease surface` made into a surface and a tessellation.
 
-use super::args::{Kind, PatternArgs, PatternName, ShapeArgs, SurfaceArgs};
+use super::args::{Kind, PatternArgs, ShapeArgs, SurfaceArgs};
 use crate::cli::common::choice::Choose;
 use crate::cli::common::output::{Target, file_target};
 use crease::io::Format;
@@ -132,30 +132,26 @@ fn surface_with(kind: Kind, shape: &ShapeArgs, taken: &mut Taken) -> Result<Surf
 }
 
 fn tessellation(kind: Kind, args: &PatternArgs) -> Result<Tessellation, String> {
-    let name = args.pattern.choice();
-    let has_ratio = matches!(args.pattern, PatternName::Stretched | PatternName::Slivers);
-    let has_levels = args.pattern == PatternName::Icosphere;
+    let mut pattern = args.pattern;
+    match &mut pattern {
+        Pattern::Stretched(own) | Pattern::Slivers(own) => *own = args.ratio.unwrap_or(*own),
+        Pattern::Icosphere(own) => *own = args.level.unwrap_or(*own),
+        _ => {}
+    }
+    let has_ratio = matches!(pattern, Pattern::Stretched(_) | Pattern::Slivers(_));
+    let has_levels = matches!(pattern, Pattern::Icosphere(_));
     for (option, typed, has) in [
         ("--ratio", args.ratio.is_some(), has_ratio),
         ("--level", args.level.is_some(), has_levels),
         ("--segments", args.segments.is_some(), !has_levels),
     ] {
         if typed && !has {
-            return Err(format!("the pattern {name} has no {option}"));
+            return Err(format!("the pattern {} has no {option}", pattern.name()));
         }
     }
     let usual = Tessellation::default();
     Ok(Tessellation {
-        pattern: match args.pattern {
-            PatternName::Triangles => Pattern::Triangles,
-            PatternName::Stretched => Pattern::Stretched(args.ratio.unwrap_or(10.0)),
-            PatternName::Slivers => Pattern::Slivers(args.ratio.unwrap_or(1000.0)),
-            PatternName::Quads => Pattern::Quads,
-            PatternName::Polygons => Pattern::Polygons,
-            PatternName::Icosphere => Pattern::Icosphere(args.level.unwrap_or(3)),
-            PatternName::Marching => Pattern::Marching,
-            PatternName::Scattered => Pattern::Scattered,
-        },
+        pattern,
         segments: args.segments.unwrap_or(match kind {
             Kind::Teapot => [8, 8],
             Kind::Bezier => [32, 32],

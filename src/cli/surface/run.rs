@@ -5,11 +5,11 @@ use super::report::{MeshReport, SurfaceReport};
 use super::request::Request;
 use crate::cli::args::usage_error;
 use crate::cli::common::choice::Choose;
-use crate::cli::common::console::{Console, Verbosity};
+use crate::cli::common::console::Console;
 use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
 use crate::cli::common::options::Color;
 use crate::cli::common::output::Store;
-use crate::cli::common::report::{MeshOutput, json_line};
+use crate::cli::common::report::MeshOutput;
 use crease::io::{Format, Note, Part, Place, WriteOptions, write_new};
 use crease::mesh::{Column, Mesh, TransformFault};
 use crease::normals::{NormalRecipe, compute};
@@ -30,16 +30,12 @@ pub fn main(args: &SurfaceArgs, color: Color) -> Exit {
         report.output = None;
         console.error(&failure.message);
     }
-    if console.json {
-        console.report(&json_line(&report));
-    } else if console.verbosity > Verbosity::Quiet {
+    console.print(&report, || {
         for note in &report.notes {
             console.about(note.severity, &note.text);
         }
-        if result.is_ok() {
-            console.report(&report.text(console.report_style()));
-        }
-    }
+        if result.is_ok() { report.text(console.report_style()) } else { String::new() }
+    });
     exit_code(result, &console)
 }
 

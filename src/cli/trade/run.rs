@@ -10,7 +10,6 @@ use crate::cli::common::input::Source;
 use crate::cli::common::options::Color;
 use crate::cli::common::output::{Target, make_folder};
 use crate::cli::common::progress::Progress;
-use crate::cli::common::report::json_line;
 use crease::io::ReadOptions;
 use crease::mesh::Mesh;
 use crease::normals::{Crease, NormalRecipe};
@@ -39,14 +38,12 @@ pub fn main(args: &TradeArgs, color: Color) -> Exit {
         let name = report.input.as_ref().map(|path| format!("{}: ", escaped(path))).unwrap_or_default();
         console.error(&format!("{name}{}", failure.message));
     }
-    if console.json {
-        console.report(&json_line(&report));
-    } else if console.verbosity > Verbosity::Quiet && result.is_ok() {
-        console.report(&match &report.surfaces {
-            Some(trade) if args.markdown => text::markdown(trade),
-            _ => text::text(&report, console.report_style(), console.verbosity == Verbosity::Verbose),
-        });
-    }
+    let verbose = console.verbosity == Verbosity::Verbose;
+    console.print(&report, || match (&result, &report.surfaces) {
+        (Err(_), _) => String::new(),
+        (Ok(_), Some(trade)) if args.markdown => text::markdown(trade),
+        (Ok(_), _) => text::text(&report, console.report_style(), verbose),
+    });
     exit_code(result, &console)
 }
 
