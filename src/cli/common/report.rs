@@ -4,7 +4,7 @@ use super::failure::Failure;
 use super::input::Source;
 use super::output::Target;
 use crease::io::{Format, Written};
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
 /// What every report begins with: the schema, the program's version, and how it went.
 #[derive(Debug, Default, Serialize)]
@@ -35,7 +35,7 @@ impl Head {
 #[derive(Debug, Default, Serialize)]
 pub struct InputReport {
     pub path: String,
-    #[serde(skip_serializing_if = "Option::is_none", serialize_with = "extension")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub format: Option<Format>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bytes: Option<u64>,
@@ -52,7 +52,7 @@ impl InputReport {
 pub struct MeshOutput {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub path: Option<String>,
-    pub format: &'static str,
+    pub format: Format,
     pub bytes: u64,
     pub vertices: u64,
     pub added_vertices: u64,
@@ -65,7 +65,7 @@ impl MeshOutput {
     pub fn new(target: Option<&Target>, format: Format, unchanged: bool, written: &Written) -> Self {
         Self {
             path: target.map(Target::name),
-            format: format.extension(),
+            format,
             bytes: written.bytes.len() as u64,
             vertices: written.vertices,
             added_vertices: written.added_vertices,
@@ -73,8 +73,4 @@ impl MeshOutput {
             companions: written.companions.iter().map(|companion| companion.name.clone()).collect(),
         }
     }
-}
-
-fn extension<S: Serializer>(format: &Option<Format>, serializer: S) -> Result<S::Ok, S::Error> {
-    format.map(Format::extension).serialize(serializer)
 }

@@ -40,12 +40,12 @@ pub fn notes(request: &Request, file: &SceneFile) -> Vec<Note> {
     texts.into_iter().map(Note::remark).chain(gains).collect()
 }
 
-const UNLIT_LINES: &str = "a wireframe is not lit";
-
 /// Why light changes nothing.
 fn unlit(file: &SceneFile, panels: &[RenderSettings]) -> Option<&'static str> {
     match file.settings.show {
-        Show::Shaded if panels.iter().all(|it| it.shading == Shading::Wireframe) => Some(UNLIT_LINES),
+        Show::Shaded if panels.iter().all(|it| it.shading == Shading::Wireframe) => {
+            Some("a wireframe is not lit")
+        }
         Show::Shaded if file.objects.iter().all(|it| it.given) => {
             Some("the colours of vertices are shown unlit")
         }
@@ -76,7 +76,7 @@ fn without_effect(args: &RenderArgs, file: &SceneFile, panels: &[RenderSettings]
             ("--light", !scene.light.is_empty()),
             ("--ambient", scene.ambient.is_some()),
             ("--material", scene.material.is_some()),
-            ("--reflection", shading.reflection.is_some() && (!makes_given || why == UNLIT_LINES)),
+            ("--reflection", shading.reflection.is_some() && !makes_given),
             ("--exponent", shading.exponent.is_some()),
             ("--guard", !colour.guard.is_empty()),
             ("--literal", colour.literal),
@@ -102,13 +102,6 @@ fn without_effect(args: &RenderArgs, file: &SceneFile, panels: &[RenderSettings]
     if !interpolates {
         let is_typed = shading.interpolation.is_some();
         warn(&[("--interpolation", is_typed)], "only Gouraud and Phong shading interpolate");
-    }
-    if !has(&[Shading::Flat]) {
-        warn(&[("--flat-sample", shading.flat_sample.is_some())], "there is no flat shading");
-    }
-    if !has(&[Shading::Wireframe]) && shading.overlay.is_empty() {
-        let why = "there are no lines without --shading wireframe or --overlay";
-        warn(&[("--hidden-lines", shading.hidden_lines.is_some())], why);
     }
     texts
 }

@@ -60,7 +60,6 @@ const UNREAD: &[(&str, &[&str], &str)] = &[
     ("strip.obj --reflection given", LIGHT_ALONE, "change nothing: the colours of vertices are shown unlit"),
     ("given.toml", LIGHT_ALONE, "change nothing: the colours of vertices are shown unlit"),
     ("strip.obj --show face-id", &["--reflection", "given"], "changes nothing: --show shows"),
-    ("strip.obj --shading wireframe", &["--reflection", "given"], "changes nothing: a wireframe"),
     ("strip.obj --shading gouraud", &["--terminator", "hard"], "--terminator changes nothing: only Phong"),
     ("strip.obj --shading flat", &["--terminator", "soft"], "--terminator changes nothing: only Phong"),
     ("exact.toml", &["--terminator", "hard"], "--terminator changes nothing: only Phong"),
@@ -69,11 +68,9 @@ const UNREAD: &[(&str, &[&str], &str)] = &[
     ("strip.obj --shading flat --show normals", NORMALS, "change nothing: only Gouraud and Phong"),
     ("exact.toml", NORMALS, "change nothing: only Gouraud and Phong"),
     ("ball.toml", NORMALS, "change nothing: there are no meshes"),
-    ("strip.obj", FLAT_SAMPLE, "--flat-sample changes nothing: there is no flat shading"),
     ("strip.obj --shading flat", AFFINE, "--interpolation changes nothing: only"),
     ("strip.obj --shading wireframe", AFFINE, "--interpolation changes nothing: only"),
     ("exact.toml", AFFINE, "--interpolation changes nothing: only"),
-    ("strip.obj", &["--hidden-lines", "show"], "--hidden-lines changes nothing"),
     ("ball.toml", &["--shading", "flat"], "drawn exactly"),
     ("ball.toml", &["--shading", "phong"], "drawn exactly"),
 ];
@@ -91,13 +88,9 @@ const READ: &[(&str, &[&str])] = &[
     ("given.toml --show normals", &["--crease", "5"]),
     ("strip.obj --show depth --overlay vertex-normals", &["--weight", "area"]),
     ("strip.obj --reflection given --overlay creases", &["--crease", "5"]),
-    ("strip.obj --shading flat --light point_position=0,0,1", FLAT_SAMPLE),
-    ("strip.obj --compare flat,phong --light point_position=0,0,1", FLAT_SAMPLE),
     ("strip.obj", AFFINE),
     ("strip.obj --show normals", AFFINE),
     ("strip.obj --shading wireframe --show normals", AFFINE),
-    ("strip.obj --shading wireframe --camera eye=3,0,1", &["--hidden-lines", "show"]),
-    ("strip.obj --overlay wire --camera eye=3,0,1", &["--hidden-lines", "show"]),
     ("given.toml --material ks=0", &["--reflection", "blinn"]),
     ("strip.obj", &["--shading", "gouraud"]),
 ];
@@ -136,7 +129,6 @@ const LIGHT_ALONE: &[&str] = &[
     "hard",
 ];
 const NORMALS: &[&str] = &["--weight", "area", "--crease", "5", "--when", "always"];
-const FLAT_SAMPLE: &[&str] = &["--flat-sample", "vertex-mean"];
 const AFFINE: &[&str] = &["--interpolation", "affine"];
 
 fn is_reported(found: &str) -> bool {
