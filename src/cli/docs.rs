@@ -1,8 +1,10 @@
 //! Completion scripts and manual pages, made from the same description as `--help`.
 
-use super::args::{Cli, EXIT_CODES, NORMALS_EXAMPLES};
-use super::output::to_stdout;
-use super::{Exit, usage_error};
+use super::args::{Cli, usage_error};
+use super::common::failure::Exit;
+use super::common::options::EXIT_CODES;
+use super::common::output::to_stdout;
+use super::normals::args::EXAMPLES;
 use clap::{Arg, ArgAction, Command, CommandFactory};
 use clap_complete::Shell;
 use clap_mangen::Man;
@@ -51,7 +53,7 @@ fn page(command: &Command) -> std::io::Result<String> {
         text = text.replace(&name, &format!("{name}..."));
     }
     if command.get_name() == "normals" {
-        text.push_str(&section("EXAMPLES", &verbatim(NORMALS_EXAMPLES)));
+        text.push_str(&section("EXAMPLES", &verbatim(EXAMPLES)));
     }
     if command.get_after_help().is_some() {
         text.push_str(&section("EXIT STATUS", &verbatim(EXIT_CODES)));
@@ -63,7 +65,7 @@ fn section(heading: &str, body: &str) -> String {
     format!(".SH \"{heading}\"\n{body}")
 }
 
-/// Lines as they are, without their heading.
+/// Lines unchanged, without their heading.
 fn verbatim(text: &str) -> String {
     let lines: String = text.lines().skip(1).map(|line| format!("{}\n", roff(line.trim_start()))).collect();
     format!(".nf\n{lines}.fi\n")

@@ -3,7 +3,8 @@
 use std::fmt;
 
 /// A place in an input file.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Place {
     /// The file as a whole.
     #[default]
@@ -14,6 +15,17 @@ pub enum Place {
     Byte(u64),
     /// A JSON pointer into a glTF document, such as `/accessors/3`.
     Json(String),
+}
+
+impl Place {
+    /// Whether it is the file as a whole.
+    fn is_file(&self) -> bool {
+        *self == Place::File
+    }
+}
+
+fn is_zero(count: &u64) -> bool {
+    *count == 0
 }
 
 impl fmt::Display for Place {
@@ -28,7 +40,7 @@ impl fmt::Display for Place {
 }
 
 /// What kind of fault stopped a reader.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize)]
 pub enum Problem {
     /// The file could not be read.
     Io,
@@ -52,11 +64,12 @@ pub enum Problem {
 ///
 /// It prints as `line 12: a face refers to vertex 9, but 8 are defined; fix the index or …`. The caller puts the
 /// file's name in front.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
 pub struct ReadError {
     /// The kind of fault.
     pub problem: Problem,
     /// Where it is.
+    #[serde(skip_serializing_if = "Place::is_file")]
     pub place: Place,
     /// What was found.
     pub found: String,
@@ -87,7 +100,8 @@ impl fmt::Display for ReadError {
 impl std::error::Error for ReadError {}
 
 /// How much a note matters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Severity {
     /// For information.
     Note,
@@ -96,17 +110,20 @@ pub enum Severity {
 }
 
 /// A remark about an input or an output.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
 pub struct Note {
     /// How much it matters.
     pub severity: Severity,
     /// Where.
+    #[serde(skip_serializing_if = "Place::is_file")]
     pub place: Place,
     /// What.
     pub text: String,
     /// How many more like it there are.
+    #[serde(skip_serializing_if = "is_zero")]
     pub more: u64,
     /// Where the first of these are, at most [`Note::MOST_PLACES`].
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub also: Vec<Place>,
 }
 

@@ -4,7 +4,8 @@ use std::fmt;
 use std::path::Path;
 
 /// A mesh file format.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Format {
     /// Wavefront OBJ.
     Obj,

@@ -53,7 +53,7 @@ pub struct Summary {
 }
 
 /// Edges by what they are. An edge that is hard for several reasons is counted under the first that applies.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
 pub struct EdgeCounts {
     /// Smooth edges between two faces.
     pub smooth: usize,

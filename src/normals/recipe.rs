@@ -53,6 +53,12 @@ impl Weight {
     }
 }
 
+impl serde::Serialize for Weight {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
+}
+
 /// When the dihedral angle makes an edge hard.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Crease {

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 /// An angle in degrees: the unit of the command line and of reports.
-#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd, serde::Serialize)]
 pub struct Degrees(pub f64);
 
 /// An angle in radians: the unit inside.

@@ -8,11 +8,15 @@ use crate::normals::{Broken, Fault, FaultReason, Faults, Selection, Summary};
 pub const MOST_PLACES: usize = 100;
 
 /// An element of a mesh as it was read; all numbers count from 0.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Spot {
     /// A face.
     Face(u32),
+    /// A vertex.
+    Vertex(u32),
     /// A corner of a face.
+    #[serde(untagged)]
     Corner {
         /// The face.
         face: u32,
@@ -21,8 +25,6 @@ pub enum Spot {
         /// The vertex at the corner.
         vertex: u32,
     },
-    /// A vertex.
-    Vertex(u32),
 }
 
 /// What was found in one part. Counts of a part without faces are zero.

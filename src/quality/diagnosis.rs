@@ -33,7 +33,7 @@ pub struct Diagnosis {
 }
 
 /// A part of a file.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, serde::Serialize)]
 pub struct PartDiagnosis {
     /// The name of the part.
     pub name: String,

@@ -7,28 +7,41 @@ use crate::quality::effect::lost_light::key_light_steps;
 use crate::quality::element::Severity;
 use crate::quality::spot::Measure;
 use glam::DVec3;
+use serde::Serialize;
 
 /// One of the positions of a finding. All numbers count from 0, as the mesh was read.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Site {
     /// The number of the part in the file.
     pub part: usize,
     /// The face, if it is about one.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub face: Option<u32>,
     /// The corner of the face.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub corner: Option<u32>,
     /// The vertex.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub vertex: Option<u32>,
     /// Where that is, in the space of the part.
+    #[serde(skip_serializing_if = "Option::is_none", serialize_with = "as_array")]
     pub position: Option<DVec3>,
     /// The deviation, if it is an angle, in degrees.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub degrees: Option<f64>,
     /// The index among the nodes that have the part, if it is about a node.
+    #[serde(skip)]
     pub place: Option<u32>,
     /// The path to the node that has the part, as `body/arm/hand`; to the first one if there are several (glTF).
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub node: Option<String>,
     /// The line of the face in the file, or of the vertex if it is about no face (OBJ).
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub line: Option<u64>,
+}
+
+fn as_array<S: serde::Serializer>(position: &Option<DVec3>, serializer: S) -> Result<S::Ok, S::Error> {
+    position.map(|position| position.to_array()).serialize(serializer)
 }
 
 /// A fault, or something to know about a file.

@@ -45,7 +45,7 @@ impl Image {
 }
 
 /// Counts and times of a drawing. Only the times differ from run to run.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
 pub struct Statistics {
     /// Pixels with at least one covered sample; under [`Shading::Wireframe`](crate::raster::Shading::Wireframe) those that show an
     /// edge.
@@ -57,16 +57,24 @@ pub struct Statistics {
     /// Triangles left out: turned away, without area on the picture, between samples, or out of sight.
     pub triangles_culled: u64,
     /// Times of the stages.
+    #[serde(rename = "seconds")]
     pub times: Times,
 }
 
 /// How long the stages took.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
 pub struct Times {
     /// Cutting polygons into triangles and placing vertices on the picture.
+    #[serde(serialize_with = "as_seconds")]
     pub geometry: Duration,
     /// Sorting triangles into tiles.
+    #[serde(serialize_with = "as_seconds")]
     pub binning: Duration,
     /// Visibility, shading and output, tile by tile.
+    #[serde(serialize_with = "as_seconds")]
     pub tiles: Duration,
+}
+
+fn as_seconds<S: serde::Serializer>(time: &Duration, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_f64(time.as_secs_f64())
 }

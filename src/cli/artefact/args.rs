@@ -1,8 +1,7 @@
-//! What may be typed for `crease artefact`.
+//! The options of `crease artefact`.
 
-use super::super::args::{EXIT_CODES, FORMATS, RunArgs, WEIGHTS};
-use super::super::choice::{Choice, Choices};
-use super::super::render::INTERPOLATIONS;
+use crate::cli::common::choice::{choices, one_of};
+use crate::cli::common::options::{EXIT_CODES, RunArgs};
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use crease::artefact::{Changes, EXPERIMENTS, Language};
@@ -46,7 +45,7 @@ pub struct ArtefactArgs {
     pub output: Option<PathBuf>,
 
     /// The language of pages, captions and tables
-    #[arg(long, value_name = "LANG", default_value = "en", value_parser = Choices(LANGUAGES))]
+    #[arg(long, value_name = "LANG", default_value = "en", value_parser = one_of::<Language>())]
     pub lang: Language,
 
     /// Draw the experiment's animation into this GIF file
@@ -78,7 +77,7 @@ pub struct OwnArgs {
     pub finer: Option<PathBuf>,
 
     /// Format of the meshes, where their names cannot tell [default: by name, else by content]
-    #[arg(long, value_name = "FORMAT", value_parser = Choices(FORMATS), requires = "mesh")]
+    #[arg(long, value_name = "FORMAT", value_parser = one_of::<Format>(), requires = "mesh")]
     pub format: Option<Format>,
 }
 
@@ -103,7 +102,7 @@ pub struct ParameterArgs {
     pub exponent: Option<f64>,
 
     /// How faces count in vertex normals
-    #[arg(long, value_name = "WEIGHT", value_parser = Choices(WEIGHTS))]
+    #[arg(long, value_name = "WEIGHT", value_parser = one_of::<Weight>())]
     pub weight: Option<Weight>,
 
     /// The crease angle of the cure
@@ -111,7 +110,7 @@ pub struct ParameterArgs {
     pub crease: Option<f64>,
 
     /// How values at corners spread over faces in the animation of `orientation`; its pictures show every way
-    #[arg(long, value_name = "HOW", value_parser = Choices(INTERPOLATIONS))]
+    #[arg(long, value_name = "HOW", value_parser = one_of::<Interpolation>())]
     pub interpolation: Option<Interpolation>,
 }
 
@@ -129,8 +128,10 @@ impl ParameterArgs {
     }
 }
 
-const LANGUAGES: &[Choice<Language>] =
-    &[("en", Language::English, "English"), ("pt", Language::Portuguese, "Portuguese")];
+choices! { Language {
+    "en" => English: "English",
+    "pt" => Portuguese: "Portuguese",
+} }
 
 fn experiments() -> PossibleValuesParser {
     let named = EXPERIMENTS.iter().map(|experiment| {

@@ -23,8 +23,8 @@ pub fn chosen(args: &ArtefactArgs) -> Result<Chosen, String> {
     }
 }
 
-/// What was given.
-fn given(args: &ArtefactArgs) -> impl Iterator<Item = Knob> {
+/// The options that were given, of those that change what is drawn and measured.
+pub fn given(args: &ArtefactArgs) -> impl Iterator<Item = Knob> {
     let mesh = args.own.mesh.is_some().then_some(Knob::Mesh);
     args.parameters.changes().knobs().chain(mesh)
 }
@@ -43,7 +43,8 @@ fn one(name: &str, args: &ArtefactArgs) -> Result<Chosen, ArtefactError> {
     Ok(Chosen { run: vec![chosen], left_out: vec![] })
 }
 
-/// Each takes what it knows. What none knows, and a value that suits none of those that know it, would be lost.
+/// All experiments; each uses the options that it takes. An option that none takes is refused, and so is a value that none of
+/// its takers accepts.
 fn all(args: &ArtefactArgs) -> Result<Chosen, String> {
     if args.animate.is_some() {
         return Err("one animation shows one experiment: name it instead of `all`".into());
@@ -82,7 +83,7 @@ fn refuse_to_list(args: &ArtefactArgs) -> Result<(), String> {
     ))
 }
 
-/// Whatever its name says, an animation is a GIF.
+/// Refuses an animation whose name does not end in .gif.
 fn refuse_other_than_gif(path: &Path) -> Result<(), String> {
     let shown = path.display();
     match path.extension() {

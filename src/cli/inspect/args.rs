@@ -1,7 +1,7 @@
-//! What may be typed for `crease inspect`.
+//! The options of `crease inspect`.
 
-use super::super::args::{EXIT_CODES, FORMATS, RunArgs, confidence};
-use super::super::choice::{Choice, Choices};
+use crate::cli::common::choice::{choices, one_of};
+use crate::cli::common::options::{EXIT_CODES, RunArgs, confidence};
 use clap::Args;
 use crease::io::Format;
 use crease::mesh::Confidence;
@@ -40,7 +40,7 @@ pub struct InspectArgs {
     pub recursive: bool,
 
     /// Format of the input, where its name cannot tell [default: by name, else by content]
-    #[arg(long, value_name = "FORMAT", value_parser = Choices(FORMATS))]
+    #[arg(long, value_name = "FORMAT", value_parser = one_of::<Format>())]
     pub format: Option<Format>,
 
     /// Companion files (MTL, glTF buffers) may be read from this folder too and below, those of standard input from here alone
@@ -79,7 +79,7 @@ pub struct PictureArgs {
     pub heatmap: Option<PathBuf>,
 
     /// Where pictures are seen from
-    #[arg(long, value_name = "SIDE", default_value = "auto", value_parser = Choices(VIEWS))]
+    #[arg(long, value_name = "SIDE", default_value = "auto", value_parser = one_of::<Sight>())]
     pub view: Sight,
 }
 
@@ -88,12 +88,12 @@ pub struct PictureArgs {
 pub struct FindingArgs {
     /// End with exit code 1 if a finding that is told is at least that grave. Where a file of a batch cannot be read, that
     /// comes first: exit code 5, whatever was found in the others
-    #[arg(long, value_name = "SEVERITY", value_parser = Choices(SEVERITIES))]
+    #[arg(long, value_name = "SEVERITY", value_parser = one_of::<Severity>())]
     pub fail_on: Option<Severity>,
 
     /// Tell only findings that are at least that grave, and how many others there are; what is not told does not count for
     /// --fail-on either
-    #[arg(long, value_name = "SEVERITY", default_value = "note", value_parser = Choices(SEVERITIES))]
+    #[arg(long, value_name = "SEVERITY", default_value = "note", value_parser = one_of::<Severity>())]
     pub severity: Severity,
 
     /// Leave these findings out; may be given several times
@@ -124,60 +124,60 @@ pub enum Explained {
 #[command(next_help_heading = "Thresholds (angles in degrees)")]
 pub struct ThresholdArgs {
     /// How far a stored normal may be from the one that its mesh's own rule gives [default: 15]
-    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
-    pub deviation: Option<f64>,
+    #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
+    pub deviation: Option<Degrees>,
 
     /// How far past 90° from its face a stored normal may point [default: 5]
-    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
-    pub past_face: Option<f64>,
+    #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
+    pub past_face: Option<Degrees>,
 
     /// How far all stored normals may be turned together [default: 5]
-    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
-    pub rotation: Option<f64>,
+    #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
+    pub rotation: Option<Degrees>,
 
     /// How far the precision of storage may turn normals [default: 0.05]
-    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
-    pub quantisation: Option<f64>,
+    #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
+    pub quantisation: Option<Degrees>,
 
     /// How far past the crease angle an edge with one normal on both sides may bend [default: 10]
-    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
-    pub past_crease: Option<f64>,
+    #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
+    pub past_crease: Option<Degrees>,
 
     /// How far the normals on the two sides of a smooth edge may be apart at both ends [default: 2]
-    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
-    pub seam: Option<f64>,
+    #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
+    pub seam: Option<Degrees>,
 
     /// How far a tangent may lean towards its normal or away from it [default: 5]
-    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
-    pub tangent: Option<f64>,
+    #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
+    pub tangent: Option<Degrees>,
 
     /// Most by which the length of a normal may differ from 1 [default: 0.00674]
-    #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
+    #[arg(long, value_name = "LENGTH", value_parser = from_0, allow_negative_numbers = true)]
     pub length: Option<f64>,
 
     /// The same without a note [default: 0.001]
-    #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
+    #[arg(long, value_name = "LENGTH", value_parser = from_0, allow_negative_numbers = true)]
     pub strict_length: Option<f64>,
 
     /// How far the corners of a polygon may leave its plane [default: 10]
-    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
-    pub planarity: Option<f64>,
+    #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
+    pub planarity: Option<Degrees>,
 
     /// How close the ends of open edges are that are taken for one, over the bounding box's diagonal [default: 1e-6]
-    #[arg(long, value_name = "REL", allow_negative_numbers = true)]
+    #[arg(long, value_name = "REL", value_parser = from_0, allow_negative_numbers = true)]
     pub weld: Option<f64>,
 
     /// Width over length below which a face is a needle: of a triangle, height over longest edge [default: 0.001]
-    #[arg(long, value_name = "RATIO", allow_negative_numbers = true)]
+    #[arg(long, value_name = "RATIO", value_parser = from_0, allow_negative_numbers = true)]
     pub needle: Option<f64>,
 
     /// From which bend on an edge is folded [default: 170]
-    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
-    pub fold: Option<f64>,
+    #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
+    pub fold: Option<Degrees>,
 
     /// How far rounding positions to 32 bits may turn the normals of faces [default: 0.5]
-    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
-    pub rounding: Option<f64>,
+    #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
+    pub rounding: Option<Degrees>,
 
     /// What it has to be surer than which side of an open component is its outer one, from 0.5 to 1 [default: 0.9]
     #[arg(long, value_name = "SHARE", allow_negative_numbers = true, value_parser = confidence)]
@@ -188,93 +188,93 @@ pub struct ThresholdArgs {
     pub valence: Option<u32>,
 
     /// The highlight that each face has to hold, as its Blinn exponent [default: its material's, or 32]
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = from_1, allow_negative_numbers = true)]
     pub exponent: Option<f64>,
 
     /// The change of slope at an edge, in 8-bit steps a pixel, that shows as a Mach band [default: 0.1]
-    #[arg(long, value_name = "STEPS", allow_negative_numbers = true)]
+    #[arg(long, value_name = "STEPS", value_parser = from_0, allow_negative_numbers = true)]
     pub band: Option<f64>,
 
     /// How far a normal may lean from its face before shadows break up [default: 20]
-    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
-    pub terminator: Option<f64>,
+    #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
+    pub terminator: Option<Degrees>,
 
     /// Pixels by which an outline may cut its curve [default: 1]
-    #[arg(long, value_name = "PIXELS", allow_negative_numbers = true)]
+    #[arg(long, value_name = "PIXELS", value_parser = from_0, allow_negative_numbers = true)]
     pub outline: Option<f64>,
 
     /// The width of the mesh on the screen, in pixels, for outlines and bands [default: 512]
-    #[arg(long, value_name = "PIXELS", allow_negative_numbers = true)]
+    #[arg(long, value_name = "PIXELS", value_parser = from_1, allow_negative_numbers = true)]
     pub size: Option<f64>,
 }
 
 impl ThresholdArgs {
-    /// The defaults with what was typed, or what is wrong with it.
-    pub fn resolve(&self) -> Result<Thresholds, String> {
-        let mut thresholds = Thresholds::default();
-        let angle = |value: Option<f64>, name: &str, into: &mut Degrees| match value {
-            Some(value) if !(0.0..=180.0).contains(&value) => {
-                Err(format!("--{name} takes an angle from 0 to 180 degrees, not {value}"))
-            }
-            Some(value) => {
-                *into = Degrees(value);
-                Ok(())
-            }
-            None => Ok(()),
-        };
-        angle(self.deviation, "deviation", &mut thresholds.deviation)?;
-        angle(self.past_crease, "past-crease", &mut thresholds.crease)?;
-        angle(self.seam, "seam", &mut thresholds.seam)?;
-        angle(self.past_face, "past-face", &mut thresholds.against)?;
-        angle(self.rotation, "rotation", &mut thresholds.rotation)?;
-        angle(self.quantisation, "quantisation", &mut thresholds.quantisation)?;
-        angle(self.fold, "fold", &mut thresholds.fold)?;
-        angle(self.rounding, "rounding", &mut thresholds.rounding)?;
-        angle(self.tangent, "tangent", &mut thresholds.tangent)?;
-        angle(self.planarity, "planarity", &mut thresholds.planarity)?;
-        angle(self.terminator, "terminator", &mut thresholds.terminator)?;
-        let number = |value: Option<f64>, name: &str, least: f64, into: &mut f64| match value {
-            Some(value) if !(value.is_finite() && value >= least) => {
-                Err(format!("--{name} takes a number of {least} or more, not {value}"))
-            }
-            Some(value) => {
-                *into = value;
-                Ok(())
-            }
-            None => Ok(()),
-        };
-        number(self.length, "length", 0.0, &mut thresholds.length)?;
-        number(self.strict_length, "strict-length", 0.0, &mut thresholds.strict_length)?;
-        number(self.weld, "weld", 0.0, &mut thresholds.weld)?;
-        number(self.needle, "needle", 0.0, &mut thresholds.needle)?;
-        let mut exponent = f64::NAN;
-        number(self.exponent, "exponent", 1.0, &mut exponent)?;
-        thresholds.exponent = self.exponent.map(|_| exponent);
-        number(self.band, "band", 0.0, &mut thresholds.band)?;
-        number(self.outline, "outline", 0.0, &mut thresholds.outline)?;
-        number(self.size, "size", 1.0, &mut thresholds.size)?;
-        thresholds.strict_length = thresholds.strict_length.min(thresholds.length);
-        thresholds.confidence = self.confidence.unwrap_or(thresholds.confidence);
-        thresholds.valence = self.valence.unwrap_or(thresholds.valence);
-        Ok(thresholds)
+    /// The defaults with the options in their place.
+    pub fn resolve(&self, places: Option<usize>) -> Thresholds {
+        let usual = Thresholds::default();
+        let length = self.length.unwrap_or(usual.length);
+        Thresholds {
+            length,
+            strict_length: self.strict_length.unwrap_or(usual.strict_length).min(length),
+            deviation: self.deviation.unwrap_or(usual.deviation),
+            against: self.past_face.unwrap_or(usual.against),
+            rotation: self.rotation.unwrap_or(usual.rotation),
+            quantisation: self.quantisation.unwrap_or(usual.quantisation),
+            tangent: self.tangent.unwrap_or(usual.tangent),
+            crease: self.past_crease.unwrap_or(usual.crease),
+            seam: self.seam.unwrap_or(usual.seam),
+            weld: self.weld.unwrap_or(usual.weld),
+            needle: self.needle.unwrap_or(usual.needle),
+            planarity: self.planarity.unwrap_or(usual.planarity),
+            fold: self.fold.unwrap_or(usual.fold),
+            confidence: self.confidence.unwrap_or(usual.confidence),
+            valence: self.valence.unwrap_or(usual.valence),
+            rounding: self.rounding.unwrap_or(usual.rounding),
+            terminator: self.terminator.unwrap_or(usual.terminator),
+            exponent: self.exponent,
+            band: self.band.unwrap_or(usual.band),
+            outline: self.outline.unwrap_or(usual.outline),
+            size: self.size.unwrap_or(usual.size),
+            places: places.unwrap_or(usual.places),
+        }
     }
 }
 
-const VIEWS: &[Choice<Sight>] = &[
-    ("auto", Sight::Auto, "from where most of the worst places face"),
-    ("front", Sight::From(DVec3::Z), "from +z"),
-    ("back", Sight::From(DVec3::NEG_Z), "from −z"),
-    ("right", Sight::From(DVec3::X), "from +x"),
-    ("left", Sight::From(DVec3::NEG_X), "from −x"),
-    ("top", Sight::From(DVec3::Y), "from +y"),
-    ("bottom", Sight::From(DVec3::NEG_Y), "from −y"),
-];
+fn angle(text: &str) -> Result<Degrees, String> {
+    match text.parse() {
+        Ok(angle) if (0.0..=180.0).contains(&angle) => Ok(Degrees(angle)),
+        _ => Err(format!("expected an angle from 0 to 180 degrees, not {text}")),
+    }
+}
 
-const SEVERITIES: &[Choice<Severity>] = &[
-    ("error", Severity::Error, "wrong in any picture"),
-    ("warning", Severity::Warning, "shows in some light or some viewer"),
-    ("note", Severity::Note, "worth knowing, may be meant"),
-];
+fn from_0(text: &str) -> Result<f64, String> {
+    number(text, 0.0)
+}
+
+fn from_1(text: &str) -> Result<f64, String> {
+    number(text, 1.0)
+}
+
+fn number(text: &str, least: f64) -> Result<f64, String> {
+    let number = text.parse().ok().filter(|&number: &f64| number.is_finite() && number >= least);
+    number.ok_or_else(|| format!("expected a number of {least} or more, not {text}"))
+}
+
+choices! { Sight {
+    "auto" => Auto: "from where most of the worst places face",
+    "front" => From(DVec3::Z): "from +z",
+    "back" => From(DVec3::NEG_Z): "from −z",
+    "right" => From(DVec3::X): "from +x",
+    "left" => From(DVec3::NEG_X): "from −x",
+    "top" => From(DVec3::Y): "from +y",
+    "bottom" => From(DVec3::NEG_Y): "from −y",
+} }
+
+choices! { Severity {
+    "error" => Error: "wrong in any picture",
+    "warning" => Warning: "shows in some light or some viewer",
+    "note" => Note: "worth knowing, may be meant",
+} }
 
 fn kind(id: &str) -> Result<Kind, String> {
     Kind::of_id(id)

@@ -1,10 +1,11 @@
-//! What `crease inspect` tells people.
+//! The report of `crease inspect` on one input file, and explanations of findings, as text.
 
-use super::super::console::{Style, escaped};
-use super::report::{Counts, FindingReport, InspectReport, PrecisionReport, SiteReport};
-use crease::num::three_digits;
-use crease::quality::Severity;
+use super::json::{Against, Counts, FindingReport, InspectReport};
+use crate::cli::common::console::{Style, escaped};
+use crate::cli::common::numbers::{count, counts_above_zero};
+use crease::num::{Degrees, three_digits};
 use crease::quality::catalogue::{Entry, entries};
+use crease::quality::{Element, Severity, Site};
 use std::fmt::Write;
 
 /// The verdict in one line.
@@ -21,103 +22,90 @@ pub fn line(report: &InspectReport, style: Style) -> String {
 }
 
 fn counted(counts: Counts, style: Style) -> String {
-    let mut reported = Vec::new();
-    for (count, name, colour) in [
-        (counts.error, "error", Style::RED),
-        (counts.warning, "warning", Style::YELLOW),
-        (counts.note, "note", Style::BOLD),
-    ] {
-        if count > 0 {
-            reported
-                .push(style.paint(colour, &format!("{count} {name}{}", if count == 1 { "" } else { "s" })));
-        }
+    let severities =
+        [(counts.error, Severity::Error), (counts.warning, Severity::Warning), (counts.note, Severity::Note)];
+    let reported = severities.into_iter().filter(|(number, _)| *number > 0);
+    let reported =
+        reported.map(|(number, severity)| style.paint(colour(severity), &count(number, severity.name())));
+    reported.collect::<Vec<_>>().join(", ")
+}
+
+fn colour(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Error => Style::RED,
+        Severity::Warning => Style::YELLOW,
+        Severity::Note => Style::BOLD,
     }
-    reported.join(", ")
 }
 
 /// The verdict, how the normals were made, and every finding.
 pub fn block(report: &InspectReport, style: Style, verbose: bool, places: usize) -> String {
     let mut out = line(report, style);
-    for part in
-        report.parts.iter().filter(|part| verbose || report.parts.len() == 1 && part.estimate.is_some())
-    {
+    let is_shown = |has_estimate| verbose || report.parts.len() == 1 && has_estimate;
+    for part in report.parts.iter().filter(|part| is_shown(part.estimate.is_some())) {
         let name = if part.name.is_empty() { String::new() } else { format!("{}: ", escaped(&part.name)) };
         let made = match &part.estimate {
             Some(estimate) if estimate.reproduced < 0.5 => "; no rule reproduces the stored normals".into(),
             Some(estimate) => format!(
                 "; stored normals{} are best reproduced by --weight {} --crease {}{}: {} % of corners within 5°",
                 if estimate.turned { ", turned back," } else { "" },
-                estimate.weight,
-                estimate.crease,
+                estimate.weight.name(),
+                estimate.crease.0,
                 if estimate.groups { " and smoothing groups" } else { "" },
                 three_digits(100.0 * estimate.reproduced)
             ),
             None => String::new(),
         };
-        let rounded = match &part.precision {
-            Some(PrecisionReport { grid, degrees, .. }) => {
-                format!("; rounded to {grid}: by at most {}°", three_digits(*degrees))
-            }
-            None => String::new(),
-        };
+        let rounded = part.precision.as_ref().map_or(String::new(), |precision| {
+            format!("; rounded to {}: by at most {}°", precision.grid, three_digits(precision.error.0))
+        });
         let _ = writeln!(out, "  {name}{} faces, {} vertices{made}{rounded}", part.faces, part.vertices);
     }
     report.findings.iter().for_each(|finding| out.push_str(&paragraph(finding, report, style, places)));
     if let Some(against) = &report.against {
-        out.push_str(&against.text(style, places, |site| place(site, report)));
+        out.push_str(&comparison(against, report, style, places));
     }
     out
 }
 
-fn paragraph(finding: &FindingReport, report: &InspectReport, style: Style, places: usize) -> String {
-    let colour = match finding.severity {
-        Severity::Error => Style::RED,
-        Severity::Warning => Style::YELLOW,
-        Severity::Note => Style::BOLD,
-    };
-    let label = style.paint(colour, finding.severity.name());
-    let mut out = format!("  {label} {}: {}\n", style.paint(Style::BOLD, finding.id), finding.cause);
-    if finding.element != "mesh" || finding.of > 1 {
-        let plural = match finding.element {
-            "vertex" => "vertices".to_owned(),
-            "mesh" => "meshes".to_owned(),
-            name => format!("{name}s"),
+fn paragraph(item: &FindingReport, report: &InspectReport, style: Style, places: usize) -> String {
+    let FindingReport { finding, command } = item;
+    let entry = finding.kind.entry();
+    let label = style.paint(colour(finding.severity), finding.severity.name());
+    let mut lines = Vec::new();
+    if entry.element != Element::Mesh || finding.of > 1 {
+        let plural = match entry.element {
+            Element::Vertex => "vertices".to_owned(),
+            Element::Mesh => "meshes".to_owned(),
+            element => format!("{}s", element.name()),
         };
         let percent = |share: f64| format!("{} %", three_digits(100.0 * share));
-        let area = match finding.area_share {
-            Some(share) if share > 0.0 => format!(", {} of the area", percent(share)),
-            _ => String::new(),
-        };
-        let _ = writeln!(
-            out,
-            "    {} of {} {plural} ({}){area}",
-            finding.count,
-            finding.of,
-            percent(finding.share)
-        );
+        let area = finding.area_share.filter(|&share| share > 0.0);
+        let area = area.map_or(String::new(), |share| format!(", {} of the area", percent(share)));
+        let share = percent(finding.share());
+        lines.push(format!("{} of {} {plural} ({share}){area}", finding.count, finding.of));
     }
     if let Some(steps) = finding.steps.filter(|&steps| steps > 0.0) {
         let steps = three_digits(steps);
         let angle = finding.degrees.map_or(String::new(), |degrees| format!("{}°: ", three_digits(degrees)));
-        let _ = writeln!(out, "    up to {angle}{steps} of 255 grey steps under a key light");
+        lines.push(format!("up to {angle}{steps} of 255 grey steps under a key light"));
     }
-    if let Some(measure) = finding.measure.as_ref().filter(|it| !finding.cause.contains(&it.reported)) {
-        let _ = writeln!(out, "    at worst {} {}", measure.reported, measure.unit);
+    if let Some((value, unit)) = finding.amount.zip(finding.kind.unit()) {
+        let value = finding.kind.write_amount(value);
+        if !finding.cause.contains(&value) {
+            lines.push(format!("at worst {value} {unit}"));
+        }
     }
-    if let Some(confidence) = finding.confidence {
-        let _ = writeln!(out, "    confidence {confidence:.2}");
-    }
-    let is_somewhere = |site: &&SiteReport| site.position.is_some() || finding.element == "node";
-    for site in finding.places.iter().take(places).filter(is_somewhere) {
-        let _ = writeln!(out, "    at {}", place(site, report));
-    }
-    if let Some(command) = &finding.command {
-        let _ = writeln!(out, "    mend: {}", escaped(command));
-    }
-    out
+    lines.extend(finding.confidence.map(|confidence| format!("confidence {confidence:.2}")));
+    let is_somewhere = |site: &&Site| site.position.is_some() || entry.element == Element::Node;
+    let sites = finding.places.iter().take(places).filter(is_somewhere);
+    lines.extend(sites.map(|site| format!("at {}", place(site, report))));
+    lines.extend(command.iter().map(|command| format!("mend: {}", escaped(command))));
+    let lines: String = lines.iter().map(|line| format!("    {line}\n")).collect();
+    format!("  {label} {}: {}\n{lines}", style.paint(Style::BOLD, entry.id), finding.cause)
 }
 
-fn place(site: &SiteReport, report: &InspectReport) -> String {
+fn place(site: &Site, report: &InspectReport) -> String {
     let mut said = Vec::new();
     match (&site.node, report.parts.get(site.part)) {
         (Some(node), _) if !node.is_empty() => said.push(format!("node {}", escaped(node))),
@@ -130,13 +118,55 @@ fn place(site: &SiteReport, report: &InspectReport) -> String {
     said.extend(site.face.map(|face| format!("face {face}")));
     said.extend(site.corner.map(|corner| format!("corner {corner}")));
     said.extend(site.vertex.map(|vertex| format!("vertex {vertex}")));
-    if let Some([x, y, z]) = site.position {
-        said.push(format!("({}, {}, {})", three_digits(x), three_digits(y), three_digits(z)));
+    if let Some(position) = site.position {
+        let [x, y, z] = position.to_array().map(three_digits);
+        said.push(format!("({x}, {y}, {z})"));
     }
-    said.extend(
-        site.degrees.filter(|&degrees| degrees > 0.0).map(|degrees| format!("{}°", three_digits(degrees))),
-    );
+    let degrees = site.degrees.filter(|&degrees| degrees > 0.0);
+    said.extend(degrees.map(|degrees| format!("{}°", three_digits(degrees))));
     said.join(", ")
+}
+
+/// What is different in another file: one line, then the details.
+fn comparison(against: &Against, report: &InspectReport, style: Style, places: usize) -> String {
+    let Against { path, comparison } = against;
+    let [mean_steps, largest_steps] = comparison.steps();
+    let angle = |Degrees(degrees): Degrees, steps: f64| {
+        format!("{}° ({} of 255 grey steps)", three_digits(degrees), three_digits(steps))
+    };
+    let summary = match comparison.changed {
+        0 => format!("no direction of {} corners changed", comparison.corners),
+        changed => format!(
+            "{changed} of {} corners changed, {} visibly, by {} at most and {} in the mean, under a key light",
+            comparison.corners,
+            comparison.visible,
+            angle(comparison.largest, largest_steps),
+            angle(comparison.mean, mean_steps)
+        ),
+    };
+    let mut lines = counts_above_zero(&[
+        (comparison.gained, "corners have a normal there that have none here"),
+        (comparison.lost, "corners have none there that have one here"),
+        (comparison.turned, "faces go round the other way"),
+        (comparison.unmatched[0], "faces stand here only"),
+        (comparison.unmatched[1], "faces stand there only"),
+    ]);
+    lines.extend(comparison.places.iter().take(places).map(|site| format!("at {}", place(site, report))));
+    let changes: [(&str, fn([u64; 2]) -> bool); 3] = [
+        ("gone", |[_, after]| after == 0),
+        ("new", |[before, _]| before == 0),
+        ("other counts", |[before, after]| before != after && before > 0 && after > 0),
+    ];
+    for (name, is_wanted) in changes {
+        let findings = comparison.findings.iter().filter(|(_, counts)| is_wanted(*counts));
+        let findings: Vec<String> =
+            findings.map(|(kind, [before, after])| format!("{} {before} → {after}", kind.id())).collect();
+        if !findings.is_empty() {
+            lines.push(format!("{name}: {}", findings.join(", ")));
+        }
+    }
+    let lines: String = lines.iter().map(|line| format!("    {line}\n")).collect();
+    format!("  against {}: {summary}\n{lines}", style.paint(Style::BOLD, &escaped(path)))
 }
 
 /// What the catalogue says of one finding.

@@ -1,9 +1,10 @@
-//! What may be typed after `render`.
+//! The options of `crease render`.
 
 use super::fields::{self, CameraChange};
-use super::values::{self, GuardSwitch};
-use crate::cli::args::{EXIT_CODES, FORMATS, RunArgs, WEIGHTS, WHENS, crease_angle};
-use crate::cli::choice::{Choice, Choices};
+use super::values::{self, GuardSwitch, HiddenLines, ReflectionChoice, Variant};
+use crate::cli::common::choice::one_of;
+use crate::cli::common::options::{EXIT_CODES, RunArgs, crease_angle};
+use crate::cli::common::vectors::{colour, not_negative, vector};
 use clap::Args;
 use crease::io::Format;
 use crease::normals::{Weight, When};
@@ -76,7 +77,7 @@ pub struct PictureArgs {
     pub output: Option<PathBuf>,
 
     /// Format of the input, where its name cannot tell [default: by name, else by content]
-    #[arg(long, value_name = "FORMAT", value_parser = Choices(FORMATS))]
+    #[arg(long, value_name = "FORMAT", value_parser = one_of::<Format>())]
     pub format: Option<Format>,
 
     /// Companion files (meshes of a scene, MTL, glTF buffers) may be read from this folder too and below, those of standard
@@ -94,16 +95,16 @@ pub struct PictureArgs {
 
     /// Places looked at in each pixel, each shaded by itself; 4, 8 and 16 are the patterns of Direct3D [default: 4;
     /// of scenes in TOML what they say, or 1]
-    #[arg(long, value_name = "N", value_parser = Choices(SAMPLES))]
+    #[arg(long, value_name = "N", value_parser = one_of::<Samples>())]
     pub samples: Option<Samples>,
 
     /// Bits of each component [default: 8]
-    #[arg(long, value_name = "N", value_parser = Choices(BITS))]
+    #[arg(long, value_name = "N", value_parser = one_of::<Bits>())]
     pub bits: Option<Bits>,
 
     /// Draw panels side by side that differ in shading or interpolation, as --compare flat,gouraud,phong,exact or
     /// --compare scanline,affine,perspective; with --shading only interpolations, with --interpolation only shadings
-    #[arg(long, value_name = "WHAT,WHAT", value_parser = Choices(VARIANTS), value_delimiter = ',',
+    #[arg(long, value_name = "WHAT,WHAT", value_parser = one_of::<Variant>(), value_delimiter = ',',
           conflicts_with_all = ["turntable", "probe"])]
     pub compare: Vec<Variant>,
 
@@ -121,23 +122,23 @@ pub struct PictureArgs {
 #[command(next_help_heading = "Shading")]
 pub struct ShadingArgs {
     /// Where colours are computed [default: phong]
-    #[arg(long, value_name = "HOW", value_parser = Choices(SHADINGS))]
+    #[arg(long, value_name = "HOW", value_parser = one_of::<Shading>())]
     pub shading: Option<Shading>,
 
     /// How values at the corners of a face spread over it [default: perspective]
-    #[arg(long, value_name = "HOW", value_parser = Choices(INTERPOLATIONS))]
+    #[arg(long, value_name = "HOW", value_parser = one_of::<Interpolation>())]
     pub interpolation: Option<Interpolation>,
 
     /// Whose highlight; or the colours that the file gives its vertices, unlit [default: blinn]
-    #[arg(long, value_name = "WHOSE", value_parser = Choices(REFLECTIONS))]
+    #[arg(long, value_name = "WHOSE", value_parser = one_of::<ReflectionChoice>())]
     pub reflection: Option<ReflectionChoice>,
 
     /// Exponent of the highlight, 0 or more: the larger, the smaller the highlight [default: the material's; 32 of what has none]
-    #[arg(long, value_name = "N", value_parser = values::not_negative, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = not_negative, allow_negative_numbers = true)]
     pub exponent: Option<f64>,
 
     /// Where flat faces are lit [default: centroid]
-    #[arg(long, value_name = "WHERE", value_parser = Choices(FLAT_SAMPLES))]
+    #[arg(long, value_name = "WHERE", value_parser = one_of::<FlatSample>())]
     pub flat_sample: Option<FlatSample>,
 
     /// Show, in place of light: `normals` (n + 1)/2; `facing` front light blue, back dark red; `depth` white near, black far;
@@ -147,15 +148,15 @@ pub struct ShadingArgs {
     pub show: Option<Show>,
 
     /// Draw lines over the picture
-    #[arg(long, value_name = "WHAT,WHAT", value_parser = Choices(OVERLAYS), value_delimiter = ',')]
+    #[arg(long, value_name = "WHAT,WHAT", value_parser = one_of::<Overlay>(), value_delimiter = ',')]
     pub overlay: Vec<Overlay>,
 
     /// What becomes of lines of wireframes and overlays where a surface is in front [default: remove]
-    #[arg(long, value_name = "HOW", value_parser = Choices(HIDDEN_LINES))]
+    #[arg(long, value_name = "HOW", value_parser = one_of::<HiddenLines>())]
     pub hidden_lines: Option<HiddenLines>,
 
     /// Leave out faces by the side that is seen; wireframes go without their edges, overlays keep all lines [default: none]
-    #[arg(long, value_name = "WHICH", value_parser = Choices(CULLS))]
+    #[arg(long, value_name = "WHICH", value_parser = one_of::<Cull>())]
     pub cull: Option<Cull>,
 
     /// Light faces seen from behind on that side
@@ -176,7 +177,7 @@ pub struct SceneArgs {
     pub light: Vec<Light>,
 
     /// Ambient light, in place of what the scene has
-    #[arg(long, value_name = "COLOUR", value_parser = values::colour, allow_hyphen_values = true)]
+    #[arg(long, value_name = "COLOUR", value_parser = colour, allow_hyphen_values = true)]
     pub ambient: Option<LinearRgb>,
 
     /// The material of all objects
@@ -184,12 +185,12 @@ pub struct SceneArgs {
     pub material: Option<Material>,
 
     /// What is seen where there is nothing; the wireframe of a mesh is black on what is bright [default: black]
-    #[arg(long, value_name = "COLOUR", value_parser = values::colour)]
+    #[arg(long, value_name = "COLOUR", value_parser = colour)]
     pub background: Option<LinearRgb>,
 
     /// Turn the objects about the middle of their box by degrees, about the x axis first, then y, then z; the
     /// camera and the lights of a scene stay
-    #[arg(long, value_name = "X,Y,Z", value_parser = values::vector, allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
     pub rotate: Option<DVec3>,
 }
 
@@ -197,7 +198,7 @@ pub struct SceneArgs {
 #[command(next_help_heading = "Normals (as `crease normals` has them)")]
 pub struct NormalArgs {
     /// How much each face counts at a corner [default: angle]
-    #[arg(long, value_name = "WEIGHT", value_parser = Choices(WEIGHTS))]
+    #[arg(long, value_name = "WEIGHT", value_parser = one_of::<Weight>())]
     pub weight: Option<Weight>,
 
     /// Edges that bend by more than this many degrees stay sharp; `off` for none [default: 40 without smoothing groups]
@@ -206,7 +207,7 @@ pub struct NormalArgs {
 
     /// Which normals that are stored to replace [default: all; those that a scene gives or calls given only if one of
     /// these options is there]
-    #[arg(long, value_name = "WHICH", value_parser = Choices(WHENS))]
+    #[arg(long, value_name = "WHICH", value_parser = one_of::<When>())]
     pub when: Option<When>,
 }
 
@@ -231,131 +232,14 @@ pub struct ColourArgs {
 
     /// What becomes of light on a face that turns away from it where its interpolated normals do not, under Phong's shading
     /// [default: smooth]
-    #[arg(long, value_name = "HOW", value_parser = Choices(TERMINATORS))]
+    #[arg(long, value_name = "HOW", value_parser = one_of::<Terminator>())]
     pub terminator: Option<Terminator>,
 
     /// What becomes of colours over 1 [default: clamp]
-    #[arg(long, value_name = "RULE", value_parser = Choices(TONES))]
+    #[arg(long, value_name = "RULE", value_parser = one_of::<ToneRule>())]
     pub tone: Option<ToneRule>,
 
     /// How linear light becomes codes [default: srgb; for --show normals and depth, direct]
-    #[arg(long, value_name = "CURVE", value_parser = Choices(TRANSFERS))]
+    #[arg(long, value_name = "CURVE", value_parser = one_of::<Transfer>())]
     pub transfer: Option<Transfer>,
 }
-
-impl ColourArgs {
-    /// Whether a guard of this name was typed.
-    pub fn switches(&self, name: &str) -> bool {
-        self.guard.iter().any(|switch| switch.name == name)
-    }
-}
-
-/// What becomes of lines behind surfaces.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum HiddenLines {
-    Remove,
-    Show,
-}
-
-/// One panel of `--compare`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Variant {
-    Shading(Shading),
-    Interpolation(Interpolation),
-}
-
-/// What `--reflection` takes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ReflectionChoice {
-    Phong,
-    Blinn,
-    Given,
-}
-
-pub const SHADINGS: &[Choice<Shading>] = &[
-    ("flat", Shading::Flat, "once a face"),
-    ("gouraud", Shading::Gouraud, "at the corners; colours are interpolated (Gouraud 1971)"),
-    ("phong", Shading::Phong, "at every sample; normals are interpolated (Phong 1973)"),
-    ("wireframe", Shading::Wireframe, "nowhere: edges are drawn"),
-    ("exact", Shading::Exact, "at every sample, on the analytic surface that an object stands for"),
-];
-
-pub const INTERPOLATIONS: &[Choice<Interpolation>] = &[
-    (
-        "scanline",
-        Interpolation::Scanline,
-        "along the polygon's edges, then along the scanline: turns with the face",
-    ),
-    ("affine", Interpolation::Affine, "barycentric on triangles of the picture: ignores perspective"),
-    (
-        "perspective",
-        Interpolation::Perspective,
-        "barycentric on triangles of the scene: right under perspective",
-    ),
-];
-
-const VARIANTS: &[Choice<Variant>] = &[
-    ("flat", Variant::Shading(Shading::Flat), "flat shading"),
-    ("gouraud", Variant::Shading(Shading::Gouraud), "Gouraud shading"),
-    ("phong", Variant::Shading(Shading::Phong), "Phong shading"),
-    ("wireframe", Variant::Shading(Shading::Wireframe), "edges"),
-    ("exact", Variant::Shading(Shading::Exact), "the analytic surface"),
-    ("scanline", Variant::Interpolation(Interpolation::Scanline), "scanline interpolation"),
-    ("affine", Variant::Interpolation(Interpolation::Affine), "affine interpolation"),
-    ("perspective", Variant::Interpolation(Interpolation::Perspective), "perspective-correct interpolation"),
-];
-
-const REFLECTIONS: &[Choice<ReflectionChoice>] = &[
-    ("phong", ReflectionChoice::Phong, "(V·R)ⁿ with the mirrored ray (Phong 1973)"),
-    ("blinn", ReflectionChoice::Blinn, "(N·H)ⁿ with the half-vector (Blinn 1977)"),
-    ("given", ReflectionChoice::Given, "no light: the colours of vertices are interpolated"),
-];
-
-const FLAT_SAMPLES: &[Choice<FlatSample>] = &[
-    ("centroid", FlatSample::Centroid, "at the mean of the corners"),
-    ("vertex-mean", FlatSample::VertexMean, "at every corner; the face gets the mean of the colours"),
-];
-
-const OVERLAYS: &[Choice<Overlay>] = &[
-    ("wire", Overlay::Wire, "edges of faces"),
-    ("creases", Overlay::Creases, "edges whose sides have different normals"),
-    ("vertex-normals", Overlay::VertexNormals, "lines along the normals of vertices"),
-    ("face-normals", Overlay::FaceNormals, "lines along the normals of faces"),
-];
-
-const HIDDEN_LINES: &[Choice<HiddenLines>] = &[
-    ("remove", HiddenLines::Remove, "they are left out"),
-    ("show", HiddenLines::Show, "they are drawn like all others"),
-];
-
-const CULLS: &[Choice<Cull>] = &[
-    ("none", Cull::None, "none"),
-    ("back", Cull::Back, "those seen from behind"),
-    ("front", Cull::Front, "those seen from the front"),
-];
-
-pub const SAMPLES: &[Choice<Samples>] = &[
-    ("1", Samples::One, "the centre"),
-    ("4", Samples::Four, "a rotated square"),
-    ("8", Samples::Eight, "eight places, no two in a row or column"),
-    ("16", Samples::Sixteen, "sixteen, likewise"),
-];
-
-pub const BITS: &[Choice<Bits>] =
-    &[("8", Bits::Eight, "256 steps"), ("16", Bits::Sixteen, "65536 steps; PNG only")];
-
-pub const TERMINATORS: &[Choice<Terminator>] = &[
-    ("smooth", Terminator::Smooth, "it stays: only the interpolated normal counts"),
-    ("hard", Terminator::Hard, "it goes, as in the face's own shadow: along the edges of faces"),
-    ("soft", Terminator::Soft, "it goes gradually (Chiang, Li and Burley 2019)"),
-];
-
-pub const TONES: &[Choice<ToneRule>] = &[
-    ("clamp", ToneRule::Clamp, "each component is clamped to 1"),
-    ("max", ToneRule::DivideByMax, "the colour is divided by its largest component"),
-];
-
-pub const TRANSFERS: &[Choice<Transfer>] = &[
-    ("srgb", Transfer::Srgb, "the curve of sRGB"),
-    ("direct", Transfer::Direct, "the number itself, as the lectures have it"),
-];

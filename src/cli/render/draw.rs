@@ -1,77 +1,46 @@
-//! Drawing what was asked for: a picture, panels, or an animation.
+//! A picture, panels side by side, or an animation.
 
-use super::args::{INTERPOLATIONS, SHADINGS, Variant};
+use super::changes::blame;
 use super::request::{FileKind, Request, Subject};
 use super::turn;
-use crate::cli::choice::name_of;
-use crate::cli::output::Store;
-use crate::cli::progress::CountProgress;
+use crate::cli::common::choice::Choose;
+use crate::cli::common::failure::Failure;
+use crate::cli::common::output::Store;
+use crate::cli::common::progress::Progress;
 use crease::num::Degrees;
-use crease::raster::{Image, RenderError, RenderSettings, Scene, SceneFile, Shading, Statistics, render};
+use crease::raster::{Image, RenderSettings, SceneFile, Statistics, render};
 use crease::report::{Animation, Panel, Picture, ReportError, encode_png, overlay, panels};
-
-/// What became of a picture.
-pub enum Made {
-    /// A file that is to be stored; empty if none is wanted.
-    Bytes(Vec<u8>),
-    /// It is stored already, so many bytes long.
-    Stored(u64),
-}
-
-impl Made {
-    /// How many bytes it has.
-    pub fn len(&self) -> u64 {
-        match self {
-            Made::Bytes(bytes) => bytes.len() as u64,
-            Made::Stored(length) => *length,
-        }
-    }
-}
 
 /// A picture as a file, and what was drawn for it.
 pub struct Drawn {
-    pub made: Made,
+    /// The file, unless it is stored already or none is wanted.
+    pub bytes: Option<Vec<u8>>,
+    /// How many bytes it has.
+    pub length: u64,
     pub size: [u32; 2],
     pub drawings: Vec<Drawing>,
     /// The image, if there is just one.
     pub image: Option<Image>,
 }
 
+impl Drawn {
+    fn of_bytes(bytes: Vec<u8>, size: [u32; 2], drawings: Vec<Drawing>, image: Option<Image>) -> Self {
+        Self { length: bytes.len() as u64, bytes: Some(bytes), size, drawings, image }
+    }
+}
+
 /// One drawing of the scene.
+#[derive(serde::Serialize)]
 pub struct Drawing {
-    /// What tells it from the others.
+    /// The name of its panel or frame.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
+    #[serde(flatten)]
     pub statistics: Statistics,
 }
 
-/// Why there is no picture.
-#[derive(Debug)]
-pub enum DrawError {
-    Render(RenderError),
-    Report(ReportError),
-    Store(anyhow::Error),
-}
-
-impl From<anyhow::Error> for DrawError {
-    fn from(error: anyhow::Error) -> Self {
-        Self::Store(error)
-    }
-}
-
-impl From<RenderError> for DrawError {
-    fn from(error: RenderError) -> Self {
-        Self::Render(error)
-    }
-}
-
-impl From<ReportError> for DrawError {
-    fn from(error: ReportError) -> Self {
-        Self::Report(error)
-    }
-}
-
 /// Draws a changed scene, and turns it for an animation.
-pub fn draw(file: &mut SceneFile, request: &Request, progress: &CountProgress) -> Result<Drawn, DrawError> {
+pub fn draw(file: &mut SceneFile, request: &Request, progress: &Progress) -> Result<Drawn, Failure> {
     match request.subject {
         Subject::Picture => {
             let image = image(file, &file.settings, request)?;
@@ -82,39 +51,38 @@ pub fn draw(file: &mut SceneFile, request: &Request, progress: &CountProgress) -
                 None => Vec::new(),
             };
             let image = Image { pixels: picture.pixels, ..image };
-            Ok(Drawn { made: Made::Bytes(bytes), size: image.size, drawings, image: Some(image) })
+            Ok(Drawn::of_bytes(bytes, image.size, drawings, Some(image)))
         }
         Subject::Panels(variants) => {
             let (mut drawings, mut list) = (Vec::new(), Vec::new());
             for variant in variants {
                 let settings = variant.settings(&file.settings);
                 let image = image(file, &settings, request)?;
-                drawings.push(Drawing { name: Some(variant.name().into()), statistics: image.statistics });
+                drawings.push(Drawing { name: Some(variant.choice().into()), statistics: image.statistics });
                 list.push(Panel { caption: variant.caption().into(), picture: image.into() });
             }
             let sheet = panels(&list)?;
             drop(list);
             let bytes = as_file(&sheet, &file.settings, request.file)?;
-            Ok(Drawn { made: Made::Bytes(bytes), size: sheet.size, drawings, image: None })
+            Ok(Drawn::of_bytes(bytes, sheet.size, drawings, None))
         }
         Subject::Turntable(frames) => turntable(file, frames, request, progress),
     }
 }
 
-/// Draws a scene with the lines that are asked for over it.
-fn image(file: &SceneFile, settings: &RenderSettings, request: &Request) -> Result<Image, RenderError> {
+/// Draws a scene and its overlays.
+fn image(file: &SceneFile, settings: &RenderSettings, request: &Request) -> Result<Image, Failure> {
     let mut scene = file.scene();
-    add_overlays(&mut scene, settings, request);
-    render(&scene, settings)
-}
-
-fn add_overlays(scene: &mut Scene, settings: &RenderSettings, request: &Request) {
     let kinds = &request.args.shading.overlay;
-    let mut lines: Vec<_> = kinds.iter().flat_map(|&kind| overlay(scene, settings.size, kind)).collect();
+    let mut lines: Vec<_> = kinds.iter().flat_map(|&kind| overlay(&scene, settings.size, kind)).collect();
     for lines in &mut lines {
         lines.style.hide = request.hides_lines(lines.style.hide);
     }
     scene.lines.extend(lines);
+    render(&scene, settings).map_err(|error| {
+        let lights = file.lights.as_ref().map_or(0, Vec::len);
+        blame(request.args, &error, lights).map_or_else(|| Failure::input(error), Failure::usage)
+    })
 }
 
 fn as_file(picture: &Picture, settings: &RenderSettings, kind: FileKind) -> Result<Vec<u8>, ReportError> {
@@ -128,7 +96,7 @@ fn as_file(picture: &Picture, settings: &RenderSettings, kind: FileKind) -> Resu
     }
 }
 
-/// Hundredths of a second that a whole turn takes, and the shortest time of a frame that viewers heed.
+/// Hundredths of a second that a whole turn takes, and the shortest frame that viewers play.
 const TURN: u16 = 400;
 const SHORTEST: u16 = 2;
 
@@ -142,14 +110,14 @@ fn turntable(
     file: &mut SceneFile,
     frames: u16,
     request: &Request,
-    progress: &CountProgress,
-) -> Result<Drawn, DrawError> {
+    progress: &Progress,
+) -> Result<Drawn, Failure> {
     let pivot = turn::pivot(file);
     let placed: Vec<_> = file.objects.iter().map(|object| object.transform).collect();
     let up = file.scene().camera.up;
     let size = file.settings.size;
     let mut drawings = Vec::new();
-    let mut draw = |frame: usize| -> Result<Picture, DrawError> {
+    let mut draw = |frame: usize| -> Result<Picture, Failure> {
         let angle = Degrees(360.0 * frame as f64 / f64::from(frames));
         // Each frame turns from the start: roundings do not add up.
         file.objects.iter_mut().zip(&placed).for_each(|(object, &transform)| object.transform = transform);
@@ -162,41 +130,12 @@ fn turntable(
         progress.done();
         Ok(image.into())
     };
-    let made = match &request.target {
-        Some(target) => {
-            let store = Store::new(false, false);
-            Made::Stored(store.stream(target, |out| turn_of(frames).write_gif(out, draw))?)
-        }
+    let length = match &request.target {
+        Some(target) => Store::default().stream(target, |out| turn_of(frames).write_gif(out, draw))?,
         None => {
             (0..usize::from(frames)).try_for_each(|frame| draw(frame).map(drop))?;
-            Made::Bytes(Vec::new())
+            0
         }
     };
-    Ok(Drawn { made, size, drawings, image: None })
-}
-
-impl Variant {
-    /// The settings of its panel.
-    pub fn settings(self, settings: &RenderSettings) -> RenderSettings {
-        match self {
-            Variant::Shading(shading) => RenderSettings { shading, ..*settings },
-            Variant::Interpolation(interpolation) => RenderSettings { interpolation, ..*settings },
-        }
-    }
-
-    pub fn name(self) -> &'static str {
-        match self {
-            Variant::Shading(shading) => name_of(SHADINGS, &shading),
-            Variant::Interpolation(interpolation) => name_of(INTERPOLATIONS, &interpolation),
-        }
-    }
-
-    /// Its name as books write it.
-    pub fn caption(self) -> &'static str {
-        match self {
-            Variant::Shading(Shading::Gouraud) => "Gouraud",
-            Variant::Shading(Shading::Phong) => "Phong",
-            _ => self.name(),
-        }
-    }
+    Ok(Drawn { bytes: None, length, size, drawings, image: None })
 }

@@ -1,6 +1,6 @@
-//! The small language of `--camera`, `--light` and `--material`: words `key=value`, with a kind in front of a light's.
+//! Values of `--camera`, `--light` and `--material`: words `key=value`, with a kind in front of a light's.
 
-use super::values::{colour, not_negative, number, vector};
+use crate::cli::common::vectors::{colour, not_negative, number, vector};
 use crease::num::{Degrees, LinearRgb, Radians};
 use crease::raster::{Camera, Projection};
 use crease::shade::{AreaShape, Attenuation, Cone, Light, Material, Reflectance, ShadeError};
@@ -9,30 +9,29 @@ use glam::DVec3;
 /// Words `key=value` that are used up one by one.
 struct Fields<'a> {
     pairs: Vec<(&'a str, &'a str)>,
-    asked: Vec<&'static str>,
+    known: Vec<&'static str>,
 }
 
 impl<'a> Fields<'a> {
-    /// Those of a text that has some: an empty one is hardly meant.
-    fn some(text: &'a str, such_as: &str) -> Result<Self, String> {
-        match text.trim().is_empty() {
-            true => Err(format!("words KEY=VALUE were expected, such as {such_as}")),
-            false => Self::new(text.split_whitespace()),
-        }
-    }
-
-    fn new(words: impl Iterator<Item = &'a str>) -> Result<Self, String> {
+    fn new(words: &'a str) -> Result<Self, String> {
         let mut pairs: Vec<(&str, &str)> = Vec::new();
-        for word in words {
-            let Some((key, value)) = word.split_once('=') else {
-                return Err(format!("{word:?} is not of the form KEY=VALUE"));
-            };
+        for word in words.split_whitespace() {
+            let (key, value) =
+                word.split_once('=').ok_or_else(|| format!("{word:?} is not of the form KEY=VALUE"))?;
             if pairs.iter().any(|(other, _)| *other == key) {
                 return Err(format!("{key} is given twice"));
             }
             pairs.push((key, value));
         }
-        Ok(Self { pairs, asked: Vec::new() })
+        Ok(Self { pairs, known: Vec::new() })
+    }
+
+    /// The fields of a text that has some; an empty one is hardly meant.
+    fn some(text: &'a str, such_as: &str) -> Result<Self, String> {
+        match text.trim() {
+            "" => Err(format!("words KEY=VALUE were expected, such as {such_as}")),
+            words => Self::new(words),
+        }
     }
 
     fn take<T>(
@@ -40,7 +39,7 @@ impl<'a> Fields<'a> {
         key: &'static str,
         parse: impl Fn(&str) -> Result<T, String>,
     ) -> Result<Option<T>, String> {
-        self.asked.push(key);
+        self.known.push(key);
         let Some(at) = self.pairs.iter().position(|(other, _)| *other == key) else { return Ok(None) };
         let (_, value) = self.pairs.swap_remove(at);
         parse(value).map(Some).map_err(|reason| format!("{key}: {reason}"))
@@ -50,11 +49,28 @@ impl<'a> Fields<'a> {
         self.take(key, parse)?.ok_or_else(|| format!("{key}= is missing"))
     }
 
-    /// Nothing may be left.
+    fn take_or<T>(
+        &mut self,
+        key: &'static str,
+        parse: impl Fn(&str) -> Result<T, String>,
+        default: T,
+    ) -> Result<T, String> {
+        Ok(self.take(key, parse)?.unwrap_or(default))
+    }
+
+    fn colour(&mut self) -> Result<LinearRgb, String> {
+        self.take_or("colour", colour, LinearRgb::WHITE)
+    }
+
+    fn attenuation(&mut self) -> Result<Attenuation, String> {
+        self.take_or("attenuation", attenuation, Attenuation::None)
+    }
+
+    /// Refuses fields that were not taken.
     fn finish(self) -> Result<(), String> {
         match self.pairs.first() {
             None => Ok(()),
-            Some((key, _)) => Err(format!("there is no {key}; there are {}", self.asked.join(", "))),
+            Some((key, _)) => Err(format!("there is no {key}; there are {}", self.known.join(", "))),
         }
     }
 }
@@ -63,22 +79,7 @@ fn degrees(text: &str) -> Result<Radians, String> {
     number(text).map(|angle| Degrees(angle).into())
 }
 
-/// A number over 0.
-fn positive(text: &str) -> Result<f64, String> {
-    let number = number(text)?;
-    if number > 0.0 { Ok(number) } else { Err(format!("{text:?} is not over 0")) }
-}
-
-/// The angle of a perspective.
-fn opening(text: &str) -> Result<Radians, String> {
-    let angle = number(text)?;
-    match angle > 0.0 && angle < 180.0 {
-        true => Ok(Degrees(angle).into()),
-        false => Err(format!("{text:?} is not between 0 and 180 degrees")),
-    }
-}
-
-/// What `--camera` changes of a camera.
+/// The parts of a camera that `--camera` changes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CameraChange {
     eye: Option<DVec3>,
@@ -88,22 +89,22 @@ pub struct CameraChange {
     near: Option<f64>,
 }
 
-/// The share of a distance before which nothing is drawn: depths are stored in floating point, so a near plane that is
+/// The near distance as a share of the distance to the target. Depths are stored in floating point, so a near plane that is
 /// close costs nothing.
 const NEAR_SHARE: f64 = 1.0 / 4096.0;
 
 impl CameraChange {
-    /// Whether it names places or lengths, which are those of the scene as it is.
+    /// Whether it contains positions or lengths, which are those of the unchanged scene.
     pub fn has_places(&self) -> bool {
         let is_length = matches!(self.projection, Some(Projection::Orthographic(_)));
         self.eye.is_some() || self.target.is_some() || self.near.is_some() || is_length
     }
 
-    /// A camera with what was given in place of what it had.
+    /// The changed camera.
     ///
-    /// The near distance of a camera that stood where it did to frame these `bounds` goes with the place: if that
-    /// changes it is a share of the way to the target, or to the far side of what there is to see if that is nearer.
-    /// Without `bounds` the camera is one that somebody has set up, and its near distance stays.
+    /// `bounds` are those of the objects if the camera was placed to frame them. If it moves then, its near distance
+    /// becomes a share of the distance to the target, or to the far side of the bounds if that is nearer. The near
+    /// distance of an authored camera (no `bounds`) stays.
     pub fn apply(&self, camera: &Camera, bounds: Option<(DVec3, DVec3)>) -> Camera {
         let (eye, target) = (self.eye.unwrap_or(camera.eye), self.target.unwrap_or(camera.target));
         let moved = bounds.filter(|_| self.eye.is_some() || self.target.is_some()).map(|(low, high)| {
@@ -121,51 +122,45 @@ impl CameraChange {
 }
 
 pub fn camera(text: &str) -> Result<CameraChange, String> {
-    let mut fields = Fields::some(text, "eye=3,2,5 target=0,0,0 angle=40")?;
-    let change = CameraChange {
-        eye: fields.take("eye", vector)?,
-        target: fields.take("target", vector)?,
-        up: fields.take("up", vector)?,
-        projection: match (fields.take("angle", opening)?, fields.take("height", positive)?) {
-            (Some(_), Some(_)) => return Err("angle and height exclude each other".into()),
-            (Some(angle), None) => Some(Projection::Perspective(angle)),
-            (None, Some(height)) => Some(Projection::Orthographic(height)),
-            (None, None) => None,
-        },
-        near: fields.take("near", not_negative)?,
+    let opening = |text: &str| match number(text)? {
+        angle if angle > 0.0 && angle < 180.0 => Ok(Projection::Perspective(Degrees(angle).into())),
+        _ => Err(format!("{text:?} is not between 0 and 180 degrees")),
     };
+    let height = |text: &str| match number(text)? {
+        height if height > 0.0 => Ok(Projection::Orthographic(height)),
+        _ => Err(format!("{text:?} is not over 0")),
+    };
+    let mut fields = Fields::some(text, "eye=3,2,5 target=0,0,0 angle=40")?;
+    let (eye, target, up) =
+        (fields.take("eye", vector)?, fields.take("target", vector)?, fields.take("up", vector)?);
+    let projections = (fields.take("angle", opening)?, fields.take("height", height)?);
+    let near = fields.take("near", not_negative)?;
     fields.finish()?;
-    if change.eye.is_some() && change.eye == change.target {
-        return Err("eye and target are the same point".into());
+    match projections {
+        (Some(_), Some(_)) => Err("angle and height exclude each other".into()),
+        _ if eye.is_some() && eye == target => Err("eye and target are the same point".into()),
+        _ if up == Some(DVec3::ZERO) => Err("up: a vector of length 0 points nowhere".into()),
+        (angle, height) => Ok(CameraChange { eye, target, up, projection: angle.or(height), near }),
     }
-    if change.up == Some(DVec3::ZERO) {
-        return Err("up: a vector of length 0 points nowhere".into());
-    }
-    Ok(change)
 }
 
 pub fn light(text: &str) -> Result<Light, String> {
-    let mut words = text.split_whitespace();
-    let kind = words.next().unwrap_or_default();
+    let text = text.trim_start();
+    let (kind, words) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
     let mut fields = Fields::new(words)?;
-    let white =
-        |fields: &mut Fields| Ok::<_, String>(fields.take("colour", colour)?.unwrap_or(LinearRgb::WHITE));
-    let fading = |fields: &mut Fields| {
-        Ok::<_, String>(fields.take("attenuation", attenuation)?.unwrap_or(Attenuation::None))
-    };
     let light = match kind {
         "directional" => {
-            Light::Directional { towards: fields.need("towards", vector)?, colour: white(&mut fields)? }
+            Light::Directional { towards: fields.need("towards", vector)?, colour: fields.colour()? }
         }
         "point" => Light::Point {
             position: fields.need("position", vector)?,
-            colour: white(&mut fields)?,
-            attenuation: fading(&mut fields)?,
+            colour: fields.colour()?,
+            attenuation: fields.attenuation()?,
         },
         "spot" => Light::Spot {
             position: fields.need("position", vector)?,
-            colour: white(&mut fields)?,
-            attenuation: fading(&mut fields)?,
+            colour: fields.colour()?,
+            attenuation: fields.attenuation()?,
             cone: cone(&mut fields)?,
         },
         "rectangle" => Light::Area {
@@ -174,7 +169,7 @@ pub fn light(text: &str) -> Result<Light, String> {
                 u: fields.need("u", vector)?,
                 v: fields.need("v", vector)?,
             },
-            colour: white(&mut fields)?,
+            colour: fields.colour()?,
         },
         "disc" => Light::Area {
             shape: AreaShape::Disc {
@@ -182,7 +177,7 @@ pub fn light(text: &str) -> Result<Light, String> {
                 normal: fields.need("normal", vector)?,
                 radius: fields.need("radius", number)?,
             },
-            colour: white(&mut fields)?,
+            colour: fields.colour()?,
         },
         _ => {
             return Err("directional, point, spot, rectangle or disc was expected first; ambient light has an option \
@@ -200,9 +195,9 @@ pub fn light(text: &str) -> Result<Light, String> {
 fn cone(fields: &mut Fields) -> Result<Cone, String> {
     let plain = Cone::of_lectures(fields.need("axis", vector)?);
     Ok(Cone {
-        cut_off: fields.take("cut-off", degrees)?.unwrap_or(plain.cut_off),
-        soft_edge: fields.take("soft-edge", degrees)?.unwrap_or(plain.soft_edge),
-        exponent: fields.take("exponent", number)?.unwrap_or(plain.exponent),
+        cut_off: fields.take_or("cut-off", degrees, plain.cut_off)?,
+        soft_edge: fields.take_or("soft-edge", degrees, plain.soft_edge)?,
+        exponent: fields.take_or("exponent", number, plain.exponent)?,
         ..plain
     })
 }
@@ -227,19 +222,16 @@ fn attenuation(text: &str) -> Result<Attenuation, String> {
 
 pub fn material(text: &str) -> Result<Material, String> {
     let mut fields = Fields::some(text, "colour=#c08040 ks=0.3 exponent=60")?;
-    let own = fields.take("colour", colour)?.unwrap_or(LinearRgb::grey(0.8));
+    let own = fields.take_or("colour", colour, LinearRgb::grey(0.8))?;
     let plastic = Material::plastic(own);
-    let highlight = fields.take("highlight", colour)?.unwrap_or(LinearRgb::WHITE);
-    let mut coefficient = |key, colour, plain| {
-        let k = fields.take(key, not_negative)?;
-        Ok::<_, String>(k.map_or(plain, |k| Reflectance::new(k, colour)))
-    };
-    let lit = |k: f64| Reflectance::new(k, own);
+    let highlight = fields.take_or("highlight", colour, LinearRgb::WHITE)?;
+    let mut reflectance =
+        |key, colour, k| Ok::<_, String>(Reflectance::new(fields.take_or(key, not_negative, k)?, colour));
     let material = Material {
-        ambient: coefficient("ka", own, lit(0.7))?,
-        diffuse: coefficient("kd", own, lit(0.7))?,
-        specular: coefficient("ks", highlight, Reflectance::new(0.2, highlight))?,
-        exponent: fields.take("exponent", not_negative)?.unwrap_or(plastic.exponent),
+        ambient: reflectance("ka", own, 0.7)?,
+        diffuse: reflectance("kd", own, 0.7)?,
+        specular: reflectance("ks", highlight, 0.2)?,
+        exponent: fields.take_or("exponent", not_negative, plastic.exponent)?,
         reflection: plastic.reflection,
     };
     fields.finish()?;

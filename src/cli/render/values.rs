@@ -1,8 +1,11 @@
-//! Numbers, vectors and colours as they are typed.
+//! Values of options of `crease render`.
 
-use crease::num::{Degrees, LinearRgb, Srgb8};
-use crease::raster::Show;
-use glam::DVec3;
+use crate::cli::common::choice::{Choose, choices};
+use crate::cli::common::vectors::number;
+use crease::num::{Degrees, Transfer};
+use crease::raster::{Bits, Cull, FlatSample, Interpolation, RenderSettings, Samples, Shading, Show};
+use crease::report::Overlay;
+use crease::shade::{Terminator, ToneRule};
 
 /// The largest side of a picture.
 const LARGEST_SIDE: u32 = 16_384;
@@ -25,44 +28,6 @@ pub fn pixel(text: &str) -> Result<[u32; 2], String> {
     }
 }
 
-pub fn number(text: &str) -> Result<f64, String> {
-    let number = text.trim().parse().ok().filter(|number: &f64| number.is_finite());
-    number.ok_or_else(|| format!("{text:?} is not a finite number"))
-}
-
-/// A finite number that is not negative.
-pub fn not_negative(text: &str) -> Result<f64, String> {
-    let number = number(text).ok().filter(|&number| number >= 0.0);
-    number.ok_or_else(|| format!("{text:?} is not a finite number, 0 or more"))
-}
-
-/// `1,2,3`.
-pub fn vector(text: &str) -> Result<DVec3, String> {
-    let numbers: Vec<f64> = text.split(',').map(number).collect::<Result<_, _>>()?;
-    let numbers: [f64; 3] =
-        numbers.try_into().map_err(|_| format!("{text:?} is not three numbers such as 1,0,2.5"))?;
-    Ok(DVec3::from_array(numbers))
-}
-
-/// `#rrggbb` in sRGB, three linear components, or one for a grey.
-pub fn colour(text: &str) -> Result<LinearRgb, String> {
-    let wrong = || {
-        format!("{text:?} is no colour: #rrggbb (sRGB), R,G,B or one number (linear, 0 or more) was expected")
-    };
-    if let Some(digits) = text.strip_prefix('#') {
-        let is_hexadecimal = digits.len() == 6 && digits.bytes().all(|digit| digit.is_ascii_hexdigit());
-        let code = u32::from_str_radix(digits, 16).ok().filter(|_| is_hexadecimal).ok_or_else(wrong)?;
-        let [_, r, g, b] = code.to_be_bytes();
-        return Ok(Srgb8([r, g, b]).into());
-    }
-    let numbers: Result<Vec<f64>, _> = text.split(',').map(not_negative).collect();
-    match numbers.map_err(|_| wrong())?[..] {
-        [grey] => Ok(LinearRgb::grey(grey)),
-        [r, g, b] => Ok(LinearRgb::new(r, g, b)),
-        _ => Err(wrong()),
-    }
-}
-
 /// `normals`, `facing`, `depth`, `face-id`, `deviation` or `deviation=5`.
 pub fn show(text: &str) -> Result<Show, String> {
     let (name, range) = text.split_once('=').map_or((text, None), |(name, range)| (name, Some(range)));
@@ -80,7 +45,7 @@ pub fn show(text: &str) -> Result<Show, String> {
     }
 }
 
-/// A guard's name and what becomes of it.
+/// A guard's name and whether it is on.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct GuardSwitch {
     pub name: String,
@@ -102,20 +67,132 @@ pub fn guard(text: &str) -> Result<GuardSwitch, String> {
     }
 }
 
+/// What becomes of lines behind surfaces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HiddenLines {
+    Remove,
+    Show,
+}
+
+/// One panel of `--compare`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Variant {
+    Shading(Shading),
+    Interpolation(Interpolation),
+}
+
+/// What `--reflection` takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ReflectionChoice {
+    Phong,
+    Blinn,
+    Given,
+}
+
+impl Variant {
+    /// The settings of its panel.
+    pub fn settings(self, settings: &RenderSettings) -> RenderSettings {
+        match self {
+            Variant::Shading(shading) => RenderSettings { shading, ..*settings },
+            Variant::Interpolation(interpolation) => RenderSettings { interpolation, ..*settings },
+        }
+    }
+
+    /// Its name as books write it.
+    pub fn caption(self) -> &'static str {
+        match self {
+            Variant::Shading(Shading::Gouraud) => "Gouraud",
+            Variant::Shading(Shading::Phong) => "Phong",
+            _ => self.choice(),
+        }
+    }
+}
+
+choices! { Shading {
+    "flat" => Flat: "once a face",
+    "gouraud" => Gouraud: "at the corners; colours are interpolated (Gouraud 1971)",
+    "phong" => Phong: "at every sample; normals are interpolated (Phong 1973)",
+    "wireframe" => Wireframe: "nowhere: edges are drawn",
+    "exact" => Exact: "at every sample, on the analytic surface that an object stands for",
+} }
+
+choices! { Interpolation {
+    "scanline" => Scanline: "along the polygon's edges, then along the scanline: turns with the face",
+    "affine" => Affine: "barycentric on triangles of the picture: ignores perspective",
+    "perspective" => Perspective: "barycentric on triangles of the scene: right under perspective",
+} }
+
+choices! { Variant {
+    "flat" => Shading(Shading::Flat): "flat shading",
+    "gouraud" => Shading(Shading::Gouraud): "Gouraud shading",
+    "phong" => Shading(Shading::Phong): "Phong shading",
+    "wireframe" => Shading(Shading::Wireframe): "edges",
+    "exact" => Shading(Shading::Exact): "the analytic surface",
+    "scanline" => Interpolation(Interpolation::Scanline): "scanline interpolation",
+    "affine" => Interpolation(Interpolation::Affine): "affine interpolation",
+    "perspective" => Interpolation(Interpolation::Perspective): "perspective-correct interpolation",
+} }
+
+choices! { ReflectionChoice {
+    "phong" => Phong: "(V·R)ⁿ with the mirrored ray (Phong 1973)",
+    "blinn" => Blinn: "(N·H)ⁿ with the half-vector (Blinn 1977)",
+    "given" => Given: "no light: the colours of vertices are interpolated",
+} }
+
+choices! { FlatSample {
+    "centroid" => Centroid: "at the mean of the corners",
+    "vertex-mean" => VertexMean: "at every corner; the face gets the mean of the colours",
+} }
+
+choices! { Overlay {
+    "wire" => Wire: "edges of faces",
+    "creases" => Creases: "edges whose sides have different normals",
+    "vertex-normals" => VertexNormals: "lines along the normals of vertices",
+    "face-normals" => FaceNormals: "lines along the normals of faces",
+} }
+
+choices! { HiddenLines {
+    "remove" => Remove: "they are left out",
+    "show" => Show: "they are drawn like all others",
+} }
+
+choices! { Cull {
+    "none" => None: "none",
+    "back" => Back: "those seen from behind",
+    "front" => Front: "those seen from the front",
+} }
+
+choices! { Samples {
+    "1" => One: "the centre",
+    "4" => Four: "a rotated square",
+    "8" => Eight: "eight places, no two in a row or column",
+    "16" => Sixteen: "sixteen, likewise",
+} }
+
+choices! { Bits {
+    "8" => Eight: "256 steps",
+    "16" => Sixteen: "65536 steps; PNG only",
+} }
+
+choices! { Terminator {
+    "smooth" => Smooth: "it stays: only the interpolated normal counts",
+    "hard" => Hard: "it goes, as in the face's own shadow: along the edges of faces",
+    "soft" => Soft: "it goes gradually (Chiang, Li and Burley 2019)",
+} }
+
+choices! { ToneRule {
+    "clamp" => Clamp: "each component is clamped to 1",
+    "max" => DivideByMax: "the colour is divided by its largest component",
+} }
+
+choices! { Transfer {
+    "srgb" => Srgb: "the curve of sRGB",
+    "direct" => Direct: "the number itself, as the lectures have it",
+} }
+
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn colours_are_codes_or_light() {
-        assert_eq!(colour("#ff0000"), Ok(LinearRgb::new(1.0, 0.0, 0.0)));
-        assert!((colour("#bcbcbc").unwrap().g - 0.502_886_5).abs() < 1e-6, "188 is about half the light");
-        assert_eq!(colour("0.5"), Ok(LinearRgb::grey(0.5)));
-        assert_eq!(colour("2, 0,1e-3"), Ok(LinearRgb::new(2.0, 0.0, 1e-3)));
-        for wrong in ["", "#12", "#+12345", "#12345g", "1,2", "1,2,3,4", "-1", "nan", "1,inf,1", "red"] {
-            assert!(colour(wrong).unwrap_err().contains("#rrggbb"), "{wrong}");
-        }
-    }
 
     #[test]
     fn sizes_and_pixels_are_two_whole_numbers() {

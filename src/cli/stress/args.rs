@@ -1,7 +1,7 @@
-//! What may be typed for `crease stress`.
+//! The options of `crease stress`.
 
-use super::super::args::{EXIT_CODES, RunArgs};
-use super::super::choice::{Choice, Choices};
+use crate::cli::common::choice::{Choice, Choose, one_of};
+use crate::cli::common::options::{EXIT_CODES, RunArgs};
 use clap::Args;
 use crease::trade::stress::Group;
 
@@ -22,7 +22,7 @@ Examples:
 #[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"))]
 pub struct StressArgs {
     /// Run these groups of cases only; may be given several times
-    #[arg(long, value_name = "GROUP", value_parser = Choices(GROUPS), value_delimiter = ',')]
+    #[arg(long, value_name = "GROUP", value_parser = one_of::<Group>(), value_delimiter = ',')]
     pub only: Vec<Group>,
 
     /// List the cases without running them
@@ -37,12 +37,14 @@ const fn choice(group: Group) -> Choice<Group> {
     (group.name(), group, group.about())
 }
 
-const GROUPS: &[Choice<Group>] = &{
-    let mut choices = [choice(Group::ALL[0]); Group::ALL.len()];
-    let mut at = 1;
-    while at < choices.len() {
-        choices[at] = choice(Group::ALL[at]);
-        at += 1;
-    }
-    choices
-};
+impl Choose for Group {
+    const CHOICES: &'static [Choice<Self>] = &{
+        let mut choices = [choice(Group::ALL[0]); Group::ALL.len()];
+        let mut at = 1;
+        while at < choices.len() {
+            choices[at] = choice(Group::ALL[at]);
+            at += 1;
+        }
+        choices
+    };
+}

@@ -1,9 +1,11 @@
-//! What may be typed for `crease surface`.
+//! The options of `crease surface`.
 
-use super::super::args::{EXIT_CODES, FORMATS, RunArgs};
-use super::super::choice::{Choice, Choices};
+use crate::cli::common::choice::{choices, one_of};
+use crate::cli::common::options::{EXIT_CODES, RunArgs};
+use crate::cli::common::vectors::{finite_numbers, vector};
 use clap::Args;
 use crease::io::Format;
+use crease::surface::Pattern;
 use glam::DVec3;
 use std::path::PathBuf;
 
@@ -26,7 +28,7 @@ Examples:
 #[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"))]
 pub struct SurfaceArgs {
     /// The surface
-    #[arg(value_name = "SURFACE", value_parser = Choices(KINDS))]
+    #[arg(value_name = "SURFACE", value_parser = one_of::<Kind>())]
     pub kind: Kind,
 
     /// Write to this file, or to standard output with `-`
@@ -34,7 +36,7 @@ pub struct SurfaceArgs {
     pub output: PathBuf,
 
     /// Format of the output, where its name cannot tell [default: by name]
-    #[arg(long, value_name = "FORMAT", value_parser = Choices(FORMATS))]
+    #[arg(long, value_name = "FORMAT", value_parser = one_of::<Format>())]
     pub to: Option<Format>,
 
     /// Wait until the output is on the disk
@@ -77,7 +79,7 @@ pub struct ShapeArgs {
     pub size: Option<[f64; 2]>,
 
     /// Of an ellipsoid [default: 1,0.6,0.4] or a superquadric [default: 1,1,1]: along x, y and z
-    #[arg(long, value_name = "A,B,C", value_parser = three)]
+    #[arg(long, value_name = "A,B,C", value_parser = vector)]
     pub semi_axes: Option<DVec3>,
 
     /// Of a superquadric: from north to south and from east to west; 0.1 a box, 1 an ellipsoid, 1.9 an octahedron
@@ -90,7 +92,7 @@ pub struct ShapeArgs {
     pub scale: DVec3,
 
     /// Then move it
-    #[arg(long, value_name = "X,Y,Z", default_value = "0,0,0", value_parser = three, allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y,Z", default_value = "0,0,0", value_parser = vector, allow_hyphen_values = true)]
     pub offset: DVec3,
 }
 
@@ -98,8 +100,8 @@ pub struct ShapeArgs {
 #[command(next_help_heading = "Mesh")]
 pub struct PatternArgs {
     /// How vertices and faces are arranged
-    #[arg(long, value_name = "PATTERN", default_value = "triangles", value_parser = Choices(PATTERNS))]
-    pub pattern: PatternName,
+    #[arg(long, value_name = "PATTERN", default_value = "triangles", value_parser = one_of::<Pattern>())]
+    pub pattern: Pattern,
 
     /// Cells one way and the other, or both; of each patch for the teapot [default: 64x32; bezier 32x32; teapot 8x8]
     #[arg(long, value_name = "U[xV]", value_parser = segments)]
@@ -148,78 +150,44 @@ pub enum Kind {
     Teapot,
 }
 
-pub const KINDS: &[Choice<Kind>] = &[
-    ("plane", Kind::Plane, "a rectangle"),
-    ("sphere", Kind::Sphere, "a sphere"),
-    ("ellipsoid", Kind::Ellipsoid, "three different axes"),
-    ("cylinder", Kind::Cylinder, "a tube, open at both ends"),
-    ("cone", Kind::Cone, "with a tip, open at the base"),
-    ("torus", Kind::Torus, "a ring"),
-    ("catenoid", Kind::Catenoid, "the film between two rings: mean curvature zero"),
-    ("wave", Kind::Wave, "z = 0.3 sin 3x cos 3y"),
-    ("monkey-saddle", Kind::MonkeySaddle, "z = x³ − 3xy²"),
-    ("superquadric", Kind::Superquadric, "between box, ellipsoid and octahedron"),
-    ("bezier", Kind::Bezier, "one bicubic patch"),
-    ("teapot", Kind::Teapot, "Newell's, of 32 patches"),
-];
+choices! { Kind {
+    "plane" => Plane: "a rectangle",
+    "sphere" => Sphere: "a sphere",
+    "ellipsoid" => Ellipsoid: "three different axes",
+    "cylinder" => Cylinder: "a tube, open at both ends",
+    "cone" => Cone: "with a tip, open at the base",
+    "torus" => Torus: "a ring",
+    "catenoid" => Catenoid: "the film between two rings: mean curvature zero",
+    "wave" => Wave: "z = 0.3 sin 3x cos 3y",
+    "monkey-saddle" => MonkeySaddle: "z = x³ − 3xy²",
+    "superquadric" => Superquadric: "between box, ellipsoid and octahedron",
+    "bezier" => Bezier: "one bicubic patch",
+    "teapot" => Teapot: "Newell's, of 32 patches",
+} }
 
-/// A pattern by name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PatternName {
-    Triangles,
-    Stretched,
-    Slivers,
-    Quads,
-    Polygons,
-    Icosphere,
-    Marching,
-    Scattered,
-}
-
-pub const PATTERNS: &[Choice<PatternName>] = &[
-    ("triangles", PatternName::Triangles, "a grid of the parameters, its cells cut in two"),
-    ("stretched", PatternName::Stretched, "the same, with cells --ratio times as long one way"),
-    ("slivers", PatternName::Slivers, "every other row --ratio times as close to the next"),
-    ("quads", PatternName::Quads, "the cells themselves"),
-    (
-        "polygons",
-        PatternName::Polygons,
-        "the dual of the triangles: mostly hexagons; the tip of a cone is cut off",
-    ),
-    ("icosphere", PatternName::Icosphere, "a subdivided icosahedron (sphere, ellipsoid, superquadric)"),
-    (
-        "marching",
-        PatternName::Marching,
-        "marching tetrahedra (not bezier and teapot); --segments along the longest side",
-    ),
-    ("scattered", PatternName::Scattered, "Delaunay triangles of random points (plane, wave, monkey-saddle)"),
-];
-
-/// Numbers between commas.
-fn numbers(text: &str) -> Option<Vec<f64>> {
-    let numbers: Option<Vec<f64>> = text.split(',').map(|part| part.trim().parse().ok()).collect();
-    numbers.filter(|numbers| numbers.iter().all(|number| number.is_finite()))
-}
+choices! { Pattern {
+    "triangles" => Triangles: "a grid of the parameters, its cells cut in two",
+    "stretched" => Stretched(10.0): "the same, with cells --ratio times as long one way",
+    "slivers" => Slivers(1000.0): "every other row --ratio times as close to the next",
+    "quads" => Quads: "the cells themselves",
+    "polygons" => Polygons: "the dual of the triangles: mostly hexagons; the tip of a cone is cut off",
+    "icosphere" => Icosphere(3): "a subdivided icosahedron (sphere, ellipsoid, superquadric)",
+    "marching" => Marching: "marching tetrahedra (not bezier and teapot); --segments along the longest side",
+    "scattered" => Scattered: "Delaunay triangles of random points (plane, wave, monkey-saddle)",
+} }
 
 fn one_or_two(text: &str) -> Result<[f64; 2], String> {
-    match numbers(text).as_deref() {
-        Some(&[one]) => Ok([one; 2]),
-        Some(&[one, two]) => Ok([one, two]),
+    match finite_numbers(text)?[..] {
+        [one] => Ok([one; 2]),
+        [one, two] => Ok([one, two]),
         _ => Err("one number, or two with a comma, was expected".into()),
     }
 }
 
-fn three(text: &str) -> Result<DVec3, String> {
-    match numbers(text).as_deref() {
-        Some(&[x, y, z]) => Ok(DVec3::new(x, y, z)),
-        _ => Err("three numbers with commas were expected, such as 1,0.5,-2".into()),
-    }
-}
-
 fn factors(text: &str) -> Result<DVec3, String> {
-    let factors = match numbers(text).as_deref() {
-        Some(&[one]) => DVec3::splat(one),
-        Some(&[x, y, z]) => DVec3::new(x, y, z),
+    let factors = match finite_numbers(text)?[..] {
+        [one] => DVec3::splat(one),
+        [x, y, z] => DVec3::new(x, y, z),
         _ => return Err("one factor, or three with commas, was expected".into()),
     };
     if factors.cmpne(DVec3::ZERO).all() { Ok(factors) } else { Err("a factor of 0 leaves no surface".into()) }

@@ -1,77 +1,50 @@
-//! What `crease surface` tells.
-//!
-//! # The JSON schema, `crease-surface/1`
-//! One object on one line.
-//!
-//! | member | meaning |
-//! |---|---|
-//! | `schema`, `crease` | `"crease-surface/1"`; the program's version |
-//! | `status`, `error` | as in `crease-normals/1` |
-//! | `surface` | its name |
-//! | `tessellation` | `pattern`, `segments` (absent for an icosphere), `ratio`, `level` (of patterns that have them), `jitter`, `noise`, `seed`, `uv` |
-//! | `scale`, `offset` | three numbers each |
-//! | `mesh` | absent if none was made; else `vertices`, `faces`, `triangles`, `quads`, `polygons` (of five corners or more), `open_edges`, `euler` (vertices − edges + faces), `bounds` (`low` and `high`) |
-//! | `output` | absent if none was stored; else as in `crease-normals/1` |
-//! | `notes` | as in `crease-normals/1` |
-//! | `seconds` | from the first vertex to the stored file |
+//! The report of `crease surface` as JSON and as text. Members are described in `docs/json.md`.
 
-use super::super::choice::name_of;
-use super::super::console::{Style, escaped};
-use super::super::report::{ErrorReport, Head, NoteReport, OutputReport};
-use super::super::text::{count, count_of, size};
-use super::args::{KINDS, SurfaceArgs};
+use super::args::SurfaceArgs;
 use super::request::Request;
+use crate::cli::common::choice::Choose;
+use crate::cli::common::console::{Style, escaped};
+use crate::cli::common::numbers::{count, count_of, face_kinds, size};
+use crate::cli::common::report::{Head, MeshOutput};
+use crease::io::Note;
 use crease::mesh::{Link, Mesh, Topology};
 use crease::surface::{Pattern, Tessellation};
-use serde::Serialize;
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Default, Serialize)]
 pub struct SurfaceReport {
     #[serde(flatten)]
     pub head: Head,
-    pub surface: &'static str,
-    pub tessellation: TessellationReport,
-    pub scale: [f64; 3],
-    pub offset: [f64; 3],
+    surface: &'static str,
+    #[serde(serialize_with = "members")]
+    tessellation: Tessellation,
+    scale: [f64; 3],
+    offset: [f64; 3],
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mesh: Option<MeshReport>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub output: Option<OutputReport>,
-    pub notes: Vec<NoteReport>,
+    pub output: Option<MeshOutput>,
+    pub notes: Vec<Note>,
     pub seconds: f64,
 }
 
 #[derive(Debug, Serialize)]
-pub struct TessellationReport {
-    pub pattern: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub segments: Option<[u32; 2]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ratio: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub level: Option<u32>,
-    pub jitter: f64,
-    pub noise: f64,
-    pub seed: u32,
-    pub uv: bool,
-}
-
-#[derive(Debug, Serialize)]
 pub struct MeshReport {
-    pub vertices: usize,
-    pub faces: usize,
-    pub triangles: usize,
-    pub quads: usize,
-    pub polygons: usize,
-    pub open_edges: usize,
-    pub euler: i64,
-    pub bounds: Option<Bounds>,
+    vertices: usize,
+    faces: usize,
+    triangles: usize,
+    quads: usize,
+    polygons: usize,
+    open_edges: usize,
+    euler: i64,
+    bounds: Option<Bounds>,
 }
 
 #[derive(Debug, Serialize)]
-pub struct Bounds {
-    pub low: [f64; 3],
-    pub high: [f64; 3],
+struct Bounds {
+    low: [f64; 3],
+    high: [f64; 3],
 }
 
 impl SurfaceReport {
@@ -79,29 +52,17 @@ impl SurfaceReport {
     pub fn new(args: &SurfaceArgs, request: &Request) -> Self {
         Self {
             head: Head::new("crease-surface/1"),
-            surface: name_of(KINDS, &args.kind),
-            tessellation: TessellationReport::new(&request.tessellation),
+            surface: args.kind.choice(),
+            tessellation: request.tessellation,
             scale: args.shape.scale.to_array(),
             offset: args.shape.offset.to_array(),
-            mesh: None,
-            output: None,
-            notes: Vec::new(),
-            seconds: 0.0,
+            ..Self::default()
         }
     }
 
-    /// Notes down why nothing was stored.
-    pub fn fail(&mut self, error: ErrorReport) {
-        self.head.fail(error);
-        self.output = None;
-    }
-
-    /// The report for people.
+    /// The report as text.
     pub fn text(&self, style: Style) -> String {
         let (Some(mesh), Some(output)) = (&self.mesh, &self.output) else { return String::new() };
-        let kinds = [(mesh.triangles, "triangle"), (mesh.quads, "quad"), (mesh.polygons, "polygon")];
-        let kinds = kinds.iter().filter(|(number, _)| *number > 0).map(|(number, kind)| count(*number, kind));
-        let faces: Vec<String> = kinds.collect();
         let sides = match mesh.open_edges {
             0 => "closed".to_owned(),
             open => format!("open at {}", count(open, "edge")),
@@ -112,7 +73,7 @@ impl SurfaceReport {
             style.paint(Style::BOLD, self.surface),
             style.paint(Style::BOLD, &escaped(path)),
             count_of(mesh.vertices, "vertex", "vertices"),
-            faces.join(", "),
+            face_kinds([mesh.triangles, mesh.quads, mesh.polygons]),
             mesh.euler,
             output.format,
             size(output.bytes),
@@ -120,24 +81,22 @@ impl SurfaceReport {
     }
 }
 
-impl TessellationReport {
-    fn new(tessellation: &Tessellation) -> Self {
-        let Tessellation { pattern, segments, jitter, noise, seed, uvs } = *tessellation;
-        let level = if let Pattern::Icosphere(level) = pattern { Some(level) } else { None };
-        Self {
-            pattern: pattern.name(),
-            segments: level.is_none().then_some(segments),
-            ratio: match pattern {
-                Pattern::Stretched(ratio) | Pattern::Slivers(ratio) => Some(ratio),
-                _ => None,
-            },
-            level,
-            jitter,
-            noise,
-            seed,
-            uv: uvs,
-        }
+fn members<S: Serializer>(tessellation: &Tessellation, serializer: S) -> Result<S::Ok, S::Error> {
+    let Tessellation { pattern, segments, jitter, noise, seed, uvs } = tessellation;
+    let mut map = serializer.serialize_map(None)?;
+    map.serialize_entry("pattern", pattern.name())?;
+    match pattern {
+        Pattern::Icosphere(level) => map.serialize_entry("level", level)?,
+        _ => map.serialize_entry("segments", segments)?,
     }
+    if let Pattern::Stretched(ratio) | Pattern::Slivers(ratio) = pattern {
+        map.serialize_entry("ratio", ratio)?;
+    }
+    map.serialize_entry("jitter", jitter)?;
+    map.serialize_entry("noise", noise)?;
+    map.serialize_entry("seed", seed)?;
+    map.serialize_entry("uv", uvs)?;
+    map.end()
 }
 
 impl MeshReport {

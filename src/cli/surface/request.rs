@@ -1,14 +1,14 @@
-//! What was typed for `crease surface`, made into a surface and a tessellation.
+//! Options of `crease surface` made into a surface and a tessellation.
 
-use super::super::choice::name_of;
-use super::super::request::{RequestError, Target, file_target};
-use super::args::{KINDS, Kind, PATTERNS, PatternArgs, PatternName, ShapeArgs, SurfaceArgs};
+use super::args::{Kind, PatternArgs, ShapeArgs, SurfaceArgs};
+use crate::cli::common::choice::Choose;
+use crate::cli::common::output::{Target, file_target};
 use crease::io::Format;
 use crease::surface::{
     Catenoid, Cone, Cylinder, Ellipsoid, MonkeySaddle, Pattern, Plane, Sphere, Superquadric, Surface,
     SurfaceError, Tessellation, Torus, Wave,
 };
-use glam::{DMat4, DQuat, DVec3};
+use glam::{DMat4, DQuat};
 
 /// Everything to do, checked as far as it can be before it is done.
 #[derive(Debug)]
@@ -21,13 +21,10 @@ pub struct Request {
 }
 
 impl Request {
-    /// Checks what was typed. Whatever is wrong is wrong usage.
+    /// Checks the options. All errors are wrong usage.
     pub fn resolve(args: &SurfaceArgs) -> Result<Self, String> {
-        check_shape(args.kind, &args.shape)?;
-        let surface = surface(args.kind, &args.shape).map_err(|error| error.to_string())?;
-        let (target, format) = file_target(&args.output, args.to).map_err(|error| match error {
-            RequestError::Usage(message) | RequestError::Input(message) => message,
-        })?;
+        let surface = surface(args.kind, &args.shape)?;
+        let (target, format) = file_target(&args.output, args.to)?;
         let format = format.ok_or("standard output needs --to, to know the format")?;
         Ok(Self {
             surface,
@@ -37,34 +34,34 @@ impl Request {
                 DQuat::IDENTITY,
                 args.shape.offset,
             ),
-            target: target.expect("an output that is always given"),
+            target,
             format,
         })
     }
 
-    /// The output's name without extension, for files that stand beside it; `None` for a stream.
+    /// The output's name without extension, for its companion files; `None` for a stream.
     pub fn stem(&self) -> Option<String> {
         let Target::File(path) = &self.target else { return None };
         Some(path.file_stem()?.to_string_lossy().into_owned())
     }
 }
 
-/// The options that each surface has.
-fn options_of(kind: Kind) -> &'static [&'static str] {
-    match kind {
-        Kind::Plane | Kind::Wave | Kind::MonkeySaddle => &["--size"],
-        Kind::Sphere => &["--radius"],
-        Kind::Ellipsoid => &["--semi-axes"],
-        Kind::Cylinder | Kind::Cone => &["--radius", "--height"],
-        Kind::Torus => &["--major", "--minor"],
-        Kind::Catenoid => &["--waist", "--height"],
-        Kind::Superquadric => &["--semi-axes", "--roundness"],
-        Kind::Bezier | Kind::Teapot => &[],
+/// Takes options of a shape and remembers which ones a surface has.
+struct Taken {
+    names: Vec<&'static str>,
+}
+
+impl Taken {
+    fn take<T>(&mut self, name: &'static str, typed: Option<T>, default: T) -> T {
+        self.names.push(name);
+        typed.unwrap_or(default)
     }
 }
 
-/// An option that the surface does not have would go unnoticed.
-fn check_shape(kind: Kind, shape: &ShapeArgs) -> Result<(), String> {
+/// The surface. An option that it does not have is refused.
+fn surface(kind: Kind, shape: &ShapeArgs) -> Result<Surface, String> {
+    let mut taken = Taken { names: Vec::new() };
+    let surface = surface_with(kind, shape, &mut taken);
     let typed = [
         ("--radius", shape.radius.is_some()),
         ("--height", shape.height.is_some()),
@@ -75,52 +72,58 @@ fn check_shape(kind: Kind, shape: &ShapeArgs) -> Result<(), String> {
         ("--semi-axes", shape.semi_axes.is_some()),
         ("--roundness", shape.roundness.is_some()),
     ];
-    let name = name_of(KINDS, &kind);
+    let (name, has) = (kind.choice(), &taken.names);
     if matches!(kind, Kind::Wave | Kind::MonkeySaddle) && shape.size.is_some_and(|[w, h]| w != h) {
         return Err(format!("{name} has one --size only"));
     }
-    let has = options_of(kind);
-    let Some((option, _)) = typed.iter().find(|(option, typed)| *typed && !has.contains(option)) else {
-        return Ok(());
-    };
-    Err(match has {
-        [] => format!("{name} has no {option}; --scale makes it larger"),
-        _ => format!("{name} has no {option}; it has {}", has.join(" and ")),
-    })
+    match typed.iter().find(|(option, typed)| *typed && !has.contains(option)) {
+        None => surface.map_err(|error| error.to_string()),
+        Some((option, _)) if has.is_empty() => {
+            Err(format!("{name} has no {option}; --scale makes it larger"))
+        }
+        Some((option, _)) => Err(format!("{name} has no {option}; it has {}", has.join(" and "))),
+    }
 }
 
-fn surface(kind: Kind, shape: &ShapeArgs) -> Result<Surface, SurfaceError> {
-    let or = |typed: Option<f64>, default: f64| typed.unwrap_or(default);
-    let [width, height] = shape.size.unwrap_or(Plane::default().size().to_array());
+fn surface_with(kind: Kind, shape: &ShapeArgs, taken: &mut Taken) -> Result<Surface, SurfaceError> {
+    let mut size = || taken.take("--size", shape.size, Plane::default().size().to_array());
     Ok(match kind {
-        Kind::Plane => Plane::new(width, height)?.into(),
-        Kind::Sphere => Sphere::new(or(shape.radius, Sphere::default().radius()))?.into(),
+        Kind::Plane => {
+            let [width, height] = size();
+            Plane::new(width, height)?.into()
+        }
+        Kind::Wave => Surface::Wave(Wave::new(size()[0])?),
+        Kind::MonkeySaddle => Surface::MonkeySaddle(MonkeySaddle::new(size()[0])?),
+        Kind::Sphere => Sphere::new(taken.take("--radius", shape.radius, Sphere::default().radius()))?.into(),
         Kind::Ellipsoid => {
-            Ellipsoid::new(shape.semi_axes.unwrap_or(Ellipsoid::default().semi_axes()))?.into()
+            let usual = Ellipsoid::default().semi_axes();
+            Ellipsoid::new(taken.take("--semi-axes", shape.semi_axes, usual))?.into()
         }
         Kind::Cylinder => {
             let usual = Cylinder::default();
-            Cylinder::new(or(shape.radius, usual.radius()), or(shape.height, usual.height()))?.into()
+            let radius = taken.take("--radius", shape.radius, usual.radius());
+            Cylinder::new(radius, taken.take("--height", shape.height, usual.height()))?.into()
         }
         Kind::Cone => {
             let usual = Cone::default();
-            Cone::new(or(shape.radius, usual.radius()), or(shape.height, usual.height()))?.into()
+            let radius = taken.take("--radius", shape.radius, usual.radius());
+            Cone::new(radius, taken.take("--height", shape.height, usual.height()))?.into()
         }
         Kind::Torus => {
             let usual = Torus::default();
-            Torus::new(or(shape.major, usual.major()), or(shape.minor, usual.minor()))?.into()
+            let major = taken.take("--major", shape.major, usual.major());
+            Torus::new(major, taken.take("--minor", shape.minor, usual.minor()))?.into()
         }
         Kind::Catenoid => {
             let usual = Catenoid::default();
-            let (waist, height) = (or(shape.waist, usual.waist()), or(shape.height, usual.height()));
+            let waist = taken.take("--waist", shape.waist, usual.waist());
+            let height = taken.take("--height", shape.height, usual.height());
             Surface::Catenoid(Catenoid::new(waist, height)?)
         }
-        Kind::Wave => Surface::Wave(Wave::new(width)?),
-        Kind::MonkeySaddle => Surface::MonkeySaddle(MonkeySaddle::new(width)?),
         Kind::Superquadric => {
             let usual = Superquadric::default();
-            let [north, east] = shape.roundness.unwrap_or(usual.roundness());
-            let semi_axes: DVec3 = shape.semi_axes.unwrap_or(usual.semi_axes());
+            let semi_axes = taken.take("--semi-axes", shape.semi_axes, usual.semi_axes());
+            let [north, east] = taken.take("--roundness", shape.roundness, usual.roundness());
             Surface::Superquadric(Superquadric::new(semi_axes, north, east)?)
         }
         Kind::Bezier => Surface::Patch(Box::default()),
@@ -129,30 +132,26 @@ fn surface(kind: Kind, shape: &ShapeArgs) -> Result<Surface, SurfaceError> {
 }
 
 fn tessellation(kind: Kind, args: &PatternArgs) -> Result<Tessellation, String> {
-    let name = name_of(PATTERNS, &args.pattern);
-    let has_ratio = matches!(args.pattern, PatternName::Stretched | PatternName::Slivers);
-    let has_levels = args.pattern == PatternName::Icosphere;
+    let mut pattern = args.pattern;
+    match &mut pattern {
+        Pattern::Stretched(own) | Pattern::Slivers(own) => *own = args.ratio.unwrap_or(*own),
+        Pattern::Icosphere(own) => *own = args.level.unwrap_or(*own),
+        _ => {}
+    }
+    let has_ratio = matches!(pattern, Pattern::Stretched(_) | Pattern::Slivers(_));
+    let has_levels = matches!(pattern, Pattern::Icosphere(_));
     for (option, typed, has) in [
         ("--ratio", args.ratio.is_some(), has_ratio),
         ("--level", args.level.is_some(), has_levels),
         ("--segments", args.segments.is_some(), !has_levels),
     ] {
         if typed && !has {
-            return Err(format!("the pattern {name} has no {option}"));
+            return Err(format!("the pattern {} has no {option}", pattern.name()));
         }
     }
     let usual = Tessellation::default();
     Ok(Tessellation {
-        pattern: match args.pattern {
-            PatternName::Triangles => Pattern::Triangles,
-            PatternName::Stretched => Pattern::Stretched(args.ratio.unwrap_or(10.0)),
-            PatternName::Slivers => Pattern::Slivers(args.ratio.unwrap_or(1000.0)),
-            PatternName::Quads => Pattern::Quads,
-            PatternName::Polygons => Pattern::Polygons,
-            PatternName::Icosphere => Pattern::Icosphere(args.level.unwrap_or(3)),
-            PatternName::Marching => Pattern::Marching,
-            PatternName::Scattered => Pattern::Scattered,
-        },
+        pattern,
         segments: args.segments.unwrap_or(match kind {
             Kind::Teapot => [8, 8],
             Kind::Bezier => [32, 32],

@@ -1,7 +1,7 @@
-//! What may be typed for `crease trade`.
+//! The options of `crease trade`.
 
-use super::super::args::{EXIT_CODES, FORMATS, RunArgs, crease_angle};
-use super::super::choice::Choices;
+use crate::cli::common::choice::one_of;
+use crate::cli::common::options::{EXIT_CODES, RunArgs, crease_angle};
 use clap::Args;
 use crease::io::Format;
 use crease::num::Degrees;
@@ -46,7 +46,7 @@ pub struct TradeArgs {
     pub markdown: bool,
 
     /// Format of the input, where its name cannot tell [default: by name, else by content]
-    #[arg(long, value_name = "FORMAT", value_parser = Choices(FORMATS), requires = "input")]
+    #[arg(long, value_name = "FORMAT", value_parser = one_of::<Format>(), requires = "input")]
     pub format: Option<Format>,
 
     /// Edges of the input that bend by more than this many degrees stay sharp; `off` for none [default: 40 without smoothing

@@ -1,28 +1,27 @@
-//! What `crease trade` prints for people.
+//! The report of `crease trade` as text.
 
-use super::super::console::{Style, escaped};
-use super::report::{Measured, Report};
+use super::json::Report;
+use crate::cli::common::console::{Style, escaped};
 use crease::report::{
     Table, approximation_table, box_table, class_table, cost_table, encoding_table, order_table, own_table,
     precision_table, shading_table, shading_times, surface_table,
 };
-use crease::trade::{EncodingRow, OwnMesh, Trade, advice};
+use crease::trade::{EncodingRow, Trade};
 use std::fmt::Write;
 
-/// Tables, then advice. `long` also has every surface, and Phong's highlights.
-pub fn text(measured: &Measured, report: &Report, style: Style, long: bool) -> String {
-    let (tables, advice) = match measured {
-        Measured::Surfaces(trade) => (tables(trade, long), advice(trade)),
-        Measured::Own(own) => (vec![own_table(own)], own_advice(own)),
-    };
+/// Tables, then advice. `long` adds every surface, and Phong's highlights.
+pub fn text(report: &Report, style: Style, long: bool) -> String {
+    let surfaces = report.surfaces.iter().flat_map(|trade| tables(trade, long));
+    let tables: Vec<Table> = surfaces.chain(report.mesh.iter().map(own_table)).collect();
     let mut text = String::new();
     for table in &tables {
         text.push_str(&heading(&table.to_text(), style));
         text.push('\n');
     }
     let _ = writeln!(text, "{}", style.paint(Style::BOLD, "Advice"));
-    for sentence in advice {
-        text.push_str(&wrapped(&sentence));
+    let recommended = report.mesh.as_ref().map(|own| format!("Use --weight {}.", own.recommended.name()));
+    for sentence in recommended.iter().chain(report.advice.iter().flatten()) {
+        text.push_str(&wrapped(sentence));
     }
     if let Some(path) = &report.output {
         let _ = writeln!(text, "\npage: {}", escaped(path));
@@ -46,15 +45,9 @@ fn tables(trade: &Trade, long: bool) -> Vec<Table> {
     tables
 }
 
-fn own_advice(own: &OwnMesh) -> Vec<String> {
-    let first = format!("Use --weight {}.", own.recommended.name());
-    std::iter::once(first).chain(own.reasons.iter().cloned()).collect()
-}
-
 /// The tables that a README quotes: weights by class, and encodings of every even number of bits up to 12, and 16. No times,
 /// which differ from machine to machine.
-pub fn markdown(measured: &Measured) -> String {
-    let Measured::Surfaces(trade) = measured else { return String::new() };
+pub fn markdown(trade: &Trade) -> String {
     let is_quoted = |row: &&EncodingRow| {
         let odd = ["oct 9", "oct 11", "oct 13", "oct 14", "oct 15"];
         !odd.iter().any(|odd| row.name.starts_with(odd))

@@ -52,11 +52,13 @@ impl Default for Confidence {
 /// A *component* is faces connected over edges that join exactly two of them, by vertex index or welded. It is
 /// *closed* if, once its faces agree, their half-edges cancel at every edge. Faces of fewer than three distinct
 /// positions belong to none.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, serde::Serialize)]
 pub struct Orientation {
     /// The faces to reverse, ascending: [`FaceEdit::reversed`](crate::mesh::FaceEdit::reversed).
+    #[serde(skip)]
     pub reversed: Vec<u32>,
     /// Those of components with a boundary, ascending ([`Orient::Outward`] only).
+    #[serde(skip)]
     pub reversed_open: Vec<u32>,
     /// How many components there are.
     pub components: usize,
@@ -65,6 +67,7 @@ pub struct Orientation {
     /// Components with a boundary whose outer side was confident enough ([`Orient::Outward`] only).
     pub open_told: usize,
     /// The least confidence among those; 0 if there are none.
+    #[serde(serialize_with = "null_if_zero")]
     pub confidence: f64,
     /// Components with a boundary, unchanged because their outer side was uncertain ([`Orient::Outward`] only).
     pub open_left: usize,
@@ -85,7 +88,13 @@ pub struct Orientation {
     /// Closed components that face inwards and stay so, as rooms ([`Orient::Outward`] only).
     pub rooms: usize,
     /// The faces of these, ascending.
+    #[serde(skip)]
     pub room_faces: Vec<u32>,
+}
+
+/// Null without votes.
+fn null_if_zero<S: serde::Serializer>(confidence: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+    serde::Serialize::serialize(&Some(confidence).filter(|it| **it > 0.0), serializer)
 }
 
 /// Finds the faces to reverse so that neighbours agree and, for [`Orient::Outward`], closed surfaces face outwards.

@@ -27,7 +27,7 @@ const MOST: f64 = 0.5;
 pub(crate) const LEFT: f64 = 0.5;
 
 /// How the stored normals of a part were made, as far as they show it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Estimate {
     /// The weighting that reproduces them best. The quadric, a fit that costs more and depends on few neighbours, only if it
     /// leaves less than half of the error of the best mean, and if that error is more than 0.01° on average: finer meshes and
@@ -44,8 +44,10 @@ pub struct Estimate {
     /// The share of them that it reproduces within 5°.
     pub reproduced: f64,
     /// The share of them that it reproduces within 1°.
+    #[serde(skip)]
     pub closely: f64,
     /// The share of them that it reproduces within 0.1°.
+    #[serde(skip)]
     pub exactly: f64,
     /// The share of the edges at them, without flat ones, that the crease angle puts on the right side.
     pub separated: f64,

@@ -42,11 +42,12 @@ impl Unit {
 }
 
 /// What an error may be, and why.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Bound {
     /// The largest that is allowed.
     pub most: f64,
     /// In this unit.
+    #[serde(skip)]
     pub unit: Unit,
     /// Where the number comes from.
     pub source: &'static str,

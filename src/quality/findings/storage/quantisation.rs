@@ -26,11 +26,12 @@ const VISIBLE: f64 = 0.5 / 255.0;
 const FINER: &str = "--normal-format i16";
 
 /// What stored normals were rounded to.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Precision {
     /// The grid, in words.
     pub grid: String,
     /// A bound on the angle between a normal and the same rounded to the nearest; not measured.
+    #[serde(rename = "degrees")]
     pub error: Degrees,
     /// The largest exponent of a highlight that shows the error by half a step of 8 bits at most; `None` if a matte surface may
     /// show it by more.

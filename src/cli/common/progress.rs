@@ -1,8 +1,8 @@
 //! Bars for long work: what is done of it, its rate, and the time left.
 
 use super::console::Console;
-use super::inputs::Source;
-use super::request::Job;
+use super::input::Source;
+use crease::io::{Format, Loaded, ReadError, ReadOptions};
 use crease::trade;
 use indicatif::{HumanBytes, HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use std::fmt::Write;
@@ -11,35 +11,17 @@ use std::sync::mpsc::{self, RecvTimeoutError, Sender};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-/// Nobody has to be told about work that is over sooner.
+/// Bars of shorter work are not shown.
 const SHORT: Duration = Duration::from_secs(1);
 
-const STEPS_TEMPLATE: &str = "{spinner} {msg} [{wide_bar}] {pos}/{len}";
-const ONE_TEMPLATE: &str = "{spinner} {prefix} {msg}, {elapsed}";
-const COUNT_TEMPLATE: &str = "{prefix} [{wide_bar}] {pos}/{len} {msg}, {eta} left";
-const TEMPLATE: &str = "{spinner} {msg} [{wide_bar}] {bytes}/{total_bytes}{rate_and_left}";
+const STEPS: &str = "{spinner} {msg} [{wide_bar}] {pos}/{len}";
+const ONE: &str = "{spinner} {prefix} {msg}, {elapsed}";
+const COUNT: &str = "{prefix} [{wide_bar}] {pos}/{len} {msg}, {eta} left";
+const BYTES: &str = "{spinner} {msg} [{wide_bar}] {bytes}/{total_bytes}{rate_and_left}";
 
-/// The bar of a run; it does nothing where it would not be seen.
+/// A bar that is shown after a while; hidden if the terminal would not show it.
 #[derive(Debug)]
 pub struct Progress {
-    late: LateBar,
-}
-
-/// The bar of work on several things of one kind: the frames of an animation, the cases of a catalogue.
-#[derive(Debug)]
-pub struct CountProgress {
-    late: LateBar,
-}
-
-/// A bar over the steps of a measurement, stage by stage.
-#[derive(Debug)]
-pub struct StepProgress {
-    late: LateBar,
-}
-
-/// A bar that is seen once work has taken a while.
-#[derive(Debug)]
-struct LateBar {
     bar: ProgressBar,
     /// Shows the bar after a while, unless the sender is gone by then.
     waiting: Option<(Sender<()>, JoinHandle<()>)>,
@@ -54,8 +36,7 @@ pub struct FileProgress<'a> {
     bytes: AtomicU64,
 }
 
-/// What is being done with an input. Each stage is taken to last as long as any other; that is near enough for
-/// a bar.
+/// What is being done with an input. The bar gives each stage the same share.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
     Read,
@@ -64,96 +45,42 @@ pub enum Stage {
 }
 
 impl Progress {
-    pub fn new(console: &Console, jobs: &[Job]) -> Self {
-        if !console.may_show_progress() {
-            return Self { late: LateBar::hidden() };
-        }
-        Self::after(SHORT, jobs.iter().map(size).sum(), ProgressDrawTarget::stderr())
+    /// A bar over the bytes of inputs.
+    pub fn of_inputs<'a>(console: &Console, inputs: impl IntoIterator<Item = &'a Source>) -> Self {
+        let bytes = inputs.into_iter().filter_map(Source::length).sum();
+        Self::new(console, BYTES, bytes)
     }
 
-    /// A bar that is shown after a delay.
-    fn after(delay: Duration, total: u64, target: ProgressDrawTarget) -> Self {
-        let style = ProgressStyle::with_template(TEMPLATE).expect("a right template");
-        let style = style.with_key("rate_and_left", rate_and_left);
-        Self { late: LateBar::after(delay, total, style, target) }
+    /// A bar over a number of things of one kind, with what is being done and their name; none for one.
+    pub fn of_count(console: &Console, doing: &'static str, things: &'static str, count: u64) -> Self {
+        if count < 2 { Self::hidden() } else { Self::new(console, COUNT, count).with_words(doing, things) }
     }
 
-    /// Begins with an input.
-    pub fn begin(&self, job: &Job) -> FileProgress<'_> {
-        let bar = &self.late.bar;
-        FileProgress { bar, start: bar.position(), bytes: AtomicU64::new(size(job)) }
-    }
-
-    /// Prints something while the bar is away.
-    pub fn suspended(&self, print: impl FnOnce()) {
-        self.late.bar.suspend(print);
-    }
-}
-
-impl CountProgress {
-    /// A bar over so many things, with what is being done and their name; none for one.
-    pub fn new(console: &Console, doing: &'static str, things: &'static str, count: u64) -> Self {
-        if count < 2 || !console.may_show_progress() {
-            return Self { late: LateBar::hidden() };
-        }
-        Self::after(SHORT, COUNT_TEMPLATE, count, [doing, things], ProgressDrawTarget::stderr())
-    }
-
-    /// For one thing, of which nobody knows how much is done: that it goes on, and for how long it has.
+    /// For one thing, whose share done is not known: a spinner and the time it has taken.
     pub fn of_one(console: &Console, doing: &'static str, thing: &'static str) -> Self {
-        if !console.may_show_progress() {
-            return Self { late: LateBar::hidden() };
+        Self::new(console, ONE, 1).with_words(doing, thing)
+    }
+
+    /// A bar over the steps of a measurement, stage by stage.
+    pub fn of_steps(console: &Console) -> Self {
+        Self::new(console, STEPS, 1)
+    }
+
+    fn new(console: &Console, template: &str, total: u64) -> Self {
+        match console.may_show_progress() {
+            true => Self::after(SHORT, template, total, ProgressDrawTarget::stderr()),
+            false => Self::hidden(),
         }
-        Self::after(SHORT, ONE_TEMPLATE, 1, [doing, thing], ProgressDrawTarget::stderr())
     }
 
-    /// A bar that is shown after a delay.
-    fn after(
-        delay: Duration,
-        template: &str,
-        count: u64,
-        [doing, things]: [&'static str; 2],
-        target: ProgressDrawTarget,
-    ) -> Self {
-        let style = ProgressStyle::with_template(template).expect("a right template");
-        let late = LateBar::after(delay, count, style, target);
-        late.bar.set_prefix(doing);
-        late.bar.set_message(things);
-        Self { late }
-    }
-
-    /// One more is done.
-    pub fn done(&self) {
-        self.late.bar.inc(1);
-    }
-}
-
-impl StepProgress {
-    pub fn new(console: &Console) -> Self {
-        if !console.may_show_progress() {
-            return Self { late: LateBar::hidden() };
-        }
-        let style = ProgressStyle::with_template(STEPS_TEMPLATE).expect("a right template");
-        Self { late: LateBar::after(SHORT, 1, style, ProgressDrawTarget::stderr()) }
-    }
-
-    /// So far it has come.
-    pub fn step(&self, step: trade::Progress) {
-        self.late.bar.set_message(step.stage);
-        self.late.bar.set_length(step.total as u64);
-        self.late.bar.set_position(step.done as u64);
-    }
-}
-
-impl LateBar {
-    /// A bar that is never seen.
     fn hidden() -> Self {
         Self { bar: ProgressBar::hidden(), waiting: None }
     }
 
-    fn after(delay: Duration, total: u64, style: ProgressStyle, target: ProgressDrawTarget) -> Self {
+    fn after(delay: Duration, template: &str, total: u64, target: ProgressDrawTarget) -> Self {
         let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::hidden());
-        bar.set_style(style);
+        let style = ProgressStyle::with_template(template).expect("a valid template");
+        bar.set_style(style.with_key("rate_and_left", rate_and_left));
         let (sender, receiver) = mpsc::channel::<()>();
         let shown = bar.clone();
         let thread = thread::spawn(move || {
@@ -163,6 +90,35 @@ impl LateBar {
             }
         });
         Self { bar, waiting: Some((sender, thread)) }
+    }
+
+    fn with_words(self, doing: &'static str, things: &'static str) -> Self {
+        self.bar.set_prefix(doing);
+        self.bar.set_message(things);
+        self
+    }
+
+    /// Begins with an input.
+    pub fn begin(&self, source: &Source) -> FileProgress<'_> {
+        let bytes = source.length().unwrap_or_default();
+        FileProgress { bar: &self.bar, start: self.bar.position(), bytes: AtomicU64::new(bytes) }
+    }
+
+    /// Prints something while the bar is away.
+    pub fn suspended(&self, print: impl FnOnce()) {
+        self.bar.suspend(print);
+    }
+
+    /// One more is done.
+    pub fn done(&self) {
+        self.bar.inc(1);
+    }
+
+    /// A measurement has come so far.
+    pub fn step(&self, step: trade::Progress) {
+        self.bar.set_message(step.stage);
+        self.bar.set_length(step.total as u64);
+        self.bar.set_position(step.done as u64);
     }
 }
 
@@ -177,15 +133,29 @@ impl FileProgress<'_> {
         self.within(stage, 0, 1);
     }
 
-    /// So much of a stage is done.
+    /// Sets how much of a stage is done.
     pub fn within(&self, stage: Stage, done: usize, all: usize) {
         let thirds = stage as u64 as f64 + done as f64 / all.max(1) as f64;
         let bytes = self.bytes.load(Ordering::Relaxed);
         self.bar.set_position(self.start + (bytes as f64 * thirds / 3.0) as u64);
     }
 
-    /// So many more bytes have come from an input whose length nobody knows.
-    pub fn came(&self, bytes: u64) {
+    /// Reads an input; `bytes` becomes its length.
+    pub fn read(
+        &self,
+        source: &Source,
+        format: Option<Format>,
+        options: &ReadOptions,
+        bytes: &mut Option<u64>,
+    ) -> Result<Loaded, ReadError> {
+        source.read(format, options, |more| {
+            *bytes = Some(bytes.unwrap_or_default() + more);
+            self.arrived(more);
+        })
+    }
+
+    /// Adds bytes that have arrived from standard input, whose length is not known.
+    fn arrived(&self, bytes: u64) {
         let all = self.bytes.fetch_add(bytes, Ordering::Relaxed) + bytes;
         self.bar.inc_length(bytes);
         self.bar.set_position(self.start + all / 3);
@@ -198,7 +168,7 @@ impl Drop for FileProgress<'_> {
     }
 }
 
-impl Drop for LateBar {
+impl Drop for Progress {
     fn drop(&mut self) {
         if let Some((sender, thread)) = self.waiting.take() {
             drop(sender);
@@ -208,18 +178,11 @@ impl Drop for LateBar {
     }
 }
 
-/// Before anything is done there is no rate to tell the rest from.
+/// The rate and the time left, once there is a rate.
 fn rate_and_left(state: &ProgressState, out: &mut dyn Write) {
     if state.pos() > 0 {
         let rate = HumanBytes(state.per_sec() as u64);
         let _ = write!(out, " {rate}/s, {:#} left", HumanDuration(state.eta()));
-    }
-}
-
-fn size(job: &Job) -> u64 {
-    match &job.source {
-        Source::Stdin => 0,
-        Source::File(path) => path.metadata().map_or(0, |metadata| metadata.len()),
     }
 }
 
@@ -266,16 +229,12 @@ mod tests {
         }
     }
 
-    fn stdin() -> Job {
-        Job { source: Source::Stdin, format: None, target: None, to: None }
-    }
-
     #[test]
     fn a_bar_is_seen_once_work_has_taken_a_while() {
         let paper = Paper::default();
         let target = ProgressDrawTarget::term_like(Box::new(paper.clone()));
-        let progress = Progress::after(Duration::from_millis(20), 1000, target);
-        let file = progress.begin(&stdin());
+        let progress = Progress::after(Duration::from_millis(20), BYTES, 1000, target);
+        let file = progress.begin(&Source::Stdin);
         file.stage(Stage::Compute);
         let start = Instant::now();
         while !paper.0.lock().unwrap().contains("computing") {
@@ -286,8 +245,8 @@ mod tests {
 
         let paper = Paper::default();
         let target = ProgressDrawTarget::term_like(Box::new(paper.clone()));
-        let progress = Progress::after(Duration::from_secs(600), 1000, target);
-        progress.begin(&stdin()).stage(Stage::Compute);
+        let progress = Progress::after(Duration::from_secs(600), BYTES, 1000, target);
+        progress.begin(&Source::Stdin).stage(Stage::Compute);
         // Ends without waiting for the delay.
         drop(progress);
         assert_eq!(*paper.0.lock().unwrap(), "");
@@ -298,7 +257,7 @@ mod tests {
         let paper = Paper::default();
         let target = ProgressDrawTarget::term_like(Box::new(paper.clone()));
         let delay = Duration::from_millis(20);
-        let progress = CountProgress::after(delay, ONE_TEMPLATE, 1, ["measuring", "silhouette"], target);
+        let progress = Progress::after(delay, ONE, 1, target).with_words("measuring", "silhouette");
         let start = Instant::now();
         while !paper.0.lock().unwrap().contains("measuring silhouette, 0s") {
             assert!(start.elapsed() < Duration::from_secs(30), "{}", paper.0.lock().unwrap());
@@ -309,12 +268,12 @@ mod tests {
 
     #[test]
     fn what_comes_from_standard_input_counts() {
-        let progress = Progress::after(Duration::from_secs(600), 0, ProgressDrawTarget::hidden());
-        let file = progress.begin(&stdin());
+        let progress = Progress::after(Duration::from_secs(600), BYTES, 0, ProgressDrawTarget::hidden());
+        let file = progress.begin(&Source::Stdin);
         file.stage(Stage::Read);
-        file.came(600);
-        file.came(300);
-        let bar = &progress.late.bar;
+        file.arrived(600);
+        file.arrived(300);
+        let bar = &progress.bar;
         assert_eq!((bar.length(), bar.position()), (Some(900), 300));
         file.stage(Stage::Write);
         assert_eq!(bar.position(), 600);

@@ -1,8 +1,9 @@
-//! Which files are meant: arguments and folders become a list in a fixed order.
+//! Files and standard input: arguments and folders become a list of inputs in a fixed order, which are then read.
 
-use super::request::RequestError;
-use crease::io::Format;
+use super::failure::Failure;
+use crease::io::{self, Format, Limits, Loaded, Place, Problem, ReadError, ReadOptions};
 use ignore::WalkBuilder;
+use std::io::{IsTerminal, Read};
 use std::path::{Path, PathBuf};
 
 /// A file to read, or standard input.
@@ -10,6 +11,79 @@ use std::path::{Path, PathBuf};
 pub enum Source {
     Stdin,
     File(PathBuf),
+}
+
+impl Source {
+    /// The source that a path names; `-` is standard input.
+    pub fn of(path: &Path) -> Self {
+        if path.as_os_str() == "-" { Source::Stdin } else { Source::File(path.to_path_buf()) }
+    }
+
+    /// Its path, or `-`.
+    pub fn name(&self) -> String {
+        match self {
+            Source::Stdin => "-".into(),
+            Source::File(path) => path.to_string_lossy().into_owned(),
+        }
+    }
+
+    /// The number of bytes of a file.
+    pub fn length(&self) -> Option<u64> {
+        match self {
+            Source::Stdin => None,
+            Source::File(path) => path.metadata().ok().map(|metadata| metadata.len()),
+        }
+    }
+
+    /// Reads it; `arrived` receives the number of bytes of each piece of standard input.
+    pub fn read(
+        &self,
+        format: Option<Format>,
+        options: &ReadOptions,
+        arrived: impl FnMut(u64),
+    ) -> Result<Loaded, ReadError> {
+        match self {
+            Source::File(path) => io::read(path, format, options),
+            Source::Stdin => io::read_bytes(read_stdin(&options.limits, arrived)?, format, None, options),
+        }
+    }
+}
+
+/// All of standard input.
+fn read_stdin(limits: &Limits, mut arrived: impl FnMut(u64)) -> Result<Vec<u8>, ReadError> {
+    /// Bytes that make a piece.
+    const PIECE: u64 = 1 << 20;
+    let mut stdin = std::io::stdin().lock();
+    let fail = |problem, found: String, advice: &str| ReadError::new(problem, Place::File, found, advice);
+    if stdin.is_terminal() {
+        let found = "standard input is a terminal".into();
+        return Err(fail(Problem::Io, found, "pipe a file into it, or name one"));
+    }
+    let mut bytes = Vec::new();
+    while bytes.len() as u64 <= limits.bytes {
+        let read = stdin.by_ref().take(PIECE).read_to_end(&mut bytes);
+        match read {
+            Ok(0) => {
+                arrived(0);
+                return Ok(bytes);
+            }
+            Ok(more) => arrived(more as u64),
+            Err(error) => {
+                let advice = "check the command before the pipe";
+                return Err(fail(Problem::Io, format!("could not read standard input: {error}"), advice));
+            }
+        }
+    }
+    let found = format!("standard input has more than {} bytes", limits.bytes);
+    Err(fail(Problem::Limit, found, "split it"))
+}
+
+/// Refuses a `--root` that is no folder.
+pub fn check_root(root: Option<&PathBuf>) -> Result<(), Failure> {
+    match root.filter(|root| !root.is_dir()) {
+        Some(root) => Err(Failure::usage(format!("--root {} is no folder", root.display()))),
+        None => Ok(()),
+    }
 }
 
 /// One input.
@@ -22,28 +96,28 @@ pub struct Input {
 
 /// Turns arguments into inputs, in the order given; what a folder holds is sorted by path.
 ///
-/// Folders are searched for the extensions of [`Format`]. Hidden files are left out, links to folders are not
-/// followed, and nothing below `out_dir` is taken: it may lie within the input from the run before. What has such a name and is
-/// no file, as a link that leads nowhere, is taken, so that reading it fails and nothing is passed over without a word.
-pub fn expand(args: &[PathBuf], recursive: bool, out_dir: Option<&Path>) -> Result<Vec<Input>, RequestError> {
+/// Folders are searched for the extensions of [`Format`]. Hidden files are skipped, links to folders are not followed, and
+/// nothing below `out_dir` is taken: an earlier run may have written there. A broken link with such a name is taken, so that
+/// reading it fails with a message.
+pub fn expand(args: &[PathBuf], recursive: bool, out_dir: Option<&Path>) -> Result<Vec<Input>, Failure> {
     let mut inputs = Vec::new();
     let out_dir = out_dir.and_then(|dir| dir.canonicalize().ok());
     for arg in args {
         if arg.as_os_str() == "-" {
             if inputs.iter().any(|input: &Input| input.source == Source::Stdin) {
-                return Err(RequestError::Usage("standard input can be read only once".into()));
+                return Err(Failure::usage("standard input can be read only once"));
             }
             inputs.push(Input { source: Source::Stdin, place: PathBuf::from("-") });
         } else if arg.is_dir() {
             if !recursive {
                 let advice = format!("{} is a folder; --recursive takes the mesh files in it", arg.display());
-                return Err(RequestError::Usage(advice));
+                return Err(Failure::usage(advice));
             }
             let before = inputs.len();
             search(arg, out_dir.as_deref(), &mut inputs)?;
             if inputs.len() == before {
                 let found = format!("{}: no obj, ply, stl, gltf or glb file in this folder", arg.display());
-                return Err(RequestError::Input(found));
+                return Err(Failure::input(found));
             }
         } else {
             let place = arg.file_name().map(PathBuf::from).unwrap_or_else(|| arg.clone());
@@ -53,7 +127,7 @@ pub fn expand(args: &[PathBuf], recursive: bool, out_dir: Option<&Path>) -> Resu
     Ok(inputs)
 }
 
-fn search(folder: &Path, out_dir: Option<&Path>, inputs: &mut Vec<Input>) -> Result<(), RequestError> {
+fn search(folder: &Path, out_dir: Option<&Path>, inputs: &mut Vec<Input>) -> Result<(), Failure> {
     let out_dir = out_dir.map(Path::to_path_buf);
     let walk = WalkBuilder::new(folder)
         .standard_filters(false)
@@ -65,7 +139,7 @@ fn search(folder: &Path, out_dir: Option<&Path>, inputs: &mut Vec<Input>) -> Res
         })
         .build();
     for entry in walk {
-        let entry = entry.map_err(|error| RequestError::Input(error.to_string()))?;
+        let entry = entry.map_err(Failure::input)?;
         let path = entry.into_path();
         if Format::from_path(&path).is_some() && !path.is_dir() {
             let place = path.strip_prefix(folder).unwrap_or(&path).to_path_buf();
@@ -77,6 +151,7 @@ fn search(folder: &Path, out_dir: Option<&Path>, inputs: &mut Vec<Input>) -> Res
 
 #[cfg(test)]
 mod tests {
+    use super::super::failure::FailureKind;
     use super::*;
     use std::fs;
 
@@ -98,7 +173,7 @@ mod tests {
         assert_eq!(names(&found), ["a/y.ply", "a/z.STL", "b.obj", "c.glb"]);
         let found = expand(&args, true, None).unwrap();
         assert_eq!(names(&found), ["a/y.ply", "a/z.STL", "b.obj", "c.glb", "out/b.obj"]);
-        assert!(matches!(expand(&args, false, None), Err(RequestError::Usage(_))));
+        assert_eq!(expand(&args, false, None).unwrap_err().kind, FailureKind::Usage);
     }
 
     #[cfg(unix)]
@@ -117,12 +192,10 @@ mod tests {
     fn an_empty_folder_is_an_error_and_a_missing_file_waits_for_its_turn() {
         let folder = tempfile::tempdir().unwrap();
         let args = [folder.path().to_path_buf()];
-        assert!(matches!(expand(&args, true, None), Err(RequestError::Input(_))));
+        assert_eq!(expand(&args, true, None).unwrap_err().kind, FailureKind::Input);
         let args = [PathBuf::from("dir/nowhere.obj"), PathBuf::from("-")];
         assert_eq!(names(&expand(&args, false, None).unwrap()), ["nowhere.obj", "-"]);
-        assert!(matches!(
-            expand(&[args[1].clone(), args[1].clone()], false, None),
-            Err(RequestError::Usage(_))
-        ));
+        let twice = [args[1].clone(), args[1].clone()];
+        assert_eq!(expand(&twice, false, None).unwrap_err().kind, FailureKind::Usage);
     }
 }

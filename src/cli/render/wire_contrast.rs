@@ -1,9 +1,32 @@
-//! How well lines are told from what is behind them.
+//! The contrast of wireframes with the background.
 
+use super::request::is_solid;
 use crease::num::{LinearRgb, Srgb8, Transfer};
+use crease::raster::{RenderSettings, SceneFile, Shading, Show};
 
-/// The contrast that graphics need with what is beside them: WCAG 2.1, success criterion 1.4.11.
-pub const LEAST: f64 = 3.0;
+/// The contrast that graphics need with what surrounds them: WCAG 2.1, success criterion 1.4.11.
+const LEAST_CONTRAST: f64 = 3.0;
+
+/// A wireframe that hardly differs from the background.
+pub fn faint_wireframe(file: &SceneFile, panels: &[RenderSettings]) -> Option<String> {
+    let (wire, background, transfer) = (file.settings.wire.colour, file.background, file.settings.transfer);
+    let is_drawn = file.settings.show == Show::Shaded
+        && panels.iter().any(|panel| panel.shading == Shading::Wireframe)
+        && !file.objects.iter().all(is_solid);
+    let found = contrast(wire, background, transfer);
+    if !is_drawn || found >= LEAST_CONTRAST {
+        return None;
+    }
+    // Rounded down, so that it is below the limit.
+    let reported = (found * 100.0).floor() / 100.0;
+    let what = match code(wire, transfer) == code(background, transfer) {
+        true => "has the colour of the background".into(),
+        false => format!(
+            "is hard to tell from the background: their contrast is {reported:.2}:1, and WCAG 2.1 asks for {LEAST_CONTRAST}:1"
+        ),
+    };
+    Some(format!("the wireframe {what}; choose another --background"))
+}
 
 /// The contrast ratio (Y₁ + 0.05)/(Y₂ + 0.05) of the lighter to the darker of two colours, as WCAG 2.1 defines it: 1 of the
 /// same luminance, 21 of black and white. Luminances are those that a screen shows for the codes, which it takes for sRGB.
@@ -14,7 +37,7 @@ pub fn contrast(a: LinearRgb, b: LinearRgb, transfer: Transfer) -> f64 {
 }
 
 /// The codes that a colour is written as.
-pub fn code(colour: LinearRgb, transfer: Transfer) -> Srgb8 {
+fn code(colour: LinearRgb, transfer: Transfer) -> Srgb8 {
     Srgb8(colour.to_array().map(|light| transfer.to_u8(light)))
 }
 

@@ -1,13 +1,15 @@
 //! What goes to which stream, and how it looks there.
 
-use super::args::{Color, RunArgs};
+use super::options::{Color, RunArgs};
 use super::output::forgive_broken_pipe;
+use crease::io::Severity;
+use serde::Serialize;
 use std::cell::Cell;
 use std::fmt::Write as _;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 
-/// How much is told.
+/// How much is printed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Verbosity {
     Quiet,
@@ -39,7 +41,7 @@ impl Style {
     #[cfg(test)]
     pub const PLAIN: Style = Style(false);
 
-    /// Text in a colour, or as it is.
+    /// Text in a colour, or unchanged.
     pub fn paint(self, colour: &str, text: &str) -> String {
         if self.0 { format!("\x1b[{colour}m{text}\x1b[0m") } else { text.to_owned() }
     }
@@ -85,12 +87,28 @@ impl Console {
         self.report_style
     }
 
+    /// Prints a report: as JSON on one line if that was asked for, else as text unless the run is quiet.
+    pub fn print(&self, report: &impl Serialize, text: impl FnOnce() -> String) {
+        if self.json {
+            let line = serde_json::to_string(report).expect("a report has string keys");
+            self.report(&(line + "\n"));
+        }
+        self.text(text);
+    }
+
+    /// Prints text of a report, unless the report is JSON or the run is quiet.
+    pub fn text(&self, text: impl FnOnce() -> String) {
+        if !self.json && self.verbosity > Verbosity::Quiet {
+            self.report(&text());
+        }
+    }
+
     /// Prints a report, text or JSON, whole lines. Reports are outputs: one that is lost is a failure.
     pub fn report(&self, text: &str) {
         let printed = if self.reports_to_stderr {
-            print(io::stderr().lock(), text)
+            write(io::stderr().lock(), text)
         } else {
-            print(io::stdout().lock(), text)
+            write(io::stdout().lock(), text)
         };
         if let Err(error) = printed
             && !self.failed.replace(true)
@@ -105,8 +123,16 @@ impl Console {
     }
 
     /// Prints a warning.
-    pub fn warning(&self, message: &str) {
+    fn warning(&self, message: &str) {
         self.remark(Style::YELLOW, "warning", message);
+    }
+
+    /// Prints a note or a warning.
+    pub fn about(&self, severity: Severity, message: &str) {
+        match severity {
+            Severity::Note => self.note(message),
+            Severity::Warning => self.warning(message),
+        }
     }
 
     /// Prints a remark of no consequence.
@@ -118,13 +144,13 @@ impl Console {
         if !self.stderr_is_json() {
             let label = self.error_style.paint(colour, &format!("{kind}:"));
             // Where remarks cannot be printed, neither can a complaint about that.
-            let _ = print(io::stderr().lock(), &format!("{label} {}\n", escaped(message)));
+            let _ = write(io::stderr().lock(), &format!("{label} {}\n", escaped(message)));
         }
     }
 }
 
 /// Writes text. That its reader has gone away is no failure.
-fn print(mut stream: impl Write, text: &str) -> io::Result<()> {
+fn write(mut stream: impl Write, text: &str) -> io::Result<()> {
     forgive_broken_pipe(stream.write_all(text.as_bytes()).and_then(|()| stream.flush()))
 }
 

@@ -4,15 +4,41 @@
 //! main file last, so that whoever sees the new main file finds its companions. A link is followed to the file
 //! that it names, an existing file keeps its permissions, a new one gets those that the umask leaves.
 
-use super::request::Target;
 use anyhow::{Context, Result, bail, ensure};
-use crease::io::{Note, OutputContent, OutputFile, Written};
+use crease::io::{Format, Note, OutputContent, OutputFile, Written};
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::hash::{DefaultHasher, Hasher};
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Component, Path, PathBuf};
 use tempfile::NamedTempFile;
+
+/// Where an output goes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Target {
+    Stdout,
+    File(PathBuf),
+}
+
+impl Target {
+    /// The target that a path names; `-` is standard output.
+    pub fn of(path: &Path) -> Self {
+        if path.as_os_str() == "-" { Target::Stdout } else { Target::File(path.to_path_buf()) }
+    }
+
+    /// Its path, or `-`.
+    pub fn name(&self) -> String {
+        match self {
+            Target::Stdout => "-".into(),
+            Target::File(path) => path.to_string_lossy().into_owned(),
+        }
+    }
+
+    /// Stores a file that has no companions.
+    pub fn store(&self, bytes: Vec<u8>) -> Result<()> {
+        Store::default().store(Written { bytes, ..Written::default() }, self).map(drop)
+    }
+}
 
 /// Stores outputs and remembers which companions this run has written already.
 #[derive(Debug, Default)]
@@ -57,14 +83,6 @@ pub fn make_folder(folder: &Path) -> Result<()> {
     fs::create_dir_all(folder).with_context(|| format!("could not make the folder {}", folder.display()))
 }
 
-/// Tells of a file with other content that one beside the output has replaced.
-pub fn replaced_note(path: &Path) -> Note {
-    let path = path.display();
-    Note::remark(format!(
-        "{path} belongs to the output; the file of that name with other content is replaced"
-    ))
-}
-
 impl Store {
     /// With `sync`, each output is on the disk before its name is. With `dry_run` nothing is written, and all is
     /// refused that can be known to fail.
@@ -72,15 +90,14 @@ impl Store {
         Self { sync, dry_run, companions: BTreeMap::new() }
     }
 
-    /// Stores an output and the files that belong beside it. Tells which of these replace a file that had other
-    /// content.
+    /// Stores an output and its companion files. Returns a note for each of these that replaces a file with other content.
     ///
     /// # Errors
     /// If anything cannot be written; nothing half-written remains then.
-    pub fn store(&mut self, written: Written, target: &Target) -> Result<Vec<PathBuf>> {
+    pub fn store(&mut self, written: Written, target: &Target) -> Result<Vec<Note>> {
         match target {
             Target::Stdout => {
-                // A copied companion stands where the input refers to it; standard output has no folder for it.
+                // A copied companion exists where the input refers to it; standard output has no folder for new ones.
                 let new = written.companions.iter().find(|c| matches!(c.content, OutputContent::Bytes(_)));
                 if let Some(companion) = new {
                     bail!("{} would have to stand beside the output; give a file", companion.name);
@@ -94,7 +111,7 @@ impl Store {
         }
     }
 
-    /// Stores an output that is made while it is written, and tells how long it is: whole, or nothing remains of it.
+    /// Stores an output that is made while it is written, whole or not at all. Returns its length.
     ///
     /// # Errors
     /// Those of making it, and if it cannot be written.
@@ -103,39 +120,18 @@ impl Store {
         target: &Target,
         make: impl FnOnce(&mut dyn Write) -> Result<(), E>,
     ) -> Result<u64, E> {
-        let place = match target {
-            Target::Stdout => None,
-            Target::File(path) => Some(follow_links(path)?),
-        };
-        let is_file = |path: &PathBuf| fs::metadata(path).map_or(true, |existing| existing.is_file());
-        let Some(path) = place.as_ref().filter(|path| is_file(path)) else {
-            // What cannot be replaced gets all of it at once, or nothing.
-            let mut bytes = Vec::new();
-            make(&mut bytes)?;
-            let length = bytes.len() as u64;
-            match place {
-                None => to_stdout(&bytes)?,
-                Some(path) => {
-                    check_place(&path)?;
-                    Staged::Direct(path, bytes).put(self.sync)?;
-                }
-            }
+        if let Target::File(path) = target {
+            let (staged, length) = self.stage(&follow_links(path)?, make)?;
+            staged.put(self.sync)?;
             return Ok(length);
-        };
-        check_place(path)?;
-        let could_not = || format!("could not write {}", path.display());
-        let mut file = temporary_in_folder(path)?;
-        let mut out = BufWriter::new(file.as_file_mut());
-        make(&mut out)?;
-        out.flush().with_context(could_not)?;
-        drop(out);
-        let length = file.as_file().metadata().with_context(could_not)?.len();
-        self.finish(&file, path).with_context(could_not)?;
-        Staged::Temporary(file, path.clone()).put(self.sync)?;
-        Ok(length)
+        }
+        let mut bytes = Vec::new();
+        make(&mut bytes)?;
+        to_stdout(&bytes)?;
+        Ok(bytes.len() as u64)
     }
 
-    fn store_file(&mut self, written: Written, path: &Path) -> Result<Vec<PathBuf>> {
+    fn store_file(&mut self, written: Written, path: &Path) -> Result<Vec<Note>> {
         let path = follow_links(path)?;
         let mut claimed = Vec::new();
         for companion in written.companions {
@@ -143,15 +139,20 @@ impl Store {
         }
         // Each that is new has other content than what may be there, which may be somebody else's.
         let replaced = claimed.iter().filter(|claim| claim.is_new && claim.place.is_file());
-        let replaced = replaced.map(|claim| claim.place.clone()).collect();
+        let replaced = replaced.map(|claim| {
+            let path = claim.place.display();
+            let text = "belongs to the output; the file of that name with other content is replaced";
+            Note::remark(format!("{path} {text}"))
+        });
+        let replaced = replaced.collect();
         check_place(&path)?;
         if !self.dry_run {
             let mut staged = Vec::new();
             for claim in claimed.iter_mut().filter(|claim| claim.is_new) {
                 let bytes = claim.take_bytes()?;
-                staged.push(self.stage(&claim.place, bytes)?);
+                staged.push(self.stage_bytes(&claim.place, &bytes)?);
             }
-            staged.push(self.stage(&path, written.bytes)?);
+            staged.push(self.stage_bytes(&path, &written.bytes)?);
             for file in staged {
                 file.put(self.sync)?;
             }
@@ -195,22 +196,39 @@ impl Store {
         Ok(Some(Claim { is_new, place, mark, content }))
     }
 
-    fn stage(&self, path: &Path, bytes: Vec<u8>) -> Result<Staged> {
-        if fs::metadata(path).is_ok_and(|existing| !existing.is_file()) {
-            return Ok(Staged::Direct(path.to_path_buf(), bytes));
-        }
-        let mut file = temporary_in_folder(path)?;
-        let written = file.write_all(&bytes).and_then(|()| self.finish(&file, path));
-        written.with_context(|| format!("could not write {}", path.display()))?;
-        Ok(Staged::Temporary(file, path.to_path_buf()))
+    fn stage_bytes(&self, path: &Path, bytes: &[u8]) -> Result<Staged> {
+        let could_not = || format!("could not write {}", path.display());
+        self.stage(path, |out| out.write_all(bytes).with_context(could_not)).map(|(staged, _)| staged)
     }
 
-    /// Makes a complete file ready to take its place.
-    fn finish(&self, file: &NamedTempFile, path: &Path) -> io::Result<()> {
-        if let Ok(existing) = fs::metadata(path) {
-            file.as_file().set_permissions(existing.permissions())?;
+    /// Makes a complete file that can take its place, and returns its length.
+    fn stage<E: From<anyhow::Error>>(
+        &self,
+        path: &Path,
+        make: impl FnOnce(&mut dyn Write) -> Result<(), E>,
+    ) -> Result<(Staged, u64), E> {
+        check_place(path)?;
+        let existing = fs::metadata(path).ok();
+        if existing.as_ref().is_some_and(|existing| !existing.is_file()) {
+            let mut bytes = Vec::new();
+            make(&mut bytes)?;
+            let length = bytes.len() as u64;
+            return Ok((Staged::Direct(path.to_path_buf(), bytes), length));
         }
-        if self.sync { file.as_file().sync_all() } else { Ok(()) }
+        let could_not = || format!("could not write {}", path.display());
+        let mut file = temporary_in_folder(path)?;
+        let mut out = BufWriter::new(file.as_file_mut());
+        make(&mut out)?;
+        out.flush().with_context(could_not)?;
+        drop(out);
+        if let Some(existing) = existing {
+            file.as_file().set_permissions(existing.permissions()).with_context(could_not)?;
+        }
+        if self.sync {
+            file.as_file().sync_all().with_context(could_not)?;
+        }
+        let length = file.as_file().metadata().with_context(could_not)?.len();
+        Ok((Staged::Temporary(file, path.to_path_buf()), length))
     }
 }
 
@@ -333,6 +351,37 @@ fn follow_links(path: &Path) -> Result<PathBuf> {
 /// Whether both are there and one file.
 pub fn is_same_file(a: &Path, b: &Path) -> bool {
     matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
+}
+
+/// The file, or standard output, and the format that a path and `--to` name together.
+pub fn file_target(path: &Path, to: Option<Format>) -> Result<(Target, Option<Format>), String> {
+    let target = Target::of(path);
+    if target == Target::Stdout {
+        return Ok((target, to));
+    }
+    if path.is_dir() {
+        return Err(format!("{} is a folder; --out-dir writes into one", path.display()));
+    }
+    let format = match (Format::from_path(path), to) {
+        (Some(named), Some(to)) if named != to => {
+            return Err(format!("{} has the name of a {named} file, but --to says {to}", path.display()));
+        }
+        (None, None) => {
+            return Err(format!("the name of {} does not tell a format; --to does", path.display()));
+        }
+        (named, to) => to.or(named),
+    };
+    Ok((target, format))
+}
+
+/// A path with its folder made absolute, whether or not the file is there.
+pub fn resolve_parent(path: &Path) -> PathBuf {
+    path.canonicalize().unwrap_or_else(|_| {
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+        let folder = folder.canonicalize().unwrap_or_else(|_| folder.to_path_buf());
+        path.file_name().map_or_else(|| folder.clone(), |name| folder.join(name))
+    })
 }
 
 #[cfg(test)]

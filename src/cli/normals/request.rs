@@ -1,34 +1,24 @@
-//! What was typed, made into what shall be done. Everything that is wrong with a command line is found here,
-//! before anything is read or written.
+//! Options made into jobs. All errors of the command line are found here, before anything is read or written.
 
 use super::args::{HardEdge, NormalsArgs, RecipeArgs};
-use super::inputs::{self, Input, Source};
+use crate::cli::common::failure::Failure;
+use crate::cli::common::input::{Input, Source, check_root, expand};
+use crate::cli::common::output::{Target, file_target, resolve_parent};
 use crease::io::{Emit, Format, NonFinite, ReadOptions, WriteOptions};
 use crease::normals::{Crease, HardEdges, NormalRecipe, Scope};
 use crease::pipeline::Task;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// Why a request cannot be carried out.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum RequestError {
-    /// The command line is wrong.
-    Usage(String),
-    /// The command line is right, but a folder that it names cannot be used.
-    Input(String),
-}
-
 /// Everything to do, checked.
-#[derive(Debug)]
-pub struct Request {
+pub struct Request<'a> {
+    pub args: &'a NormalsArgs,
     pub jobs: Vec<Job>,
     pub task: Task,
     pub read: ReadOptions,
     pub write: WriteOptions,
     /// Face normals go into the JSON report.
     pub rows: bool,
-    pub dry_run: bool,
-    pub sync: bool,
 }
 
 /// One input and its output.
@@ -43,32 +33,24 @@ pub struct Job {
     pub to: Option<Format>,
 }
 
-/// Where an output goes.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Target {
-    Stdout,
-    File(PathBuf),
-}
-
-impl Request {
+impl<'a> Request<'a> {
     /// Checks what was typed against itself and against the files that are there.
-    pub fn resolve(args: &NormalsArgs) -> Result<Request, RequestError> {
+    pub fn resolve(args: &'a NormalsArgs) -> Result<Self, Failure> {
         let rows = args.normals.emit == Emit::Face && args.run.json && !has_destination(args);
         if !has_destination(args) && !rows && !args.output.dry_run {
             return usage(
                 "one of --output, --out-dir and --in-place is needed; --dry-run and --emit face --json go without",
             );
         }
-        if let Some(root) = args.output.root.as_ref().filter(|root| !root.is_dir()) {
-            return usage(format!("--root {} is no folder", root.display()));
-        }
-        let found = inputs::expand(&args.inputs, args.output.recursive, args.output.out_dir.as_deref())?;
+        check_root(args.output.root.as_ref())?;
+        let found = expand(&args.inputs, args.output.recursive, args.output.out_dir.as_deref())?;
         if args.output.output.is_some() && found.len() > 1 {
             return usage(format!("--output takes one input, not {}; --out-dir takes several", found.len()));
         }
         let jobs: Vec<Job> = found.iter().map(|input| job(input, args)).collect::<Result<_, _>>()?;
         check_collisions(&jobs, args.output.in_place)?;
         Ok(Request {
+            args,
             jobs,
             task: task(args),
             read: read_options(args),
@@ -79,14 +61,12 @@ impl Request {
                 ..WriteOptions::default()
             },
             rows,
-            dry_run: args.output.dry_run,
-            sync: args.output.sync,
         })
     }
 }
 
-fn usage<T>(message: impl Into<String>) -> Result<T, RequestError> {
-    Err(RequestError::Usage(message.into()))
+fn usage<T>(message: impl ToString) -> Result<T, Failure> {
+    Err(Failure::usage(message))
 }
 
 fn has_destination(args: &NormalsArgs) -> bool {
@@ -130,7 +110,7 @@ fn read_options(args: &NormalsArgs) -> ReadOptions {
     }
 }
 
-fn job(input: &Input, args: &NormalsArgs) -> Result<Job, RequestError> {
+fn job(input: &Input, args: &NormalsArgs) -> Result<Job, Failure> {
     let output = &args.output;
     let named = match &input.source {
         Source::File(path) => Format::from_path(path),
@@ -138,7 +118,8 @@ fn job(input: &Input, args: &NormalsArgs) -> Result<Job, RequestError> {
     };
     let format = output.format.or(named);
     let (target, to) = if let Some(path) = &output.output {
-        file_target(path, output.to)?
+        let (target, to) = file_target(path, output.to).map_err(Failure::usage)?;
+        (Some(target), to)
     } else if let Some(folder) = &output.out_dir {
         let place = folder_place(input, format, output.to)?;
         (Some(Target::File(folder.join(place))), output.to)
@@ -162,30 +143,7 @@ fn job(input: &Input, args: &NormalsArgs) -> Result<Job, RequestError> {
     Ok(Job { source: input.source.clone(), format: output.format, target, to })
 }
 
-/// The file, or standard output, and the format that a path and `--to` name together.
-pub fn file_target(
-    path: &Path,
-    to: Option<Format>,
-) -> Result<(Option<Target>, Option<Format>), RequestError> {
-    if path.as_os_str() == "-" {
-        return Ok((Some(Target::Stdout), to));
-    }
-    if path.is_dir() {
-        return usage(format!("{} is a folder; --out-dir writes into one", path.display()));
-    }
-    let format = match (Format::from_path(path), to) {
-        (Some(named), Some(to)) if named != to => {
-            return usage(format!("{} has the name of a {named} file, but --to says {to}", path.display()));
-        }
-        (None, None) => {
-            return usage(format!("the name of {} does not tell a format; --to does", path.display()));
-        }
-        (named, to) => to.or(named),
-    };
-    Ok((Some(Target::File(path.to_path_buf())), format))
-}
-
-fn folder_place(input: &Input, format: Option<Format>, to: Option<Format>) -> Result<PathBuf, RequestError> {
+fn folder_place(input: &Input, format: Option<Format>, to: Option<Format>) -> Result<PathBuf, Failure> {
     if input.source == Source::Stdin {
         return usage("standard input has no name to use in --out-dir; --output takes one");
     }
@@ -197,11 +155,7 @@ fn folder_place(input: &Input, format: Option<Format>, to: Option<Format>) -> Re
     })
 }
 
-fn in_place_target(
-    input: &Input,
-    format: Option<Format>,
-    to: Option<Format>,
-) -> Result<Target, RequestError> {
+fn in_place_target(input: &Input, format: Option<Format>, to: Option<Format>) -> Result<Target, Failure> {
     let Source::File(path) = &input.source else {
         return usage("standard input cannot be replaced in place; --output - writes to standard output");
     };
@@ -218,7 +172,7 @@ fn in_place_target(
 }
 
 /// No two outputs may be one file, and none may be an input unless that is what was asked for.
-fn check_collisions(jobs: &[Job], in_place: bool) -> Result<(), RequestError> {
+fn check_collisions(jobs: &[Job], in_place: bool) -> Result<(), Failure> {
     let real = |path: &Path| path.canonicalize().ok();
     let mut inputs = BTreeMap::new();
     for job in jobs {
@@ -241,14 +195,4 @@ fn check_collisions(jobs: &[Job], in_place: bool) -> Result<(), RequestError> {
         }
     }
     Ok(())
-}
-
-/// A path with its folder made absolute, whether or not the file is there.
-pub fn resolve_parent(path: &Path) -> PathBuf {
-    path.canonicalize().unwrap_or_else(|_| {
-        let folder = path.parent().unwrap_or(Path::new(""));
-        let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-        let folder = folder.canonicalize().unwrap_or_else(|_| folder.to_path_buf());
-        path.file_name().map_or_else(|| folder.clone(), |name| folder.join(name))
-    })
 }

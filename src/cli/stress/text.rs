@@ -1,8 +1,8 @@
-//! What `crease stress` tells people.
+//! The report of `crease stress` as text.
 
-use super::super::console::Style;
-use super::super::text::count;
-use super::report::Summary;
+use super::json::Summary;
+use crate::cli::common::console::Style;
+use crate::cli::common::numbers::count;
 use crease::trade::stress::{Bound, Group, StressCase, StressResult, Unit, Worst};
 use std::fmt::Write as _;
 

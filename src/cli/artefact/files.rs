@@ -1,13 +1,10 @@
 //! Files of experiments: pages, pictures, plots, animations.
 
-use super::Run;
-use crate::cli::console::Console;
-use crate::cli::normals::Failure;
-use crate::cli::output::Store;
-use crate::cli::progress::CountProgress;
-use crate::cli::request::Target;
-use crease::artefact::Language;
-use crease::io::Written;
+use crate::cli::common::console::Console;
+use crate::cli::common::failure::Failure;
+use crate::cli::common::output::Target;
+use crate::cli::common::progress::Progress;
+use crease::artefact::{Experiment, Language, Outcome, Setup};
 use crease::num::Transfer;
 use crease::report::{
     Animation, Picture, ReportError, chart_plot, encode_png, experiment_page, experiment_sheet, index_page,
@@ -16,18 +13,24 @@ use crease::report::{
 use rayon::prelude::*;
 use std::path::Path;
 
+/// One experiment, run.
+pub struct Run<'a> {
+    pub experiment: &'static Experiment,
+    pub setup: Setup<'a>,
+    pub outcome: Outcome,
+    pub seconds: f64,
+}
+
 /// A file's name in the folder, and its bytes.
 type File = (String, Vec<u8>);
 
-/// Writes what there is of some runs into a folder, with an index if there are several; returns the paths, run by run.
-pub fn store(runs: &[Run], folder: &Path, language: Language) -> Result<Vec<Vec<String>>, Failure> {
+/// Writes the files of some runs into a folder, with an index if there are several; returns the paths, run by run.
+pub fn write_all(runs: &[Run], folder: &Path, language: Language) -> Result<Vec<Vec<String>>, Failure> {
     let in_gallery = runs.len() > 1;
     let files = |run: &Run| files(run, language, in_gallery);
     let made: Result<Vec<Vec<File>>, ReportError> = runs.par_iter().with_max_len(1).map(files).collect();
-    let failed = |error: ReportError| Failure::Write(error.to_string());
-    let made = made.map_err(failed)?;
     let mut stored = Vec::new();
-    for files in made {
+    for files in made? {
         let mut paths = Vec::new();
         for (name, bytes) in files {
             paths.push(write(&folder.join(name), bytes)?);
@@ -36,7 +39,7 @@ pub fn store(runs: &[Run], folder: &Path, language: Language) -> Result<Vec<Vec<
     }
     if in_gallery {
         let found: Vec<_> = runs.iter().map(|run| (run.experiment, &run.outcome)).collect();
-        let index = index_page(&found, language).map_err(failed)?;
+        let index = index_page(&found, language)?;
         write(&folder.join("index.html"), index.into_bytes())?;
     }
     Ok(stored)
@@ -65,30 +68,28 @@ fn files(run: &Run, language: Language, in_gallery: bool) -> Result<Vec<File>, R
     Ok(files)
 }
 
-/// Hundredths of a second that an animation takes, and the shortest time of a frame that viewers heed.
+/// Hundredths of a second that an animation takes, and the shortest frame that viewers play.
 const WHOLE: u16 = 400;
 const SHORTEST: u16 = 2;
 
 /// Draws the animation of a run.
-pub fn animate(run: &Run, path: &Path, frames: u16, console: &Console) -> Result<(), Failure> {
-    let progress = CountProgress::new(console, "drawing", "frames", frames.into());
+pub fn animate(run: &Run, path: &Path, frames: u16, console: &Console) -> Result<String, Failure> {
+    let progress = Progress::of_count(console, "drawing", "frames", frames.into());
     let draw = |number: u32| {
         let image = run.experiment.frame(&run.setup, number, frames.into());
         progress.done();
-        image.map_err(|error| Failure::Draw(error.to_string()))
+        image.map_err(Failure::input)
     };
     let images: Vec<_> = (0..u32::from(frames)).into_par_iter().map(draw).collect::<Result<_, _>>()?;
     drop(progress);
     let animation = Animation { frames: images.len(), hundredths: (WHOLE / frames).max(SHORTEST) };
     let mut bytes = Vec::new();
-    let written = animation.write_gif(&mut bytes, |number| Ok(Picture::from(images[number].clone())));
-    written.map_err(|error: ReportError| Failure::Write(error.to_string()))?;
-    write(path, bytes).map(|_| ())
+    animation.write_gif(&mut bytes, |number| Ok::<_, ReportError>(Picture::from(images[number].clone())))?;
+    write(path, bytes)
 }
 
 fn write(path: &Path, bytes: Vec<u8>) -> Result<String, Failure> {
-    let written = Written { bytes, ..Written::default() };
-    let stored = Store::new(false, false).store(written, &Target::File(path.to_owned()));
-    stored.map_err(|error| Failure::Write(format!("{error:#}")))?;
-    Ok(path.to_string_lossy().into_owned())
+    let target = Target::File(path.to_owned());
+    target.store(bytes)?;
+    Ok(target.name())
 }

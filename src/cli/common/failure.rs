@@ -1,0 +1,140 @@
+//! Why a run failed, and the exit code for that.
+
+use super::console::Console;
+use crease::io::{Place, ReadError};
+use crease::report::ReportError;
+use serde::Serialize;
+use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
+use std::sync::Mutex;
+
+/// The exit codes of the program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Exit {
+    Done = 0,
+    Findings = 1,
+    Usage = 2,
+    BadInput = 3,
+    OutputFailed = 4,
+    PartOfBatch = 5,
+}
+
+/// The member `error` of reports.
+#[derive(Clone, Debug, Serialize)]
+pub struct Failure {
+    pub kind: FailureKind,
+    pub message: String,
+    #[serde(flatten)]
+    read: Option<ReadError>,
+}
+
+/// What failed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum FailureKind {
+    /// The options make no sense with this input.
+    Usage,
+    /// The input cannot be read, or it holds nothing that can be drawn or measured.
+    Input,
+    Output,
+    /// A fault of this program.
+    Internal,
+}
+
+impl Failure {
+    fn new(kind: FailureKind, message: impl ToString) -> Self {
+        Self { kind, message: message.to_string(), read: None }
+    }
+
+    pub fn usage(message: impl ToString) -> Self {
+        Self::new(FailureKind::Usage, message)
+    }
+
+    pub fn input(message: impl ToString) -> Self {
+        Self::new(FailureKind::Input, message)
+    }
+
+    pub fn output(message: impl ToString) -> Self {
+        Self::new(FailureKind::Output, message)
+    }
+
+    /// A file that cannot be read, with its name, for command lines that name several.
+    pub fn read(path: &str, error: ReadError) -> Self {
+        let found = match error.place {
+            Place::File => format!("{path}: {}", error.found),
+            _ => format!("in {path}: {}", error.found),
+        };
+        ReadError { found, ..error }.into()
+    }
+
+    /// The exit code.
+    pub fn exit(&self) -> Exit {
+        match self.kind {
+            FailureKind::Usage => Exit::Usage,
+            FailureKind::Input | FailureKind::Internal => Exit::BadInput,
+            FailureKind::Output => Exit::OutputFailed,
+        }
+    }
+}
+
+impl From<ReadError> for Failure {
+    fn from(error: ReadError) -> Self {
+        Self { read: Some(error.clone()), ..Self::input(error) }
+    }
+}
+
+impl From<anyhow::Error> for Failure {
+    fn from(error: anyhow::Error) -> Self {
+        Self::output(format!("{error:#}"))
+    }
+}
+
+impl From<ReportError> for Failure {
+    fn from(error: ReportError) -> Self {
+        Self::output(error)
+    }
+}
+
+/// The exit code of a verb: a report that could not be printed is a failed output.
+pub fn exit_code(result: Result<Exit, Failure>, console: &Console) -> Exit {
+    match result {
+        Err(failure) => failure.exit(),
+        Ok(_) if !console.has_reported() => Exit::OutputFailed,
+        Ok(exit) => exit,
+    }
+}
+
+/// Runs one job. A panic, which would be a fault of this program or of a library, fails that job only.
+pub fn guarded<T>(work: impl FnOnce() -> Result<T, Failure>) -> Result<T, Failure> {
+    static MESSAGE: Mutex<Option<String>> = Mutex::new(None);
+    let remember = |info: &PanicHookInfo<'_>| {
+        if let Ok(mut message) = MESSAGE.lock() {
+            message.get_or_insert_with(|| info.to_string());
+        }
+    };
+    let usual = panic::take_hook();
+    panic::set_hook(Box::new(remember));
+    let result = panic::catch_unwind(AssertUnwindSafe(work));
+    panic::set_hook(usual);
+    let message = MESSAGE.lock().ok().and_then(|mut message| message.take());
+    result.unwrap_or_else(|_| {
+        let message = message.unwrap_or_else(|| "panicked".into());
+        let message = format!("a fault of crease itself, please report it: {message}");
+        Err(Failure::new(FailureKind::Internal, message))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_panic_fails_its_own_job_only() {
+        let failure = guarded::<()>(|| panic!("corner {} is missing", 7)).unwrap_err();
+        assert_eq!(failure.kind, FailureKind::Internal);
+        let message = failure.message;
+        assert!(message.contains("corner 7 is missing") && message.contains("failure.rs"), "{message}");
+        assert!(guarded(|| Ok(())).is_ok());
+        let failure = guarded(|| rayon::join(|| panic!("in a thread"), || Ok(())).1).unwrap_err();
+        assert!(failure.kind == FailureKind::Internal && failure.message.contains("in a thread"));
+    }
+}

@@ -1,0 +1,24 @@
+//! What several verbs share.
+
+/// Option values out of a fixed list.
+pub mod choice;
+/// Streams, colours and verbosity.
+pub mod console;
+/// Why a run failed, and the exit code for that.
+pub mod failure;
+/// Files and standard input.
+pub mod input;
+/// Notes on an input, as text.
+pub mod notes;
+/// Numbers with the words that belong to them.
+pub mod numbers;
+/// Options that several verbs have.
+pub mod options;
+/// Files and standard output, written whole or not at all.
+pub mod output;
+/// Progress bars.
+pub mod progress;
+/// Members that JSON reports share.
+pub mod report;
+/// Numbers, vectors and colours of options.
+pub mod vectors;

@@ -1,0 +1,76 @@
+//! Members that JSON reports share.
+
+use super::failure::Failure;
+use super::input::Source;
+use super::output::Target;
+use crease::io::{Format, Written};
+use serde::Serialize;
+
+/// What every report begins with: the schema, the program's version, and how it went.
+#[derive(Debug, Default, Serialize)]
+pub struct Head {
+    schema: &'static str,
+    crease: &'static str,
+    pub status: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub error: Option<Failure>,
+}
+
+impl Head {
+    /// The head of a report in which nothing has failed yet.
+    pub fn new(schema: &'static str) -> Self {
+        Self { schema, crease: env!("CARGO_PKG_VERSION"), status: "ok", error: None }
+    }
+
+    /// Records what failed, if anything did.
+    pub fn record<T>(&mut self, result: &Result<T, Failure>) {
+        if let Err(failure) = result {
+            self.status = "failed";
+            self.error = Some(failure.clone());
+        }
+    }
+}
+
+/// The file that was read.
+#[derive(Debug, Default, Serialize)]
+pub struct InputReport {
+    pub path: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub format: Option<Format>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bytes: Option<u64>,
+}
+
+impl InputReport {
+    pub fn new(source: &Source, format: Option<Format>) -> Self {
+        Self { path: source.name(), format, bytes: source.length() }
+    }
+}
+
+/// A mesh file that was made.
+#[derive(Debug, Serialize)]
+pub struct MeshOutput {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub path: Option<String>,
+    pub format: Format,
+    pub bytes: u64,
+    pub vertices: u64,
+    pub added_vertices: u64,
+    pub unchanged: bool,
+    pub companions: Vec<String>,
+}
+
+impl MeshOutput {
+    /// An output that is made but not stored yet.
+    pub fn new(target: Option<&Target>, format: Format, unchanged: bool, written: &Written) -> Self {
+        Self {
+            path: target.map(Target::name),
+            format,
+            bytes: written.bytes.len() as u64,
+            vertices: written.vertices,
+            added_vertices: written.added_vertices,
+            unchanged,
+            companions: written.companions.iter().map(|companion| companion.name.clone()).collect(),
+        }
+    }
+}

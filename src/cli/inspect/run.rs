@@ -1,0 +1,201 @@
+//! Runs `crease inspect`: all inputs one after the other.
+
+use super::args::{Explained, FindingArgs, InspectArgs, PictureArgs};
+use super::json::{Against, Counts, InspectReport};
+use super::request::sources;
+use super::text;
+use crate::cli::args::refused;
+use crate::cli::common::console::{Console, Verbosity, escaped};
+use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
+use crate::cli::common::input::Source;
+use crate::cli::common::options::Color;
+use crate::cli::common::output::Target;
+use crate::cli::common::progress::{FileProgress, Progress, Stage};
+use crease::io::{Loaded, ReadOptions};
+use crease::num::Transfer;
+use crease::quality::{Diagnosis, Thresholds, compare, diagnose};
+use crease::report::{After, deviation_picture, diagnosis_page, encode_png};
+use std::path::Path;
+use std::time::Instant;
+
+/// What a heat map of a file without normals shows.
+const NO_DEVIATION: &str = "no normals are stored, so none can be off: the heat map has one colour for that; \
+                            `crease normals` computes them";
+
+/// Runs the verb.
+pub fn main(args: &InspectArgs, color: Color) -> Exit {
+    let PictureArgs { html, heatmap, .. } = &args.pictures;
+    let to_stdout = [html, heatmap].into_iter().flatten().find(|path| Target::of(path) == Target::Stdout);
+    let console = Console::new(&args.run, color, to_stdout.map(|path| path.as_path()));
+    if let Some(explained) = args.findings.explain {
+        let style = console.report_style();
+        console.report(&match explained {
+            Explained::All => text::catalogue(style),
+            Explained::One(kind) => text::explanation(kind.entry(), style),
+        });
+        return exit_code(Ok(Exit::Done), &console);
+    }
+    let sources = match sources(args) {
+        Ok(sources) => sources,
+        Err(failure) => return refused("inspect", &failure, &console),
+    };
+    args.run.use_threads();
+    run(&sources, args, &console)
+}
+
+fn run(sources: &[Source], args: &InspectArgs, console: &Console) -> Exit {
+    let progress = Progress::of_inputs(console, sources);
+    let read = ReadOptions { root: args.root.clone(), ..ReadOptions::default() };
+    let thresholds = args.thresholds.resolve(args.findings.places);
+    let (mut failed, mut exit) = (None, Exit::Done);
+    for source in sources {
+        let mut report = InspectReport::new(source);
+        let start = Instant::now();
+        let file = progress.begin(source);
+        let result = guarded(|| inspect(source, &read, args, &thresholds, &file, &mut report));
+        drop(file);
+        report.seconds.total = start.elapsed().as_secs_f64();
+        report.head.record(&result);
+        if let Ok(Outcome { is_grave: true, .. }) = result {
+            (report.head.status, exit) = ("findings", Exit::Findings);
+        }
+        progress.suspended(|| {
+            if let Ok(Outcome { lacks_normals: true, .. }) = result {
+                let name = &report.input.path;
+                console.note(&format!("{name}: {NO_DEVIATION}"));
+            }
+            print(&report, args, sources.len() > 1, console);
+        });
+        failed = result.err().or(failed);
+    }
+    drop(progress);
+    let result = match failed {
+        Some(_) if sources.len() > 1 => Ok(Exit::PartOfBatch),
+        Some(failure) => Err(failure),
+        None => Ok(exit),
+    };
+    exit_code(result, console)
+}
+
+/// Reads, diagnoses and draws.
+fn inspect(
+    source: &Source,
+    read: &ReadOptions,
+    args: &InspectArgs,
+    thresholds: &Thresholds,
+    progress: &FileProgress<'_>,
+    report: &mut InspectReport,
+) -> Result<Outcome, Failure> {
+    progress.stage(Stage::Read);
+    let start = Instant::now();
+    let loaded = progress.read(source, args.format, read, &mut report.input.bytes)?.without_source();
+    report.seconds.read = start.elapsed().as_secs_f64();
+    report.input.format = Some(loaded.format);
+
+    progress.stage(Stage::Compute);
+    let start = Instant::now();
+    let all = loaded.parts.iter().map(|part| part.mesh.face_count()).sum();
+    let done = std::cell::Cell::new(0);
+    let mut diagnosis = diagnose(&loaded, thresholds, &|faces| {
+        done.set(done.get() + faces);
+        progress.within(Stage::Compute, done.get(), all);
+    });
+    let mut after = None;
+    if let Some(path) = &args.against {
+        let source = Source::of(path);
+        let path = source.name();
+        let other = progress.read(&source, None, read, &mut None);
+        let other = other.map_err(|error| Failure::read(&path, error))?.without_source();
+        let findings = diagnose(&other, thresholds, &|_| {});
+        let comparison = compare([&loaded, &other], [&diagnosis, &findings], thresholds.places)
+            .map_err(|error| Failure::input(format!("--against {path}: {error}")))?;
+        report.against = Some(Against { path, comparison });
+        after = Some(other);
+    }
+    report.seconds.inspect = start.elapsed().as_secs_f64();
+    report.hidden = keep_wanted(&mut diagnosis, &args.findings);
+    let output = fixed(source, loaded.format.extension());
+    report.fill(&diagnosis, &output);
+    draw(&loaded, &diagnosis, after.as_ref(), report, &output, args)?;
+    let is_grave = args.findings.fail_on.is_some_and(|least| diagnosis.worst() >= Some(least));
+    let has_pictures = args.pictures.html.is_some() || args.pictures.heatmap.is_some();
+    let has_faces = loaded.parts.iter().any(|part| part.mesh.face_count() > 0);
+    Ok(Outcome { is_grave, lacks_normals: has_pictures && has_faces && !has_normals(&loaded) })
+}
+
+/// What came of an input that was read.
+struct Outcome {
+    /// Something is as grave as `--fail-on`.
+    is_grave: bool,
+    /// Pictures were drawn of a file with faces in which no normals are stored.
+    lacks_normals: bool,
+}
+
+/// Whether any part of a file has stored normals.
+fn has_normals(loaded: &Loaded) -> bool {
+    let columns = loaded.parts.iter().map(|part| part.mesh.columns());
+    columns.flat_map(|columns| &columns.normals).any(|normals| !normals.values.is_empty())
+}
+
+/// Makes and stores the pictures that were asked for. `after` is the file that `--against` names, `output` the name of a fixed
+/// version.
+fn draw(
+    loaded: &Loaded,
+    diagnosis: &Diagnosis,
+    after: Option<&Loaded>,
+    report: &InspectReport,
+    output: &str,
+    args: &InspectArgs,
+) -> Result<(), Failure> {
+    /// Pixels along the sides of a heat map of its own.
+    const SIDE: u32 = 800;
+    let PictureArgs { html, heatmap, view } = &args.pictures;
+    if let Some(path) = html {
+        let after = after.zip(report.against.as_ref());
+        let after =
+            after.map(|(loaded, Against { path, comparison })| After { name: path, loaded, comparison });
+        let page = diagnosis_page(loaded, diagnosis, after, [&report.input.path, output], *view);
+        Target::of(path).store(page.map_err(Failure::input)?.into_bytes())?;
+    }
+    if let Some(path) = heatmap {
+        let picture = deviation_picture(loaded, diagnosis, *view, SIDE).map_err(Failure::input)?;
+        Target::of(path).store(encode_png(&picture, Transfer::Srgb).map_err(Failure::input)?)?;
+    }
+    Ok(())
+}
+
+/// Keeps the findings that were asked for and returns the counts of the others.
+fn keep_wanted(diagnosis: &mut Diagnosis, args: &FindingArgs) -> Counts {
+    let all = Counts::of(diagnosis);
+    diagnosis.findings.retain(|finding| {
+        finding.severity >= args.severity
+            && !args.ignore.contains(&finding.kind)
+            && (args.only.is_empty() || args.only.contains(&finding.kind))
+    });
+    all.without(Counts::of(diagnosis))
+}
+
+/// A name for the fixed version of an input, next to it.
+fn fixed(source: &Source, extension: &str) -> String {
+    let stem = match source {
+        Source::File(path) => path.with_extension(""),
+        Source::Stdin => Path::new("stdin").to_path_buf(),
+    };
+    format!("{}-mended.{extension}", stem.display())
+}
+
+fn print(report: &InspectReport, args: &InspectArgs, brief: bool, console: &Console) {
+    if let Some(error) = &report.head.error {
+        console.error(&format!("{}: {}", escaped(&report.input.path), error.message));
+    }
+    console.print(report, || {
+        let verbose = console.verbosity == Verbosity::Verbose;
+        let style = console.report_style();
+        let places = args.findings.places.unwrap_or(if verbose { usize::MAX } else { 1 });
+        match brief && !verbose {
+            _ if report.head.error.is_some() => String::new(),
+            true => text::line(report, style),
+            false => text::block(report, style, verbose, places),
+        }
+    });
+}

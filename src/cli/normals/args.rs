@@ -1,0 +1,269 @@
+//! The options of `crease normals`.
+
+use crate::cli::common::choice::{Choose, as_name, choices, one_of};
+use crate::cli::common::options::{EXIT_CODES, RunArgs, confidence, crease_angle};
+use clap::{ArgGroup, Args};
+use crease::io::{Emit, Format, NormalFormat, TangentPolicy};
+use crease::mesh::{Confidence, Orient, Weld};
+use crease::normals::{CreaseRule, Groups, Precision, Slivers, Weight, When};
+use crease::num::Degrees;
+use crease::pipeline::Degenerate;
+use serde::{Serialize, Serializer};
+use std::path::PathBuf;
+
+pub const EXAMPLES: &str = "\
+Examples:
+  crease normals gear.obj --crease 40 -o gear.glb
+  crease normals bunny.obj -o bunny.ply --weight max
+  crease normals scene.glb -o out.glb --when missing
+  crease normals models --recursive --out-dir out --json > report.jsonl
+  cat part.stl | crease normals - --format stl --to ply -o - > part.ply
+  crease normals part.stl --emit face --json";
+
+/// Compute normals and write them
+///
+/// Everything else in a file stays as it is, byte for byte where input and output have the same format.
+#[derive(Args)]
+#[command(
+    after_help = EXAMPLES,
+    after_long_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"),
+    group = ArgGroup::new("destination").args(["output", "out_dir", "in_place"])
+)]
+pub struct NormalsArgs {
+    /// Files, folders (with --recursive), or `-` for standard input
+    #[arg(value_name = "INPUT", required = true)]
+    pub inputs: Vec<PathBuf>,
+
+    #[command(flatten)]
+    pub output: OutputArgs,
+    #[command(flatten)]
+    pub normals: RecipeArgs,
+    #[command(flatten)]
+    pub mesh: MeshArgs,
+    #[command(flatten)]
+    pub gltf: GltfArgs,
+    #[command(flatten)]
+    pub run: RunArgs,
+}
+
+#[derive(Args)]
+#[command(next_help_heading = "Input and output")]
+pub struct OutputArgs {
+    /// Write to this file, or to standard output with `-` (one input only); its folder is made if need be
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+
+    /// Write into this folder, which is made if need be; files found in an input folder keep their places in it
+    #[arg(long, value_name = "DIR")]
+    pub out_dir: Option<PathBuf>,
+
+    /// Replace each input
+    #[arg(long)]
+    pub in_place: bool,
+
+    /// Format of the input, where its name cannot tell [default: by name, else by content]
+    #[arg(long, value_name = "FORMAT", value_parser = one_of::<Format>())]
+    pub format: Option<Format>,
+
+    /// Format of the output, where its name cannot tell [default: by name, else that of the input]
+    #[arg(long, value_name = "FORMAT", value_parser = one_of::<Format>())]
+    pub to: Option<Format>,
+
+    /// Take all mesh files in folders and in the folders below, hidden ones left out
+    #[arg(short, long)]
+    pub recursive: bool,
+
+    /// Companion files (MTL, glTF buffers) may be read from this folder too and below, those of standard input from here alone
+    /// [default: the input's folder]
+    #[arg(long, value_name = "DIR")]
+    pub root: Option<PathBuf>,
+
+    /// Do everything but write
+    #[arg(long)]
+    pub dry_run: bool,
+
+    /// Wait until each output is on the disk
+    #[arg(long)]
+    pub sync: bool,
+}
+
+/// The member `recipe` of the report.
+#[derive(Args, Serialize)]
+#[command(next_help_heading = "Normals")]
+pub struct RecipeArgs {
+    /// Which normals to write
+    #[arg(long, value_name = "WHAT", default_value = "corner", value_parser = one_of::<Emit>())]
+    #[serde(serialize_with = "as_name")]
+    pub emit: Emit,
+
+    /// How much each face counts at a corner
+    #[arg(long, value_name = "WEIGHT", default_value = "angle", value_parser = one_of::<Weight>())]
+    #[serde(serialize_with = "as_name")]
+    pub weight: Weight,
+
+    /// Edges that bend by more than this many degrees stay sharp; `off` for none. If the file has smoothing groups,
+    /// the angle applies beside them only if it is given here [default: 40 without smoothing groups]
+    #[arg(long, value_name = "DEG|off", value_parser = crease_angle, allow_negative_numbers = true)]
+    pub crease: Option<Degrees>,
+
+    /// What sharp edges do
+    #[arg(long, value_name = "RULE", default_value = "fan", value_parser = one_of::<CreaseRule>())]
+    #[serde(serialize_with = "as_name")]
+    pub crease_rule: CreaseRule,
+
+    /// What smoothing groups of OBJ files do
+    #[arg(long, value_name = "HOW", default_value = "honour", value_parser = one_of::<Groups>())]
+    #[serde(serialize_with = "as_name")]
+    pub groups: Groups,
+
+    /// Further edges to keep sharp; may be given several times
+    #[arg(long, value_name = "KIND", value_parser = one_of::<HardEdge>(), value_delimiter = ',')]
+    #[serde(serialize_with = "hard_edge_names")]
+    pub hard_edges: Vec<HardEdge>,
+
+    /// Which normals of the file to replace
+    #[arg(long, value_name = "WHICH", default_value = "always", value_parser = one_of::<When>())]
+    #[serde(serialize_with = "as_name")]
+    pub when: When,
+
+    /// Which coincident edges are joined for smoothing: those at exactly the same place, none, or those closer than
+    /// a fraction of the bounding box's diagonal. Vertices stay apart in any case
+    #[arg(long, value_name = "exact|off|REL", default_value = "exact", value_parser = weld, allow_negative_numbers = true)]
+    #[serde(serialize_with = "weld_value")]
+    pub weld: Weld,
+
+    /// What faces lower than the rounding of their coordinates do
+    #[arg(long, value_name = "HOW", default_value = "exclude", value_parser = one_of::<Slivers>())]
+    #[serde(serialize_with = "as_name")]
+    pub slivers: Slivers,
+
+    /// How carefully to compute
+    #[arg(long, value_name = "HOW", default_value = "faithful", value_parser = one_of::<Precision>())]
+    #[serde(serialize_with = "as_name")]
+    pub precision: Precision,
+}
+
+#[derive(Args)]
+#[command(next_help_heading = "Mesh")]
+pub struct MeshArgs {
+    /// What happens to faces without area
+    #[arg(long, value_name = "HOW", default_value = "keep", value_parser = one_of::<Degenerate>())]
+    pub degenerate: Degenerate,
+
+    /// Turn every face round, and its normals with it
+    #[arg(long)]
+    pub flip: bool,
+
+    /// Turn faces so that neighbours agree, or also outward. Stored normals that --when keeps stay as they are
+    #[arg(long, value_name = "HOW", default_value = "keep", value_parser = one_of::<Orient>())]
+    pub orient: Orient,
+
+    /// What --orient outward has to be surer than of the outer side of an open component, which a vote of points about what they
+    /// see decides, to turn it: from 0.5 to 1; 1 turns none
+    #[arg(long, value_name = "SHARE", default_value = "0.9", value_parser = confidence)]
+    pub confidence: Confidence,
+
+    /// Drop faces whose positions are infinite or not a number, instead of refusing the file
+    #[arg(long)]
+    pub force: bool,
+}
+
+#[derive(Args)]
+#[command(next_help_heading = "glTF")]
+pub struct GltfArgs {
+    /// What happens to tangents when normals change
+    #[arg(long, value_name = "HOW", default_value = "drop", value_parser = one_of::<TangentPolicy>())]
+    pub tangents: TangentPolicy,
+
+    /// How normals are stored; other formats have no choice, which a warning says
+    #[arg(long, value_name = "TYPE", default_value = "same", value_parser = one_of::<NormalFormat>())]
+    pub normal_format: NormalFormat,
+}
+
+/// A kind of edge for `--hard-edges`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HardEdge {
+    Uv,
+    Material,
+    Authored,
+}
+
+choices! { Emit {
+    "corner" => Corner: "one per corner of a face, shared where equal; vertices are split where the format needs it",
+    "vertex" => Vertex: "one per vertex, over all faces at it; sharp edges are ignored",
+    "face" => Face: "one per face: PLY face properties, STL facets, or rows of the JSON report",
+} }
+
+choices! { CreaseRule {
+    "fan" => Fan: "they cut the fan of faces at a vertex into smooth groups with one normal each",
+    "cone" => Cone: "each corner averages the faces within the angle of its own face",
+} }
+
+choices! { Groups {
+    "honour" => Honour: "edges between different groups, or without one, are sharp",
+    "ignore" => Ignore: "nothing",
+} }
+
+choices! { HardEdge {
+    "uv" => Uv: "where texture coordinates are cut",
+    "material" => Material: "between materials",
+    "authored" => Authored: "where the stored normals of the two sides differ by more than 0.1°",
+} }
+
+choices! { Slivers {
+    "exclude" => Exclude: "they add nothing, unless a smooth group has no other face",
+    "keep" => Keep: "they count like any other",
+} }
+
+choices! { Precision {
+    "faithful" => Faithful: "right to the last bit, at any magnitude, offset or thinness",
+    "fast" => Fast: "f32 arithmetic for well-shaped faces of edges 1e-6 to 1e6, else as faithful; on a mesh no faster (`crease trade` tells)",
+} }
+
+choices! { Degenerate {
+    "keep" => Keep: "they stay",
+    "drop" => Drop: "they are left out",
+} }
+
+choices! { Orient {
+    "keep" => Keep: "as they are",
+    "consistent" => Consistent: "neighbours agree; the lesser part of a component is turned",
+    "outward" => Outward: "closed components face outward, cavities inward, and rooms if stored normals tell them; open ones the way that sees more, if that is sure",
+} }
+
+choices! { TangentPolicy {
+    "drop" => Drop: "left out, and a note says so; readers then generate them",
+    "keep" => Keep: "kept as they are",
+    "regenerate" => Regenerate: "made again by MikkTSpace where texture coordinates allow",
+} }
+
+choices! { NormalFormat {
+    "same" => Same: "as in the input, else f32",
+    "f32" => F32: "32-bit floats",
+    "i16" => I16: "16-bit integers (KHR_mesh_quantization)",
+    "i8" => I8: "8-bit integers (KHR_mesh_quantization)",
+} }
+
+fn weld(text: &str) -> Result<Weld, String> {
+    match (text, text.parse()) {
+        ("exact", _) => Ok(Weld::Exact),
+        ("off", _) => Ok(Weld::Off),
+        (_, Ok(fraction)) if fraction > 0.0 && fraction < 1.0 => Ok(Weld::Relative(fraction)),
+        _ => Err("`exact`, `off` or a fraction above 0 and below 1 (such as 1e-6) was expected".into()),
+    }
+}
+
+fn weld_value<S: Serializer>(weld: &Weld, serializer: S) -> Result<S::Ok, S::Error> {
+    match weld {
+        Weld::Exact => serializer.serialize_str("exact"),
+        Weld::Off => serializer.serialize_str("off"),
+        Weld::Relative(fraction) => serializer.serialize_f64(*fraction),
+    }
+}
+
+/// Each kind once, in the order of the help.
+fn hard_edge_names<S: Serializer>(kinds: &[HardEdge], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(
+        HardEdge::CHOICES.iter().filter(|choice| kinds.contains(&choice.1)).map(|choice| choice.0),
+    )
+}

@@ -1,0 +1,12 @@
+//! `crease normals`: compute normals and write them.
+
+/// Options.
+pub mod args;
+/// The report as JSON.
+mod json;
+/// Options made into jobs.
+pub mod request;
+/// Reading, computing and writing.
+pub mod run;
+/// The report as text.
+mod text;

@@ -1,0 +1,161 @@
+//! Runs `crease normals`: all inputs one after the other. A bad one does not stop the others.
+
+use super::args::NormalsArgs;
+use super::json::{Part, Report};
+use super::request::{Job, Request};
+use super::text;
+use crate::cli::args::refused;
+use crate::cli::common::console::{Console, Verbosity, escaped};
+use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
+use crate::cli::common::input::Source;
+use crate::cli::common::notes;
+use crate::cli::common::numbers::count;
+use crate::cli::common::options::Color;
+use crate::cli::common::output::{Store, Target, folder_of};
+use crate::cli::common::progress::{FileProgress, Progress, Stage};
+use crate::cli::common::report::MeshOutput;
+use crease::io::{self, Format, Loaded, Written};
+use crease::pipeline;
+use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
+
+/// Runs the verb.
+pub fn main(args: &NormalsArgs, color: Color) -> Exit {
+    let console = Console::new(&args.run, color, args.output.output.as_deref());
+    let request = match Request::resolve(args) {
+        Ok(request) => request,
+        Err(failure) => return refused("normals", &failure, &console),
+    };
+    args.run.use_threads();
+    let progress = Progress::of_inputs(&console, request.jobs.iter().map(|job| &job.source));
+    let mut store = Store::new(args.output.sync, args.output.dry_run);
+    let mut failed = 0;
+    let mut result = Ok(Exit::Done);
+    for job in &request.jobs {
+        let mut report = Report::new(job, &request);
+        let start = Instant::now();
+        let file = progress.begin(&job.source);
+        let done = guarded(|| run(job, &request, &mut store, &file, &mut report));
+        drop(file);
+        report.seconds.total = start.elapsed().as_secs_f64();
+        report.head.record(&done);
+        if let Err(failure) = done {
+            failed += 1;
+            result = Err(failure);
+            report.output = None;
+        }
+        progress.suspended(|| print(&report, &request, &console));
+    }
+    drop(progress);
+    if request.jobs.len() > 1 {
+        console.text(|| summary(request.jobs.len(), failed));
+        if failed > 0 {
+            return Exit::PartOfBatch;
+        }
+    }
+    exit_code(result, &console)
+}
+
+/// The line that ends the report on a batch.
+fn summary(inputs: usize, failed: usize) -> String {
+    match failed {
+        0 => format!("{} done\n", count(inputs, "file")),
+        _ => format!("{} of {} done, {failed} failed\n", inputs - failed, count(inputs, "file")),
+    }
+}
+
+fn print(report: &Report, request: &Request, console: &Console) {
+    if let Some(error) = &report.head.error {
+        // The message itself names outputs.
+        console.error(&format!("{}: {}", escaped(&report.input.path), error.message));
+    }
+    let brief = request.jobs.len() > 1 && console.verbosity < Verbosity::Verbose;
+    console.print(report, || {
+        notes::print(&report.input.path, &report.notes, brief, console);
+        match brief {
+            _ if report.head.error.is_some() => String::new(),
+            true => text::line(report, console.report_style()),
+            false => text::block(report, request.args.output.dry_run, console),
+        }
+    });
+}
+
+/// Carries out one job: read, compute, write, store. The report gets what happened, as far as it went.
+fn run(
+    job: &Job,
+    request: &Request,
+    store: &mut Store,
+    progress: &FileProgress<'_>,
+    report: &mut Report,
+) -> Result<(), Failure> {
+    progress.stage(Stage::Read);
+    let start = Instant::now();
+    let loaded = progress.read(&job.source, job.format, &request.read, &mut report.input.bytes)?;
+    report.seconds.read = start.elapsed().as_secs_f64();
+    report.input.format = Some(loaded.format);
+    report.notes.extend_from_slice(&loaded.notes);
+
+    progress.stage(Stage::Compute);
+    let start = Instant::now();
+    let target = (!request.rows).then(|| job.to.unwrap_or(loaded.format));
+    let revision = compute(&loaded, request, target, progress);
+    report.seconds.compute = start.elapsed().as_secs_f64();
+    let parts = revision.parts.into_iter().zip(&revision.edits);
+    report.parts = parts.map(|(part, edit)| Part::new(part, request.rows.then_some(edit))).collect();
+    let Some(format) = target else { return Ok(()) };
+
+    progress.stage(Stage::Write);
+    let start = Instant::now();
+    let (stem, folder) = place(job).map(|path| (stem(path), folder_of(path))).unzip();
+    let options = io::WriteOptions { stem, folder, ..request.write.clone() };
+    let written = io::write(&loaded, revision.edits, format, &options).map_err(Failure::output)?;
+    let unchanged = loaded.document.is_unchanged(&written.bytes);
+    // A large input takes as long to give back as its output to write.
+    rayon::spawn(move || drop(loaded));
+    report.notes.extend_from_slice(&written.notes);
+    report.output = Some(MeshOutput::new(job.target.as_ref(), format, unchanged, &written));
+    report.notes.extend(put(job, store, written, unchanged)?);
+    report.seconds.write = start.elapsed().as_secs_f64();
+    Ok(())
+}
+
+fn compute(
+    loaded: &Loaded,
+    request: &Request,
+    target: Option<Format>,
+    progress: &FileProgress<'_>,
+) -> pipeline::Revision {
+    let all = loaded.parts.iter().map(|part| part.mesh.face_count()).sum();
+    let done = AtomicUsize::new(0);
+    pipeline::revise(loaded, &request.task, target, &|faces| {
+        let before = done.fetch_add(faces, Ordering::Relaxed);
+        progress.within(Stage::Compute, before + faces, all);
+    })
+}
+
+/// Where the output will be, for its companion files; `None` for a stream or a device.
+fn place(job: &Job) -> Option<&Path> {
+    match (&job.target, &job.source) {
+        (Some(Target::File(path)), _) if path.metadata().is_ok_and(|it| !it.is_file() && !it.is_dir()) => {
+            None
+        }
+        (Some(Target::File(path)), _) | (None, Source::File(path)) => Some(path),
+        _ => None,
+    }
+}
+
+fn stem(path: &Path) -> String {
+    path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default()
+}
+
+/// Stores the output and returns a note for each other file that it replaces.
+fn put(job: &Job, store: &mut Store, written: Written, unchanged: bool) -> Result<Vec<io::Note>, Failure> {
+    let Some(target) = &job.target else { return Ok(Vec::new()) };
+    // An unchanged input keeps its modification time too.
+    let is_itself = matches!((target, &job.source), (Target::File(a), Source::File(b)) if a == b);
+    if unchanged && is_itself {
+        return Ok(Vec::new());
+    }
+    Ok(store.store(written, target)?)
+}

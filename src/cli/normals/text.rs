@@ -1,0 +1,294 @@
+//! The report on one input file, as text.
+
+use super::json::{Counts, Part, Report, by_reason, replaced};
+use crate::cli::common::choice::Choose;
+use crate::cli::common::console::{Console, Style, Verbosity, escaped};
+use crate::cli::common::numbers::{count, count_of, counts_above_zero, face_kinds, row, seconds, size};
+use crate::cli::common::report::MeshOutput;
+use crease::io::Emit;
+use crease::mesh::Orientation;
+use crease::normals::{EdgeCounts, When};
+use crease::pipeline::{PartOutcome, Spot};
+use std::fmt::Write;
+
+/// How many places of faults, and of broken normals, are printed when details are asked for.
+const PLACES: usize = 10;
+
+/// One input of a batch in one line.
+pub fn line(report: &Report, style: Style) -> String {
+    let mut line = title(report, style);
+    let _ = write!(line, ": {}", count(sum(&report.parts, |part| part.faces), "face"));
+    if report.recipe.emit != Emit::Face {
+        let _ = write!(line, ", {}", splits(&report.parts));
+    }
+    if let Some(faults) = faults(&report.parts) {
+        let _ = write!(line, "; {faults}");
+    }
+    if report.output.as_ref().is_some_and(|output| output.unchanged) {
+        line.push_str("; unchanged");
+    }
+    line.push('\n');
+    line
+}
+
+/// One input in full.
+pub fn block(report: &Report, dry_run: bool, console: &Console) -> String {
+    let verbose = console.verbosity == Verbosity::Verbose;
+    let parts = &report.parts[..];
+    let mut out = title(report, console.report_style());
+    out.push('\n');
+    let bytes = report.input.bytes.map(|bytes| format!(", {}", size(bytes))).unwrap_or_default();
+    let format = report.input.format.map_or("?", |format| format.extension());
+    row(&mut out, "read", &format!("{format}{bytes}, {}", mesh(parts)));
+    if verbose && parts.len() > 1 {
+        for part in parts {
+            let mesh = mesh(std::slice::from_ref(part));
+            row(&mut out, "part", &format!("{}: {mesh}", escaped(&part.outcome.name)));
+        }
+    }
+    if sum(parts, |part| part.faces) > 0 {
+        // Edges do not matter to the normals of faces.
+        if report.recipe.emit != Emit::Face {
+            row(&mut out, "edges", &edges(parts, report.recipe.emit == Emit::Vertex));
+        }
+        row(&mut out, "normals", &normals(report));
+        row(&mut out, "faults", &faults(parts).unwrap_or_else(|| "none".into()));
+    }
+    for text in places(parts, if verbose { PLACES } else { 1 }) {
+        row(&mut out, "at", &text);
+    }
+    for (label, text) in remarks(report) {
+        row(&mut out, label, &text);
+    }
+    if let Some(output) = &report.output {
+        row(&mut out, "output", &written(output, dry_run));
+    }
+    let times = &report.seconds;
+    let stages = [("read", times.read), ("compute", times.compute), ("write", times.write)];
+    row(&mut out, "time", &seconds(times.total, &stages));
+    out
+}
+
+fn title(report: &Report, style: Style) -> String {
+    let mut title = style.paint(Style::BOLD, &escaped(&report.input.path));
+    if let Some(path) = report.output.as_ref().and_then(|output| output.path.as_ref()) {
+        let _ = write!(title, " -> {}", style.paint(Style::BOLD, &escaped(path)));
+    }
+    title
+}
+
+/// A count over all parts.
+fn sum(parts: &[Part], of: impl Fn(&PartOutcome) -> usize) -> usize {
+    parts.iter().map(|part| of(&part.outcome)).sum()
+}
+
+fn splits(parts: &[Part]) -> String {
+    count(sum(parts, |part| part.summary.splits), "split")
+}
+
+fn mesh(parts: &[Part]) -> String {
+    let kinds = face_kinds([0, 1, 2].map(|kind| sum(parts, |part| part.arities[kind])));
+    let number = if parts.len() == 1 { String::new() } else { format!("{}, ", count(parts.len(), "part")) };
+    let vertices = count_of(sum(parts, |part| part.vertices), "vertex", "vertices");
+    let faces = count(sum(parts, |part| part.faces), "face");
+    let kinds = if kinds.is_empty() { kinds } else { format!(" ({kinds})") };
+    format!("{number}{vertices}, {faces}{kinds}")
+}
+
+/// The kinds of edges. Ignored sharp edges count as smooth.
+fn edges(parts: &[Part], ignores_sharp: bool) -> String {
+    let of = |kind: fn(&EdgeCounts) -> usize| sum(parts, |part| kind(&part.summary.edges));
+    let (crease, marked) = (of(|edges| edges.crease), of(|edges| edges.marked));
+    let (ignored, sharp) = if ignores_sharp { (crease + marked, 0) } else { (0, 1) };
+    let smooth = of(|edges| edges.smooth) + ignored;
+    let hard = [
+        (crease * sharp, "over the angle"),
+        (marked * sharp, "marked"),
+        (of(|edges| edges.boundary), "boundary"),
+        (of(|edges| edges.non_manifold), "non-manifold"),
+        (of(|edges| edges.inconsistent), "wound inconsistently"),
+        (of(|edges| edges.ambiguous), "ambiguous"),
+    ];
+    let all: usize = smooth + hard.iter().map(|kind| kind.0).sum::<usize>();
+    let mut text = format!("{all}: {smooth} smooth");
+    for kind in counts_above_zero(&hard) {
+        let _ = write!(text, ", {kind}");
+    }
+    let welded = of(|edges| edges.welded);
+    if welded > 0 {
+        let _ = write!(text, "; {welded} joined by position");
+    }
+    text
+}
+
+/// The crease angle that was applied.
+fn crease_degrees(parts: &[Part]) -> Option<f64> {
+    parts.iter().find_map(|part| part.outcome.summary.crease_degrees)
+}
+
+fn normals(report: &Report) -> String {
+    let (recipe, parts) = (report.recipe, &report.parts[..]);
+    let rule = recipe.crease_rule.choice();
+    let sharp = match (recipe.emit, crease_degrees(parts)) {
+        (Emit::Face, _) => return format!("{}, one a face", sum(parts, |part| part.faces)),
+        (Emit::Vertex, _) => "no sharp edges".to_owned(),
+        (Emit::Corner, Some(180.0)) => format!("{rule} rule, crease off"),
+        (Emit::Corner, Some(angle)) => format!("{rule} rule at {angle}°"),
+        (Emit::Corner, None) => format!("{rule} rule by smoothing groups"),
+    };
+    let referenced = sum(parts, |part| part.summary.referenced_vertices);
+    format!(
+        "{} weights, {sharp}: {} for {}, {}",
+        recipe.weight.choice(),
+        sum(parts, |part| part.entries),
+        count_of(referenced, "vertex", "vertices"),
+        splits(parts)
+    )
+}
+
+/// Counts by reason over all parts, in words.
+fn listed(parts: &[Part], of: impl Fn(&PartOutcome) -> Counts) -> Option<String> {
+    let mut sums = Counts::new();
+    for (name, count) in parts.iter().flat_map(|part| of(&part.outcome)) {
+        *sums.entry(name).or_default() += count;
+    }
+    let texts: Vec<String> = sums.iter().map(|(name, count)| format!("{count} {}", words(name))).collect();
+    (!texts.is_empty()).then(|| texts.join(", "))
+}
+
+fn faults(parts: &[Part]) -> Option<String> {
+    let kinds = [
+        ("faces", listed(parts, |part| by_reason(&part.faults.faces))),
+        ("corners", listed(parts, |part| by_reason(&part.faults.corners))),
+        ("vertices", listed(parts, |part| by_reason(&part.faults.vertices))),
+    ];
+    let kinds = kinds.into_iter().filter_map(|(what, listed)| Some(format!("{what}: {}", listed?)));
+    Some(kinds.collect::<Vec<_>>().join("; ")).filter(|text| !text.is_empty())
+}
+
+/// A reason in words that follow a count.
+fn words(reason: &str) -> &str {
+    match reason {
+        "ZeroArea" => "without area",
+        "BelowStorage" => "lower than the rounding of the file",
+        "CancellingFan" => "where the faces cancel each other",
+        "NonFinite" | "NotFinite" => "not finite",
+        "OutOfRange" => "beyond the range of numbers",
+        "Unreferenced" => "that no face uses",
+        "Missing" => "missing",
+        "Zero" => "of length zero",
+        "Length" => "not of unit length",
+        "AgainstFace" => "against the own face",
+        other => other,
+    }
+}
+
+/// The first places of faults and of broken normals, with numbers as in the file, from 0.
+fn places(parts: &[Part], most: usize) -> Vec<String> {
+    let at = |number: usize, spot: Spot, what: &str, reason: &str| {
+        let part = if parts.len() > 1 { format!("part {number}, ") } else { String::new() };
+        let element = match spot {
+            Spot::Face(face) => format!("face {face}"),
+            Spot::Corner { face, corner, vertex } => {
+                format!("face {face}, corner {corner} (vertex {vertex})")
+            }
+            Spot::Vertex(vertex) => format!("vertex {vertex}"),
+        };
+        format!("{part}{element}: {what}{}", words(reason))
+    };
+    let outcomes = || parts.iter().map(|part| &part.outcome).enumerate();
+    let faults = outcomes().flat_map(|(number, part)| part.fault_places.iter().map(move |it| (number, it)));
+    let broken = outcomes().flat_map(|(number, part)| part.broken_places.iter().map(move |it| (number, it)));
+    let faults = faults.take(most).map(|(number, (spot, reason))| at(number, *spot, "", reason.name()));
+    let broken =
+        broken.take(most).map(|(number, (spot, reason))| at(number, *spot, "stored normal ", reason.name()));
+    faults.chain(broken).collect()
+}
+
+/// Rows that only some files need.
+fn remarks(report: &Report) -> Vec<(&'static str, String)> {
+    let parts = &report.parts[..];
+    let of = |field: fn(&PartOutcome) -> usize| sum(parts, field);
+    let mut rows = Vec::new();
+    if report.recipe.when != When::Always && of(|part| part.faces) > 0 {
+        let replaced = listed(parts, |part| replaced(&part.replaced)).unwrap_or_else(|| "none".into());
+        rows.push(("replaced", format!("{replaced}; {} kept", count(of(|part| part.kept), "corner"))));
+    }
+    let near = of(|part| part.summary.near_crease);
+    if let Some(angle) = crease_degrees(parts)
+        && near > 0
+    {
+        let text = format!("{} within 0.1° of {angle}°, or as near as the digits tell", count(near, "edge"));
+        rows.push(("near", text));
+    }
+    let faces = counts_above_zero(&[
+        (of(|part| part.reversed_faces), "turned round"),
+        (of(|part| part.dropped_faces), "without area dropped"),
+        (of(|part| part.non_finite_faces), "without finite positions dropped"),
+        (of(|part| part.summary.faces_before_groups), "before the first smoothing group count as off"),
+    ]);
+    rows.extend(faces.into_iter().map(|text| ("faces", text)));
+    rows.extend(orientation(parts).map(|text| ("orient", text)));
+    let exceptions = [
+        ("quadric", of(|part| part.summary.quadric_fallbacks), "fit", "fell back to the angle mean"),
+        (
+            "cone",
+            of(|part| part.summary.cone_declined),
+            "fan",
+            "too large for the cone rule, cut by the fan rule",
+        ),
+        (
+            "weld",
+            of(|part| part.summary.wide_clusters),
+            "cluster",
+            "of positions wider than twice the distance",
+        ),
+    ];
+    for (label, number, what, text) in exceptions.iter().filter(|row| row.1 > 0) {
+        rows.push((label, format!("{} {text}", count(*number, what))));
+    }
+    let declined = of(|part| part.summary.fast_declined.into());
+    if declined > 0 {
+        rows.push(("fast", format!("out of its range in {}: faithful instead", count(declined, "part"))));
+    }
+    rows
+}
+
+/// What `--orient` found, if it was asked for.
+fn orientation(parts: &[Part]) -> Option<String> {
+    let found = || parts.iter().filter_map(|part| part.outcome.orientation.as_ref());
+    found().next()?;
+    let of = |count: fn(&Orientation) -> usize| found().map(count).sum();
+    let kinds = counts_above_zero(&[
+        (of(|it| it.closed), "closed"),
+        (of(|it| it.open_told), "open, outer side told"),
+        (of(|it| it.open_left), "open, left"),
+        (of(|it| it.non_orientable), "not orientable, left"),
+        (of(|it| it.flat), "flat, left"),
+        (of(|it| it.undecided), "undecided, left"),
+        (of(|it| it.cavities), "cavities"),
+        (of(|it| it.rooms), "as rooms, left"),
+        (of(|it| it.open_inside_out), "open, turned"),
+    ]);
+    let confidence = found().filter(|it| it.open_told > 0).map(|it| it.confidence).min_by(f64::total_cmp);
+    let confidence = confidence.map_or(String::new(), |it| format!(" (confidence {it:.2} or more)"));
+    let kinds = if kinds.is_empty() { "no component".into() } else { kinds.join(", ") };
+    Some(kinds + &confidence)
+}
+
+fn written(output: &MeshOutput, dry_run: bool) -> String {
+    let vertices = count_of(output.vertices as usize, "vertex", "vertices");
+    let mut text =
+        format!("{}, {}, {vertices} ({} added)", output.format, size(output.bytes), output.added_vertices);
+    if !output.companions.is_empty() {
+        let names: Vec<String> = output.companions.iter().map(|name| escaped(name)).collect();
+        let _ = write!(text, ", with {}", names.join(", "));
+    }
+    if output.unchanged {
+        text.push_str(", the same bytes as the input");
+    }
+    if dry_run {
+        text.push_str(", not stored (dry run)");
+    }
+    text
+}

@@ -1,0 +1,38 @@
+//! From the command line to an exit code.
+
+use super::args::{Cli, Verb};
+use super::common::failure::Exit;
+use super::common::output::forgive_broken_pipe;
+use super::{artefact, docs, inspect, normals, render, stress, surface, trade};
+use clap::Parser;
+use std::io::Write as _;
+use std::process::ExitCode;
+
+/// Runs the program on the arguments that it was started with.
+pub fn main() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => return reported(&error),
+    };
+    let exit = match cli.verb {
+        Verb::Artefact(ref args) => artefact::run::main(args, cli.color),
+        Verb::Normals(ref args) => normals::run::main(args, cli.color),
+        Verb::Inspect(ref args) => inspect::run::main(args, cli.color),
+        Verb::Render(ref args) => render::run::main(args, cli.color),
+        Verb::Stress(ref args) => stress::run::main(args, cli.color),
+        Verb::Surface(ref args) => surface::run::main(args, cli.color),
+        Verb::Trade(ref args) => trade::run::main(args, cli.color),
+        Verb::Completions { shell } => docs::completions(shell),
+        Verb::Man { ref verb } => docs::manual(verb.as_deref()),
+    };
+    ExitCode::from(exit as u8)
+}
+
+/// Prints wrong usage, or the help or version that was asked for; the latter can fail as any output can.
+fn reported(error: &clap::Error) -> ExitCode {
+    let printed = forgive_broken_pipe(error.print().and_then(|()| std::io::stdout().flush()));
+    match printed {
+        Err(_) if !error.use_stderr() => ExitCode::from(Exit::OutputFailed as u8),
+        _ => ExitCode::from(error.exit_code() as u8),
+    }
+}

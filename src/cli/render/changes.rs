@@ -1,0 +1,180 @@
+//! A scene changed by options.
+
+use super::args::RenderArgs;
+use super::request::{FileKind, Request, Subject};
+use super::turn;
+use super::values::ReflectionChoice;
+use super::wire_contrast::contrast;
+use crate::cli::common::failure::Failure;
+use crease::num::{LinearRgb, Transfer};
+use crease::raster::{Bits, RenderError, Samples, SceneFile, Show, default_lights, rotation};
+use crease::shade::{Guards, Light, Place, Reflection, ShadeError};
+
+/// Changes a scene as asked.
+///
+/// # Errors
+/// What the scene lacks, and what makes no sense with it.
+pub fn change(request: &Request, file: &mut SceneFile) -> Result<(), Failure> {
+    let transfer = file.settings.transfer;
+    change_settings(request, file);
+    request.check_amount(file.settings.size).map_err(Failure::usage)?;
+    request.check_probe(&file.settings).map_err(Failure::usage)?;
+    change_materials(request.args, file).map_err(Failure::input)?;
+    let scene = &request.args.scene;
+    file.background = scene.background.unwrap_or(file.background);
+    let is_typed = request.args.colour.transfer.is_some();
+    if !is_typed && (transfer, file.settings.transfer) == (Transfer::Srgb, Transfer::Direct) {
+        // The same codes as behind the lit picture.
+        file.background = file.background.to_array().map(|light| Transfer::Srgb.encode(light)).into();
+    }
+    let reported = |wire| contrast(wire, file.background, file.settings.transfer);
+    if !request.has_settings() && reported(LinearRgb::BLACK) > reported(LinearRgb::WHITE) {
+        file.settings.wire.colour = LinearRgb::BLACK;
+    }
+    if let Some(degrees) = scene.rotate {
+        let pivot = turn::pivot(file);
+        turn::turn(file, rotation(degrees), pivot);
+    }
+    // From here on the camera is fixed, even if objects rotate.
+    let framed = if file.camera.is_none() { file.scene().bounds() } else { None };
+    let camera = match request.subject {
+        Subject::Turntable(_) => turn::camera(file),
+        _ => file.scene().camera,
+    };
+    let camera = scene.camera.map_or(camera, |change| change.apply(&camera, framed));
+    if scene.camera.is_some() {
+        camera.check().map_err(|error| Failure::usage(format!("--camera: {error}")))?;
+    }
+    file.camera = Some(camera);
+    if !scene.light.is_empty() || scene.ambient.is_some() {
+        let before = file.lights.take().unwrap_or_else(|| default_lights(&camera).to_vec());
+        file.lights = Some(lights(&before, &scene.light, scene.ambient));
+    }
+    Ok(())
+}
+
+fn change_settings(request: &Request, file: &mut SceneFile) {
+    let (output, shading, colour) = (&request.args.output, &request.args.shading, &request.args.colour);
+    let set = &mut file.settings;
+    if !request.has_settings() {
+        set.samples = Samples::Four;
+    }
+    set.size = output.size.unwrap_or(set.size);
+    set.samples = output.samples.unwrap_or(set.samples);
+    set.bits = output.bits.unwrap_or(set.bits);
+    if request.file == FileKind::Gif {
+        set.bits = Bits::Eight;
+    }
+    set.shading = shading.shading.unwrap_or(set.shading);
+    set.interpolation = shading.interpolation.unwrap_or(set.interpolation);
+    set.flat_sample = shading.flat_sample.unwrap_or(set.flat_sample);
+    set.wire.hide = request.hides_lines(set.wire.hide);
+    set.cull = shading.cull.unwrap_or(set.cull);
+    set.two_sided |= shading.two_sided;
+    if let Some(show) = shading.show {
+        set.show = show;
+        // Codes are then proportional to what is shown, as in any normal map.
+        if matches!(show, Show::Normals | Show::Depth) {
+            set.transfer = Transfer::Direct;
+        }
+    }
+    set.terminator = colour.terminator.unwrap_or(set.terminator);
+    set.tone = colour.tone.unwrap_or(set.tone);
+    set.transfer = colour.transfer.unwrap_or(set.transfer);
+    if colour.literal {
+        set.guards = Guards::literal();
+    }
+    for switch in &colour.guard {
+        let known = set.guards.set(&switch.name, switch.on);
+        debug_assert!(known, "the parser knows the names");
+    }
+}
+
+fn change_materials(args: &RenderArgs, file: &mut SceneFile) -> Result<(), String> {
+    let shading = &args.shading;
+    let wants_given = shading.reflection == Some(ReflectionChoice::Given);
+    let lacks = |object| file.mesh_of(object).is_none_or(|mesh| mesh.colours.is_none());
+    if let Some(object) = (0..file.objects.len()).find(|&object| wants_given && lacks(object)) {
+        let lack = "its vertices have no colours, which --reflection given shows; give it another, or the file colours";
+        return Err(format!("object {}: {lack}", object + 1));
+    }
+    for object in &mut file.objects {
+        object.material = args.scene.material.unwrap_or(object.material);
+        object.material.exponent = shading.exponent.unwrap_or(object.material.exponent);
+        match shading.reflection {
+            Some(ReflectionChoice::Phong) => object.material.reflection = Reflection::Phong,
+            Some(ReflectionChoice::Blinn) => object.material.reflection = Reflection::Blinn,
+            Some(ReflectionChoice::Given) | None => {}
+        }
+        if shading.reflection.is_some() {
+            object.given = wants_given;
+        }
+    }
+    Ok(())
+}
+
+/// The lights of a scene with some replaced.
+fn lights(before: &[Light], new: &[Light], ambient: Option<LinearRgb>) -> Vec<Light> {
+    let is_ambient = |light: &&Light| matches!(light, Light::Ambient { .. });
+    let old_ambient = before.iter().filter(|light| is_ambient(light) && ambient.is_none());
+    let old = before.iter().filter(|light| !is_ambient(light) && new.is_empty());
+    let ambient = ambient.map(|colour| Light::Ambient { colour });
+    ambient.into_iter().chain(old_ambient.copied()).chain(old.copied()).chain(new.iter().copied()).collect()
+}
+
+/// The option that caused an error of drawing, with what is wrong with it.
+pub fn blame(args: &RenderArgs, error: &RenderError, lights: usize) -> Option<String> {
+    let (scene, shading) = (&args.scene, &args.shading);
+    let typed = |is_typed: bool, option: &str, what: &dyn std::fmt::Display| {
+        is_typed.then(|| format!("{option}: {what}"))
+    };
+    let is_typed = |light: usize| !scene.light.is_empty() && light + scene.light.len() >= lights;
+    match error {
+        RenderError::Camera(error) => typed(scene.camera.is_some(), "--camera", error),
+        RenderError::Number { what: "the background", found, expected } => {
+            let wrong = format!("the colour is {found}; it must be {expected}");
+            typed(scene.background.is_some(), "--background", &wrong)
+        }
+        RenderError::Shade { error: ShadeError { place, field, found, expected }, .. } => {
+            let wrong = format!("{field} is {found}; it must be {expected}");
+            match place {
+                // Lights that are typed stand last, ambient light first.
+                Place::Light(0) if scene.ambient.is_some() => typed(true, "--ambient", &wrong),
+                Place::Light(number) => typed(is_typed(*number), "--light", &wrong),
+                Place::Material if *field == "exponent" && shading.exponent.is_some() => {
+                    typed(true, "--exponent", &wrong)
+                }
+                Place::Material => typed(scene.material.is_some(), "--material", &wrong),
+                Place::Settings => typed(scene.camera.is_some(), "--camera", &wrong),
+            }
+        }
+        // Each for itself is in range, but not what comes of them together.
+        RenderError::NotFinite { error, .. } => {
+            let light = match error.light {
+                Some(number) => (is_typed(number), "--light"),
+                None => (scene.ambient.is_some(), "--ambient"),
+            };
+            let options = [(scene.material.is_some(), "--material"), light];
+            let typed: Vec<&str> =
+                options.iter().filter(|(is_typed, _)| *is_typed).map(|&(_, option)| option).collect();
+            (!typed.is_empty()).then(|| format!("{}: {error}", typed.join(" and ")))
+        }
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    #[test]
+    fn lights_and_ambient_light_are_replaced_separately() {
+        let ambient = |grey| Light::Ambient { colour: LinearRgb::grey(grey) };
+        let sun = |x| Light::Directional { towards: DVec3::new(x, 0.0, 0.0), colour: LinearRgb::WHITE };
+        let before = [ambient(0.1), sun(1.0), sun(2.0)];
+        assert_eq!(lights(&before, &[sun(3.0)], None), [ambient(0.1), sun(3.0)]);
+        assert_eq!(lights(&before, &[], Some(LinearRgb::grey(0.5))), [ambient(0.5), sun(1.0), sun(2.0)]);
+        assert_eq!(lights(&before, &[sun(3.0)], Some(LinearRgb::BLACK)), [ambient(0.0), sun(3.0)]);
+    }
+}

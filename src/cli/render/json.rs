@@ -1,0 +1,129 @@
+//! The report of `crease render` as JSON. Members are described in `docs/json.md`.
+
+use super::draw::Drawing;
+use super::request::{FileKind, Request};
+use crate::cli::common::choice::Choose;
+use crate::cli::common::output::Target;
+use crate::cli::common::report::{Head, InputReport};
+use crease::io::Note;
+use crease::num::Degrees;
+use crease::raster::{Camera, Projection, RenderSettings, SceneFile};
+use crease::report::PixelReport;
+use crease::shade::Guards;
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
+use std::collections::BTreeMap;
+
+#[derive(Default, Serialize)]
+pub struct Report {
+    #[serde(flatten)]
+    pub head: Head,
+    pub input: InputReport,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub output: Option<PictureReport>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scene: Option<SceneReport>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub settings: Option<Settings>,
+    pub drawings: Vec<Drawing>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub probe: Option<PixelReport>,
+    pub notes: Vec<Note>,
+    pub seconds: Seconds,
+}
+
+#[derive(Debug, Serialize)]
+pub struct PictureReport {
+    pub path: String,
+    pub format: FileKind,
+    pub bytes: u64,
+    pub width: u32,
+    pub height: u32,
+}
+
+#[derive(Debug, Serialize)]
+pub struct SceneReport {
+    pub objects: usize,
+    pub meshes: usize,
+    pub vertices: usize,
+    pub faces: usize,
+    pub lights: Vec<&'static str>,
+    #[serde(serialize_with = "camera")]
+    pub camera: Camera,
+}
+
+/// The settings that are reported.
+pub struct Settings(pub RenderSettings);
+
+#[derive(Debug, Default, Serialize)]
+pub struct Seconds {
+    pub load: f64,
+    pub draw: f64,
+    pub write: f64,
+    pub total: f64,
+}
+
+impl Report {
+    /// A report on an input that nothing has been done with yet.
+    pub fn new(request: &Request) -> Self {
+        Self {
+            head: Head::new("crease-render/1"),
+            input: InputReport::new(&request.source, None),
+            ..Self::default()
+        }
+    }
+}
+
+impl PictureReport {
+    pub fn new(target: &Target, format: FileKind, [width, height]: [u32; 2], bytes: u64) -> Self {
+        Self { path: target.name(), format, bytes, width, height }
+    }
+}
+
+impl SceneReport {
+    pub fn new(file: &SceneFile) -> Self {
+        let scene = file.scene();
+        Self {
+            objects: file.objects.len(),
+            meshes: file.meshes.len(),
+            vertices: file.meshes.iter().map(|mesh| mesh.mesh.vertex_count()).sum(),
+            faces: file.meshes.iter().map(|mesh| mesh.mesh.face_count()).sum(),
+            lights: scene.lights.iter().map(|light| light.kind()).collect(),
+            camera: scene.camera,
+        }
+    }
+}
+
+fn camera<S: Serializer>(camera: &Camera, serializer: S) -> Result<S::Ok, S::Error> {
+    let mut map = serializer.serialize_map(None)?;
+    map.serialize_entry("eye", &camera.eye.to_array())?;
+    map.serialize_entry("target", &camera.target.to_array())?;
+    map.serialize_entry("up", &camera.up.to_array())?;
+    map.serialize_entry("near", &camera.near)?;
+    match camera.projection {
+        Projection::Perspective(angle) => map.serialize_entry("angle", &Degrees::shortest(angle))?,
+        Projection::Orthographic(height) => map.serialize_entry("height", &height)?,
+    }
+    map.end()
+}
+
+impl Serialize for Settings {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Self(settings) = self;
+        let Guards { highlight, diffuse, spot, renormalise, underflow } = settings.guards;
+        let guards = [highlight, diffuse, spot, renormalise, underflow];
+        let guards: BTreeMap<&str, bool> = Guards::NAMES.into_iter().zip(guards).collect();
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("width", &settings.size[0])?;
+        map.serialize_entry("height", &settings.size[1])?;
+        map.serialize_entry("shading", settings.shading.choice())?;
+        map.serialize_entry("interpolation", settings.interpolation.choice())?;
+        map.serialize_entry("samples", &settings.samples.count())?;
+        map.serialize_entry("bits", &settings.bits.count())?;
+        map.serialize_entry("tone", settings.tone.choice())?;
+        map.serialize_entry("transfer", settings.transfer.choice())?;
+        map.serialize_entry("guards", &guards)?;
+        map.serialize_entry("terminator", settings.terminator.choice())?;
+        map.end()
+    }
+}

@@ -1,0 +1,152 @@
+//! Runs `crease render`: load a scene, change it, draw it, store the picture.
+
+use super::args::RenderArgs;
+use super::changes::change;
+use super::draw::{Drawing, draw, turn_of};
+use super::json::{PictureReport, Report, SceneReport, Settings};
+use super::request::{Request, Subject};
+use super::{text, warnings};
+use crate::cli::args::usage_error;
+use crate::cli::common::console::{Console, escaped};
+use crate::cli::common::failure::{Exit, Failure, FailureKind, exit_code, guarded};
+use crate::cli::common::input::Source;
+use crate::cli::common::notes;
+use crate::cli::common::options::Color;
+use crate::cli::common::progress::Progress;
+use crease::io::{Note, Place, ReadError};
+use crease::raster::{Image, Object, SceneFile, Shading, Shape, Unseen, load};
+use crease::report::{PixelReport, probe_pixel};
+use std::time::Instant;
+
+/// Runs the verb.
+pub fn main(args: &RenderArgs, color: Color) -> Exit {
+    let console = Console::new(&args.run, color, args.output.output.as_deref());
+    let request = Request::resolve(args).unwrap_or_else(|message| usage_error("render", message));
+    args.run.use_threads();
+    let mut report = Report::new(&request);
+    let start = Instant::now();
+    let result = guarded(|| run(&request, &console, &mut report));
+    report.seconds.total = start.elapsed().as_secs_f64();
+    report.head.record(&result);
+    if result.is_err() {
+        report.output = None;
+    }
+    print(&report, &console);
+    exit_code(result, &console)
+}
+
+fn run(request: &Request, console: &Console, report: &mut Report) -> Result<Exit, Failure> {
+    let start = Instant::now();
+    let mut file = read(request)?;
+    if !request.has_places() {
+        let moved = file.recentre();
+        file.notes.extend(moved);
+    }
+    report.notes.append(&mut file.notes);
+    change(request, &mut file)?;
+    report.notes.extend(warnings::notes(request, &file));
+    report.scene = Some(SceneReport::new(&file));
+    report.settings = Some(Settings(file.settings));
+    report.seconds.load = start.elapsed().as_secs_f64();
+
+    let start = Instant::now();
+    let frames = match request.subject {
+        // Without a file each is drawn once.
+        Subject::Turntable(frames) if request.target.is_none() => frames.into(),
+        Subject::Turntable(frames) => turn_of(frames).drawings(file.settings.size),
+        _ => 1,
+    };
+    let progress = Progress::of_count(console, "drawing", "frames", frames as u64);
+    let drawn = draw(&mut file, request, &progress)?;
+    drop(progress);
+    report.drawings = drawn.drawings;
+    if let (Some(pixel), Some(image)) = (request.args.output.probe, &drawn.image) {
+        report.probe = Some(probe(&file, image, pixel).map_err(Failure::input)?);
+    }
+    report.notes.extend(unseen(&file, &report.drawings, request));
+    report.seconds.draw = start.elapsed().as_secs_f64();
+
+    let start = Instant::now();
+    if let Some(target) = &request.target {
+        report.output = Some(PictureReport::new(target, request.file, drawn.size, drawn.length));
+        if let Some(bytes) = drawn.bytes {
+            target.store(bytes)?;
+            report.seconds.write = start.elapsed().as_secs_f64();
+        }
+    }
+    Ok(Exit::Done)
+}
+
+fn read(request: &Request) -> Result<SceneFile, ReadError> {
+    match &request.source {
+        Source::File(path) => load(path, request.format, &request.load),
+        Source::Stdin => {
+            let loaded = request.source.read(request.format, &request.load.read, |_| ())?;
+            SceneFile::from_loaded(loaded, &request.load)
+        }
+    }
+}
+
+/// A warning about what is not visible, and why. An empty picture may be intended, so it is no error.
+fn unseen(file: &SceneFile, drawings: &[Drawing], request: &Request) -> Option<Note> {
+    let scene = file.scene();
+    let is_solid = |object: &Object| matches!(object.shape, Shape::Surface(_));
+    let is_empty = drawings.iter().all(|drawing| drawing.statistics.covered_pixels == 0);
+    let wants_edges = file.settings.shading == Shading::Wireframe || !request.args.shading.overlay.is_empty();
+    let text = match scene.unseen(&file.settings) {
+        Some(cause) if is_empty || cause == Unseen::NoEdges => {
+            format!("nothing is seen: {cause}{}", advice(cause))
+        }
+        _ if wants_edges && scene.objects.iter().any(is_solid) => {
+            format!("lines of some objects are missing: {}", Unseen::NoEdges)
+        }
+        _ => return None,
+    };
+    Some(Note::warning(Place::File, text))
+}
+
+/// What brings something into the picture, if the cause does not say so itself.
+fn advice(cause: Unseen) -> &'static str {
+    match cause {
+        Unseen::NoEdges => "",
+        Unseen::Behind | Unseen::Beside | Unseen::Small => "; --camera looks elsewhere",
+        Unseen::Culled => "; --cull none leaves out nothing",
+        Unseen::NoArea => "; `crease inspect` tells what is wrong with them",
+    }
+}
+
+fn probe(file: &SceneFile, image: &Image, pixel: [u32; 2]) -> Result<PixelReport, String> {
+    let [width, height] = image.size;
+    let [x, y] = pixel;
+    let Some(shown) = image.pixel(x, y) else {
+        return Err(format!("pixel ({x}, {y}) is outside the picture of {width}x{height} pixels"));
+    };
+    let mut report =
+        probe_pixel(&file.scene(), &file.settings, pixel, shown).map_err(|error| error.to_string())?;
+    // Faces have their numbers in the file.
+    for seen in report.samples.iter_mut().filter_map(|sample| sample.seen.as_mut()) {
+        if let (Some(face), Some(mesh)) = (seen.face, file.mesh_of(seen.object)) {
+            seen.face = Some(mesh.source_faces.as_ref().map_or(face, |faces| faces[face as usize]));
+        }
+    }
+    Ok(report)
+}
+
+fn print(report: &Report, console: &Console) {
+    if let Some(error) = &report.head.error {
+        match error.kind {
+            // Not a fault of the file.
+            FailureKind::Usage => console.error(&error.message),
+            _ => console.error(&format!("{}: {}", escaped(&report.input.path), error.message)),
+        }
+    }
+    console.print(report, || {
+        notes::print(&report.input.path, &report.notes, false, console);
+        let has_block = report.head.error.is_none() && report.probe.is_none();
+        if has_block { text::block(report, console.report_style()) } else { String::new() }
+    });
+    // A probe is printed even under --quiet.
+    if let Some(probe) = report.probe.as_ref().filter(|_| !console.json) {
+        console.report(&probe.to_string());
+    }
+}

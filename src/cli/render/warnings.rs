@@ -1,0 +1,125 @@
+//! Notes on options that have no effect, and on pictures that show less than they could.
+
+use super::args::RenderArgs;
+use super::request::{Request, is_solid};
+use super::values::ReflectionChoice;
+use super::wire_contrast::faint_wireframe;
+use crate::cli::common::choice::Choose;
+use crease::io::{Note, Place};
+use crease::raster::{FlatSample, RenderSettings, SceneFile, SceneObject, Shading, Show};
+use crease::report::Overlay;
+
+/// Notes on a scene that options have changed.
+pub fn notes(request: &Request, file: &SceneFile) -> Vec<Note> {
+    let args = request.args;
+    let panels = request.panels(&file.settings);
+    let mut texts = without_effect(args, file, &panels);
+    texts.extend(analytic(args, file, &panels));
+    let variants = &args.output.compare[..];
+    let twice = variants.iter().enumerate().find(|&(at, variant)| variants[..at].contains(variant));
+    texts.extend(twice.map(|(_, variant)| {
+        format!("--compare names {} more than once: its panels are the same", variant.choice())
+    }));
+    texts.extend(faint_wireframe(file, &panels));
+    let is_lit = |object: &SceneObject| unlit(file, &panels).is_none() && !object.given;
+    let has_colours = |object| file.mesh_of(object).is_some_and(|mesh| mesh.colours.is_some());
+    let numbers = 0..file.objects.len();
+    let is_lost = numbers.clone().any(|object| has_colours(object) && is_lit(&file.objects[object]));
+    if is_lost && !request.has_settings() {
+        let advice = match numbers.clone().all(has_colours) {
+            true => "--reflection given shows them",
+            false => "a scene in TOML can give each object `reflection = \"given\"`",
+        };
+        texts.push(format!("vertices have colours, which light on materials does not show; {advice}"));
+    }
+    let gains =
+        numbers.zip(&file.objects).filter(|(_, object)| is_lit(object)).filter_map(|(number, object)| {
+            let gain = object.material.gain()?;
+            Some(Note::warning(Place::File, format!("object {}: {gain}", number + 1)))
+        });
+    texts.into_iter().map(Note::remark).chain(gains).collect()
+}
+
+/// Why light changes nothing.
+fn unlit(file: &SceneFile, panels: &[RenderSettings]) -> Option<&'static str> {
+    match file.settings.show {
+        Show::Shaded if panels.iter().all(|it| it.shading == Shading::Wireframe) => {
+            Some("a wireframe is not lit")
+        }
+        Show::Shaded if file.objects.iter().all(|it| it.given) => {
+            Some("the colours of vertices are shown unlit")
+        }
+        Show::Shaded => None,
+        _ => Some("--show shows something in place of light"),
+    }
+}
+
+/// Options that change nothing in the picture.
+fn without_effect(args: &RenderArgs, file: &SceneFile, panels: &[RenderSettings]) -> Vec<String> {
+    let (shading, scene, colour, normals) = (&args.shading, &args.scene, &args.colour, &args.normals);
+    let has = |wanted: &[Shading]| panels.iter().any(|panel| wanted.contains(&panel.shading));
+    let is_shaded = file.settings.show == Show::Shaded;
+    let probes = args.output.probe.is_some();
+    let interpolates =
+        has(&[Shading::Gouraud, Shading::Phong]) || !is_shaded && has(&[Shading::Wireframe]) || probes;
+    let mut texts = Vec::new();
+    let mut warn = |options: &[(&str, bool)], why: &str| {
+        let typed: Vec<&str> = options.iter().filter(|option| option.1).map(|option| option.0).collect();
+        let verb = if typed.len() == 1 { "changes" } else { "change" };
+        if !typed.is_empty() {
+            texts.push(format!("{} {verb} nothing: {why}", typed.join(", ")));
+        }
+    };
+    if let Some(why) = unlit(file, panels) {
+        let makes_given = is_shaded && shading.reflection == Some(ReflectionChoice::Given);
+        let options = [
+            ("--light", !scene.light.is_empty()),
+            ("--ambient", scene.ambient.is_some()),
+            ("--material", scene.material.is_some()),
+            ("--reflection", shading.reflection.is_some() && !makes_given),
+            ("--exponent", shading.exponent.is_some()),
+            ("--guard", !colour.guard.is_empty()),
+            ("--literal", colour.literal),
+            ("--terminator", colour.terminator.is_some()),
+        ];
+        warn(&options, why);
+    } else if !has(&[Shading::Phong]) {
+        warn(&[("--terminator", colour.terminator.is_some())], "only Phong shading uses it");
+    }
+    let of_normals = [
+        ("--weight", normals.weight.is_some()),
+        ("--crease", normals.crease.is_some()),
+        ("--when", normals.when.is_some()),
+    ];
+    let draws_normals =
+        shading.overlay.iter().any(|it| matches!(it, Overlay::VertexNormals | Overlay::Creases));
+    let has_means = file.settings.flat_sample == FlatSample::VertexMean && has(&[Shading::Flat]);
+    if file.objects.iter().all(is_solid) {
+        warn(&of_normals, "there are no meshes, whose normals would change");
+    } else if !interpolates && !draws_normals && !has_means {
+        warn(&of_normals, "only Gouraud and Phong shading take the normals of corners");
+    }
+    if !interpolates {
+        let is_typed = shading.interpolation.is_some();
+        warn(&[("--interpolation", is_typed)], "only Gouraud and Phong shading interpolate");
+    }
+    texts
+}
+
+/// Analytic surfaces without a tessellation have neither faces nor corners that light could be computed at.
+fn analytic(args: &RenderArgs, file: &SceneFile, panels: &[RenderSettings]) -> Option<String> {
+    let number = file.objects.iter().position(is_solid)?;
+    let is_asked = args.shading.shading.is_some() || args.output.compare.len() > 1;
+    let is_other = |panel: &RenderSettings| match panel.shading {
+        Shading::Flat | Shading::Gouraud => true,
+        Shading::Phong => is_asked,
+        Shading::Wireframe | Shading::Exact => false,
+    };
+    let which = match file.objects.iter().all(is_solid) {
+        true => "the objects are analytic surfaces".into(),
+        false => format!("object {} is an analytic surface", number + 1),
+    };
+    panels.iter().any(is_other).then(|| {
+        format!("{which} without a tessellation: whatever the shading, drawn exactly, by casting rays")
+    })
+}

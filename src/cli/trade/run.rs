@@ -1,0 +1,88 @@
+//! Runs `crease trade`: accuracy against speed, measured.
+
+use super::args::TradeArgs;
+use super::json::Report;
+use super::text;
+use crate::cli::args::usage_error;
+use crate::cli::common::console::{Console, Verbosity, escaped};
+use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
+use crate::cli::common::input::Source;
+use crate::cli::common::options::Color;
+use crate::cli::common::output::{Target, make_folder};
+use crate::cli::common::progress::Progress;
+use crease::io::ReadOptions;
+use crease::mesh::Mesh;
+use crease::normals::{Crease, NormalRecipe};
+use crease::report::{own_page, trade_page};
+use crease::trade::{OwnMesh, Trade, advice};
+use std::time::Instant;
+
+/// The name of the page in the output folder.
+const PAGE: &str = "index.html";
+
+/// Runs the verb.
+pub fn main(args: &TradeArgs, color: Color) -> Exit {
+    // clap does not ask for an input where --quick or --full exclude one.
+    if args.input.is_none() && (args.crease.is_some() || args.format.is_some()) {
+        usage_error("trade", "--crease and --format are about an input, and none is given");
+    }
+    let console = Console::new(&args.run, color, None);
+    args.run.use_threads();
+    let start = Instant::now();
+    let input = args.input.as_deref().map(Source::of);
+    let mut report = Report::new(input.as_ref().map(Source::name));
+    let result = guarded(|| measure(args, input.as_ref(), &console, &mut report));
+    report.seconds = start.elapsed().as_secs_f64();
+    report.head.record(&result);
+    if let Err(failure) = &result {
+        let name = report.input.as_ref().map(|path| format!("{}: ", escaped(path))).unwrap_or_default();
+        console.error(&format!("{name}{}", failure.message));
+    }
+    let verbose = console.verbosity == Verbosity::Verbose;
+    console.print(&report, || match (&result, &report.surfaces) {
+        (Err(_), _) => String::new(),
+        (Ok(_), Some(trade)) if args.markdown => text::markdown(trade),
+        (Ok(_), _) => text::text(&report, console.report_style(), verbose),
+    });
+    exit_code(result, &console)
+}
+
+fn measure(
+    args: &TradeArgs,
+    input: Option<&Source>,
+    console: &Console,
+    report: &mut Report,
+) -> Result<Exit, Failure> {
+    if let Some(folder) = &args.output {
+        make_folder(folder)?;
+    }
+    let progress = Progress::of_steps(console);
+    let observe = |step| progress.step(step);
+    let page;
+    if let Some(input) = input {
+        let loaded = input.read(args.format, &ReadOptions::default(), |_| ())?;
+        let meshes: Vec<&Mesh> = loaded.parts.iter().map(|part| &part.mesh).collect();
+        if meshes.iter().all(|mesh| mesh.face_count() == 0) {
+            let advice = "there is nothing to measure: give a mesh with faces";
+            return Err(Failure::input(format!("the mesh has no faces; {advice}")));
+        }
+        let crease = args.crease.map_or(Crease::Default, Crease::Angle);
+        let recipe = NormalRecipe { crease, ..NormalRecipe::default() };
+        let own = OwnMesh::measure(&meshes, &recipe, &observe);
+        page = args.output.is_some().then(|| own_page(&own, &meshes, &recipe, &input.name())).transpose()?;
+        report.advice = Some(own.reasons.clone());
+        report.mesh = Some(own);
+    } else {
+        let trade = Trade::measure(args.effort(), &observe).map_err(Failure::input)?;
+        page = args.output.is_some().then(|| trade_page(&trade)).transpose()?;
+        report.advice = Some(advice(&trade));
+        report.surfaces = Some(trade);
+    }
+    drop(progress);
+    if let (Some(folder), Some(page)) = (&args.output, page) {
+        let target = Target::File(folder.join(PAGE));
+        report.output = Some(target.name());
+        target.store(page.into_bytes())?;
+    }
+    Ok(Exit::Done)
+}
