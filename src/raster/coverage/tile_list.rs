@@ -9,18 +9,18 @@ use std::ops::Range;
 /// The triangles of a tile and the objects that rays are cast at, numbered through: first the triangles, then the
 /// pieces of those that are clipped, then the objects. These numbers are the owners of pixels.
 #[derive(Default)]
-pub(in crate::raster) struct TileList {
+pub(crate) struct TileList {
     /// As the bins have them.
-    pub(in crate::raster) triangles: Vec<u32>,
+    pub(crate) triangles: Vec<u32>,
     /// Each with its triangle's place in the list.
-    pub(in crate::raster) pieces: Vec<(u32, Piece)>,
+    pub(crate) pieces: Vec<(u32, Piece)>,
     /// The objects' numbers in the scene.
-    pub(in crate::raster) casts: Vec<usize>,
+    pub(crate) casts: Vec<usize>,
     clipper: Clipper,
 }
 
 /// What a number in a [`TileList`] stands for.
-pub(in crate::raster) enum Owner {
+pub(crate) enum Owner {
     /// A triangle of one of [`Job::drawn`], or a piece of it, and its corners on the picture.
     Triangle { object: usize, triangle: u32, corners: [ScreenVertex; 3] },
     /// An analytic surface: the object's number in the scene.
@@ -29,17 +29,17 @@ pub(in crate::raster) enum Owner {
 
 /// Records of one object that follow one another.
 #[derive(Clone, Debug)]
-pub(in crate::raster) struct Run {
+pub(crate) struct Run {
     /// Its number in the scene.
-    pub(in crate::raster) object: usize,
+    pub(crate) object: usize,
     /// Its number among [`Job::drawn`]; `None` for analytic surfaces.
-    pub(in crate::raster) drawn: Option<usize>,
-    pub(in crate::raster) records: Range<usize>,
+    pub(crate) drawn: Option<usize>,
+    pub(crate) records: Range<usize>,
 }
 
 impl TileList {
     /// Takes the tile's triangles from the bins and clips those that need it.
-    pub(in crate::raster) fn fill(&mut self, job: &Job, bins: &Bins, tile: [usize; 2]) {
+    pub(crate) fn fill(&mut self, job: &Job, bins: &Bins, tile: [usize; 2]) {
         self.triangles.clear();
         self.pieces.clear();
         self.casts.clear();
@@ -56,24 +56,24 @@ impl TileList {
     }
 
     /// How many owners there may be.
-    pub(in crate::raster) fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.triangles.len() + self.pieces.len() + self.casts.len()
     }
 
     /// The number of the first object that rays are cast at.
-    pub(in crate::raster) fn first_cast(&self) -> usize {
+    pub(crate) fn first_cast(&self) -> usize {
         self.triangles.len() + self.pieces.len()
     }
 
     /// The piece that an owner is, if it is one.
     #[inline(always)]
-    pub(in crate::raster) fn piece(&self, owner: u32) -> Option<&Piece> {
+    pub(crate) fn piece(&self, owner: u32) -> Option<&Piece> {
         let piece = (owner as usize).checked_sub(self.triangles.len())?;
         self.pieces.get(piece).map(|(_, piece)| piece)
     }
 
     /// What an owner is.
-    pub(in crate::raster) fn look_up(&self, job: &Job, owner: u32) -> Owner {
+    pub(crate) fn look_up(&self, job: &Job, owner: u32) -> Owner {
         let number = owner as usize;
         if number >= self.first_cast() {
             return Owner::Cast(self.casts[number - self.first_cast()]);
@@ -87,7 +87,7 @@ impl TileList {
     }
 
     /// The record of one owner.
-    pub(in crate::raster) fn record(&self, job: &Job, owner: u32) -> Record {
+    pub(crate) fn record(&self, job: &Job, owner: u32) -> Record {
         match self.look_up(job, owner) {
             Owner::Triangle { object, triangle, corners } => {
                 let mut record = Record::new(job, &job.drawn[object], triangle, &corners);
@@ -101,13 +101,7 @@ impl TileList {
     }
 
     /// Records of owners in ascending order, and the runs of those that are of one object.
-    pub(in crate::raster) fn records(
-        &self,
-        job: &Job,
-        owners: &[u32],
-        records: &mut Vec<Record>,
-        runs: &mut Vec<Run>,
-    ) {
+    pub(crate) fn records(&self, job: &Job, owners: &[u32], records: &mut Vec<Record>, runs: &mut Vec<Run>) {
         records.clear();
         runs.clear();
         let (whole, rest) =

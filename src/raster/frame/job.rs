@@ -15,40 +15,37 @@ use glam::{DMat3, DVec3, Vec3};
 use rayon::prelude::*;
 
 /// Everything that drawing a tile looks at.
-pub(in crate::raster) struct Job<'a> {
-    pub(in crate::raster) settings: &'a RenderSettings,
-    pub(in crate::raster) view: View,
+pub(crate) struct Job<'a> {
+    pub(crate) settings: &'a RenderSettings,
+    pub(crate) view: View,
     /// Rays in units of the frame.
-    pub(in crate::raster) rays: Rays,
-    pub(in crate::raster) frame: Frame,
-    pub(in crate::raster) background: [f32; 3],
-    pub(in crate::raster) objects: Vec<Prepared<'a>>,
+    pub(crate) rays: Rays,
+    pub(crate) frame: Frame,
+    pub(crate) background: [f32; 3],
+    pub(crate) objects: Vec<Prepared<'a>>,
     /// The objects made of triangles, in order.
-    pub(in crate::raster) drawn: Vec<DrawnObject<'a>>,
+    pub(crate) drawn: Vec<DrawnObject<'a>>,
     /// Smallest and largest distance of a vertex along the axis, for [`Show::Depth`].
-    pub(in crate::raster) distances: [f64; 2],
+    pub(crate) distances: [f64; 2],
 }
 
 /// An object and what shading it needs.
-pub(in crate::raster) struct Prepared<'a> {
-    pub(in crate::raster) shape: &'a Shape<'a>,
+pub(crate) struct Prepared<'a> {
+    pub(crate) shape: &'a Shape<'a>,
     /// How normals reach the scene; `None` if they are there already.
     normals: Option<NormalMatrix>,
-    pub(in crate::raster) ink: Ink<'a>,
+    pub(crate) ink: Ink<'a>,
     /// What the object stands for.
-    pub(in crate::raster) truth: Option<Placed>,
+    pub(crate) truth: Option<Placed>,
     /// Whether it is drawn by casting rays at its truth.
-    pub(in crate::raster) is_cast: bool,
+    pub(crate) is_cast: bool,
 }
 
 /// The largest side of a picture.
 const LARGEST: u32 = crate::raster::view::fixed_point::GUARD as u32;
 
 impl<'a> Job<'a> {
-    pub(in crate::raster) fn new(
-        scene: &'a Scene<'a>,
-        settings: &'a RenderSettings,
-    ) -> Result<Self, RenderError> {
+    pub(crate) fn new(scene: &'a Scene<'a>, settings: &'a RenderSettings) -> Result<Self, RenderError> {
         let [width, height] = settings.size;
         if !settings.size.iter().all(|side| (1..=LARGEST).contains(side)) {
             return Err(RenderError::Size(width, height));
@@ -90,12 +87,12 @@ impl<'a> Job<'a> {
     }
 
     /// The number among [`drawn`](Self::drawn) of the object that a triangle is of.
-    pub(in crate::raster) fn owner(&self, triangle: u32) -> usize {
+    pub(crate) fn owner(&self, triangle: u32) -> usize {
         self.drawn.partition_point(|object| object.first <= triangle) - 1
     }
 
     /// The objects that rays are cast at.
-    pub(in crate::raster) fn cast_objects(&self) -> impl Iterator<Item = usize> {
+    pub(crate) fn cast_objects(&self) -> impl Iterator<Item = usize> {
         self.objects.iter().enumerate().filter(|(_, object)| object.is_cast).map(|(number, _)| number)
     }
 }
@@ -103,7 +100,7 @@ impl<'a> Job<'a> {
 /// Positions are given to shaders relative to the view's origin, in a power of two near the camera's distance from its
 /// target or, if it is far from it, near the size of what it shows: single precision then serves scenes of any size at any
 /// place.
-pub(in crate::raster) fn frame(scene: &Scene, view: &View) -> Frame {
+pub(crate) fn frame(scene: &Scene, view: &View) -> Frame {
     let distance = (scene.camera.target - scene.camera.eye).length();
     // The viewer stays within the 2³¹ units that shaders take in single precision.
     let size = if view.away == 0.0 { distance } else { view.shown().max(distance / f64::from(1 << 29)) };
@@ -119,13 +116,13 @@ impl RenderSettings {
     }
 
     /// Whether what lights a sample depends on the normal of its face as well.
-    pub(in crate::raster) fn asks_faces(&self) -> bool {
+    pub(crate) fn asks_faces(&self) -> bool {
         self.shading == Shading::Phong && self.terminator != Terminator::Smooth
     }
 }
 
 /// What shaders are made with, of objects that rays are cast at or of faces.
-pub(in crate::raster) fn shade_settings(
+pub(crate) fn shade_settings(
     settings: &RenderSettings,
     view: &View,
     frame: Frame,
@@ -184,7 +181,7 @@ impl<'a> Prepared<'a> {
 
     /// The normal at a corner, in the scene's axes; of the other side, if `turned`.
     #[inline(always)]
-    pub(in crate::raster) fn corner_normal(&self, corner: u32, vertex: u32, turned: bool) -> Vec3 {
+    pub(crate) fn corner_normal(&self, corner: u32, vertex: u32, turned: bool) -> Vec3 {
         match (self.shape, &self.normals) {
             // What is single already stays so: this is most of what gathering costs.
             (Shape::Triangles(triangles), None) => {
@@ -196,7 +193,7 @@ impl<'a> Prepared<'a> {
 
     /// The normal of a face, likewise.
     #[inline(always)]
-    pub(in crate::raster) fn face_normal(&self, face: u32, turned: bool) -> Vec3 {
+    pub(crate) fn face_normal(&self, face: u32, turned: bool) -> Vec3 {
         match (self.shape, &self.normals) {
             (Shape::Triangles(triangles), None) => {
                 side(Vec3::from(triangles.face_normals[face as usize]), turned)
@@ -207,7 +204,7 @@ impl<'a> Prepared<'a> {
 
     /// What tells a corner's normal from others of its object: equal numbers, equal normals at the same vertex.
     #[inline(always)]
-    pub(in crate::raster) fn entry(&self, corner: u32, vertex: u32) -> u32 {
+    pub(crate) fn entry(&self, corner: u32, vertex: u32) -> u32 {
         match self.shape {
             Shape::Mesh { normals, .. } => normals.normals.slot(corner as usize, vertex).unwrap_or(NONE),
             _ => vertex,
@@ -215,7 +212,7 @@ impl<'a> Prepared<'a> {
     }
 
     /// [`corner_normal`](Self::corner_normal) in doubles.
-    pub(in crate::raster) fn exact_corner_normal(&self, corner: u32, vertex: u32, turned: bool) -> DVec3 {
+    pub(crate) fn exact_corner_normal(&self, corner: u32, vertex: u32, turned: bool) -> DVec3 {
         let normal = match self.shape {
             Shape::Mesh { normals, .. } => {
                 normals.normals.get(corner as usize, vertex).copied().unwrap_or(DVec3::ZERO)
@@ -226,12 +223,12 @@ impl<'a> Prepared<'a> {
     }
 
     /// [`face_normal`](Self::face_normal) in doubles.
-    pub(in crate::raster) fn exact_face_normal(&self, face: u32, turned: bool) -> DVec3 {
+    pub(crate) fn exact_face_normal(&self, face: u32, turned: bool) -> DVec3 {
         side(self.in_scene(self.shape.face_normal(face)), turned)
     }
 
     /// Whether faces have normals of their own; triangles of slices need not.
-    pub(in crate::raster) fn has_face_normals(&self) -> bool {
+    pub(crate) fn has_face_normals(&self) -> bool {
         !matches!(self.shape, Shape::Triangles(triangles) if triangles.face_normals.is_empty())
     }
 

@@ -11,15 +11,15 @@ use crate::raster::picture::{Image, Pixels};
 use crate::shade::ToneRule;
 
 /// How colours are quantised.
-pub(in crate::raster) struct Output {
+pub(crate) struct Output {
     tone: ToneRule,
     transfer: Transfer,
     background: [f32; 3],
 }
 
 /// The rows of a picture that lie in a tile.
-pub(in crate::raster) struct Target<'a> {
-    pub(in crate::raster) tile: [usize; 2],
+pub(crate) struct Target<'a> {
+    pub(crate) tile: [usize; 2],
     colours: TargetColours<'a>,
     coverage: Vec<&'a mut [u8]>,
     linear: Vec<&'a mut [[f32; 3]]>,
@@ -31,7 +31,7 @@ enum TargetColours<'a> {
 }
 
 /// Cuts a picture into its tiles.
-pub(in crate::raster) fn targets(image: &mut Image) -> Vec<Target<'_>> {
+pub(crate) fn targets(image: &mut Image) -> Vec<Target<'_>> {
     let size = image.size;
     let columns = tiles(size)[0];
     let colours: Vec<TargetColours> = match &mut image.pixels {
@@ -61,14 +61,14 @@ fn rows_of_tiles<T>(list: &mut [T], size: [u32; 2]) -> Vec<Vec<&mut [T]>> {
 }
 
 impl Output {
-    pub(in crate::raster) fn new(job: &Job) -> Self {
+    pub(crate) fn new(job: &Job) -> Self {
         Self { tone: job.settings.tone, transfer: job.settings.transfer, background: job.background }
     }
 }
 
 impl Target<'_> {
     /// Writes a tile, or background, and returns how many of its pixels are covered.
-    pub(in crate::raster) fn write(&mut self, output: &Output, tile: Option<&Finished>) -> u64 {
+    pub(crate) fn write(&mut self, output: &Output, tile: Option<&Finished>) -> u64 {
         match tile {
             Some(tile) => num::dispatch(WriteTile { target: self, output, tile }),
             None => {

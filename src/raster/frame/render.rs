@@ -72,7 +72,7 @@ pub fn render(scene: &Scene, settings: &RenderSettings) -> Result<Image, RenderE
 }
 
 /// The triangles of all objects, by tile.
-pub(in crate::raster) fn bins(job: &Job) -> Bins {
+pub(crate) fn bins(job: &Job) -> Bins {
     let offsets = || job.settings.samples.offsets();
     let samples = [0, 1].map(|axis| {
         offsets()

@@ -17,7 +17,7 @@ use crate::raster::shading::shade_samples::{Painter, Tile};
 use crate::raster::view::fixed_point::ONE;
 
 /// Works on one tile after the other and keeps its memory in between.
-pub(in crate::raster) struct Worker {
+pub(crate) struct Worker {
     list: TileList,
     visible: Visible,
     hits: Option<Hits>,
@@ -48,24 +48,24 @@ fn shows_edges_alone(job: &Job) -> bool {
 }
 
 /// A row of each component.
-pub(in crate::raster) type Colours = [Box<[f32; PIXELS]>; 3];
+pub(crate) type Colours = [Box<[f32; PIXELS]>; 3];
 
 fn colours() -> Colours {
     [(); 3].map(|()| Box::new([0.0; PIXELS]))
 }
 
 /// A finished tile with something in it.
-pub(in crate::raster) struct Finished<'a> {
+pub(crate) struct Finished<'a> {
     /// Linear colours, the mean of the samples.
-    pub(in crate::raster) colours: &'a Colours,
+    pub(crate) colours: &'a Colours,
     /// How many samples of each pixel are covered.
-    pub(in crate::raster) covered: &'a [u8; PIXELS],
+    pub(crate) covered: &'a [u8; PIXELS],
     /// The pixels that show a wireframe's edge; `None` where faces are shown.
-    pub(in crate::raster) edged: Option<&'a [bool; PIXELS]>,
+    pub(crate) edged: Option<&'a [bool; PIXELS]>,
 }
 
 impl Worker {
-    pub(in crate::raster) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self {
             list: TileList::default(),
             visible: Visible::new(),
@@ -85,7 +85,7 @@ impl Worker {
     }
 
     /// Draws a tile; `None` if there is nothing but background.
-    pub(in crate::raster) fn draw(
+    pub(crate) fn draw(
         &mut self,
         job: &Job,
         bins: &Bins,
@@ -127,7 +127,7 @@ impl Worker {
     }
 
     /// What a sample of a pixel shows.
-    pub(in crate::raster) fn look(
+    pub(crate) fn look(
         &mut self,
         job: &Job,
         bins: &Bins,

@@ -9,12 +9,12 @@ use crate::raster::frame::job::Job;
 use crate::raster::view::project::ScreenVertex;
 
 /// Draws the triangles of a tile in order, a group at a time.
-pub(in crate::raster) struct DrawTriangles<'a> {
-    pub(in crate::raster) job: &'a Job<'a>,
-    pub(in crate::raster) list: &'a TileList,
+pub(crate) struct DrawTriangles<'a> {
+    pub(crate) job: &'a Job<'a>,
+    pub(crate) list: &'a TileList,
     /// The sample of the tile's first pixel, in 256ths of a pixel of the picture.
-    pub(in crate::raster) origin: [i32; 2],
-    pub(in crate::raster) visible: &'a mut Visible,
+    pub(crate) origin: [i32; 2],
+    pub(crate) visible: &'a mut Visible,
 }
 
 impl Kernel for DrawTriangles<'_> {

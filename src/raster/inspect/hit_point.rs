@@ -6,21 +6,16 @@ use crate::raster::frame::job::Job;
 use glam::DVec3;
 
 /// A point of the plane of a triangle.
-pub(in crate::raster) struct SeenPoint {
+pub(crate) struct SeenPoint {
     /// Its barycentric coordinates in the scene.
-    pub(in crate::raster) weights: [f64; 3],
+    pub(crate) weights: [f64; 3],
     /// Where it is relative to the eye, in the scene's axes: on the ray, however far away corners are.
-    pub(in crate::raster) from_eye: DVec3,
+    pub(crate) from_eye: DVec3,
 }
 
 /// The point of a triangle's plane that a place of the picture sees, by edge functions in homogeneous coordinates, which
 /// hold behind the eye as well (Olano & Greer 1997).
-pub(in crate::raster) fn seen_point(
-    job: &Job,
-    drawn: &DrawnObject,
-    triangle: [u32; 3],
-    at: [f64; 2],
-) -> SeenPoint {
+pub(crate) fn seen_point(job: &Job, drawn: &DrawnObject, triangle: [u32; 3], at: [f64; 2]) -> SeenPoint {
     let [mx, my] = job.view.middle();
     let ray = DVec3::new(at[0] - mx, at[1] - my, 1.0);
     let seen = triangle.map(|vertex| drawn.map.view(drawn.points.get(vertex)));
@@ -43,7 +38,7 @@ pub(in crate::raster) fn seen_point(
 }
 
 /// Parts as shares of their sum.
-pub(in crate::raster) fn shares(parts: [f64; 3]) -> [f64; 3] {
+pub(crate) fn shares(parts: [f64; 3]) -> [f64; 3] {
     let sum: f64 = parts.iter().sum();
     parts.map(|part| part / sum)
 }

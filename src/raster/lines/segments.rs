@@ -11,7 +11,7 @@ use glam::{DMat3, DMat4, DVec3};
 use std::borrow::Cow;
 
 /// The ends of many lines, which are in one space.
-pub(in crate::raster) struct Ends<'a> {
+pub(crate) struct Ends<'a> {
     points: Points<'a>,
     /// From the points' space to the scene's.
     transform: DMat4,
@@ -36,7 +36,7 @@ struct Along<'a> {
 
 impl<'a> Ends<'a> {
     /// The edges of an object's faces but those that are left out.
-    pub(in crate::raster) fn edges(object: &'a Object<'a>, drawn: &DrawnObject<'a>, cull: Cull) -> Self {
+    pub(crate) fn edges(object: &'a Object<'a>, drawn: &DrawnObject<'a>, cull: Cull) -> Self {
         let edges = match cull {
             Cull::None => object.shape.edges(),
             Cull::Back | Cull::Front => {
@@ -49,11 +49,7 @@ impl<'a> Ends<'a> {
     }
 
     /// The ends of the scene's `number`-th set of lines, checked.
-    pub(in crate::raster) fn new(
-        scene: &'a Scene<'a>,
-        number: usize,
-        path: &'a LinePath,
-    ) -> Result<Self, RenderError> {
+    pub(crate) fn new(scene: &'a Scene<'a>, number: usize, path: &'a LinePath) -> Result<Self, RenderError> {
         let of_object = |object: usize| {
             let owner = scene.objects.get(object);
             let found = owner.and_then(|owner| Some((owner, owner.shape.points()?)));
@@ -89,7 +85,7 @@ impl<'a> Ends<'a> {
     }
 
     /// How many lines there are.
-    pub(in crate::raster) fn len(&self) -> u32 {
+    pub(crate) fn len(&self) -> u32 {
         match &self.course {
             Course::Between(pairs) => pairs.len() as u32,
             Course::FromVertices(_, normals) => normals.len() as u32,
@@ -98,7 +94,7 @@ impl<'a> Ends<'a> {
     }
 
     /// From the space of what [`get`](Self::get) gives to the scene's, and a point of that space near the lines.
-    pub(in crate::raster) fn space(&self) -> (DMat4, DVec3) {
+    pub(crate) fn space(&self) -> (DMat4, DVec3) {
         let first = self.points.first().unwrap_or_default();
         match self.course {
             Course::Between(_) => (self.transform, first),
@@ -107,7 +103,7 @@ impl<'a> Ends<'a> {
     }
 
     /// Where a line begins and ends; `None` for a normal without direction.
-    pub(in crate::raster) fn get(&self, line: u32) -> Option<[DVec3; 2]> {
+    pub(crate) fn get(&self, line: u32) -> Option<[DVec3; 2]> {
         let place = |vertex: u32| self.transform.transform_point3(self.points.get(vertex));
         match &self.course {
             Course::Between(pairs) => Some(pairs[line as usize].map(|point| self.points.get(point))),

@@ -8,17 +8,17 @@ use crate::raster::shading::ray_cast::CastHit;
 use glam::{DVec3, Vec3};
 
 /// A sample that is seen.
-pub(in crate::raster) struct Sample<'a> {
-    pub(in crate::raster) record: &'a Record,
+pub(crate) struct Sample<'a> {
+    pub(crate) record: &'a Record,
     /// What its ray hit, if it was cast.
-    pub(in crate::raster) hit: Option<&'a CastHit>,
+    pub(crate) hit: Option<&'a CastHit>,
     /// Its normal, of any length.
-    pub(in crate::raster) value: Vec3,
+    pub(crate) value: Vec3,
     /// Relative to the view's origin, in units of the frame; only for deviations from an analytic surface.
-    pub(in crate::raster) position: Vec3,
-    pub(in crate::raster) depth: f32,
+    pub(crate) position: Vec3,
+    pub(crate) depth: f32,
     /// Its place on the picture, in 256ths of a pixel.
-    pub(in crate::raster) at: [i32; 2],
+    pub(crate) at: [i32; 2],
 }
 
 impl Sample<'_> {
@@ -50,7 +50,7 @@ const FRONT: Vec3 = Vec3::new(0.25, 0.5, 1.0);
 const BACK: Vec3 = Vec3::new(0.6, 0.03, 0.02);
 
 /// The colour of a sample.
-pub(in crate::raster) fn colour(job: &Job, object: &Prepared, sample: &Sample) -> Vec3 {
+pub(crate) fn colour(job: &Job, object: &Prepared, sample: &Sample) -> Vec3 {
     match job.settings.show {
         // Shaded samples do not come here: the values of their rows are their colours.
         Show::Shaded => sample.value,

@@ -13,24 +13,24 @@ use glam::{DVec3, Vec3};
 
 /// An object and what lights it.
 #[derive(Clone, Copy)]
-pub(in crate::raster) struct Lit<'a> {
-    pub(in crate::raster) job: &'a Job<'a>,
-    pub(in crate::raster) object: &'a Prepared<'a>,
-    pub(in crate::raster) drawn: &'a DrawnObject<'a>,
-    pub(in crate::raster) ink: &'a LitInk,
+pub(crate) struct Lit<'a> {
+    pub(crate) job: &'a Job<'a>,
+    pub(crate) object: &'a Prepared<'a>,
+    pub(crate) drawn: &'a DrawnObject<'a>,
+    pub(crate) ink: &'a LitInk,
 }
 
 /// A corner of a face.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::raster) struct Corner {
-    pub(in crate::raster) number: u32,
-    pub(in crate::raster) vertex: u32,
+pub(crate) struct Corner {
+    pub(crate) number: u32,
+    pub(crate) vertex: u32,
     /// Whether it is lit on the other side.
-    pub(in crate::raster) turned: bool,
+    pub(crate) turned: bool,
 }
 
 /// Lights points and keeps its memory.
-pub(in crate::raster) struct PointLight {
+pub(crate) struct PointLight {
     vertices: Vec<u32>,
     /// Where the vertices of each point end, if points are means of several.
     ends: Vec<usize>,
@@ -57,7 +57,7 @@ const MEMO: usize = 4096;
 const UNKNOWN: Known = Known { entry: 0, vertex: NONE, turned: false, point: 0 };
 
 impl PointLight {
-    pub(in crate::raster) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self {
             vertices: Vec::new(),
             ends: Vec::new(),
@@ -70,7 +70,7 @@ impl PointLight {
     }
 
     /// Lights corners of faces with their normals; [`colour`](Self::colour) then has the light on each.
-    pub(in crate::raster) fn corners(
+    pub(crate) fn corners(
         &mut self,
         lit: &Lit,
         corners: impl Iterator<Item = Corner>,
@@ -93,7 +93,7 @@ impl PointLight {
     }
 
     /// Lights one point for each face: the mean of its corners, with the face's normal.
-    pub(in crate::raster) fn faces<C: Iterator<Item = u32>>(
+    pub(crate) fn faces<C: Iterator<Item = u32>>(
         &mut self,
         lit: &Lit,
         faces: impl Iterator<Item = (C, Vec3)>,
@@ -123,7 +123,7 @@ impl PointLight {
 
     /// The light on one of the corners or faces asked for last.
     #[inline(always)]
-    pub(in crate::raster) fn colour(&self, number: usize) -> Vec3 {
+    pub(crate) fn colour(&self, number: usize) -> Vec3 {
         let point = self.point_of[number] as usize;
         let [red, green, blue] = &self.colours;
         Vec3::new(red[point], green[point], blue[point])
@@ -209,7 +209,7 @@ const LANES: usize = 32;
 
 /// As far away as single precision is asked for: a point that is farther has the same V, the same L and no more light
 /// to be told from none, but a square that overflows.
-pub(in crate::raster) const REACH: f32 = (1_u64 << 50) as f32;
+pub(crate) const REACH: f32 = (1_u64 << 50) as f32;
 
 /// The largest coordinate in single precision that leaves room for sums over the corners of a face.
 const LARGEST: f64 = 1e30;

@@ -22,7 +22,7 @@ use crate::shade::SurfaceRows;
 use glam::{DVec3, Vec3};
 
 /// Makes colours; keeps its memory.
-pub(in crate::raster) struct Painter {
+pub(crate) struct Painter {
     values: Box<[Row; 3]>,
     positions: Box<[Row; 3]>,
     colours: Box<[Row; 3]>,
@@ -34,17 +34,17 @@ pub(in crate::raster) struct Painter {
 }
 
 /// What is seen of one object in a tile.
-pub(in crate::raster) struct Tile<'a> {
-    pub(in crate::raster) seen: &'a [Seen],
-    pub(in crate::raster) records: &'a [Record],
-    pub(in crate::raster) depth: &'a [f32],
-    pub(in crate::raster) hits: Option<&'a Hits>,
+pub(crate) struct Tile<'a> {
+    pub(crate) seen: &'a [Seen],
+    pub(crate) records: &'a [Record],
+    pub(crate) depth: &'a [f32],
+    pub(crate) hits: Option<&'a Hits>,
     /// The sample of the tile's first pixel, in 256ths of a pixel of the picture.
-    pub(in crate::raster) origin: [i32; 2],
+    pub(crate) origin: [i32; 2],
 }
 
 impl Painter {
-    pub(in crate::raster) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         let rows = || Box::new([[0.0; BATCH]; 3]);
         Self {
             values: rows(),
@@ -57,7 +57,7 @@ impl Painter {
     }
 
     /// Fills in what the corners of the triangles of a run carry.
-    pub(in crate::raster) fn prepare(
+    pub(crate) fn prepare(
         &mut self,
         job: &Job,
         run: &Run,
@@ -201,7 +201,7 @@ impl Painter {
     }
 
     /// Colours of the samples of one object.
-    pub(in crate::raster) fn paint(
+    pub(crate) fn paint(
         &mut self,
         job: &Job,
         object: usize,

@@ -7,7 +7,7 @@ use crate::shade::{
 use glam::DVec3;
 
 /// What makes the colour of an object.
-pub(in crate::raster) enum Ink<'a> {
+pub(crate) enum Ink<'a> {
     /// Light on a material.
     Lit(Box<LitInk>),
     /// A colour for each vertex.
@@ -15,13 +15,13 @@ pub(in crate::raster) enum Ink<'a> {
 }
 
 /// Light on a material, in single precision for rows of points and in double precision for what that cannot tell apart.
-pub(in crate::raster) struct LitInk {
+pub(crate) struct LitInk {
     single: Shader<f32>,
     double: Shader<f64>,
 }
 
 impl LitInk {
-    pub(in crate::raster) fn new(
+    pub(crate) fn new(
         lights: &[Light],
         material: &Material,
         settings: &ShadeSettings,
@@ -31,7 +31,7 @@ impl LitInk {
     }
 
     /// Whether the colour of a point depends on where it is.
-    pub(in crate::raster) fn needs_positions(&self) -> bool {
+    pub(crate) fn needs_positions(&self) -> bool {
         self.single.needs_positions()
     }
 
@@ -39,7 +39,7 @@ impl LitInk {
     ///
     /// A point without a finite colour may have been rounded to where a lamp is: it is shaded again in double precision,
     /// where `exactly` says that it is, in the frame of the settings, and refused only then.
-    pub(in crate::raster) fn shade_rows(
+    pub(crate) fn shade_rows(
         &self,
         rows: &SurfaceRows,
         faces: Option<[&[f32]; 3]>,

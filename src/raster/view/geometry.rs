@@ -37,7 +37,7 @@ impl<'a> Shape<'a> {
     }
 
     /// The edges of those faces that are wanted, by their numbers; likewise.
-    pub(in crate::raster) fn edges_of(&self, wanted: impl Fn(usize) -> bool) -> Vec<[u32; 2]> {
+    pub(crate) fn edges_of(&self, wanted: impl Fn(usize) -> bool) -> Vec<[u32; 2]> {
         let faces = || self.faces().enumerate().filter(|&(number, _)| wanted(number)).map(|(_, face)| face);
         // As many as there are corners, before each is left once: no room is taken twice.
         let mut edges = Vec::with_capacity(faces().map(<[u32]>::len).sum());
@@ -52,7 +52,7 @@ impl<'a> Shape<'a> {
     }
 
     /// Where the vertices are; an analytic surface has none.
-    pub(in crate::raster) fn points(&self) -> Option<Points<'a>> {
+    pub(crate) fn points(&self) -> Option<Points<'a>> {
         match *self {
             Shape::Mesh { mesh, .. } => Some(Points::F64(mesh.positions())),
             Shape::Triangles(triangles) => Some(Points::F32(triangles.positions)),
@@ -69,7 +69,7 @@ impl<'a> Shape<'a> {
     }
 
     /// How many normals of vertices there are.
-    pub(in crate::raster) fn normal_count(&self) -> usize {
+    pub(crate) fn normal_count(&self) -> usize {
         match self {
             Shape::Mesh { normals, .. } => normals.normals.values.len(),
             Shape::Triangles(triangles) => triangles.normals.len(),
@@ -78,7 +78,7 @@ impl<'a> Shape<'a> {
     }
 
     /// One of them.
-    pub(in crate::raster) fn normal(&self, number: u32) -> DVec3 {
+    pub(crate) fn normal(&self, number: u32) -> DVec3 {
         match self {
             Shape::Mesh { normals, .. } => normals.normals.values[number as usize],
             Shape::Triangles(triangles) => wide(triangles.normals[number as usize]),
@@ -107,7 +107,7 @@ impl<'a> Shape<'a> {
     }
 
     /// How many faces have normals of their own: all, or none.
-    pub(in crate::raster) fn face_normal_count(&self) -> usize {
+    pub(crate) fn face_normal_count(&self) -> usize {
         match self {
             Shape::Mesh { normals, .. } => normals.face_normals.len(),
             Shape::Triangles(triangles) => triangles.face_normals.len(),
@@ -116,7 +116,7 @@ impl<'a> Shape<'a> {
     }
 
     /// The normal of a face that has one.
-    pub(in crate::raster) fn face_normal(&self, face: u32) -> DVec3 {
+    pub(crate) fn face_normal(&self, face: u32) -> DVec3 {
         match self {
             Shape::Mesh { normals, .. } => normals.face_normals[face as usize],
             Shape::Triangles(triangles) => wide(triangles.face_normals[face as usize]),
