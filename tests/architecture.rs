@@ -79,7 +79,10 @@ const OUTSIDE: &[(&str, &[&str])] = &[
     ("rustc_hash", &["mesh", "surface", "io", "normals", "quality", "pipeline"]),
     (
         "serde",
-        &["text", "io", "shade", "raster", "quality", "metric", "artefact", "trade", "plan", "report", "cli"],
+        &[
+            "num", "surface", "text", "io", "shade", "raster", "quality", "metric", "artefact", "trade",
+            "plan", "report", "cli",
+        ],
     ),
     ("serde_json", &["io", "report", "cli"]),
     ("shlex", &["io"]),

@@ -2,10 +2,16 @@
 
 use crate::num::{Degrees, LinearRgb, Transfer};
 use crate::raster::samples::Samples;
+use crate::raster::view::fixed_point::GUARD;
 use crate::shade::{DepthCue, Guards, Terminator, ToneRule};
+use serde::Deserialize;
+
+/// The largest side of a picture.
+pub(super) const LARGEST_SIDE: u32 = GUARD as u32;
 
 /// Where a surface's colour is computed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Shading {
     /// Once a face, with the face's normal (F18).
     Flat,
@@ -22,7 +28,8 @@ pub enum Shading {
 }
 
 /// How values at the corners of a face spread over it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Interpolation {
     /// Along the edges of the polygon, then along the scanline between them, on the picture: the lectures' algorithm
     /// (F19). Turning a face of four corners or more changes its colours; in triangles it is the same as
@@ -37,7 +44,8 @@ pub enum Interpolation {
 }
 
 /// Where a flat face is lit.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum FlatSample {
     /// At the mean of its corners, with the face's normal.
     #[default]
@@ -48,7 +56,8 @@ pub enum FlatSample {
 }
 
 /// Which faces are left out; wireframes go without the edges that only these have.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Cull {
     /// None.
     #[default]

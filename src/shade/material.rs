@@ -116,7 +116,7 @@ impl Material {
     }
 
     /// Whether the precision of `R` has them.
-    pub(super) fn check_range<R: Real>(&self) -> Result<(), ShadeError> {
+    pub(crate) fn check_range<R: Real>(&self) -> Result<(), ShadeError> {
         let merged = self.reflectances().map(|(field, reflectance)| (field, reflectance.merged()));
         merged.into_iter().try_for_each(|(field, colour)| Check::material().in_range::<R>(field, colour))
     }

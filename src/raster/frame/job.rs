@@ -5,7 +5,7 @@ use crate::num::unit_scale;
 use crate::raster::coverage::triangles::DrawnObject;
 use crate::raster::error::RenderError;
 use crate::raster::scene::{Object, Paint, Scene, Shape};
-use crate::raster::settings::{RenderSettings, Shading, Show};
+use crate::raster::settings::{LARGEST_SIDE, RenderSettings, Shading, Show};
 use crate::raster::shading::surface_colour::{Ink, LitInk};
 use crate::raster::view::project::NOT_FINITE;
 use crate::raster::view::screen_transform::{Rays, View};
@@ -41,13 +41,10 @@ pub(crate) struct Prepared<'a> {
     pub(crate) is_cast: bool,
 }
 
-/// The largest side of a picture.
-const LARGEST: u32 = crate::raster::view::fixed_point::GUARD as u32;
-
 impl<'a> Job<'a> {
     pub(crate) fn new(scene: &'a Scene<'a>, settings: &'a RenderSettings) -> Result<Self, RenderError> {
         let [width, height] = settings.size;
-        if !settings.size.iter().all(|side| (1..=LARGEST).contains(side)) {
+        if !settings.size.iter().all(|side| (1..=LARGEST_SIDE).contains(side)) {
             return Err(RenderError::Size(width, height));
         }
         let view = View::new(&scene.camera, settings.size)?;

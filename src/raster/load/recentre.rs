@@ -2,7 +2,7 @@
 
 use crate::io::Note;
 use crate::num::unit_scale;
-use crate::raster::load::SceneFile;
+use crate::raster::load::scene_file::SceneFile;
 use crate::shade::Light;
 use glam::{DMat4, DVec3};
 

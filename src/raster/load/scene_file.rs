@@ -4,7 +4,7 @@ use crate::io::Note;
 use crate::mesh::Mesh;
 use crate::normals::NormalField;
 use crate::num::LinearRgb;
-use crate::raster::load::lights::default_lights;
+use crate::raster::load::defaults::{default_lights, plain_material};
 use crate::raster::scene::{Object, Paint, Scene, Shape};
 use crate::raster::settings::RenderSettings;
 use crate::raster::view::camera::Camera;
@@ -12,6 +12,13 @@ use crate::shade::{Light, Material};
 use crate::surface::Primitive;
 use glam::{DMat4, DVec3};
 use std::borrow::Cow;
+
+/// Most corners of faces that a file may place by showing the same meshes in many places: drawing takes some gigabytes
+/// for them. Faces that are shown once are not limited here.
+pub(super) const MOST_PLACED_CORNERS: u64 = 1 << 28;
+
+/// Most objects.
+pub(super) const MOST_OBJECTS: usize = 1 << 17;
 
 /// A scene as it was read, to be changed at will before [`scene`](Self::scene) shows it.
 #[derive(Clone, Debug)]
@@ -62,6 +69,20 @@ pub struct SceneObject {
     pub given: bool,
     /// The analytic surface that a mesh stands for.
     pub surface: Option<Primitive>,
+}
+
+impl SceneObject {
+    /// A shape without a name and a transform, in the default material.
+    pub(super) fn new(shape: SceneShape) -> Self {
+        Self {
+            name: String::new(),
+            shape,
+            transform: DMat4::IDENTITY,
+            material: plain_material(),
+            given: false,
+            surface: None,
+        }
+    }
 }
 
 /// The form of an object of a scene that owns its meshes.

@@ -17,7 +17,8 @@ use crate::surface::shapes::chart::Sample;
 pub(in crate::surface) const MOST_CELLS: u64 = 1 << 24;
 
 /// How vertices and faces are arranged on a surface. All vertices lie on it but for [`Tessellation::noise`].
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Pattern {
     /// A grid of the parameters, each cell cut in two: all the same way, or with jitter at random.
     #[default]
@@ -74,7 +75,8 @@ impl Pattern {
 /// assert_eq!((mesh.vertex_count(), mesh.face_count()), (64 * 32, 2 * 64 * 32));
 /// # Ok::<(), crease::surface::SurfaceError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct Tessellation {
     /// The arrangement.
     pub pattern: Pattern,
@@ -90,6 +92,7 @@ pub struct Tessellation {
     /// Which random numbers.
     pub seed: u32,
     /// Whether the mesh gets the parameters as texture coordinates, where there are any.
+    #[serde(skip)]
     pub uvs: bool,
 }
 

@@ -1,4 +1,4 @@
-//! The light of scenes that have none of their own.
+//! The lights of scenes and the material of meshes that have none.
 
 use crate::num::LinearRgb;
 use crate::raster::view::camera::Camera;
@@ -17,7 +17,7 @@ pub fn default_lights(camera: &Camera) -> [Light; 2] {
     [Light::Ambient { colour: AMBIENT }, Light::Directional { towards, colour: LinearRgb::WHITE }]
 }
 
-/// The material of what has none: grey plastic that answers ambient light as it does any other.
+/// The material of meshes that have none: grey plastic that reflects ambient light as it does diffuse light.
 pub(super) fn plain_material() -> Material {
     let plastic = Material::default();
     Material { ambient: Reflectance::Merged(plastic.diffuse.merged()), ..plastic }
