@@ -1,8 +1,8 @@
 //! Area lights: the irradiance of a polygon in closed form, and where its highlight comes from.
 
+use super::formula::unit;
 use super::light::AreaShape;
 use super::settings::Frame;
-use super::source::unit;
 use crate::num::corner_angle;
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};

@@ -172,11 +172,12 @@ impl PointLight {
         let rows = SurfaceRows {
             positions: self.positions.each_ref().map(|row| &row[..]),
             normals: self.normals.each_ref().map(|row| &row[..]),
+            faces: None,
         };
         let colours = self.colours.each_mut().map(|row| &mut row[..]);
         let exactly = |point| exactly(lit, vertices_of(&self.vertices, &self.ends, point));
         let object = lit.drawn.object;
-        let done = lit.ink.shade_rows(&rows, None, colours, exactly);
+        let done = lit.ink.shade_rows(&rows, colours, exactly);
         done.map_err(|error| RenderError::NotFinite { object, error })
     }
 }

@@ -248,10 +248,10 @@ impl Painter {
                 let rows = SurfaceRows {
                     positions: positions.each_ref().map(|row| &row[..count]),
                     normals: values.each_ref().map(|row| &row[..count]),
+                    faces: by_faces.then(|| faces.each_ref().map(|row| &row[..count])),
                 };
-                let faces = by_faces.then(|| faces.each_ref().map(|row| &row[..count]));
                 let colours = colours.each_mut().map(|row| &mut row[..count]);
-                ink.shade_rows(&rows, faces, colours, |lane| seen_exactly(job, object, tile, seen[lane]))
+                ink.shade_rows(&rows, colours, |lane| seen_exactly(job, object, tile, seen[lane]))
                     .map_err(|error| RenderError::NotFinite { object, error })?;
             } else if job.settings.show != Show::Shaded {
                 for (lane, seen) in seen.iter().enumerate() {

@@ -42,22 +42,17 @@ impl LitInk {
     pub(crate) fn shade_rows(
         &self,
         rows: &SurfaceRows,
-        faces: Option<[&[f32]; 3]>,
         mut out: [&mut [f32]; 3],
         exactly: impl Fn(usize) -> DVec3,
     ) -> Result<(), NotFinite> {
         let in_rows = out.each_mut().map(|row| &mut **row);
-        let done = match faces {
-            Some(faces) => self.single.shade_rows_on(rows, faces, in_rows),
-            None => self.single.shade_rows(rows, in_rows),
-        };
-        match done {
+        match self.single.shade_rows(rows, in_rows) {
             Err(_) if self.needs_positions() => {
                 // One by one: what is finite has the bits that it has in rows, whatever lies beside it.
                 (0..out[0].len()).try_for_each(|index| {
                     let at = |rows: [&[f32]; 3]| rows.map(|row| row[index]);
                     let colour =
-                        self.shade_alone(at(rows.positions), at(rows.normals), faces.map(at), || {
+                        self.shade_alone(at(rows.positions), at(rows.normals), rows.faces.map(at), || {
                             exactly(index)
                         });
                     let colour = colour.map_err(|error| NotFinite { index, ..error })?;
