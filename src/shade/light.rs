@@ -1,6 +1,6 @@
 //! Lights: what shines, from where, and how it fades.
 
-use super::error::{Check, ShadeError};
+use super::error::{Check, Place, ShadeError};
 use crate::num::{LinearRgb, Radians};
 use glam::{DVec3, DVec4};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -196,7 +196,7 @@ impl Light {
     /// The first number that does not: what is not finite, negative colours and attenuations, directions of length 0,
     /// angles that are no cone's, sides that are no rectangle's.
     pub fn check(&self, number: usize) -> Result<(), ShadeError> {
-        let check = Check::light(number);
+        let check = Check(Place::Light(number));
         check.colour("colour", self.colour())?;
         match *self {
             Light::Ambient { .. } => Ok(()),

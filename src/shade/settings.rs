@@ -1,6 +1,6 @@
 //! What a picture's lighting is computed with, beside lights and materials.
 
-use super::error::{Check, ShadeError};
+use super::error::{Check, Place, ShadeError};
 use super::tone::ToneRule;
 use glam::DVec3;
 use serde::Deserialize;
@@ -152,7 +152,7 @@ impl Guards {
 impl ShadeSettings {
     /// Whether every number makes sense.
     pub(super) fn check(&self) -> Result<(), ShadeError> {
-        let check = Check::settings();
+        let check = Check(Place::Settings);
         check.position("origin", self.frame.origin)?;
         check.positive("unit", self.frame.unit)?;
         match self.viewer {

@@ -1,6 +1,6 @@
 //! What a scene needs, worked out once, and the light on a point.
 
-use super::error::{Check, NotFinite, ShadeError};
+use super::error::{Check, NotFinite, Place, ShadeError};
 use super::formula::{self, Triple, rounded, unit};
 use super::light::Light;
 use super::material::{EnergyGain, Material};
@@ -111,14 +111,14 @@ impl<R: Real> Shader<R> {
         material.check_range::<R>()?;
         settings.check()?;
         let viewer = match settings.viewer {
-            Viewer::At(eye) => View::From(in_frame(eye, &settings.frame, Check::settings(), "viewer")?),
+            Viewer::At(eye) => View::From(in_frame(eye, &settings.frame, Check(Place::Settings), "viewer")?),
             Viewer::Towards(direction) => View::Same(rounded(unit(direction))),
         };
         let mut ambient = LinearRgb::BLACK;
         let mut terms = Vec::new();
         for (number, light) in lights.iter().enumerate() {
             light.check(number)?;
-            Check::light(number).in_range::<R>("colour", light.colour())?;
+            Check(Place::Light(number)).in_range::<R>("colour", light.colour())?;
             match Source::new(light, number, &settings.frame, settings.guards)? {
                 None => ambient += light.colour() * material.ambient.merged(),
                 Some(source) => terms.push(LightTerm::new(number, source, light, material, settings)),

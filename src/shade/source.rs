@@ -1,7 +1,7 @@
 //! Lights as a shader needs them: in the frame and the precision of its points, everything constant worked out.
 
 use super::area::AreaSource;
-use super::error::{Check, ShadeError};
+use super::error::{Check, Place, ShadeError};
 use super::formula::{self, Triple, rounded, unit};
 use super::light::{Attenuation, Cone, Light};
 use super::settings::{Frame, Guards};
@@ -77,7 +77,7 @@ impl<R: Real> PointSource<R> {
         let [constant, linear, quadratic] = attenuation.coefficients();
         let range = attenuation.range() / frame.unit;
         Ok(Self {
-            position: in_frame(position, frame, Check::light(number), "position")?,
+            position: in_frame(position, frame, Check(Place::Light(number)), "position")?,
             attenuation: (attenuation != Attenuation::None).then(|| {
                 [constant, linear * frame.unit, quadratic * frame.unit * frame.unit].map(|k| R::of(k))
             }),

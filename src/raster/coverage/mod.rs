@@ -6,7 +6,7 @@ pub(super) mod setup;
 pub(super) mod visible_triangle;
 // Distribution of triangles over tiles.
 pub(super) mod bins;
-// The triangles of one tile, and which are visible.
+// The triangles of one tile: collected, drawn, and records of the visible ones.
 pub(super) mod tile_list;
 // Attributes of the visible triangles.
 pub(super) mod records;

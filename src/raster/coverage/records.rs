@@ -3,8 +3,9 @@
 use crate::num::LinearRgb;
 use crate::raster::coverage::bins::Piece;
 use crate::raster::coverage::setup::double_area;
-use crate::raster::coverage::triangles::DrawnObject;
+use crate::raster::coverage::triangles::{Corner, DrawnObject, TriangleList};
 use crate::raster::frame::job::{Job, Prepared};
+use crate::raster::scene::Shape;
 use crate::raster::settings::{FlatSample, Interpolation, Shading, Show};
 use crate::raster::shading::surface_colour::Ink;
 use crate::raster::view::clip::Shares;
@@ -12,7 +13,7 @@ use crate::raster::view::project::ScreenVertex;
 use glam::{DVec3, Vec3};
 
 /// A triangle that is seen, or a piece of one.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Record {
     /// Its corners on the picture.
     pub(crate) x: [i32; 3],
@@ -61,20 +62,9 @@ impl Record {
         }
     }
 
-    /// What stands for all that is seen of an analytic surface.
+    /// The record of an analytic surface, for all samples that see it.
     pub(crate) fn cast(object: usize) -> Self {
-        Self {
-            x: [0; 3],
-            y: [0; 3],
-            nearness: [1.0; 3],
-            values: [Vec3::ZERO; 3],
-            vertices: [0; 3],
-            triangle: 0,
-            face: 0,
-            object: object as u32,
-            front: true,
-            turned: false,
-        }
+        Self { nearness: [1.0; 3], object: object as u32, front: true, ..Self::default() }
     }
 
     /// The nearness of its point at a sample.
@@ -143,29 +133,36 @@ pub(crate) fn piece_values(values: [Vec3; 3], piece: &Piece, interpolation: Inte
     })
 }
 
-/// A face's corners: numbers and vertices.
+/// The corners of a visible face.
 pub(crate) fn face_corners<'a>(
     object: &'a Prepared,
     drawn: &'a DrawnObject,
-    record: &Record,
-) -> impl ExactSizeIterator<Item = (u32, u32)> + use<'a> {
+    &Record { face, turned, .. }: &Record,
+) -> impl ExactSizeIterator<Item = Corner> + use<'a> {
     let (first, vertices): (u32, &[u32]) = match (object.shape, &drawn.list) {
-        (crate::raster::scene::Shape::Mesh { mesh, .. }, _) => {
-            let range = mesh.faces().range(record.face as usize);
+        (Shape::Mesh { mesh, .. }, _) => {
+            let range = mesh.faces().range(face as usize);
             (range.start as u32, &mesh.faces().corners()[range])
         }
-        (_, crate::raster::coverage::triangles::TriangleList::Whole(triangles)) => {
-            (3 * record.face, &triangles[record.face as usize])
-        }
+        (_, TriangleList::Whole(triangles)) => (3 * face, &triangles[face as usize]),
         _ => (0, &[]),
     };
-    vertices.iter().enumerate().map(move |(k, &vertex)| (first + k as u32, vertex))
+    let corner = move |(k, &vertex)| Corner { number: first + k as u32, vertex, turned };
+    vertices.iter().enumerate().map(corner)
+}
+
+/// The corners of a visible triangle.
+#[inline(always)]
+pub(crate) fn triangle_corners(drawn: &DrawnObject, record: &Record) -> [Corner; 3] {
+    let numbers = drawn.list.corners(record.triangle);
+    let (vertices, turned) = (record.vertices, record.turned);
+    [0, 1, 2].map(|k| Corner { number: numbers[k], vertex: vertices[k], turned })
 }
 
 /// The mean of the given colours of a face's corners.
-pub(crate) fn mean_colour(colours: &[LinearRgb], corners: impl ExactSizeIterator<Item = (u32, u32)>) -> Vec3 {
+pub(crate) fn mean_colour(colours: &[LinearRgb], corners: impl ExactSizeIterator<Item = Corner>) -> Vec3 {
     let count = corners.len() as f64;
-    let sum = corners.fold(LinearRgb::BLACK, |sum, (_, vertex)| sum + colours[vertex as usize]);
+    let sum = corners.fold(LinearRgb::BLACK, |sum, corner| sum + colours[corner.vertex as usize]);
     single(sum * (1.0 / count))
 }
 

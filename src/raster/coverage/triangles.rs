@@ -1,7 +1,7 @@
 //! Objects made of triangles, ready to be drawn.
 
 use crate::mesh::{Triangulation, triangulate};
-use crate::num::unit_scale;
+use crate::num::{self, Split, unit_scale};
 use crate::raster::scene::Shape;
 use crate::raster::settings::Cull;
 use crate::raster::view::project::{Points, ScreenVertex, project};
@@ -80,6 +80,46 @@ impl<'a> DrawnObject<'a> {
     }
 }
 
+/// A point of the plane of a triangle.
+pub(crate) struct PlanePoint {
+    /// Its barycentric coordinates in the scene.
+    pub(crate) weights: [f64; 3],
+    /// Its position relative to the eye, in the scene's axes: on the ray, however far away corners are.
+    pub(crate) from_eye: DVec3,
+}
+
+impl DrawnObject<'_> {
+    /// The point of a triangle's plane at a place of the picture, by edge functions in homogeneous coordinates, which hold
+    /// behind the eye as well (Olano & Greer 1997).
+    pub(crate) fn plane_point(&self, view: &View, triangle: [u32; 3], at: [f64; 2]) -> PlanePoint {
+        let [mx, my] = view.middle();
+        let ray = DVec3::new(at[0] - mx, at[1] - my, 1.0);
+        let seen = triangle.map(|vertex| self.map.view(self.points.get(vertex)));
+        let corners = seen.map(|point| DVec3::new(point.x, point.y, point.h));
+        let normals = [0, 1, 2].map(|k| num::cross::<Split>(corners[(k + 1) % 3], corners[(k + 2) % 3]));
+        let parts = normals.map(|normal| ray.dot(normal));
+        let weights = shares(parts);
+        let distance = if view.perspective {
+            // The determinant of the corners, by that one of them whose products have the least to lose. Their mean would be
+            // what is left of distances in front of the eye and behind it.
+            let products = [0, 1, 2].map(|k| corners[k] * normals[k]);
+            let size = |product: &&DVec3| product.abs().element_sum();
+            let least = products.iter().min_by(|a, b| size(a).total_cmp(&size(b)));
+            least.map_or(f64::NAN, |product| product.element_sum()) / parts.iter().sum::<f64>()
+        } else {
+            (0..3).map(|k| seen[k].z * weights[k]).sum()
+        };
+        let (start, direction) = view.ray(at);
+        PlanePoint { weights, from_eye: start + direction * distance }
+    }
+}
+
+/// Parts as shares of their sum.
+pub(crate) fn shares(parts: [f64; 3]) -> [f64; 3] {
+    let sum: f64 = parts.iter().sum();
+    parts.map(|part| part / sum)
+}
+
 /// Triangles, and what they are parts of.
 pub(crate) enum TriangleList<'a> {
     /// Each is a face.
@@ -124,4 +164,13 @@ impl TriangleList<'_> {
             Self::Cut { cut, .. } => cut.source_face[triangle as usize],
         }
     }
+}
+
+/// A corner of a face.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Corner {
+    pub(crate) number: u32,
+    pub(crate) vertex: u32,
+    /// Whether its normal is that of the other side.
+    pub(crate) turned: bool,
 }

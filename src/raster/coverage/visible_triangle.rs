@@ -11,6 +11,8 @@ pub(crate) const LANES: usize = SIDE * SIDE;
 pub(crate) const BLOCKS: usize = TILE / SIDE;
 /// Pixels of a tile.
 pub(crate) const PIXELS: usize = TILE * TILE;
+/// Colours of the pixels of a tile, a row for each component.
+pub(crate) type Colours = [Box<[f32; PIXELS]>; 3];
 /// Marks a pixel that nothing covers.
 pub(crate) const NOTHING: u32 = u32::MAX;
 

@@ -2,7 +2,7 @@
 
 use crate::mesh::{ColumnIndex, NONE, NormalMatrix, normal_matrix};
 use crate::num::unit_scale;
-use crate::raster::coverage::triangles::DrawnObject;
+use crate::raster::coverage::triangles::{Corner, DrawnObject};
 use crate::raster::error::RenderError;
 use crate::raster::scene::{Object, Paint, Scene, Shape};
 use crate::raster::settings::{LARGEST_SIDE, RenderSettings, Shading, Show};
@@ -176,15 +176,15 @@ impl<'a> Prepared<'a> {
         Ok(Self { shape: &object.shape, normals, ink, truth, is_cast })
     }
 
-    /// The normal at a corner, in the scene's axes; of the other side, if `turned`.
+    /// The normal at a corner, in the scene's axes.
     #[inline(always)]
-    pub(crate) fn corner_normal(&self, corner: u32, vertex: u32, turned: bool) -> Vec3 {
+    pub(crate) fn corner_normal(&self, corner: Corner) -> Vec3 {
         match (self.shape, &self.normals) {
             // What is single already stays so: this is most of what gathering costs.
             (Shape::Triangles(triangles), None) => {
-                side(Vec3::from(triangles.normals[vertex as usize]), turned)
+                side(Vec3::from(triangles.normals[corner.vertex as usize]), corner.turned)
             }
-            _ => self.exact_corner_normal(corner, vertex, turned).as_vec3(),
+            _ => self.exact_corner_normal(corner).as_vec3(),
         }
     }
 
@@ -209,19 +209,17 @@ impl<'a> Prepared<'a> {
     }
 
     /// [`corner_normal`](Self::corner_normal) in doubles.
-    pub(crate) fn exact_corner_normal(&self, corner: u32, vertex: u32, turned: bool) -> DVec3 {
+    pub(crate) fn exact_corner_normal(&self, Corner { number, vertex, turned }: Corner) -> DVec3 {
         let normal = match self.shape {
-            Shape::Mesh { normals, .. } => {
-                normals.normals.get(corner as usize, vertex).copied().unwrap_or(DVec3::ZERO)
-            }
-            shape => shape.normal(vertex),
+            Shape::Mesh { normals, .. } => normals.normals.get(number as usize, vertex).copied(),
+            shape => Some(shape.normals().get(vertex)),
         };
-        side(self.in_scene(normal), turned)
+        side(self.in_scene(normal.unwrap_or(DVec3::ZERO)), turned)
     }
 
     /// [`face_normal`](Self::face_normal) in doubles.
     pub(crate) fn exact_face_normal(&self, face: u32, turned: bool) -> DVec3 {
-        side(self.in_scene(self.shape.face_normal(face)), turned)
+        side(self.in_scene(self.shape.face_normals().get(face)), turned)
     }
 
     /// Whether faces have normals of their own; triangles of slices need not.

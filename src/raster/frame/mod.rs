@@ -2,8 +2,6 @@
 
 // A scene and settings, checked and prepared.
 pub(super) mod job;
-// The triangles of one tile.
-pub(super) mod tile_triangles;
 // One tile: visibility, colours, lines.
 pub(super) mod tile;
 // From linear colours to stored numbers.

@@ -4,11 +4,10 @@ use crate::num;
 use crate::raster::coverage::bins::{Bins, tile_origin, tiles};
 use crate::raster::coverage::records::Record;
 use crate::raster::coverage::setup::{TILE, depth_plane, double_area};
-use crate::raster::coverage::tile_list::{Owner, Run, TileList};
-use crate::raster::coverage::visible_triangle::{NOTHING, PIXELS, Visible, number, place};
+use crate::raster::coverage::tile_list::{DrawTriangles, Owner, Run, TileList};
+use crate::raster::coverage::visible_triangle::{Colours, NOTHING, PIXELS, Visible, number, place};
 use crate::raster::error::RenderError;
 use crate::raster::frame::job::Job;
-use crate::raster::frame::tile_triangles::DrawTriangles;
 use crate::raster::lines::draw_lines::{LineJob, LineSet, Segment};
 use crate::raster::settings::{Shading, Show};
 use crate::raster::shading::interpolate::Seen;
@@ -46,9 +45,6 @@ pub(crate) struct Worker {
 fn shows_edges_alone(job: &Job) -> bool {
     job.settings.shading == Shading::Wireframe && job.settings.show == Show::Shaded
 }
-
-/// A row of each component.
-pub(crate) type Colours = [Box<[f32; PIXELS]>; 3];
 
 fn colours() -> Colours {
     [(); 3].map(|()| Box::new([0.0; PIXELS]))

@@ -71,14 +71,14 @@ impl<'a> Ends<'a> {
             LinePath::VertexNormals { object, ref normals, length } => {
                 let (owner, points) = of_object(object)?;
                 check_numbers(normals.iter().map(|&[vertex, _]| vertex), 1, points.len())?;
-                check_numbers(normals.iter().map(|&[_, normal]| normal), 1, owner.shape.normal_count())?;
+                check_numbers(normals.iter().map(|&[_, normal]| normal), 1, owner.shape.normals().len())?;
                 let course = Course::FromVertices(Along::new(owner, object, length)?, normals);
                 Self { points, transform: owner.transform, course }
             }
             LinePath::FaceNormals { object, length } => {
                 let (owner, points) = of_object(object)?;
                 let along = Along::new(owner, object, length)?;
-                let course = Course::FromFaces(along, owner.shape.face_normal_count());
+                let course = Course::FromFaces(along, owner.shape.face_normals().len());
                 Self { points, transform: owner.transform, course }
             }
         })
@@ -109,13 +109,13 @@ impl<'a> Ends<'a> {
             Course::Between(pairs) => Some(pairs[line as usize].map(|point| self.points.get(point))),
             Course::FromVertices(along, normals) => {
                 let [vertex, normal] = normals[line as usize];
-                along.line(place(vertex), along.shape.normal(normal))
+                along.line(place(vertex), along.shape.normals().get(normal))
             }
             Course::FromFaces(along, _) => {
                 let face = along.shape.face(line);
                 let share = 1.0 / face.len() as f64;
                 let middle = face.iter().map(|&vertex| place(vertex) * share).sum::<DVec3>();
-                along.line(middle, along.shape.face_normal(line))
+                along.line(middle, along.shape.face_normals().get(line))
             }
         }
     }

@@ -2,12 +2,12 @@
 
 use crate::mesh::NONE;
 use crate::num::{self, Kernel, Lanes};
-use crate::raster::coverage::triangles::DrawnObject;
+use crate::raster::coverage::triangles::{Corner, DrawnObject};
 use crate::raster::error::RenderError;
 use crate::raster::frame::job::{Job, Prepared};
 use crate::raster::shading::surface_colour::LitInk;
 use crate::raster::view::project::Points;
-use crate::raster::view::screen_transform::ObjectMap;
+use crate::raster::view::screen_transform::{ObjectMap, REACH};
 use crate::shade::SurfaceRows;
 use glam::{DVec3, Vec3};
 
@@ -17,16 +17,7 @@ pub(crate) struct Lit<'a> {
     pub(crate) job: &'a Job<'a>,
     pub(crate) object: &'a Prepared<'a>,
     pub(crate) drawn: &'a DrawnObject<'a>,
-    pub(crate) ink: &'a LitInk,
-}
-
-/// A corner of a face.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Corner {
-    pub(crate) number: u32,
-    pub(crate) vertex: u32,
-    /// Whether it is lit on the other side.
-    pub(crate) turned: bool,
+    pub(crate) shaders: &'a LitInk,
 }
 
 /// Lights points and keeps its memory.
@@ -77,13 +68,13 @@ impl PointLight {
     ) -> Result<(), RenderError> {
         self.clear();
         self.memo.fill(UNKNOWN);
-        for Corner { number, vertex, turned } in corners {
+        for corner @ Corner { number, vertex, turned } in corners {
             let entry = lit.object.entry(number, vertex);
             let known = &mut self.memo[entry as usize % MEMO];
             if (known.entry, known.vertex, known.turned) != (entry, vertex, turned) {
                 *known = Known { entry, vertex, turned, point: self.vertices.len() as u32 };
                 self.vertices.push(vertex);
-                let normal = lit.object.corner_normal(number, vertex, turned).to_array();
+                let normal = lit.object.corner_normal(corner).to_array();
                 self.normals.iter_mut().zip(normal).for_each(|(row, component)| row.push(component));
             }
             self.point_of.push(known.point);
@@ -93,20 +84,20 @@ impl PointLight {
     }
 
     /// Lights one point for each face: the mean of its corners, with the face's normal.
-    pub(crate) fn faces<C: Iterator<Item = u32>>(
+    pub(crate) fn faces<C: Iterator<Item = Corner>>(
         &mut self,
         lit: &Lit,
         faces: impl Iterator<Item = (C, Vec3)>,
     ) -> Result<(), RenderError> {
         self.clear();
-        for (vertices, normal) in faces {
-            self.vertices.extend(vertices);
+        for (corners, normal) in faces {
+            self.vertices.extend(corners.map(|corner| corner.vertex));
             self.point_of.push(self.ends.len() as u32);
             self.ends.push(self.vertices.len());
             self.normals.iter_mut().zip(normal.to_array()).for_each(|(row, component)| row.push(component));
         }
         self.place(lit);
-        if lit.ink.needs_positions() {
+        if lit.shaders.needs_positions() {
             for row in &mut self.positions {
                 let mut from = 0;
                 // In place: a face has three corners or more, so a mean never overtakes what it is of.
@@ -138,7 +129,7 @@ impl PointLight {
 
     /// Positions of the vertices, if anything depends on them.
     fn place(&mut self, lit: &Lit) {
-        if lit.ink.needs_positions() {
+        if lit.shaders.needs_positions() {
             let count = self.vertices.len();
             self.positions.iter_mut().for_each(|row| row.resize(count, 0.0));
             let out = self.positions.each_mut().map(|row| &mut row[..]);
@@ -177,7 +168,7 @@ impl PointLight {
         let colours = self.colours.each_mut().map(|row| &mut row[..]);
         let exactly = |point| exactly(lit, vertices_of(&self.vertices, &self.ends, point));
         let object = lit.drawn.object;
-        let done = lit.ink.shade_rows(&rows, colours, exactly);
+        let done = lit.shaders.shade_rows(&rows, colours, exactly);
         done.map_err(|error| RenderError::NotFinite { object, error })
     }
 }
@@ -207,10 +198,6 @@ struct FromOrigin<'a> {
 
 /// Vertices computed side by side.
 const LANES: usize = 32;
-
-/// As far away as single precision is asked for: a point that is farther has the same V, the same L and no more light
-/// to be told from none, but a square that overflows.
-pub(crate) const REACH: f32 = (1_u64 << 50) as f32;
 
 /// The largest coordinate in single precision that leaves room for sums over the corners of a face.
 const LARGEST: f64 = 1e30;

@@ -2,18 +2,17 @@
 
 use crate::num;
 use crate::raster::coverage::records::{
-    Record, Wanted, face_corners, mean_colour, piece_values, single, takes_mean,
+    Record, Wanted, face_corners, mean_colour, piece_values, single, takes_mean, triangle_corners,
 };
 use crate::raster::coverage::tile_list::{Run, TileList};
-use crate::raster::coverage::visible_triangle::{PIXELS, place};
+use crate::raster::coverage::triangles::{Corner, DrawnObject};
+use crate::raster::coverage::visible_triangle::{Colours, PIXELS, place};
 use crate::raster::error::RenderError;
-use crate::raster::frame::job::Job;
-use crate::raster::frame::tile::Colours;
-use crate::raster::inspect::hit_point::seen_point;
+use crate::raster::frame::job::{Job, Prepared};
 use crate::raster::settings::{Interpolation, Show};
 use crate::raster::shading::false_colour;
 use crate::raster::shading::interpolate::{BATCH, Interpolate, Positions, Row, Seen};
-use crate::raster::shading::lighting::{Corner, Lit, PointLight};
+use crate::raster::shading::lighting::{Lit, PointLight};
 use crate::raster::shading::ray_cast::{Hits, cast};
 use crate::raster::shading::scanline::ScanPolygon;
 use crate::raster::shading::surface_colour::Ink;
@@ -56,7 +55,7 @@ impl Painter {
         }
     }
 
-    /// Fills in what the corners of the triangles of a run carry.
+    /// Computes the values at the corners of the triangles of a run.
     pub(crate) fn prepare(
         &mut self,
         job: &Job,
@@ -70,43 +69,41 @@ impl Painter {
         let drawn = &job.drawn[drawn];
         let (records, owners) = (&mut records[run.records.clone()], &owners[run.records.clone()]);
         let wanted = Wanted::new(job, object);
-        match wanted {
-            Wanted::Nothing => return Ok(()),
-            Wanted::FaceNormal => {
+        match (wanted, &object.ink) {
+            (Wanted::Nothing, _) => return Ok(()),
+            (Wanted::FaceNormal, _) => {
                 for record in records {
                     record.values = [object.face_normal(record.face, record.turned); 3];
                 }
                 return Ok(());
             }
-            Wanted::FaceColour => return self.face_colours(job, run, records),
-            Wanted::CornerNormals => {
+            (Wanted::FaceColour, Ink::Given(colours)) => {
+                for record in records {
+                    record.values = [mean_colour(colours, face_corners(object, drawn, record)); 3];
+                }
+                return Ok(());
+            }
+            (Wanted::FaceColour, Ink::Lit(shaders)) => {
+                return self.light_faces(&Lit { job, object, drawn, shaders }, records);
+            }
+            (Wanted::CornerNormals, _) => {
                 for record in records.iter_mut() {
-                    let corners = drawn.list.corners(record.triangle);
-                    record.values = [0, 1, 2]
-                        .map(|k| object.corner_normal(corners[k], record.vertices[k], record.turned));
+                    let corners = triangle_corners(drawn, record);
+                    record.values = corners.map(|corner| object.corner_normal(corner));
                 }
             }
-            Wanted::CornerColours => match &object.ink {
-                Ink::Given(colours) => {
-                    for record in records.iter_mut() {
-                        record.values = record.vertices.map(|vertex| single(colours[vertex as usize]));
-                    }
+            (Wanted::CornerColours, Ink::Given(colours)) => {
+                for record in records.iter_mut() {
+                    record.values = record.vertices.map(|vertex| single(colours[vertex as usize]));
                 }
-                Ink::Lit(ink) => {
-                    let corners = records.iter().flat_map(|record| {
-                        let numbers = drawn.list.corners(record.triangle);
-                        [0, 1, 2].map(|k| Corner {
-                            number: numbers[k],
-                            vertex: record.vertices[k],
-                            turned: record.turned,
-                        })
-                    });
-                    self.light.corners(&Lit { job, object, drawn, ink }, corners)?;
-                    for (at, record) in records.iter_mut().enumerate() {
-                        record.values = [0, 1, 2].map(|k| self.light.colour(3 * at + k));
-                    }
+            }
+            (Wanted::CornerColours, Ink::Lit(shaders)) => {
+                let corners = records.iter().flat_map(|record| triangle_corners(drawn, record));
+                self.light.corners(&Lit { job, object, drawn, shaders }, corners)?;
+                for (at, record) in records.iter_mut().enumerate() {
+                    record.values = [0, 1, 2].map(|k| self.light.colour(3 * at + k));
                 }
-            },
+            }
         }
         if !list.pieces.is_empty() {
             for (record, &owner) in records.iter_mut().zip(owners) {
@@ -116,46 +113,29 @@ impl Painter {
             }
         }
         match job.settings.interpolation {
-            Interpolation::Scanline => self.make_polygons(job, run, records, wanted),
+            Interpolation::Scanline => self.make_polygons(job, object, drawn, records),
             Interpolation::Affine | Interpolation::Perspective => Ok(()),
         }
     }
 
-    /// The colour of each face that is seen, under flat shading.
-    fn face_colours(&mut self, job: &Job, run: &Run, records: &mut [Record]) -> Result<(), RenderError> {
-        let (object, Some(drawn)) = (&job.objects[run.object], run.drawn) else { return Ok(()) };
-        let drawn = &job.drawn[drawn];
-        match &object.ink {
-            Ink::Given(colours) => {
-                for record in records {
-                    record.values = [mean_colour(colours, face_corners(object, drawn, record)); 3];
-                }
+    /// The colour of each visible face, under flat shading.
+    fn light_faces(&mut self, lit: &Lit, records: &mut [Record]) -> Result<(), RenderError> {
+        let corners = |record: &Record| face_corners(lit.object, lit.drawn, record);
+        if !takes_mean(lit.job, lit.object) {
+            let normal = |record: &Record| lit.object.face_normal(record.face, record.turned);
+            self.light.faces(lit, records.iter().map(|record| (corners(record), normal(record))))?;
+            for (at, record) in records.iter_mut().enumerate() {
+                record.values = [self.light.colour(at); 3];
             }
-            Ink::Lit(ink) if takes_mean(job, object) => {
-                let corners = records.iter().flat_map(|record| {
-                    let turned = record.turned;
-                    let corners = face_corners(object, drawn, record);
-                    corners.map(move |(number, vertex)| Corner { number, vertex, turned })
-                });
-                self.light.corners(&Lit { job, object, drawn, ink }, corners)?;
-                let mut first = 0;
-                for record in records {
-                    let count = face_corners(object, drawn, record).len();
-                    let colours = (first..first + count).map(|corner| self.light.colour(corner).as_dvec3());
-                    record.values = [(colours.sum::<DVec3>() / count as f64).as_vec3(); 3];
-                    first += count;
-                }
-            }
-            Ink::Lit(ink) => {
-                let faces = records.iter().map(|record| {
-                    let vertices = face_corners(object, drawn, record).map(|(_, vertex)| vertex);
-                    (vertices, object.face_normal(record.face, record.turned))
-                });
-                self.light.faces(&Lit { job, object, drawn, ink }, faces)?;
-                for (at, record) in records.iter_mut().enumerate() {
-                    record.values = [self.light.colour(at); 3];
-                }
-            }
+            return Ok(());
+        }
+        self.light.corners(lit, records.iter().flat_map(corners))?;
+        let mut first = 0;
+        for record in records {
+            let count = corners(record).len();
+            let colours = (first..first + count).map(|corner| self.light.colour(corner).as_dvec3());
+            record.values = [(colours.sum::<DVec3>() / count as f64).as_vec3(); 3];
+            first += count;
         }
         Ok(())
     }
@@ -164,30 +144,23 @@ impl Painter {
     fn make_polygons(
         &mut self,
         job: &Job,
-        run: &Run,
+        object: &Prepared,
+        drawn: &DrawnObject,
         records: &[Record],
-        wanted: Wanted,
     ) -> Result<(), RenderError> {
-        let (object, Some(drawn)) = (&job.objects[run.object], run.drawn) else { return Ok(()) };
-        let drawn = &job.drawn[drawn];
         let mut faces: Vec<&Record> = records.iter().collect();
         faces.retain(|record| face_corners(object, drawn, record).len() > 3);
         faces.sort_by_key(|record| record.face);
         faces.dedup_by_key(|record| record.face);
-        let corners = || {
-            faces.iter().flat_map(|record| {
-                let turned = record.turned;
-                let corners = face_corners(object, drawn, record);
-                corners.map(move |(number, vertex)| Corner { number, vertex, turned })
-            })
-        };
-        if let (Wanted::CornerColours, Ink::Lit(ink)) = (wanted, &object.ink) {
-            self.light.corners(&Lit { job, object, drawn, ink }, corners())?;
+        let corners = || faces.iter().flat_map(|record| face_corners(object, drawn, record));
+        let wants_normals = Wanted::new(job, object) == Wanted::CornerNormals;
+        if let (false, Ink::Lit(shaders)) = (wants_normals, &object.ink) {
+            self.light.corners(&Lit { job, object, drawn, shaders }, corners())?;
         }
-        let value = |(at, corner): (usize, Corner)| match (wanted, &object.ink) {
-            (Wanted::CornerNormals, _) => object.corner_normal(corner.number, corner.vertex, corner.turned),
-            (_, Ink::Given(colours)) => single(colours[corner.vertex as usize]),
-            (_, Ink::Lit(_)) => self.light.colour(at),
+        let value = |(at, corner): (usize, Corner)| match &object.ink {
+            _ if wants_normals => object.corner_normal(corner),
+            Ink::Given(colours) => single(colours[corner.vertex as usize]),
+            Ink::Lit(_) => self.light.colour(at),
         };
         let place = |corner: Corner| drawn.map.view(drawn.points.get(corner.vertex));
         let mut placed =
@@ -329,7 +302,7 @@ fn seen_exactly(job: &Job, object: usize, tile: &Tile, seen: Seen) -> DVec3 {
     let position = match job.drawn.iter().find(|drawn| drawn.object == object) {
         Some(drawn) => {
             let triangle = tile.records[seen.record as usize].vertices;
-            seen_point(job, drawn, triangle, at).from_eye + (job.view.eye - job.view.origin)
+            drawn.plane_point(&job.view, triangle, at).from_eye + (job.view.eye - job.view.origin)
         }
         None => cast(job, object, at).map_or(DVec3::NAN, |(hit, _)| hit.position - job.view.origin),
     };

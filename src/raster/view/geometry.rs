@@ -68,21 +68,21 @@ impl<'a> Shape<'a> {
         self.points().map_or(DVec3::ZERO, |points| points.get(vertex))
     }
 
-    /// How many normals of vertices there are.
-    pub(crate) fn normal_count(&self) -> usize {
-        match self {
-            Shape::Mesh { normals, .. } => normals.normals.values.len(),
-            Shape::Triangles(triangles) => triangles.normals.len(),
-            Shape::Surface(_) => 0,
+    /// The normals of vertices; an analytic surface has none.
+    pub(crate) fn normals(&self) -> Points<'a> {
+        match *self {
+            Shape::Mesh { normals, .. } => Points::F64(&normals.normals.values),
+            Shape::Triangles(triangles) => Points::F32(triangles.normals),
+            Shape::Surface(_) => Points::F64(&[]),
         }
     }
 
-    /// One of them.
-    pub(crate) fn normal(&self, number: u32) -> DVec3 {
-        match self {
-            Shape::Mesh { normals, .. } => normals.normals.values[number as usize],
-            Shape::Triangles(triangles) => wide(triangles.normals[number as usize]),
-            Shape::Surface(_) => DVec3::ZERO,
+    /// The normals of faces: of all, or of none.
+    pub(crate) fn face_normals(&self) -> Points<'a> {
+        match *self {
+            Shape::Mesh { normals, .. } => Points::F64(&normals.face_normals),
+            Shape::Triangles(triangles) => Points::F32(triangles.face_normals),
+            Shape::Surface(_) => Points::F64(&[]),
         }
     }
 
@@ -105,24 +105,6 @@ impl<'a> Shape<'a> {
             Shape::Surface(_) => Vec::new(),
         }
     }
-
-    /// How many faces have normals of their own: all, or none.
-    pub(crate) fn face_normal_count(&self) -> usize {
-        match self {
-            Shape::Mesh { normals, .. } => normals.face_normals.len(),
-            Shape::Triangles(triangles) => triangles.face_normals.len(),
-            Shape::Surface(_) => 0,
-        }
-    }
-
-    /// The normal of a face that has one.
-    pub(crate) fn face_normal(&self, face: u32) -> DVec3 {
-        match self {
-            Shape::Mesh { normals, .. } => normals.face_normals[face as usize],
-            Shape::Triangles(triangles) => wide(triangles.face_normals[face as usize]),
-            Shape::Surface(_) => DVec3::ZERO,
-        }
-    }
 }
 
 fn normals_in_use(mesh: &Mesh, normals: &NormalField) -> Vec<[u32; 2]> {
@@ -134,8 +116,4 @@ fn normals_in_use(mesh: &Mesh, normals: &NormalField) -> Vec<[u32; 2]> {
     pairs.dedup();
     pairs.shrink_to_fit();
     pairs
-}
-
-fn wide(v: [f32; 3]) -> DVec3 {
-    DVec3::from(v.map(f64::from))
 }

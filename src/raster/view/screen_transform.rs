@@ -1,7 +1,6 @@
 //! From the scene to the picture: what a camera and a size of picture make of points.
 
 use crate::num::Radians;
-use crate::raster::shading::lighting::REACH;
 use crate::raster::view::camera::{Camera, CameraError, Projection};
 use crate::raster::view::fixed_point::GUARD;
 use glam::{DMat3, DMat4, DVec3, Vec3};
@@ -20,6 +19,10 @@ const FAR: f64 = 64.0;
 /// How many times nearer than the target a near distance may be that depths are shares of: single precision has no more
 /// room on either side.
 const MOST_RATIO: f64 = 1e30;
+
+/// As far away as single precision is asked for: a point that is farther has the same V, the same L and no more light
+/// to be told from none, but a square that overflows.
+pub(crate) const REACH: f32 = (1_u64 << 50) as f32;
 
 /// A camera with a picture of a certain size.
 ///

@@ -6,9 +6,8 @@ use crate::raster::load::scene_file::{SceneFile, SceneObject, SceneShape};
 use crate::raster::load::toml::material::ReflectionName;
 use crate::raster::load::toml::source::Source;
 use crate::raster::load::toml::values::Colour;
-use crate::raster::samples::Samples;
 use crate::raster::settings::{
-    Bits, Cull, FlatSample, Interpolation, LARGEST_SIDE, LineStyle, RenderSettings, Shading,
+    Bits, Cull, FlatSample, Interpolation, LARGEST_SIDE, LineStyle, RenderSettings, Samples, Shading,
 };
 use crate::raster::view::camera::{Camera, CameraError, Projection};
 use crate::shade::{DepthCue, Guards, Terminator, ToneRule};

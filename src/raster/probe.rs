@@ -2,12 +2,11 @@
 
 use crate::num::LinearRgb;
 use crate::raster::coverage::records::{Record, face_corners};
-use crate::raster::coverage::triangles::DrawnObject;
+use crate::raster::coverage::triangles::{Corner, DrawnObject, PlanePoint, shares};
 use crate::raster::error::RenderError;
 use crate::raster::frame::job::{Job, shade_settings};
 use crate::raster::frame::render::bins;
 use crate::raster::frame::tile::Worker;
-use crate::raster::inspect::hit_point::{SeenPoint, seen_point, shares};
 use crate::raster::scene::{Paint, Scene};
 use crate::raster::settings::{FlatSample, Interpolation, RenderSettings, Shading};
 use crate::raster::shading::ray_cast::cast;
@@ -169,9 +168,10 @@ fn on_face(job: &Job, drawn: &DrawnObject, record: &Record, at: [f64; 2]) -> (Pr
     let object = &job.objects[drawn.object];
     let triangle = drawn.list.vertices(record.triangle);
     let corners = drawn.list.corners(record.triangle);
-    let SeenPoint { weights: in_scene, from_eye: relative } = seen_point(job, drawn, triangle, at);
+    let PlanePoint { weights: in_scene, from_eye: relative } = drawn.plane_point(&job.view, triangle, at);
     let position = |vertex: u32| drawn.map.scene_point(drawn.points.get(vertex));
-    let face: Vec<(u32, u32)> = face_corners(object, drawn, record).collect();
+    let face: Vec<(u32, u32)> =
+        face_corners(object, drawn, record).map(|corner| (corner.number, corner.vertex)).collect();
     let (corners, weights): (Vec<(u32, u32)>, Vec<f64>) = match job.settings.interpolation {
         Interpolation::Scanline if face.len() > 3 => {
             let weights = scanline_weights(job, drawn, &face, at);
@@ -183,8 +183,9 @@ fn on_face(job: &Job, drawn: &DrawnObject, record: &Record, at: [f64; 2]) -> (Pr
             (corners.into_iter().zip(triangle).collect(), weights.to_vec())
         }
     };
+    let turned = record.turned;
     let normal_at =
-        |&(corner, vertex): &(u32, u32)| object.exact_corner_normal(corner, vertex, record.turned);
+        |&(number, vertex): &(u32, u32)| object.exact_corner_normal(Corner { number, vertex, turned });
     let normal = corners.iter().zip(&weights).map(|(corner, &weight)| normal_at(corner) * weight).sum();
     let face_normal = match object.has_face_normals() {
         true => object.exact_face_normal(record.face, record.turned),
