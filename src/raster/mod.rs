@@ -28,8 +28,8 @@ mod probe;
 mod load;
 
 pub use error::RenderError;
+pub use frame::empty_picture::Unseen;
 pub use frame::render::render;
-pub use frame::visibility::Unseen;
 pub use load::{
     LoadOptions, Recentring, SceneFile, SceneMesh, SceneObject, SceneShape, default_lights, load, rotation,
 };

@@ -11,7 +11,7 @@ use crate::raster::scene::{Paint, Scene};
 use crate::raster::settings::{FlatSample, Interpolation, RenderSettings, Shading};
 use crate::raster::shading::ray_cast::cast;
 use crate::raster::shading::scanline::ScanPolygon;
-use crate::raster::shading::surface_colour::Ink;
+use crate::raster::shading::surface_colour::ObjectColour;
 use crate::raster::view::clip::{ClipVertex, NEAR, Shares, clip};
 use crate::shade::{Explanation, Light, Probe, SurfacePoint};
 use glam::{DVec2, DVec3};
@@ -91,7 +91,9 @@ pub fn probe(
             expected: "within the picture",
         });
     };
-    let Some(record) = Worker::new().look(&job, &bins(&job), [x, y], offset) else { return Ok(None) };
+    let Some(record) = Worker::new().visible_record(&job, &bins(&job), [x, y], offset) else {
+        return Ok(None);
+    };
     let at = [f64::from(x) + place[0], f64::from(y) + place[1]];
     let seen = match job.drawn.iter().find(|drawn| drawn.object == record.object as usize) {
         Some(drawn) => Some(on_face(&job, drawn, &record, at)),
@@ -191,9 +193,9 @@ fn on_face(job: &Job, drawn: &DrawnObject, record: &Record, at: [f64; 2]) -> (Pr
         true => object.exact_face_normal(record.face, record.turned),
         false => normal,
     };
-    let given = |vertex: u32| match &object.ink {
-        Ink::Given(colours) => Some(colours[vertex as usize]),
-        Ink::Lit(_) => None,
+    let given = |vertex: u32| match &object.colour {
+        ObjectColour::Given(colours) => Some(colours[vertex as usize]),
+        ObjectColour::Lit(_) => None,
     };
     let at_corner = |corner: &(u32, u32), share: f64| ColourSource {
         share,
@@ -201,7 +203,7 @@ fn on_face(job: &Job, drawn: &DrawnObject, record: &Record, at: [f64; 2]) -> (Pr
         normal: normal_at(corner),
         given: given(corner.1),
     };
-    let is_given = matches!(object.ink, Ink::Given(_));
+    let is_given = matches!(object.colour, ObjectColour::Given(_));
     let count = face.len() as f64;
     let sources = match job.settings.shading {
         Shading::Flat if is_given || job.settings.flat_sample == FlatSample::VertexMean => {

@@ -1,4 +1,4 @@
-//! What of a scene is drawn, and how: everything that changes the picture.
+//! The settings that change the picture.
 
 use crate::num::{Degrees, LinearRgb, Transfer};
 use crate::raster::view::fixed_point::{GUARD, HALF, ONE};
@@ -21,7 +21,7 @@ pub enum Shading {
     Phong,
     /// Nowhere: the edges of the faces are drawn as lines.
     Wireframe,
-    /// At every sample, with the true position and normal of the analytic surface that the object stands for, found by
+    /// At every sample, with the true position and normal of the analytic surface that the object approximates, found by
     /// casting a ray. Objects without one are an error.
     Exact,
 }
@@ -54,7 +54,7 @@ pub enum FlatSample {
     VertexMean,
 }
 
-/// Which faces are left out; wireframes go without the edges that only these have.
+/// Which faces are not drawn; wireframes omit the edges that only these have.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Cull {
@@ -101,7 +101,7 @@ pub struct LineStyle {
     pub colour: LinearRgb,
     /// Their width in pixels, above 0.
     pub width: f64,
-    /// Whether lines behind surfaces are left out.
+    /// Whether lines behind surfaces are hidden.
     pub hide: bool,
 }
 
@@ -132,7 +132,7 @@ impl Bits {
     }
 }
 
-/// How many places of each pixel are drawn; the pixel is their mean. Each is shaded by itself.
+/// How many samples each pixel has; the pixel is their mean. Each is shaded by itself.
 ///
 /// The places, in 256ths of a pixel from its upper left corner: one sample is the centre; 4, 8 and 16 are the standard
 /// patterns of Direct3D 11 (`D3D11_STANDARD_MULTISAMPLE_PATTERN`), in which no two samples share a row or a column.
@@ -218,9 +218,9 @@ pub struct RenderSettings {
     pub interpolation: Interpolation,
     /// Where flat faces are lit.
     pub flat_sample: FlatSample,
-    /// How many places of each pixel are looked at.
+    /// How many samples each pixel has.
     pub samples: Samples,
-    /// Faces left out.
+    /// Faces that are not drawn.
     pub cull: Cull,
     /// Light faces seen from behind on that side: their normals are turned round.
     pub two_sided: bool,

@@ -7,7 +7,7 @@ use crate::num::corner_angle;
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 
-/// Corners of the polygon that stands for a disc.
+/// Corners of the polygon that approximates a disc.
 ///
 /// It has the disc's area, so that far away nothing differs; on the axis of a disc of radius R at the distance h its
 /// irradiance is below R²/(R²+h²) by at most 1.3e-7 of it, at h = R.

@@ -1,4 +1,4 @@
-//! Every number behind the colour of one point, for a student to follow.
+//! Every term of the colour of one point, for students to follow.
 
 use super::error::{NotFinite, ShadeError};
 use super::formula::{self, half_vector};
@@ -61,7 +61,7 @@ pub struct LightExplanation {
     pub light: usize,
     /// Its kind.
     pub kind: &'static str,
-    /// L, to the light; for an area light to the point that stands for it.
+    /// L, to the light; for an area light to its representative point.
     pub towards: [f64; 3],
     /// Its distance; none if it is at infinity.
     pub distance: Option<f64>,
@@ -71,7 +71,7 @@ pub struct LightExplanation {
     pub cone: Option<f64>,
     /// What an area light sends to a diffuse surface here, in place of attenuation and N·L.
     pub irradiance: Option<f64>,
-    /// N·L, as it is.
+    /// N·L, not clamped.
     pub n_dot_l: f64,
     /// R = 2N(N·L) − L.
     pub reflected: [f64; 3],

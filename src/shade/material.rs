@@ -102,7 +102,7 @@ impl Material {
     }
 
     /// More light out than in (F1: what comes in is reflected, transmitted or absorbed, so K_d + K_s ≤ 1 in each
-    /// component). Exercise 1.6.19 of the lectures does it, so it is worth a warning, not an error.
+    /// component). Exercise 1.6.19 of the lectures does it, so it is a warning, not an error.
     pub fn gain(&self) -> Option<EnergyGain> {
         let sum = self.diffuse.merged() + self.specular.merged();
         // A sum of two rounded numbers that are 1 together is not a gain.

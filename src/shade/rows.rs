@@ -348,7 +348,7 @@ impl Block {
         }
     }
 
-    /// Writes the colours and tells whether all are finite.
+    /// Writes the colours; returns whether all are finite.
     #[inline(always)]
     fn finish(&self, shader: &Shader<f32>, [red, green, blue]: [&mut [f32]; 3]) -> bool {
         let count = red.len().min(LANES).min(green.len()).min(blue.len());

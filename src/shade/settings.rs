@@ -1,4 +1,4 @@
-//! What a picture's lighting is computed with, beside lights and materials.
+//! The settings of lighting.
 
 use super::error::{Check, Place, ShadeError};
 use super::tone::ToneRule;

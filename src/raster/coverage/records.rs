@@ -1,13 +1,13 @@
 //! The triangles that are seen in a tile, with what their corners carry.
 
 use crate::num::LinearRgb;
-use crate::raster::coverage::bins::Piece;
 use crate::raster::coverage::setup::double_area;
+use crate::raster::coverage::tile_bins::Piece;
 use crate::raster::coverage::triangles::{Corner, DrawnObject, TriangleList};
 use crate::raster::frame::job::{Job, Prepared};
 use crate::raster::scene::Shape;
 use crate::raster::settings::{FlatSample, Interpolation, Shading, Show};
-use crate::raster::shading::surface_colour::Ink;
+use crate::raster::shading::surface_colour::ObjectColour;
 use crate::raster::view::clip::Shares;
 use crate::raster::view::project::ScreenVertex;
 use glam::{DVec3, Vec3};
@@ -88,7 +88,7 @@ pub(crate) fn parts(x: [i32; 3], y: [i32; 3]) -> [f64; 3] {
 
 /// What is wanted at each sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Wanted {
+pub(crate) enum ValueKind {
     /// Nothing that varies.
     Nothing,
     /// A normal that is interpolated.
@@ -101,20 +101,20 @@ pub(crate) enum Wanted {
     FaceColour,
 }
 
-impl Wanted {
+impl ValueKind {
     /// What an object needs under these settings.
     pub(crate) fn new(job: &Job, object: &Prepared) -> Self {
         let (shading, show) = (job.settings.shading, job.settings.show);
         let flat = shading == Shading::Flat;
-        match (show, &object.ink) {
+        match (show, &object.colour) {
             (Show::Facing | Show::Depth | Show::FaceId, _) => Self::Nothing,
             (Show::Normals | Show::Deviation(_), _) if flat => Self::FaceNormal,
             (Show::Normals | Show::Deviation(_), _) => Self::CornerNormals,
             (Show::Shaded, _) if shading == Shading::Wireframe => Self::Nothing,
             (Show::Shaded, _) if flat => Self::FaceColour,
-            (Show::Shaded, Ink::Given(_)) => Self::CornerColours,
-            (Show::Shaded, Ink::Lit(_)) if shading == Shading::Gouraud => Self::CornerColours,
-            (Show::Shaded, Ink::Lit(_)) => Self::CornerNormals,
+            (Show::Shaded, ObjectColour::Given(_)) => Self::CornerColours,
+            (Show::Shaded, ObjectColour::Lit(_)) if shading == Shading::Gouraud => Self::CornerColours,
+            (Show::Shaded, ObjectColour::Lit(_)) => Self::CornerNormals,
         }
     }
 
@@ -173,5 +173,5 @@ pub(crate) fn single(colour: LinearRgb) -> Vec3 {
 
 /// Whether flat faces take the mean of what their corners would have.
 pub(crate) fn takes_mean(job: &Job, object: &Prepared) -> bool {
-    job.settings.flat_sample == FlatSample::VertexMean || matches!(object.ink, Ink::Given(_))
+    job.settings.flat_sample == FlatSample::VertexMean || matches!(object.colour, ObjectColour::Given(_))
 }

@@ -17,10 +17,10 @@ pub(crate) fn double_area([a, b, c]: &[ScreenVertex; 3]) -> f64 {
     x1 * y2 - x2 * y1
 }
 
-/// What covers pixels of a tile. Coordinates are pixels of the tile; each is looked at in one sample.
+/// A triangle prepared for one sample of each pixel of a tile. Coordinates are pixels of the tile.
 ///
 /// With whole numbers `I` and others `F`, or with rows of them for many triangles.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Setup<I = i32, F = f32> {
     /// Each edge's function at pixel (0, 0), divided by 256 and rounded down, and its growth per pixel to the right and
     /// down. A sample is covered where all three are 0 or more.
@@ -130,6 +130,7 @@ pub(crate) const LARGE: u32 = u32::MAX;
 pub(crate) const GROUP: usize = 32;
 
 /// Corners of a group of triangles, row by row.
+#[derive(Default)]
 pub(crate) struct CornerRows {
     x: [[i32; GROUP]; 3],
     y: [[i32; GROUP]; 3],
@@ -137,11 +138,6 @@ pub(crate) struct CornerRows {
 }
 
 impl CornerRows {
-    #[inline(always)]
-    pub(crate) fn new() -> Self {
-        Self { x: [[0; GROUP]; 3], y: [[0; GROUP]; 3], depth: [[0.0; GROUP]; 3] }
-    }
-
     #[inline(always)]
     pub(crate) fn set(&mut self, lane: usize, v: &[ScreenVertex; 3]) {
         for (k, v) in v.iter().enumerate() {
@@ -163,21 +159,6 @@ impl CornerRows {
 }
 
 impl Setup<[i32; GROUP], [f32; GROUP]> {
-    #[inline(always)]
-    pub(crate) fn rows() -> Self {
-        Self {
-            edge: [[0; GROUP]; 3],
-            right: [[0; GROUP]; 3],
-            down: [[0; GROUP]; 3],
-            depth: [0.0; GROUP],
-            depth_right: [0.0; GROUP],
-            depth_down: [0.0; GROUP],
-            depth_range: [[0.0; GROUP]; 2],
-            x: [[0; GROUP]; 2],
-            y: [[0; GROUP]; 2],
-        }
-    }
-
     /// Prepares a group of triangles.
     #[inline(always)]
     pub(crate) fn prepare(&mut self, corners: &CornerRows, origin: [i32; 2]) {

@@ -1,9 +1,9 @@
 //! The triangles of one tile: collecting them, drawing them, and records of the visible ones.
 
 use crate::num::{Kernel, Lanes};
-use crate::raster::coverage::bins::{Bins, CLIPPED, Clipper, Piece, tiles};
 use crate::raster::coverage::records::Record;
 use crate::raster::coverage::setup::{CornerRows, GROUP, LARGE, Setup};
+use crate::raster::coverage::tile_bins::{Bins, CLIPPED, Clipper, Piece, tiles};
 use crate::raster::coverage::visible_triangle::Visible;
 use crate::raster::frame::job::Job;
 use crate::raster::view::project::ScreenVertex;
@@ -22,7 +22,7 @@ pub(crate) struct TileList {
     clipper: Clipper,
 }
 
-/// What a number in a [`TileList`] stands for.
+/// The triangle or object of a number in a [`TileList`].
 pub(crate) enum Owner {
     /// A triangle of one of [`Job::drawn`], or a piece of it, and its corners on the picture.
     Triangle { object: usize, triangle: u32, corners: [ScreenVertex; 3] },
@@ -159,8 +159,8 @@ impl Kernel for DrawTriangles<'_> {
     fn run<A: Lanes>(self, _: A) {
         let Self { job, list, origin, visible } = self;
         let (triangles, pieces) = (&list.triangles[..], &list.pieces[..]);
-        let mut group = Group { corners: CornerRows::new(), owners: [0; GROUP], count: 0, origin };
-        let mut setups = Setup::rows();
+        let mut group = Group { corners: CornerRows::default(), owners: [0; GROUP], count: 0, origin };
+        let mut setups = Setup::default();
         let (mut piece, mut from) = (0, 0);
         for (number, object) in job.drawn.iter().enumerate() {
             let end = match job.drawn.get(number + 1) {

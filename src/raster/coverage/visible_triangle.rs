@@ -227,7 +227,7 @@ mod tests {
     fn small_triangles_give_what_blocks_give() {
         let mut numbers = Numbers::new(13);
         let (mut visible, mut expected) = (Visible::new(), Visible::new());
-        let (mut corners, mut group, mut masks) = (CornerRows::new(), Setup::rows(), [0; GROUP]);
+        let (mut corners, mut group, mut masks) = (CornerRows::default(), Setup::default(), [0; GROUP]);
         let mut small = 0;
         for round in 0..400 {
             for lane in 0..GROUP {

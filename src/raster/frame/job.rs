@@ -6,7 +6,7 @@ use crate::raster::coverage::triangles::{Corner, DrawnObject};
 use crate::raster::error::RenderError;
 use crate::raster::scene::{Object, Paint, Scene, Shape};
 use crate::raster::settings::{LARGEST_SIDE, RenderSettings, Shading, Show};
-use crate::raster::shading::surface_colour::{Ink, LitInk};
+use crate::raster::shading::surface_colour::{ObjectColour, Shaders};
 use crate::raster::view::project::NOT_FINITE;
 use crate::raster::view::screen_transform::{Rays, View};
 use crate::shade::{Frame, Guards, ShadeSettings, Terminator, Viewer};
@@ -14,7 +14,7 @@ use crate::surface::Placed;
 use glam::{DMat3, DVec3, Vec3};
 use rayon::prelude::*;
 
-/// Everything that drawing a tile looks at.
+/// Everything that drawing a tile needs.
 pub(crate) struct Job<'a> {
     pub(crate) settings: &'a RenderSettings,
     pub(crate) view: View,
@@ -34,8 +34,8 @@ pub(crate) struct Prepared<'a> {
     pub(crate) shape: &'a Shape<'a>,
     /// How normals reach the scene; `None` if they are there already.
     normals: Option<NormalMatrix>,
-    pub(crate) ink: Ink<'a>,
-    /// What the object stands for.
+    pub(crate) colour: ObjectColour<'a>,
+    /// The analytic surface that the object approximates.
     pub(crate) truth: Option<Placed>,
     /// Whether it is drawn by casting rays at its truth.
     pub(crate) is_cast: bool,
@@ -153,13 +153,15 @@ impl<'a> Prepared<'a> {
         let matrix = normal_matrix(linear).filter(|_| object.transform.is_finite());
         let normals = Some(matrix.ok_or(singular.clone())?).filter(|_| linear != DMat3::IDENTITY);
         let is_cast = settings.shading == Shading::Exact || matches!(object.shape, Shape::Surface(_));
-        let ink = match &object.paint {
+        let colour = match &object.paint {
             Paint::Lit(material) => {
                 let shade = shade_settings(settings, view, frame, is_cast);
-                let ink = LitInk::new(&scene.lights, material, &shade);
-                Ink::Lit(Box::new(ink.map_err(|error| RenderError::Shade { object: number, error })?))
+                let shaders = Shaders::new(&scene.lights, material, &shade);
+                ObjectColour::Lit(Box::new(
+                    shaders.map_err(|error| RenderError::Shade { object: number, error })?,
+                ))
             }
-            Paint::Given(colours) => Ink::Given(colours),
+            Paint::Given(colours) => ObjectColour::Given(colours),
         };
         let surface = match object.shape {
             Shape::Surface(primitive) => Some(primitive),
@@ -170,10 +172,10 @@ impl<'a> Prepared<'a> {
         if settings.shading == Shading::Exact && truth.is_none() {
             return Err(RenderError::NoSurface(number));
         }
-        if is_cast && settings.show == Show::Shaded && matches!(ink, Ink::Given(_)) {
+        if is_cast && settings.show == Show::Shaded && matches!(colour, ObjectColour::Given(_)) {
             return Err(RenderError::Uncoloured(number));
         }
-        Ok(Self { shape: &object.shape, normals, ink, truth, is_cast })
+        Ok(Self { shape: &object.shape, normals, colour, truth, is_cast })
     }
 
     /// The normal at a corner, in the scene's axes.
@@ -199,7 +201,7 @@ impl<'a> Prepared<'a> {
         }
     }
 
-    /// What tells a corner's normal from others of its object: equal numbers, equal normals at the same vertex.
+    /// The number of a corner's normal in its object: the same number at the same vertex means the same normal.
     #[inline(always)]
     pub(crate) fn entry(&self, corner: u32, vertex: u32) -> u32 {
         match self.shape {
@@ -241,7 +243,7 @@ fn side<T: std::ops::Neg<Output = T>>(normal: T, turned: bool) -> T {
     if turned { -normal } else { normal }
 }
 
-/// Lists that do not fit one another.
+/// Whether the lists of an object have matching lengths.
 fn check_lists(number: usize, object: &Object, settings: &RenderSettings) -> Result<(), RenderError> {
     let count = |what, found, per, expected| {
         let error = RenderError::Count { object: number, what, found, per, expected };
@@ -280,7 +282,7 @@ fn check_lists(number: usize, object: &Object, settings: &RenderSettings) -> Res
     }
 }
 
-/// Triangles that name vertices which are not there.
+/// Whether all triangles name vertices that exist.
 fn check_indices(triangles: &[[u32; 3]], count: usize) -> Result<(), RenderError> {
     // The largest index first: a search that may stop anywhere takes several times as long.
     let parts = triangles.as_flattened().par_chunks(1 << 16);
@@ -293,7 +295,7 @@ fn check_indices(triangles: &[[u32; 3]], count: usize) -> Result<(), RenderError
     Err(RenderError::Index { what: "triangle", number: wrong / 3, index: indices[wrong], count })
 }
 
-/// Vertices without a place.
+/// Whether all vertices have a finite place on the picture.
 fn check_range(object: &DrawnObject) -> Result<(), RenderError> {
     if object.outside & NOT_FINITE == 0 {
         return Ok(());

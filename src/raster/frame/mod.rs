@@ -7,6 +7,6 @@ pub(super) mod tile;
 // From linear colours to stored numbers.
 pub(super) mod output;
 // Why a picture is empty.
-pub(super) mod visibility;
+pub(super) mod empty_picture;
 // From a scene to a picture.
 pub(super) mod render;

@@ -1,10 +1,10 @@
 //! Straight lines with a width, on top of what is seen or hidden by it.
 
-use crate::raster::coverage::bins::{TileBox, sort, tiles};
 use crate::raster::coverage::setup::TILE;
+use crate::raster::coverage::tile_bins::{TileBox, sort, tiles};
 use crate::raster::error::RenderError;
 use crate::raster::frame::job::Job;
-use crate::raster::lines::segments::Ends;
+use crate::raster::lines::segments::LineEnds;
 use crate::raster::scene::Scene;
 use crate::raster::settings::{LineStyle, Shading};
 use crate::raster::view::clip::clip_line;
@@ -21,7 +21,7 @@ pub(crate) struct LineJob<'a> {
 
 /// Lines that look alike.
 pub(crate) struct LineSet<'a> {
-    ends: Ends<'a>,
+    ends: LineEnds<'a>,
     /// From the space of the ends to view space.
     map: ObjectMap,
     pub(crate) colour: Vec3,
@@ -46,12 +46,13 @@ impl<'a> LineJob<'a> {
         if job.settings.shading == Shading::Wireframe {
             check_style(&job.settings.wire)?;
             let cull = job.settings.cull;
-            let edges = job.drawn.iter().map(|drawn| Ends::edges(&scene.objects[drawn.object], drawn, cull));
+            let edges =
+                job.drawn.iter().map(|drawn| LineEnds::edges(&scene.objects[drawn.object], drawn, cull));
             sets.extend(edges.map(|ends| LineSet::new(job, ends, &job.settings.wire, true)));
         }
         for (number, lines) in scene.lines.iter().enumerate() {
             check_style(&lines.style)?;
-            sets.push(LineSet::new(job, Ends::new(scene, number, &lines.path)?, &lines.style, false));
+            sets.push(LineSet::new(job, LineEnds::new(scene, number, &lines.path)?, &lines.style, false));
         }
         let parts = sets.par_iter().enumerate().map(|(number, set)| {
             let found: Vec<_> = (0..set.ends.len())
@@ -90,7 +91,7 @@ fn check_style(style: &LineStyle) -> Result<(), RenderError> {
 }
 
 impl<'a> LineSet<'a> {
-    fn new(job: &Job, ends: Ends<'a>, style: &LineStyle, is_wireframe: bool) -> Self {
+    fn new(job: &Job, ends: LineEnds<'a>, style: &LineStyle, is_wireframe: bool) -> Self {
         let (transform, first) = ends.space();
         let map = ObjectMap::about(&job.view, transform, first);
         let colour = crate::raster::coverage::records::single(style.colour);

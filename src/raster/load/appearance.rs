@@ -5,7 +5,7 @@ use crate::io::{
     Place, Problem, ReadError, Severity,
 };
 use crate::num::{LinearRgb, Radians};
-use crate::raster::load::defaults::plain_material;
+use crate::raster::load::scene_file::plain_material;
 use crate::raster::view::camera::{Camera, Projection};
 use crate::shade::{Attenuation, Cone, Light, Material, Reflectance, Reflection, roughness_exponent};
 use glam::DVec3;

@@ -5,9 +5,8 @@ use crate::io::{Place, Problem, ReadError, Severity};
 use crate::mesh::{NONE, normal_matrix};
 use crate::num::LinearRgb;
 use crate::raster::load::appearance;
-use crate::raster::load::options::LoadOptions;
 use crate::raster::load::scene_file::{
-    MOST_OBJECTS, MOST_PLACED_CORNERS, SceneFile, SceneMesh, SceneObject, SceneShape,
+    LoadOptions, MOST_OBJECTS, MOST_PLACED_CORNERS, SceneFile, SceneMesh, SceneObject, SceneShape,
 };
 use crate::raster::load::scene_mesh::by_label;
 use crate::raster::settings::RenderSettings;

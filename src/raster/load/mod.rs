@@ -2,10 +2,6 @@
 
 // Rotation by degrees.
 mod rotation;
-// How scenes are read.
-mod options;
-// Lights and material of scenes that have none.
-mod defaults;
 // A scene that owns its meshes.
 mod scene_file;
 // Meshes with their normals, divided by material.
@@ -21,9 +17,7 @@ mod toml;
 // Reading a file of any kind.
 mod read;
 
-pub use defaults::default_lights;
-pub use options::LoadOptions;
 pub use read::load;
 pub use recentre::Recentring;
 pub use rotation::rotation;
-pub use scene_file::{SceneFile, SceneMesh, SceneObject, SceneShape};
+pub use scene_file::{LoadOptions, SceneFile, SceneMesh, SceneObject, SceneShape, default_lights};

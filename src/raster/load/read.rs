@@ -1,8 +1,7 @@
 //! Scenes from files.
 
 use crate::io::{self, Format, Limits, Place, Problem, ReadError};
-use crate::raster::load::options::LoadOptions;
-use crate::raster::load::scene_file::SceneFile;
+use crate::raster::load::scene_file::{LoadOptions, SceneFile};
 use std::path::Path;
 
 /// Reads a scene, or a mesh as a scene: framed by itself, with a light of its own, in a plain material.
@@ -33,7 +32,7 @@ use std::path::Path;
 /// | table | key | |
 /// |---|---|---|
 /// | `[settings]` | `size` | width and height in pixels, 1 to 16384; `[640, 480]` |
-/// | | `samples` | places looked at in each pixel: 1, 4, 8 or 16 |
+/// | | `samples` | samples per pixel: 1, 4, 8 or 16 |
 /// | | `bits` | of each component of the picture: 8 or 16 |
 /// | | `shading` | `"flat"`, `"gouraud"`, `"phong"`, `"wireframe"`, `"exact"` |
 /// | | `interpolation` | `"scanline"`, `"affine"`, `"perspective"` |

@@ -4,12 +4,11 @@ use crate::io::{Format, Part};
 use crate::mesh::{Column, Columns, FaceEdit, Faces, MeshBuilder, NONE};
 use crate::normals::{Faults, NormalField, compute};
 use crate::num::{LinearRgb, Transfer};
-use crate::raster::load::options::LoadOptions;
-use crate::raster::load::scene_file::SceneMesh;
+use crate::raster::load::scene_file::{LoadOptions, SceneMesh};
 use rayon::prelude::*;
 
 impl SceneMesh {
-    /// A part of a file in this format, whose faces that use no finite positions are left out.
+    /// A part of a file in this format, without the faces that use non-finite positions.
     pub(super) fn new(part: Part, format: Format, options: &LoadOptions) -> Self {
         let Part { mesh, non_finite_faces, .. } = part;
         let source_faces = (!non_finite_faces.is_empty()).then(|| {

@@ -89,7 +89,7 @@ fn heat(share: f32) -> Vec3 {
     Vec3::new(ramp(0.0), ramp(1.0), ramp(2.0))
 }
 
-/// A colour that tells a face from its neighbours: not too dark, and the same in every picture of the scene.
+/// A colour that distinguishes a face from its neighbours: not too dark, and the same in every picture of the scene.
 fn face_colour(object: u32, face: u32) -> Vec3 {
     // The finaliser of splitmix64 (Steele, Lea & Flood 2014).
     let mut hash = (u64::from(object) << 32 | u64::from(face)).wrapping_add(0x9e37_79b9_7f4a_7c15);

@@ -14,7 +14,7 @@ pub(crate) type Row = [f32; BATCH];
 
 /// A sample that is seen: the pixel's number in its tile, and the triangle there.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Seen {
+pub(crate) struct VisibleSample {
     pub(crate) pixel: u16,
     pub(crate) record: u32,
 }
@@ -22,7 +22,7 @@ pub(crate) struct Seen {
 /// Interpolates what the corners of triangles carry, for at most [`BATCH`] samples.
 pub(crate) struct Interpolate<'a> {
     pub(crate) records: &'a [Record],
-    pub(crate) seen: &'a [Seen],
+    pub(crate) seen: &'a [VisibleSample],
     /// The sample of the tile's first pixel, in 256ths of a pixel of the picture.
     pub(crate) origin: [i32; 2],
     /// Weigh by nearness.
@@ -90,7 +90,7 @@ impl Kernel for Interpolate<'_> {
 /// Positions of samples relative to the view's origin, from their depths.
 pub(crate) struct Positions<'a> {
     pub(crate) rays: &'a Rays,
-    pub(crate) seen: &'a [Seen],
+    pub(crate) seen: &'a [VisibleSample],
     pub(crate) depth: &'a [f32],
     /// What is seen, where depth is not nearness.
     pub(crate) records: Option<&'a [Record]>,

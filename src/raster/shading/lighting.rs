@@ -5,7 +5,7 @@ use crate::num::{self, Kernel, Lanes};
 use crate::raster::coverage::triangles::{Corner, DrawnObject};
 use crate::raster::error::RenderError;
 use crate::raster::frame::job::{Job, Prepared};
-use crate::raster::shading::surface_colour::LitInk;
+use crate::raster::shading::surface_colour::Shaders;
 use crate::raster::view::project::Points;
 use crate::raster::view::screen_transform::{ObjectMap, REACH};
 use crate::shade::SurfaceRows;
@@ -17,7 +17,7 @@ pub(crate) struct Lit<'a> {
     pub(crate) job: &'a Job<'a>,
     pub(crate) object: &'a Prepared<'a>,
     pub(crate) drawn: &'a DrawnObject<'a>,
-    pub(crate) shaders: &'a LitInk,
+    pub(crate) shaders: &'a Shaders,
 }
 
 /// Lights points and keeps its memory.

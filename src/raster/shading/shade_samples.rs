@@ -2,7 +2,7 @@
 
 use crate::num;
 use crate::raster::coverage::records::{
-    Record, Wanted, face_corners, mean_colour, piece_values, single, takes_mean, triangle_corners,
+    Record, ValueKind, face_corners, mean_colour, piece_values, single, takes_mean, triangle_corners,
 };
 use crate::raster::coverage::tile_list::{Run, TileList};
 use crate::raster::coverage::triangles::{Corner, DrawnObject};
@@ -11,11 +11,11 @@ use crate::raster::error::RenderError;
 use crate::raster::frame::job::{Job, Prepared};
 use crate::raster::settings::{Interpolation, Show};
 use crate::raster::shading::false_colour;
-use crate::raster::shading::interpolate::{BATCH, Interpolate, Positions, Row, Seen};
+use crate::raster::shading::interpolate::{BATCH, Interpolate, Positions, Row, VisibleSample};
 use crate::raster::shading::lighting::{Lit, PointLight};
 use crate::raster::shading::ray_cast::{Hits, cast};
 use crate::raster::shading::scanline::ScanPolygon;
-use crate::raster::shading::surface_colour::Ink;
+use crate::raster::shading::surface_colour::ObjectColour;
 use crate::raster::view::fixed_point::{BITS, ONE};
 use crate::shade::SurfaceRows;
 use glam::{DVec3, Vec3};
@@ -34,7 +34,7 @@ pub(crate) struct Painter {
 
 /// What is seen of one object in a tile.
 pub(crate) struct Tile<'a> {
-    pub(crate) seen: &'a [Seen],
+    pub(crate) seen: &'a [VisibleSample],
     pub(crate) records: &'a [Record],
     pub(crate) depth: &'a [f32],
     pub(crate) hits: Option<&'a Hits>,
@@ -68,36 +68,36 @@ impl Painter {
         let (object, Some(drawn)) = (&job.objects[run.object], run.drawn) else { return Ok(()) };
         let drawn = &job.drawn[drawn];
         let (records, owners) = (&mut records[run.records.clone()], &owners[run.records.clone()]);
-        let wanted = Wanted::new(job, object);
-        match (wanted, &object.ink) {
-            (Wanted::Nothing, _) => return Ok(()),
-            (Wanted::FaceNormal, _) => {
+        let wanted = ValueKind::new(job, object);
+        match (wanted, &object.colour) {
+            (ValueKind::Nothing, _) => return Ok(()),
+            (ValueKind::FaceNormal, _) => {
                 for record in records {
                     record.values = [object.face_normal(record.face, record.turned); 3];
                 }
                 return Ok(());
             }
-            (Wanted::FaceColour, Ink::Given(colours)) => {
+            (ValueKind::FaceColour, ObjectColour::Given(colours)) => {
                 for record in records {
                     record.values = [mean_colour(colours, face_corners(object, drawn, record)); 3];
                 }
                 return Ok(());
             }
-            (Wanted::FaceColour, Ink::Lit(shaders)) => {
+            (ValueKind::FaceColour, ObjectColour::Lit(shaders)) => {
                 return self.light_faces(&Lit { job, object, drawn, shaders }, records);
             }
-            (Wanted::CornerNormals, _) => {
+            (ValueKind::CornerNormals, _) => {
                 for record in records.iter_mut() {
                     let corners = triangle_corners(drawn, record);
                     record.values = corners.map(|corner| object.corner_normal(corner));
                 }
             }
-            (Wanted::CornerColours, Ink::Given(colours)) => {
+            (ValueKind::CornerColours, ObjectColour::Given(colours)) => {
                 for record in records.iter_mut() {
                     record.values = record.vertices.map(|vertex| single(colours[vertex as usize]));
                 }
             }
-            (Wanted::CornerColours, Ink::Lit(shaders)) => {
+            (ValueKind::CornerColours, ObjectColour::Lit(shaders)) => {
                 let corners = records.iter().flat_map(|record| triangle_corners(drawn, record));
                 self.light.corners(&Lit { job, object, drawn, shaders }, corners)?;
                 for (at, record) in records.iter_mut().enumerate() {
@@ -153,14 +153,14 @@ impl Painter {
         faces.sort_by_key(|record| record.face);
         faces.dedup_by_key(|record| record.face);
         let corners = || faces.iter().flat_map(|record| face_corners(object, drawn, record));
-        let wants_normals = Wanted::new(job, object) == Wanted::CornerNormals;
-        if let (false, Ink::Lit(shaders)) = (wants_normals, &object.ink) {
+        let wants_normals = ValueKind::new(job, object) == ValueKind::CornerNormals;
+        if let (false, ObjectColour::Lit(shaders)) = (wants_normals, &object.colour) {
             self.light.corners(&Lit { job, object, drawn, shaders }, corners())?;
         }
-        let value = |(at, corner): (usize, Corner)| match &object.ink {
+        let value = |(at, corner): (usize, Corner)| match &object.colour {
             _ if wants_normals => object.corner_normal(corner),
-            Ink::Given(colours) => single(colours[corner.vertex as usize]),
-            Ink::Lit(_) => self.light.colour(at),
+            ObjectColour::Given(colours) => single(colours[corner.vertex as usize]),
+            ObjectColour::Lit(_) => self.light.colour(at),
         };
         let place = |corner: Corner| drawn.map.view(drawn.points.get(corner.vertex));
         let mut placed =
@@ -182,12 +182,16 @@ impl Painter {
         out: &mut Colours,
     ) -> Result<(), RenderError> {
         let prepared = &job.objects[object];
-        let wanted = Wanted::new(job, prepared);
-        let ink = match (&prepared.ink, job.settings.show) {
-            (Ink::Lit(ink), Show::Shaded) if wanted == Wanted::CornerNormals || prepared.is_cast => Some(ink),
+        let wanted = ValueKind::new(job, prepared);
+        let shaders = match (&prepared.colour, job.settings.show) {
+            (ObjectColour::Lit(shaders), Show::Shaded)
+                if wanted == ValueKind::CornerNormals || prepared.is_cast =>
+            {
+                Some(shaders)
+            }
             _ => None,
         };
-        let needs_positions = ink.is_some_and(|ink| ink.needs_positions())
+        let needs_positions = shaders.is_some_and(|shaders| shaders.needs_positions())
             || matches!(job.settings.show, Show::Deviation(_)) && prepared.truth.is_some();
         let hits = tile.hits.filter(|_| prepared.is_cast);
         let Tile { records, depth, origin, .. } = *tile;
@@ -208,7 +212,7 @@ impl Painter {
                     });
                 }
             }
-            let by_faces = job.settings.asks_faces() && !prepared.is_cast && ink.is_some();
+            let by_faces = job.settings.asks_faces() && !prepared.is_cast && shaders.is_some();
             if by_faces {
                 for (lane, seen) in seen.iter().enumerate() {
                     let record = &records[seen.record as usize];
@@ -217,14 +221,15 @@ impl Painter {
                 }
             }
             let Self { values, positions, colours, faces, .. } = self;
-            if let Some(ink) = ink {
+            if let Some(shaders) = shaders {
                 let rows = SurfaceRows {
                     positions: positions.each_ref().map(|row| &row[..count]),
                     normals: values.each_ref().map(|row| &row[..count]),
                     faces: by_faces.then(|| faces.each_ref().map(|row| &row[..count])),
                 };
                 let colours = colours.each_mut().map(|row| &mut row[..count]);
-                ink.shade_rows(&rows, colours, |lane| seen_exactly(job, object, tile, seen[lane]))
+                shaders
+                    .shade_rows(&rows, colours, |lane| seen_exactly(job, object, tile, seen[lane]))
                     .map_err(|error| RenderError::NotFinite { object, error })?;
             } else if job.settings.show != Show::Shaded {
                 for (lane, seen) in seen.iter().enumerate() {
@@ -242,7 +247,7 @@ impl Painter {
                 }
             }
             // What is neither lit here nor shown in another way is a colour already.
-            let is_colour = ink.is_none() && job.settings.show == Show::Shaded;
+            let is_colour = shaders.is_none() && job.settings.show == Show::Shaded;
             let colours = if is_colour { values } else { colours };
             for (out, colours) in out.iter_mut().zip(colours.iter()) {
                 for (seen, &colour) in seen.iter().zip(colours.iter()) {
@@ -254,7 +259,7 @@ impl Painter {
     }
 
     /// What the corners carry, at the samples.
-    fn take_values(&mut self, job: &Job, wanted: Wanted, seen: &[Seen], tile: &Tile) {
+    fn take_values(&mut self, job: &Job, wanted: ValueKind, seen: &[VisibleSample], tile: &Tile) {
         let Tile { records, origin, .. } = *tile;
         if !wanted.varies() {
             let [x, y, z] = &mut *self.values;
@@ -279,7 +284,7 @@ impl Painter {
     }
 
     /// What rays hit.
-    fn take_hits(&mut self, hits: &Hits, seen: &[Seen]) {
+    fn take_hits(&mut self, hits: &Hits, seen: &[VisibleSample]) {
         for (lane, seen) in seen.iter().enumerate() {
             let hit = hits.at(seen.pixel);
             self.values.iter_mut().zip(hit.normal.to_array()).for_each(|(row, value)| row[lane] = value);
@@ -290,14 +295,14 @@ impl Painter {
 
 impl Tile<'_> {
     /// Where a sample is, in 256ths of a pixel of the picture.
-    fn place(&self, seen: Seen) -> [i32; 2] {
+    fn place(&self, seen: VisibleSample) -> [i32; 2] {
         let [column, row] = place(usize::from(seen.pixel)).map(|n| n as i32);
         [self.origin[0] + (column << BITS), self.origin[1] + (row << BITS)]
     }
 }
 
 /// Where a sample sees an object, in the frame of the shaders, before depth and corners are rounded.
-fn seen_exactly(job: &Job, object: usize, tile: &Tile, seen: Seen) -> DVec3 {
+fn seen_exactly(job: &Job, object: usize, tile: &Tile, seen: VisibleSample) -> DVec3 {
     let at = tile.place(seen).map(|n| f64::from(n) / f64::from(ONE));
     let position = match job.drawn.iter().find(|drawn| drawn.object == object) {
         Some(drawn) => {

@@ -1,4 +1,4 @@
-//! What makes the colour of an object.
+//! The source of an object's colour: shaders of its material, or colours of its vertices.
 
 use crate::num::LinearRgb;
 use crate::shade::{
@@ -6,21 +6,21 @@ use crate::shade::{
 };
 use glam::DVec3;
 
-/// What makes the colour of an object.
-pub(crate) enum Ink<'a> {
+/// The source of an object's colour.
+pub(crate) enum ObjectColour<'a> {
     /// Light on a material.
-    Lit(Box<LitInk>),
+    Lit(Box<Shaders>),
     /// A colour for each vertex.
     Given(&'a [LinearRgb]),
 }
 
-/// Light on a material, in single precision for rows of points and in double precision for what that cannot tell apart.
-pub(crate) struct LitInk {
+/// Shaders of a material: in single precision for rows of points, in double precision for points that it rounds to a light.
+pub(crate) struct Shaders {
     single: Shader<f32>,
     double: Shader<f64>,
 }
 
-impl LitInk {
+impl Shaders {
     pub(crate) fn new(
         lights: &[Light],
         material: &Material,
@@ -48,7 +48,7 @@ impl LitInk {
         let in_rows = out.each_mut().map(|row| &mut **row);
         match self.single.shade_rows(rows, in_rows) {
             Err(_) if self.needs_positions() => {
-                // One by one: what is finite has the bits that it has in rows, whatever lies beside it.
+                // One by one: what is finite has the bits that it has in rows, whatever its neighbours are.
                 (0..out[0].len()).try_for_each(|index| {
                     let at = |rows: [&[f32]; 3]| rows.map(|row| row[index]);
                     let colour =

@@ -52,7 +52,7 @@ impl Points<'_> {
 /// Vertices that one task projects.
 const TASK: usize = 8192;
 
-/// Projects and snaps all vertices; also tells which planes any of them is outside of.
+/// Projects and snaps all vertices; also returns the planes that any of them is outside of.
 pub(crate) fn project(points: Points, map: &ObjectMap, view: &View) -> (Vec<ScreenVertex>, u32) {
     let mut vertices = vec![ScreenVertex::default(); points.len()];
     let outside = match points {

@@ -20,8 +20,8 @@ const FAR: f64 = 64.0;
 /// room on either side.
 const MOST_RATIO: f64 = 1e30;
 
-/// As far away as single precision is asked for: a point that is farther has the same V, the same L and no more light
-/// to be told from none, but a square that overflows.
+/// As far away as single precision is asked for: a point that is farther has the same V, the same L and no visible
+/// light, but a square that overflows.
 pub(crate) const REACH: f32 = (1_u64 << 50) as f32;
 
 /// A camera with a picture of a certain size.
@@ -31,8 +31,8 @@ pub(crate) const REACH: f32 = (1_u64 << 50) as f32;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct View {
     pub(crate) eye: DVec3,
-    /// What points that are lit are told relative to: the eye, or the target if the camera is [`FAR`] from it, since a step
-    /// of single precision from the eye would be no longer little beside what is shown.
+    /// The origin of the positions that are lit: the eye, or the target if the camera is [`FAR`] from it, since a step
+    /// of single precision from the eye would no longer be small compared with what is shown.
     pub(crate) origin: DVec3,
     /// How far along the axis the origin is.
     pub(crate) away: f64,

@@ -2,8 +2,7 @@
 
 use crate::io::ReadError;
 use crate::num::LinearRgb;
-use crate::raster::load::options::LoadOptions;
-use crate::raster::load::scene_file::SceneFile;
+use crate::raster::load::scene_file::{LoadOptions, SceneFile};
 use crate::raster::load::toml::lights::{LightTables, lights};
 use crate::raster::load::toml::objects::{Builder, ObjectTable};
 use crate::raster::load::toml::settings::{CameraTable, SettingsTable};

@@ -4,9 +4,8 @@ use crate::io::{self, Note, Place, Problem, ReadError, ReadOptions};
 use crate::mesh::{Mesh, normal_matrix};
 use crate::normals::{When, compute};
 use crate::num::LinearRgb;
-use crate::raster::load::options::LoadOptions;
 use crate::raster::load::scene_file::{
-    MOST_OBJECTS, MOST_PLACED_CORNERS, SceneFile, SceneMesh, SceneObject, SceneShape,
+    LoadOptions, MOST_OBJECTS, MOST_PLACED_CORNERS, SceneFile, SceneMesh, SceneObject, SceneShape,
 };
 use crate::raster::load::toml::material::{MaterialTable, ReflectionName};
 use crate::raster::load::toml::shapes::{PolygonTable, SurfaceTable};

@@ -154,7 +154,7 @@ impl Kernel for FindTiles<'_> {
     fn run<A: Lanes>(self, _: A) {
         let Self { object, range, binning, counts, found } = self;
         let mut clipper = Clipper::default();
-        let mut corners = CornerRows::new();
+        let mut corners = CornerRows::default();
         let mut outside = [0; GROUP];
         let mut is_drawn = [false; GROUP];
         let mut boxes = [[0; 4]; GROUP];
