@@ -28,6 +28,7 @@ fn main() {
     let rows = SurfaceRows {
         positions: positions.each_ref().map(|row| &row[..]),
         normals: normals.each_ref().map(|row| &row[..]),
+        faces: None,
     };
     let mut candidates: Vec<Candidate> = scenes()
         .into_iter()

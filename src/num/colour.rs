@@ -114,7 +114,8 @@ impl From<Srgb8> for LinearRgb {
 }
 
 /// How linear light becomes the numbers of a picture.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Transfer {
     /// The curve of sRGB (IEC 61966-2-1): 12.92 x up to 0.0031308, then 1.055 x^(1/2.4) − 0.055.
     #[default]

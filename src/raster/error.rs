@@ -92,7 +92,7 @@ pub enum RenderError {
         /// What it should be.
         expected: &'static str,
     },
-    /// More triangles than can be told apart.
+    /// More triangles than have distinct numbers.
     #[error("the scene has {0} triangles; 2147483647 is the most")]
     TooManyTriangles(usize),
 }

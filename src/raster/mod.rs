@@ -12,8 +12,6 @@ mod settings;
 mod scene;
 // The finished picture and its statistics.
 mod picture;
-// Sample positions within a pixel.
-mod samples;
 // From the scene to the screen: camera, projection, clipping, framing.
 mod view;
 // Coverage: which triangle is visible at each sample.
@@ -24,19 +22,21 @@ mod shading;
 mod lines;
 // Frame: tiles in parallel, then the picture.
 mod frame;
-// Inspection: the numbers behind one sample.
-mod inspect;
+// The numbers behind one sample.
+mod probe;
+// Scenes from files.
 mod load;
 
 pub use error::RenderError;
+pub use frame::empty_picture::Unseen;
 pub use frame::render::render;
-pub use frame::visibility::Unseen;
-pub use inspect::probe::{LitPoint, ProbePoint, probe};
 pub use load::{
     LoadOptions, Recentring, SceneFile, SceneMesh, SceneObject, SceneShape, default_lights, load, rotation,
 };
 pub use picture::{Image, Pixels, Statistics, Times};
-pub use samples::Samples;
+pub use probe::{LitPoint, ProbePoint, probe};
 pub use scene::{LinePath, Lines, Object, Paint, Scene, Shape, Triangles};
-pub use settings::{Bits, Cull, FlatSample, Interpolation, LineStyle, RenderSettings, Shading, Show};
+pub use settings::{
+    Bits, Cull, FlatSample, Interpolation, LineStyle, RenderSettings, Samples, Shading, Show,
+};
 pub use view::camera::{Camera, CameraError, Projection};

@@ -54,7 +54,7 @@ pub struct Statistics {
     pub triangles_drawn: u64,
     /// Among them, those cut by the near plane or the guard band.
     pub triangles_clipped: u64,
-    /// Triangles left out: turned away, without area on the picture, between samples, or out of sight.
+    /// Triangles that are not drawn: culled, without area on the picture, between samples, or out of sight.
     pub triangles_culled: u64,
     /// Times of the stages.
     #[serde(rename = "seconds")]

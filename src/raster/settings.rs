@@ -1,11 +1,16 @@
-//! What of a scene is drawn, and how: everything that changes the picture.
+//! The settings that change the picture.
 
 use crate::num::{Degrees, LinearRgb, Transfer};
-use crate::raster::samples::Samples;
+use crate::raster::view::fixed_point::{GUARD, HALF, ONE};
 use crate::shade::{DepthCue, Guards, Terminator, ToneRule};
+use serde::Deserialize;
+
+/// The largest side of a picture.
+pub(super) const LARGEST_SIDE: u32 = GUARD as u32;
 
 /// Where a surface's colour is computed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Shading {
     /// Once a face, with the face's normal (F18).
     Flat,
@@ -16,13 +21,14 @@ pub enum Shading {
     Phong,
     /// Nowhere: the edges of the faces are drawn as lines.
     Wireframe,
-    /// At every sample, with the true position and normal of the analytic surface that the object stands for, found by
+    /// At every sample, with the true position and normal of the analytic surface that the object approximates, found by
     /// casting a ray. Objects without one are an error.
     Exact,
 }
 
 /// How values at the corners of a face spread over it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Interpolation {
     /// Along the edges of the polygon, then along the scanline between them, on the picture: the lectures' algorithm
     /// (F19). Turning a face of four corners or more changes its colours; in triangles it is the same as
@@ -37,7 +43,8 @@ pub enum Interpolation {
 }
 
 /// Where a flat face is lit.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum FlatSample {
     /// At the mean of its corners, with the face's normal.
     #[default]
@@ -47,8 +54,9 @@ pub enum FlatSample {
     VertexMean,
 }
 
-/// Which faces are left out; wireframes go without the edges that only these have.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+/// Which faces are not drawn; wireframes omit the edges that only these have.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Cull {
     /// None.
     #[default]
@@ -93,7 +101,7 @@ pub struct LineStyle {
     pub colour: LinearRgb,
     /// Their width in pixels, above 0.
     pub width: f64,
-    /// Whether lines behind surfaces are left out.
+    /// Whether lines behind surfaces are hidden.
     pub hide: bool,
 }
 
@@ -124,6 +132,80 @@ impl Bits {
     }
 }
 
+/// How many samples each pixel has; the pixel is their mean. Each is shaded by itself.
+///
+/// The places, in 256ths of a pixel from its upper left corner: one sample is the centre; 4, 8 and 16 are the standard
+/// patterns of Direct3D 11 (`D3D11_STANDARD_MULTISAMPLE_PATTERN`), in which no two samples share a row or a column.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Samples {
+    /// The centre.
+    #[default]
+    One,
+    /// Four, as a rotated square.
+    Four,
+    /// Eight.
+    Eight,
+    /// Sixteen.
+    Sixteen,
+}
+
+/// Sixteenths of a pixel from its centre.
+type Pattern = &'static [[i32; 2]];
+
+const FOUR: Pattern = &[[-2, -6], [6, -2], [-6, 2], [2, 6]];
+const EIGHT: Pattern = &[[1, -3], [-1, 3], [5, 1], [-3, -5], [-5, 5], [-7, -1], [3, 7], [7, -7]];
+const SIXTEEN: Pattern = &[
+    [1, 1],
+    [-1, -3],
+    [-3, 2],
+    [4, -1],
+    [-5, -2],
+    [2, 5],
+    [5, 3],
+    [3, -5],
+    [-2, 6],
+    [0, -7],
+    [-4, -6],
+    [-6, 4],
+    [-8, 0],
+    [7, -4],
+    [6, 7],
+    [-7, -8],
+];
+
+impl Samples {
+    /// The pattern with this many samples: 1, 4, 8 or 16.
+    pub fn new(count: usize) -> Option<Self> {
+        [Self::One, Self::Four, Self::Eight, Self::Sixteen]
+            .into_iter()
+            .find(|samples| samples.count() == count)
+    }
+
+    /// How many samples a pixel has.
+    pub fn count(self) -> usize {
+        self.pattern().len()
+    }
+
+    /// The places, in pixels from a pixel's upper left corner.
+    pub fn places(self) -> impl ExactSizeIterator<Item = [f64; 2]> {
+        self.offsets().map(|place| place.map(|x| f64::from(x) / f64::from(ONE)))
+    }
+
+    /// The same, in 256ths of a pixel.
+    pub(super) fn offsets(self) -> impl ExactSizeIterator<Item = [i32; 2]> {
+        self.pattern().iter().map(|place| place.map(|x| HALF + x * ONE / 16))
+    }
+
+    fn pattern(self) -> Pattern {
+        match self {
+            Self::One => &[[0, 0]],
+            Self::Four => FOUR,
+            Self::Eight => EIGHT,
+            Self::Sixteen => SIXTEEN,
+        }
+    }
+}
+
 /// Everything about a picture that is not in the scene. Threads are not here: drawing uses the current pool of rayon
 /// and gives the same bytes whatever its size.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -136,9 +218,9 @@ pub struct RenderSettings {
     pub interpolation: Interpolation,
     /// Where flat faces are lit.
     pub flat_sample: FlatSample,
-    /// How many places of each pixel are looked at.
+    /// How many samples each pixel has.
     pub samples: Samples,
-    /// Faces left out.
+    /// Faces that are not drawn.
     pub cull: Cull,
     /// Light faces seen from behind on that side: their normals are turned round.
     pub two_sided: bool,
@@ -186,5 +268,28 @@ impl Default for RenderSettings {
             keep_linear: false,
             wire: LineStyle::default(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_two_samples_share_a_row_or_column() {
+        for (samples, count) in
+            [(Samples::One, 1), (Samples::Four, 4), (Samples::Eight, 8), (Samples::Sixteen, 16)]
+        {
+            assert_eq!(Samples::new(count), Some(samples));
+            for axis in 0..2 {
+                let mut places: Vec<i32> = samples.offsets().map(|place| place[axis]).collect();
+                places.sort_unstable();
+                places.dedup();
+                assert_eq!(places.len(), count);
+                assert!(places.iter().all(|place| (0..ONE).contains(place)));
+            }
+        }
+        assert_eq!(Samples::new(2), None);
+        assert_eq!(Samples::One.places().next(), Some([0.5, 0.5]));
     }
 }

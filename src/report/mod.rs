@@ -43,7 +43,7 @@ pub use panel::{Panel, panels, panels_size};
 pub use picture::Picture;
 pub use plot::{Axis, Mark, Plot, Scale, Series};
 pub use png::encode_png;
-pub use probe::{LitReport, PixelReport, SampleReport, SeenReport, probe_pixel};
+pub use probe::{PixelReport, SampleReport, probe_pixel};
 pub use trade::{
     approximation_table, box_table, class_table, cost_table, encoding_table, order_table, own_page,
     own_table, precision_table, shading_table, shading_times, surface_table, trade_page,

@@ -1,13 +1,13 @@
 //! Area lights: the irradiance of a polygon in closed form, and where its highlight comes from.
 
+use super::formula::unit;
 use super::light::AreaShape;
 use super::settings::Frame;
-use super::source::unit;
 use crate::num::corner_angle;
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 
-/// Corners of the polygon that stands for a disc.
+/// Corners of the polygon that approximates a disc.
 ///
 /// It has the disc's area, so that far away nothing differs; on the axis of a disc of radius R at the distance h its
 /// irradiance is below R²/(R²+h²) by at most 1.3e-7 of it, at h = R.

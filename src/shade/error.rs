@@ -70,25 +70,11 @@ fn cause(normal: &[f64; 3], light: &Option<usize>) -> String {
 
 /// Checks of one place.
 #[derive(Clone, Copy)]
-pub(super) struct Check {
-    place: Place,
-}
+pub(super) struct Check(pub(super) Place);
 
 impl Check {
-    pub(super) fn light(number: usize) -> Self {
-        Self { place: Place::Light(number) }
-    }
-
-    pub(super) fn material() -> Self {
-        Self { place: Place::Material }
-    }
-
-    pub(super) fn settings() -> Self {
-        Self { place: Place::Settings }
-    }
-
     pub(super) fn text(self, field: &'static str, found: String, expected: &'static str) -> ShadeError {
-        ShadeError { place: self.place, field, found, expected }
+        ShadeError { place: self.0, field, found, expected }
     }
 
     pub(super) fn degrees(self, field: &'static str, radians: f64, expected: &'static str) -> ShadeError {

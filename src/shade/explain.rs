@@ -1,13 +1,12 @@
-//! Every number behind the colour of one point, for a student to follow.
+//! Every term of the colour of one point, for students to follow.
 
 use super::error::{NotFinite, ShadeError};
-use super::formula;
+use super::formula::{self, half_vector};
 use super::light::Light;
 use super::material::Material;
 use super::settings::{Guards, ShadeSettings};
-use super::shader::{Ready, Shader, SurfacePoint, View};
-use super::source::Source;
-use super::term::{Highlight, LightTerm, same_half_vector};
+use super::shader::{Shader, SurfacePoint, View};
+use super::term::{Highlight, Incoming, LightTerm, PreparedPoint};
 use crate::num::{Nine, NineEach};
 use glam::DVec3;
 use serde::Serialize;
@@ -62,7 +61,7 @@ pub struct LightExplanation {
     pub light: usize,
     /// Its kind.
     pub kind: &'static str,
-    /// L, to the light; for an area light to the point that stands for it.
+    /// L, to the light; for an area light to its representative point.
     pub towards: [f64; 3],
     /// Its distance; none if it is at infinity.
     pub distance: Option<f64>,
@@ -72,7 +71,7 @@ pub struct LightExplanation {
     pub cone: Option<f64>,
     /// What an area light sends to a diffuse surface here, in place of attenuation and N·L.
     pub irradiance: Option<f64>,
-    /// N·L, as it is.
+    /// N·L, not clamped.
     pub n_dot_l: f64,
     /// R = 2N(N·L) − L.
     pub reflected: [f64; 3],
@@ -110,7 +109,7 @@ pub struct Term {
     pub guarded: [f64; 3],
 }
 
-/// A shader for single points that tells how it comes to its colours.
+/// A shader for single points that reports the terms of its sum.
 ///
 /// ```
 /// use crease::num::LinearRgb;
@@ -147,49 +146,42 @@ impl Probe {
         })
     }
 
-    /// What [`Shader::shade`] computes at this point, step by step. Numbers that are not finite are told as they are:
-    /// this is where one looks for what made a colour undefined.
+    /// The sum of [`Shader::shade`] at this point, with its terms. Numbers that are not finite are reported unchanged.
     pub fn explain(&self, point: &SurfacePoint<f64>) -> Explanation {
-        self.explain_ready(point, None)
+        self.explain_with(point, None)
     }
 
     /// The same of [`Shader::shade_on`]: on a face with this unit normal.
     pub fn explain_on(&self, point: &SurfacePoint<f64>, face: [f64; 3]) -> Explanation {
-        self.explain_ready(point, self.guarded.face(face))
+        self.explain_with(point, Some(face))
     }
 
-    fn explain_ready(&self, point: &SurfacePoint<f64>, face: Option<[f64; 3]>) -> Explanation {
+    fn explain_with(&self, point: &SurfacePoint<f64>, face: Option<[f64; 3]>) -> Explanation {
         let shader = &self.guarded;
-        // V is told even where nothing needs it.
-        let (view, distance) = shader.viewer.at(point.position);
-        let ready = Ready { view, view_distance: distance, face, ..shader.ready(point) };
-        let literally = Ready { view, view_distance: distance, face, ..self.literal.ready(point) };
-        // Guards decide how a light counts, not whether the material answers it: both have the same terms.
-        let terms = shader.lights.iter().zip(&self.literal.lights);
-        let lights: Vec<_> = terms
-            .map(|(term, literal)| LightExplanation {
-                diffuse: Term {
-                    literal: self.literal.diffuse_part(literal, &literal.incoming(&literally), &literally),
-                    guarded: shader.diffuse_part(term, &term.incoming(&ready), &ready),
-                },
-                specular: Term {
-                    literal: self.literal.specular_part(literal, &literal.incoming(&literally), &literally),
-                    guarded: shader.specular_part(term, &term.incoming(&ready), &ready),
-                },
-                ..shader.geometry(term, &ready)
-            })
-            .collect();
-        let parts = lights.iter().flat_map(|light| [light.diffuse.guarded, light.specular.guarded]);
-        let sum = shader.finish(parts.fold([0.0; 3], formula::plus), distance);
+        // V is reported even if no term needs it.
+        let (view, view_distance) = shader.viewer.at(point.position);
+        let prepared = PreparedPoint { view, view_distance, ..shader.prepared(point, face) };
+        let literally = PreparedPoint { view, view_distance, ..self.literal.prepared(point, face) };
+        let mut lights = Vec::with_capacity(shader.lights.len());
+        let sum = shader.sum(&prepared, true, |term, incoming, terms| {
+            lights.push(shader.explain_light(term, incoming, &prepared, terms));
+        });
+        // Both shaders have the same lights: guards do not remove any.
+        let mut explained = lights.iter_mut();
+        self.literal.sum(&literally, true, |_, _, [diffuse, specular]| {
+            if let Some(light) = explained.next() {
+                (light.diffuse.literal, light.specular.literal) = (diffuse, specular);
+            }
+        });
         let unit = shader.frame.unit;
         Explanation {
             position: shader.frame.to_world(DVec3::from_array(point.position)).to_array(),
-            normal: ready.normal,
+            normal: prepared.normal,
             view,
-            view_distance: matches!(shader.viewer, View::From(_)).then_some(distance * unit),
+            view_distance: matches!(shader.viewer, View::From(_)).then_some(view_distance * unit),
             ambient: shader.ambient,
             lights,
-            depth_cue: shader.depth_cue.map(|k| 1.0 / (unit * (distance + k))),
+            depth_cue: shader.depth_cue.map(|k| 1.0 / (unit * (view_distance + k))),
             sum,
             tone: shader.tone.name(),
             colour: shader.tone.apply(sum),
@@ -198,39 +190,26 @@ impl Probe {
 }
 
 impl Shader<f64> {
-    /// All about a light but its terms.
-    fn geometry(&self, term: &LightTerm<f64>, ready: &Ready<f64>) -> LightExplanation {
-        let (normal, view) = (ready.normal, ready.view);
-        let vectors = || [ready.position, normal, view].map(DVec3::from_array);
-        let mut irradiance = None;
-        let (towards, distance, attenuation, cone) = match &term.source {
-            Source::Directional(towards) => (*towards, None, 1.0, None),
-            Source::Point(point) => {
-                let (towards, distance, factor) = point.at(ready.position);
-                (towards, Some(distance), factor, None)
-            }
-            Source::Spot(point, spot) => {
-                let (towards, distance, factor) = point.at(ready.position);
-                (towards, Some(distance), factor, Some(spot.at(towards)))
-            }
-            Source::Area(area) => {
-                let [position, normal, view] = vectors();
-                let (towards, distance) = area.towards(position, normal, view);
-                irradiance = Some(area.irradiance(position, normal));
-                (towards.to_array(), Some(distance), area.facing(position), None)
-            }
-        };
+    /// A light with its terms, whose literal ones are not known yet.
+    fn explain_light(
+        &self,
+        term: &LightTerm<f64>,
+        incoming: &Incoming<f64>,
+        point: &PreparedPoint<f64>,
+        [diffuse, specular]: [[f64; 3]; 2],
+    ) -> LightExplanation {
+        let (normal, view, towards) = (point.normal, point.view, incoming.towards);
         let reflected = formula::mirrored(normal, towards);
-        let half =
-            same_half_vector(DVec3::from_array(towards), DVec3::from_array(view)).map(|h| h.to_array());
+        let half = half_vector(DVec3::from_array(towards), DVec3::from_array(view)).map(|h| h.to_array());
+        let literal = [0.0; 3];
         LightExplanation {
             light: term.number,
             kind: term.kind,
             towards,
-            distance: distance.map(|distance| distance * self.frame.unit),
-            attenuation,
-            cone,
-            irradiance,
+            distance: (!term.source.is_directional()).then_some(incoming.distance * self.frame.unit),
+            attenuation: incoming.attenuation,
+            cone: incoming.cone,
+            irradiance: incoming.irradiance,
             n_dot_l: formula::dot(normal, towards),
             reflected,
             v_dot_r: formula::dot(view, reflected),
@@ -241,8 +220,8 @@ impl Shader<f64> {
                 exponent: self.exponent,
                 power: self.power.of(self.highlight_cosine(&highlight, normal, towards, view)),
             }),
-            diffuse: Term::default(),
-            specular: Term::default(),
+            diffuse: Term { literal, guarded: diffuse },
+            specular: Term { literal, guarded: specular },
         }
     }
 }

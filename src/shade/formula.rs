@@ -4,9 +4,20 @@
 //! What is undefined stays NaN through every selection here (`x < y` is false for it) and is found at the end.
 
 use crate::num::Real;
+use glam::DVec3;
 
 /// A vector or a colour.
 pub(super) type Triple<R> = [R; 3];
+
+/// The unit vector of a direction that has been checked.
+pub(super) fn unit(direction: DVec3) -> DVec3 {
+    crate::num::direction(direction).0
+}
+
+/// The nearest numbers of this precision.
+pub(super) fn rounded<R: Real>(v: DVec3) -> Triple<R> {
+    v.to_array().map(|x| R::of(x))
+}
 
 /// a·b.
 #[inline(always)]
@@ -133,9 +144,15 @@ pub(super) fn blinn_cosine<R: Real>(normal: Triple<R>, light: Triple<R>, view: T
     if square <= rounding_of_opposites() { R::ZERO } else { cosine }
 }
 
+/// H of unit vectors in double precision, unless they are opposite.
+pub(super) fn half_vector(light: DVec3, view: DVec3) -> Option<DVec3> {
+    let sum = light + view;
+    (sum.length_squared() > rounding_of_opposites::<f64>()).then(|| unit(sum))
+}
+
 /// The square of the length that two opposite unit vectors may add up to: each is off by up to 2ε.
 #[inline(always)]
-pub(super) fn rounding_of_opposites<R: Real>() -> R {
+fn rounding_of_opposites<R: Real>() -> R {
     let length = R::EPSILON * R::of(4.0);
     length * length
 }

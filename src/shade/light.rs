@@ -1,6 +1,6 @@
 //! Lights: what shines, from where, and how it fades.
 
-use super::error::{Check, ShadeError};
+use super::error::{Check, Place, ShadeError};
 use crate::num::{LinearRgb, Radians};
 use glam::{DVec3, DVec4};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -8,7 +8,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// A light. Positions and directions are in the world; the colour is intensity and colour in one, and may exceed 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Light {
-    /// From everywhere, the same at every point, never attenuated (F7): it stands for what other surfaces reflect.
+    /// From everywhere, the same at every point, never attenuated (F7): it replaces the light that other surfaces reflect.
     Ambient {
         /// I_a.
         colour: LinearRgb,
@@ -52,8 +52,8 @@ pub enum Light {
 /// Where a spot shines: the factor cosᵉ∠(axis, ray) times the soft edge.
 ///
 /// Inside the cut-off angle c the soft edge of width s has the factor ((cos θ − cos c)/(cos(c−s) − cos c))², 1 at the
-/// most: the falloff of glTF's KHR_lights_punctual. It is computed from versines, 1 − cos, which tell narrow
-/// cones apart that cosines in single precision cannot.
+/// most: the falloff of glTF's KHR_lights_punctual. It is computed from versines, 1 − cos, which distinguish narrow
+/// cones that cosines in single precision cannot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cone {
     /// The way that the light goes along the middle, of any length but zero.
@@ -127,7 +127,7 @@ pub enum Attenuation {
 }
 
 impl Attenuation {
-    /// kc, kl and kq: every rule is 1/(kc + kl·d + kq·d²), beside the range of one.
+    /// kc, kl and kq: every rule is 1/(kc + kl·d + kq·d²), apart from the range of one.
     pub(super) fn coefficients(self) -> [f64; 3] {
         match self {
             Attenuation::None => [1.0, 0.0, 0.0],
@@ -196,7 +196,7 @@ impl Light {
     /// The first number that does not: what is not finite, negative colours and attenuations, directions of length 0,
     /// angles that are no cone's, sides that are no rectangle's.
     pub fn check(&self, number: usize) -> Result<(), ShadeError> {
-        let check = Check::light(number);
+        let check = Check(Place::Light(number));
         check.colour("colour", self.colour())?;
         match *self {
             Light::Ambient { .. } => Ok(()),

@@ -1,6 +1,6 @@
 //! Materials: what a surface does with light.
 
-use super::error::{Check, ShadeError};
+use super::error::{Check, Place, ShadeError};
 use crate::num::{LinearRgb, Real};
 
 /// How much of the light a surface returns, of one kind of reflection (F15).
@@ -35,7 +35,7 @@ impl Reflectance {
     }
 
     fn check(self, field: &'static str) -> Result<(), ShadeError> {
-        let check = Check::material();
+        let check = Check(Place::Material);
         if let Reflectance::Split { k, .. } = self {
             check.not_negative(field, k)?;
         }
@@ -102,7 +102,7 @@ impl Material {
     }
 
     /// More light out than in (F1: what comes in is reflected, transmitted or absorbed, so K_d + K_s ≤ 1 in each
-    /// component). Exercise 1.6.19 of the lectures does it, so it is worth a warning, not an error.
+    /// component). Exercise 1.6.19 of the lectures does it, so it is a warning, not an error.
     pub fn gain(&self) -> Option<EnergyGain> {
         let sum = self.diffuse.merged() + self.specular.merged();
         // A sum of two rounded numbers that are 1 together is not a gain.
@@ -112,13 +112,13 @@ impl Material {
     /// Whether every number makes sense.
     pub(crate) fn check(&self) -> Result<(), ShadeError> {
         self.reflectances().into_iter().try_for_each(|(field, reflectance)| reflectance.check(field))?;
-        Check::material().not_negative("exponent", self.exponent)
+        Check(Place::Material).not_negative("exponent", self.exponent)
     }
 
     /// Whether the precision of `R` has them.
-    pub(super) fn check_range<R: Real>(&self) -> Result<(), ShadeError> {
+    pub(crate) fn check_range<R: Real>(&self) -> Result<(), ShadeError> {
         let merged = self.reflectances().map(|(field, reflectance)| (field, reflectance.merged()));
-        merged.into_iter().try_for_each(|(field, colour)| Check::material().in_range::<R>(field, colour))
+        merged.into_iter().try_for_each(|(field, colour)| Check(Place::Material).in_range::<R>(field, colour))
     }
 
     fn reflectances(&self) -> [(&'static str, Reflectance); 3] {

@@ -7,7 +7,7 @@
 //!   without colour, a reflection without coefficient, a highlight whose half-vector is the same everywhere, positions
 //!   and a viewer that nothing asks for: what is not there is not computed ([`needs_positions`](Shader::needs_positions)).
 //! - [`Shader::shade`] lights one point, [`Shader::shade_rows`] many at once with the same bits.
-//! - [`Probe`] tells every vector, factor and term behind a colour, before and after the guards.
+//! - [`Probe`] reports every vector, factor and term of a colour, before and after the guards.
 //!
 //! # Guards
 //! The lectures' formulas leave out what keeps them sound; [`Guards`] adds it, each by name, and
@@ -47,7 +47,7 @@
 //! | F21 | n = (P1−P0)×(P2−P0)/‖…‖ (S0 1.6.21a) | [`face_normals`](fn@crate::normals::face_normals): `stress::every_expectation_holds_and_plain_code_fails_in_many` against rationals |
 //! | F22 | Phong: normals along edges and spans (S0 1.5.2.2, S3) | module `raster`; made unit again by the guard `renormalise`: `raster::interpolation::gouraud_stays_within_its_corners_and_phong_does_not`, `raster::shading::phong_converges_to_exact_with_order_2` |
 //! | F23 | Gouraud depends on the triangulation (S3) | module `raster`: `raster::interpolation::triangles_depend_on_the_diagonal_instead` |
-//! | F24 | cost: wireframe, flat, Gouraud, Phong (S0 1.6.10) | `crease render --compare wireframe,flat,gouraud,phong` tells each one's time; the README has a table |
+//! | F24 | cost: wireframe, flat, Gouraud, Phong (S0 1.6.10) | `crease render --compare wireframe,flat,gouraud,phong` reports each one's time; the README has a table |
 //! | F25 | out of range: clamp or divide by the largest (S0 1.6.17b) | [`ToneRule`] |
 //! | F26 | artefacts of interpolated shading (S0 1.5.2.3 and exercises) | module `artefact`, an experiment each: `artefact::all_experiments_agree_with_their_checks_and_any_number_of_threads_writes_the_same` |
 //! | F27 | Mach bands worse in Gouraud than in Phong (S0 table 1; false in general) | `theory::bands::phong_is_worse_than_gouraud_beyond_70_degrees`; `crease artefact mach-bands` |

@@ -4,9 +4,9 @@
 use super::error::NotFinite;
 use super::formula::{self, Triple};
 use super::settings::Terminator;
-use super::shader::{Ready, Shader, SurfacePoint, View, turned};
+use super::shader::{Shader, SurfacePoint, View, turned};
 use super::source::{PointSource, Source, SpotSource};
-use super::term::{Highlight, LightTerm};
+use super::term::{Highlight, LightTerm, PreparedPoint};
 use crate::num::{Kernel, Lanes, dispatch};
 
 /// Points of surfaces, a row for each coordinate, in the frame of the settings.
@@ -16,11 +16,14 @@ pub struct SurfaceRows<'a> {
     pub positions: [&'a [f32]; 3],
     /// x, y and z of normals.
     pub normals: [&'a [f32]; 3],
+    /// x, y and z of the unit normals of their faces, for the terminator, if there are any.
+    pub faces: Option<[&'a [f32]; 3]>,
 }
 
 impl Shader<f32> {
-    /// Shades rows of points: the bits of [`shade`](Self::shade) for each, linear and before the tone rule, into a row
-    /// for each of red, green and blue. The longer the rows the better; hundreds of points are enough.
+    /// Shades rows of points: the bits of [`shade`](Self::shade) for each, or those of [`shade_on`](Self::shade_on) with
+    /// the normals of faces, linear and before the tone rule, into a row for each of red, green and blue. The longer the
+    /// rows the better; hundreds of points are enough.
     ///
     /// # Errors
     /// The first point without a finite colour.
@@ -28,38 +31,13 @@ impl Shader<f32> {
     /// # Panics
     /// If rows differ in length.
     pub fn shade_rows(&self, rows: &SurfaceRows, out: [&mut [f32]; 3]) -> Result<(), NotFinite> {
-        self.shade_rows_of(rows, None, out)
-    }
-
-    /// The same for points on faces with these unit normals: the bits of [`shade_on`](Self::shade_on) for each.
-    ///
-    /// # Errors
-    /// As [`shade_rows`](Self::shade_rows).
-    ///
-    /// # Panics
-    /// If rows differ in length.
-    pub fn shade_rows_on(
-        &self,
-        rows: &SurfaceRows,
-        faces: [&[f32]; 3],
-        out: [&mut [f32]; 3],
-    ) -> Result<(), NotFinite> {
-        self.shade_rows_of(rows, (self.terminator != Terminator::Smooth).then_some(faces), out)
-    }
-
-    fn shade_rows_of(
-        &self,
-        rows: &SurfaceRows,
-        faces: Option<[&[f32]; 3]>,
-        out: [&mut [f32]; 3],
-    ) -> Result<(), NotFinite> {
         let count = out[0].len();
-        let same = |row: &[f32]| assert_eq!(row.len(), count, "rows of different lengths");
-        rows.normals.into_iter().for_each(same);
-        faces.into_iter().flatten().for_each(same);
-        out.iter().for_each(|row| same(row));
+        let check = |row: &[f32]| assert_eq!(row.len(), count, "rows of different lengths");
+        let faces = rows.faces.filter(|_| self.terminator != Terminator::Smooth);
+        rows.normals.into_iter().chain(faces.into_iter().flatten()).for_each(check);
+        out.iter().for_each(|row| check(row));
         if self.needs_positions() {
-            rows.positions.into_iter().for_each(same);
+            rows.positions.into_iter().for_each(check);
         }
         match dispatch(Shading { shader: self, rows, faces, out }) {
             None => Ok(()),
@@ -176,7 +154,7 @@ impl Kernel for Shading<'_> {
 }
 
 impl Block {
-    /// What all lights share of some of the points: all of [`Ready`].
+    /// Some of the points: all of [`PreparedPoint`].
     #[inline(always)]
     fn load(&mut self, shader: &Shader<f32>, rows: &SurfaceRows, lanes: std::ops::Range<usize>) {
         let count = lanes.len().min(LANES);
@@ -240,10 +218,7 @@ impl Block {
             let towards = match &term.source {
                 Source::Directional(towards) => *towards,
                 Source::Point(_) | Source::Spot(..) => get(&self.towards, i),
-                Source::Area(_) => {
-                    let ready = self.ready(i);
-                    term.towards(&term.incoming(&ready), &ready)
-                }
+                Source::Area(_) => term.incoming(&self.point(i), true).towards,
             };
             let share = shader.reaching(get(&self.face, i), normal, towards);
             self.diffuse[i] *= share;
@@ -353,19 +328,18 @@ impl Block {
     /// Area lights have a closed form that is no row's work: point by point.
     fn reflect_area(&mut self, shader: &Shader<f32>, term: &LightTerm<f32>, count: usize) {
         for i in 0..count {
-            let ready = self.ready(i);
-            let incoming = term.incoming(&ready);
-            self.diffuse[i] = shader.diffuse(&incoming, &ready);
+            let point = self.point(i);
+            let incoming = term.incoming(&point, term.specular.is_some());
+            self.diffuse[i] = shader.diffuse(&incoming, &point);
             if let Some((_, highlight)) = &term.specular {
-                let cosine = shader.highlight_cosine(highlight, ready.normal, incoming.towards, ready.view);
-                self.specular[i] = incoming.factor * shader.power.of(cosine);
+                self.specular[i] = shader.specular(highlight, &incoming, &point);
             }
         }
     }
 
     /// One point of the block.
-    fn ready(&self, i: usize) -> Ready<f32> {
-        Ready {
+    fn point(&self, i: usize) -> PreparedPoint<f32> {
+        PreparedPoint {
             position: get(&self.position, i),
             normal: get(&self.normal, i),
             view: get(&self.view, i),
@@ -374,7 +348,7 @@ impl Block {
         }
     }
 
-    /// Writes the colours and tells whether all are finite.
+    /// Writes the colours; returns whether all are finite.
     #[inline(always)]
     fn finish(&self, shader: &Shader<f32>, [red, green, blue]: [&mut [f32]; 3]) -> bool {
         let count = red.len().min(LANES).min(green.len()).min(blue.len());

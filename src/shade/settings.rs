@@ -1,8 +1,9 @@
-//! What a picture's lighting is computed with, beside lights and materials.
+//! The settings of lighting.
 
-use super::error::{Check, ShadeError};
+use super::error::{Check, Place, ShadeError};
 use super::tone::ToneRule;
 use glam::DVec3;
+use serde::Deserialize;
 
 /// All settings of shading.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -27,7 +28,8 @@ pub struct ShadeSettings {
 
 /// What becomes of light on a point whose own normal N still turns to it while its face, with the normal N_g, does so
 /// hardly or not: N·L > 0 ≥ N_g·L. It needs normals of faces: see [`Shader::shade_on`](super::Shader::shade_on).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Terminator {
     /// It stays: only N counts. Right for smooth surfaces without shadows.
     #[default]
@@ -150,7 +152,7 @@ impl Guards {
 impl ShadeSettings {
     /// Whether every number makes sense.
     pub(super) fn check(&self) -> Result<(), ShadeError> {
-        let check = Check::settings();
+        let check = Check(Place::Settings);
         check.position("origin", self.frame.origin)?;
         check.positive("unit", self.frame.unit)?;
         match self.viewer {

@@ -1,12 +1,12 @@
 //! What a scene needs, worked out once, and the light on a point.
 
-use super::error::{Check, NotFinite, ShadeError};
-use super::formula::{self, Triple};
+use super::error::{Check, NotFinite, Place, ShadeError};
+use super::formula::{self, Triple, rounded, unit};
 use super::light::Light;
 use super::material::{EnergyGain, Material};
 use super::settings::{Frame, Guards, ShadeSettings, Terminator, Viewer};
-use super::source::{Source, in_frame, rounded, unit};
-use super::term::{Highlight, Incoming, LightTerm};
+use super::source::{Source, in_frame};
+use super::term::{Highlight, Incoming, LightTerm, PreparedPoint};
 use super::tone::ToneRule;
 use crate::num::{LinearRgb, Power, Real, Underflow};
 use glam::DVec3;
@@ -89,19 +89,6 @@ impl<R: Real> Limits<R> {
     }
 }
 
-/// A point made ready: what all lights share.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Ready<R> {
-    pub(super) position: Triple<R>,
-    pub(super) normal: Triple<R>,
-    /// V; not a direction if nothing needs it.
-    pub(super) view: Triple<R>,
-    /// The distance to the viewer; 0 if he is at infinity.
-    pub(super) view_distance: R,
-    /// The normal of its face, where the terminator asks for it.
-    pub(super) face: Option<Triple<R>>,
-}
-
 impl<R: Real> Shader<R> {
     /// Resolves what lights and a material need.
     ///
@@ -124,14 +111,14 @@ impl<R: Real> Shader<R> {
         material.check_range::<R>()?;
         settings.check()?;
         let viewer = match settings.viewer {
-            Viewer::At(eye) => View::From(in_frame(eye, &settings.frame, Check::settings(), "viewer")?),
+            Viewer::At(eye) => View::From(in_frame(eye, &settings.frame, Check(Place::Settings), "viewer")?),
             Viewer::Towards(direction) => View::Same(rounded(unit(direction))),
         };
         let mut ambient = LinearRgb::BLACK;
         let mut terms = Vec::new();
         for (number, light) in lights.iter().enumerate() {
             light.check(number)?;
-            Check::light(number).in_range::<R>("colour", light.colour())?;
+            Check(Place::Light(number)).in_range::<R>("colour", light.colour())?;
             match Source::new(light, number, &settings.frame, settings.guards)? {
                 None => ambient += light.colour() * material.ambient.merged(),
                 Some(source) => terms.push(LightTerm::new(number, source, light, material, settings)),
@@ -163,7 +150,7 @@ impl<R: Real> Shader<R> {
 
     /// Whether the colour depends on where a point is, or only on its normal. If not, positions need not be given.
     pub fn needs_positions(&self) -> bool {
-        self.lights.iter().any(|term| !matches!(term.source, Source::Directional(_)))
+        self.lights.iter().any(|term| !term.source.is_directional())
             || matches!(self.view, Some(View::From(_)))
     }
 
@@ -187,7 +174,7 @@ impl<R: Real> Shader<R> {
     /// # Errors
     /// If it is not finite: a point light at the point itself, an attenuation out of range, a NaN that was handed in.
     pub fn shade(&self, point: &SurfacePoint<R>) -> Result<[R; 3], NotFinite> {
-        self.shade_ready(point, self.ready(point))
+        self.shade_prepared(point, self.prepared(point, None))
     }
 
     /// The same on a face with this unit normal, which decides with [`ShadeSettings::terminator`] what light reaches the
@@ -196,12 +183,15 @@ impl<R: Real> Shader<R> {
     /// # Errors
     /// As [`shade`](Self::shade).
     pub fn shade_on(&self, point: &SurfacePoint<R>, face: [R; 3]) -> Result<[R; 3], NotFinite> {
-        self.shade_ready(point, Ready { face: self.face(face), ..self.ready(point) })
+        self.shade_prepared(point, self.prepared(point, Some(face)))
     }
 
-    fn shade_ready(&self, point: &SurfacePoint<R>, ready: Ready<R>) -> Result<[R; 3], NotFinite> {
-        let sum = self.lights.iter().fold([R::ZERO; 3], |sum, term| self.add(term, &ready, sum));
-        let colour = self.finish(sum, ready.view_distance);
+    fn shade_prepared(
+        &self,
+        point: &SurfacePoint<R>,
+        prepared: PreparedPoint<R>,
+    ) -> Result<[R; 3], NotFinite> {
+        let colour = self.sum(&prepared, false, |_, _, _| {});
         if colour.iter().all(|component| component.is_finite()) {
             Ok(colour)
         } else {
@@ -209,24 +199,54 @@ impl<R: Real> Shader<R> {
         }
     }
 
-    /// Normal, V and the distance to the viewer.
+    /// The shading sum. `record` gets each light with its diffuse and specular terms; `directions` says whether it also
+    /// needs L and the attenuation of lights that do not use them.
+    pub(super) fn sum(
+        &self,
+        point: &PreparedPoint<R>,
+        directions: bool,
+        mut record: impl FnMut(&LightTerm<R>, &Incoming<R>, [Triple<R>; 2]),
+    ) -> Triple<R> {
+        let sum = self.lights.iter().fold([R::ZERO; 3], |sum, term| {
+            let direction = directions || term.specular.is_some() || point.face.is_some();
+            let incoming = term.incoming(point, direction);
+            let terms = self.reflected(term, &incoming, point);
+            record(term, &incoming, terms);
+            formula::plus(formula::plus(sum, terms[0]), terms[1])
+        });
+        self.finish(sum, point.view_distance)
+    }
+
+    /// The diffuse term f I K_d (N·L) and the specular term f I K_s cosⁿ of one light, 0 if the material has no such term.
+    fn reflected(
+        &self,
+        term: &LightTerm<R>,
+        incoming: &Incoming<R>,
+        point: &PreparedPoint<R>,
+    ) -> [Triple<R>; 2] {
+        let share = point.face.map(|face| self.reaching(face, point.normal, incoming.towards));
+        let scaled = |colour, amount: R| formula::times(colour, share.map_or(amount, |share| amount * share));
+        let diffuse = term.diffuse.map(|colour| scaled(colour, self.diffuse(incoming, point)));
+        let specular = term
+            .specular
+            .map(|(colour, highlight)| scaled(colour, self.specular(&highlight, incoming, point)));
+        [diffuse, specular].map(|term| term.unwrap_or([R::ZERO; 3]))
+    }
+
+    /// A point with its normal as it is used, V and the distance to the viewer; and the normal of its face, if it matters.
     #[inline(always)]
-    pub(super) fn ready(&self, point: &SurfacePoint<R>) -> Ready<R> {
+    pub(super) fn prepared(&self, point: &SurfacePoint<R>, face: Option<Triple<R>>) -> PreparedPoint<R> {
         let (view, view_distance) = match self.view {
             None => ([R::ZERO; 3], R::ZERO),
             Some(view) => view.at(point.position),
         };
         let normal = if self.limits.renormalise { formula::normalised(point.normal) } else { point.normal };
         let normal = if self.two_sided { turned(normal, view) } else { normal };
-        Ready { position: point.position, normal, view, view_distance, face: None }
+        let face = face.filter(|_| self.terminator != Terminator::Smooth);
+        PreparedPoint { position: point.position, normal, view, view_distance, face }
     }
 
-    /// The normal of a face, if it matters.
-    pub(super) fn face(&self, face: Triple<R>) -> Option<Triple<R>> {
-        (self.terminator != Terminator::Smooth).then_some(face)
-    }
-
-    /// The share of light from a direction that a face lets reach a point.
+    /// The share of light from a direction that reaches a point of a face.
     #[inline(always)]
     pub(super) fn reaching(&self, face: Triple<R>, normal: Triple<R>, towards: Triple<R>) -> R {
         let face_light = formula::dot(face, towards);
@@ -239,55 +259,25 @@ impl<R: Real> Shader<R> {
         }
     }
 
-    /// The same of a point that may have no face.
-    fn reaching_from(&self, term: &LightTerm<R>, incoming: &Incoming<R>, ready: &Ready<R>) -> Option<R> {
-        let face = ready.face?;
-        Some(self.reaching(face, ready.normal, term.towards(incoming, ready)))
-    }
-
-    /// The sum and what one light adds to it.
-    fn add(&self, term: &LightTerm<R>, ready: &Ready<R>, sum: Triple<R>) -> Triple<R> {
-        let incoming = term.incoming(ready);
-        let sum = formula::plus(sum, self.diffuse_part(term, &incoming, ready));
-        formula::plus(sum, self.specular_part(term, &incoming, ready))
-    }
-
-    /// f I K_d (N·L), 0 if the material has no such term.
-    pub(super) fn diffuse_part(
-        &self,
-        term: &LightTerm<R>,
-        incoming: &Incoming<R>,
-        ready: &Ready<R>,
-    ) -> Triple<R> {
-        term.diffuse.map_or([R::ZERO; 3], |colour| {
-            let diffuse = self.diffuse(incoming, ready);
-            let reaching = self.reaching_from(term, incoming, ready);
-            formula::times(colour, reaching.map_or(diffuse, |share| diffuse * share))
-        })
-    }
-
-    /// f I K_s cosⁿ, 0 if there is no highlight.
-    pub(super) fn specular_part(
-        &self,
-        term: &LightTerm<R>,
-        incoming: &Incoming<R>,
-        ready: &Ready<R>,
-    ) -> Triple<R> {
-        term.specular.map_or([R::ZERO; 3], |(colour, highlight)| {
-            let cosine = self.highlight_cosine(&highlight, ready.normal, incoming.towards, ready.view);
-            let specular = incoming.factor * self.power.of(cosine);
-            let reaching = self.reaching_from(term, incoming, ready);
-            formula::times(colour, reaching.map_or(specular, |share| specular * share))
-        })
-    }
-
     /// f·max(N·L, 0), or the irradiance of an area light.
     #[inline(always)]
-    pub(super) fn diffuse(&self, incoming: &Incoming<R>, ready: &Ready<R>) -> R {
+    pub(super) fn diffuse(&self, incoming: &Incoming<R>, point: &PreparedPoint<R>) -> R {
         match incoming.irradiance {
             Some(irradiance) => irradiance,
-            None => incoming.factor * self.diffuse_cosine(ready.normal, incoming.towards),
+            None => incoming.factor() * self.diffuse_cosine(point.normal, incoming.towards),
         }
+    }
+
+    /// f·cosⁿ.
+    #[inline(always)]
+    pub(super) fn specular(
+        &self,
+        highlight: &Highlight<R>,
+        incoming: &Incoming<R>,
+        point: &PreparedPoint<R>,
+    ) -> R {
+        let cosine = self.highlight_cosine(highlight, point.normal, incoming.towards, point.view);
+        incoming.factor() * self.power.of(cosine)
     }
 
     /// N·L (F3).
@@ -323,20 +313,20 @@ impl<R: Real> Shader<R> {
         formula::plus(self.ambient, sum)
     }
 
-    /// The error about a point, with the light that is to blame.
+    /// The error about a point, with the first light whose terms are not finite.
     #[cold]
     pub(super) fn not_finite(&self, index: usize, point: &SurfacePoint<R>) -> NotFinite {
-        let ready = self.ready(point);
-        let to_blame = self.lights.iter().find(|term| {
-            let part = self.add(term, &ready, [R::ZERO; 3]);
-            !part.iter().all(|component| component.is_finite())
+        let mut light = None;
+        self.sum(&self.prepared(point, None), false, |term, _, [diffuse, specular]| {
+            let is_finite = formula::plus(diffuse, specular).iter().all(|component| component.is_finite());
+            light = light.or((!is_finite).then_some(term.number));
         });
         let position = DVec3::from_array(point.position.map(Real::to_f64));
         NotFinite {
             index,
             position: self.frame.to_world(position).to_array(),
             normal: point.normal.map(Real::to_f64),
-            light: to_blame.map(|term| term.number),
+            light,
         }
     }
 }

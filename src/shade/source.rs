@@ -1,8 +1,8 @@
 //! Lights as a shader needs them: in the frame and the precision of its points, everything constant worked out.
 
 use super::area::AreaSource;
-use super::error::{Check, ShadeError};
-use super::formula::{self, Triple};
+use super::error::{Check, Place, ShadeError};
+use super::formula::{self, Triple, rounded, unit};
 use super::light::{Attenuation, Cone, Light};
 use super::settings::{Frame, Guards};
 use crate::num::{Power, Real, Underflow};
@@ -42,6 +42,11 @@ pub(super) struct SpotSource<R> {
 }
 
 impl<R: Real> Source<R> {
+    /// Whether L is the same everywhere.
+    pub(super) fn is_directional(&self) -> bool {
+        matches!(self, Self::Directional(_))
+    }
+
     /// None for ambient light, which comes from nowhere.
     pub(super) fn new(
         light: &Light,
@@ -72,7 +77,7 @@ impl<R: Real> PointSource<R> {
         let [constant, linear, quadratic] = attenuation.coefficients();
         let range = attenuation.range() / frame.unit;
         Ok(Self {
-            position: in_frame(position, frame, Check::light(number), "position")?,
+            position: in_frame(position, frame, Check(Place::Light(number)), "position")?,
             attenuation: (attenuation != Attenuation::None).then(|| {
                 [constant, linear * frame.unit, quadratic * frame.unit * frame.unit].map(|k| R::of(k))
             }),
@@ -146,16 +151,6 @@ impl<R: Real> SpotSource<R> {
         };
         self.factor(towards, cosine, power)
     }
-}
-
-/// The unit vector of a direction that has been checked.
-pub(super) fn unit(direction: DVec3) -> DVec3 {
-    crate::num::direction(direction).0
-}
-
-/// The nearest numbers of this precision.
-pub(super) fn rounded<R: Real>(v: DVec3) -> Triple<R> {
-    v.to_array().map(|x| R::of(x))
 }
 
 /// A position in the frame, where squares of distances stay in range.

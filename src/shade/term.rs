@@ -1,11 +1,10 @@
 //! One light on one material: what of it there is to compute.
 
-use super::formula::{self, Triple};
+use super::formula::{Triple, half_vector, rounded, unit};
 use super::light::Light;
 use super::material::{Material, Reflection};
 use super::settings::{ShadeSettings, Viewer};
-use super::shader::Ready;
-use super::source::{Source, rounded, unit};
+use super::source::Source;
 use crate::num::{LinearRgb, Real};
 use glam::DVec3;
 
@@ -33,15 +32,44 @@ pub(super) enum Highlight<R> {
     BlinnSame(Triple<R>),
 }
 
-/// What arrives from a light at a point.
+/// A point of a surface, prepared for all lights.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PreparedPoint<R> {
+    pub(super) position: Triple<R>,
+    /// N.
+    pub(super) normal: Triple<R>,
+    /// V; not a direction if nothing needs it.
+    pub(super) view: Triple<R>,
+    /// The distance to the viewer; 0 if the viewer is at infinity.
+    pub(super) view_distance: R,
+    /// The normal of its face, if the terminator needs it.
+    pub(super) face: Option<Triple<R>>,
+}
+
+/// The light that arrives at a point.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Incoming<R> {
     /// L; for an area light the direction of its representative point.
     pub(super) towards: Triple<R>,
-    /// Attenuation and cone together; for an area light what a surface facing it gets.
-    pub(super) factor: R,
+    /// The distance to the light; 0 for directional lights.
+    pub(super) distance: R,
+    /// The attenuation; for an area light what a surface facing it receives.
+    pub(super) attenuation: R,
+    /// The factor of a spot's cone.
+    pub(super) cone: Option<R>,
     /// The diffuse irradiance of an area light, in place of f·N·L.
     pub(super) irradiance: Option<R>,
+}
+
+impl<R: Real> Incoming<R> {
+    /// f: attenuation and cone together.
+    #[inline(always)]
+    pub(super) fn factor(&self) -> R {
+        match self.cone {
+            Some(cone) => self.attenuation * cone,
+            None => self.attenuation,
+        }
+    }
 }
 
 impl<R: Real> LightTerm<R> {
@@ -59,7 +87,7 @@ impl<R: Real> LightTerm<R> {
         let highlight = match (material.reflection, light, settings.viewer) {
             (Reflection::Phong, ..) => Some(Highlight::Phong),
             (Reflection::Blinn, &Light::Directional { towards, .. }, Viewer::Towards(view)) => {
-                same_half_vector(unit(towards), unit(view)).map(|half| Highlight::BlinnSame(rounded(half)))
+                half_vector(unit(towards), unit(view)).map(|half| Highlight::BlinnSame(rounded(half)))
             }
             (Reflection::Blinn, ..) => Some(Highlight::Blinn),
         };
@@ -73,47 +101,43 @@ impl<R: Real> LightTerm<R> {
         self.diffuse.is_none() && self.specular.is_none()
     }
 
-    /// L and what arrives.
+    /// The light that arrives at a point. `direction` says whether L and the attenuation of an area light are needed.
     #[inline(always)]
-    pub(super) fn incoming(&self, ready: &Ready<R>) -> Incoming<R> {
+    pub(super) fn incoming(&self, point: &PreparedPoint<R>, direction: bool) -> Incoming<R> {
+        let at_infinity = |towards| Incoming {
+            towards,
+            distance: R::ZERO,
+            attenuation: R::ONE,
+            cone: None,
+            irradiance: None,
+        };
         match &self.source {
-            Source::Directional(towards) => Incoming { towards: *towards, factor: R::ONE, irradiance: None },
-            Source::Point(point) => {
-                let (towards, _, factor) = point.at(ready.position);
-                Incoming { towards, factor, irradiance: None }
+            Source::Directional(towards) => at_infinity(*towards),
+            Source::Point(source) => {
+                let (towards, distance, attenuation) = source.at(point.position);
+                Incoming { distance, attenuation, ..at_infinity(towards) }
             }
-            Source::Spot(point, spot) => {
-                let (towards, _, factor) = point.at(ready.position);
-                Incoming { towards, factor: factor * spot.at(towards), irradiance: None }
+            Source::Spot(source, spot) => {
+                let (towards, distance, attenuation) = source.at(point.position);
+                Incoming { distance, attenuation, cone: Some(spot.at(towards)), ..at_infinity(towards) }
             }
             Source::Area(area) => {
                 // In double precision always: angles of narrow edges and clipping want it, and nothing here is a
                 // vector operation.
-                let [position, normal, view] = [ready.position, ready.normal, ready.view]
+                let [position, normal, view] = [point.position, point.normal, point.view]
                     .map(|v| DVec3::from_array(v.map(Real::to_f64)));
-                let (towards, factor) = match self.specular {
-                    Some(_) => (area.towards(position, normal, view).0, area.facing(position)),
-                    None => (DVec3::ZERO, 0.0),
+                let ((towards, distance), facing) = match direction {
+                    true => (area.towards(position, normal, view), area.facing(position)),
+                    false => ((DVec3::ZERO, 0.0), 0.0),
                 };
-                let irradiance = Some(R::of(area.irradiance(position, normal)));
-                Incoming { towards: rounded(towards), factor: R::of(factor), irradiance }
+                Incoming {
+                    towards: rounded(towards),
+                    distance: R::of(distance),
+                    attenuation: R::of(facing),
+                    cone: None,
+                    irradiance: Some(R::of(area.irradiance(position, normal))),
+                }
             }
         }
     }
-}
-
-impl<R: Real> LightTerm<R> {
-    /// L; of an area light that of its representative point, whether or not anything else needs it.
-    pub(super) fn towards(&self, incoming: &Incoming<R>, ready: &Ready<R>) -> Triple<R> {
-        let Source::Area(area) = &self.source else { return incoming.towards };
-        let [position, normal, view] =
-            [ready.position, ready.normal, ready.view].map(|v| DVec3::from_array(v.map(Real::to_f64)));
-        rounded(area.towards(position, normal, view).0)
-    }
-}
-
-/// H, unless light and viewer are opposite.
-pub(super) fn same_half_vector(light: DVec3, view: DVec3) -> Option<DVec3> {
-    let sum = light + view;
-    (sum.length_squared() > formula::rounding_of_opposites::<f64>()).then(|| unit(sum))
 }

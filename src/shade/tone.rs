@@ -1,14 +1,17 @@
 //! What becomes of colours that no screen can show.
 
 use crate::num::Real;
+use serde::Deserialize;
 
 /// How a colour out of range is brought into it (F25; exercise 1.6.17b).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum ToneRule {
     /// Each component is clamped to 0…1: the hue of what is too bright changes.
     #[default]
     Clamp,
     /// A colour with a component over 1 is divided by its largest: the hue stays. Then clamped at 0.
+    #[serde(rename = "max")]
     DivideByMax,
 }
 

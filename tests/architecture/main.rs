@@ -81,8 +81,8 @@ const OUTSIDE: &[(&str, &[&str])] = &[
     (
         "serde",
         &[
-            "text", "num", "mesh", "normals", "io", "shade", "raster", "quality", "pipeline", "metric",
-            "artefact", "trade", "plan", "report", "cli",
+            "text", "num", "mesh", "surface", "normals", "io", "shade", "raster", "quality", "pipeline",
+            "metric", "artefact", "trade", "plan", "report", "cli",
         ],
     ),
     ("serde_json", &["io", "report", "cli"]),

@@ -5,8 +5,8 @@ pub(super) mod setup;
 // The visible triangle at each sample of a tile.
 pub(super) mod visible_triangle;
 // Distribution of triangles over tiles.
-pub(super) mod bins;
-// The triangles of one tile, and which are visible.
+pub(super) mod tile_bins;
+// The triangles of one tile: collected, drawn, and records of the visible ones.
 pub(super) mod tile_list;
 // Attributes of the visible triangles.
 pub(super) mod records;

@@ -1,48 +1,44 @@
 //! The triangles that are seen in a tile, with what their corners carry.
 
 use crate::num::LinearRgb;
-use crate::raster::coverage::bins::Piece;
 use crate::raster::coverage::setup::double_area;
-use crate::raster::coverage::triangles::DrawnObject;
+use crate::raster::coverage::tile_bins::Piece;
+use crate::raster::coverage::triangles::{Corner, DrawnObject, TriangleList};
 use crate::raster::frame::job::{Job, Prepared};
+use crate::raster::scene::Shape;
 use crate::raster::settings::{FlatSample, Interpolation, Shading, Show};
-use crate::raster::shading::surface_colour::Ink;
+use crate::raster::shading::surface_colour::ObjectColour;
 use crate::raster::view::clip::Shares;
 use crate::raster::view::project::ScreenVertex;
 use glam::{DVec3, Vec3};
 
 /// A triangle that is seen, or a piece of one.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::raster) struct Record {
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Record {
     /// Its corners on the picture.
-    pub(in crate::raster) x: [i32; 3],
-    pub(in crate::raster) y: [i32; 3],
+    pub(crate) x: [i32; 3],
+    pub(crate) y: [i32; 3],
     /// Their [nearness](crate::raster::view::screen_transform::View::nearness), in perspective.
-    pub(in crate::raster) nearness: [f32; 3],
+    pub(crate) nearness: [f32; 3],
     /// What is interpolated, at each corner: a normal or a colour.
-    pub(in crate::raster) values: [Vec3; 3],
+    pub(crate) values: [Vec3; 3],
     /// Its vertices.
-    pub(in crate::raster) vertices: [u32; 3],
+    pub(crate) vertices: [u32; 3],
     /// The triangle, among those of its object.
-    pub(in crate::raster) triangle: u32,
+    pub(crate) triangle: u32,
     /// The face that it is part of.
-    pub(in crate::raster) face: u32,
+    pub(crate) face: u32,
     /// The number of the object in the scene.
-    pub(in crate::raster) object: u32,
+    pub(crate) object: u32,
     /// Whether its front is seen.
-    pub(in crate::raster) front: bool,
+    pub(crate) front: bool,
     /// Whether its normals are those of the other side.
-    pub(in crate::raster) turned: bool,
+    pub(crate) turned: bool,
 }
 
 impl Record {
     #[inline(always)]
-    pub(in crate::raster) fn new(
-        job: &Job,
-        object: &DrawnObject,
-        triangle: u32,
-        v: &[ScreenVertex; 3],
-    ) -> Self {
+    pub(crate) fn new(job: &Job, object: &DrawnObject, triangle: u32, v: &[ScreenVertex; 3]) -> Self {
         let front = (double_area(v) < 0.0) != object.mirrored;
         let vertices = object.list.vertices(triangle);
         let nearness = match job.view.has_level() {
@@ -66,24 +62,13 @@ impl Record {
         }
     }
 
-    /// What stands for all that is seen of an analytic surface.
-    pub(in crate::raster) fn cast(object: usize) -> Self {
-        Self {
-            x: [0; 3],
-            y: [0; 3],
-            nearness: [1.0; 3],
-            values: [Vec3::ZERO; 3],
-            vertices: [0; 3],
-            triangle: 0,
-            face: 0,
-            object: object as u32,
-            front: true,
-            turned: false,
-        }
+    /// The record of an analytic surface, for all samples that see it.
+    pub(crate) fn cast(object: usize) -> Self {
+        Self { nearness: [1.0; 3], object: object as u32, front: true, ..Self::default() }
     }
 
     /// The nearness of its point at a sample.
-    pub(in crate::raster) fn nearness_at(&self, [x, y]: [i32; 2]) -> f32 {
+    pub(crate) fn nearness_at(&self, [x, y]: [i32; 2]) -> f32 {
         let parts = parts(self.x.map(|corner| corner - x), self.y.map(|corner| corner - y));
         let sum = |of: [f32; 3]| {
             parts[0] * f64::from(of[0]) + parts[1] * f64::from(of[1]) + parts[2] * f64::from(of[2])
@@ -95,7 +80,7 @@ impl Record {
 /// Twice the signed areas of the parts into which the origin cuts a triangle, opposite to each corner: the shares of its
 /// corners. Exact in doubles for coordinates of 25 bits.
 #[inline(always)]
-pub(in crate::raster) fn parts(x: [i32; 3], y: [i32; 3]) -> [f64; 3] {
+pub(crate) fn parts(x: [i32; 3], y: [i32; 3]) -> [f64; 3] {
     let at = |k: usize| (f64::from(x[k]), f64::from(y[k]));
     let ((x0, y0), (x1, y1), (x2, y2)) = (at(0), at(1), at(2));
     [x1 * y2 - x2 * y1, x2 * y0 - x0 * y2, x0 * y1 - x1 * y0]
@@ -103,7 +88,7 @@ pub(in crate::raster) fn parts(x: [i32; 3], y: [i32; 3]) -> [f64; 3] {
 
 /// What is wanted at each sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::raster) enum Wanted {
+pub(crate) enum ValueKind {
     /// Nothing that varies.
     Nothing,
     /// A normal that is interpolated.
@@ -116,77 +101,77 @@ pub(in crate::raster) enum Wanted {
     FaceColour,
 }
 
-impl Wanted {
+impl ValueKind {
     /// What an object needs under these settings.
-    pub(in crate::raster) fn new(job: &Job, object: &Prepared) -> Self {
+    pub(crate) fn new(job: &Job, object: &Prepared) -> Self {
         let (shading, show) = (job.settings.shading, job.settings.show);
         let flat = shading == Shading::Flat;
-        match (show, &object.ink) {
+        match (show, &object.colour) {
             (Show::Facing | Show::Depth | Show::FaceId, _) => Self::Nothing,
             (Show::Normals | Show::Deviation(_), _) if flat => Self::FaceNormal,
             (Show::Normals | Show::Deviation(_), _) => Self::CornerNormals,
             (Show::Shaded, _) if shading == Shading::Wireframe => Self::Nothing,
             (Show::Shaded, _) if flat => Self::FaceColour,
-            (Show::Shaded, Ink::Given(_)) => Self::CornerColours,
-            (Show::Shaded, Ink::Lit(_)) if shading == Shading::Gouraud => Self::CornerColours,
-            (Show::Shaded, Ink::Lit(_)) => Self::CornerNormals,
+            (Show::Shaded, ObjectColour::Given(_)) => Self::CornerColours,
+            (Show::Shaded, ObjectColour::Lit(_)) if shading == Shading::Gouraud => Self::CornerColours,
+            (Show::Shaded, ObjectColour::Lit(_)) => Self::CornerNormals,
         }
     }
 
     /// Whether values of corners are spread over faces.
-    pub(in crate::raster) fn varies(self) -> bool {
+    pub(crate) fn varies(self) -> bool {
         matches!(self, Self::CornerNormals | Self::CornerColours)
     }
 }
 
 /// The values at the corners of a piece, which are means of those at the corners of the whole. Interpolating them over
 /// the piece is interpolating over the whole.
-pub(in crate::raster) fn piece_values(
-    values: [Vec3; 3],
-    piece: &Piece,
-    interpolation: Interpolation,
-) -> [Vec3; 3] {
+pub(crate) fn piece_values(values: [Vec3; 3], piece: &Piece, interpolation: Interpolation) -> [Vec3; 3] {
     piece.shares.map(|Shares { scene, picture }| {
         let shares = if interpolation == Interpolation::Perspective { scene } else { picture };
         (0..3).map(|k| values[k].as_dvec3() * shares[k]).sum::<DVec3>().as_vec3()
     })
 }
 
-/// A face's corners: numbers and vertices.
-pub(in crate::raster) fn face_corners<'a>(
+/// The corners of a visible face.
+pub(crate) fn face_corners<'a>(
     object: &'a Prepared,
     drawn: &'a DrawnObject,
-    record: &Record,
-) -> impl ExactSizeIterator<Item = (u32, u32)> + use<'a> {
+    &Record { face, turned, .. }: &Record,
+) -> impl ExactSizeIterator<Item = Corner> + use<'a> {
     let (first, vertices): (u32, &[u32]) = match (object.shape, &drawn.list) {
-        (crate::raster::scene::Shape::Mesh { mesh, .. }, _) => {
-            let range = mesh.faces().range(record.face as usize);
+        (Shape::Mesh { mesh, .. }, _) => {
+            let range = mesh.faces().range(face as usize);
             (range.start as u32, &mesh.faces().corners()[range])
         }
-        (_, crate::raster::coverage::triangles::TriangleList::Whole(triangles)) => {
-            (3 * record.face, &triangles[record.face as usize])
-        }
+        (_, TriangleList::Whole(triangles)) => (3 * face, &triangles[face as usize]),
         _ => (0, &[]),
     };
-    vertices.iter().enumerate().map(move |(k, &vertex)| (first + k as u32, vertex))
+    let corner = move |(k, &vertex)| Corner { number: first + k as u32, vertex, turned };
+    vertices.iter().enumerate().map(corner)
+}
+
+/// The corners of a visible triangle.
+#[inline(always)]
+pub(crate) fn triangle_corners(drawn: &DrawnObject, record: &Record) -> [Corner; 3] {
+    let numbers = drawn.list.corners(record.triangle);
+    let (vertices, turned) = (record.vertices, record.turned);
+    [0, 1, 2].map(|k| Corner { number: numbers[k], vertex: vertices[k], turned })
 }
 
 /// The mean of the given colours of a face's corners.
-pub(in crate::raster) fn mean_colour(
-    colours: &[LinearRgb],
-    corners: impl ExactSizeIterator<Item = (u32, u32)>,
-) -> Vec3 {
+pub(crate) fn mean_colour(colours: &[LinearRgb], corners: impl ExactSizeIterator<Item = Corner>) -> Vec3 {
     let count = corners.len() as f64;
-    let sum = corners.fold(LinearRgb::BLACK, |sum, (_, vertex)| sum + colours[vertex as usize]);
+    let sum = corners.fold(LinearRgb::BLACK, |sum, corner| sum + colours[corner.vertex as usize]);
     single(sum * (1.0 / count))
 }
 
 /// A colour in single precision.
-pub(in crate::raster) fn single(colour: LinearRgb) -> Vec3 {
+pub(crate) fn single(colour: LinearRgb) -> Vec3 {
     DVec3::from(colour.to_array()).as_vec3()
 }
 
 /// Whether flat faces take the mean of what their corners would have.
-pub(in crate::raster) fn takes_mean(job: &Job, object: &Prepared) -> bool {
-    job.settings.flat_sample == FlatSample::VertexMean || matches!(object.ink, Ink::Given(_))
+pub(crate) fn takes_mean(job: &Job, object: &Prepared) -> bool {
+    job.settings.flat_sample == FlatSample::VertexMean || matches!(object.colour, ObjectColour::Given(_))
 }

@@ -4,38 +4,38 @@ use crate::raster::view::fixed_point::{ONE, first_pixel, last_pixel, whole};
 use crate::raster::view::project::ScreenVertex;
 
 /// Pixels along the side of a tile.
-pub(in crate::raster) const TILE: usize = 64;
+pub(crate) const TILE: usize = 64;
 /// Pixels along the side of a block, and of the window in which small triangles are drawn.
-pub(in crate::raster) const SIDE: usize = 4;
+pub(crate) const SIDE: usize = 4;
 
 /// Twice the signed area of a triangle in squares of 1/256 pixel: positive if it runs clockwise as seen (y is down).
 /// Exact: the products have at most 48 bits.
 #[inline(always)]
-pub(in crate::raster) fn double_area([a, b, c]: &[ScreenVertex; 3]) -> f64 {
+pub(crate) fn double_area([a, b, c]: &[ScreenVertex; 3]) -> f64 {
     let (x1, y1) = (f64::from(b.x - a.x), f64::from(b.y - a.y));
     let (x2, y2) = (f64::from(c.x - a.x), f64::from(c.y - a.y));
     x1 * y2 - x2 * y1
 }
 
-/// What covers pixels of a tile. Coordinates are pixels of the tile; each is looked at in one sample.
+/// A triangle prepared for one sample of each pixel of a tile. Coordinates are pixels of the tile.
 ///
 /// With whole numbers `I` and others `F`, or with rows of them for many triangles.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::raster) struct Setup<I = i32, F = f32> {
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Setup<I = i32, F = f32> {
     /// Each edge's function at pixel (0, 0), divided by 256 and rounded down, and its growth per pixel to the right and
     /// down. A sample is covered where all three are 0 or more.
-    pub(in crate::raster) edge: [I; 3],
-    pub(in crate::raster) right: [I; 3],
-    pub(in crate::raster) down: [I; 3],
+    pub(crate) edge: [I; 3],
+    pub(crate) right: [I; 3],
+    pub(crate) down: [I; 3],
     /// Depth at pixel (0, 0) and its growth.
-    pub(in crate::raster) depth: F,
-    pub(in crate::raster) depth_right: F,
-    pub(in crate::raster) depth_down: F,
+    pub(crate) depth: F,
+    pub(crate) depth_right: F,
+    pub(crate) depth_down: F,
     /// Depth stays between those of the corners.
-    pub(in crate::raster) depth_range: [F; 2],
+    pub(crate) depth_range: [F; 2],
     /// The first and last pixel that may be covered, in x and in y; the last before the first if there is none.
-    pub(in crate::raster) x: [I; 2],
-    pub(in crate::raster) y: [I; 2],
+    pub(crate) x: [I; 2],
+    pub(crate) y: [I; 2],
 }
 
 /// Bound of what edge functions grow by within a tile: 63 · (2²³ + 2²³) < 2³⁰. Beyond it only the sign counts.
@@ -49,7 +49,7 @@ impl Setup {
     /// by 256 and rounding down keeps their signs and lets 32 bits do for triangles of any size within the guard band.
     /// There is no branch, so that many triangles can be prepared side by side.
     #[inline(always)]
-    pub(in crate::raster) fn new([a, b, c]: [ScreenVertex; 3], origin: [i32; 2]) -> Self {
+    pub(crate) fn new([a, b, c]: [ScreenVertex; 3], origin: [i32; 2]) -> Self {
         let last = TILE as i32 - 1;
         let low = |a: i32, b: i32, c: i32| a.min(b).min(c);
         let high = |a: i32, b: i32, c: i32| a.max(b).max(c);
@@ -82,7 +82,7 @@ impl Setup {
 
     /// Whether no pixel of the tile can be covered.
     #[inline(always)]
-    pub(in crate::raster) fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         let last = TILE as i32 - 1;
         // Within the tile an edge function is greatest in one of its corners.
         let misses =
@@ -106,7 +106,7 @@ fn select(first: bool, a: ScreenVertex, b: ScreenVertex) -> ScreenVertex {
 /// Starts from the corner that is first in (y, x): then neither the way round nor the corner that a face begins with
 /// changes a bit, and of two faces with the same corners the first one wins everywhere.
 #[inline(always)]
-pub(in crate::raster) fn depth_plane([a, b, c]: &[ScreenVertex; 3], area: f64, origin: [i32; 2]) -> [f32; 3] {
+pub(crate) fn depth_plane([a, b, c]: &[ScreenVertex; 3], area: f64, origin: [i32; 2]) -> [f32; 3] {
     let before = |a: &ScreenVertex, b: &ScreenVertex| (a.y < b.y) | ((a.y == b.y) & (a.x < b.x));
     let (ab, bc, ca) = (before(a, b), before(b, c), before(c, a));
     let (is_a, is_b) = (ab & !ca, bc & !ab);
@@ -124,13 +124,14 @@ pub(in crate::raster) fn depth_plane([a, b, c]: &[ScreenVertex; 3], area: f64, o
 }
 
 /// In place of the pixels of a triangle that covers more than 4 × 4.
-pub(in crate::raster) const LARGE: u32 = u32::MAX;
+pub(crate) const LARGE: u32 = u32::MAX;
 
 /// Triangles that are prepared side by side.
-pub(in crate::raster) const GROUP: usize = 32;
+pub(crate) const GROUP: usize = 32;
 
 /// Corners of a group of triangles, row by row.
-pub(in crate::raster) struct CornerRows {
+#[derive(Default)]
+pub(crate) struct CornerRows {
     x: [[i32; GROUP]; 3],
     y: [[i32; GROUP]; 3],
     depth: [[f32; GROUP]; 3],
@@ -138,12 +139,7 @@ pub(in crate::raster) struct CornerRows {
 
 impl CornerRows {
     #[inline(always)]
-    pub(in crate::raster) fn new() -> Self {
-        Self { x: [[0; GROUP]; 3], y: [[0; GROUP]; 3], depth: [[0.0; GROUP]; 3] }
-    }
-
-    #[inline(always)]
-    pub(in crate::raster) fn set(&mut self, lane: usize, v: &[ScreenVertex; 3]) {
+    pub(crate) fn set(&mut self, lane: usize, v: &[ScreenVertex; 3]) {
         for (k, v) in v.iter().enumerate() {
             self.x[k][lane] = v.x;
             self.y[k][lane] = v.y;
@@ -152,7 +148,7 @@ impl CornerRows {
     }
 
     #[inline(always)]
-    pub(in crate::raster) fn get(&self, lane: usize) -> [ScreenVertex; 3] {
+    pub(crate) fn get(&self, lane: usize) -> [ScreenVertex; 3] {
         [0, 1, 2].map(|k| ScreenVertex {
             x: self.x[k][lane],
             y: self.y[k][lane],
@@ -163,24 +159,9 @@ impl CornerRows {
 }
 
 impl Setup<[i32; GROUP], [f32; GROUP]> {
-    #[inline(always)]
-    pub(in crate::raster) fn rows() -> Self {
-        Self {
-            edge: [[0; GROUP]; 3],
-            right: [[0; GROUP]; 3],
-            down: [[0; GROUP]; 3],
-            depth: [0.0; GROUP],
-            depth_right: [0.0; GROUP],
-            depth_down: [0.0; GROUP],
-            depth_range: [[0.0; GROUP]; 2],
-            x: [[0; GROUP]; 2],
-            y: [[0; GROUP]; 2],
-        }
-    }
-
     /// Prepares a group of triangles.
     #[inline(always)]
-    pub(in crate::raster) fn prepare(&mut self, corners: &CornerRows, origin: [i32; 2]) {
+    pub(crate) fn prepare(&mut self, corners: &CornerRows, origin: [i32; 2]) {
         for lane in 0..GROUP {
             let setup = Setup::new(corners.get(lane), origin);
             for i in 0..3 {
@@ -202,7 +183,7 @@ impl Setup<[i32; GROUP], [f32; GROUP]> {
     /// Which pixels each covers of the 4 × 4 that begin at the first that it may cover, a bit for each, row by row;
     /// [`LARGE`] for triangles that may cover others too.
     #[inline(always)]
-    pub(in crate::raster) fn masks(&self, masks: &mut [u32; GROUP]) {
+    pub(crate) fn masks(&self, masks: &mut [u32; GROUP]) {
         // The sign of each edge's complement, from the last pixel to the first: lane by lane, so that all lanes go on
         // side by side.
         masks.fill(0);
@@ -244,7 +225,7 @@ impl Setup<[i32; GROUP], [f32; GROUP]> {
 
     /// One of them.
     #[inline(always)]
-    pub(in crate::raster) fn get(&self, lane: usize) -> Setup {
+    pub(crate) fn get(&self, lane: usize) -> Setup {
         Setup {
             edge: self.edge.each_ref().map(|row| row[lane]),
             right: self.right.each_ref().map(|row| row[lane]),

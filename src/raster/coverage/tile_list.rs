@@ -1,7 +1,10 @@
-//! What a tile has to draw, and what of it is seen.
+//! The triangles of one tile: collecting them, drawing them, and records of the visible ones.
 
-use crate::raster::coverage::bins::{Bins, CLIPPED, Clipper, Piece, tiles};
+use crate::num::{Kernel, Lanes};
 use crate::raster::coverage::records::Record;
+use crate::raster::coverage::setup::{CornerRows, GROUP, LARGE, Setup};
+use crate::raster::coverage::tile_bins::{Bins, CLIPPED, Clipper, Piece, tiles};
+use crate::raster::coverage::visible_triangle::Visible;
 use crate::raster::frame::job::Job;
 use crate::raster::view::project::ScreenVertex;
 use std::ops::Range;
@@ -9,18 +12,18 @@ use std::ops::Range;
 /// The triangles of a tile and the objects that rays are cast at, numbered through: first the triangles, then the
 /// pieces of those that are clipped, then the objects. These numbers are the owners of pixels.
 #[derive(Default)]
-pub(in crate::raster) struct TileList {
+pub(crate) struct TileList {
     /// As the bins have them.
-    pub(in crate::raster) triangles: Vec<u32>,
+    pub(crate) triangles: Vec<u32>,
     /// Each with its triangle's place in the list.
-    pub(in crate::raster) pieces: Vec<(u32, Piece)>,
+    pub(crate) pieces: Vec<(u32, Piece)>,
     /// The objects' numbers in the scene.
-    pub(in crate::raster) casts: Vec<usize>,
+    pub(crate) casts: Vec<usize>,
     clipper: Clipper,
 }
 
-/// What a number in a [`TileList`] stands for.
-pub(in crate::raster) enum Owner {
+/// The triangle or object of a number in a [`TileList`].
+pub(crate) enum Owner {
     /// A triangle of one of [`Job::drawn`], or a piece of it, and its corners on the picture.
     Triangle { object: usize, triangle: u32, corners: [ScreenVertex; 3] },
     /// An analytic surface: the object's number in the scene.
@@ -29,17 +32,17 @@ pub(in crate::raster) enum Owner {
 
 /// Records of one object that follow one another.
 #[derive(Clone, Debug)]
-pub(in crate::raster) struct Run {
+pub(crate) struct Run {
     /// Its number in the scene.
-    pub(in crate::raster) object: usize,
+    pub(crate) object: usize,
     /// Its number among [`Job::drawn`]; `None` for analytic surfaces.
-    pub(in crate::raster) drawn: Option<usize>,
-    pub(in crate::raster) records: Range<usize>,
+    pub(crate) drawn: Option<usize>,
+    pub(crate) records: Range<usize>,
 }
 
 impl TileList {
     /// Takes the tile's triangles from the bins and clips those that need it.
-    pub(in crate::raster) fn fill(&mut self, job: &Job, bins: &Bins, tile: [usize; 2]) {
+    pub(crate) fn fill(&mut self, job: &Job, bins: &Bins, tile: [usize; 2]) {
         self.triangles.clear();
         self.pieces.clear();
         self.casts.clear();
@@ -56,24 +59,24 @@ impl TileList {
     }
 
     /// How many owners there may be.
-    pub(in crate::raster) fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.triangles.len() + self.pieces.len() + self.casts.len()
     }
 
     /// The number of the first object that rays are cast at.
-    pub(in crate::raster) fn first_cast(&self) -> usize {
+    pub(crate) fn first_cast(&self) -> usize {
         self.triangles.len() + self.pieces.len()
     }
 
     /// The piece that an owner is, if it is one.
     #[inline(always)]
-    pub(in crate::raster) fn piece(&self, owner: u32) -> Option<&Piece> {
+    pub(crate) fn piece(&self, owner: u32) -> Option<&Piece> {
         let piece = (owner as usize).checked_sub(self.triangles.len())?;
         self.pieces.get(piece).map(|(_, piece)| piece)
     }
 
     /// What an owner is.
-    pub(in crate::raster) fn look_up(&self, job: &Job, owner: u32) -> Owner {
+    pub(crate) fn look_up(&self, job: &Job, owner: u32) -> Owner {
         let number = owner as usize;
         if number >= self.first_cast() {
             return Owner::Cast(self.casts[number - self.first_cast()]);
@@ -87,7 +90,7 @@ impl TileList {
     }
 
     /// The record of one owner.
-    pub(in crate::raster) fn record(&self, job: &Job, owner: u32) -> Record {
+    pub(crate) fn record(&self, job: &Job, owner: u32) -> Record {
         match self.look_up(job, owner) {
             Owner::Triangle { object, triangle, corners } => {
                 let mut record = Record::new(job, &job.drawn[object], triangle, &corners);
@@ -101,13 +104,7 @@ impl TileList {
     }
 
     /// Records of owners in ascending order, and the runs of those that are of one object.
-    pub(in crate::raster) fn records(
-        &self,
-        job: &Job,
-        owners: &[u32],
-        records: &mut Vec<Record>,
-        runs: &mut Vec<Run>,
-    ) {
+    pub(crate) fn records(&self, job: &Job, owners: &[u32], records: &mut Vec<Record>, runs: &mut Vec<Run>) {
         records.clear();
         runs.clear();
         let (whole, rest) =
@@ -143,5 +140,91 @@ impl TileList {
                 }
             }
         }
+    }
+}
+
+/// Draws the triangles of a tile in order, a group at a time.
+pub(crate) struct DrawTriangles<'a> {
+    pub(crate) job: &'a Job<'a>,
+    pub(crate) list: &'a TileList,
+    /// The sample of the tile's first pixel, in 256ths of a pixel of the picture.
+    pub(crate) origin: [i32; 2],
+    pub(crate) visible: &'a mut Visible,
+}
+
+impl Kernel for DrawTriangles<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<A: Lanes>(self, _: A) {
+        let Self { job, list, origin, visible } = self;
+        let (triangles, pieces) = (&list.triangles[..], &list.pieces[..]);
+        let mut group = Group { corners: CornerRows::default(), owners: [0; GROUP], count: 0, origin };
+        let mut setups = Setup::default();
+        let (mut piece, mut from) = (0, 0);
+        for (number, object) in job.drawn.iter().enumerate() {
+            let end = match job.drawn.get(number + 1) {
+                None => triangles.len(),
+                Some(next) => from + triangles[from..].partition_point(|&t| t & !CLIPPED < next.first),
+            };
+            for (at, &triangle) in triangles.iter().enumerate().take(end).skip(from) {
+                if triangle & CLIPPED == 0 {
+                    group.add(&object.screen(triangle - object.first), at as u32);
+                    group.draw_if(GROUP, &mut setups, visible);
+                    continue;
+                }
+                while piece < pieces.len() && pieces[piece].0 as usize == at {
+                    group.add(&pieces[piece].1.vertices, (triangles.len() + piece) as u32);
+                    group.draw_if(GROUP, &mut setups, visible);
+                    piece += 1;
+                }
+            }
+            from = end;
+        }
+        group.draw_if(1, &mut setups, visible);
+    }
+}
+
+/// Triangles gathered to be prepared side by side.
+struct Group {
+    corners: CornerRows,
+    owners: [u32; GROUP],
+    count: usize,
+    origin: [i32; 2],
+}
+
+impl Group {
+    #[inline(always)]
+    fn add(&mut self, v: &[ScreenVertex; 3], owner: u32) {
+        self.corners.set(self.count, v);
+        self.owners[self.count] = owner;
+        self.count += 1;
+    }
+
+    /// Draws the group if it has so many.
+    #[inline(always)]
+    fn draw_if(
+        &mut self,
+        least: usize,
+        setups: &mut Setup<[i32; GROUP], [f32; GROUP]>,
+        visible: &mut Visible,
+    ) {
+        if self.count < least {
+            return;
+        }
+        setups.prepare(&self.corners, self.origin);
+        let mut masks = [0; GROUP];
+        setups.masks(&mut masks);
+        for (lane, &mask) in masks.iter().enumerate().take(self.count) {
+            if mask != LARGE {
+                visible.draw_small(setups, lane, mask, self.owners[lane]);
+                continue;
+            }
+            let setup = setups.get(lane);
+            if !setup.is_empty() {
+                visible.draw(&setup, self.owners[lane]);
+            }
+        }
+        self.count = 0;
     }
 }

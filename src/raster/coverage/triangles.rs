@@ -1,7 +1,7 @@
 //! Objects made of triangles, ready to be drawn.
 
 use crate::mesh::{Triangulation, triangulate};
-use crate::num::unit_scale;
+use crate::num::{self, Split, unit_scale};
 use crate::raster::scene::Shape;
 use crate::raster::settings::Cull;
 use crate::raster::view::project::{Points, ScreenVertex, project};
@@ -10,24 +10,24 @@ use glam::{DMat4, DVec3};
 use rayon::prelude::*;
 
 /// The triangles of an object and where its vertices are on the picture.
-pub(in crate::raster) struct DrawnObject<'a> {
+pub(crate) struct DrawnObject<'a> {
     /// Its number in the scene.
-    pub(in crate::raster) object: usize,
+    pub(crate) object: usize,
     /// The number of its first triangle, all objects counted through.
-    pub(in crate::raster) first: u32,
-    pub(in crate::raster) list: TriangleList<'a>,
-    pub(in crate::raster) points: Points<'a>,
-    pub(in crate::raster) vertices: Vec<ScreenVertex>,
+    pub(crate) first: u32,
+    pub(crate) list: TriangleList<'a>,
+    pub(crate) points: Points<'a>,
+    pub(crate) vertices: Vec<ScreenVertex>,
     /// The clipping planes that any of them is outside of.
-    pub(in crate::raster) outside: u32,
-    pub(in crate::raster) map: ObjectMap,
+    pub(crate) outside: u32,
+    pub(crate) map: ObjectMap,
     /// Whether its transform turns faces inside out.
-    pub(in crate::raster) mirrored: bool,
+    pub(crate) mirrored: bool,
 }
 
 impl<'a> DrawnObject<'a> {
     /// Cuts and projects the shape of an object; `None` for analytic surfaces.
-    pub(in crate::raster) fn new(
+    pub(crate) fn new(
         shape: &Shape<'a>,
         object: usize,
         first: u32,
@@ -54,7 +54,7 @@ impl<'a> DrawnObject<'a> {
 
     /// Whether each of so many faces shows the side that is kept, or one of the triangles that it is cut into does. Reported from
     /// vertices that are not snapped, which small triangles need, and also behind the eye.
-    pub(in crate::raster) fn kept_faces(&self, count: usize, cull: Cull) -> Vec<bool> {
+    pub(crate) fn kept_faces(&self, count: usize, cull: Cull) -> Vec<bool> {
         let is_kept = |triangle: u32| {
             let [a, b, c] = self.list.vertices(triangle).map(|vertex| {
                 let ViewPoint { x, y, h, .. } = self.map.view(self.points.get(vertex));
@@ -75,13 +75,53 @@ impl<'a> DrawnObject<'a> {
 
     /// The corners of a triangle on the picture.
     #[inline(always)]
-    pub(in crate::raster) fn screen(&self, triangle: u32) -> [ScreenVertex; 3] {
+    pub(crate) fn screen(&self, triangle: u32) -> [ScreenVertex; 3] {
         self.list.vertices(triangle).map(|vertex| self.vertices[vertex as usize])
     }
 }
 
+/// A point of the plane of a triangle.
+pub(crate) struct PlanePoint {
+    /// Its barycentric coordinates in the scene.
+    pub(crate) weights: [f64; 3],
+    /// Its position relative to the eye, in the scene's axes: on the ray, however far away corners are.
+    pub(crate) from_eye: DVec3,
+}
+
+impl DrawnObject<'_> {
+    /// The point of a triangle's plane at a place of the picture, by edge functions in homogeneous coordinates, which hold
+    /// behind the eye as well (Olano & Greer 1997).
+    pub(crate) fn plane_point(&self, view: &View, triangle: [u32; 3], at: [f64; 2]) -> PlanePoint {
+        let [mx, my] = view.middle();
+        let ray = DVec3::new(at[0] - mx, at[1] - my, 1.0);
+        let seen = triangle.map(|vertex| self.map.view(self.points.get(vertex)));
+        let corners = seen.map(|point| DVec3::new(point.x, point.y, point.h));
+        let normals = [0, 1, 2].map(|k| num::cross::<Split>(corners[(k + 1) % 3], corners[(k + 2) % 3]));
+        let parts = normals.map(|normal| ray.dot(normal));
+        let weights = shares(parts);
+        let distance = if view.perspective {
+            // The determinant of the corners, by that one of them whose products have the least to lose. Their mean would be
+            // what is left of distances in front of the eye and behind it.
+            let products = [0, 1, 2].map(|k| corners[k] * normals[k]);
+            let size = |product: &&DVec3| product.abs().element_sum();
+            let least = products.iter().min_by(|a, b| size(a).total_cmp(&size(b)));
+            least.map_or(f64::NAN, |product| product.element_sum()) / parts.iter().sum::<f64>()
+        } else {
+            (0..3).map(|k| seen[k].z * weights[k]).sum()
+        };
+        let (start, direction) = view.ray(at);
+        PlanePoint { weights, from_eye: start + direction * distance }
+    }
+}
+
+/// Parts as shares of their sum.
+pub(crate) fn shares(parts: [f64; 3]) -> [f64; 3] {
+    let sum: f64 = parts.iter().sum();
+    parts.map(|part| part / sum)
+}
+
 /// Triangles, and what they are parts of.
-pub(in crate::raster) enum TriangleList<'a> {
+pub(crate) enum TriangleList<'a> {
     /// Each is a face.
     Whole(&'a [[u32; 3]]),
     /// Polygons have been cut.
@@ -89,7 +129,7 @@ pub(in crate::raster) enum TriangleList<'a> {
 }
 
 impl TriangleList<'_> {
-    pub(in crate::raster) fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         match self {
             Self::Whole(triangles) => triangles.len(),
             Self::Cut { cut, .. } => cut.triangles.len(),
@@ -98,7 +138,7 @@ impl TriangleList<'_> {
 
     /// The vertices of a triangle.
     #[inline(always)]
-    pub(in crate::raster) fn vertices(&self, triangle: u32) -> [u32; 3] {
+    pub(crate) fn vertices(&self, triangle: u32) -> [u32; 3] {
         match self {
             Self::Whole(triangles) => triangles[triangle as usize],
             Self::Cut { corner_vertices, cut } => {
@@ -109,7 +149,7 @@ impl TriangleList<'_> {
 
     /// The corner numbers of a triangle.
     #[inline(always)]
-    pub(in crate::raster) fn corners(&self, triangle: u32) -> [u32; 3] {
+    pub(crate) fn corners(&self, triangle: u32) -> [u32; 3] {
         match self {
             Self::Whole(_) => [0, 1, 2].map(|k| 3 * triangle + k),
             Self::Cut { cut, .. } => cut.triangles[triangle as usize],
@@ -118,10 +158,19 @@ impl TriangleList<'_> {
 
     /// The face that a triangle is part of.
     #[inline(always)]
-    pub(in crate::raster) fn face(&self, triangle: u32) -> u32 {
+    pub(crate) fn face(&self, triangle: u32) -> u32 {
         match self {
             Self::Whole(_) => triangle,
             Self::Cut { cut, .. } => cut.source_face[triangle as usize],
         }
     }
+}
+
+/// A corner of a face.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Corner {
+    pub(crate) number: u32,
+    pub(crate) vertex: u32,
+    /// Whether its normal is that of the other side.
+    pub(crate) turned: bool,
 }

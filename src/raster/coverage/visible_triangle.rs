@@ -6,41 +6,43 @@
 use crate::raster::coverage::setup::{GROUP, SIDE, Setup, TILE};
 
 /// Pixels of a block.
-pub(in crate::raster) const LANES: usize = SIDE * SIDE;
+pub(crate) const LANES: usize = SIDE * SIDE;
 /// Blocks along the side of a tile.
-pub(in crate::raster) const BLOCKS: usize = TILE / SIDE;
+pub(crate) const BLOCKS: usize = TILE / SIDE;
 /// Pixels of a tile.
-pub(in crate::raster) const PIXELS: usize = TILE * TILE;
+pub(crate) const PIXELS: usize = TILE * TILE;
+/// Colours of the pixels of a tile, a row for each component.
+pub(crate) type Colours = [Box<[f32; PIXELS]>; 3];
 /// Marks a pixel that nothing covers.
-pub(in crate::raster) const NOTHING: u32 = u32::MAX;
+pub(crate) const NOTHING: u32 = u32::MAX;
 
 /// Where in a tile the pixel stored under this number lies.
 #[inline(always)]
-pub(in crate::raster) fn place(pixel: usize) -> [usize; 2] {
+pub(crate) fn place(pixel: usize) -> [usize; 2] {
     let (block, lane) = (pixel / LANES, pixel % LANES);
     [block % BLOCKS * SIDE + lane % SIDE, block / BLOCKS * SIDE + lane / SIDE]
 }
 
 /// Under which number a pixel of a tile is stored.
 #[inline(always)]
-pub(in crate::raster) fn number([x, y]: [usize; 2]) -> usize {
+pub(crate) fn number([x, y]: [usize; 2]) -> usize {
     (y / SIDE * BLOCKS + x / SIDE) * LANES + y % SIDE * SIDE + x % SIDE
 }
 
 /// The nearest triangle at each pixel of a tile.
-pub(in crate::raster) struct Visible {
+pub(crate) struct Visible {
     /// Larger is nearer; −∞ where there is nothing.
-    pub(in crate::raster) depth: Box<[f32; PIXELS]>,
+    pub(crate) depth: Box<[f32; PIXELS]>,
     /// Number of the triangle, [`NOTHING`] where there is none.
-    pub(in crate::raster) owner: Box<[u32; PIXELS]>,
+    pub(crate) owner: Box<[u32; PIXELS]>,
 }
 
 impl Visible {
-    pub(in crate::raster) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self { depth: Box::new([f32::NEG_INFINITY; PIXELS]), owner: Box::new([NOTHING; PIXELS]) }
     }
 
-    pub(in crate::raster) fn clear(&mut self) {
+    pub(crate) fn clear(&mut self) {
         self.depth.fill(f32::NEG_INFINITY);
         self.owner.fill(NOTHING);
     }
@@ -50,7 +52,7 @@ impl Visible {
     ///
     /// Where triangles are as small as pixels, most of a block would be computed for nothing.
     #[inline(always)]
-    pub(in crate::raster) fn draw_small(
+    pub(crate) fn draw_small(
         &mut self,
         group: &Setup<[i32; GROUP], [f32; GROUP]>,
         lane: usize,
@@ -78,7 +80,7 @@ impl Visible {
 
     /// Draws a triangle. Where it is as near as what is there, what is there stays: draw in ascending face index.
     #[inline(always)]
-    pub(in crate::raster) fn draw(&mut self, setup: &Setup, owner: u32) {
+    pub(crate) fn draw(&mut self, setup: &Setup, owner: u32) {
         let lanes = BlockLanes::new(setup);
         let [x, y] = [setup.x, setup.y].map(|[first, last]| first as usize / SIDE..=last as usize / SIDE);
         // With more than a few blocks it pays to ask first whether a block is touched at all.
@@ -225,7 +227,7 @@ mod tests {
     fn small_triangles_give_what_blocks_give() {
         let mut numbers = Numbers::new(13);
         let (mut visible, mut expected) = (Visible::new(), Visible::new());
-        let (mut corners, mut group, mut masks) = (CornerRows::new(), Setup::rows(), [0; GROUP]);
+        let (mut corners, mut group, mut masks) = (CornerRows::default(), Setup::default(), [0; GROUP]);
         let mut small = 0;
         for round in 0..400 {
             for lane in 0..GROUP {

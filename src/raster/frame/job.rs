@@ -2,11 +2,11 @@
 
 use crate::mesh::{ColumnIndex, NONE, NormalMatrix, normal_matrix};
 use crate::num::unit_scale;
-use crate::raster::coverage::triangles::DrawnObject;
+use crate::raster::coverage::triangles::{Corner, DrawnObject};
 use crate::raster::error::RenderError;
 use crate::raster::scene::{Object, Paint, Scene, Shape};
-use crate::raster::settings::{RenderSettings, Shading, Show};
-use crate::raster::shading::surface_colour::{Ink, LitInk};
+use crate::raster::settings::{LARGEST_SIDE, RenderSettings, Shading, Show};
+use crate::raster::shading::surface_colour::{ObjectColour, Shaders};
 use crate::raster::view::project::NOT_FINITE;
 use crate::raster::view::screen_transform::{Rays, View};
 use crate::shade::{Frame, Guards, ShadeSettings, Terminator, Viewer};
@@ -14,43 +14,37 @@ use crate::surface::Placed;
 use glam::{DMat3, DVec3, Vec3};
 use rayon::prelude::*;
 
-/// Everything that drawing a tile looks at.
-pub(in crate::raster) struct Job<'a> {
-    pub(in crate::raster) settings: &'a RenderSettings,
-    pub(in crate::raster) view: View,
+/// Everything that drawing a tile needs.
+pub(crate) struct Job<'a> {
+    pub(crate) settings: &'a RenderSettings,
+    pub(crate) view: View,
     /// Rays in units of the frame.
-    pub(in crate::raster) rays: Rays,
-    pub(in crate::raster) frame: Frame,
-    pub(in crate::raster) background: [f32; 3],
-    pub(in crate::raster) objects: Vec<Prepared<'a>>,
+    pub(crate) rays: Rays,
+    pub(crate) frame: Frame,
+    pub(crate) background: [f32; 3],
+    pub(crate) objects: Vec<Prepared<'a>>,
     /// The objects made of triangles, in order.
-    pub(in crate::raster) drawn: Vec<DrawnObject<'a>>,
+    pub(crate) drawn: Vec<DrawnObject<'a>>,
     /// Smallest and largest distance of a vertex along the axis, for [`Show::Depth`].
-    pub(in crate::raster) distances: [f64; 2],
+    pub(crate) distances: [f64; 2],
 }
 
 /// An object and what shading it needs.
-pub(in crate::raster) struct Prepared<'a> {
-    pub(in crate::raster) shape: &'a Shape<'a>,
+pub(crate) struct Prepared<'a> {
+    pub(crate) shape: &'a Shape<'a>,
     /// How normals reach the scene; `None` if they are there already.
     normals: Option<NormalMatrix>,
-    pub(in crate::raster) ink: Ink<'a>,
-    /// What the object stands for.
-    pub(in crate::raster) truth: Option<Placed>,
+    pub(crate) colour: ObjectColour<'a>,
+    /// The analytic surface that the object approximates.
+    pub(crate) truth: Option<Placed>,
     /// Whether it is drawn by casting rays at its truth.
-    pub(in crate::raster) is_cast: bool,
+    pub(crate) is_cast: bool,
 }
 
-/// The largest side of a picture.
-const LARGEST: u32 = crate::raster::view::fixed_point::GUARD as u32;
-
 impl<'a> Job<'a> {
-    pub(in crate::raster) fn new(
-        scene: &'a Scene<'a>,
-        settings: &'a RenderSettings,
-    ) -> Result<Self, RenderError> {
+    pub(crate) fn new(scene: &'a Scene<'a>, settings: &'a RenderSettings) -> Result<Self, RenderError> {
         let [width, height] = settings.size;
-        if !settings.size.iter().all(|side| (1..=LARGEST).contains(side)) {
+        if !settings.size.iter().all(|side| (1..=LARGEST_SIDE).contains(side)) {
             return Err(RenderError::Size(width, height));
         }
         let view = View::new(&scene.camera, settings.size)?;
@@ -90,12 +84,12 @@ impl<'a> Job<'a> {
     }
 
     /// The number among [`drawn`](Self::drawn) of the object that a triangle is of.
-    pub(in crate::raster) fn owner(&self, triangle: u32) -> usize {
+    pub(crate) fn owner(&self, triangle: u32) -> usize {
         self.drawn.partition_point(|object| object.first <= triangle) - 1
     }
 
     /// The objects that rays are cast at.
-    pub(in crate::raster) fn cast_objects(&self) -> impl Iterator<Item = usize> {
+    pub(crate) fn cast_objects(&self) -> impl Iterator<Item = usize> {
         self.objects.iter().enumerate().filter(|(_, object)| object.is_cast).map(|(number, _)| number)
     }
 }
@@ -103,7 +97,7 @@ impl<'a> Job<'a> {
 /// Positions are given to shaders relative to the view's origin, in a power of two near the camera's distance from its
 /// target or, if it is far from it, near the size of what it shows: single precision then serves scenes of any size at any
 /// place.
-pub(in crate::raster) fn frame(scene: &Scene, view: &View) -> Frame {
+pub(crate) fn frame(scene: &Scene, view: &View) -> Frame {
     let distance = (scene.camera.target - scene.camera.eye).length();
     // The viewer stays within the 2³¹ units that shaders take in single precision.
     let size = if view.away == 0.0 { distance } else { view.shown().max(distance / f64::from(1 << 29)) };
@@ -119,13 +113,13 @@ impl RenderSettings {
     }
 
     /// Whether what lights a sample depends on the normal of its face as well.
-    pub(in crate::raster) fn asks_faces(&self) -> bool {
+    pub(crate) fn asks_faces(&self) -> bool {
         self.shading == Shading::Phong && self.terminator != Terminator::Smooth
     }
 }
 
 /// What shaders are made with, of objects that rays are cast at or of faces.
-pub(in crate::raster) fn shade_settings(
+pub(crate) fn shade_settings(
     settings: &RenderSettings,
     view: &View,
     frame: Frame,
@@ -159,13 +153,15 @@ impl<'a> Prepared<'a> {
         let matrix = normal_matrix(linear).filter(|_| object.transform.is_finite());
         let normals = Some(matrix.ok_or(singular.clone())?).filter(|_| linear != DMat3::IDENTITY);
         let is_cast = settings.shading == Shading::Exact || matches!(object.shape, Shape::Surface(_));
-        let ink = match &object.paint {
+        let colour = match &object.paint {
             Paint::Lit(material) => {
                 let shade = shade_settings(settings, view, frame, is_cast);
-                let ink = LitInk::new(&scene.lights, material, &shade);
-                Ink::Lit(Box::new(ink.map_err(|error| RenderError::Shade { object: number, error })?))
+                let shaders = Shaders::new(&scene.lights, material, &shade);
+                ObjectColour::Lit(Box::new(
+                    shaders.map_err(|error| RenderError::Shade { object: number, error })?,
+                ))
             }
-            Paint::Given(colours) => Ink::Given(colours),
+            Paint::Given(colours) => ObjectColour::Given(colours),
         };
         let surface = match object.shape {
             Shape::Surface(primitive) => Some(primitive),
@@ -176,27 +172,27 @@ impl<'a> Prepared<'a> {
         if settings.shading == Shading::Exact && truth.is_none() {
             return Err(RenderError::NoSurface(number));
         }
-        if is_cast && settings.show == Show::Shaded && matches!(ink, Ink::Given(_)) {
+        if is_cast && settings.show == Show::Shaded && matches!(colour, ObjectColour::Given(_)) {
             return Err(RenderError::Uncoloured(number));
         }
-        Ok(Self { shape: &object.shape, normals, ink, truth, is_cast })
+        Ok(Self { shape: &object.shape, normals, colour, truth, is_cast })
     }
 
-    /// The normal at a corner, in the scene's axes; of the other side, if `turned`.
+    /// The normal at a corner, in the scene's axes.
     #[inline(always)]
-    pub(in crate::raster) fn corner_normal(&self, corner: u32, vertex: u32, turned: bool) -> Vec3 {
+    pub(crate) fn corner_normal(&self, corner: Corner) -> Vec3 {
         match (self.shape, &self.normals) {
             // What is single already stays so: this is most of what gathering costs.
             (Shape::Triangles(triangles), None) => {
-                side(Vec3::from(triangles.normals[vertex as usize]), turned)
+                side(Vec3::from(triangles.normals[corner.vertex as usize]), corner.turned)
             }
-            _ => self.exact_corner_normal(corner, vertex, turned).as_vec3(),
+            _ => self.exact_corner_normal(corner).as_vec3(),
         }
     }
 
     /// The normal of a face, likewise.
     #[inline(always)]
-    pub(in crate::raster) fn face_normal(&self, face: u32, turned: bool) -> Vec3 {
+    pub(crate) fn face_normal(&self, face: u32, turned: bool) -> Vec3 {
         match (self.shape, &self.normals) {
             (Shape::Triangles(triangles), None) => {
                 side(Vec3::from(triangles.face_normals[face as usize]), turned)
@@ -205,9 +201,9 @@ impl<'a> Prepared<'a> {
         }
     }
 
-    /// What tells a corner's normal from others of its object: equal numbers, equal normals at the same vertex.
+    /// The number of a corner's normal in its object: the same number at the same vertex means the same normal.
     #[inline(always)]
-    pub(in crate::raster) fn entry(&self, corner: u32, vertex: u32) -> u32 {
+    pub(crate) fn entry(&self, corner: u32, vertex: u32) -> u32 {
         match self.shape {
             Shape::Mesh { normals, .. } => normals.normals.slot(corner as usize, vertex).unwrap_or(NONE),
             _ => vertex,
@@ -215,23 +211,21 @@ impl<'a> Prepared<'a> {
     }
 
     /// [`corner_normal`](Self::corner_normal) in doubles.
-    pub(in crate::raster) fn exact_corner_normal(&self, corner: u32, vertex: u32, turned: bool) -> DVec3 {
+    pub(crate) fn exact_corner_normal(&self, Corner { number, vertex, turned }: Corner) -> DVec3 {
         let normal = match self.shape {
-            Shape::Mesh { normals, .. } => {
-                normals.normals.get(corner as usize, vertex).copied().unwrap_or(DVec3::ZERO)
-            }
-            shape => shape.normal(vertex),
+            Shape::Mesh { normals, .. } => normals.normals.get(number as usize, vertex).copied(),
+            shape => Some(shape.normals().get(vertex)),
         };
-        side(self.in_scene(normal), turned)
+        side(self.in_scene(normal.unwrap_or(DVec3::ZERO)), turned)
     }
 
     /// [`face_normal`](Self::face_normal) in doubles.
-    pub(in crate::raster) fn exact_face_normal(&self, face: u32, turned: bool) -> DVec3 {
-        side(self.in_scene(self.shape.face_normal(face)), turned)
+    pub(crate) fn exact_face_normal(&self, face: u32, turned: bool) -> DVec3 {
+        side(self.in_scene(self.shape.face_normals().get(face)), turned)
     }
 
     /// Whether faces have normals of their own; triangles of slices need not.
-    pub(in crate::raster) fn has_face_normals(&self) -> bool {
+    pub(crate) fn has_face_normals(&self) -> bool {
         !matches!(self.shape, Shape::Triangles(triangles) if triangles.face_normals.is_empty())
     }
 
@@ -249,7 +243,7 @@ fn side<T: std::ops::Neg<Output = T>>(normal: T, turned: bool) -> T {
     if turned { -normal } else { normal }
 }
 
-/// Lists that do not fit one another.
+/// Whether the lists of an object have matching lengths.
 fn check_lists(number: usize, object: &Object, settings: &RenderSettings) -> Result<(), RenderError> {
     let count = |what, found, per, expected| {
         let error = RenderError::Count { object: number, what, found, per, expected };
@@ -288,7 +282,7 @@ fn check_lists(number: usize, object: &Object, settings: &RenderSettings) -> Res
     }
 }
 
-/// Triangles that name vertices which are not there.
+/// Whether all triangles name vertices that exist.
 fn check_indices(triangles: &[[u32; 3]], count: usize) -> Result<(), RenderError> {
     // The largest index first: a search that may stop anywhere takes several times as long.
     let parts = triangles.as_flattened().par_chunks(1 << 16);
@@ -301,7 +295,7 @@ fn check_indices(triangles: &[[u32; 3]], count: usize) -> Result<(), RenderError
     Err(RenderError::Index { what: "triangle", number: wrong / 3, index: indices[wrong], count })
 }
 
-/// Vertices without a place.
+/// Whether all vertices have a finite place on the picture.
 fn check_range(object: &DrawnObject) -> Result<(), RenderError> {
     if object.outside & NOT_FINITE == 0 {
         return Ok(());

@@ -2,13 +2,11 @@
 
 // A scene and settings, checked and prepared.
 pub(super) mod job;
-// The triangles of one tile.
-pub(super) mod tile_triangles;
 // One tile: visibility, colours, lines.
 pub(super) mod tile;
 // From linear colours to stored numbers.
 pub(super) mod output;
 // Why a picture is empty.
-pub(super) mod visibility;
+pub(super) mod empty_picture;
 // From a scene to a picture.
 pub(super) mod render;

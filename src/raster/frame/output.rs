@@ -1,25 +1,18 @@
 //! From linear colours to the numbers of a picture.
 
 use crate::num::{self, Kernel, Lanes, Transfer};
-use crate::raster::coverage::bins::tiles;
-use crate::raster::coverage::setup::SIDE;
-use crate::raster::coverage::setup::TILE;
+use crate::raster::coverage::setup::{SIDE, TILE};
+use crate::raster::coverage::tile_bins::tiles;
 use crate::raster::coverage::visible_triangle::{BLOCKS, LANES, PIXELS};
 use crate::raster::frame::job::Job;
 use crate::raster::frame::tile::Finished;
 use crate::raster::picture::{Image, Pixels};
+use crate::raster::settings::RenderSettings;
 use crate::shade::ToneRule;
 
-/// How colours are quantised.
-pub(in crate::raster) struct Output {
-    tone: ToneRule,
-    transfer: Transfer,
-    background: [f32; 3],
-}
-
 /// The rows of a picture that lie in a tile.
-pub(in crate::raster) struct Target<'a> {
-    pub(in crate::raster) tile: [usize; 2],
+pub(crate) struct Target<'a> {
+    pub(crate) tile: [usize; 2],
     colours: TargetColours<'a>,
     coverage: Vec<&'a mut [u8]>,
     linear: Vec<&'a mut [[f32; 3]]>,
@@ -31,7 +24,7 @@ enum TargetColours<'a> {
 }
 
 /// Cuts a picture into its tiles.
-pub(in crate::raster) fn targets(image: &mut Image) -> Vec<Target<'_>> {
+pub(crate) fn targets(image: &mut Image) -> Vec<Target<'_>> {
     let size = image.size;
     let columns = tiles(size)[0];
     let colours: Vec<TargetColours> = match &mut image.pixels {
@@ -60,45 +53,40 @@ fn rows_of_tiles<T>(list: &mut [T], size: [u32; 2]) -> Vec<Vec<&mut [T]>> {
     targets
 }
 
-impl Output {
-    pub(in crate::raster) fn new(job: &Job) -> Self {
-        Self { tone: job.settings.tone, transfer: job.settings.transfer, background: job.background }
-    }
-}
-
 impl Target<'_> {
     /// Writes a tile, or background, and returns how many of its pixels are covered.
-    pub(in crate::raster) fn write(&mut self, output: &Output, tile: Option<&Finished>) -> u64 {
+    pub(crate) fn write(&mut self, job: &Job, tile: Option<&Finished>) -> u64 {
         match tile {
-            Some(tile) => num::dispatch(WriteTile { target: self, output, tile }),
+            Some(tile) => num::dispatch(WriteTile { target: self, settings: job.settings, tile }),
             None => {
-                self.fill(output);
+                self.fill(job);
                 0
             }
         }
     }
 
     /// Background all over. What is covered and the linear colours of a new picture are 0 already.
-    fn fill(&mut self, output: &Output) {
-        let toned = output.tone.apply(output.background);
+    fn fill(&mut self, job: &Job) {
+        let RenderSettings { tone, transfer, .. } = job.settings;
+        let toned = tone.apply(job.background);
         match &mut self.colours {
             TargetColours::Eight(rows) => {
-                let pixel = toned.map(|component| output.transfer.pixel_u8(component));
+                let pixel = toned.map(|component| transfer.pixel_u8(component));
                 rows.iter_mut().for_each(|row| row.fill(pixel));
             }
             TargetColours::Sixteen(rows) => {
-                let pixel = toned.map(|component| output.transfer.to_u16(f64::from(component)));
+                let pixel = toned.map(|component| transfer.to_u16(f64::from(component)));
                 rows.iter_mut().for_each(|row| row.fill(pixel));
             }
         }
-        self.linear.iter_mut().for_each(|row| row.fill(output.background));
+        self.linear.iter_mut().for_each(|row| row.fill(job.background));
     }
 }
 
 /// Writes a tile row by row.
 struct WriteTile<'a, 'b> {
     target: &'a mut Target<'b>,
-    output: &'a Output,
+    settings: &'a RenderSettings,
     tile: &'a Finished<'a>,
 }
 
@@ -108,7 +96,7 @@ impl Kernel for WriteTile<'_, '_> {
 
     #[inline(always)]
     fn run<A: Lanes>(self, _: A) -> u64 {
-        let Self { target, output, tile } = self;
+        let Self { target, settings, tile } = self;
         let mut covered = 0;
         for (y, coverage) in target.coverage.iter_mut().enumerate() {
             let samples = row_of_tile(tile.covered, y);
@@ -126,12 +114,12 @@ impl Kernel for WriteTile<'_, '_> {
                     *linear = [row[0][x], row[1][x], row[2][x]];
                 }
             }
-            apply_tone(output.tone, &mut row);
+            apply_tone(settings.tone, &mut row);
             match &mut target.colours {
-                TargetColours::Eight(rows) => quantise(output.transfer, &row, rows[y]),
+                TargetColours::Eight(rows) => quantise(settings.transfer, &row, rows[y]),
                 TargetColours::Sixteen(rows) => {
                     for (x, pixel) in rows[y].iter_mut().enumerate().take(TILE) {
-                        *pixel = row.each_ref().map(|row| output.transfer.to_u16(f64::from(row[x])));
+                        *pixel = row.each_ref().map(|row| settings.transfer.to_u16(f64::from(row[x])));
                     }
                 }
             }

@@ -1,9 +1,9 @@
 //! From a scene to a picture.
 
-use crate::raster::coverage::bins::{Binning, Bins};
+use crate::raster::coverage::tile_bins::{Binning, Bins};
 use crate::raster::error::RenderError;
 use crate::raster::frame::job::Job;
-use crate::raster::frame::output::{Output, Target, targets};
+use crate::raster::frame::output::{Target, targets};
 use crate::raster::frame::tile::Worker;
 use crate::raster::lines::draw_lines::LineJob;
 use crate::raster::picture::{Image, Pixels, Statistics, Times};
@@ -72,7 +72,7 @@ pub fn render(scene: &Scene, settings: &RenderSettings) -> Result<Image, RenderE
 }
 
 /// The triangles of all objects, by tile.
-pub(in crate::raster) fn bins(job: &Job) -> Bins {
+pub(crate) fn bins(job: &Job) -> Bins {
     let offsets = || job.settings.samples.offsets();
     let samples = [0, 1].map(|axis| {
         offsets()
@@ -97,14 +97,12 @@ fn blank(settings: &RenderSettings) -> Image {
 
 /// Draws all tiles and returns how many pixels are covered.
 fn draw_tiles(job: &Job, bins: &Bins, lines: &LineJob, image: &mut Image) -> Result<u64, RenderError> {
-    let output = Output::new(job);
     let workers = Mutex::new(Vec::new());
     let spare =
         || workers.lock().ok().and_then(|mut workers: std::sync::MutexGuard<Vec<Worker>>| workers.pop());
     let draw = |mut target: Target| {
         let mut worker = spare().unwrap_or_else(Worker::new);
-        let covered =
-            worker.draw(job, bins, lines, target.tile).map(|tile| target.write(&output, tile.as_ref()));
+        let covered = worker.draw(job, bins, lines, target.tile).map(|tile| target.write(job, tile.as_ref()));
         if let Ok(mut workers) = workers.lock() {
             workers.push(worker);
         }

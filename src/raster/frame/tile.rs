@@ -1,23 +1,22 @@
 //! One tile: what is seen, its colours, its lines.
 
 use crate::num;
-use crate::raster::coverage::bins::{Bins, tile_origin, tiles};
 use crate::raster::coverage::records::Record;
 use crate::raster::coverage::setup::{TILE, depth_plane, double_area};
-use crate::raster::coverage::tile_list::{Owner, Run, TileList};
-use crate::raster::coverage::visible_triangle::{NOTHING, PIXELS, Visible, number, place};
+use crate::raster::coverage::tile_bins::{Bins, tile_origin, tiles};
+use crate::raster::coverage::tile_list::{DrawTriangles, Owner, Run, TileList};
+use crate::raster::coverage::visible_triangle::{Colours, NOTHING, PIXELS, Visible, number, place};
 use crate::raster::error::RenderError;
 use crate::raster::frame::job::Job;
-use crate::raster::frame::tile_triangles::DrawTriangles;
 use crate::raster::lines::draw_lines::{LineJob, LineSet, Segment};
 use crate::raster::settings::{Shading, Show};
-use crate::raster::shading::interpolate::Seen;
+use crate::raster::shading::interpolate::VisibleSample;
 use crate::raster::shading::ray_cast::{Hits, cast};
 use crate::raster::shading::shade_samples::{Painter, Tile};
 use crate::raster::view::fixed_point::ONE;
 
 /// Works on one tile after the other and keeps its memory in between.
-pub(in crate::raster) struct Worker {
+pub(crate) struct Worker {
     list: TileList,
     visible: Visible,
     hits: Option<Hits>,
@@ -29,9 +28,9 @@ pub(in crate::raster) struct Worker {
     records: Vec<Record>,
     runs: Vec<Run>,
     /// The samples at which something is seen.
-    seen: Vec<Seen>,
+    seen: Vec<VisibleSample>,
     /// Those of one of several objects.
-    seen_of_run: Vec<Seen>,
+    seen_of_run: Vec<VisibleSample>,
     painter: Painter,
     /// Colours of the samples in hand.
     colour: Colours,
@@ -47,25 +46,22 @@ fn shows_edges_alone(job: &Job) -> bool {
     job.settings.shading == Shading::Wireframe && job.settings.show == Show::Shaded
 }
 
-/// A row of each component.
-pub(in crate::raster) type Colours = [Box<[f32; PIXELS]>; 3];
-
 fn colours() -> Colours {
     [(); 3].map(|()| Box::new([0.0; PIXELS]))
 }
 
 /// A finished tile with something in it.
-pub(in crate::raster) struct Finished<'a> {
+pub(crate) struct Finished<'a> {
     /// Linear colours, the mean of the samples.
-    pub(in crate::raster) colours: &'a Colours,
+    pub(crate) colours: &'a Colours,
     /// How many samples of each pixel are covered.
-    pub(in crate::raster) covered: &'a [u8; PIXELS],
+    pub(crate) covered: &'a [u8; PIXELS],
     /// The pixels that show a wireframe's edge; `None` where faces are shown.
-    pub(in crate::raster) edged: Option<&'a [bool; PIXELS]>,
+    pub(crate) edged: Option<&'a [bool; PIXELS]>,
 }
 
 impl Worker {
-    pub(in crate::raster) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self {
             list: TileList::default(),
             visible: Visible::new(),
@@ -85,7 +81,7 @@ impl Worker {
     }
 
     /// Draws a tile; `None` if there is nothing but background.
-    pub(in crate::raster) fn draw(
+    pub(crate) fn draw(
         &mut self,
         job: &Job,
         bins: &Bins,
@@ -102,7 +98,7 @@ impl Worker {
         self.edged.fill(false);
         for (number, sample) in job.settings.samples.offsets().enumerate() {
             let origin = tile_origin(tile, sample);
-            self.see(job, origin);
+            self.find_visible(job, origin);
             self.collect(job, tile);
             self.paint(job, origin)?;
             self.draw_lines(job, lines, tile, sample);
@@ -126,8 +122,8 @@ impl Worker {
         Finished { colours, covered: &self.covered, edged }
     }
 
-    /// What a sample of a pixel shows.
-    pub(in crate::raster) fn look(
+    /// The record that is visible at a sample of a pixel.
+    pub(crate) fn visible_record(
         &mut self,
         job: &Job,
         bins: &Bins,
@@ -136,13 +132,13 @@ impl Worker {
     ) -> Option<Record> {
         let tile = pixel.map(|n| n as usize / TILE);
         self.list.fill(job, bins, tile);
-        self.see(job, tile_origin(tile, sample));
+        self.find_visible(job, tile_origin(tile, sample));
         let owner = self.visible.owner[number(pixel.map(|n| n as usize % TILE))];
         (owner != NOTHING).then(|| self.list.record(job, owner))
     }
 
     /// Finds what is seen at one sample of each pixel.
-    fn see(&mut self, job: &Job, origin: [i32; 2]) {
+    fn find_visible(&mut self, job: &Job, origin: [i32; 2]) {
         let Self { visible, list, hits, .. } = self;
         visible.clear();
         num::dispatch(DrawTriangles { job, list, origin, visible });
@@ -180,11 +176,11 @@ impl Worker {
         self.owners.truncate(count);
         self.list.records(job, &self.owners, &mut self.records, &mut self.runs);
         self.seen.clear();
-        self.seen.resize(PIXELS + 1, Seen { pixel: 0, record: 0 });
+        self.seen.resize(PIXELS + 1, VisibleSample { pixel: 0, record: 0 });
         let mut count = 0;
         for (pixel, &owner) in owners.iter().enumerate() {
             let record = self.record_of[(owner as usize).min(none)];
-            self.seen[count] = Seen { pixel: pixel as u16, record };
+            self.seen[count] = VisibleSample { pixel: pixel as u16, record };
             count += usize::from(owner != NOTHING);
         }
         self.seen.truncate(count);
@@ -217,7 +213,7 @@ impl Worker {
             let seen = if self.runs.len() == 1 {
                 &self.seen
             } else {
-                let is_its = |seen: &&Seen| run.records.contains(&(seen.record as usize));
+                let is_its = |seen: &&VisibleSample| run.records.contains(&(seen.record as usize));
                 self.seen_of_run.clear();
                 self.seen_of_run.extend(self.seen.iter().filter(is_its));
                 &self.seen_of_run

@@ -1,10 +1,10 @@
 //! Straight lines with a width, on top of what is seen or hidden by it.
 
-use crate::raster::coverage::bins::{TileBox, sort, tiles};
 use crate::raster::coverage::setup::TILE;
+use crate::raster::coverage::tile_bins::{TileBox, sort, tiles};
 use crate::raster::error::RenderError;
 use crate::raster::frame::job::Job;
-use crate::raster::lines::segments::Ends;
+use crate::raster::lines::segments::LineEnds;
 use crate::raster::scene::Scene;
 use crate::raster::settings::{LineStyle, Shading};
 use crate::raster::view::clip::clip_line;
@@ -13,45 +13,46 @@ use glam::Vec3;
 use rayon::prelude::*;
 
 /// All lines of a picture.
-pub(in crate::raster) struct LineJob<'a> {
+pub(crate) struct LineJob<'a> {
     sets: Vec<LineSet<'a>>,
     /// Where each tile's lines begin, with the total at the end; and the lines, as a set and a number in it.
     parts: Vec<(usize, Vec<u32>, Vec<u32>)>,
 }
 
 /// Lines that look alike.
-pub(in crate::raster) struct LineSet<'a> {
-    ends: Ends<'a>,
+pub(crate) struct LineSet<'a> {
+    ends: LineEnds<'a>,
     /// From the space of the ends to view space.
     map: ObjectMap,
-    pub(in crate::raster) colour: Vec3,
-    pub(in crate::raster) radius: f64,
-    pub(in crate::raster) hide: bool,
+    pub(crate) colour: Vec3,
+    pub(crate) radius: f64,
+    pub(crate) hide: bool,
     /// Whether these are the edges of an object under [`Shading::Wireframe`], and not lines laid over it.
-    pub(in crate::raster) is_wireframe: bool,
+    pub(crate) is_wireframe: bool,
 }
 
 /// A line on the picture.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::raster) struct Segment {
+pub(crate) struct Segment {
     /// Its ends, in pixels.
-    pub(in crate::raster) ends: [[f64; 2]; 2],
+    pub(crate) ends: [[f64; 2]; 2],
     /// Depth there, which is linear in between.
-    pub(in crate::raster) depth: [f64; 2],
+    pub(crate) depth: [f64; 2],
 }
 
 impl<'a> LineJob<'a> {
-    pub(in crate::raster) fn new(job: &Job<'a>, scene: &'a Scene<'a>) -> Result<Self, RenderError> {
+    pub(crate) fn new(job: &Job<'a>, scene: &'a Scene<'a>) -> Result<Self, RenderError> {
         let mut sets = Vec::new();
         if job.settings.shading == Shading::Wireframe {
             check_style(&job.settings.wire)?;
             let cull = job.settings.cull;
-            let edges = job.drawn.iter().map(|drawn| Ends::edges(&scene.objects[drawn.object], drawn, cull));
+            let edges =
+                job.drawn.iter().map(|drawn| LineEnds::edges(&scene.objects[drawn.object], drawn, cull));
             sets.extend(edges.map(|ends| LineSet::new(job, ends, &job.settings.wire, true)));
         }
         for (number, lines) in scene.lines.iter().enumerate() {
             check_style(&lines.style)?;
-            sets.push(LineSet::new(job, Ends::new(scene, number, &lines.path)?, &lines.style, false));
+            sets.push(LineSet::new(job, LineEnds::new(scene, number, &lines.path)?, &lines.style, false));
         }
         let parts = sets.par_iter().enumerate().map(|(number, set)| {
             let found: Vec<_> = (0..set.ends.len())
@@ -64,16 +65,12 @@ impl<'a> LineJob<'a> {
     }
 
     /// Whether a tile has no line.
-    pub(in crate::raster) fn is_empty(&self, tile: usize) -> bool {
+    pub(crate) fn is_empty(&self, tile: usize) -> bool {
         self.parts.iter().all(|(_, starts, _)| starts[tile] == starts[tile + 1])
     }
 
     /// The lines of a tile.
-    pub(in crate::raster) fn tile(
-        &self,
-        job: &Job,
-        tile: usize,
-    ) -> impl Iterator<Item = (&LineSet<'a>, Segment)> {
+    pub(crate) fn tile(&self, job: &Job, tile: usize) -> impl Iterator<Item = (&LineSet<'a>, Segment)> {
         self.parts.iter().flat_map(move |(number, starts, lines)| {
             let set = &self.sets[*number];
             let range = starts[tile] as usize..starts[tile + 1] as usize;
@@ -94,7 +91,7 @@ fn check_style(style: &LineStyle) -> Result<(), RenderError> {
 }
 
 impl<'a> LineSet<'a> {
-    fn new(job: &Job, ends: Ends<'a>, style: &LineStyle, is_wireframe: bool) -> Self {
+    fn new(job: &Job, ends: LineEnds<'a>, style: &LineStyle, is_wireframe: bool) -> Self {
         let (transform, first) = ends.space();
         let map = ObjectMap::about(&job.view, transform, first);
         let colour = crate::raster::coverage::records::single(style.colour);
@@ -126,7 +123,7 @@ impl<'a> LineSet<'a> {
 
 impl Segment {
     /// The place of the line nearest to a point of the picture and the depth there, if it is within the radius.
-    pub(in crate::raster) fn nearest(&self, [x, y]: [f64; 2], radius: f64) -> Option<([f64; 2], f64)> {
+    pub(crate) fn nearest(&self, [x, y]: [f64; 2], radius: f64) -> Option<([f64; 2], f64)> {
         let [a, b] = self.ends;
         let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
         let squared = dx * dx + dy * dy;
@@ -140,7 +137,7 @@ impl Segment {
 
     /// The pixels of a row that the line may touch, given the height of the row's samples and how far into a pixel
     /// they are.
-    pub(in crate::raster) fn columns(&self, y: f64, radius: f64, offset: f64) -> Option<[f64; 2]> {
+    pub(crate) fn columns(&self, y: f64, radius: f64, offset: f64) -> Option<[f64; 2]> {
         let [a, b] = self.ends;
         if y < a[1].min(b[1]) - radius || y > a[1].max(b[1]) + radius {
             return None;

@@ -11,32 +11,32 @@ use glam::{DMat3, DMat4, DVec3};
 use std::borrow::Cow;
 
 /// The ends of many lines, which are in one space.
-pub(in crate::raster) struct Ends<'a> {
+pub(crate) struct LineEnds<'a> {
     points: Points<'a>,
     /// From the points' space to the scene's.
     transform: DMat4,
-    course: Course<'a>,
+    course: LineSource<'a>,
 }
 
-enum Course<'a> {
+enum LineSource<'a> {
     /// Between points, in their own space.
     Between(Cow<'a, [[u32; 2]]>),
     /// From points along normals by their numbers, in the scene.
-    FromVertices(Along<'a>, &'a [[u32; 2]]),
+    FromVertices(NormalLines<'a>, &'a [[u32; 2]]),
     /// From the middles of faces along theirs, in the scene.
-    FromFaces(Along<'a>, usize),
+    FromFaces(NormalLines<'a>, usize),
 }
 
 /// What leads along the normals of an object.
-struct Along<'a> {
+struct NormalLines<'a> {
     shape: &'a Shape<'a>,
     matrix: NormalMatrix,
     length: f64,
 }
 
-impl<'a> Ends<'a> {
-    /// The edges of an object's faces but those that are left out.
-    pub(in crate::raster) fn edges(object: &'a Object<'a>, drawn: &DrawnObject<'a>, cull: Cull) -> Self {
+impl<'a> LineEnds<'a> {
+    /// The edges of an object's faces that are not culled.
+    pub(crate) fn edges(object: &'a Object<'a>, drawn: &DrawnObject<'a>, cull: Cull) -> Self {
         let edges = match cull {
             Cull::None => object.shape.edges(),
             Cull::Back | Cull::Front => {
@@ -44,16 +44,12 @@ impl<'a> Ends<'a> {
                 object.shape.edges_of(|face| is_kept[face])
             }
         };
-        let course = Course::Between(Cow::Owned(edges));
+        let course = LineSource::Between(Cow::Owned(edges));
         Self { points: drawn.points, transform: object.transform, course }
     }
 
     /// The ends of the scene's `number`-th set of lines, checked.
-    pub(in crate::raster) fn new(
-        scene: &'a Scene<'a>,
-        number: usize,
-        path: &'a LinePath,
-    ) -> Result<Self, RenderError> {
+    pub(crate) fn new(scene: &'a Scene<'a>, number: usize, path: &'a LinePath) -> Result<Self, RenderError> {
         let of_object = |object: usize| {
             let owner = scene.objects.get(object);
             let found = owner.and_then(|owner| Some((owner, owner.shape.points()?)));
@@ -63,69 +59,69 @@ impl<'a> Ends<'a> {
             LinePath::Points { ref points, ref segments } => {
                 check_finite(points)?;
                 check_numbers(segments.as_flattened().iter().copied(), 2, points.len())?;
-                let course = Course::Between(Cow::Borrowed(segments));
+                let course = LineSource::Between(Cow::Borrowed(segments));
                 Self { points: Points::F64(points), transform: DMat4::IDENTITY, course }
             }
             LinePath::Edges { object, ref edges } => {
                 let (owner, points) = of_object(object)?;
                 check_numbers(edges.as_flattened().iter().copied(), 2, points.len())?;
-                let course = Course::Between(Cow::Borrowed(edges));
+                let course = LineSource::Between(Cow::Borrowed(edges));
                 Self { points, transform: owner.transform, course }
             }
             LinePath::VertexNormals { object, ref normals, length } => {
                 let (owner, points) = of_object(object)?;
                 check_numbers(normals.iter().map(|&[vertex, _]| vertex), 1, points.len())?;
-                check_numbers(normals.iter().map(|&[_, normal]| normal), 1, owner.shape.normal_count())?;
-                let course = Course::FromVertices(Along::new(owner, object, length)?, normals);
+                check_numbers(normals.iter().map(|&[_, normal]| normal), 1, owner.shape.normals().len())?;
+                let course = LineSource::FromVertices(NormalLines::new(owner, object, length)?, normals);
                 Self { points, transform: owner.transform, course }
             }
             LinePath::FaceNormals { object, length } => {
                 let (owner, points) = of_object(object)?;
-                let along = Along::new(owner, object, length)?;
-                let course = Course::FromFaces(along, owner.shape.face_normal_count());
+                let along = NormalLines::new(owner, object, length)?;
+                let course = LineSource::FromFaces(along, owner.shape.face_normals().len());
                 Self { points, transform: owner.transform, course }
             }
         })
     }
 
     /// How many lines there are.
-    pub(in crate::raster) fn len(&self) -> u32 {
+    pub(crate) fn len(&self) -> u32 {
         match &self.course {
-            Course::Between(pairs) => pairs.len() as u32,
-            Course::FromVertices(_, normals) => normals.len() as u32,
-            Course::FromFaces(_, count) => *count as u32,
+            LineSource::Between(pairs) => pairs.len() as u32,
+            LineSource::FromVertices(_, normals) => normals.len() as u32,
+            LineSource::FromFaces(_, count) => *count as u32,
         }
     }
 
     /// From the space of what [`get`](Self::get) gives to the scene's, and a point of that space near the lines.
-    pub(in crate::raster) fn space(&self) -> (DMat4, DVec3) {
+    pub(crate) fn space(&self) -> (DMat4, DVec3) {
         let first = self.points.first().unwrap_or_default();
         match self.course {
-            Course::Between(_) => (self.transform, first),
+            LineSource::Between(_) => (self.transform, first),
             _ => (DMat4::IDENTITY, self.transform.transform_point3(first)),
         }
     }
 
     /// Where a line begins and ends; `None` for a normal without direction.
-    pub(in crate::raster) fn get(&self, line: u32) -> Option<[DVec3; 2]> {
+    pub(crate) fn get(&self, line: u32) -> Option<[DVec3; 2]> {
         let place = |vertex: u32| self.transform.transform_point3(self.points.get(vertex));
         match &self.course {
-            Course::Between(pairs) => Some(pairs[line as usize].map(|point| self.points.get(point))),
-            Course::FromVertices(along, normals) => {
+            LineSource::Between(pairs) => Some(pairs[line as usize].map(|point| self.points.get(point))),
+            LineSource::FromVertices(along, normals) => {
                 let [vertex, normal] = normals[line as usize];
-                along.line(place(vertex), along.shape.normal(normal))
+                along.line(place(vertex), along.shape.normals().get(normal))
             }
-            Course::FromFaces(along, _) => {
+            LineSource::FromFaces(along, _) => {
                 let face = along.shape.face(line);
                 let share = 1.0 / face.len() as f64;
                 let middle = face.iter().map(|&vertex| place(vertex) * share).sum::<DVec3>();
-                along.line(middle, along.shape.face_normal(line))
+                along.line(middle, along.shape.face_normals().get(line))
             }
         }
     }
 }
 
-impl<'a> Along<'a> {
+impl<'a> NormalLines<'a> {
     fn new(owner: &'a Object<'a>, object: usize, length: f64) -> Result<Self, RenderError> {
         let matrix = normal_matrix(DMat3::from_mat4(owner.transform)).ok_or(RenderError::Singular(object))?;
         match length.is_finite() {
@@ -198,7 +194,7 @@ mod tests {
             (LinePath::FaceNormals { object: 0, length: 0.25 }, 8),
         ];
         for (path, count) in &paths {
-            let ends = Ends::new(&scene, 0, path).unwrap();
+            let ends = LineEnds::new(&scene, 0, path).unwrap();
             assert_eq!(ends.len(), *count);
             assert_eq!(ends.space().0, DMat4::IDENTITY);
             for [from, to] in (0..*count).map(|line| ends.get(line).unwrap()) {
@@ -214,7 +210,7 @@ mod tests {
         let scene = scene(Shape::Mesh { mesh: &mesh, normals: &normals }, DMat4::IDENTITY);
         let settings = RenderSettings::default();
         let job = Job::new(&scene, &settings).unwrap();
-        let ends = Ends::edges(&scene.objects[0], &job.drawn[0], Cull::None);
+        let ends = LineEnds::edges(&scene.objects[0], &job.drawn[0], Cull::None);
         assert_eq!(ends.len(), 12);
         let long = (0..12).map(|line| ends.get(line).unwrap()).filter(|[a, b]| a.distance_squared(*b) != 2.0);
         assert_eq!(long.count(), 0);
@@ -248,7 +244,7 @@ mod tests {
                 for (cull, kept) in [(Cull::Back, true), (Cull::Front, false)] {
                     let settings = RenderSettings { cull, ..RenderSettings::default() };
                     let job = Job::new(&scene, &settings).unwrap();
-                    let ends = Ends::edges(&scene.objects[0], &job.drawn[0], cull);
+                    let ends = LineEnds::edges(&scene.objects[0], &job.drawn[0], cull);
                     let mut expected: Vec<[u32; 2]> = (0..8)
                         .map(|face| mesh.faces().face(face))
                         .filter(|face| is_front(face) == kept)
@@ -257,7 +253,7 @@ mod tests {
                         .collect();
                     expected.sort_unstable();
                     expected.dedup();
-                    let Course::Between(found) = &ends.course else { panic!("edges") };
+                    let LineSource::Between(found) = &ends.course else { panic!("edges") };
                     assert_eq!(**found, *expected, "{across} {size} {inside} {projection:?} {cull:?}");
                 }
             }
@@ -269,7 +265,8 @@ mod tests {
         let (mesh, normals) = octahedron();
         let solid = scene(Shape::Surface(Sphere::default().into()), DMat4::IDENTITY);
         let scene = scene(Shape::Mesh { mesh: &mesh, normals: &normals }, DMat4::IDENTITY);
-        let refused = |scene: &Scene, path: LinePath| Ends::new(scene, 3, &path).err().unwrap().to_string();
+        let refused =
+            |scene: &Scene, path: LinePath| LineEnds::new(scene, 3, &path).err().unwrap().to_string();
         let along = |object| LinePath::FaceNormals { object, length: 1.0 };
         assert_eq!(refused(&scene, along(1)), "lines 4 run along object 2, which has no vertices");
         assert_eq!(refused(&solid, along(0)), "lines 4 run along object 1, which has no vertices");

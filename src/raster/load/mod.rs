@@ -1,165 +1,23 @@
-//! Scenes from files: bare meshes, glTF documents, and scenes written in TOML.
+//! Scenes from files: mesh files, glTF documents, and scenes written in TOML.
 
-mod bare;
-mod lights;
-mod looks;
-mod meshes;
-mod recentre;
+// Rotation by degrees.
 mod rotation;
+// A scene that owns its meshes.
 mod scene_file;
-mod split;
+// Meshes with their normals, divided by material.
+mod scene_mesh;
+// Materials, cameras and lights of mesh files.
+mod appearance;
+// A mesh or glTF file as a scene.
+mod loaded_file;
+// Scenes of unusual size or place.
+mod recentre;
+// Scenes written in TOML.
 mod toml;
+// Reading a file of any kind.
+mod read;
 
-pub use lights::default_lights;
+pub use read::load;
 pub use recentre::Recentring;
 pub use rotation::rotation;
-pub use scene_file::{SceneFile, SceneMesh, SceneObject, SceneShape};
-
-use crate::io::{self, Format, Limits, Place, Problem, ReadError, ReadOptions};
-use crate::normals::{NormalRecipe, When};
-use std::path::Path;
-
-/// How scenes are read.
-#[derive(Clone, Debug, Default)]
-pub struct LoadOptions {
-    /// What determines the normals of meshes.
-    pub recipe: NormalRecipe,
-    /// Which stored normals are replaced. What is drawn is what [`pipeline::revise`](crate::pipeline::revise) with the
-    /// same recipe would write. `None` leaves it to what scenes say; where they say nothing, those of mesh files are always
-    /// replaced, and those that a scene gives its own polygons and surfaces are kept.
-    pub when: Option<When>,
-    /// What readers may do and how much they may take.
-    pub read: ReadOptions,
-    /// Whether pictures are seen from elsewhere, so that a camera of a mesh file that makes no sense is left out with a
-    /// note and is no error.
-    pub from_elsewhere: bool,
-}
-
-/// Reads a scene, or a mesh as a scene: framed by itself, with a light of its own, in a plain material.
-///
-/// A name that ends in `.toml` is a scene file, unless a format is given; without one, any other file's content and name
-/// tell what it is. A glTF file is a scene too: nodes, the first camera, punctual lights, base colours.
-///
-/// ```no_run
-/// use crease::raster::{LoadOptions, load, render};
-///
-/// let mut file = load("bunny.obj".as_ref(), None, &LoadOptions::default())?;
-/// file.settings.size = [1920, 1080];
-/// let image = render(&file.scene(), &file.settings)?;
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-///
-/// # Scene files
-/// All that a picture is made of, in TOML; `data/scenes` of the repository has annotated examples. Only objects are
-/// needed: `[[object]]` and one of `mesh`, `polygons`, `surface`. Where there is no camera all is framed by itself, where
-/// there is no light it is lit by [`default_lights`]. Angles are in degrees; faces and vertices are counted from 0.
-///
-/// A colour is linear, `[r, g, b]` or one number for a grey, or `"#rrggbb"` as screens have it, which is made linear: with
-/// `transfer = "direct"`, which writes linear numbers as they are, `"#808080"` comes out as 55, and 0.502 as 128. `color` may be
-/// written for `colour`. A reflectance is a coefficient k that goes with the material's colour, K = k·O as a colour, or
-/// `{ k = …, colour = … }`. An attenuation is `"none"`, `"inverse-square"`, `{ inverse-square-within = range }`,
-/// `{ offset = k }` for 1/(d + k), or `{ quadratic = [kc, kl, kq] }`.
-///
-/// | table | key | |
-/// |---|---|---|
-/// | `[settings]` | `size` | width and height in pixels, 1 to 16384; `[640, 480]` |
-/// | | `samples` | places looked at in each pixel: 1, 4, 8 or 16 |
-/// | | `bits` | of each component of the picture: 8 or 16 |
-/// | | `shading` | `"flat"`, `"gouraud"`, `"phong"`, `"wireframe"`, `"exact"` |
-/// | | `interpolation` | `"scanline"`, `"affine"`, `"perspective"` |
-/// | | `flat-sample` | `"centroid"`, `"vertex-mean"` |
-/// | | `cull` | `"none"`, `"back"`, `"front"` |
-/// | | `two-sided`, `infinite-viewer` | `true` or `false` |
-/// | | `reflection` | as of materials, for objects that have none of their own |
-/// | | `literal` | `true` switches all guards off |
-/// | | `guards` | single ones on or off: `{ highlight = false }`; see [`Guards`](crate::shade::Guards) |
-/// | | `terminator` | `"smooth"`, `"hard"`, `"soft"`; see [`Terminator`](crate::shade::Terminator) |
-/// | | `depth-cue` | k of 1/(d + k), d the distance to the viewer |
-/// | | `tone` | `"clamp"`, `"max"` |
-/// | | `transfer` | `"srgb"`, `"direct"` |
-/// | | `background` | colour |
-/// | | `wire` | `{ colour, width, hide }`: the lines of wireframes |
-/// | `[camera]` | `eye`, `target` | points, both needed |
-/// | | `up` | `[0, 1, 0]` |
-/// | | `angle` or `height` | perspective, from bottom to top, 30 where neither is given; or orthographic |
-/// | | `near` | a thousandth of the distance to the target; 0 if orthographic |
-/// | `[[light.ambient]]` | `colour` | |
-/// | `[[light.directional]]` | `towards`, `colour` | the way to the light; colours of lights are white unless given |
-/// | `[[light.point]]` | `position`, `colour`, `attenuation` | with a fourth coordinate w = 0: infinitely far away |
-/// | `[[light.spot]]` | the same, `axis`, `cut-off`, `soft-edge`, `exponent` | without a cut-off: the lectures' cosine |
-/// | `[[light.rectangle]]` | `centre`, `u`, `v`, `colour` | to the middles of two sides; u × v shines |
-/// | `[[light.disc]]` | `centre`, `normal`, `radius`, `colour` | |
-/// | `[[object]]` | `name` | |
-/// | | `mesh` | a mesh or glTF file in the scene's folder or below it, or below [`ReadOptions::root`] |
-/// | | `polygons` | `{ vertices, faces, normals, colours }`, the last two one a vertex, if at all |
-/// | | `surface` | `plane` and `cone`, `cylinder`, `sphere`, `ellipsoid`, `torus`: `{ sphere = { radius = 1 } }`; with a tessellation also `catenoid`, `wave`, `monkey-saddle`, `superquadric`, `teapot` |
-/// | | `tessellation` | `{ pattern, segments, jitter, noise, seed }`, see [`Tessellation`](crate::surface::Tessellation) |
-/// | | `normals` | `"given"` keeps what a mesh has, `"computed"` replaces it; see [`LoadOptions::when`] for what is done else |
-/// | | `transform` | steps, the first one first: `scale`, `rotate` (about x, then y, then z), `translate`, `matrix` (three rows of four) |
-/// | | `material` | `{ colour, ambient, diffuse, specular, exponent, reflection }`; `reflection` is `"phong"`, `"blinn"`, or `"given"` for colours of vertices, unlit |
-///
-/// # Errors
-/// What [`io::read`] says, and files without any face. In scene files, with the line and the key: unknown keys, values of
-/// the wrong type or out of range, and what is wrong with meshes that they name. Nothing is silently ignored.
-pub fn load(path: &Path, format: Option<Format>, options: &LoadOptions) -> Result<SceneFile, ReadError> {
-    let is_scene = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"));
-    if format.is_some() || !is_scene {
-        return SceneFile::from_loaded(io::read(path, format, &options.read)?, options);
-    }
-    let limits =
-        Limits { bytes: options.read.limits.bytes.min(LARGEST_SCENE), ..options.read.limits.clone() };
-    let bytes = io::read_whole(path, &limits)?;
-    let text = String::from_utf8(bytes).map_err(|error| {
-        let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
-        let place = Place::Line(1 + before.iter().filter(|&&byte| byte == b'\n').count() as u64);
-        ReadError::new(Problem::Syntax, place, "the text is not UTF-8", "save it as UTF-8")
-    })?;
-    SceneFile::from_toml(&text, path.parent().unwrap_or(path), options)
-}
-
-/// Most bytes of a scene file, whose text takes many times that in memory when it is understood. Large meshes have
-/// files of their own.
-const LARGEST_SCENE: u64 = 64 << 20;
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::io::read_bytes;
-    use crate::raster::frame::render::render;
-    use crate::raster::settings::RenderSettings;
-
-    fn scene(text: &str) -> SceneFile {
-        let loaded = read_bytes(text.as_bytes().to_vec(), Some(Format::Obj), None, &ReadOptions::default());
-        SceneFile::from_loaded(loaded.unwrap(), &LoadOptions::default()).unwrap()
-    }
-
-    /// The same tetrahedron at any size and place gives the same picture, but for roundings of its rim; vertices that
-    /// nothing uses do not count.
-    #[test]
-    fn a_bare_mesh_frames_itself() {
-        let draw = |scale: f64, offset: f64| {
-            let at = |x: f64, y: f64, z: f64| {
-                format!("v {:e} {:e} {:e}\n", x * scale + offset, y * scale + offset, z * scale + offset)
-            };
-            let vertices =
-                [at(0.0, 0.0, 0.0), at(1.0, 0.0, 0.0), at(0.0, 1.0, 0.0), at(0.0, 0.0, 1.0)].concat();
-            let unused = at(1e6, 0.0, 0.0);
-            let mut file = scene(&format!("{vertices}{unused}f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"));
-            file.settings = RenderSettings { size: [64, 48], ..file.settings };
-            render(&file.scene(), &file.settings).unwrap().statistics.covered_pixels
-        };
-        let expected = draw(1.0, 0.0);
-        assert!(expected > 300, "{expected} of 3072 pixels");
-        for (scale, offset) in [(1e-30, 0.0), (1e30, 0.0), (1.0, 1e7), (1e-6, -1.0)] {
-            let covered = draw(scale, offset);
-            assert!(covered.abs_diff(expected) <= 2, "{scale:e} {offset:e}: {covered}, not {expected}");
-        }
-    }
-
-    #[test]
-    fn without_faces_there_is_nothing_to_draw() {
-        let loaded = read_bytes(b"v 0 0 0\n".to_vec(), None, None, &ReadOptions::default()).unwrap();
-        let error = SceneFile::from_loaded(loaded, &LoadOptions::default()).unwrap_err();
-        assert!(error.to_string().starts_with("there are no faces"), "{error}");
-    }
-}
+pub use scene_file::{LoadOptions, SceneFile, SceneMesh, SceneObject, SceneShape, default_lights};

@@ -2,7 +2,7 @@
 
 use crate::io::Note;
 use crate::num::unit_scale;
-use crate::raster::load::SceneFile;
+use crate::raster::load::scene_file::SceneFile;
 use crate::shade::Light;
 use glam::{DMat4, DVec3};
 
@@ -72,7 +72,7 @@ impl SceneFile {
     ///
     /// Returns a note with what was done. Does nothing, as nearly always, if the scene has a size from 2⁻¹⁰⁰ to 2¹⁰⁰ and
     /// is no farther from the origin than 2²⁴ times that; nor if it has a camera or lights that stand somewhere, which
-    /// tell places in the space that is.
+    /// are positioned in the current space.
     pub fn recentre(&mut self) -> Option<Note> {
         let stands = |light: &Light| !matches!(light, Light::Ambient { .. } | Light::Directional { .. });
         if self.camera.is_some() || self.lights.iter().flatten().any(stands) {

@@ -1,17 +1,39 @@
-//! A scene that owns what it shows.
+//! A scene that owns its meshes, with the light and material of those that have none.
 
-use crate::io::Note;
+use crate::io::{Note, ReadOptions};
 use crate::mesh::Mesh;
-use crate::normals::NormalField;
+use crate::normals::{NormalField, NormalRecipe, When};
 use crate::num::LinearRgb;
-use crate::raster::load::lights::default_lights;
 use crate::raster::scene::{Object, Paint, Scene, Shape};
 use crate::raster::settings::RenderSettings;
 use crate::raster::view::camera::Camera;
-use crate::shade::{Light, Material};
+use crate::shade::{Light, Material, Reflectance};
 use crate::surface::Primitive;
 use glam::{DMat4, DVec3};
 use std::borrow::Cow;
+
+/// How scenes are read.
+#[derive(Clone, Debug, Default)]
+pub struct LoadOptions {
+    /// What determines the normals of meshes.
+    pub recipe: NormalRecipe,
+    /// Which stored normals are replaced. What is drawn is what [`pipeline::revise`](crate::pipeline::revise) with the
+    /// same recipe would write. `None` leaves it to what scenes say; where they say nothing, those of mesh files are always
+    /// replaced, and those that a scene gives its own polygons and surfaces are kept.
+    pub when: Option<When>,
+    /// What readers may do and how much they may take.
+    pub read: ReadOptions,
+    /// Whether pictures are taken with another camera, so that an unusable camera of a mesh file is skipped with a
+    /// note and is no error.
+    pub from_elsewhere: bool,
+}
+
+/// Most corners of faces that a file may place by showing the same meshes in many places: drawing takes some gigabytes
+/// for them. Faces that are shown once are not limited here.
+pub(super) const MOST_PLACED_CORNERS: u64 = 1 << 28;
+
+/// Most objects.
+pub(super) const MOST_OBJECTS: usize = 1 << 17;
 
 /// A scene as it was read, to be changed at will before [`scene`](Self::scene) shows it.
 #[derive(Clone, Debug)]
@@ -60,8 +82,22 @@ pub struct SceneObject {
     pub material: Material,
     /// Show the colours of its vertices instead, unlit.
     pub given: bool,
-    /// The analytic surface that a mesh stands for.
+    /// The analytic surface that a mesh approximates.
     pub surface: Option<Primitive>,
+}
+
+impl SceneObject {
+    /// A shape without a name and a transform, in the default material.
+    pub(super) fn new(shape: SceneShape) -> Self {
+        Self {
+            name: String::new(),
+            shape,
+            transform: DMat4::IDENTITY,
+            material: plain_material(),
+            given: false,
+            surface: None,
+        }
+    }
 }
 
 /// The form of an object of a scene that owns its meshes.
@@ -118,4 +154,22 @@ impl SceneFile {
         };
         Object { shape, transform: object.transform, paint, surface: object.surface }
     }
+}
+
+/// Ambient light of [`default_lights`]: dim, since files give materials an ambient colour as light as the diffuse one.
+const AMBIENT: LinearRgb = LinearRgb::grey(0.15);
+
+/// Light for a scene that has none: a white key light far away, from the left above the camera, and dim ambient light.
+/// They follow the camera, so that what it sees is lit wherever it stands.
+pub fn default_lights(camera: &Camera) -> [Light; 2] {
+    // With a camera that cannot be used there will be no picture, whatever the light.
+    let [right, up, forward] = camera.axes().unwrap_or([DVec3::X, DVec3::Y, DVec3::NEG_Z]);
+    let towards = up * 0.8 - right * 0.6 - forward;
+    [Light::Ambient { colour: AMBIENT }, Light::Directional { towards, colour: LinearRgb::WHITE }]
+}
+
+/// The material of meshes that have none: grey plastic that reflects ambient light as it does diffuse light.
+pub(super) fn plain_material() -> Material {
+    let plastic = Material::default();
+    Material { ambient: Reflectance::Merged(plastic.diffuse.merged()), ..plastic }
 }

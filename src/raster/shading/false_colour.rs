@@ -8,17 +8,17 @@ use crate::raster::shading::ray_cast::CastHit;
 use glam::{DVec3, Vec3};
 
 /// A sample that is seen.
-pub(in crate::raster) struct Sample<'a> {
-    pub(in crate::raster) record: &'a Record,
+pub(crate) struct Sample<'a> {
+    pub(crate) record: &'a Record,
     /// What its ray hit, if it was cast.
-    pub(in crate::raster) hit: Option<&'a CastHit>,
+    pub(crate) hit: Option<&'a CastHit>,
     /// Its normal, of any length.
-    pub(in crate::raster) value: Vec3,
+    pub(crate) value: Vec3,
     /// Relative to the view's origin, in units of the frame; only for deviations from an analytic surface.
-    pub(in crate::raster) position: Vec3,
-    pub(in crate::raster) depth: f32,
+    pub(crate) position: Vec3,
+    pub(crate) depth: f32,
     /// Its place on the picture, in 256ths of a pixel.
-    pub(in crate::raster) at: [i32; 2],
+    pub(crate) at: [i32; 2],
 }
 
 impl Sample<'_> {
@@ -50,7 +50,7 @@ const FRONT: Vec3 = Vec3::new(0.25, 0.5, 1.0);
 const BACK: Vec3 = Vec3::new(0.6, 0.03, 0.02);
 
 /// The colour of a sample.
-pub(in crate::raster) fn colour(job: &Job, object: &Prepared, sample: &Sample) -> Vec3 {
+pub(crate) fn colour(job: &Job, object: &Prepared, sample: &Sample) -> Vec3 {
     match job.settings.show {
         // Shaded samples do not come here: the values of their rows are their colours.
         Show::Shaded => sample.value,
@@ -89,7 +89,7 @@ fn heat(share: f32) -> Vec3 {
     Vec3::new(ramp(0.0), ramp(1.0), ramp(2.0))
 }
 
-/// A colour that tells a face from its neighbours: not too dark, and the same in every picture of the scene.
+/// A colour that distinguishes a face from its neighbours: not too dark, and the same in every picture of the scene.
 fn face_colour(object: u32, face: u32) -> Vec3 {
     // The finaliser of splitmix64 (Steele, Lea & Flood 2014).
     let mut hash = (u64::from(object) << 32 | u64::from(face)).wrapping_add(0x9e37_79b9_7f4a_7c15);

@@ -7,27 +7,27 @@ use crate::raster::view::fixed_point::BITS;
 use crate::raster::view::screen_transform::Rays;
 
 /// Samples that are computed side by side.
-pub(in crate::raster) const BATCH: usize = 512;
+pub(crate) const BATCH: usize = 512;
 
 /// One value of each sample.
-pub(in crate::raster) type Row = [f32; BATCH];
+pub(crate) type Row = [f32; BATCH];
 
 /// A sample that is seen: the pixel's number in its tile, and the triangle there.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::raster) struct Seen {
-    pub(in crate::raster) pixel: u16,
-    pub(in crate::raster) record: u32,
+pub(crate) struct VisibleSample {
+    pub(crate) pixel: u16,
+    pub(crate) record: u32,
 }
 
 /// Interpolates what the corners of triangles carry, for at most [`BATCH`] samples.
-pub(in crate::raster) struct Interpolate<'a> {
-    pub(in crate::raster) records: &'a [Record],
-    pub(in crate::raster) seen: &'a [Seen],
+pub(crate) struct Interpolate<'a> {
+    pub(crate) records: &'a [Record],
+    pub(crate) seen: &'a [VisibleSample],
     /// The sample of the tile's first pixel, in 256ths of a pixel of the picture.
-    pub(in crate::raster) origin: [i32; 2],
+    pub(crate) origin: [i32; 2],
     /// Weigh by nearness.
-    pub(in crate::raster) perspective: bool,
-    pub(in crate::raster) out: &'a mut [Row; 3],
+    pub(crate) perspective: bool,
+    pub(crate) out: &'a mut [Row; 3],
 }
 
 /// Samples gathered before anything is computed.
@@ -88,14 +88,14 @@ impl Kernel for Interpolate<'_> {
 }
 
 /// Positions of samples relative to the view's origin, from their depths.
-pub(in crate::raster) struct Positions<'a> {
-    pub(in crate::raster) rays: &'a Rays,
-    pub(in crate::raster) seen: &'a [Seen],
-    pub(in crate::raster) depth: &'a [f32],
+pub(crate) struct Positions<'a> {
+    pub(crate) rays: &'a Rays,
+    pub(crate) seen: &'a [VisibleSample],
+    pub(crate) depth: &'a [f32],
     /// What is seen, where depth is not nearness.
-    pub(in crate::raster) records: Option<&'a [Record]>,
-    pub(in crate::raster) origin: [i32; 2],
-    pub(in crate::raster) out: &'a mut [Row; 3],
+    pub(crate) records: Option<&'a [Record]>,
+    pub(crate) origin: [i32; 2],
+    pub(crate) out: &'a mut [Row; 3],
 }
 
 impl Kernel for Positions<'_> {

@@ -2,35 +2,26 @@
 
 use crate::mesh::NONE;
 use crate::num::{self, Kernel, Lanes};
-use crate::raster::coverage::triangles::DrawnObject;
+use crate::raster::coverage::triangles::{Corner, DrawnObject};
 use crate::raster::error::RenderError;
 use crate::raster::frame::job::{Job, Prepared};
-use crate::raster::shading::surface_colour::LitInk;
+use crate::raster::shading::surface_colour::Shaders;
 use crate::raster::view::project::Points;
-use crate::raster::view::screen_transform::ObjectMap;
+use crate::raster::view::screen_transform::{ObjectMap, REACH};
 use crate::shade::SurfaceRows;
 use glam::{DVec3, Vec3};
 
 /// An object and what lights it.
 #[derive(Clone, Copy)]
-pub(in crate::raster) struct Lit<'a> {
-    pub(in crate::raster) job: &'a Job<'a>,
-    pub(in crate::raster) object: &'a Prepared<'a>,
-    pub(in crate::raster) drawn: &'a DrawnObject<'a>,
-    pub(in crate::raster) ink: &'a LitInk,
-}
-
-/// A corner of a face.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::raster) struct Corner {
-    pub(in crate::raster) number: u32,
-    pub(in crate::raster) vertex: u32,
-    /// Whether it is lit on the other side.
-    pub(in crate::raster) turned: bool,
+pub(crate) struct Lit<'a> {
+    pub(crate) job: &'a Job<'a>,
+    pub(crate) object: &'a Prepared<'a>,
+    pub(crate) drawn: &'a DrawnObject<'a>,
+    pub(crate) shaders: &'a Shaders,
 }
 
 /// Lights points and keeps its memory.
-pub(in crate::raster) struct PointLight {
+pub(crate) struct PointLight {
     vertices: Vec<u32>,
     /// Where the vertices of each point end, if points are means of several.
     ends: Vec<usize>,
@@ -57,7 +48,7 @@ const MEMO: usize = 4096;
 const UNKNOWN: Known = Known { entry: 0, vertex: NONE, turned: false, point: 0 };
 
 impl PointLight {
-    pub(in crate::raster) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self {
             vertices: Vec::new(),
             ends: Vec::new(),
@@ -70,20 +61,20 @@ impl PointLight {
     }
 
     /// Lights corners of faces with their normals; [`colour`](Self::colour) then has the light on each.
-    pub(in crate::raster) fn corners(
+    pub(crate) fn corners(
         &mut self,
         lit: &Lit,
         corners: impl Iterator<Item = Corner>,
     ) -> Result<(), RenderError> {
         self.clear();
         self.memo.fill(UNKNOWN);
-        for Corner { number, vertex, turned } in corners {
+        for corner @ Corner { number, vertex, turned } in corners {
             let entry = lit.object.entry(number, vertex);
             let known = &mut self.memo[entry as usize % MEMO];
             if (known.entry, known.vertex, known.turned) != (entry, vertex, turned) {
                 *known = Known { entry, vertex, turned, point: self.vertices.len() as u32 };
                 self.vertices.push(vertex);
-                let normal = lit.object.corner_normal(number, vertex, turned).to_array();
+                let normal = lit.object.corner_normal(corner).to_array();
                 self.normals.iter_mut().zip(normal).for_each(|(row, component)| row.push(component));
             }
             self.point_of.push(known.point);
@@ -93,20 +84,20 @@ impl PointLight {
     }
 
     /// Lights one point for each face: the mean of its corners, with the face's normal.
-    pub(in crate::raster) fn faces<C: Iterator<Item = u32>>(
+    pub(crate) fn faces<C: Iterator<Item = Corner>>(
         &mut self,
         lit: &Lit,
         faces: impl Iterator<Item = (C, Vec3)>,
     ) -> Result<(), RenderError> {
         self.clear();
-        for (vertices, normal) in faces {
-            self.vertices.extend(vertices);
+        for (corners, normal) in faces {
+            self.vertices.extend(corners.map(|corner| corner.vertex));
             self.point_of.push(self.ends.len() as u32);
             self.ends.push(self.vertices.len());
             self.normals.iter_mut().zip(normal.to_array()).for_each(|(row, component)| row.push(component));
         }
         self.place(lit);
-        if lit.ink.needs_positions() {
+        if lit.shaders.needs_positions() {
             for row in &mut self.positions {
                 let mut from = 0;
                 // In place: a face has three corners or more, so a mean never overtakes what it is of.
@@ -123,7 +114,7 @@ impl PointLight {
 
     /// The light on one of the corners or faces asked for last.
     #[inline(always)]
-    pub(in crate::raster) fn colour(&self, number: usize) -> Vec3 {
+    pub(crate) fn colour(&self, number: usize) -> Vec3 {
         let point = self.point_of[number] as usize;
         let [red, green, blue] = &self.colours;
         Vec3::new(red[point], green[point], blue[point])
@@ -138,7 +129,7 @@ impl PointLight {
 
     /// Positions of the vertices, if anything depends on them.
     fn place(&mut self, lit: &Lit) {
-        if lit.ink.needs_positions() {
+        if lit.shaders.needs_positions() {
             let count = self.vertices.len();
             self.positions.iter_mut().for_each(|row| row.resize(count, 0.0));
             let out = self.positions.each_mut().map(|row| &mut row[..]);
@@ -172,11 +163,12 @@ impl PointLight {
         let rows = SurfaceRows {
             positions: self.positions.each_ref().map(|row| &row[..]),
             normals: self.normals.each_ref().map(|row| &row[..]),
+            faces: None,
         };
         let colours = self.colours.each_mut().map(|row| &mut row[..]);
         let exactly = |point| exactly(lit, vertices_of(&self.vertices, &self.ends, point));
         let object = lit.drawn.object;
-        let done = lit.ink.shade_rows(&rows, None, colours, exactly);
+        let done = lit.shaders.shade_rows(&rows, colours, exactly);
         done.map_err(|error| RenderError::NotFinite { object, error })
     }
 }
@@ -206,10 +198,6 @@ struct FromOrigin<'a> {
 
 /// Vertices computed side by side.
 const LANES: usize = 32;
-
-/// As far away as single precision is asked for: a point that is farther has the same V, the same L and no more light
-/// to be told from none, but a square that overflows.
-pub(in crate::raster) const REACH: f32 = (1_u64 << 50) as f32;
 
 /// The largest coordinate in single precision that leaves room for sums over the corners of a face.
 const LARGEST: f64 = 1e30;

@@ -7,25 +7,25 @@ use crate::surface::{Hit, Ray};
 use glam::{DVec3, Vec3};
 
 /// What the rays of a tile's samples hit.
-pub(in crate::raster) struct Hits {
+pub(crate) struct Hits {
     at: Vec<CastHit>,
 }
 
 /// A point of an analytic surface.
 #[derive(Clone, Copy, Debug, Default)]
-pub(in crate::raster) struct CastHit {
+pub(crate) struct CastHit {
     /// Relative to the view's origin, in units of the frame.
-    pub(in crate::raster) position: Vec3,
+    pub(crate) position: Vec3,
     /// Of the side that is seen, if both are lit.
-    pub(in crate::raster) normal: Vec3,
-    pub(in crate::raster) front: bool,
+    pub(crate) normal: Vec3,
+    pub(crate) front: bool,
 }
 
 /// Surfaces that a ray passes before it is given up: no primitive is met more often.
 const PASSES: usize = 4;
 
 /// The first hit of an object in front of the near plane that is not culled, and its distance along the axis.
-pub(in crate::raster) fn cast(job: &Job, object: usize, on_picture: [f64; 2]) -> Option<(Hit, f64)> {
+pub(crate) fn cast(job: &Job, object: usize, on_picture: [f64; 2]) -> Option<(Hit, f64)> {
     let surface = job.objects[object].truth.as_ref()?;
     let (start, direction) = job.view.ray(on_picture);
     let start = job.view.eye + start;
@@ -43,16 +43,16 @@ pub(in crate::raster) fn cast(job: &Job, object: usize, on_picture: [f64; 2]) ->
 }
 
 impl Hits {
-    pub(in crate::raster) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self { at: vec![CastHit::default(); PIXELS] }
     }
 
-    pub(in crate::raster) fn at(&self, pixel: u16) -> &CastHit {
+    pub(crate) fn at(&self, pixel: u16) -> &CastHit {
         &self.at[usize::from(pixel)]
     }
 
     /// Casts the rays of a tile at an object. Where the object is as near as what is there, what is there stays.
-    pub(in crate::raster) fn cast(
+    pub(crate) fn cast(
         &mut self,
         job: &Job,
         object: usize,

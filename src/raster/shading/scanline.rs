@@ -16,7 +16,7 @@ impl Mix for DVec3 {
 
 /// A polygon on the picture with a value at each corner.
 #[derive(Clone, Debug, Default)]
-pub(in crate::raster) struct ScanPolygon {
+pub(crate) struct ScanPolygon {
     /// Place in pixels, and value.
     corners: Vec<([f64; 2], DVec3)>,
 }
@@ -30,7 +30,7 @@ struct Crossing {
 
 impl ScanPolygon {
     /// Clips a polygon to the near plane and places it on the picture, snapped like everything that covers pixels.
-    pub(in crate::raster) fn new(view: &View, corners: impl Iterator<Item = (ViewPoint, DVec3)>) -> Self {
+    pub(crate) fn new(view: &View, corners: impl Iterator<Item = (ViewPoint, DVec3)>) -> Self {
         // Out of the guard band there is no grid and no need of one.
         let reach = f64::from(2 * GUARD);
         let on_grid =
@@ -43,10 +43,7 @@ impl ScanPolygon {
     }
 
     /// The same without snapping.
-    pub(in crate::raster) fn unsnapped(
-        view: &View,
-        corners: impl Iterator<Item = (ViewPoint, DVec3)>,
-    ) -> Self {
+    pub(crate) fn unsnapped(view: &View, corners: impl Iterator<Item = (ViewPoint, DVec3)>) -> Self {
         let mut polygon: Vec<_> = corners.map(|(point, attribute)| ClipVertex { point, attribute }).collect();
         clip(view, 1 << NEAR, &mut polygon, &mut Vec::new());
         Self { corners: polygon.iter().map(|v| (view.on_picture(v.point), v.attribute)).collect() }
@@ -57,7 +54,7 @@ impl ScanPolygon {
     /// Edges are half-open in y, so a scanline through a corner crosses one of two edges that go on and both or none
     /// of two that turn back; level edges are skipped. Of the spans between pairs of crossings the one that holds the
     /// place counts, or the nearest one for a place that only rounding keeps out.
-    pub(in crate::raster) fn value(&self, [x, y]: [f64; 2]) -> DVec3 {
+    pub(crate) fn value(&self, [x, y]: [f64; 2]) -> DVec3 {
         let next = self.corners.iter().cycle().skip(1);
         let mut crossings: Vec<Crossing> = self
             .corners

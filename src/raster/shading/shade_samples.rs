@@ -2,27 +2,26 @@
 
 use crate::num;
 use crate::raster::coverage::records::{
-    Record, Wanted, face_corners, mean_colour, piece_values, single, takes_mean,
+    Record, ValueKind, face_corners, mean_colour, piece_values, single, takes_mean, triangle_corners,
 };
 use crate::raster::coverage::tile_list::{Run, TileList};
-use crate::raster::coverage::visible_triangle::{PIXELS, place};
+use crate::raster::coverage::triangles::{Corner, DrawnObject};
+use crate::raster::coverage::visible_triangle::{Colours, PIXELS, place};
 use crate::raster::error::RenderError;
-use crate::raster::frame::job::Job;
-use crate::raster::frame::tile::Colours;
-use crate::raster::inspect::hit_point::seen_point;
+use crate::raster::frame::job::{Job, Prepared};
 use crate::raster::settings::{Interpolation, Show};
 use crate::raster::shading::false_colour;
-use crate::raster::shading::interpolate::{BATCH, Interpolate, Positions, Row, Seen};
-use crate::raster::shading::lighting::{Corner, Lit, PointLight};
+use crate::raster::shading::interpolate::{BATCH, Interpolate, Positions, Row, VisibleSample};
+use crate::raster::shading::lighting::{Lit, PointLight};
 use crate::raster::shading::ray_cast::{Hits, cast};
 use crate::raster::shading::scanline::ScanPolygon;
-use crate::raster::shading::surface_colour::Ink;
+use crate::raster::shading::surface_colour::ObjectColour;
 use crate::raster::view::fixed_point::{BITS, ONE};
 use crate::shade::SurfaceRows;
 use glam::{DVec3, Vec3};
 
 /// Makes colours; keeps its memory.
-pub(in crate::raster) struct Painter {
+pub(crate) struct Painter {
     values: Box<[Row; 3]>,
     positions: Box<[Row; 3]>,
     colours: Box<[Row; 3]>,
@@ -34,17 +33,17 @@ pub(in crate::raster) struct Painter {
 }
 
 /// What is seen of one object in a tile.
-pub(in crate::raster) struct Tile<'a> {
-    pub(in crate::raster) seen: &'a [Seen],
-    pub(in crate::raster) records: &'a [Record],
-    pub(in crate::raster) depth: &'a [f32],
-    pub(in crate::raster) hits: Option<&'a Hits>,
+pub(crate) struct Tile<'a> {
+    pub(crate) seen: &'a [VisibleSample],
+    pub(crate) records: &'a [Record],
+    pub(crate) depth: &'a [f32],
+    pub(crate) hits: Option<&'a Hits>,
     /// The sample of the tile's first pixel, in 256ths of a pixel of the picture.
-    pub(in crate::raster) origin: [i32; 2],
+    pub(crate) origin: [i32; 2],
 }
 
 impl Painter {
-    pub(in crate::raster) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         let rows = || Box::new([[0.0; BATCH]; 3]);
         Self {
             values: rows(),
@@ -56,8 +55,8 @@ impl Painter {
         }
     }
 
-    /// Fills in what the corners of the triangles of a run carry.
-    pub(in crate::raster) fn prepare(
+    /// Computes the values at the corners of the triangles of a run.
+    pub(crate) fn prepare(
         &mut self,
         job: &Job,
         run: &Run,
@@ -69,44 +68,42 @@ impl Painter {
         let (object, Some(drawn)) = (&job.objects[run.object], run.drawn) else { return Ok(()) };
         let drawn = &job.drawn[drawn];
         let (records, owners) = (&mut records[run.records.clone()], &owners[run.records.clone()]);
-        let wanted = Wanted::new(job, object);
-        match wanted {
-            Wanted::Nothing => return Ok(()),
-            Wanted::FaceNormal => {
+        let wanted = ValueKind::new(job, object);
+        match (wanted, &object.colour) {
+            (ValueKind::Nothing, _) => return Ok(()),
+            (ValueKind::FaceNormal, _) => {
                 for record in records {
                     record.values = [object.face_normal(record.face, record.turned); 3];
                 }
                 return Ok(());
             }
-            Wanted::FaceColour => return self.face_colours(job, run, records),
-            Wanted::CornerNormals => {
+            (ValueKind::FaceColour, ObjectColour::Given(colours)) => {
+                for record in records {
+                    record.values = [mean_colour(colours, face_corners(object, drawn, record)); 3];
+                }
+                return Ok(());
+            }
+            (ValueKind::FaceColour, ObjectColour::Lit(shaders)) => {
+                return self.light_faces(&Lit { job, object, drawn, shaders }, records);
+            }
+            (ValueKind::CornerNormals, _) => {
                 for record in records.iter_mut() {
-                    let corners = drawn.list.corners(record.triangle);
-                    record.values = [0, 1, 2]
-                        .map(|k| object.corner_normal(corners[k], record.vertices[k], record.turned));
+                    let corners = triangle_corners(drawn, record);
+                    record.values = corners.map(|corner| object.corner_normal(corner));
                 }
             }
-            Wanted::CornerColours => match &object.ink {
-                Ink::Given(colours) => {
-                    for record in records.iter_mut() {
-                        record.values = record.vertices.map(|vertex| single(colours[vertex as usize]));
-                    }
+            (ValueKind::CornerColours, ObjectColour::Given(colours)) => {
+                for record in records.iter_mut() {
+                    record.values = record.vertices.map(|vertex| single(colours[vertex as usize]));
                 }
-                Ink::Lit(ink) => {
-                    let corners = records.iter().flat_map(|record| {
-                        let numbers = drawn.list.corners(record.triangle);
-                        [0, 1, 2].map(|k| Corner {
-                            number: numbers[k],
-                            vertex: record.vertices[k],
-                            turned: record.turned,
-                        })
-                    });
-                    self.light.corners(&Lit { job, object, drawn, ink }, corners)?;
-                    for (at, record) in records.iter_mut().enumerate() {
-                        record.values = [0, 1, 2].map(|k| self.light.colour(3 * at + k));
-                    }
+            }
+            (ValueKind::CornerColours, ObjectColour::Lit(shaders)) => {
+                let corners = records.iter().flat_map(|record| triangle_corners(drawn, record));
+                self.light.corners(&Lit { job, object, drawn, shaders }, corners)?;
+                for (at, record) in records.iter_mut().enumerate() {
+                    record.values = [0, 1, 2].map(|k| self.light.colour(3 * at + k));
                 }
-            },
+            }
         }
         if !list.pieces.is_empty() {
             for (record, &owner) in records.iter_mut().zip(owners) {
@@ -116,46 +113,29 @@ impl Painter {
             }
         }
         match job.settings.interpolation {
-            Interpolation::Scanline => self.make_polygons(job, run, records, wanted),
+            Interpolation::Scanline => self.make_polygons(job, object, drawn, records),
             Interpolation::Affine | Interpolation::Perspective => Ok(()),
         }
     }
 
-    /// The colour of each face that is seen, under flat shading.
-    fn face_colours(&mut self, job: &Job, run: &Run, records: &mut [Record]) -> Result<(), RenderError> {
-        let (object, Some(drawn)) = (&job.objects[run.object], run.drawn) else { return Ok(()) };
-        let drawn = &job.drawn[drawn];
-        match &object.ink {
-            Ink::Given(colours) => {
-                for record in records {
-                    record.values = [mean_colour(colours, face_corners(object, drawn, record)); 3];
-                }
+    /// The colour of each visible face, under flat shading.
+    fn light_faces(&mut self, lit: &Lit, records: &mut [Record]) -> Result<(), RenderError> {
+        let corners = |record: &Record| face_corners(lit.object, lit.drawn, record);
+        if !takes_mean(lit.job, lit.object) {
+            let normal = |record: &Record| lit.object.face_normal(record.face, record.turned);
+            self.light.faces(lit, records.iter().map(|record| (corners(record), normal(record))))?;
+            for (at, record) in records.iter_mut().enumerate() {
+                record.values = [self.light.colour(at); 3];
             }
-            Ink::Lit(ink) if takes_mean(job, object) => {
-                let corners = records.iter().flat_map(|record| {
-                    let turned = record.turned;
-                    let corners = face_corners(object, drawn, record);
-                    corners.map(move |(number, vertex)| Corner { number, vertex, turned })
-                });
-                self.light.corners(&Lit { job, object, drawn, ink }, corners)?;
-                let mut first = 0;
-                for record in records {
-                    let count = face_corners(object, drawn, record).len();
-                    let colours = (first..first + count).map(|corner| self.light.colour(corner).as_dvec3());
-                    record.values = [(colours.sum::<DVec3>() / count as f64).as_vec3(); 3];
-                    first += count;
-                }
-            }
-            Ink::Lit(ink) => {
-                let faces = records.iter().map(|record| {
-                    let vertices = face_corners(object, drawn, record).map(|(_, vertex)| vertex);
-                    (vertices, object.face_normal(record.face, record.turned))
-                });
-                self.light.faces(&Lit { job, object, drawn, ink }, faces)?;
-                for (at, record) in records.iter_mut().enumerate() {
-                    record.values = [self.light.colour(at); 3];
-                }
-            }
+            return Ok(());
+        }
+        self.light.corners(lit, records.iter().flat_map(corners))?;
+        let mut first = 0;
+        for record in records {
+            let count = corners(record).len();
+            let colours = (first..first + count).map(|corner| self.light.colour(corner).as_dvec3());
+            record.values = [(colours.sum::<DVec3>() / count as f64).as_vec3(); 3];
+            first += count;
         }
         Ok(())
     }
@@ -164,30 +144,23 @@ impl Painter {
     fn make_polygons(
         &mut self,
         job: &Job,
-        run: &Run,
+        object: &Prepared,
+        drawn: &DrawnObject,
         records: &[Record],
-        wanted: Wanted,
     ) -> Result<(), RenderError> {
-        let (object, Some(drawn)) = (&job.objects[run.object], run.drawn) else { return Ok(()) };
-        let drawn = &job.drawn[drawn];
         let mut faces: Vec<&Record> = records.iter().collect();
         faces.retain(|record| face_corners(object, drawn, record).len() > 3);
         faces.sort_by_key(|record| record.face);
         faces.dedup_by_key(|record| record.face);
-        let corners = || {
-            faces.iter().flat_map(|record| {
-                let turned = record.turned;
-                let corners = face_corners(object, drawn, record);
-                corners.map(move |(number, vertex)| Corner { number, vertex, turned })
-            })
-        };
-        if let (Wanted::CornerColours, Ink::Lit(ink)) = (wanted, &object.ink) {
-            self.light.corners(&Lit { job, object, drawn, ink }, corners())?;
+        let corners = || faces.iter().flat_map(|record| face_corners(object, drawn, record));
+        let wants_normals = ValueKind::new(job, object) == ValueKind::CornerNormals;
+        if let (false, ObjectColour::Lit(shaders)) = (wants_normals, &object.colour) {
+            self.light.corners(&Lit { job, object, drawn, shaders }, corners())?;
         }
-        let value = |(at, corner): (usize, Corner)| match (wanted, &object.ink) {
-            (Wanted::CornerNormals, _) => object.corner_normal(corner.number, corner.vertex, corner.turned),
-            (_, Ink::Given(colours)) => single(colours[corner.vertex as usize]),
-            (_, Ink::Lit(_)) => self.light.colour(at),
+        let value = |(at, corner): (usize, Corner)| match &object.colour {
+            _ if wants_normals => object.corner_normal(corner),
+            ObjectColour::Given(colours) => single(colours[corner.vertex as usize]),
+            ObjectColour::Lit(_) => self.light.colour(at),
         };
         let place = |corner: Corner| drawn.map.view(drawn.points.get(corner.vertex));
         let mut placed =
@@ -201,7 +174,7 @@ impl Painter {
     }
 
     /// Colours of the samples of one object.
-    pub(in crate::raster) fn paint(
+    pub(crate) fn paint(
         &mut self,
         job: &Job,
         object: usize,
@@ -209,12 +182,16 @@ impl Painter {
         out: &mut Colours,
     ) -> Result<(), RenderError> {
         let prepared = &job.objects[object];
-        let wanted = Wanted::new(job, prepared);
-        let ink = match (&prepared.ink, job.settings.show) {
-            (Ink::Lit(ink), Show::Shaded) if wanted == Wanted::CornerNormals || prepared.is_cast => Some(ink),
+        let wanted = ValueKind::new(job, prepared);
+        let shaders = match (&prepared.colour, job.settings.show) {
+            (ObjectColour::Lit(shaders), Show::Shaded)
+                if wanted == ValueKind::CornerNormals || prepared.is_cast =>
+            {
+                Some(shaders)
+            }
             _ => None,
         };
-        let needs_positions = ink.is_some_and(|ink| ink.needs_positions())
+        let needs_positions = shaders.is_some_and(|shaders| shaders.needs_positions())
             || matches!(job.settings.show, Show::Deviation(_)) && prepared.truth.is_some();
         let hits = tile.hits.filter(|_| prepared.is_cast);
         let Tile { records, depth, origin, .. } = *tile;
@@ -235,7 +212,7 @@ impl Painter {
                     });
                 }
             }
-            let by_faces = job.settings.asks_faces() && !prepared.is_cast && ink.is_some();
+            let by_faces = job.settings.asks_faces() && !prepared.is_cast && shaders.is_some();
             if by_faces {
                 for (lane, seen) in seen.iter().enumerate() {
                     let record = &records[seen.record as usize];
@@ -244,14 +221,15 @@ impl Painter {
                 }
             }
             let Self { values, positions, colours, faces, .. } = self;
-            if let Some(ink) = ink {
+            if let Some(shaders) = shaders {
                 let rows = SurfaceRows {
                     positions: positions.each_ref().map(|row| &row[..count]),
                     normals: values.each_ref().map(|row| &row[..count]),
+                    faces: by_faces.then(|| faces.each_ref().map(|row| &row[..count])),
                 };
-                let faces = by_faces.then(|| faces.each_ref().map(|row| &row[..count]));
                 let colours = colours.each_mut().map(|row| &mut row[..count]);
-                ink.shade_rows(&rows, faces, colours, |lane| seen_exactly(job, object, tile, seen[lane]))
+                shaders
+                    .shade_rows(&rows, colours, |lane| seen_exactly(job, object, tile, seen[lane]))
                     .map_err(|error| RenderError::NotFinite { object, error })?;
             } else if job.settings.show != Show::Shaded {
                 for (lane, seen) in seen.iter().enumerate() {
@@ -269,7 +247,7 @@ impl Painter {
                 }
             }
             // What is neither lit here nor shown in another way is a colour already.
-            let is_colour = ink.is_none() && job.settings.show == Show::Shaded;
+            let is_colour = shaders.is_none() && job.settings.show == Show::Shaded;
             let colours = if is_colour { values } else { colours };
             for (out, colours) in out.iter_mut().zip(colours.iter()) {
                 for (seen, &colour) in seen.iter().zip(colours.iter()) {
@@ -281,7 +259,7 @@ impl Painter {
     }
 
     /// What the corners carry, at the samples.
-    fn take_values(&mut self, job: &Job, wanted: Wanted, seen: &[Seen], tile: &Tile) {
+    fn take_values(&mut self, job: &Job, wanted: ValueKind, seen: &[VisibleSample], tile: &Tile) {
         let Tile { records, origin, .. } = *tile;
         if !wanted.varies() {
             let [x, y, z] = &mut *self.values;
@@ -306,7 +284,7 @@ impl Painter {
     }
 
     /// What rays hit.
-    fn take_hits(&mut self, hits: &Hits, seen: &[Seen]) {
+    fn take_hits(&mut self, hits: &Hits, seen: &[VisibleSample]) {
         for (lane, seen) in seen.iter().enumerate() {
             let hit = hits.at(seen.pixel);
             self.values.iter_mut().zip(hit.normal.to_array()).for_each(|(row, value)| row[lane] = value);
@@ -317,19 +295,19 @@ impl Painter {
 
 impl Tile<'_> {
     /// Where a sample is, in 256ths of a pixel of the picture.
-    fn place(&self, seen: Seen) -> [i32; 2] {
+    fn place(&self, seen: VisibleSample) -> [i32; 2] {
         let [column, row] = place(usize::from(seen.pixel)).map(|n| n as i32);
         [self.origin[0] + (column << BITS), self.origin[1] + (row << BITS)]
     }
 }
 
 /// Where a sample sees an object, in the frame of the shaders, before depth and corners are rounded.
-fn seen_exactly(job: &Job, object: usize, tile: &Tile, seen: Seen) -> DVec3 {
+fn seen_exactly(job: &Job, object: usize, tile: &Tile, seen: VisibleSample) -> DVec3 {
     let at = tile.place(seen).map(|n| f64::from(n) / f64::from(ONE));
     let position = match job.drawn.iter().find(|drawn| drawn.object == object) {
         Some(drawn) => {
             let triangle = tile.records[seen.record as usize].vertices;
-            seen_point(job, drawn, triangle, at).from_eye + (job.view.eye - job.view.origin)
+            drawn.plane_point(&job.view, triangle, at).from_eye + (job.view.eye - job.view.origin)
         }
         None => cast(job, object, at).map_or(DVec3::NAN, |(hit, _)| hit.position - job.view.origin),
     };

@@ -1,4 +1,4 @@
-//! What makes the colour of an object.
+//! The source of an object's colour: shaders of its material, or colours of its vertices.
 
 use crate::num::LinearRgb;
 use crate::shade::{
@@ -6,22 +6,22 @@ use crate::shade::{
 };
 use glam::DVec3;
 
-/// What makes the colour of an object.
-pub(in crate::raster) enum Ink<'a> {
+/// The source of an object's colour.
+pub(crate) enum ObjectColour<'a> {
     /// Light on a material.
-    Lit(Box<LitInk>),
+    Lit(Box<Shaders>),
     /// A colour for each vertex.
     Given(&'a [LinearRgb]),
 }
 
-/// Light on a material, in single precision for rows of points and in double precision for what that cannot tell apart.
-pub(in crate::raster) struct LitInk {
+/// Shaders of a material: in single precision for rows of points, in double precision for points that it rounds to a light.
+pub(crate) struct Shaders {
     single: Shader<f32>,
     double: Shader<f64>,
 }
 
-impl LitInk {
-    pub(in crate::raster) fn new(
+impl Shaders {
+    pub(crate) fn new(
         lights: &[Light],
         material: &Material,
         settings: &ShadeSettings,
@@ -31,7 +31,7 @@ impl LitInk {
     }
 
     /// Whether the colour of a point depends on where it is.
-    pub(in crate::raster) fn needs_positions(&self) -> bool {
+    pub(crate) fn needs_positions(&self) -> bool {
         self.single.needs_positions()
     }
 
@@ -39,25 +39,20 @@ impl LitInk {
     ///
     /// A point without a finite colour may have been rounded to where a lamp is: it is shaded again in double precision,
     /// where `exactly` says that it is, in the frame of the settings, and refused only then.
-    pub(in crate::raster) fn shade_rows(
+    pub(crate) fn shade_rows(
         &self,
         rows: &SurfaceRows,
-        faces: Option<[&[f32]; 3]>,
         mut out: [&mut [f32]; 3],
         exactly: impl Fn(usize) -> DVec3,
     ) -> Result<(), NotFinite> {
         let in_rows = out.each_mut().map(|row| &mut **row);
-        let done = match faces {
-            Some(faces) => self.single.shade_rows_on(rows, faces, in_rows),
-            None => self.single.shade_rows(rows, in_rows),
-        };
-        match done {
+        match self.single.shade_rows(rows, in_rows) {
             Err(_) if self.needs_positions() => {
-                // One by one: what is finite has the bits that it has in rows, whatever lies beside it.
+                // One by one: what is finite has the bits that it has in rows, whatever its neighbours are.
                 (0..out[0].len()).try_for_each(|index| {
                     let at = |rows: [&[f32]; 3]| rows.map(|row| row[index]);
                     let colour =
-                        self.shade_alone(at(rows.positions), at(rows.normals), faces.map(at), || {
+                        self.shade_alone(at(rows.positions), at(rows.normals), rows.faces.map(at), || {
                             exactly(index)
                         });
                     let colour = colour.map_err(|error| NotFinite { index, ..error })?;

@@ -56,10 +56,10 @@ pub enum CameraError {
 /// The vertical angle of [`Camera::framing`].
 const FRAMING_ANGLE: Degrees = Degrees(30.0);
 /// How much wider than the mesh the picture of [`Camera::framing`] is.
-pub(in crate::raster) const MARGIN: f64 = 1.1;
+pub(crate) const MARGIN: f64 = 1.1;
 /// Near distance of [`Camera::framing`] as a share of that to the mesh's nearest point. Depth is stored as near over
 /// distance in floating point, which costs no precision when the near plane is close.
-pub(in crate::raster) const NEAR_SHARE: f64 = 1.0 / 64.0;
+pub(crate) const NEAR_SHARE: f64 = 1.0 / 64.0;
 
 impl Camera {
     /// A perspective camera (30° from top to bottom) that shows everything within the given bounds, seen from the

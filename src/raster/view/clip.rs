@@ -8,24 +8,24 @@ use crate::raster::view::project::ScreenVertex;
 use crate::raster::view::screen_transform::{View, ViewPoint};
 
 /// What a corner carries along.
-pub(in crate::raster) trait Mix: Copy {
+pub(crate) trait Mix: Copy {
     /// The value on the way to another, by the shares of the two in the scene and on the picture.
     fn mix(self, other: Self, scene: [f64; 2], picture: [f64; 2]) -> Self;
 }
 
 /// Shares of a triangle's three corners in a point of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::raster) struct Shares {
+pub(crate) struct Shares {
     /// Barycentric coordinates in the scene.
-    pub(in crate::raster) scene: [f64; 3],
+    pub(crate) scene: [f64; 3],
     /// Barycentric coordinates on the picture: of the triangle, or of what the near plane leaves of it, whose new
     /// corners have the values of the scene.
-    pub(in crate::raster) picture: [f64; 3],
+    pub(crate) picture: [f64; 3],
 }
 
 impl Shares {
     /// Those of a corner itself.
-    pub(in crate::raster) fn of_corner(corner: usize) -> Self {
+    pub(crate) fn of_corner(corner: usize) -> Self {
         let mut share = [0.0; 3];
         share[corner] = 1.0;
         Self { scene: share, picture: share }
@@ -45,16 +45,16 @@ impl Mix for Shares {
 
 /// A corner of a polygon that is being clipped.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::raster) struct ClipVertex<A> {
-    pub(in crate::raster) point: ViewPoint,
-    pub(in crate::raster) attribute: A,
+pub(crate) struct ClipVertex<A> {
+    pub(crate) point: ViewPoint,
+    pub(crate) attribute: A,
 }
 
 /// The near plane among [`View::inside`].
-pub(in crate::raster) const NEAR: usize = 0;
+pub(crate) const NEAR: usize = 0;
 
 /// Clips a polygon by the planes whose bits are set; `spare` is room to work in.
-pub(in crate::raster) fn clip<A: Mix>(
+pub(crate) fn clip<A: Mix>(
     view: &View,
     planes: u32,
     polygon: &mut Vec<ClipVertex<A>>,
@@ -79,7 +79,7 @@ pub(in crate::raster) fn clip<A: Mix>(
 }
 
 /// The part of a line within all clipping planes, plane after plane; `None` if nothing is left.
-pub(in crate::raster) fn clip_line(view: &View, [mut a, mut b]: [ViewPoint; 2]) -> Option<[ViewPoint; 2]> {
+pub(crate) fn clip_line(view: &View, [mut a, mut b]: [ViewPoint; 2]) -> Option<[ViewPoint; 2]> {
     for plane in 0..5 {
         let (at_a, at_b) = (view.inside(a)[plane], view.inside(b)[plane]);
         match (at_a >= 0.0, at_b >= 0.0) {
@@ -143,7 +143,7 @@ fn crossing<A: Mix>(
 }
 
 /// A clipped corner on the picture.
-pub(in crate::raster) fn screen_vertex(view: &View, point: ViewPoint) -> ScreenVertex {
+pub(crate) fn screen_vertex(view: &View, point: ViewPoint) -> ScreenVertex {
     let ([x, y], middle) = (view.on_picture(point), view.middle());
     let within = |place: f64, middle: f64| {
         // Rounding may carry a corner of the guard band over its border by a unit.

@@ -5,13 +5,13 @@
 //! is at most 2²³ units long in x and in y, and everything that is computed from edges is exact.
 
 /// Bits below the pixel.
-pub(in crate::raster) const BITS: u32 = 8;
+pub(crate) const BITS: u32 = 8;
 /// One pixel.
-pub(in crate::raster) const ONE: i32 = 1 << BITS;
+pub(crate) const ONE: i32 = 1 << BITS;
 /// Half a pixel.
-pub(in crate::raster) const HALF: i32 = ONE / 2;
+pub(crate) const HALF: i32 = ONE / 2;
 /// Half the width and height of the guard band, in pixels; also the largest size of a picture.
-pub(in crate::raster) const GUARD: i32 = 1 << 14;
+pub(crate) const GUARD: i32 = 1 << 14;
 
 /// Adding 1.5 · 2⁵² leaves the nearest whole number, ties to even, in the low bits of an `f64`: in one instruction, where
 /// a cast has to look for what is out of range.
@@ -19,7 +19,7 @@ const TO_INTEGER: f64 = 6_755_399_441_055_744.0;
 
 /// A whole number of at most 31 bits.
 #[inline(always)]
-pub(in crate::raster) fn whole(number: f64) -> i32 {
+pub(crate) fn whole(number: f64) -> i32 {
     (number + TO_INTEGER).to_bits() as i32
 }
 
@@ -30,7 +30,7 @@ const FARTHEST: f64 = (2 * GUARD * ONE) as f64;
 /// The nearest fixed-point number to a place in pixels, ties to even; out of the guard band an end of the range, also for
 /// NaN.
 #[inline(always)]
-pub(in crate::raster) fn snap(pixels: f64) -> i32 {
+pub(crate) fn snap(pixels: f64) -> i32 {
     let place = pixels * f64::from(ONE);
     // Written so that each is one instruction, which takes the second of the two where the first is NaN.
     let place = if place > -FARTHEST { place } else { -FARTHEST };
@@ -39,13 +39,13 @@ pub(in crate::raster) fn snap(pixels: f64) -> i32 {
 
 /// The first pixel with a sample, `offset` into it, at or after a place.
 #[inline(always)]
-pub(in crate::raster) fn first_pixel(place: i32, offset: i32) -> i32 {
+pub(crate) fn first_pixel(place: i32, offset: i32) -> i32 {
     (place - offset + (ONE - 1)) >> BITS
 }
 
 /// The last pixel with a sample, `offset` into it, at or before a place.
 #[inline(always)]
-pub(in crate::raster) fn last_pixel(place: i32, offset: i32) -> i32 {
+pub(crate) fn last_pixel(place: i32, offset: i32) -> i32 {
     (place - offset) >> BITS
 }
 

@@ -6,10 +6,10 @@ use crate::surface::{Primitive, Surface, Tessellation};
 use glam::{DVec2, DVec3};
 
 /// The eye stays at least this share of the distance of [`Camera::framing`] away from the nearest point: a rod that
-/// points at the viewer would otherwise be looked at from its tip.
+/// points at the viewer would otherwise be seen from its tip.
 const NEAREST: f64 = 0.25;
 
-/// Parts along each side of the net of points that stands for an analytic surface: it is at most 0.3 % smaller.
+/// Parts along each side of the net of points that approximates an analytic surface: it is at most 0.3 % smaller.
 const NET: [u32; 2] = [40, 40];
 
 /// The four planes through a point that bound what a camera there sees.
@@ -23,7 +23,7 @@ struct Planes {
 
 /// How far out of the planes something lies.
 #[derive(Clone, Copy)]
-struct Reach {
+struct Extent {
     /// Of the right and the upper one.
     above: DVec2,
     /// Of the left and the lower one.
@@ -33,20 +33,20 @@ struct Reach {
 }
 
 impl Planes {
-    fn of_point(&self, point: DVec3) -> Reach {
+    fn of_point(&self, point: DVec3) -> Extent {
         let across = DVec2::new(point.dot(self.right), point.dot(self.up));
         let depth = point.dot(self.forward);
-        Reach { above: across - self.slope * depth, below: -across - self.slope * depth, nearest: depth }
+        Extent { above: across - self.slope * depth, below: -across - self.slope * depth, nearest: depth }
     }
 
     /// Of the circle that a point describes about the upright axis through the planes' own point.
-    fn of_circle(&self, point: DVec3) -> Reach {
+    fn of_circle(&self, point: DVec3) -> Extent {
         let flat = |v: DVec3| libm::hypot(v.x, v.z);
         let farthest = |way: DVec3| point.y * way.y + flat(point) * flat(way);
         let Self { right, up, forward, slope } = *self;
         let out =
             |x: DVec3, y: DVec3| DVec2::new(farthest(x - forward * slope.x), farthest(y - forward * slope.y));
-        Reach { above: out(right, up), below: out(-right, -up), nearest: -farthest(-forward) }
+        Extent { above: out(right, up), below: out(-right, -up), nearest: -farthest(-forward) }
     }
 }
 
@@ -72,7 +72,7 @@ impl Scene<'_> {
         Some(self.tight((centre - half, centre + half), aspect, Planes::of_circle))
     }
 
-    fn tight(&self, bounds: (DVec3, DVec3), aspect: f64, reach: fn(&Planes, DVec3) -> Reach) -> Camera {
+    fn tight(&self, bounds: (DVec3, DVec3), aspect: f64, reach: fn(&Planes, DVec3) -> Extent) -> Camera {
         let loose = Camera::framing(bounds, aspect);
         let (Ok([right, up, forward]), Projection::Perspective(angle)) = (loose.axes(), loose.projection)
         else {

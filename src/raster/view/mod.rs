@@ -10,7 +10,5 @@ pub(super) mod fixed_point;
 pub(super) mod project;
 // Clipping at the near plane and the guard band.
 pub(super) mod clip;
-// Faces, vertices and normals of an object.
-pub(super) mod geometry;
 // A camera that shows the whole scene.
 pub(super) mod framing;

@@ -8,40 +8,40 @@ use rayon::prelude::*;
 
 /// A vertex as the rasterizer sees it: 16 bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(in crate::raster) struct ScreenVertex {
+pub(crate) struct ScreenVertex {
     /// In 256ths of a pixel from the upper left corner; see [`fixed`](crate::raster::view::fixed_point).
-    pub(in crate::raster) x: i32,
-    pub(in crate::raster) y: i32,
+    pub(crate) x: i32,
+    pub(crate) y: i32,
     /// Larger is nearer; see [`View::depth`].
-    pub(in crate::raster) depth: f32,
+    pub(crate) depth: f32,
     /// Which clipping planes the vertex is outside of, one bit each; the rest is only valid if none is set.
-    pub(in crate::raster) outside: u32,
+    pub(crate) outside: u32,
 }
 
 /// The bit of a vertex whose place on the picture overflows.
-pub(in crate::raster) const NOT_FINITE: u32 = 1 << 5;
+pub(crate) const NOT_FINITE: u32 = 1 << 5;
 
 /// Positions to read vertices from.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::raster) enum Points<'a> {
+pub(crate) enum Points<'a> {
     F64(&'a [DVec3]),
     F32(&'a [[f32; 3]]),
 }
 
 impl Points<'_> {
-    pub(in crate::raster) fn len(self) -> usize {
+    pub(crate) fn len(self) -> usize {
         match self {
             Self::F64(points) => points.len(),
             Self::F32(points) => points.len(),
         }
     }
 
-    pub(in crate::raster) fn first(self) -> Option<DVec3> {
+    pub(crate) fn first(self) -> Option<DVec3> {
         (self.len() > 0).then(|| self.get(0))
     }
 
     #[inline(always)]
-    pub(in crate::raster) fn get(self, vertex: u32) -> DVec3 {
+    pub(crate) fn get(self, vertex: u32) -> DVec3 {
         match self {
             Self::F64(points) => points[vertex as usize],
             Self::F32(points) => DVec3::from(points[vertex as usize].map(f64::from)),
@@ -52,8 +52,8 @@ impl Points<'_> {
 /// Vertices that one task projects.
 const TASK: usize = 8192;
 
-/// Projects and snaps all vertices; also tells which planes any of them is outside of.
-pub(in crate::raster) fn project(points: Points, map: &ObjectMap, view: &View) -> (Vec<ScreenVertex>, u32) {
+/// Projects and snaps all vertices; also returns the planes that any of them is outside of.
+pub(crate) fn project(points: Points, map: &ObjectMap, view: &View) -> (Vec<ScreenVertex>, u32) {
     let mut vertices = vec![ScreenVertex::default(); points.len()];
     let outside = match points {
         Points::F64(points) => project_all(points, map, view, &mut vertices),

@@ -1,7 +1,6 @@
 //! From the scene to the picture: what a camera and a size of picture make of points.
 
 use crate::num::Radians;
-use crate::raster::shading::lighting::REACH;
 use crate::raster::view::camera::{Camera, CameraError, Projection};
 use crate::raster::view::fixed_point::GUARD;
 use glam::{DMat3, DMat4, DVec3, Vec3};
@@ -21,23 +20,27 @@ const FAR: f64 = 64.0;
 /// room on either side.
 const MOST_RATIO: f64 = 1e30;
 
+/// As far away as single precision is asked for: a point that is farther has the same V, the same L and no visible
+/// light, but a square that overflows.
+pub(crate) const REACH: f32 = (1_u64 << 50) as f32;
+
 /// A camera with a picture of a certain size.
 ///
 /// *View space* has its origin in the eye. Its first two coordinates are in pixels from the middle of the picture, to
 /// the right and down, times the third of [`ViewPoint`]; so they are linear in the scene.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::raster) struct View {
-    pub(in crate::raster) eye: DVec3,
-    /// What points that are lit are told relative to: the eye, or the target if the camera is [`FAR`] from it, since a step
-    /// of single precision from the eye would be no longer little beside what is shown.
-    pub(in crate::raster) origin: DVec3,
+pub(crate) struct View {
+    pub(crate) eye: DVec3,
+    /// The origin of the positions that are lit: the eye, or the target if the camera is [`FAR`] from it, since a step
+    /// of single precision from the eye would no longer be small compared with what is shown.
+    pub(crate) origin: DVec3,
     /// How far along the axis the origin is.
-    pub(in crate::raster) away: f64,
+    pub(crate) away: f64,
     /// Right, up, forward: unit vectors.
-    pub(in crate::raster) axes: [DVec3; 3],
+    pub(crate) axes: [DVec3; 3],
     /// Pixels per unit of length: at distance 1 in perspective, anywhere in a parallel projection.
-    pub(in crate::raster) scale: f64,
-    pub(in crate::raster) near: f64,
+    pub(crate) scale: f64,
+    pub(crate) near: f64,
     /// The distance at which depth is 1 in perspective and 0 in a parallel projection, before the level is taken off: the
     /// near one, unless that is next to nothing, or that of the target if the camera is [`FAR`] from it.
     depth_from: f64,
@@ -47,27 +50,27 @@ pub(in crate::raster) struct View {
     /// How far away the target is.
     distance: f64,
     /// How far behind a surface is little, at the most: a distance that a camera which is not far from its target has.
-    pub(in crate::raster) reach: f64,
-    pub(in crate::raster) perspective: bool,
-    pub(in crate::raster) size: [u32; 2],
+    pub(crate) reach: f64,
+    pub(crate) perspective: bool,
+    pub(crate) size: [u32; 2],
 }
 
 /// A point in view space, homogeneous.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(in crate::raster) struct ViewPoint {
+pub(crate) struct ViewPoint {
     /// Pixels right of the middle, times `h`.
-    pub(in crate::raster) x: f64,
+    pub(crate) x: f64,
     /// Pixels below the middle, times `h`.
-    pub(in crate::raster) y: f64,
+    pub(crate) y: f64,
     /// Distance along the axis.
-    pub(in crate::raster) z: f64,
+    pub(crate) z: f64,
     /// The homogeneous coordinate: `z` in perspective, 1 else.
-    pub(in crate::raster) h: f64,
+    pub(crate) h: f64,
 }
 
 impl View {
     /// The view of a camera that is right.
-    pub(in crate::raster) fn new(camera: &Camera, size: [u32; 2]) -> Result<Self, CameraError> {
+    pub(crate) fn new(camera: &Camera, size: [u32; 2]) -> Result<Self, CameraError> {
         let axes = camera.axes()?;
         let half = 0.5 * f64::from(size[1]);
         let (scale, perspective) = match camera.projection {
@@ -101,19 +104,19 @@ impl View {
     }
 
     /// How high what is shown is at the target.
-    pub(in crate::raster) fn shown(&self) -> f64 {
+    pub(crate) fn shown(&self) -> f64 {
         self.reach / FAR
     }
 
     /// The middle of the picture, in pixels.
-    pub(in crate::raster) fn middle(&self) -> [f64; 2] {
+    pub(crate) fn middle(&self) -> [f64; 2] {
         self.size.map(|n| 0.5 * f64::from(n))
     }
 
     /// Depth as it is compared: larger is nearer. In perspective [`nearness`](Self::nearness) less the level, which is
     /// linear on the picture; else linear in z.
     #[inline(always)]
-    pub(in crate::raster) fn depth(&self, z: f64) -> f64 {
+    pub(crate) fn depth(&self, z: f64) -> f64 {
         match self.perspective {
             true => self.nearness(z) - self.level,
             false => ((self.depth_from - z) * self.scale).clamp(-DEEPEST, DEEPEST),
@@ -122,33 +125,33 @@ impl View {
 
     /// A share of 1/z, never 0: what perspective-correct interpolation weighs by.
     #[inline(always)]
-    pub(in crate::raster) fn nearness(&self, z: f64) -> f64 {
+    pub(crate) fn nearness(&self, z: f64) -> f64 {
         (self.depth_from / z).clamp(FARTHEST, MOST_RATIO)
     }
 
     /// Whether depth in perspective is not nearness, but has lost the digits of what is far behind the target.
     #[inline(always)]
-    pub(in crate::raster) fn has_level(&self) -> bool {
+    pub(crate) fn has_level(&self) -> bool {
         self.level != 0.0
     }
 
     /// A point of view space on the picture, in pixels from the upper left corner.
     #[inline(always)]
-    pub(in crate::raster) fn on_picture(&self, point: ViewPoint) -> [f64; 2] {
+    pub(crate) fn on_picture(&self, point: ViewPoint) -> [f64; 2] {
         let [x, y] = self.middle();
         [x + point.x / point.h, y + point.y / point.h]
     }
 
     /// How far a point is inside each of the planes that are clipped to, negative outside: near, then the guard band's
     /// left, right, upper and lower side.
-    pub(in crate::raster) fn inside(&self, point: ViewPoint) -> [f64; 5] {
+    pub(crate) fn inside(&self, point: ViewPoint) -> [f64; 5] {
         let guard = f64::from(GUARD) * point.h;
         [point.z - self.near, guard + point.x, guard - point.x, guard + point.y, guard - point.y]
     }
 
     /// The ray of a place on the picture: where it starts, relative to the eye, and its direction, whose component
     /// along the axis is 1, both in the scene's axes.
-    pub(in crate::raster) fn ray(&self, [x, y]: [f64; 2]) -> (DVec3, DVec3) {
+    pub(crate) fn ray(&self, [x, y]: [f64; 2]) -> (DVec3, DVec3) {
         let [right, up, forward] = self.axes;
         let [middle_x, middle_y] = self.middle();
         let across = right * ((x - middle_x) / self.scale) - up * ((y - middle_y) / self.scale);
@@ -184,7 +187,7 @@ const FAR_PIVOT: f64 = 1024.0;
 
 /// The way from an object's own space to view space and to the scene's axes about the view's origin.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::raster) struct ObjectMap {
+pub(crate) struct ObjectMap {
     /// A point of the object that is subtracted before anything else, so that an object far from its origin keeps its
     /// digits.
     pivot: DVec3,
@@ -196,7 +199,7 @@ pub(in crate::raster) struct ObjectMap {
 }
 
 impl ObjectMap {
-    pub(in crate::raster) fn new(view: &View, transform: DMat4, pivot: DVec3) -> Self {
+    pub(crate) fn new(view: &View, transform: DMat4, pivot: DVec3) -> Self {
         let [right, up, forward] = view.axes;
         let rows = DMat3::from_cols(right * view.scale, -up * view.scale, forward).transpose();
         let to_scene = DMat3::from_mat4(transform);
@@ -218,7 +221,7 @@ impl ObjectMap {
 
     /// The way of points near this one, which is the pivot, unless it is so far off that differences from it would lose
     /// the digits of points near the eye: then the eye is.
-    pub(in crate::raster) fn about(view: &View, transform: DMat4, point: DVec3) -> Self {
+    pub(crate) fn about(view: &View, transform: DMat4, point: DVec3) -> Self {
         let away = transform.transform_point3(point) - view.eye;
         if away.abs().max_element() <= FAR_PIVOT * view.distance {
             return Self::new(view, transform, point);
@@ -229,7 +232,7 @@ impl ObjectMap {
 
     /// A point of the object in view space.
     #[inline(always)]
-    pub(in crate::raster) fn view(&self, point: DVec3) -> ViewPoint {
+    pub(crate) fn view(&self, point: DVec3) -> ViewPoint {
         let p = point - self.pivot;
         let m = &self.to_view;
         let row = |x: f64, y: f64, z: f64, offset: f64| ((x * p.x + y * p.y) + z * p.z) + offset;
@@ -244,7 +247,7 @@ impl ObjectMap {
 
     /// A point of the object relative to the view's origin, in the scene's axes.
     #[inline(always)]
-    pub(in crate::raster) fn scene_point(&self, point: DVec3) -> DVec3 {
+    pub(crate) fn scene_point(&self, point: DVec3) -> DVec3 {
         self.to_scene * (point - self.pivot) + self.scene_offset
     }
 }
@@ -253,10 +256,10 @@ impl ObjectMap {
 /// at a distance is `start + distance · direction`, each linear on the picture. Points are relative to the view's origin, and
 /// so are distances, along the axis.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::raster) struct Rays {
+pub(crate) struct Rays {
     /// At the picture's upper left corner, and per pixel to the right and down.
-    pub(in crate::raster) start: [Vec3; 3],
-    pub(in crate::raster) direction: [Vec3; 3],
+    pub(crate) start: [Vec3; 3],
+    pub(crate) direction: [Vec3; 3],
     depth_from: f32,
     has_level: bool,
     /// Units of length per unit of depth, in a parallel projection.
@@ -265,7 +268,7 @@ pub(in crate::raster) struct Rays {
 }
 
 impl Rays {
-    pub(in crate::raster) fn new(view: &View, unit: f64) -> Self {
+    pub(crate) fn new(view: &View, unit: f64) -> Self {
         let from_origin = |place| {
             let (start, direction) = view.ray(place);
             // In perspective rays are as far apart there as what is across in their directions has become.
@@ -289,7 +292,7 @@ impl Rays {
     /// [nearness](View::nearness). With z₀ the distance of depth 1, nearness is n = z₀/z, so that z = z₀/n, and from the
     /// target, where depth d is n − 1, z − z₀ = −z₀ d/n.
     #[inline(always)]
-    pub(in crate::raster) fn distance(&self, depth: f32, nearness: f32) -> f32 {
+    pub(crate) fn distance(&self, depth: f32, nearness: f32) -> f32 {
         let share = if self.has_level { -depth } else { 1.0 };
         // Beyond its reach single precision has no squares of distances.
         match self.perspective {

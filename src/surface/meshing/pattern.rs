@@ -3,7 +3,8 @@
 use crate::surface::error::{SurfaceError, out_of_range};
 
 /// How vertices and faces are arranged on a surface. All vertices lie on it but for [`Tessellation::noise`].
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Pattern {
     /// A grid of the parameters, each cell cut in two along the same diagonal, or with jitter along a random one.
     #[default]
@@ -60,7 +61,8 @@ impl Pattern {
 /// assert_eq!((mesh.vertex_count(), mesh.face_count()), (64 * 32, 2 * 64 * 32));
 /// # Ok::<(), crease::surface::SurfaceError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct Tessellation {
     /// The arrangement.
     pub pattern: Pattern,
@@ -75,6 +77,7 @@ pub struct Tessellation {
     /// Seed of the random numbers.
     pub seed: u32,
     /// Whether the parameters become texture coordinates, if there are any.
+    #[serde(skip)]
     pub uvs: bool,
 }
 

@@ -3,8 +3,9 @@
 use super::scene;
 use crate::lectures::{all_digits, digits};
 use crease::num::LinearRgb;
+use crease::raster::ProbePoint;
 use crease::raster::{FlatSample, SceneFile, Shading, render};
-use crease::report::{PixelReport, SeenReport, probe_pixel};
+use crease::report::{PixelReport, probe_pixel};
 use crease::shade::{Explanation, Light, Reflectance, Reflection, ToneRule};
 use glam::DVec3;
 
@@ -23,7 +24,7 @@ fn probe(file: &SceneFile, pixel: [u32; 2]) -> PixelReport {
     report
 }
 
-fn seen(report: &PixelReport) -> &SeenReport {
+fn seen(report: &PixelReport) -> &ProbePoint {
     let [sample] = &report.samples[..] else { panic!("one sample a pixel") };
     sample.seen.as_ref().unwrap()
 }

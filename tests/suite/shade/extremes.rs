@@ -100,8 +100,11 @@ fn a_light_at_the_point_itself_is_an_error_that_names_it() {
     let mut positions = [[0.0_f32; 200]; 3];
     positions.iter_mut().for_each(|row| row[150] = 1.0);
     let (zeros, ones) = ([0.0; 200], [1.0; 200]);
-    let rows =
-        SurfaceRows { positions: positions.each_ref().map(|row| &row[..]), normals: [&zeros, &zeros, &ones] };
+    let rows = SurfaceRows {
+        positions: positions.each_ref().map(|row| &row[..]),
+        normals: [&zeros, &zeros, &ones],
+        faces: None,
+    };
     let mut out = [[0.0; 200]; 3];
     let [red, green, blue] = &mut out;
     assert_eq!(shader.shade_rows(&rows, [red, green, blue]).unwrap_err().index, 150);

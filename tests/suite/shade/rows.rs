@@ -94,7 +94,8 @@ fn rows_have_the_bits_of_their_points() {
             }
         }
         let mut out = positions.clone();
-        let rows = SurfaceRows { positions: row_slices(&positions), normals: row_slices(&normals) };
+        let rows =
+            SurfaceRows { positions: row_slices(&positions), normals: row_slices(&normals), faces: None };
         let [red, green, blue] = &mut out;
         shader.shade_rows(&rows, [red, green, blue]).unwrap();
         for i in 0..count {
@@ -122,7 +123,7 @@ fn positions_may_be_missing_where_nothing_needs_them() {
     let shader = Shader::<f32>::new(&[sun], &Material::default(), &ShadeSettings::default()).unwrap();
     assert!(!shader.needs_positions() && shader.needs_normals());
     let (zeros, ones) = ([0.0; 5], [1.0; 5]);
-    let rows = SurfaceRows { positions: [&[]; 3], normals: [&zeros, &zeros, &ones] };
+    let rows = SurfaceRows { positions: [&[]; 3], normals: [&zeros, &zeros, &ones], faces: None };
     let mut out = [[0.0; 5]; 3];
     let [red, green, blue] = &mut out;
     shader.shade_rows(&rows, [red, green, blue]).unwrap();

@@ -74,7 +74,7 @@ fn rows_on_faces_have_the_bits_of_their_points_and_probes_tell_them() {
         rows.iter_mut().zip(all.as_flattened()).for_each(|(row, &component)| row[i] = component);
     }
     let [px, py, pz, nx, ny, nz, fx, fy, fz] = rows.each_ref().map(|row| &row[..]);
-    let points = SurfaceRows { positions: [px, py, pz], normals: [nx, ny, nz] };
+    let points = SurfaceRows { positions: [px, py, pz], normals: [nx, ny, nz], faces: Some([fx, fy, fz]) };
     for terminator in [Terminator::Smooth, Terminator::Hard, Terminator::Soft] {
         for guards in [Guards::default(), Guards::literal()] {
             let settings = ShadeSettings { guards, ..settings(terminator) };
@@ -82,7 +82,7 @@ fn rows_on_faces_have_the_bits_of_their_points_and_probes_tell_them() {
             let shader = Shader::<f32>::new(&lights(), &material, &settings).unwrap();
             let mut out = [(); 3].map(|()| vec![0.0_f32; count]);
             let colours = out.each_mut().map(|row| &mut row[..]);
-            shader.shade_rows_on(&points, [fx, fy, fz], colours).unwrap();
+            shader.shade_rows(&points, colours).unwrap();
             let probe = Probe::new(&lights(), &material, &settings).unwrap();
             let double = Shader::<f64>::new(&lights(), &material, &settings).unwrap();
             for i in 0..count {

@@ -1,6 +1,6 @@
 //! A changed document as files: the same spelling again, or `.gltf` as `.glb` and the other way round.
 
-use crate::io::companion::{leads_to, output_name};
+use crate::io::companion_files::{leads_to, output_name};
 use crate::io::gltf::container::buffers::Storage;
 use crate::io::gltf::container::glb::{self, Glb};
 use crate::io::gltf::container::uri;

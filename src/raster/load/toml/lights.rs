@@ -2,51 +2,200 @@
 
 use crate::io::ReadError;
 use crate::num::{Degrees, LinearRgb, Radians};
-use crate::raster::load::toml::keys::{AttenuationKeys, LightKeys, PointKeys, SpotKeys};
-use crate::raster::load::toml::place::Source;
-use crate::raster::load::toml::values::Number;
+use crate::raster::load::toml::source::Source;
+use crate::raster::load::toml::values::Colour;
 use crate::shade::{AreaShape, Attenuation, Cone, Light, ShadeError};
-use glam::DVec4;
+use glam::{DVec3, DVec4};
+use serde::Deserialize;
 use std::f64::consts::PI;
 use std::ops::Range;
+use toml::Spanned;
+
+/// `[[light.…]]`, by kind.
+#[derive(Default, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub(super) struct LightTables {
+    ambient: Vec<Spanned<AmbientTable>>,
+    directional: Vec<Spanned<DirectionalTable>>,
+    point: Vec<Spanned<PointTable>>,
+    spot: Vec<Spanned<SpotTable>>,
+    rectangle: Vec<Spanned<RectangleTable>>,
+    disc: Vec<Spanned<DiscTable>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct AmbientTable {
+    #[serde(alias = "color")]
+    colour: Colour,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct DirectionalTable {
+    towards: [f64; 3],
+    #[serde(alias = "color", default = "white")]
+    colour: Colour,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PointTable {
+    position: Position,
+    #[serde(alias = "color", default = "white")]
+    colour: Colour,
+    #[serde(default)]
+    attenuation: AttenuationValue,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+struct SpotTable {
+    position: [f64; 3],
+    #[serde(alias = "color", default = "white")]
+    colour: Colour,
+    #[serde(default)]
+    attenuation: AttenuationValue,
+    axis: [f64; 3],
+    /// Degrees; 180 for none.
+    cut_off: Option<f64>,
+    /// Degrees.
+    soft_edge: Option<f64>,
+    exponent: Option<f64>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RectangleTable {
+    centre: [f64; 3],
+    u: [f64; 3],
+    v: [f64; 3],
+    #[serde(alias = "color", default = "white")]
+    colour: Colour,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct DiscTable {
+    centre: [f64; 3],
+    normal: [f64; 3],
+    radius: f64,
+    #[serde(alias = "color", default = "white")]
+    colour: Colour,
+}
+
+fn white() -> Colour {
+    Colour(LinearRgb::WHITE)
+}
+
+/// x, y, z, or homogeneous with w: 0 for a light that is infinitely far away.
+#[derive(Deserialize)]
+#[serde(try_from = "Vec<f64>")]
+struct Position(DVec4);
+
+impl TryFrom<Vec<f64>> for Position {
+    type Error = String;
+
+    fn try_from(numbers: Vec<f64>) -> Result<Self, String> {
+        match numbers[..] {
+            [x, y, z] => Ok(Self(DVec4::new(x, y, z, 1.0))),
+            [x, y, z, w] if w >= 0.0 && w.is_finite() => Ok(Self(DVec4::new(x, y, z, w))),
+            [_, _, _, w] => Err(format!("w is {w}; it is 1 for a point, 0 for a light infinitely far away")),
+            _ => Err(format!("{} numbers; a position has 3, or 4 with w", numbers.len())),
+        }
+    }
+}
+
+/// `attenuation = …`
+#[derive(Clone, Copy, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum AttenuationValue {
+    #[default]
+    None,
+    InverseSquare,
+    /// The range.
+    InverseSquareWithin(f64),
+    /// k of 1/(d + k).
+    Offset(f64),
+    /// kc, kl, kq.
+    Quadratic([f64; 3]),
+}
+
+impl From<AttenuationValue> for Attenuation {
+    fn from(value: AttenuationValue) -> Self {
+        match value {
+            AttenuationValue::None => Self::None,
+            AttenuationValue::InverseSquare => Self::InverseSquare,
+            AttenuationValue::InverseSquareWithin(range) => Self::InverseSquareWithin { range },
+            AttenuationValue::Offset(k) => Self::Offset { k },
+            AttenuationValue::Quadratic([constant, linear, quadratic]) => {
+                Self::Quadratic { constant, linear, quadratic }
+            }
+        }
+    }
+}
+
+impl From<SpotTable> for Light {
+    /// Without a cut-off and an exponent it is the lectures' spot.
+    fn from(table: SpotTable) -> Self {
+        let radians = |degrees: f64| match degrees {
+            // 180 degrees stand for no cut-off, which is π to the bit.
+            180.0 => Radians(PI),
+            degrees => Degrees(degrees).into(),
+        };
+        let lectures = Cone::of_lectures(table.axis.into());
+        let cone = Cone {
+            cut_off: table.cut_off.map_or(lectures.cut_off, radians),
+            soft_edge: table.soft_edge.map_or(lectures.soft_edge, radians),
+            exponent: table.exponent.unwrap_or(lectures.exponent),
+            ..lectures
+        };
+        let attenuation = table.attenuation.into();
+        Light::Spot { position: table.position.into(), colour: table.colour.0, attenuation, cone }
+    }
+}
 
 /// All lights in the order of the file; `None` if it has none.
-pub(super) fn lights(source: Source, keys: &LightKeys) -> Result<Option<Vec<Light>>, ReadError> {
-    let mut found: Vec<(Range<usize>, Light)> = Vec::new();
-    for light in &keys.ambient {
-        found.push((light.span(), Light::Ambient { colour: light.get_ref().colour.0 }));
-    }
-    for light in &keys.directional {
-        let (towards, colour) = (light.get_ref().towards.get(), light.get_ref().colour.0);
-        found.push((light.span(), Light::Directional { towards, colour }));
-    }
-    for light in &keys.point {
-        found.push((light.span(), point(source, light.get_ref(), &light.span())?));
-    }
-    for light in &keys.spot {
-        found.push((light.span(), spot(light.get_ref())));
-    }
-    for light in &keys.rectangle {
-        let keys = light.get_ref();
-        let shape = AreaShape::Rectangle { centre: keys.centre.get(), u: keys.u.get(), v: keys.v.get() };
-        found.push((light.span(), Light::Area { shape, colour: keys.colour.0 }));
-    }
-    for light in &keys.disc {
-        let keys = light.get_ref();
-        let Number(radius) = keys.radius;
-        let shape = AreaShape::Disc { centre: keys.centre.get(), normal: keys.normal.get(), radius };
-        found.push((light.span(), Light::Area { shape, colour: keys.colour.0 }));
-    }
+pub(super) fn lights(source: Source, tables: LightTables) -> Result<Option<Vec<Light>>, ReadError> {
+    let ambient = |AmbientTable { colour }| Light::Ambient { colour: colour.0 };
+    let directional = |DirectionalTable { towards, colour }| Light::Directional {
+        towards: towards.into(),
+        colour: colour.0,
+    };
+    let point =
+        |PointTable { position, colour, attenuation }| Light::at(position.0, colour.0, attenuation.into());
+    let area = |shape, colour: Colour| Light::Area { shape, colour: colour.0 };
+    let rectangle = |RectangleTable { centre, u, v, colour }| {
+        let [centre, u, v] = [centre, u, v].map(DVec3::from);
+        area(AreaShape::Rectangle { centre, u, v }, colour)
+    };
+    let disc = |DiscTable { centre, normal, radius, colour }| {
+        area(AreaShape::Disc { centre: centre.into(), normal: normal.into(), radius }, colour)
+    };
+    let mut found: Vec<(Range<usize>, Light)> = with_spans(tables.ambient, ambient)
+        .chain(with_spans(tables.directional, directional))
+        .chain(with_spans(tables.point, point))
+        .chain(with_spans(tables.spot, Light::from))
+        .chain(with_spans(tables.rectangle, rectangle))
+        .chain(with_spans(tables.disc, disc))
+        .collect();
     found.sort_by_key(|(span, _)| span.start);
     for (number, (span, light)) in found.iter().enumerate() {
-        light.check(number).map_err(|error| wrong(source, span, &error))?;
+        light.check(number).map_err(|error| shade_error(source, span, &error))?;
     }
     let lights: Vec<Light> = found.into_iter().map(|(_, light)| light).collect();
     Ok((!lights.is_empty()).then_some(lights))
 }
 
-/// A number that `shade` refuses, at its key.
-pub(super) fn wrong(source: Source, span: &Range<usize>, error: &ShadeError) -> ReadError {
+fn with_spans<T>(
+    tables: Vec<Spanned<T>>,
+    light: impl Fn(T) -> Light,
+) -> impl Iterator<Item = (Range<usize>, Light)> {
+    tables.into_iter().map(move |table| (table.span(), light(table.into_inner())))
+}
+
+/// An error of `shade` about a light or material, at its key in the table at `span`.
+pub(super) fn shade_error(source: Source, span: &Range<usize>, error: &ShadeError) -> ReadError {
     let keys: &[&str] = match error.field {
         "colour" => &["colour", "color"],
         "direction" => &["towards", "position"],
@@ -63,52 +212,4 @@ pub(super) fn wrong(source: Source, span: &Range<usize>, error: &ShadeError) -> 
     };
     let found = format!("{} is {}", error.field, error.found);
     source.error(&source.member(span, keys), &found, &format!("it must be {}", error.expected))
-}
-
-fn point(source: Source, keys: &PointKeys, span: &Range<usize>) -> Result<Light, ReadError> {
-    let position = match keys.position[..] {
-        [Number(x), Number(y), Number(z)] => DVec4::new(x, y, z, 1.0),
-        [Number(x), Number(y), Number(z), Number(w)] if w >= 0.0 => DVec4::new(x, y, z, w),
-        [.., Number(w)] if keys.position.len() == 4 => {
-            let advice = "w is 1 for a point, 0 for a light infinitely far away";
-            return Err(source.error(&source.member(span, &["position"]), &format!("w is {w}"), advice));
-        }
-        _ => {
-            let found = format!("{} numbers", keys.position.len());
-            let advice = "a position has 3, or 4 with w: 1 for a point, 0 for a light infinitely far away";
-            return Err(source.error(&source.member(span, &["position"]), &found, advice));
-        }
-    };
-    Ok(Light::at(position, keys.colour.0, attenuation(keys.attenuation)))
-}
-
-/// Without a cut-off and an exponent it is the lectures' spot.
-fn spot(keys: &SpotKeys) -> Light {
-    let radians = |angle: Option<Number>, default: f64| match angle {
-        // 180 degrees stand for no cut-off, which is π to the bit.
-        Some(Number(180.0)) => Radians(PI),
-        Some(Number(degrees)) => Degrees(degrees).into(),
-        None => Radians(default),
-    };
-    let lectures = Cone::of_lectures(keys.axis.get());
-    let cone = Cone {
-        cut_off: radians(keys.cut_off, PI),
-        soft_edge: radians(keys.soft_edge, 0.0),
-        exponent: keys.exponent.map_or(lectures.exponent, |Number(exponent)| exponent),
-        ..lectures
-    };
-    let (position, colour): (_, LinearRgb) = (keys.position.get(), keys.colour.0);
-    Light::Spot { position, colour, attenuation: attenuation(keys.attenuation), cone }
-}
-
-fn attenuation(keys: AttenuationKeys) -> Attenuation {
-    match keys {
-        AttenuationKeys::None => Attenuation::None,
-        AttenuationKeys::InverseSquare => Attenuation::InverseSquare,
-        AttenuationKeys::InverseSquareWithin(Number(range)) => Attenuation::InverseSquareWithin { range },
-        AttenuationKeys::Offset(Number(k)) => Attenuation::Offset { k },
-        AttenuationKeys::Quadratic([Number(constant), Number(linear), Number(quadratic)]) => {
-            Attenuation::Quadratic { constant, linear, quadratic }
-        }
-    }
 }

@@ -2,65 +2,68 @@
 
 use crate::io::ReadError;
 use crate::num::LinearRgb;
-use crate::raster::load::toml::choose;
-use crate::raster::load::toml::keys::MaterialKeys;
-use crate::raster::load::toml::lights::wrong;
-use crate::raster::load::toml::place::Source;
-use crate::raster::load::toml::values::{Number, Reflects};
+use crate::raster::load::toml::lights::shade_error;
+use crate::raster::load::toml::source::Source;
+use crate::raster::load::toml::values::{Colour, ReflectanceValue};
 use crate::shade::{Material, Reflectance, Reflection};
+use serde::Deserialize;
 use toml::Spanned;
 
-/// What colours come from: a material under light, or the vertices.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Colouring {
-    Lit(Reflection),
+/// `reflection = …`
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum ReflectionName {
+    Phong,
+    Blinn,
+    /// Colours of the vertices, unlit.
     Given,
 }
 
-impl Colouring {
-    /// The one of this name.
-    pub(super) fn named(source: Source, name: &Spanned<String>) -> Result<Self, ReadError> {
-        let choices = [
-            ("phong", Colouring::Lit(Reflection::Phong)),
-            ("blinn", Colouring::Lit(Reflection::Blinn)),
-            ("given", Colouring::Given),
-        ];
-        choose(source, name, &choices)
+impl ReflectionName {
+    pub(super) fn reflection(self) -> Option<Reflection> {
+        match self {
+            Self::Phong => Some(Reflection::Phong),
+            Self::Blinn => Some(Reflection::Blinn),
+            Self::Given => None,
+        }
     }
 }
 
-/// The material, if any of it is given, and the colouring, if that is.
-pub(super) fn material(
-    source: Source,
-    keys: &Spanned<MaterialKeys>,
-) -> Result<(Option<Material>, Option<Colouring>), ReadError> {
-    let (span, keys) = (keys.span(), keys.get_ref());
-    let colouring = keys.reflection.as_ref().map(|name| Colouring::named(source, name)).transpose()?;
-    let parts = [keys.ambient, keys.diffuse, keys.specular];
-    if keys.colour.is_none() && keys.exponent.is_none() && parts.iter().all(Option::is_none) {
-        return Ok((None, colouring));
+/// `[object.material]`
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct MaterialTable {
+    /// The colour of ambient and diffuse reflection where only a coefficient is given.
+    #[serde(alias = "color")]
+    colour: Option<Colour>,
+    ambient: Option<ReflectanceValue>,
+    diffuse: Option<ReflectanceValue>,
+    /// A coefficient is multiplied by white.
+    specular: Option<ReflectanceValue>,
+    exponent: Option<f64>,
+    pub(super) reflection: Option<ReflectionName>,
+}
+
+impl MaterialTable {
+    /// The material; `None` if the table has at most a reflection.
+    pub(super) fn material(source: Source, table: &Spanned<Self>) -> Result<Option<Material>, ReadError> {
+        let (span, Self { colour, ambient, diffuse, specular, exponent, .. }) =
+            (table.span(), table.get_ref());
+        if let (None, None, None, None, None) = (colour, ambient, diffuse, specular, exponent) {
+            return Ok(None);
+        }
+        let colour = colour.map_or(LinearRgb::grey(0.8), |Colour(colour)| colour);
+        let plain = Material::plastic(colour);
+        let diffuse = diffuse.map_or(plain.diffuse, |diffuse| diffuse.of(colour));
+        let ambient = ambient.map(|ambient| ambient.of(colour));
+        let specular = specular.map_or(plain.specular, |specular| specular.of(LinearRgb::WHITE));
+        let exponent = exponent.unwrap_or(plain.exponent);
+        let material = Material { diffuse, specular, exponent, reflection: Reflection::default(), ..plain };
+        // An ambient reflection that follows the diffuse one is no error of its own.
+        let given = Material { ambient: ambient.unwrap_or(Reflectance::NONE), ..material };
+        let checked = given.check().and_then(|()| given.check_range::<f32>());
+        checked.map_err(|error| shade_error(source, &span, &error))?;
+        let ambient = ambient.unwrap_or(Reflectance::Merged(diffuse.merged()));
+        Ok(Some(Material { ambient, ..material }))
     }
-    let plain = Material::plastic(keys.colour.map_or(LinearRgb::grey(0.8), |colour| colour.0));
-    let reflectance = |given: Option<Reflects>, plain: Reflectance| match (given, plain) {
-        (Some(Reflects::Coefficient(k)), Reflectance::Split { colour, .. }) => Reflectance::new(k, colour),
-        (Some(Reflects::Coefficient(k)), Reflectance::Merged(colour)) => Reflectance::new(k, colour),
-        (Some(Reflects::Whole(whole)), _) => whole,
-        (None, plain) => plain,
-    };
-    let diffuse = reflectance(keys.diffuse, plain.diffuse);
-    let material = Material {
-        ambient: match keys.ambient {
-            Some(_) => reflectance(keys.ambient, plain.ambient),
-            None => Reflectance::Merged(diffuse.merged()),
-        },
-        diffuse,
-        specular: reflectance(keys.specular, plain.specular),
-        exponent: keys.exponent.map_or(plain.exponent, |Number(exponent)| exponent),
-        reflection: Reflection::default(),
-    };
-    // An ambient reflection that is that of diffuse light is none to complain about.
-    let given =
-        Material { ambient: keys.ambient.map_or(Reflectance::NONE, |_| material.ambient), ..material };
-    given.check().map_err(|error| wrong(source, &span, &error))?;
-    Ok((Some(material), colouring))
 }

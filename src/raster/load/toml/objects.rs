@@ -1,36 +1,68 @@
 //! The objects of a scene file.
 
 use crate::io::{self, Note, Place, Problem, ReadError, ReadOptions};
-use crate::mesh::{Column, Columns, Faces, Mesh, MeshBuilder, normal_matrix};
+use crate::mesh::{Mesh, normal_matrix};
 use crate::normals::{When, compute};
-use crate::num::{LinearRgb, UnitVec3};
-use crate::raster::load::bare::{MOST_OBJECTS, MOST_PLACED_CORNERS};
-use crate::raster::load::lights::plain_material;
-use crate::raster::load::toml::choose;
-use crate::raster::load::toml::keys::{ObjectKeys, PolygonKeys, SurfaceKeys, TessellationKeys};
-use crate::raster::load::toml::material::{Colouring, material};
-use crate::raster::load::toml::place::Source;
-use crate::raster::load::toml::surfaces::{surface, tessellation};
-use crate::raster::load::toml::values::Vector;
-use crate::raster::load::{LoadOptions, SceneFile, SceneMesh, SceneObject, SceneShape};
-use crate::surface::{Primitive, Surface};
+use crate::num::LinearRgb;
+use crate::raster::load::scene_file::{
+    LoadOptions, MOST_OBJECTS, MOST_PLACED_CORNERS, SceneFile, SceneMesh, SceneObject, SceneShape,
+};
+use crate::raster::load::toml::material::{MaterialTable, ReflectionName};
+use crate::raster::load::toml::shapes::{PolygonTable, SurfaceTable};
+use crate::raster::load::toml::source::Source;
+use crate::raster::load::toml::values::Step;
+use crate::surface::{Primitive, Surface, Tessellation};
 use glam::{DMat3, DMat4};
+use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 
-/// Puts objects into a scene.
+/// `[[object]]`
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ObjectTable {
+    #[serde(default)]
+    name: String,
+    mesh: Option<Spanned<String>>,
+    polygons: Option<Spanned<PolygonTable>>,
+    surface: Option<Spanned<SurfaceTable>>,
+    tessellation: Option<Spanned<Tessellation>>,
+    normals: Option<NormalsName>,
+    #[serde(default)]
+    transform: Vec<Step>,
+    material: Option<Spanned<MaterialTable>>,
+}
+
+/// `normals = …`
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum NormalsName {
+    Given,
+    Computed,
+}
+
+impl From<NormalsName> for When {
+    fn from(name: NormalsName) -> Self {
+        match name {
+            NormalsName::Given => When::Missing,
+            NormalsName::Computed => When::Always,
+        }
+    }
+}
+
+/// Adds objects to a scene.
 pub(super) struct Builder<'a> {
     source: Source<'a>,
     base: &'a Path,
     options: LoadOptions,
-    /// The colouring of objects that say nothing about theirs.
-    colouring: Option<Colouring>,
+    /// The reflection of objects that have none.
+    reflection: Option<ReflectionName>,
     scene: SceneFile,
     /// Objects of mesh files that are read, by path and by whether all their normals are computed.
     files: BTreeMap<(PathBuf, bool), Vec<SceneObject>>,
-    /// Corners of faces, at all places where they stand.
+    /// Corners of faces of all objects.
     placed: u64,
 }
 
@@ -39,15 +71,15 @@ impl<'a> Builder<'a> {
         source: Source<'a>,
         base: &'a Path,
         options: &LoadOptions,
-        colouring: Option<Colouring>,
+        reflection: Option<ReflectionName>,
         scene: SceneFile,
     ) -> Self {
-        // What meshes refer to may lie anywhere in the scene's folder, too.
+        // Files that meshes refer to may lie anywhere in the scene's folder, too.
         let folder = if base.as_os_str().is_empty() { Path::new(".") } else { base };
         let root = options.read.root.clone().unwrap_or_else(|| folder.to_owned());
         let read = ReadOptions { root: Some(root), ..options.read.clone() };
         let options = LoadOptions { read, ..options.clone() };
-        Self { source, base, options, colouring, scene, files: BTreeMap::new(), placed: 0 }
+        Self { source, base, options, reflection, scene, files: BTreeMap::new(), placed: 0 }
     }
 
     /// The scene.
@@ -59,32 +91,28 @@ impl<'a> Builder<'a> {
         Ok(self.scene)
     }
 
-    /// Adds an object of the file: all of a mesh file's, if it is one.
-    pub(super) fn add(&mut self, keys: Spanned<ObjectKeys>) -> Result<(), ReadError> {
-        let (span, keys) = (keys.span(), keys.into_inner());
-        let transform = keys.transform.iter().fold(DMat4::IDENTITY, |so_far, step| step.matrix() * so_far);
+    /// Adds an object of the file: all objects of a mesh file, if it names one.
+    pub(super) fn add(&mut self, table: Spanned<ObjectTable>) -> Result<(), ReadError> {
+        let (span, table) = (table.span(), table.into_inner());
+        let transform = table.transform.iter().fold(DMat4::IDENTITY, |so_far, step| step.matrix() * so_far);
         if normal_matrix(DMat3::from_mat4(transform)).is_none() || !transform.is_finite() {
             let span = self.source.member(&span, &["transform"]);
             let advice = "scale no axis by 0, and keep numbers moderate";
-            return Err(self.source.error(&span, "it flattens space, or is beyond all measure", advice));
+            return Err(self.source.error(&span, "it flattens space, or is out of range", advice));
         }
-        let material = keys.material.as_ref().map(|keys| material(self.source, keys)).transpose()?;
-        let (material, own) = material.unwrap_or_default();
-        let colouring = own.or(self.colouring);
-        for object in self.shapes(&span, &keys)? {
+        let material = table.material.as_ref().map(|table| MaterialTable::material(self.source, table));
+        let material = material.transpose()?.flatten();
+        let own = table.material.as_ref().and_then(|material| material.get_ref().reflection);
+        for object in self.shapes(&span, &table)? {
             let mut object = SceneObject {
-                name: if keys.name.is_empty() { object.name } else { keys.name.clone() },
+                name: if table.name.is_empty() { object.name } else { table.name.clone() },
                 transform: transform * object.transform,
                 material: material.unwrap_or(object.material),
                 ..object
             };
-            match colouring {
-                Some(Colouring::Lit(reflection)) => {
-                    object.material.reflection = reflection;
-                    object.given = false;
-                }
-                Some(Colouring::Given) => object.given = true,
-                None => {}
+            if let Some(name) = own.or(self.reflection) {
+                object.given = matches!(name, ReflectionName::Given);
+                object.material.reflection = name.reflection().unwrap_or(object.material.reflection);
             }
             self.place(&span, object)?;
         }
@@ -97,40 +125,34 @@ impl<'a> Builder<'a> {
             SceneShape::Surface(_) => None,
         };
         if object.given && mesh.is_none_or(|mesh| mesh.colours.is_none()) {
+            let found = "reflection is given, but the vertices have no colours";
             let advice = "give polygons `colours`, take a mesh file that has them, or light the object";
-            return Err(self.source.error(
-                span,
-                "reflection is given, but the vertices have no colours",
-                advice,
-            ));
+            return Err(self.source.error(span, found, advice));
         }
         self.placed += mesh.map_or(0, |mesh| mesh.mesh.faces().corner_count() as u64);
-        if self.placed > MOST_PLACED_CORNERS || self.scene.objects.len() == MOST_OBJECTS {
-            let found =
-                format!("{} corners of faces by now, in {} objects", self.placed, self.scene.objects.len());
+        let objects = self.scene.objects.len();
+        if self.placed > MOST_PLACED_CORNERS || objects == MOST_OBJECTS {
+            let found = format!("{} corners of faces so far, in {objects} objects", self.placed);
             return Err(self.source.error(span, &found, "divide the scene"));
         }
         self.scene.objects.push(object);
         Ok(())
     }
 
-    /// What an object is made of, in its own space.
-    fn shapes(&mut self, span: &Range<usize>, keys: &ObjectKeys) -> Result<Vec<SceneObject>, ReadError> {
-        if let (Some(tessellation), None) = (&keys.tessellation, &keys.surface) {
+    /// The objects of a table, in their own space.
+    fn shapes(&mut self, span: &Range<usize>, table: &ObjectTable) -> Result<Vec<SceneObject>, ReadError> {
+        if let (Some(tessellation), None) = (&table.tessellation, &table.surface) {
             let found = "a tessellation without a surface";
             return Err(self.source.error(&tessellation.span(), found, "only a surface can be tessellated"));
         }
-        let policy = match &keys.normals {
-            Some(name) => Some(choose(self.source, name, NORMALS)?),
-            None => None,
-        };
-        match (&keys.mesh, &keys.polygons, &keys.surface) {
-            (Some(name), None, None) => self.file(name, policy),
+        let when = self.options.when.or(table.normals.map(When::from));
+        match (&table.mesh, &table.polygons, &table.surface) {
+            (Some(name), None, None) => self.file(name, when.unwrap_or_default()),
             (None, Some(polygons), None) => {
-                let (mesh, colours) = self.polygons(polygons)?;
-                Ok(vec![self.own(mesh, colours, policy, None)])
+                let (mesh, colours) = PolygonTable::mesh(self.source, polygons)?;
+                Ok(vec![self.mesh(mesh, colours, when, None)])
             }
-            (None, None, Some(surface)) => self.surface(surface, keys.tessellation.as_ref(), policy),
+            (None, None, Some(surface)) => self.surface(surface, table.tessellation.as_ref(), when),
             _ => {
                 let advice = "an object has exactly one of `mesh`, `polygons` and `surface`";
                 Err(self.source.error(span, "no shape, or several", advice))
@@ -138,27 +160,53 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// A mesh of the scene's own, which keeps the normals that it has unless they are to be computed.
-    fn own(
+    /// A mesh of the scene itself, which keeps its normals unless they are to be computed.
+    fn mesh(
         &mut self,
         mesh: Mesh,
         colours: Option<Vec<LinearRgb>>,
-        policy: Option<When>,
+        when: Option<When>,
         surface: Option<Primitive>,
     ) -> SceneObject {
-        let normals = compute(&mesh, &self.options.recipe)
-            .selected(&mesh, self.options.when.or(policy).unwrap_or(When::Missing));
+        let normals = compute(&mesh, &self.options.recipe).selected(&mesh, when.unwrap_or(When::Missing));
         self.scene.meshes.push(SceneMesh { mesh, normals, colours, source_faces: None });
-        let shape = SceneShape::Mesh(self.scene.meshes.len() - 1);
-        SceneObject { surface, ..plain(shape) }
+        SceneObject { surface, ..SceneObject::new(SceneShape::Mesh(self.scene.meshes.len() - 1)) }
+    }
+
+    fn surface(
+        &mut self,
+        table: &Spanned<SurfaceTable>,
+        tessellation: Option<&Spanned<Tessellation>>,
+        when: Option<When>,
+    ) -> Result<Vec<SceneObject>, ReadError> {
+        let source = self.source;
+        let surface = table.get_ref().surface();
+        let surface = surface.map_err(|error| source.error(&table.span(), &error.to_string(), ""))?;
+        let primitive = match surface {
+            Surface::Primitive(primitive) => Some(primitive),
+            _ => None,
+        };
+        match (tessellation, primitive) {
+            (Some(tessellation), _) => {
+                let mesh = surface.tessellate(tessellation.get_ref());
+                let mesh =
+                    mesh.map_err(|error| source.error(&tessellation.span(), &error.to_string(), ""))?;
+                Ok(vec![self.mesh(mesh, None, when, primitive)])
+            }
+            (None, Some(primitive)) => Ok(vec![SceneObject::new(SceneShape::Surface(primitive))]),
+            (None, None) => {
+                let found = "no rays can be cast at this surface";
+                Err(source.error(&table.span(), found, "give the object a tessellation, for example { }"))
+            }
+        }
     }
 
     /// The objects of a mesh file, which is read once.
-    fn file(&mut self, name: &Spanned<String>, policy: Option<When>) -> Result<Vec<SceneObject>, ReadError> {
+    fn file(&mut self, name: &Spanned<String>, when: When) -> Result<Vec<SceneObject>, ReadError> {
         let fault = |error: ReadError| {
             let place = if error.place == Place::File { String::new() } else { format!("{}: ", error.place) };
             let found = format!("{}: {place}{}", name.get_ref(), error.found);
-            // A scene has no place to name a format.
+            // A scene cannot name the format of a file.
             let is_unknown = error.problem == Problem::Syntax && error.advice.contains("--format");
             let advice = match is_unknown {
                 true => "give it the ending of its format: .obj, .ply, .stl, .gltf or .glb",
@@ -166,7 +214,6 @@ impl<'a> Builder<'a> {
             };
             ReadError { problem: error.problem, ..self.source.error(&name.span(), &found, advice) }
         };
-        let when = self.options.when.or(policy).unwrap_or_default();
         let path = io::companion(self.base, name.get_ref(), &self.options.read).map_err(fault)?;
         let key = (path, when == When::Always);
         if let Some(objects) = self.files.get(&key) {
@@ -174,7 +221,7 @@ impl<'a> Builder<'a> {
         }
         let options = LoadOptions { when: Some(when), from_elsewhere: true, ..self.options.clone() };
         let loaded = io::read(&key.0, None, &options.read).map_err(fault)?;
-        let file = SceneFile::from_loaded(loaded, &options).map_err(fault)?;
+        let mut file = SceneFile::from_loaded(loaded, &options).map_err(fault)?;
         let note =
             |note: Note| Note { text: format!("{}: {note}", name.get_ref()), place: Place::File, ..note };
         self.scene.notes.extend(file.notes.into_iter().map(note));
@@ -184,85 +231,12 @@ impl<'a> Builder<'a> {
         }
         let first = self.scene.meshes.len();
         self.scene.meshes.extend(file.meshes);
-        let shift = |object: SceneObject| match object.shape {
-            SceneShape::Mesh(number) => SceneObject { shape: SceneShape::Mesh(first + number), ..object },
-            SceneShape::Surface(_) => object,
-        };
-        let objects: Vec<SceneObject> = file.objects.into_iter().map(shift).collect();
-        self.files.insert(key, objects.clone());
-        Ok(objects)
-    }
-
-    fn polygons(&self, keys: &Spanned<PolygonKeys>) -> Result<(Mesh, Option<Vec<LinearRgb>>), ReadError> {
-        let (span, keys) = (keys.span(), keys.get_ref());
-        let error = |member: &str, found: &str| {
-            self.source.error(&self.source.member(&span, &[member, "colors"]), found, "")
-        };
-        if keys.faces.is_empty() {
-            return Err(error("faces", "there are no faces to draw"));
-        }
-        let mut faces = Faces::new();
-        keys.faces.iter().for_each(|face| faces.push(face));
-        let vectors = |list: &[Vector]| list.iter().map(|vector| vector.get()).collect::<Vec<_>>();
-        let positions = vectors(&keys.vertices);
-        let one_each = |member: &str, count: Option<usize>| match count {
-            Some(count) if count != positions.len() => {
-                Err(error(member, &format!("{count} {member} for {} vertices", positions.len())))
-            }
-            _ => Ok(()),
-        };
-        one_each("normals", keys.normals.as_ref().map(Vec::len))?;
-        one_each("colours", keys.colours.as_ref().map(Vec::len))?;
-        let mut normals = keys.normals.as_ref().map(|normals| vectors(normals));
-        for (vertex, normal) in normals.iter_mut().flatten().enumerate() {
-            let unit = UnitVec3::new(*normal);
-            *normal = unit.ok_or_else(|| error("normals", &format!("normal {vertex} is {normal}")))?.get();
-        }
-        let columns = Columns { normals: normals.map(Column::per_vertex), ..Columns::default() };
-        let builder = MeshBuilder { positions, faces, columns, ..MeshBuilder::default() };
-        let mesh = builder.build().map_err(|fault| error("faces", &fault.to_string()))?;
-        let colours = keys.colours.as_ref();
-        Ok((mesh, colours.map(|colours| colours.iter().map(|colour| colour.0).collect())))
-    }
-
-    fn surface(
-        &mut self,
-        keys: &Spanned<SurfaceKeys>,
-        cut: Option<&Spanned<TessellationKeys>>,
-        policy: Option<When>,
-    ) -> Result<Vec<SceneObject>, ReadError> {
-        let source = self.source;
-        let surface =
-            surface(*keys.get_ref()).map_err(|error| source.error(&keys.span(), &error.to_string(), ""))?;
-        let primitive = match surface {
-            Surface::Primitive(primitive) => Some(primitive),
-            _ => None,
-        };
-        match (cut, primitive) {
-            (Some(cut), _) => {
-                let mesh = surface.tessellate(&tessellation(cut.get_ref()));
-                let mesh = mesh.map_err(|error| source.error(&cut.span(), &error.to_string(), ""))?;
-                Ok(vec![self.own(mesh, None, policy, primitive)])
-            }
-            (None, Some(primitive)) => Ok(vec![plain(SceneShape::Surface(primitive))]),
-            (None, None) => {
-                let found = "no rays can be cast at this surface";
-                Err(source.error(&keys.span(), found, "give the object a tessellation, for example { }"))
+        for object in &mut file.objects {
+            if let SceneShape::Mesh(number) = &mut object.shape {
+                *number += first;
             }
         }
-    }
-}
-
-/// The names of what becomes of the normals that a mesh has.
-const NORMALS: &[(&str, When)] = &[("given", When::Missing), ("computed", When::Always)];
-
-fn plain(shape: SceneShape) -> SceneObject {
-    SceneObject {
-        name: String::new(),
-        shape,
-        transform: DMat4::IDENTITY,
-        material: plain_material(),
-        given: false,
-        surface: None,
+        self.files.insert(key, file.objects.clone());
+        Ok(file.objects)
     }
 }

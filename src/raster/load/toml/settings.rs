@@ -2,218 +2,190 @@
 
 use crate::io::ReadError;
 use crate::num::{Degrees, Transfer};
-use crate::raster::load::toml::choose;
-use crate::raster::load::toml::keys::{CameraKeys, SettingsKeys, WireKeys};
-use crate::raster::load::toml::material::Colouring;
-use crate::raster::load::toml::place::Source;
-use crate::raster::load::toml::values::Number;
-use crate::raster::load::{SceneFile, SceneObject, SceneShape};
-use crate::raster::samples::Samples;
-use crate::raster::settings::{Bits, Cull, FlatSample, Interpolation, LineStyle, RenderSettings, Shading};
+use crate::raster::load::scene_file::{SceneFile, SceneObject, SceneShape};
+use crate::raster::load::toml::material::ReflectionName;
+use crate::raster::load::toml::source::Source;
+use crate::raster::load::toml::values::Colour;
+use crate::raster::settings::{
+    Bits, Cull, FlatSample, Interpolation, LARGEST_SIDE, LineStyle, RenderSettings, Samples, Shading,
+};
 use crate::raster::view::camera::{Camera, CameraError, Projection};
 use crate::shade::{DepthCue, Guards, Terminator, ToneRule};
 use glam::DVec3;
+use serde::Deserialize;
+use std::collections::BTreeMap;
 use toml::Spanned;
 
-/// The largest side of a picture.
-const LARGEST: u32 = 16384;
+/// `[settings]`
+#[derive(Default, Deserialize)]
+#[serde(deny_unknown_fields, default, rename_all = "kebab-case")]
+pub(super) struct SettingsTable {
+    size: Option<Spanned<[u32; 2]>>,
+    samples: Option<Spanned<u32>>,
+    bits: Option<Spanned<u32>>,
+    shading: Option<Spanned<Shading>>,
+    interpolation: Interpolation,
+    flat_sample: FlatSample,
+    cull: Cull,
+    two_sided: bool,
+    infinite_viewer: bool,
+    /// For objects without a reflection.
+    pub(super) reflection: Option<ReflectionName>,
+    /// Switches all guards off, before `guards` switches single ones.
+    literal: bool,
+    guards: BTreeMap<Spanned<String>, bool>,
+    terminator: Terminator,
+    depth_cue: Option<Spanned<f64>>,
+    tone: ToneRule,
+    transfer: Transfer,
+    background: Option<Colour>,
+    wire: WireTable,
+}
+
+/// `wire = { … }`
+#[derive(Default, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+struct WireTable {
+    #[serde(alias = "color")]
+    colour: Option<Colour>,
+    width: Option<Spanned<f64>>,
+    hide: Option<bool>,
+}
 
 /// Near distance of a perspective camera that has none, as a share of the distance to its target.
 const NEAR_SHARE: f64 = 1e-3;
 
-/// Sets what the file sets; returns the colouring of objects that say nothing about theirs.
-pub(super) fn apply(
-    source: Source,
-    keys: &SettingsKeys,
-    scene: &mut SceneFile,
-) -> Result<Option<Colouring>, ReadError> {
-    let settings = &mut scene.settings;
-    sizes(source, keys, settings)?;
-    if let Some(name) = &keys.shading {
-        let choices = [
-            ("flat", Shading::Flat),
-            ("gouraud", Shading::Gouraud),
-            ("phong", Shading::Phong),
-            ("wireframe", Shading::Wireframe),
-            ("exact", Shading::Exact),
-        ];
-        settings.shading = choose(source, name, &choices)?;
-    }
-    if let Some(name) = &keys.interpolation {
-        let choices = [
-            ("scanline", Interpolation::Scanline),
-            ("affine", Interpolation::Affine),
-            ("perspective", Interpolation::Perspective),
-        ];
-        settings.interpolation = choose(source, name, &choices)?;
-    }
-    if let Some(name) = &keys.flat_sample {
-        let choices = [("centroid", FlatSample::Centroid), ("vertex-mean", FlatSample::VertexMean)];
-        settings.flat_sample = choose(source, name, &choices)?;
-    }
-    if let Some(name) = &keys.cull {
-        settings.cull =
-            choose(source, name, &[("none", Cull::None), ("back", Cull::Back), ("front", Cull::Front)])?;
-    }
-    if let Some(name) = &keys.tone {
-        let rules = [ToneRule::Clamp, ToneRule::DivideByMax].map(|rule| (rule.name(), rule));
-        settings.tone = choose(source, name, &rules)?;
-    }
-    if let Some(name) = &keys.transfer {
-        let choices = [("srgb", Transfer::Srgb), ("direct", Transfer::Direct)];
-        settings.transfer = choose(source, name, &choices)?;
-    }
-    settings.two_sided = keys.two_sided.unwrap_or(settings.two_sided);
-    settings.infinite_viewer = keys.infinite_viewer.unwrap_or(settings.infinite_viewer);
-    settings.guards = guards(source, keys)?;
-    if let Some(name) = &keys.terminator {
-        let choices =
-            [("smooth", Terminator::Smooth), ("hard", Terminator::Hard), ("soft", Terminator::Soft)];
-        settings.terminator = choose(source, name, &choices)?;
-    }
-    if let Some(k) = &keys.depth_cue {
-        let Number(k) = *not_negative(source, k, "the depth cue's k")?;
-        settings.depth_cue = Some(DepthCue { k });
-    }
-    if let Some(wire) = &keys.wire {
-        settings.wire = line_style(source, wire)?;
-    }
-    scene.background = keys.background.map_or(scene.background, |background| background.0);
-    keys.reflection.as_ref().map(|name| Colouring::named(source, name)).transpose()
-}
-
-fn sizes(source: Source, keys: &SettingsKeys, settings: &mut RenderSettings) -> Result<(), ReadError> {
-    if let Some(size) = &keys.size {
-        if !size.get_ref().iter().all(|side| (1..=LARGEST).contains(side)) {
-            let [width, height] = size.get_ref();
-            let found = format!("a picture of {width} by {height} pixels");
-            return Err(source.error(&size.span(), &found, "each side must be 1 to 16384"));
-        }
-        settings.size = *size.get_ref();
-    }
-    if let Some(samples) = &keys.samples {
-        let pattern = usize::try_from(*samples.get_ref()).ok().and_then(Samples::new);
-        settings.samples = pattern.ok_or_else(|| {
-            let found = format!("{} samples", samples.get_ref());
-            source.error(&samples.span(), &found, "it may be 1, 4, 8 or 16")
-        })?;
-    }
-    if let Some(bits) = &keys.bits {
-        settings.bits = match bits.get_ref() {
-            8 => Bits::Eight,
-            16 => Bits::Sixteen,
-            other => return Err(source.error(&bits.span(), &format!("{other} bits"), "it may be 8 or 16")),
+impl SettingsTable {
+    /// Changes the settings and the background of a scene.
+    pub(super) fn apply(&self, source: Source, scene: &mut SceneFile) -> Result<(), ReadError> {
+        let default = RenderSettings::default();
+        let size =
+            |size: &[u32; 2]| size.iter().all(|side| (1..=LARGEST_SIDE).contains(side)).then_some(*size);
+        let samples = |&count: &u32| Samples::new(count as usize);
+        let bits =
+            |&bits: &u32| [Bits::Eight, Bits::Sixteen].into_iter().find(|b| u32::from(b.count()) == bits);
+        let k = |&k: &f64| (k >= 0.0 && k.is_finite()).then_some(Some(DepthCue { k }));
+        scene.settings = RenderSettings {
+            size: source.checked(&self.size, default.size, size, "each side must be 1 to 16384")?,
+            samples: source.checked(&self.samples, default.samples, samples, "it may be 1, 4, 8 or 16")?,
+            bits: source.checked(&self.bits, default.bits, bits, "it may be 8 or 16")?,
+            shading: self.shading.as_ref().map_or(default.shading, |shading| *shading.get_ref()),
+            interpolation: self.interpolation,
+            flat_sample: self.flat_sample,
+            cull: self.cull,
+            two_sided: self.two_sided,
+            infinite_viewer: self.infinite_viewer,
+            guards: self.guards(source)?,
+            terminator: self.terminator,
+            depth_cue: source.checked(&self.depth_cue, None, k, "it must be finite and not negative")?,
+            tone: self.tone,
+            transfer: self.transfer,
+            wire: self.wire.style(source)?,
+            ..default
         };
+        scene.background = self.background.map_or(scene.background, |Colour(background)| background);
+        Ok(())
     }
-    Ok(())
-}
 
-/// Whether all that is to be shaded exactly has a surface that rays can be cast at.
-pub(super) fn check_exact(source: Source, keys: &SettingsKeys, scene: &SceneFile) -> Result<(), ReadError> {
-    let Some(name) = keys.shading.as_ref().filter(|_| scene.settings.shading == Shading::Exact) else {
-        return Ok(());
-    };
-    let has_none =
-        |object: &SceneObject| matches!(object.shape, SceneShape::Mesh(_)) && object.surface.is_none();
-    let Some(number) = scene.objects.iter().position(has_none) else { return Ok(()) };
-    let which = match &*scene.objects[number].name {
-        "" => format!("object {}", number + 1),
-        name => format!("object {} (`{name}`)", number + 1),
-    };
-    let found = format!("exact shading, but {which} is no analytic surface that rays can be cast at");
-    Err(source.error(&name.span(), &found, "choose another shading, or give the object a `surface`"))
-}
-
-/// Depth cueing goes by the distance to the viewer, which a parallel camera has none of.
-pub(super) fn check_depth_cue(
-    source: Source,
-    keys: &SettingsKeys,
-    scene: &SceneFile,
-) -> Result<(), ReadError> {
-    let is_parallel =
-        |camera: &Camera| !matches!(camera.projection, crate::raster::Projection::Perspective(_));
-    match &keys.depth_cue {
-        Some(k) if scene.camera.as_ref().is_some_and(is_parallel) => Err(source.error(
-            &k.span(),
-            "depth cueing by the distance to the viewer, but the camera is a parallel one",
-            "give the camera an `angle` in place of a `height`",
-        )),
-        _ => Ok(()),
+    fn guards(&self, source: Source) -> Result<Guards, ReadError> {
+        let mut guards = if self.literal { Guards::literal() } else { Guards::default() };
+        for (name, &on) in &self.guards {
+            if !guards.set(name.get_ref(), on) {
+                let advice = format!("there are {}", Guards::NAMES.join(", "));
+                return Err(source.error(&name.span(), "no guard of that name", &advice));
+            }
+        }
+        Ok(guards)
     }
-}
 
-fn guards(source: Source, keys: &SettingsKeys) -> Result<Guards, ReadError> {
-    let mut guards = if keys.literal == Some(true) { Guards::literal() } else { Guards::default() };
-    for (name, &on) in &keys.guards {
-        if !guards.set(name.get_ref(), on) {
-            let advice = format!("there are {}", Guards::NAMES.join(", "));
-            return Err(source.error(&name.span(), "no guard of that name", &advice));
+    /// Whether the finished scene can be drawn with these settings.
+    pub(super) fn check_scene(&self, source: Source, scene: &SceneFile) -> Result<(), ReadError> {
+        let has_no_surface =
+            |object: &SceneObject| matches!(object.shape, SceneShape::Mesh(_)) && object.surface.is_none();
+        if let Some(shading) = self.shading.as_ref().filter(|shading| *shading.get_ref() == Shading::Exact)
+            && let Some(number) = scene.objects.iter().position(has_no_surface)
+        {
+            let name = match &*scene.objects[number].name {
+                "" => String::new(),
+                name => format!(" (`{name}`)"),
+            };
+            let found = format!("exact shading, but object {}{name} is no analytic surface", number + 1);
+            let advice = "choose another shading, or give the object a `surface`";
+            return Err(source.error(&shading.span(), &found, advice));
+        }
+        let is_parallel = |camera: &Camera| matches!(camera.projection, Projection::Orthographic(_));
+        match &self.depth_cue {
+            Some(k) if scene.camera.as_ref().is_some_and(is_parallel) => {
+                let found = "depth cueing by the distance to the viewer, but the camera is a parallel one";
+                Err(source.error(&k.span(), found, "give the camera an `angle` in place of a `height`"))
+            }
+            _ => Ok(()),
         }
     }
-    Ok(guards)
 }
 
-fn not_negative<'a>(
-    source: Source,
-    number: &'a Spanned<Number>,
-    what: &str,
-) -> Result<&'a Number, ReadError> {
-    let Number(value) = number.get_ref();
-    match *value >= 0.0 {
-        true => Ok(number.get_ref()),
-        false => Err(source.error(&number.span(), &format!("{what} is {value}"), "it must not be negative")),
+impl WireTable {
+    fn style(&self, source: Source) -> Result<LineStyle, ReadError> {
+        let default = LineStyle::default();
+        let width = |&width: &f64| (width > 0.0 && width.is_finite()).then_some(width);
+        Ok(LineStyle {
+            colour: self.colour.map_or(default.colour, |Colour(colour)| colour),
+            width: source.checked(
+                &self.width,
+                default.width,
+                width,
+                "the width must be finite and above 0",
+            )?,
+            hide: self.hide.unwrap_or(default.hide),
+        })
     }
 }
 
-fn line_style(source: Source, keys: &Spanned<WireKeys>) -> Result<LineStyle, ReadError> {
-    let default = LineStyle::default();
-    let width = keys.get_ref().width.map_or(default.width, |Number(width)| width);
-    if width <= 0.0 {
-        let span = source.member(&keys.span(), &["width"]);
-        return Err(source.error(&span, &format!("lines {width} pixels wide"), "the width must be above 0"));
-    }
-    let colour = keys.get_ref().colour.map_or(default.colour, |colour| colour.0);
-    Ok(LineStyle { colour, width, hide: keys.get_ref().hide.unwrap_or(default.hide) })
+/// `[camera]`
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct CameraTable {
+    eye: [f64; 3],
+    target: [f64; 3],
+    up: Option<[f64; 3]>,
+    /// Degrees from bottom to top: perspective.
+    angle: Option<f64>,
+    /// From bottom to top: orthographic.
+    height: Option<f64>,
+    near: Option<f64>,
 }
 
-/// The camera; it can be used.
-pub(super) fn camera(source: Source, keys: &Spanned<CameraKeys>) -> Result<Camera, ReadError> {
-    let (span, keys) = (keys.span(), keys.get_ref());
-    let projection = match (keys.angle, keys.height) {
-        (Some(Number(angle)), None) => Projection::Perspective(Degrees(angle).into()),
-        (None, Some(Number(height))) => Projection::Orthographic(height),
-        (None, None) => Projection::Perspective(Degrees(30.0).into()),
-        (Some(_), Some(_)) => {
-            let found = "an angle and a height";
-            return Err(source.error(
-                &span,
-                found,
-                "give one: a perspective camera has an angle, a parallel one a height",
-            ));
-        }
-    };
-    let (eye, target) = (keys.eye.get(), keys.target.get());
-    let near = match projection {
-        // Above 0 even where eye and target are the same, which is told below.
-        Projection::Perspective(_) => (eye.distance(target) * NEAR_SHARE).max(f64::MIN_POSITIVE),
-        Projection::Orthographic(_) => 0.0,
-    };
-    let camera = Camera {
-        eye,
-        target,
-        up: keys.up.map_or(DVec3::Y, crate::raster::load::toml::values::Vector::get),
-        projection,
-        near: keys.near.map_or(near, |Number(near)| near),
-    };
-    camera.check().map(|()| camera).map_err(|error| {
-        let key = match error {
-            CameraError::NonFinite(_) => "eye",
-            CameraError::NoDirection(_) => "target",
-            CameraError::NoUp(_) => "up",
-            CameraError::Angle(_) => "angle",
-            CameraError::Height(_) => "height",
-            CameraError::Near(_) => "near",
+impl CameraTable {
+    /// The camera, checked.
+    pub(super) fn camera(source: Source, table: &Spanned<Self>) -> Result<Camera, ReadError> {
+        let (span, table) = (table.span(), table.get_ref());
+        let projection = match (table.angle, table.height) {
+            (_, None) => Projection::Perspective(Degrees(table.angle.unwrap_or(30.0)).into()),
+            (None, Some(height)) => Projection::Orthographic(height),
+            (Some(_), Some(_)) => {
+                let advice = "give one: a perspective camera has an angle, a parallel one a height";
+                return Err(source.error(&span, "an angle and a height", advice));
+            }
         };
-        source.error(&source.member(&span, &[key]), &error.to_string(), "")
-    })
+        let (eye, target) = (DVec3::from(table.eye), DVec3::from(table.target));
+        let near = match projection {
+            // Above 0 even if eye and target are the same, which is reported below.
+            Projection::Perspective(_) => (eye.distance(target) * NEAR_SHARE).max(f64::MIN_POSITIVE),
+            Projection::Orthographic(_) => 0.0,
+        };
+        let up = table.up.map_or(DVec3::Y, DVec3::from);
+        let camera = Camera { eye, target, up, projection, near: table.near.unwrap_or(near) };
+        let error = |error: CameraError| {
+            let names: Vec<&str> = match error {
+                CameraError::NonFinite(field) => field.split(' ').collect(),
+                CameraError::NoDirection(_) => vec!["target"],
+                CameraError::NoUp(_) => vec!["up"],
+                CameraError::Angle(_) => vec!["angle"],
+                CameraError::Height(_) => vec!["height"],
+                CameraError::Near(_) => vec!["near"],
+            };
+            source.error(&source.member(&span, &names), &error.to_string(), "")
+        };
+        camera.check().map(|()| camera).map_err(error)
+    }
 }

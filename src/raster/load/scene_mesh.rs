@@ -1,34 +1,64 @@
-//! Meshes of several materials, taken apart.
+//! The meshes of a scene: a part of a file with its normals, and its division by material.
 
-use crate::mesh::{Column, Columns, Faces, MeshBuilder, NONE};
-use crate::normals::{Faults, NormalField};
-use crate::raster::load::SceneMesh;
+use crate::io::{Format, Part};
+use crate::mesh::{Column, Columns, FaceEdit, Faces, MeshBuilder, NONE};
+use crate::normals::{Faults, NormalField, compute};
+use crate::num::{LinearRgb, Transfer};
+use crate::raster::load::scene_file::{LoadOptions, SceneMesh};
+use rayon::prelude::*;
 
-/// The faces of a mesh by their label, in the order of the labels ([`NONE`] last): each a mesh of its own with the
-/// vertices that it uses, in their old order, and the normals that the whole had there. `None` if all faces have the
-/// same label.
-pub(super) fn by_label(whole: &SceneMesh, of_face: &[u32]) -> Option<Vec<(u32, SceneMesh)>> {
-    let first = *of_face.first()?;
-    if of_face.iter().all(|&label| label == first) {
-        return None;
+impl SceneMesh {
+    /// A part of a file in this format, without the faces that use non-finite positions.
+    pub(super) fn new(part: Part, format: Format, options: &LoadOptions) -> Self {
+        let Part { mesh, non_finite_faces, .. } = part;
+        let source_faces = (!non_finite_faces.is_empty()).then(|| {
+            let all = 0..mesh.face_count() as u32;
+            all.filter(|face| non_finite_faces.binary_search(face).is_err()).collect()
+        });
+        let mesh = mesh.with_faces(&FaceEdit { dropped: non_finite_faces, reversed: Vec::new() });
+        let colours = mesh.columns().colors.as_ref().map(|colours| linear(colours, format));
+        let normals = compute(&mesh, &options.recipe).selected(&mesh, options.when.unwrap_or_default());
+        Self { mesh, normals, colours, source_faces }
     }
-    let mut faces: Vec<u32> = (0..of_face.len() as u32).collect();
-    faces.sort_by_key(|&face| of_face[face as usize]);
-    let runs = faces.chunk_by(|&a, &b| of_face[a as usize] == of_face[b as usize]);
-    let mut renumber = Renumber { vertices: vec![NONE; whole.mesh.vertex_count()], ..Renumber::default() };
-    renumber.values = vec![NONE; whole.normals.normals.values.len()];
-    Some(runs.map(|faces| (of_face[faces[0] as usize], renumber.part(whole, faces))).collect())
 }
 
-/// New numbers of vertices and of values, [`NONE`] between parts.
-#[derive(Default)]
-struct Renumber {
+/// Colours of vertices. Those of glTF are linear; other formats do not say, and their programs write what screens show.
+fn linear(colours: &[[f32; 4]], format: Format) -> Vec<LinearRgb> {
+    let decode = |component: f32| match format {
+        Format::Gltf | Format::Glb => f64::from(component),
+        Format::Obj | Format::Ply | Format::Stl => Transfer::Srgb.decode(f64::from(component)),
+    };
+    colours.par_iter().map(|&[r, g, b, _]| [r, g, b].map(decode).into()).collect()
+}
+
+/// The faces of a mesh by their label, in the order of the labels ([`NONE`] last): each a mesh of its own with the
+/// vertices that it uses, in their old order, and the normals of the whole. The mesh itself if all faces have the same
+/// label.
+pub(super) fn by_label(whole: SceneMesh, label_of_face: &[u32]) -> Vec<(u32, SceneMesh)> {
+    let first = label_of_face.first().copied().unwrap_or(NONE);
+    if label_of_face.iter().all(|&label| label == first) {
+        return vec![(first, whole)];
+    }
+    let mut faces: Vec<u32> = (0..label_of_face.len() as u32).collect();
+    faces.sort_by_key(|&face| label_of_face[face as usize]);
+    let mut numbers = NewNumbers {
+        vertices: vec![NONE; whole.mesh.vertex_count()],
+        values: vec![NONE; whole.normals.normals.values.len()],
+    };
+    faces
+        .chunk_by(|&a, &b| label_of_face[a as usize] == label_of_face[b as usize])
+        .map(|faces| (label_of_face[faces[0] as usize], numbers.submesh(&whole, faces)))
+        .collect()
+}
+
+/// New numbers of vertices and of values, [`NONE`] between submeshes.
+struct NewNumbers {
     vertices: Vec<u32>,
     values: Vec<u32>,
 }
 
-impl Renumber {
-    fn part(&mut self, whole: &SceneMesh, faces: &[u32]) -> SceneMesh {
+impl NewNumbers {
+    fn submesh(&mut self, whole: &SceneMesh, faces: &[u32]) -> SceneMesh {
         let (mesh, field) = (&whole.mesh, &whole.normals);
         let corners = || faces.iter().flat_map(|&face| mesh.faces().range(face as usize));
         let vertex_of = |corner: usize| mesh.faces().corners()[corner];
@@ -98,7 +128,6 @@ fn number(numbers: &mut [u32], used: impl Iterator<Item = u32>) -> Vec<u32> {
 mod tests {
     use super::*;
     use crate::io::{Format, ReadOptions, read_bytes};
-    use crate::raster::load::LoadOptions;
 
     #[test]
     fn parts_keep_what_they_had_in_the_whole() {

@@ -1,4 +1,4 @@
-//! Why there is nothing to be seen.
+//! The cause of an empty picture.
 
 use crate::raster::scene::{Scene, Shape};
 use crate::raster::settings::{Cull, RenderSettings, Shading};
@@ -13,11 +13,11 @@ pub enum Unseen {
     NoEdges,
     /// Everything is behind the camera, or nearer than its near distance.
     Behind,
-    /// Everything in front of the camera is beside the picture.
+    /// Everything in front of the camera is outside the picture.
     Beside,
     /// All of it would fit between two samples.
     Small,
-    /// Faces are left out by the side that is seen, and none shows the other one.
+    /// All faces show the side that is culled.
     Culled,
     /// No face has an area that could be seen.
     NoArea,
@@ -37,7 +37,7 @@ impl fmt::Display for Unseen {
 }
 
 impl Scene<'_> {
-    /// Why a picture of this scene that covers no pixel shows nothing, as far as positions tell. `None` if the camera
+    /// The likely cause of a picture of this scene that covers no pixel, from positions. `None` if the camera
     /// cannot be used or there is nothing to draw.
     pub fn unseen(&self, settings: &RenderSettings) -> Option<Unseen> {
         let is_solid = |shape: &Shape| matches!(shape, Shape::Surface(_));

@@ -1,11 +1,11 @@
-//! From what files say of looks to materials, cameras and lights of this crate.
+//! Materials, cameras and lights of mesh files as those of this crate.
 
 use crate::io::{
     Appearance, FileCamera, FileLight, FileLightKind, FileMaterial, FileProjection, FileReflection, Note,
     Place, Problem, ReadError, Severity,
 };
 use crate::num::{LinearRgb, Radians};
-use crate::raster::load::lights::plain_material;
+use crate::raster::load::scene_file::plain_material;
 use crate::raster::view::camera::{Camera, Projection};
 use crate::shade::{Attenuation, Cone, Light, Material, Reflectance, Reflection, roughness_exponent};
 use glam::DVec3;
@@ -73,20 +73,24 @@ fn metallic_roughness(base: LinearRgb, metallic: f64, roughness: f64) -> Materia
     }
 }
 
-/// A camera that looks where the file's does; `distance` away from its target, which is anywhere on its axis.
-fn camera(file: &FileCamera, distance: f64) -> Camera {
+/// A camera of a file, `distance` away from its target, which is any point on its axis. Checked.
+fn camera(file: &FileCamera, distance: impl Fn(DVec3) -> f64) -> Result<Camera, ReadError> {
     let axis = |axis: DVec3| file.world_from_camera.transform_vector3(axis);
     let eye = file.world_from_camera.w_axis.truncate();
-    Camera {
+    let camera = Camera {
         eye,
-        target: eye + axis(DVec3::NEG_Z).normalize_or_zero() * distance,
+        target: eye + axis(DVec3::NEG_Z).normalize_or_zero() * distance(eye),
         up: axis(DVec3::Y),
         projection: match file.projection {
             FileProjection::Perspective(angle) => Projection::Perspective(Radians(angle)),
             FileProjection::Orthographic { height, .. } => Projection::Orthographic(height),
         },
         near: file.near,
-    }
+    };
+    camera.check().map(|()| camera).map_err(|error| {
+        let found = format!("the camera cannot be looked through: {error}");
+        ReadError::new(Problem::Range, file.place.clone(), found, "mend it and the nodes above it")
+    })
 }
 
 /// A light of `KHR_lights_punctual`: 1/d², within its range if it has one; a spot fades from its inner to its outer
@@ -112,38 +116,19 @@ fn light(file: &FileLight) -> Light {
     }
 }
 
-/// The same, if it can be looked through.
-fn looked_through(file: &FileCamera, distance: impl Fn(DVec3) -> f64) -> Result<Camera, ReadError> {
-    let camera = camera(file, distance(file.world_from_camera.w_axis.truncate()));
-    let cannot = |error| {
-        let found = format!("the camera cannot be looked through: {error}");
-        ReadError::new(Problem::Range, file.place.clone(), found, "mend it and the nodes above it")
-    };
-    camera.check().map_err(cannot).map(|()| camera)
-}
-
-/// What a file says of how it is seen.
-pub(super) struct Seen {
-    /// Its first camera, and what the file says of it.
-    pub(super) camera: Option<(Camera, FileCamera)>,
-    /// Its lights, `None` if it has none.
-    pub(super) lights: Option<Vec<Light>>,
-}
-
-/// The first camera of a file, `distance` away from its target, and its lights. What makes no sense is left out with a
-/// note.
+/// The first camera of a file, with its description in the file. What cannot be used is skipped with a note.
 ///
 /// # Errors
-/// A first camera that is none, unless pictures are seen from elsewhere.
-pub(super) fn view(
-    looks: &Appearance,
+/// A first camera that cannot be used, unless pictures are taken with another one.
+pub(super) fn first_camera(
+    appearance: &Appearance,
     distance: impl Fn(DVec3) -> f64,
     from_elsewhere: bool,
     notes: &mut Vec<Note>,
-) -> Result<Seen, ReadError> {
+) -> Result<Option<(Camera, FileCamera)>, ReadError> {
     let mut cameras = Vec::new();
-    for file in &looks.cameras {
-        match file.clone().and_then(|file| Ok((looked_through(&file, &distance)?, file))) {
+    for file in &appearance.cameras {
+        match file.clone().and_then(|file| Ok((camera(&file, &distance)?, file))) {
             Ok(camera) => cameras.push(camera),
             Err(error) if cameras.is_empty() && !from_elsewhere => {
                 let advice = format!("{}, or take the camera out of the file", error.advice);
@@ -157,22 +142,24 @@ pub(super) fn view(
     if cameras.len() > 1 {
         notes.push(Note::remark(format!("the first of {} cameras is taken", cameras.len())));
     }
+    Ok(cameras.into_iter().next())
+}
+
+/// The lights of a file; `None` if it has none. Lights that cannot be used are skipped with a note.
+pub(super) fn lights(appearance: &Appearance, notes: &mut Vec<Note>) -> Option<Vec<Light>> {
     let mut lights = Vec::new();
-    for (number, file) in looks.lights.iter().enumerate() {
+    for (number, file) in appearance.lights.iter().enumerate() {
         let light = light(file);
         match light.check(number) {
             Ok(()) => lights.push(light),
-            Err(error) => notes.push(light_left_out(&file.name, &error)),
+            Err(error) => {
+                let which = match &*file.name {
+                    "" => "a light".to_owned(),
+                    name => format!("the light `{name}`"),
+                };
+                notes.push(Note::warning(Place::File, format!("{which} is left out: {error}")));
+            }
         }
     }
-    Ok(Seen { camera: cameras.into_iter().next(), lights: (!lights.is_empty()).then_some(lights) })
-}
-
-/// The error tells its number.
-fn light_left_out(name: &str, error: &dyn std::error::Error) -> Note {
-    let which = match name {
-        "" => "a light".to_owned(),
-        name => format!("the light `{name}`"),
-    };
-    Note::warning(Place::File, format!("{which} is left out: {error}"))
+    (!lights.is_empty()).then_some(lights)
 }

@@ -2,28 +2,26 @@
 
 use crate::num::LinearRgb;
 use crate::raster::coverage::records::{Record, face_corners};
-use crate::raster::coverage::triangles::DrawnObject;
+use crate::raster::coverage::triangles::{Corner, DrawnObject, PlanePoint, shares};
 use crate::raster::error::RenderError;
 use crate::raster::frame::job::{Job, shade_settings};
 use crate::raster::frame::render::bins;
 use crate::raster::frame::tile::Worker;
-use crate::raster::inspect::hit_point::{SeenPoint, seen_point, shares};
 use crate::raster::scene::{Paint, Scene};
 use crate::raster::settings::{FlatSample, Interpolation, RenderSettings, Shading};
 use crate::raster::shading::ray_cast::cast;
 use crate::raster::shading::scanline::ScanPolygon;
-use crate::raster::shading::surface_colour::Ink;
+use crate::raster::shading::surface_colour::ObjectColour;
 use crate::raster::view::clip::{ClipVertex, NEAR, Shares, clip};
-use crate::raster::view::screen_transform::View;
-use crate::shade::{Explanation, Probe, SurfacePoint};
+use crate::shade::{Explanation, Light, Probe, SurfacePoint};
 use glam::{DVec2, DVec3};
+use serde::Serialize;
 
-/// What is seen at one sample of a pixel.
+/// What is seen at one sample of a pixel. Objects, faces and vertices are counted from 0.
 ///
-/// Which face is seen is what the picture shows there, so it is found as the picture finds it, on snapped vertices.
-/// Everything else is computed again: at a rim the sample may lie outside the unsnapped face by 1/512 of a pixel, and
-/// a weight is then a little below 0.
-#[derive(Clone, Debug, PartialEq)]
+/// The visible face is found as the picture finds it, on snapped vertices. Everything else is computed again: at a rim the
+/// sample may lie outside the unsnapped face by 1/512 of a pixel, and a weight is then a little below 0.
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ProbePoint {
     /// The number of the object.
     pub object: usize,
@@ -37,36 +35,45 @@ pub struct ProbePoint {
     /// The weight of each, by the settings' interpolation.
     pub weights: Vec<f64>,
     /// The point of the face that the sample sees, in the scene.
-    pub position: DVec3,
+    pub position: [f64; 3],
     /// Distance along the camera's axis.
     pub distance: f64,
     /// The weighted sum of the vertices' normals, of the side that is lit: shorter than 1 where they differ. On an
     /// analytic surface its own.
-    pub normal: DVec3,
+    pub interpolated_normal: [f64; 3],
     /// The face's normal, of the side that is lit; of an analytic surface its own.
-    pub face_normal: DVec3,
+    pub face_normal: [f64; 3],
     /// The points whose light, by their shares, is the colour: the sample itself under Phong and exact shading, the
     /// vertices under Gouraud, one point or all corners under flat shading.
     pub lit: Vec<LitPoint>,
 }
 
-/// A point that is lit for a sample.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A point that is lit for a sample, or has a given colour.
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LitPoint {
     /// Its share of the colour.
     pub share: f64,
-    /// Where it is in the scene.
-    pub position: DVec3,
-    /// The normal that it is lit with.
-    pub normal: DVec3,
-    /// Its colour, if it is given and not lit.
-    pub given: Option<LinearRgb>,
+    /// Its colour, if that is given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub given: Option<[f64; 3]>,
+    /// The terms of its light, if it is lit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub light: Option<Explanation>,
 }
 
-/// Finds out about a sample of a pixel; `None` where nothing is seen.
+impl ProbePoint {
+    /// The linear colour of the sample, before the tone rule.
+    pub fn colour(&self) -> LinearRgb {
+        let colour = |lit: &LitPoint| lit.light.as_ref().map(|light| light.sum).or(lit.given);
+        let parts = self.lit.iter().filter_map(|lit| Some(LinearRgb::from(colour(lit)?) * lit.share));
+        parts.fold(LinearRgb::BLACK, |sum, part| sum + part)
+    }
+}
+
+/// The numbers behind a sample of a pixel; `None` where nothing is seen.
 ///
 /// # Errors
-/// As [`render`](crate::raster::render), and for pixels and samples that are not there.
+/// As [`render`](crate::raster::render), and for pixels and samples that do not exist.
 pub fn probe(
     scene: &Scene,
     settings: &RenderSettings,
@@ -84,83 +91,89 @@ pub fn probe(
             expected: "within the picture",
         });
     };
-    let Some(record) = Worker::new().look(&job, &bins(&job), [x, y], offset) else { return Ok(None) };
+    let Some(record) = Worker::new().visible_record(&job, &bins(&job), [x, y], offset) else {
+        return Ok(None);
+    };
     let at = [f64::from(x) + place[0], f64::from(y) + place[1]];
-    match job.drawn.iter().find(|drawn| drawn.object == record.object as usize) {
-        Some(drawn) => Ok(Some(on_face(&job, drawn, &record, at))),
-        None => Ok(on_surface(&job, record.object as usize, at)),
-    }
+    let seen = match job.drawn.iter().find(|drawn| drawn.object == record.object as usize) {
+        Some(drawn) => Some(on_face(&job, drawn, &record, at)),
+        None => on_surface(&job, record.object as usize, at),
+    };
+    let Some((mut point, sources)) = seen else { return Ok(None) };
+    point.lit = lit_points(&job, &scene.objects[point.object].paint, &scene.lights, &point, &sources)?;
+    Ok(Some(point))
 }
 
-impl ProbePoint {
-    /// How the light of each point of [`lit`](Self::lit) comes about; nothing where colours are given.
-    ///
-    /// # Errors
-    /// As [`render`](crate::raster::render).
-    pub fn explain(&self, scene: &Scene, settings: &RenderSettings) -> Result<Vec<Explanation>, RenderError> {
-        let object = self.object;
-        let Paint::Lit(material) = &scene.objects[object].paint else { return Ok(Vec::new()) };
-        let view = View::new(&scene.camera, settings.size)?;
-        let frame = crate::raster::frame::job::frame(scene, &view);
-        let shade = shade_settings(settings, &view, frame, self.face.is_none());
-        let probe = Probe::new(&scene.lights, material, &shade);
-        let probe = probe.map_err(|error| RenderError::Shade { object, error })?;
-        let explain = |lit: &LitPoint| {
-            let position = shade.frame.to_local(lit.position).to_array();
-            let point = SurfacePoint { position, normal: lit.normal.to_array() };
-            let explanation = match settings.asks_faces() && self.face.is_some() {
-                true => probe.explain_on(&point, self.face_normal.to_array()),
-                false => probe.explain(&point),
-            };
-            // What the picture would be an error for, had rounding to single precision not moved it a little.
-            match explanation.not_finite() {
-                Some(error) => Err(RenderError::NotFinite { object, error }),
-                None => Ok(explanation),
-            }
-        };
-        self.lit.iter().map(explain).collect()
-    }
+/// A point whose colour counts for a sample.
+struct ColourSource {
+    share: f64,
+    position: DVec3,
+    normal: DVec3,
+    given: Option<LinearRgb>,
+}
 
-    /// The linear colour of the sample, before the tone rule.
-    ///
-    /// # Errors
-    /// As [`render`](crate::raster::render).
-    pub fn colour(&self, scene: &Scene, settings: &RenderSettings) -> Result<LinearRgb, RenderError> {
-        let explained = self.explain(scene, settings)?;
-        let lights = explained.iter().map(|explanation| LinearRgb::from(explanation.sum));
-        let given = self.lit.iter().filter_map(|lit| lit.given);
-        let parts = lights.chain(given).zip(&self.lit);
-        Ok(parts.fold(LinearRgb::BLACK, |sum, (colour, lit)| sum + colour * lit.share))
-    }
+/// The terms of the light on the points that count for a sample.
+fn lit_points(
+    job: &Job,
+    paint: &Paint,
+    lights: &[Light],
+    point: &ProbePoint,
+    sources: &[ColourSource],
+) -> Result<Vec<LitPoint>, RenderError> {
+    let Paint::Lit(material) = paint else {
+        let given = |source: &ColourSource| source.given.map(LinearRgb::to_array);
+        let lit = |source: &ColourSource| LitPoint { share: source.share, given: given(source), light: None };
+        return Ok(sources.iter().map(lit).collect());
+    };
+    let object = point.object;
+    let shade = shade_settings(job.settings, &job.view, job.frame, point.face.is_none());
+    let probe = Probe::new(lights, material, &shade);
+    let probe = probe.map_err(|error| RenderError::Shade { object, error })?;
+    let lit = |source: &ColourSource| {
+        let position = shade.frame.to_local(source.position).to_array();
+        let surface = SurfacePoint { position, normal: source.normal.to_array() };
+        let light = match job.settings.asks_faces() && point.face.is_some() {
+            true => probe.explain_on(&surface, point.face_normal),
+            false => probe.explain(&surface),
+        };
+        // The picture would be an error, too, had rounding to single precision not moved the point.
+        match light.not_finite() {
+            Some(error) => Err(RenderError::NotFinite { object, error }),
+            None => Ok(LitPoint { share: source.share, given: None, light: Some(light) }),
+        }
+    };
+    sources.iter().map(lit).collect()
 }
 
 /// A sample of an analytic surface.
-fn on_surface(job: &Job, object: usize, at: [f64; 2]) -> Option<ProbePoint> {
+fn on_surface(job: &Job, object: usize, at: [f64; 2]) -> Option<(ProbePoint, Vec<ColourSource>)> {
     let (hit, distance) = cast(job, object, at)?;
     let turned = job.settings.two_sided && !hit.front;
     let normal = hit.normal.get() * if turned { -1.0 } else { 1.0 };
-    Some(ProbePoint {
+    let point = ProbePoint {
         object,
         face: None,
         front: hit.front,
         vertices: Vec::new(),
         weights: Vec::new(),
-        position: hit.position,
+        position: hit.position.to_array(),
         distance,
-        normal,
-        face_normal: normal,
-        lit: vec![LitPoint { share: 1.0, position: hit.position, normal, given: None }],
-    })
+        interpolated_normal: normal.to_array(),
+        face_normal: normal.to_array(),
+        lit: Vec::new(),
+    };
+    Some((point, vec![ColourSource { share: 1.0, position: hit.position, normal, given: None }]))
 }
 
 /// A sample of a face.
-fn on_face(job: &Job, drawn: &DrawnObject, record: &Record, at: [f64; 2]) -> ProbePoint {
+fn on_face(job: &Job, drawn: &DrawnObject, record: &Record, at: [f64; 2]) -> (ProbePoint, Vec<ColourSource>) {
     let object = &job.objects[drawn.object];
     let triangle = drawn.list.vertices(record.triangle);
     let corners = drawn.list.corners(record.triangle);
-    let SeenPoint { weights: in_scene, from_eye: relative } = seen_point(job, drawn, triangle, at);
+    let PlanePoint { weights: in_scene, from_eye: relative } = drawn.plane_point(&job.view, triangle, at);
     let position = |vertex: u32| drawn.map.scene_point(drawn.points.get(vertex));
-    let face: Vec<(u32, u32)> = face_corners(object, drawn, record).collect();
+    let face: Vec<(u32, u32)> =
+        face_corners(object, drawn, record).map(|corner| (corner.number, corner.vertex)).collect();
     let (corners, weights): (Vec<(u32, u32)>, Vec<f64>) = match job.settings.interpolation {
         Interpolation::Scanline if face.len() > 3 => {
             let weights = scanline_weights(job, drawn, &face, at);
@@ -172,56 +185,54 @@ fn on_face(job: &Job, drawn: &DrawnObject, record: &Record, at: [f64; 2]) -> Pro
             (corners.into_iter().zip(triangle).collect(), weights.to_vec())
         }
     };
+    let turned = record.turned;
     let normal_at =
-        |&(corner, vertex): &(u32, u32)| object.exact_corner_normal(corner, vertex, record.turned);
+        |&(number, vertex): &(u32, u32)| object.exact_corner_normal(Corner { number, vertex, turned });
     let normal = corners.iter().zip(&weights).map(|(corner, &weight)| normal_at(corner) * weight).sum();
     let face_normal = match object.has_face_normals() {
         true => object.exact_face_normal(record.face, record.turned),
         false => normal,
     };
-    let given = |vertex: u32| match &object.ink {
-        Ink::Given(colours) => Some(colours[vertex as usize]),
-        Ink::Lit(_) => None,
+    let given = |vertex: u32| match &object.colour {
+        ObjectColour::Given(colours) => Some(colours[vertex as usize]),
+        ObjectColour::Lit(_) => None,
     };
-    let at_corner = |corner: &(u32, u32), share: f64| LitPoint {
+    let at_corner = |corner: &(u32, u32), share: f64| ColourSource {
         share,
         position: position(corner.1) + job.view.origin,
         normal: normal_at(corner),
         given: given(corner.1),
     };
-    let is_given = matches!(object.ink, Ink::Given(_));
+    let is_given = matches!(object.colour, ObjectColour::Given(_));
     let count = face.len() as f64;
-    let lit = match job.settings.shading {
+    let sources = match job.settings.shading {
         Shading::Flat if is_given || job.settings.flat_sample == FlatSample::VertexMean => {
             face.iter().map(|corner| at_corner(corner, 1.0 / count)).collect()
         }
         Shading::Flat => {
             let sum: DVec3 = face.iter().map(|&(_, vertex)| position(vertex)).sum();
-            vec![LitPoint {
-                share: 1.0,
-                position: sum / count + job.view.origin,
-                normal: face_normal,
-                given: None,
-            }]
+            let position = sum / count + job.view.origin;
+            vec![ColourSource { share: 1.0, position, normal: face_normal, given: None }]
         }
         Shading::Wireframe => Vec::new(),
         Shading::Phong | Shading::Exact if !is_given => {
-            vec![LitPoint { share: 1.0, position: relative + job.view.eye, normal, given: None }]
+            vec![ColourSource { share: 1.0, position: relative + job.view.eye, normal, given: None }]
         }
         _ => corners.iter().zip(&weights).map(|(corner, &weight)| at_corner(corner, weight)).collect(),
     };
-    ProbePoint {
+    let point = ProbePoint {
         object: drawn.object,
         face: Some(record.face),
         front: record.front,
         vertices: corners.iter().map(|&(_, vertex)| vertex).collect(),
         weights,
-        position: relative + job.view.eye,
+        position: (relative + job.view.eye).to_array(),
         distance: relative.dot(job.view.axes[2]),
-        normal,
-        face_normal,
-        lit,
-    }
+        interpolated_normal: normal.to_array(),
+        face_normal: face_normal.to_array(),
+        lit: Vec::new(),
+    };
+    (point, sources)
 }
 
 /// Barycentric coordinates on the picture, of what the near plane leaves of a triangle.

@@ -12,26 +12,26 @@ use rayon::prelude::*;
 
 /// Marks a triangle that has to be clipped before it is drawn; the other bits are its number, all objects counted
 /// through.
-pub(in crate::raster) const CLIPPED: u32 = 1 << 31;
+pub(crate) const CLIPPED: u32 = 1 << 31;
 
 /// What decides where triangles go.
 #[derive(Clone, Copy)]
-pub(in crate::raster) struct Binning<'a> {
-    pub(in crate::raster) view: &'a View,
-    pub(in crate::raster) cull: Cull,
+pub(crate) struct Binning<'a> {
+    pub(crate) view: &'a View,
+    pub(crate) cull: Cull,
     /// Smallest and largest place of a sample within its pixel, in x and in y.
-    pub(in crate::raster) samples: [[i32; 2]; 2],
+    pub(crate) samples: [[i32; 2]; 2],
 }
 
 /// The triangles of each tile, in ascending order; in parts that follow one another.
-pub(in crate::raster) struct Bins {
+pub(crate) struct Bins {
     parts: Vec<Part>,
-    pub(in crate::raster) counts: Counts,
+    pub(crate) counts: Counts,
 }
 
 impl Bins {
     /// Whether a tile has no triangle.
-    pub(in crate::raster) fn is_empty(&self, tile: usize) -> bool {
+    pub(crate) fn is_empty(&self, tile: usize) -> bool {
         self.parts.iter().all(|part| part.starts[tile] == part.starts[tile + 1])
     }
 }
@@ -46,10 +46,10 @@ struct Part {
 
 /// How many triangles met which fate.
 #[derive(Clone, Copy, Default)]
-pub(in crate::raster) struct Counts {
-    pub(in crate::raster) drawn: u64,
-    pub(in crate::raster) clipped: u64,
-    pub(in crate::raster) culled: u64,
+pub(crate) struct Counts {
+    pub(crate) drawn: u64,
+    pub(crate) clipped: u64,
+    pub(crate) culled: u64,
 }
 
 /// Most triangles of a part: their numbers and tiles stay in the second-level cache while they are counted and sorted.
@@ -58,13 +58,13 @@ const PART: usize = 1 << 16;
 const PARTS: usize = 16;
 
 /// The number of tiles in x and in y.
-pub(in crate::raster) fn tiles(size: [u32; 2]) -> [usize; 2] {
+pub(crate) fn tiles(size: [u32; 2]) -> [usize; 2] {
     size.map(|pixels| (pixels as usize).div_ceil(TILE))
 }
 
 impl Bins {
     /// Sorts the triangles of all objects.
-    pub(in crate::raster) fn new(objects: &[DrawnObject], binning: Binning) -> Self {
+    pub(crate) fn new(objects: &[DrawnObject], binning: Binning) -> Self {
         let total: usize = objects.iter().map(|object| object.list.len()).sum();
         let length = total.div_ceil(PARTS).clamp(1024, PART);
         let parts = objects
@@ -87,7 +87,7 @@ impl Bins {
     }
 
     /// Appends the triangles of a tile, by its number counted along rows.
-    pub(in crate::raster) fn tile(&self, tile: usize, triangles: &mut Vec<u32>) {
+    pub(crate) fn tile(&self, tile: usize, triangles: &mut Vec<u32>) {
         for part in &self.parts {
             let range = part.starts[tile] as usize..part.starts[tile + 1] as usize;
             triangles.extend_from_slice(&part.triangles[range]);
@@ -96,7 +96,7 @@ impl Bins {
 }
 
 /// The first and last tile that something touches, in x and in y: 256 tiles are the most.
-pub(in crate::raster) type TileBox = [u8; 4];
+pub(crate) type TileBox = [u8; 4];
 
 impl Part {
     fn new(object: &DrawnObject, range: std::ops::Range<u32>, binning: Binning) -> Self {
@@ -109,7 +109,7 @@ impl Part {
 }
 
 /// A counting sort by tile, which keeps the order within each.
-pub(in crate::raster) fn sort(found: &[(u32, TileBox)], [columns, rows]: [usize; 2]) -> (Vec<u32>, Vec<u32>) {
+pub(crate) fn sort(found: &[(u32, TileBox)], [columns, rows]: [usize; 2]) -> (Vec<u32>, Vec<u32>) {
     let mut starts = vec![0_u32; columns * rows + 2];
     // Two ahead: filling advances each start to the next one's place.
     for &(_, tiles) in found {
@@ -154,7 +154,7 @@ impl Kernel for FindTiles<'_> {
     fn run<A: Lanes>(self, _: A) {
         let Self { object, range, binning, counts, found } = self;
         let mut clipper = Clipper::default();
-        let mut corners = CornerRows::new();
+        let mut corners = CornerRows::default();
         let mut outside = [0; GROUP];
         let mut is_drawn = [false; GROUP];
         let mut boxes = [[0; 4]; GROUP];
@@ -225,17 +225,17 @@ impl Binning<'_> {
 
 /// Part of a clipped triangle: a triangle itself.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::raster) struct Piece {
-    pub(in crate::raster) vertices: [ScreenVertex; 3],
+pub(crate) struct Piece {
+    pub(crate) vertices: [ScreenVertex; 3],
     /// The nearness of its corners, in perspective.
-    pub(in crate::raster) nearness: [f32; 3],
+    pub(crate) nearness: [f32; 3],
     /// What each of its corners has of the corners of the whole.
-    pub(in crate::raster) shares: [Shares; 3],
+    pub(crate) shares: [Shares; 3],
 }
 
 /// Clips triangles; keeps its memory.
 #[derive(Default)]
-pub(in crate::raster) struct Clipper {
+pub(crate) struct Clipper {
     polygon: Vec<ClipVertex<Shares>>,
     spare: Vec<ClipVertex<Shares>>,
     pieces: Vec<Piece>,
@@ -243,7 +243,7 @@ pub(in crate::raster) struct Clipper {
 
 impl Clipper {
     /// What is left of a triangle, as a fan.
-    pub(in crate::raster) fn pieces(&mut self, object: &DrawnObject, triangle: u32, view: &View) -> &[Piece] {
+    pub(crate) fn pieces(&mut self, object: &DrawnObject, triangle: u32, view: &View) -> &[Piece] {
         self.pieces.clear();
         let vertices = object.list.vertices(triangle);
         let screen = object.screen(triangle);
@@ -272,7 +272,7 @@ impl Clipper {
 }
 
 /// The sample of the upper left pixel of a tile, in 256ths of a pixel of the picture.
-pub(in crate::raster) fn tile_origin(tile: [usize; 2], sample: [i32; 2]) -> [i32; 2] {
+pub(crate) fn tile_origin(tile: [usize; 2], sample: [i32; 2]) -> [i32; 2] {
     [0, 1].map(|axis| (((tile[axis] * TILE) as i32) << BITS) + sample[axis])
 }
 
