@@ -152,19 +152,17 @@ fn comparison(against: &Against, report: &InspectReport, style: Style, places: u
         (comparison.unmatched[1], "faces stand there only"),
     ]);
     lines.extend(comparison.places.iter().take(places).map(|site| format!("at {}", place(site, report))));
-    let changes: [(&str, fn([u64; 2]) -> bool); 3] = [
-        ("gone", |[_, after]| after == 0),
-        ("new", |[before, _]| before == 0),
-        ("other counts", |[before, after]| before != after && before > 0 && after > 0),
-    ];
-    for (name, is_wanted) in changes {
+    let mut list = |name: &str, is_wanted: fn([u64; 2]) -> bool| {
         let findings = comparison.findings.iter().filter(|(_, counts)| is_wanted(*counts));
         let findings: Vec<String> =
             findings.map(|(kind, [before, after])| format!("{} {before} → {after}", kind.id())).collect();
         if !findings.is_empty() {
             lines.push(format!("{name}: {}", findings.join(", ")));
         }
-    }
+    };
+    list("gone", |[_, after]| after == 0);
+    list("new", |[before, _]| before == 0);
+    list("other counts", |[before, after]| before != after && before > 0 && after > 0);
     let lines: String = lines.iter().map(|line| format!("    {line}\n")).collect();
     format!("  against {}: {summary}\n{lines}", style.paint(Style::BOLD, &escaped(path)))
 }

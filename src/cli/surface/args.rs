@@ -177,17 +177,17 @@ choices! { Pattern {
 } }
 
 fn one_or_two(text: &str) -> Result<[f64; 2], String> {
-    match finite_numbers(text)?[..] {
-        [one] => Ok([one; 2]),
-        [one, two] => Ok([one, two]),
+    match finite_numbers(text).as_deref() {
+        Ok(&[one]) => Ok([one; 2]),
+        Ok(&[one, two]) => Ok([one, two]),
         _ => Err("one number, or two with a comma, was expected".into()),
     }
 }
 
 fn factors(text: &str) -> Result<DVec3, String> {
-    let factors = match finite_numbers(text)?[..] {
-        [one] => DVec3::splat(one),
-        [x, y, z] => DVec3::new(x, y, z),
+    let factors = match finite_numbers(text).as_deref() {
+        Ok(&[one]) => DVec3::splat(one),
+        Ok(&[x, y, z]) => DVec3::new(x, y, z),
         _ => return Err("one factor, or three with commas, was expected".into()),
     };
     if factors.cmpne(DVec3::ZERO).all() { Ok(factors) } else { Err("a factor of 0 leaves no surface".into()) }
