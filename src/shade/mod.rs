@@ -54,19 +54,32 @@
 //! | F28 | the eye is sensitive to the second derivative (S0 1.6.13) | jumps of the slope, which are what it sees: `theory::bands::steps_and_jumps_are_those_of_the_formulas`; `crease artefact mach-bands` |
 //! | F29 | Snell, Fresnel (S3) | [`refraction_angle`], [`refract`], [`fresnel`], [`brewster_angle`], [`critical_angle`] |
 
-mod area;
+// What is refused, with its place.
 mod error;
-mod explain;
+// Vectors and the formulas of the lectures.
 mod formula;
-mod light;
-mod material;
-mod optics;
-mod rows;
-mod settings;
-mod shader;
-mod source;
-mod term;
+// Colours out of range.
 mod tone;
+// Viewer, guards, depth cue, terminator.
+mod settings;
+// Lights.
+mod light;
+// Materials.
+mod material;
+// Reflection and refraction at a smooth surface.
+mod optics;
+// Irradiance of area lights.
+mod area;
+// Lights in the frame and precision of a shader.
+mod source;
+// One light on one material.
+mod term;
+// The light on a point.
+mod shader;
+// The light on rows of points.
+mod rows;
+// The terms of the light on a point.
+mod explain;
 
 pub use error::{NotFinite, Place, ShadeError};
 pub use explain::{Explanation, HighlightExplanation, LightExplanation, Probe, Term};

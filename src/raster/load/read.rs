@@ -93,7 +93,7 @@ const LARGEST_SCENE: u64 = 64 << 20;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::read_bytes;
+    use crate::io::{ReadOptions, read_bytes};
     use crate::raster::frame::render::render;
     use crate::raster::settings::RenderSettings;
 

@@ -137,7 +137,7 @@ mod tests {
         let part = loaded.parts[0].clone();
         let labels = part.mesh.columns().materials.clone().unwrap();
         let whole = SceneMesh::new(part, Format::Obj, &LoadOptions::default());
-        let parts = by_label(&whole, &labels.of_face).unwrap();
+        let parts = by_label(whole.clone(), &labels.of_face);
         let found: Vec<_> = parts.iter().map(|(label, part)| (*label, part.source_faces.clone())).collect();
         assert_eq!(found, [(0, Some(vec![1, 3])), (1, Some(vec![2])), (NONE, Some(vec![0]))]);
         for (_, part) in &parts {
@@ -160,6 +160,6 @@ mod tests {
                 used(mesh.faces().corners(), mesh.vertex_count()) && used(&slots, normals.entry_vertex.len())
             );
         }
-        assert!(by_label(&whole, &[7, 7, 7, 7]).is_none());
+        assert_eq!(by_label(whole.clone(), &[7; 4]), [(7, whole)]);
     }
 }

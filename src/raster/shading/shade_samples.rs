@@ -1,4 +1,4 @@
-//! Colours of the samples that are seen.
+//! Colours of the visible samples.
 
 use crate::num;
 use crate::raster::coverage::records::{
@@ -15,12 +15,12 @@ use crate::raster::shading::interpolate::{BATCH, Interpolate, Positions, Row, Vi
 use crate::raster::shading::lighting::{Lit, PointLight};
 use crate::raster::shading::ray_cast::{Hits, cast};
 use crate::raster::shading::scanline::ScanPolygon;
-use crate::raster::shading::surface_colour::ObjectColour;
+use crate::raster::shading::surface_colour::{ObjectColour, Shaders};
 use crate::raster::view::fixed_point::{BITS, ONE};
 use crate::shade::SurfaceRows;
 use glam::{DVec3, Vec3};
 
-/// Makes colours; keeps its memory.
+/// Computes colours; keeps its memory.
 pub(crate) struct Painter {
     values: Box<[Row; 3]>,
     positions: Box<[Row; 3]>,
@@ -32,7 +32,7 @@ pub(crate) struct Painter {
     polygons: Vec<(u32, ScanPolygon)>,
 }
 
-/// What is seen of one object in a tile.
+/// The visible samples of one object in a tile.
 pub(crate) struct Tile<'a> {
     pub(crate) seen: &'a [VisibleSample],
     pub(crate) records: &'a [Record],
@@ -193,62 +193,24 @@ impl Painter {
         };
         let needs_positions = shaders.is_some_and(|shaders| shaders.needs_positions())
             || matches!(job.settings.show, Show::Deviation(_)) && prepared.truth.is_some();
-        let hits = tile.hits.filter(|_| prepared.is_cast);
-        let Tile { records, depth, origin, .. } = *tile;
         for seen in tile.seen.chunks(BATCH) {
-            let count = seen.len();
-            if let Some(hits) = hits {
-                self.take_hits(hits, seen);
-            } else {
-                self.take_values(job, wanted, seen, tile);
-                if needs_positions {
-                    num::dispatch(Positions {
-                        rays: &job.rays,
-                        seen,
-                        depth,
-                        records: job.view.has_level().then_some(records),
-                        origin,
-                        out: &mut self.positions,
-                    });
+            match tile.hits.filter(|_| prepared.is_cast) {
+                Some(hits) => self.take_hits(hits, seen),
+                None => {
+                    self.take_values(job, wanted, seen, tile);
+                    if needs_positions {
+                        self.take_positions(job, seen, tile);
+                    }
                 }
             }
-            let by_faces = job.settings.asks_faces() && !prepared.is_cast && shaders.is_some();
-            if by_faces {
-                for (lane, seen) in seen.iter().enumerate() {
-                    let record = &records[seen.record as usize];
-                    let normal = prepared.face_normal(record.face, record.turned).to_array();
-                    self.faces.iter_mut().zip(normal).for_each(|(row, component)| row[lane] = component);
-                }
+            match (shaders, job.settings.show) {
+                (Some(shaders), _) => self.shade(job, object, shaders, seen, tile)?,
+                // The values are colours already.
+                (None, Show::Shaded) => {}
+                (None, _) => self.show_false_colours(job, prepared, seen, tile),
             }
-            let Self { values, positions, colours, faces, .. } = self;
-            if let Some(shaders) = shaders {
-                let rows = SurfaceRows {
-                    positions: positions.each_ref().map(|row| &row[..count]),
-                    normals: values.each_ref().map(|row| &row[..count]),
-                    faces: by_faces.then(|| faces.each_ref().map(|row| &row[..count])),
-                };
-                let colours = colours.each_mut().map(|row| &mut row[..count]);
-                shaders
-                    .shade_rows(&rows, colours, |lane| seen_exactly(job, object, tile, seen[lane]))
-                    .map_err(|error| RenderError::NotFinite { object, error })?;
-            } else if job.settings.show != Show::Shaded {
-                for (lane, seen) in seen.iter().enumerate() {
-                    let at = |rows: &[Row; 3]| Vec3::new(rows[0][lane], rows[1][lane], rows[2][lane]);
-                    let sample = false_colour::Sample {
-                        record: &records[seen.record as usize],
-                        hit: hits.map(|hits| hits.at(seen.pixel)),
-                        value: at(values),
-                        position: at(positions),
-                        depth: depth[usize::from(seen.pixel)],
-                        at: tile.place(*seen),
-                    };
-                    let colour = false_colour::colour(job, prepared, &sample).to_array();
-                    colours.iter_mut().zip(colour).for_each(|(row, component)| row[lane] = component);
-                }
-            }
-            // What is neither lit here nor shown in another way is a colour already.
             let is_colour = shaders.is_none() && job.settings.show == Show::Shaded;
-            let colours = if is_colour { values } else { colours };
+            let colours = if is_colour { &self.values } else { &self.colours };
             for (out, colours) in out.iter_mut().zip(colours.iter()) {
                 for (seen, &colour) in seen.iter().zip(colours.iter()) {
                     out[usize::from(seen.pixel) % PIXELS] = colour;
@@ -258,7 +220,66 @@ impl Painter {
         Ok(())
     }
 
-    /// What the corners carry, at the samples.
+    /// Lights samples at their positions, with their values as normals.
+    fn shade(
+        &mut self,
+        job: &Job,
+        object: usize,
+        shaders: &Shaders,
+        seen: &[VisibleSample],
+        tile: &Tile,
+    ) -> Result<(), RenderError> {
+        let prepared = &job.objects[object];
+        let by_faces = job.settings.asks_faces() && !prepared.is_cast;
+        if by_faces {
+            for (lane, seen) in seen.iter().enumerate() {
+                let record = &tile.records[seen.record as usize];
+                let normal = prepared.face_normal(record.face, record.turned).to_array();
+                self.faces.iter_mut().zip(normal).for_each(|(row, component)| row[lane] = component);
+            }
+        }
+        let count = seen.len();
+        let rows = SurfaceRows {
+            positions: self.positions.each_ref().map(|row| &row[..count]),
+            normals: self.values.each_ref().map(|row| &row[..count]),
+            faces: by_faces.then(|| self.faces.each_ref().map(|row| &row[..count])),
+        };
+        let colours = self.colours.each_mut().map(|row| &mut row[..count]);
+        shaders
+            .shade_rows(&rows, colours, |lane| seen_exactly(job, object, tile, seen[lane]))
+            .map_err(|error| RenderError::NotFinite { object, error })
+    }
+
+    /// Shows samples in false colours.
+    fn show_false_colours(&mut self, job: &Job, prepared: &Prepared, seen: &[VisibleSample], tile: &Tile) {
+        for (lane, seen) in seen.iter().enumerate() {
+            let at = |rows: &[Row; 3]| Vec3::new(rows[0][lane], rows[1][lane], rows[2][lane]);
+            let sample = false_colour::Sample {
+                record: &tile.records[seen.record as usize],
+                hit: tile.hits.filter(|_| prepared.is_cast).map(|hits| hits.at(seen.pixel)),
+                value: at(&self.values),
+                position: at(&self.positions),
+                depth: tile.depth[usize::from(seen.pixel)],
+                at: tile.place(*seen),
+            };
+            let colour = false_colour::colour(job, prepared, &sample).to_array();
+            self.colours.iter_mut().zip(colour).for_each(|(row, component)| row[lane] = component);
+        }
+    }
+
+    /// Positions of samples, from their depths.
+    fn take_positions(&mut self, job: &Job, seen: &[VisibleSample], tile: &Tile) {
+        num::dispatch(Positions {
+            rays: &job.rays,
+            seen,
+            depth: tile.depth,
+            records: job.view.has_level().then_some(tile.records),
+            origin: tile.origin,
+            out: &mut self.positions,
+        });
+    }
+
+    /// The values of corners, interpolated to the samples.
     fn take_values(&mut self, job: &Job, wanted: ValueKind, seen: &[VisibleSample], tile: &Tile) {
         let Tile { records, origin, .. } = *tile;
         if !wanted.varies() {
@@ -283,7 +304,7 @@ impl Painter {
         }
     }
 
-    /// What rays hit.
+    /// Normals and positions that rays hit.
     fn take_hits(&mut self, hits: &Hits, seen: &[VisibleSample]) {
         for (lane, seen) in seen.iter().enumerate() {
             let hit = hits.at(seen.pixel);
