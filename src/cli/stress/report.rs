@@ -45,8 +45,8 @@ pub struct Report<'a> {
 struct CaseReport<'a> {
     group: &'static str,
     name: &'a str,
-    what: &'static str,
-    expectation: &'static str,
+    what: String,
+    expectation: String,
     samples: usize,
     faithful: ErrorReport,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -68,7 +68,7 @@ struct ErrorReport {
     #[serde(skip_serializing_if = "Option::is_none")]
     declined: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    formula: Option<&'static str>,
+    formula: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     fails: Option<bool>,
 }
@@ -76,7 +76,7 @@ struct ErrorReport {
 #[derive(Debug, Serialize)]
 struct BoundReport {
     most: f64,
-    source: &'static str,
+    source: String,
 }
 
 /// Counts over cases.
@@ -120,15 +120,15 @@ impl<'a> CaseReport<'a> {
             ..ErrorReport::bounded(worst, bound)
         });
         let plain = measured.plain.map(|worst| ErrorReport {
-            formula: Some(case.plain_formula),
+            formula: Some(case.plain_formula()),
             fails: Some(result.plain_fails()),
             ..ErrorReport::new(worst, case.plain_unit)
         });
         Self {
             group: case.group.name(),
             name: &case.name,
-            what: case.what,
-            expectation: case.expectation,
+            what: case.what(),
+            expectation: case.expectation(),
             samples: measured.samples,
             faithful: ErrorReport::bounded(measured.faithful, case.bound),
             without_fast: fast.is_none().then(|| case.group.without_fast()),
@@ -153,7 +153,7 @@ impl ErrorReport {
     }
 
     fn bounded(worst: Worst, bound: Bound) -> Self {
-        let Bound { most, unit, source } = bound;
-        Self { bound: Some(BoundReport { most, source }), ..Self::new(worst, unit) }
+        let report = BoundReport { most: bound.most, source: bound.source() };
+        Self { bound: Some(report), ..Self::new(worst, bound.unit) }
     }
 }

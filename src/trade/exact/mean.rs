@@ -48,7 +48,7 @@ fn term(centre: DVec3, a: DVec3, b: DVec3, weight: Weight) -> Option<Vector> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::trade::exact::angle_to;
+    use crate::trade::exact::vector::angle_to;
 
     /// The corner of a box of 1 × 2 × 4, of which each weight has its own closed form.
     #[test]

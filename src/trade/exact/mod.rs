@@ -14,7 +14,7 @@ pub(crate) use dihedral::{dihedral, radians, turn};
 pub(crate) use face::{degenerate, face_normal};
 pub(crate) use mean::vertex_normal;
 pub(crate) use ray::Target;
-pub(crate) use vector::{Vector, angle, angle_to, distance, dot, error_in_ulps, length, unit};
+pub(crate) use vector::{Vector, angle, degrees_to, distance, dot, error_in_ulps, length, unit};
 
 use dashu::float::{FBig, round::mode::HalfEven};
 

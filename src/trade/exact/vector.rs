@@ -51,6 +51,11 @@ pub(crate) fn angle_to(got: DVec3, truth: &Vector) -> f64 {
     libm::atan2(small(&length(&cross(&got, truth))), small(&dot(&got, truth)))
 }
 
+/// The angle between a computed vector of any length and a true one, in degrees; NaN for a vector without a direction.
+pub(crate) fn degrees_to(computed: DVec3, truth: &Vector) -> f64 {
+    angle_to(computed, truth).to_degrees()
+}
+
 /// The length of the difference between a computed vector and a true one.
 pub(crate) fn distance(got: DVec3, truth: &Vector) -> f64 {
     if !got.is_finite() {

@@ -1,25 +1,25 @@
-//! The formulas as they are usually written, in `f32`: what the table shows beside. Nothing of the library uses them.
+//! The formulas as they are usually written, in `f32`, for comparison. Nothing of the library uses them.
 
 use crate::normals::Weight;
 use glam::{DVec3, Vec3};
 
 /// v / √(v·v).
-pub(in crate::trade::stress) fn unit(v: Vec3) -> Vec3 {
+pub(super) fn unit(v: Vec3) -> Vec3 {
     v / (v.x * v.x + v.y * v.y + v.z * v.z).sqrt()
 }
 
 /// The cross product of two edges, made unit.
-pub(in crate::trade::stress) fn face_normal([a, b, c]: [Vec3; 3]) -> Vec3 {
+pub(super) fn face_normal([a, b, c]: [Vec3; 3]) -> Vec3 {
     unit((b - a).cross(c - a))
 }
 
 /// The angle between unit vectors.
-pub(in crate::trade::stress) fn angle(a: Vec3, b: Vec3) -> f32 {
+pub(super) fn angle(a: Vec3, b: Vec3) -> f32 {
     libm::acosf(a.dot(b))
 }
 
 /// Σ w n̂ over triangles (centre, a, b), made unit.
-pub(in crate::trade::stress) fn vertex_normal(centre: Vec3, fan: &[[Vec3; 2]], weight: Weight) -> Vec3 {
+pub(super) fn vertex_normal(centre: Vec3, fan: &[[Vec3; 2]], weight: Weight) -> Vec3 {
     let term = |&[a, b]: &[Vec3; 2]| {
         let (e1, e2) = (a - centre, b - centre);
         let cross = e1.cross(e2);
@@ -37,7 +37,7 @@ pub(in crate::trade::stress) fn vertex_normal(centre: Vec3, fan: &[[Vec3; 2]], w
     unit(fan.iter().map(term).fold(Vec3::ZERO, |sum, term| sum + term))
 }
 
-/// A vector of length 1 or so; anything else is no direction.
-pub(in crate::trade::stress) fn direction(v: Vec3) -> DVec3 {
+/// The vector in `f64`, or NaN if it is shorter than 1/2 and so has no direction.
+pub(super) fn direction(v: Vec3) -> DVec3 {
     if v.is_finite() && v.length() > 0.5 { v.as_dvec3() } else { DVec3::NAN }
 }

@@ -1,4 +1,4 @@
-//! Which pixels a triangle covers, three ways.
+//! The pixels that a triangle covers: by the rasterizer, by exact arithmetic, and by plain `f32` edge functions.
 
 use crate::num::{Degrees, LinearRgb};
 use crate::raster::{Camera, Object, Projection, RenderSettings, Scene, Shading, Shape, Triangles, render};
@@ -7,17 +7,17 @@ use crate::trade::exact::Target;
 use glam::{DVec3, Vec3};
 
 /// A camera and the size of its picture.
-pub(in crate::trade::stress) struct Picture {
-    pub(in crate::trade::stress) size: [u32; 2],
+pub(super) struct View {
+    pub(super) size: [u32; 2],
     camera: Camera,
 }
 
-impl Picture {
-    /// Where drawing begins, before the eye.
-    pub(in crate::trade::stress) const NEAR: f64 = 0.01;
+impl View {
+    /// The distance of the near plane.
+    pub(super) const NEAR: f64 = 0.01;
 
     /// The eye at the origin, looking along −z, 90° wide: a pixel's ray has whole multiples of 1/64 as coordinates.
-    pub(in crate::trade::stress) fn of_eye() -> Self {
+    pub(super) fn perspective() -> Self {
         let camera = Camera {
             eye: DVec3::ZERO,
             target: DVec3::NEG_Z,
@@ -29,7 +29,7 @@ impl Picture {
     }
 
     /// Pixels are units of the scene, (0, 0) is the upper left corner once points are [`upright`](Self::upright).
-    pub(in crate::trade::stress) fn of_pixels(size: [u32; 2]) -> Self {
+    pub(super) fn orthographic(size: [u32; 2]) -> Self {
         let [width, height] = size.map(f64::from);
         let middle = DVec3::new(width, height, 0.0) * 0.5;
         let camera = Camera {
@@ -43,12 +43,12 @@ impl Picture {
     }
 
     /// A point of the picture, y down, as a point of the scene, y up.
-    pub(in crate::trade::stress) fn upright(&self, point: Vec3) -> Vec3 {
+    pub(super) fn upright(&self, point: Vec3) -> Vec3 {
         Vec3::new(point.x, self.size[1] as f32 - point.y, point.z)
     }
 
-    /// How many samples of each pixel are covered, one being looked at.
-    pub(in crate::trade::stress) fn draw(&self, positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<u8> {
+    /// The number of covered samples of each pixel, of one.
+    pub(super) fn draw(&self, positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<u8> {
         let positions: Vec<[f32; 3]> = positions.iter().map(Vec3::to_array).collect();
         let normals = vec![[0.0, 0.0, 1.0]; positions.len()];
         let shape = Triangles { positions: &positions, triangles, normals: &normals, face_normals: &[] };
@@ -64,14 +64,14 @@ impl Picture {
         render(&scene, &settings).expect("a scene that can be drawn").coverage
     }
 
-    /// The direction of a point of the picture of [`of_eye`](Self::of_eye), in pixels.
+    /// The direction of a point of the picture of [`perspective`](Self::perspective), in pixels.
     fn ray(&self, x: f64, y: f64) -> DVec3 {
         let [width, height] = self.size.map(f64::from);
         DVec3::new(2.0 * x / width - 1.0, 1.0 - 2.0 * y / height, -1.0)
     }
 
-    /// Corners on the picture of [`of_eye`](Self::of_eye) by dividing, whatever they are divided by.
-    pub(in crate::trade::stress) fn naively_projected(&self, triangle: &[Vec3; 3]) -> [Vec3; 3] {
+    /// Corners on the picture of [`perspective`](Self::perspective) by division, whatever the divisor.
+    pub(super) fn plain_projection(&self, triangle: &[Vec3; 3]) -> [Vec3; 3] {
         let [width, height] = self.size.map(|n| n as f32);
         triangle.map(|p| {
             let (x, y) = (p.x / -p.z, p.y / -p.z);
@@ -80,12 +80,12 @@ impl Picture {
     }
 }
 
-/// Whether each pixel of the picture of an eye shows a triangle, by exact arithmetic; `None` so close to an edge that
-/// rounding corners to 1/256 pixel may decide.
-pub(in crate::trade::stress) fn seen_by(triangle: &[Vec3; 3], picture: &Picture) -> Vec<Option<bool>> {
-    let target = Target::new(&triangle.map(|corner| corner.as_dvec3()), Picture::NEAR);
-    let sees = |x: f64, y: f64| target.is_hit(picture.ray(x, y));
-    let [width, height] = picture.size;
+/// Whether each pixel of a perspective view shows a triangle, by exact arithmetic; `None` so close to an edge that the
+/// rounding of corners to 1/256 pixel may decide.
+pub(super) fn true_coverage(triangle: &[Vec3; 3], view: &View) -> Vec<Option<bool>> {
+    let target = Target::new(&triangle.map(|corner| corner.as_dvec3()), View::NEAR);
+    let sees = |x: f64, y: f64| target.is_hit(view.ray(x, y));
+    let [width, height] = view.size;
     let centres = (0..height).flat_map(|j| (0..width).map(move |i| (f64::from(i) + 0.5, f64::from(j) + 0.5)));
     let certain = |(x, y): (f64, f64)| {
         const OFF: f64 = 1.0 / 128.0;
@@ -96,25 +96,25 @@ pub(in crate::trade::stress) fn seen_by(triangle: &[Vec3; 3], picture: &Picture)
     centres.map(certain).collect()
 }
 
-/// How many of the triangles cover each pixel: drawn in some passes, each pass a triangle and those a multiple of `passes`
-/// on, which lie apart.
-pub(in crate::trade::stress) fn covered_by(
-    picture: &Picture,
+/// The number of triangles that cover each pixel. They are drawn in several passes, so that the triangles of one pass, a
+/// multiple of `passes` apart, have no edge in common.
+pub(super) fn coverage_count(
+    view: &View,
     positions: &[Vec3],
     triangles: &[[u32; 3]],
     passes: usize,
 ) -> Vec<u32> {
-    let mut count = vec![0; (picture.size[0] * picture.size[1]) as usize];
+    let mut count = vec![0; (view.size[0] * view.size[1]) as usize];
     for pass in 0..passes {
         let some: Vec<[u32; 3]> = triangles.iter().copied().skip(pass).step_by(passes).collect();
-        let coverage = picture.draw(positions, &some);
+        let coverage = view.draw(positions, &some);
         count.iter_mut().zip(coverage).for_each(|(n, c)| *n += u32::from(c));
     }
     count
 }
 
 /// Edge functions in `f32` at the pixel centres of the triangle's bounding box, edges included.
-pub(in crate::trade::stress) fn plain_coverage(corners: &[Vec3; 3], [width, height]: [u32; 2]) -> Vec<u8> {
+pub(super) fn plain_coverage(corners: &[Vec3; 3], [width, height]: [u32; 2]) -> Vec<u8> {
     let mut coverage = vec![0; (width * height) as usize];
     let edge = |a: Vec3, b: Vec3, x: f32, y: f32| (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
     let [a, b, c] = *corners;

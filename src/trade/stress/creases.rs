@@ -1,13 +1,14 @@
 //! Edges whose dihedral angle is exactly the crease angle, before rounding.
 
+use super::case::{Bound, Measured, StressCase, Worst};
+use super::group::Group;
+use super::plain;
+use super::random::rotation;
 use crate::mesh::{Faces, Link, Mesh, MeshBuilder, Storage, Topology};
 use crate::normals::{Crease, NormalField, NormalRecipe, Precision, compute_on};
 use crate::num::Degrees;
 use crate::num::numbers::Numbers;
 use crate::trade::exact::{self, Big, big};
-use crate::trade::stress::case::{Bound, Measured, StressCase, Unit, Worst};
-use crate::trade::stress::group::Group;
-use crate::trade::stress::normals::naive;
 use dashu::base::Abs;
 use glam::{DQuat, DVec3, Vec3};
 
@@ -16,7 +17,7 @@ const SIDES: [usize; 3] = [8, 9, 12];
 /// Rotations of each.
 const TURNS: usize = 40;
 
-/// By how much an edge may bend more than the crease angle and stay smooth.
+/// By how much the dihedral angle of a smooth edge may exceed the crease angle.
 const SLACK: f64 = 0.01;
 /// How near the crease angle an edge is counted, whatever the digits.
 const NEAR: f64 = 0.1;
@@ -28,82 +29,58 @@ enum Stored {
     Text { decimals: usize },
 }
 
-pub(in crate::trade::stress) fn cases() -> Vec<StressCase> {
-    let smooth =
-        [("prisms in f32", Stored::Single), ("prisms in text of 6 decimals", Stored::Text { decimals: 6 })];
-    let smooth = smooth.map(|(name, stored)| smooth_case(name, stored));
-    smooth.into_iter().chain([5, 4, 3, 2].map(counted_case)).collect()
+pub(super) fn cases() -> Vec<StressCase> {
+    let splits = [("f32", Stored::Single), ("text of 6 decimals", Stored::Text { decimals: 6 })];
+    let splits = splits.map(|(name, stored)| {
+        let bound = Bound::none_wrong("split-prisms-bound");
+        let (name, bounds) = (format!("prisms in {name}"), (bound, Some(bound)));
+        StressCase::new(Group::Crease, "split-prisms", name, bounds, move || measure_splits(stored))
+    });
+    // With few digits the edges are what the digits make them; the report has to count all of them as near the angle.
+    let counts = [5, 4, 3, 2].map(|decimals| {
+        let name = format!("prisms in text of {decimals} decimals");
+        let bounds = (Bound::none_wrong("counted-prisms-bound"), None);
+        StressCase::new(Group::Crease, "counted-prisms", name, bounds, move || measure_counts(decimals))
+    });
+    splits.into_iter().chain(counts).collect()
 }
 
-fn smooth_case(name: &str, stored: Stored) -> StressCase {
-    let none = Bound::none_wrong(
-        "dihedral angle > crease angle + 0.01 degrees, in 256 bits; rounding turns these faces by less than that",
-    );
-    StressCase {
-        group: Group::Crease,
-        name: name.into(),
-        what: "40 rotations each of prisms with 8, 9, 12 sides, crease angle 45, 40, 30: edges that split otherwise than \
-               their angle in 256 bits says, and side edges that split",
-        expectation: "no side edge splits, all others do",
-        bound: none,
-        fast_bound: Some(none),
-        plain_unit: Unit::Wrong,
-        plain_formula: "dot(n1, n2) < cos(angle), normals of three corners",
-        measure: Box::new(move || {
-            let mut measured = Measured::default();
-            let (mut wrong, mut fast_wrong, mut plain_wrong) = (0, 0, 0);
-            for_each_prism(stored, |prism| {
-                let limit = exact::radians(prism.angle() + SLACK);
-                let over: Vec<bool> = prism.edges().map(|edge| prism.true_angle(edge) > limit).collect();
-                let count = |field: &NormalField| {
-                    let splits = prism.edges().map(|edge| prism.splits(field, edge));
-                    let expected = prism.edges().map(|edge| !prism.is_side(edge));
-                    splits.zip(&over).zip(expected).filter(|&((a, &b), c)| a != b || a != c).count()
-                };
-                measured.samples += over.len();
-                wrong += count(&prism.field(Precision::Faithful));
-                let quick = prism.field(Precision::Fast);
-                fast_wrong += count(&quick);
-                measured.declined += if quick.summary.fast_declined { over.len() } else { 0 };
-                plain_wrong += prism.plain_splits();
-            });
-            Measured {
-                faithful: Worst::wrong(wrong),
-                fast: Some(Worst::wrong(fast_wrong)),
-                plain: Some(Worst::wrong(plain_wrong)),
-                ..measured
-            }
-        }),
+/// Edges whose splits are not those of their angle in 256 bits, and side edges that split.
+fn measure_splits(stored: Stored) -> Measured {
+    let (mut samples, mut declined, mut wrong) = (0, 0, [0; 3]);
+    for prism in prisms(stored) {
+        let limit = exact::radians(prism.angle() + SLACK);
+        let over: Vec<bool> = prism.edges().map(|edge| prism.true_angle(edge) > limit).collect();
+        let count = |field: &NormalField| {
+            let is_wrong = |(edge, &is_over): ([u32; 2], &bool)| {
+                let splits = prism.splits(field, edge);
+                splits != is_over || splits == prism.is_side(edge)
+            };
+            prism.edges().zip(&over).filter(|&pair| is_wrong(pair)).count()
+        };
+        let [faithful, fast] = [Precision::Faithful, Precision::Fast].map(|precision| prism.field(precision));
+        samples += over.len();
+        declined += if fast.summary.fast_declined { over.len() } else { 0 };
+        for (wrong, of_prism) in wrong.iter_mut().zip([count(&faithful), count(&fast), prism.plain_splits()])
+        {
+            *wrong += of_prism;
+        }
     }
+    let [faithful, fast, plain] = wrong;
+    Measured { fast: Some(Worst::wrong(fast)), declined, ..Measured::wrong(samples, faithful, plain) }
 }
 
-/// With few digits the edges are what the digits make them; the report has to count all of them as near the angle.
-fn counted_case(decimals: usize) -> StressCase {
-    StressCase {
-        group: Group::Crease,
-        name: format!("prisms in text of {decimals} decimals"),
-        what: "the same prisms, whose side edges are exactly at the angle before rounding: by how many near_crease differs \
-               from the count in 256 bits, and that from the number of sides",
-        expectation: "every side edge counted, within max(0.1 degrees, what the digits allow), and no other",
-        bound: Bound::none_wrong(
-            "asin(d (sum |P(i+1) - P(i-1)| + n d) / |sum P(i) x P(i+1)|) for each of two faces whose corners move by d, in \
-             256 bits",
-        ),
-        fast_bound: None,
-        plain_unit: Unit::Wrong,
-        plain_formula: "|acos(dot(n1, n2)) - angle| <= 0.1 degrees, normals of three corners",
-        measure: Box::new(move || {
-            let (mut measured, mut wrong, mut plain) = (Measured::default(), 0, 0);
-            for_each_prism(Stored::Text { decimals }, |prism| {
-                let truly = prism.truly_near(decimals);
-                let counted = prism.field(Precision::Faithful).summary.near_crease;
-                measured.samples += prism.sides;
-                wrong += counted.abs_diff(truly) + truly.abs_diff(prism.sides);
-                plain += prism.sides - prism.plain_near();
-            });
-            Measured { faithful: Worst::wrong(wrong), plain: Some(Worst::wrong(plain)), ..measured }
-        }),
+/// Edges that are wrongly counted as near the crease angle, or wrongly not.
+fn measure_counts(decimals: usize) -> Measured {
+    let (mut samples, mut wrong, mut plain) = (0, 0, 0);
+    for prism in prisms(Stored::Text { decimals }) {
+        let near = prism.truly_near(decimals);
+        let counted = prism.field(Precision::Faithful).summary.near_crease;
+        samples += prism.sides;
+        wrong += counted.abs_diff(near) + near.abs_diff(prism.sides);
+        plain += prism.sides - prism.plain_near();
     }
+    Measured::wrong(samples, wrong, plain)
 }
 
 /// A prism whose sides meet at the crease angle.
@@ -118,9 +95,7 @@ impl Prism {
     fn new(sides: usize, turn: DQuat, stored: Stored) -> Self {
         let store = |x: f64| match stored {
             Stored::Single => f64::from(x as f32),
-            Stored::Text { decimals } => {
-                format!("{x:.decimals$}").parse().expect("a number that was just printed")
-            }
+            Stored::Text { decimals } => format!("{x:.decimals$}").parse().expect("a printed number"),
         };
         let corner = |i: usize| {
             let angle = std::f64::consts::TAU * (i / 2) as f64 / sides as f64;
@@ -166,7 +141,7 @@ impl Prism {
         self.faces_at(edge).into_iter().all(|face| face < self.sides)
     }
 
-    /// Whether the normals on the two sides of an edge are others.
+    /// Whether the normals on the two sides of an edge differ.
     fn splits(&self, field: &NormalField, [half_edge, across]: [u32; 2]) -> bool {
         let slot = |corner: u32| {
             let vertex = self.mesh.faces().corners()[corner as usize];
@@ -181,7 +156,7 @@ impl Prism {
         edge.map(|half_edge| self.topology.face_of(half_edge) as usize)
     }
 
-    /// Where the corners of a face are.
+    /// The positions of the corners of a face.
     fn corners(&self, face: usize) -> Vec<DVec3> {
         self.mesh.faces().face(face).iter().map(|&vertex| self.mesh.positions()[vertex as usize]).collect()
     }
@@ -192,7 +167,7 @@ impl Prism {
         exact::dihedral(&a, &b).expect("faces with an area")
     }
 
-    /// At how many edges the stored faces may have been at the crease angle before they were rounded, or are near it.
+    /// The number of edges whose angle may have been the crease angle before rounding, or is near it.
     fn truly_near(&self, decimals: usize) -> usize {
         let unit = big(1.0) / big(libm::exp10(decimals as f64));
         let moved = big(3.0).sqrt() * big(0.5) * unit;
@@ -209,35 +184,31 @@ impl Prism {
     fn plain_normals(&self) -> Vec<Vec3> {
         let normal = |face: usize| {
             let corners = self.mesh.faces().face(face);
-            naive::face_normal([0, 1, 2].map(|k| self.mesh.positions()[corners[k] as usize].as_vec3()))
+            plain::face_normal([0, 1, 2].map(|k| self.mesh.positions()[corners[k] as usize].as_vec3()))
         };
         (0..self.sides).map(normal).collect()
     }
 
-    /// How many side edges plain code splits.
+    /// The number of side edges that plain code splits.
     fn plain_splits(&self) -> usize {
         let cosine = libm::cosf((360.0 / self.sides as f32).to_radians());
         pairs(&self.plain_normals()).filter(|(a, b)| a.dot(**b) < cosine).count()
     }
 
-    /// How many it finds near the angle.
+    /// The number of side edges that plain code finds near the angle.
     fn plain_near(&self) -> usize {
-        let off = |a: Vec3, b: Vec3| (naive::angle(a, b).to_degrees() - 360.0 / self.sides as f32).abs();
+        let off = |a: Vec3, b: Vec3| (plain::angle(a, b).to_degrees() - 360.0 / self.sides as f32).abs();
         pairs(&self.plain_normals()).filter(|(a, b)| off(**a, **b) <= NEAR as f32).count()
     }
 }
 
-fn for_each_prism(stored: Stored, mut act: impl FnMut(&Prism)) {
+fn prisms(stored: Stored) -> impl Iterator<Item = Prism> {
     let mut numbers = Numbers::new(21);
-    for sides in SIDES {
-        for _ in 0..TURNS {
-            let [x, y, z, w] = [0; 4].map(|_| 2.0 * numbers.unit() - 1.0);
-            act(&Prism::new(sides, DQuat::from_xyzw(x, y, z, w).normalize(), stored));
-        }
-    }
+    let all = SIDES.into_iter().flat_map(|sides| [sides; TURNS]);
+    all.map(move |sides| Prism::new(sides, rotation(&mut numbers), stored))
 }
 
-/// Each with the next, round the prism.
+/// Each with the next, around the prism.
 fn pairs<T>(all: &[T]) -> impl Iterator<Item = (&T, &T)> {
     all.iter().zip(all.iter().cycle().skip(1))
 }

@@ -1,11 +1,11 @@
-//! Positions that are no numbers: they must be named and must not spread.
+//! Positions that are not finite: they must be reported and must not spread.
 
+use super::case::{Bound, Measured, StressCase, Worst};
+use super::fans::{WEIGHTS, faithful};
+use super::group::Group;
+use super::plain;
 use crate::mesh::{Faces, MeshBuilder, MeshError};
 use crate::normals::{FaultReason, Scratch, Slivers, Weight, face_normals};
-use crate::trade::stress::case::{Bound, Measured, StressCase, Unit, Worst};
-use crate::trade::stress::group::Group;
-use crate::trade::stress::normals::fans::{WEIGHTS, faithful};
-use crate::trade::stress::normals::naive;
 use glam::{DVec3, Vec3};
 
 /// Vertices along the side of a bumpy sheet.
@@ -13,25 +13,13 @@ const SIDE: usize = 9;
 /// The vertex in the middle.
 const MIDDLE: usize = SIDE * SIDE / 2;
 
-pub(in crate::trade::stress) fn cases() -> Vec<StressCase> {
+pub(super) fn cases() -> Vec<StressCase> {
     let all = [("NaN", f32::NAN), ("infinity", f32::INFINITY), ("minus infinity", f32::NEG_INFINITY)];
-    all.map(|(name, bad)| case(name, bad)).into_iter().collect()
-}
-
-fn case(name: &str, bad: f32) -> StressCase {
-    StressCase {
-        group: Group::NonFinite,
-        name: name.into(),
-        what: "one coordinate of one vertex in a sheet of 128 triangles, by six weights",
-        expectation: "its six faces are named, all else keeps its bits, meshes refuse it",
-        bound: Bound::none_wrong(
-            "FaultReason::NonFinite, MeshError::NonFinite; every normal is finite and unit",
-        ),
-        fast_bound: None,
-        plain_unit: Unit::Wrong,
-        plain_formula: "sum of w n, made unit",
-        measure: Box::new(move || measure(bad)),
-    }
+    let case = |(name, bad)| {
+        let bounds = (Bound::none_wrong("non-finite-bound"), None);
+        StressCase::new(Group::NonFinite, "non-finite", name, bounds, move || measure(bad))
+    };
+    all.map(case).into()
 }
 
 fn measure(bad: f32) -> Measured {
@@ -42,11 +30,11 @@ fn measure(bad: f32) -> Measured {
     let expected = WEIGHTS.map(|weight| faithful(&positions, &others, weight, Slivers::Exclude));
     positions[MIDDLE].y = bad;
 
-    let (faces, named) = normals_of_faces(&positions, &triangles);
+    let (faces, reported) = normals_of_faces(&positions, &triangles);
     let is_unit = |normal: DVec3| (normal.length() - 1.0).abs() < 1e-6;
     let faces_wrong = (0..triangles.len()).filter(|&face| {
         let (is_bad, normal) = (touches(&triangles[face]), faces[face]);
-        named.contains(&face) != is_bad
+        reported.contains(&face) != is_bad
             || if is_bad { !is_unit(normal) } else { normal != expected_faces[face] }
     });
     let mut wrong = faces_wrong.count();
@@ -70,8 +58,8 @@ fn measure(bad: f32) -> Measured {
             |t: &[u32; 3]| (0..3).find(|&k| t[k] as usize == vertex).map(|k| [1, 2].map(|i| t[(k + i) % 3]));
         triangles.iter().filter_map(turned).map(|pair| pair.map(|v| positions[v as usize])).collect()
     };
-    let portable = |vertex| naive::vertex_normal(positions[vertex], &around(vertex), Weight::Uniform);
-    let plain = (0..positions.len()).map(|vertex| naive::direction(portable(vertex)));
+    let plain_normal = |vertex| plain::vertex_normal(positions[vertex], &around(vertex), Weight::Uniform);
+    let plain = (0..positions.len()).map(|vertex| plain::direction(plain_normal(vertex)));
     let undefined = plain.filter(|normal| normal.is_nan()).count();
     Measured {
         samples: triangles.len() + WEIGHTS.len() * positions.len() + 1,
@@ -81,15 +69,15 @@ fn measure(bad: f32) -> Measured {
     }
 }
 
-/// Face normals, and which faces are named as not finite.
+/// Face normals, and the faces that are reported as not finite.
 fn normals_of_faces(positions: &[Vec3], triangles: &[[u32; 3]]) -> (Vec<DVec3>, Vec<usize>) {
     let positions: Vec<[f32; 3]> = positions.iter().map(Vec3::to_array).collect();
     let mut normals = vec![[0.0; 3]; triangles.len()];
     let faults = face_normals(&positions, triangles, &mut Scratch::new(), &mut normals);
-    let faults = faults.expect("slices that go together").faces;
-    let named = faults.iter().filter(|fault| fault.reason == FaultReason::NonFinite);
-    let named = named.map(|fault| fault.index as usize).collect();
-    (normals.into_iter().map(|normal| Vec3::from(normal).as_dvec3()).collect(), named)
+    let faults = faults.expect("slices of matching lengths").faces;
+    let reported = faults.iter().filter(|fault| fault.reason == FaultReason::NonFinite);
+    let reported = reported.map(|fault| fault.index as usize).collect();
+    (normals.into_iter().map(|normal| Vec3::from(normal).as_dvec3()).collect(), reported)
 }
 
 /// A grid of squares, each cut in two, with a wave in it.

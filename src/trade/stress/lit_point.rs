@@ -1,32 +1,32 @@
-//! One point under one light, three ways, against the lectures' formulas in 256 bits.
+//! One point under one light, in three precisions, against the lectures' formulas in 256 bits.
 
+use super::case::Measured;
+use super::plain;
 use crate::num::{LinearRgb, Real};
 use crate::shade::{
     Attenuation, Light, Material, Reflectance, Reflection, ShadeSettings, Shader, SurfacePoint, Viewer,
 };
 use crate::trade::exact::{self, Big, big, small};
-use crate::trade::stress::case::{Measured, Worst};
-use crate::trade::stress::normals::naive;
 use dashu::base::Abs;
 use glam::{DVec3, Vec3};
 
-/// A point at the origin, its normal, and where light and viewer are. All coordinates are `f32` numbers.
+/// A point at the origin, its normal, and the positions of light and viewer. All coordinates are `f32` numbers.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::trade::stress) struct Scene {
+pub(super) struct Scene {
     light: Vec3,
     view: Vec3,
-    pub(in crate::trade::stress) normal: Vec3,
+    pub(super) normal: Vec3,
     exponent: u32,
     reflection: Reflection,
     /// Whether light and viewer are infinitely far away, in these directions.
     far: bool,
-    /// Whether there must be no highlight, whatever the formula says.
+    /// Whether the true highlight is 0, whatever the formula says.
     dark: bool,
 }
 
 impl Scene {
     /// Light and viewer in these directions, infinitely far away.
-    pub(in crate::trade::stress) fn far(
+    pub(super) fn far(
         light: DVec3,
         view: DVec3,
         normal: DVec3,
@@ -38,7 +38,7 @@ impl Scene {
     }
 
     /// Light and viewer at these points.
-    pub(in crate::trade::stress) fn near(
+    pub(super) fn near(
         light: DVec3,
         view: DVec3,
         normal: DVec3,
@@ -48,12 +48,12 @@ impl Scene {
         Self { far: false, ..Self::far(light, view, normal, exponent, reflection) }
     }
 
-    /// There is no highlight here.
-    pub(in crate::trade::stress) fn without_highlight(self) -> Self {
+    /// The same scene with a true highlight of 0.
+    pub(super) fn without_highlight(self) -> Self {
         Self { dark: true, ..self }
     }
 
-    /// The red light that the point sends, of a white material.
+    /// The red light that the point reflects.
     fn shade<R: Real>(&self, material: &Material) -> f64 {
         let [light, view] = [self.light, self.view].map(|v| v.as_dvec3());
         let (light, viewer) = if self.far {
@@ -82,7 +82,7 @@ impl Scene {
     }
 
     /// Diffuse light, in double and in single precision.
-    pub(in crate::trade::stress) fn diffuse(&self) -> [f64; 2] {
+    pub(super) fn diffuse(&self) -> [f64; 2] {
         let white = Reflectance::Merged(LinearRgb::WHITE);
         let material = Material { diffuse: white, specular: Reflectance::NONE, ..Material::default() };
         [self.shade::<f64>(&material), self.shade::<f32>(&material)]
@@ -95,7 +95,7 @@ impl Scene {
     }
 
     /// max(N·L, 0).
-    pub(in crate::trade::stress) fn true_diffuse(&self) -> Big {
+    pub(super) fn true_diffuse(&self) -> Big {
         let [normal, light, _] = self.true_directions();
         exact::dot(&normal, &light).max(big(0.0))
     }
@@ -117,30 +117,23 @@ impl Scene {
         cosine.max(big(0.0)).powi(self.exponent.into())
     }
 
-    /// The formulas as they are usually written.
+    /// The formulas as usually written.
     fn plain_highlight(&self) -> f32 {
-        let [normal, light, view] = [self.normal, self.light, self.view].map(naive::unit);
+        let [normal, light, view] = [self.normal, self.light, self.view].map(plain::unit);
         let cosine = match self.reflection {
-            Reflection::Blinn => normal.dot(naive::unit(light + view)),
+            Reflection::Blinn => normal.dot(plain::unit(light + view)),
             Reflection::Phong => (2.0 * normal.dot(light) * normal - light).dot(view),
         };
         if cosine <= 0.0 { 0.0 } else { libm::powf(cosine, self.exponent as f32) }
     }
 }
 
-/// The highlights of scenes.
-pub(in crate::trade::stress) fn measure(scenes: impl Iterator<Item = Scene>) -> Measured {
-    let errors = scenes.map(|scene| {
+/// The errors of the highlights of scenes.
+pub(super) fn measure(scenes: impl Iterator<Item = Scene>) -> Measured {
+    Measured::triples(scenes.map(|scene| {
         let truth = scene.true_highlight();
-        let error = |got: f64| if got.is_nan() { got } else { small(&(big(got) - &truth).abs()) };
+        let error = |found: f64| if found.is_nan() { found } else { small(&(big(found) - &truth).abs()) };
         let [double, single] = scene.highlights();
         [double, single, f64::from(scene.plain_highlight())].map(error)
-    });
-    three(&errors.collect::<Vec<_>>())
-}
-
-/// Errors of double precision, single precision and plain code.
-pub(in crate::trade::stress) fn three(errors: &[[f64; 3]]) -> Measured {
-    let [faithful, fast, plain] = [0, 1, 2].map(|way| errors.iter().map(|e| e[way]).collect::<Worst>());
-    Measured { samples: errors.len(), faithful, fast: Some(fast), declined: 0, plain: Some(plain) }
+    }))
 }
