@@ -1,6 +1,6 @@
-//! What this crate's own approximations cost and save.
+//! Errors and costs of this crate's own approximations.
 
-use super::timing::{Candidate, fewest_seconds};
+use super::effort::{Candidate, fewest_seconds};
 use crate::num::{LinearRgb, Power, Real, Underflow, corner_angle};
 use crate::shade::{Attenuation, Light, Material, ShadeError, ShadeSettings, Shader, SurfacePoint, Viewer};
 use glam::DVec3;
@@ -8,10 +8,10 @@ use serde::Serialize;
 use std::f64::consts::PI;
 use std::hint::black_box;
 
-/// An approximation beside what it stands for.
+/// An approximation compared with the function that it replaces.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ApproximationRow {
-    /// What is computed.
+    /// The approximated function.
     pub what: String,
     /// The largest error found.
     pub error: f64,
@@ -19,14 +19,14 @@ pub struct ApproximationRow {
     pub unit: &'static str,
     /// Nanoseconds of each computation.
     pub ns: f64,
-    /// Nanoseconds of the function that it stands for.
+    /// Nanoseconds of the function that it replaces.
     pub exact_ns: f64,
 }
 
 /// How many arguments each is tried with.
 const COUNT: usize = 1 << 14;
 
-/// A function that is measured, on numbers that go with their truths.
+/// A function to measure on numbers whose true values are known.
 struct Trial<'a> {
     what: String,
     error: f64,

@@ -1,11 +1,11 @@
-//! Tables of the measurement.
+//! Tables of the measurement, for pages and the terminal.
 
 use crate::normals::Weight;
 use crate::num::{significant_digits, three_digits};
-use crate::report::Table;
-use crate::trade::{EncodingRow, OwnMesh, ShadingRow, Tiling, Trade, Way};
+use crate::report::table::Table;
+use crate::trade::{ClassPoint, EncodingRow, OwnMesh, ShadingRow, Tiling, Trade, Way};
 
-/// Where there is no number.
+/// A cell without a number.
 const NONE: &str = "–";
 
 /// Columns: one thing, then every weight.
@@ -14,39 +14,40 @@ fn by_weight(caption: &str, first: &[&'static str]) -> Table {
     Table::new(caption, &columns)
 }
 
-/// Errors below the rounding of positions are none.
-fn degrees(x: f64) -> String {
-    if x < 1e-9 { "exact".into() } else { three_digits(x) }
+/// An error in degrees. Errors below the rounding of positions count as none.
+fn degrees(x: f64, digits: usize) -> String {
+    if x < 1e-9 { "exact".into() } else { significant_digits(x, digits) }
 }
 
-/// As [`degrees`], with four digits.
-fn finely(x: f64) -> String {
-    if x < 1e-9 { "exact".into() } else { significant_digits(x, 4) }
-}
-
-/// The rms error of each weight on each class of meshes, the median over its surfaces; the best sum of faces is marked with a star.
-pub fn class_table(trade: &Trade) -> Table {
-    let mut table =
-        by_weight("Vertex normals: rms error in degrees at 64 × 32, median over surfaces", &["mesh"]);
+/// A table of weights with a row for each tiling that has cells.
+fn by_tiling(caption: &str, cells: impl Fn(Tiling) -> Vec<String>) -> Table {
+    let mut table = by_weight(caption, &["mesh"]);
     for tiling in Tiling::ALL {
-        let points = trade.of_class(tiling);
-        let sums = points.iter().filter(|point| point.weight != Weight::Quadric);
-        let best = sums.map(|point| point.rms).fold(f64::INFINITY, f64::min);
-        let cells = points.iter().map(|point| {
-            let star = if point.weight != Weight::Quadric && point.rms == best { "*" } else { "" };
-            format!("{}{star}", degrees(point.rms))
-        });
-        if !points.is_empty() {
+        let cells = cells(tiling);
+        if !cells.is_empty() {
             table.push(std::iter::once(tiling.name().to_owned()).chain(cells));
         }
     }
     table
 }
 
+/// The rms error of each weight on each class of meshes, the median over its surfaces; a star marks the best sum of faces.
+pub fn class_table(trade: &Trade) -> Table {
+    by_tiling("Vertex normals: rms error in degrees at 64 × 32, median over surfaces", |tiling| {
+        let points = trade.of_class(tiling);
+        let sums = points.iter().filter(|point| point.weight != Weight::Quadric);
+        let best = sums.map(|point| point.rms).fold(f64::INFINITY, f64::min);
+        let cell = |point: &ClassPoint| {
+            let star = if point.weight != Weight::Quadric && point.rms == best { "*" } else { "" };
+            format!("{}{star}", degrees(point.rms, 3))
+        };
+        points.iter().map(cell).collect()
+    })
+}
+
 /// The order of convergence of each weight on each class of meshes: the median over its surfaces.
 pub fn order_table(trade: &Trade) -> Table {
-    let mut table = by_weight("Order of convergence over three halvings, median over surfaces", &["mesh"]);
-    for tiling in Tiling::ALL {
+    by_tiling("Order of convergence over three halvings, median over surfaces", |tiling| {
         let cases: Vec<_> = trade.vertex.iter().filter(|case| case.tiling == tiling).collect();
         let order = |weight: Weight| {
             let methods =
@@ -55,11 +56,8 @@ pub fn order_table(trade: &Trade) -> Table {
             orders.sort_by(f64::total_cmp);
             orders.get(orders.len() / 2).map_or("exact".into(), |order| format!("{order:.2}"))
         };
-        if !cases.is_empty() {
-            table.push(std::iter::once(tiling.name().to_owned()).chain(Weight::ALL.map(order)));
-        }
-    }
-    table
+        if cases.is_empty() { Vec::new() } else { Weight::ALL.map(order).to_vec() }
+    })
 }
 
 /// Every surface in every tiling: errors on the quoted mesh, to the digits that the reference prints.
@@ -71,7 +69,7 @@ pub fn surface_table(trade: &Trade) -> Table {
     for case in &trade.vertex {
         let error = |weight: Weight| {
             let errors = case.quoted_errors(weight);
-            errors.map_or(NONE.into(), |e| [e.rms, e.median, e.p99, e.max].map(finely).join(" / "))
+            errors.map_or(NONE.into(), |e| [e.rms, e.median, e.p99, e.max].map(|x| degrees(x, 4)).join(" / "))
         };
         let excluded = case.meshes.get(case.quoted).map_or(0, |mesh| mesh.excluded);
         let names = [case.surface.to_owned(), case.tiling.name().to_owned(), excluded.to_string()];
@@ -80,7 +78,7 @@ pub fn surface_table(trade: &Trade) -> Table {
     table
 }
 
-/// What each weight costs each way.
+/// The cost of each weight.
 pub fn cost_table(trade: &Trade) -> Table {
     let costs = &trade.costs;
     let caption = format!(
@@ -91,8 +89,7 @@ pub fn cost_table(trade: &Trade) -> Table {
     let mut table = Table::new(&caption, &["weight", "slices, faithful", "mesh, faithful", "mesh, fast"]);
     for weight in Weight::ALL {
         let cell = |way: Way| {
-            let row = costs.rows.iter().find(|row| row.way == way && row.weight == weight);
-            row.map_or(NONE.into(), |row| {
+            costs.row(way, weight).map_or(NONE.into(), |row| {
                 format!("{} ({}×)", three_digits(row.ns_per_triangle), three_digits(row.ratio))
             })
         };
@@ -102,7 +99,7 @@ pub fn cost_table(trade: &Trade) -> Table {
     table
 }
 
-/// How far corners of boxes are from their diagonals.
+/// The deviation of normals at corners of boxes from the diagonals.
 pub fn box_table(trade: &Trade) -> Table {
     let caption = "Corners of boxes, all 64 triangulations: degrees off the diagonal";
     let mut table = Table::new(caption, &["weight", "1 × 1 × 1", "1 × 1 × 10"]);
@@ -127,7 +124,7 @@ pub fn box_table(trade: &Trade) -> Table {
     table
 }
 
-/// `fast` beside `faithful`.
+/// `fast` compared with `faithful`.
 pub fn precision_table(trade: &Trade) -> Table {
     let columns = ["stored in f32", "weight", "fast − faithful, rms", "largest", "faithful − truth, rms", ""];
     let mut table = Table::new("Precision: degrees", &columns);
@@ -144,7 +141,7 @@ pub fn precision_table(trade: &Trade) -> Table {
     table
 }
 
-/// Stored normals; their times are of the machine, and can be left out.
+/// Stored normals; their times, which depend on the machine, can be omitted.
 pub fn encoding_table(rows: &[EncodingRow], timed: bool) -> Table {
     let directions = rows.iter().map(|row| row.directions).max().unwrap_or(0);
     let caption = format!(
@@ -183,16 +180,6 @@ pub fn encoding_table(rows: &[EncodingRow], timed: bool) -> Table {
 
 /// Ways to shade with one kind of highlight: rms error in steps of 1/255 and the share of pixels over half a step.
 pub fn shading_table(rows: &[ShadingRow], reflection: &str) -> Table {
-    const WAYS: [(&str, Option<&str>); 8] = [
-        ("wireframe", None),
-        ("flat", None),
-        ("gouraud", Some("scanline")),
-        ("gouraud", Some("affine")),
-        ("gouraud", Some("perspective")),
-        ("phong", Some("scanline")),
-        ("phong", Some("affine")),
-        ("phong", Some("perspective")),
-    ];
     let caption = format!(
         "Shading, {reflection} highlight: rms error in steps of 1/255 of linear light (pixels over half a step); \
          pixels covered otherwise"
@@ -218,22 +205,18 @@ pub fn shading_table(rows: &[ShadingRow], reflection: &str) -> Table {
     for mesh in
         of_reflection.chunk_by(|a, b| (a.surface, a.tiling, a.faces) == (b.surface, b.tiling, b.faces))
     {
-        let find = |(shading, interpolation)| {
-            mesh.iter().find(|row| row.shading == shading && row.interpolation == interpolation)
-        };
-        let cell = |way| {
-            find(way).map_or(NONE.into(), |row| {
-                format!("{} ({:.0} %)", three_digits(row.error.linear.rms), 100.0 * row.error.linear.over)
-            })
-        };
-        let phong = find(WAYS[7]).map(|row| row.error);
-        let last = phong.map_or([NONE; 3].map(str::to_owned), |error| {
-            let covered = format!("{:.2} %", 100.0 * error.disagreement);
-            [covered, three_digits(error.luminance.rms), three_digits(error.linear.max)]
+        let cells = mesh.iter().map(|row| {
+            format!("{} ({:.0} %)", three_digits(row.error.linear.rms), 100.0 * row.error.linear.over)
         });
-        let first = mesh[0];
+        // The last row is that of Phong shading, right under perspective.
+        let (first, phong) = (mesh[0], mesh[mesh.len() - 1].error);
         let names = [first.surface.to_owned(), first.tiling.name().to_owned(), first.faces.to_string()];
-        table.push(names.into_iter().chain(WAYS.map(cell)).chain(last));
+        let last = [
+            format!("{:.2} %", 100.0 * phong.disagreement),
+            three_digits(phong.luminance.rms),
+            three_digits(phong.linear.max),
+        ];
+        table.push(names.into_iter().chain(cells).chain(last));
     }
     table
 }
@@ -255,7 +238,7 @@ pub fn approximation_table(trade: &Trade) -> Table {
     table
 }
 
-/// The weights on somebody's own mesh.
+/// The weights on a user mesh.
 pub fn own_table(own: &OwnMesh) -> Table {
     let caption = format!(
         "Angle to the quadric's normals in degrees, over {} of {} normals; cost on one thread (plain f32 loop: {} ns a \
@@ -291,31 +274,20 @@ pub fn own_table(own: &OwnMesh) -> Table {
 
 /// Milliseconds of each way to shade, on the finest regular mesh of each surface.
 pub fn shading_times(rows: &[ShadingRow]) -> Table {
-    let mut surfaces: Vec<&str> = rows.iter().map(|row| row.surface).collect();
-    surfaces.dedup();
-    let columns: Vec<&str> =
-        ["shading", "interpolation"].into_iter().chain(surfaces.iter().copied()).collect();
+    let is_shown = |row: &&ShadingRow| row.reflection == "blinn" && row.tiling == Tiling::Regular;
+    // For each surface the rows of its finest mesh, in the order of the ways to shade.
+    let finest = rows.chunk_by(|a, b| a.surface == b.surface).map(|rows| {
+        let faces = rows.iter().filter(is_shown).map(|row| row.faces).max();
+        rows.iter().filter(is_shown).filter(|row| Some(row.faces) == faces).collect()
+    });
+    let finest: Vec<Vec<&ShadingRow>> = finest.collect();
+    let surfaces = finest.iter().filter_map(|rows| Some(rows.first()?.surface));
+    let columns: Vec<&str> = ["shading", "interpolation"].into_iter().chain(surfaces).collect();
     let mut table = Table::new("Time of a picture of the finest regular mesh, all threads: ms", &columns);
-    let finest = |surface: &str| {
-        let regular = rows.iter().filter(|row| row.surface == surface && row.tiling == Tiling::Regular);
-        regular.map(|row| row.faces).max().unwrap_or(0)
-    };
-    let first = surfaces.first().copied().unwrap_or_default();
-    let is_shown = |row: &&ShadingRow, surface: &str| {
-        row.surface == surface
-            && row.reflection == "blinn"
-            && row.tiling == Tiling::Regular
-            && row.faces == finest(surface)
-    };
-    for way in rows.iter().filter(|row| is_shown(row, first)) {
-        let cell = |surface: &&str| {
-            let same = |row: &&ShadingRow| {
-                is_shown(row, surface) && (row.shading, row.interpolation) == (way.shading, way.interpolation)
-            };
-            rows.iter().find(same).map_or(NONE.into(), |row| three_digits(row.milliseconds))
-        };
+    for (number, way) in finest.first().into_iter().flatten().enumerate() {
         let names = [way.shading.to_owned(), way.interpolation.unwrap_or(NONE).to_owned()];
-        table.push(names.into_iter().chain(surfaces.iter().map(cell)));
+        let times = finest.iter().filter_map(|rows| Some(three_digits(rows.get(number)?.milliseconds)));
+        table.push(names.into_iter().chain(times));
     }
     table
 }

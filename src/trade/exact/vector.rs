@@ -1,4 +1,4 @@
-//! Vectors of big numbers, and how far computed ones are from them.
+//! Vectors of big numbers, and the errors of computed ones.
 
 use super::{Big, big, small};
 use dashu::base::Abs;
@@ -11,6 +11,11 @@ pub(crate) type Vector = [Big; 3];
 pub(crate) fn difference(a: DVec3, b: DVec3) -> Vector {
     let (a, b) = (a.to_array(), b.to_array());
     std::array::from_fn(|axis| big(a[axis]) - big(b[axis]))
+}
+
+/// a + b.
+pub(crate) fn add(a: Vector, b: Vector) -> Vector {
+    std::array::from_fn(|axis| &a[axis] + &b[axis])
 }
 
 /// a·b.

@@ -1,14 +1,14 @@
 //! How series are told apart: by colour, and without it by their dashes and signs.
 
-use super::{Mark, Series};
+use super::series::{Mark, Series};
 use std::fmt::Write;
 
-/// The colours of M. Okabe and K. Ito, *Color universal design*, 2002, but for their yellow, too light on white: a brown stands
-/// for it, which the others and the grey of guides differ from without full colour vision too.
+/// The colours of M. Okabe and K. Ito, *Color universal design*, 2002. A brown replaces their yellow, too light on white; it
+/// differs from the others and the grey of guides without full colour vision too.
 const COLOURS: [&str; 8] =
     ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#000000", "#e69f00", "#56b4e9", "#663311"];
 const GREY: &str = "#767676";
-/// Lengths of dashes and gaps, in pixels. There are five and six signs, so that thirty series have none of both in common.
+/// Lengths of dashes and gaps, in pixels. There are five and six signs, so that thirty series differ in one of them.
 const DASHES: [&str; 5] = ["none", "9 4", "5 3", "10 3 2 3", "6 3 2 3 2 3"];
 const FRONTIER: &str = "6 4";
 /// Of guides: others than those of curves.
@@ -20,44 +20,46 @@ const SIGNS: usize = 6;
 /// How many signs a curve has.
 const FEW: usize = 4;
 
-/// How a series looks.
+/// The style of a series.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Look {
+pub(super) struct SeriesStyle {
     pub(super) colour: &'static str,
-    /// As SVG has it; of points nothing is seen of it.
+    /// The dashes as in SVG; not used for points.
     pub(super) dash: &'static str,
-    /// Which of the signs, if it has any.
+    /// The number of its sign, if it has one.
     sign: Option<usize>,
-    /// What the sign is filled with.
+    /// The fill of the sign.
     filling: &'static str,
-    /// Its number, by which a curve's signs stand elsewhere than its neighbour's.
+    /// Its number, which shifts the signs of a curve against those of its neighbours.
     number: usize,
 }
 
-/// The looks of all series of a plot. The first guide is a dotted line; others have hollow signs, of the form that the curve of
+/// The styles of all series of a plot. The first guide is a dotted line; others have hollow signs, of the form that the curve of
 /// the same number has.
-pub(super) fn looks(all: &[Series]) -> Vec<Look> {
+pub(super) fn series_styles(all: &[Series]) -> Vec<SeriesStyle> {
     let mut guides = 0_usize;
-    let look = |(place, series): (usize, &Series)| match series.mark {
-        Mark::Frontier => Look { colour: GREY, dash: FRONTIER, sign: None, filling: GREY, number: place },
+    let style = |(place, series): (usize, &Series)| match series.mark {
+        Mark::Frontier => {
+            SeriesStyle { colour: GREY, dash: FRONTIER, sign: None, filling: GREY, number: place }
+        }
         Mark::Guide => {
             guides += 1;
             let number = guides - 1;
             let sign = (number > 0).then_some(number % SIGNS);
-            Look { colour: GREY, dash: GUIDES[number % GUIDES.len()], sign, filling: "#fff", number }
+            SeriesStyle { colour: GREY, dash: GUIDES[number % GUIDES.len()], sign, filling: "#fff", number }
         }
         _ => {
             let number = series.colour.unwrap_or(place);
             let (colour, dash) = (COLOURS[number % COLOURS.len()], DASHES[number % DASHES.len()]);
             let sign = (series.mark != Mark::Steps).then_some(number % SIGNS);
-            Look { colour, dash, sign, filling: colour, number }
+            SeriesStyle { colour, dash, sign, filling: colour, number }
         }
     };
-    all.iter().enumerate().map(look).collect()
+    all.iter().enumerate().map(style).collect()
 }
 
-impl Look {
-    /// Which of so many points have a sign: all that were measured, and a few of a curve.
+impl SeriesStyle {
+    /// The points with a sign, of this number of points: all that were measured, and a few of a curve.
     pub(super) fn signed(&self, mark: Mark, count: usize) -> Vec<usize> {
         match (self.sign, mark) {
             (None, _) => Vec::new(),
@@ -83,16 +85,10 @@ impl Look {
             2 => format!("M{x:.1} {:.1}l{s} {}h{}Z", y - s, 2.0 * s, -2.0 * s),
             3 => format!("M{x:.1} {:.1}l{s} {s}l{} {s}l{} {}Z", y - s, -s, -s, -s),
             4 => format!("M{x:.1} {:.1}l{s} {}h{}Z", y + s, -2.0 * s, -2.0 * s),
-            _ => format!(
-                "M{:.1} {:.1}l{} {}m0 {}l{} {}",
-                x - s,
-                y - s,
-                2.0 * s,
-                2.0 * s,
-                -2.0 * s,
-                -2.0 * s,
-                2.0 * s
-            ),
+            _ => {
+                let t = 2.0 * s;
+                format!("M{:.1} {:.1}l{t} {t}m0 {}l{} {t}", x - s, y - s, -t, -t)
+            }
         };
         let Self { colour, filling, .. } = self;
         let _ = writeln!(
@@ -101,7 +97,7 @@ impl Look {
         );
     }
 
-    /// What of it is left without colour: the dash of its line, and the sign with whether it is hollow.
+    /// The style without colour: the dash of its line, and the sign with whether it is hollow.
     #[cfg(test)]
     pub(super) fn in_grey(&self, mark: Mark) -> (Option<&'static str>, Option<(usize, bool)>) {
         let line = (mark != Mark::Points).then_some(self.dash);

@@ -1,51 +1,51 @@
-//! Where a file is seen from: so that its worst places are seen, and not hidden behind others.
+//! The choice of a view in which the worst places are visible.
 
-use super::pictures::Model;
+use super::model::Model;
 use crate::mesh::Obstacles;
 use crate::num::unit_scale;
 use crate::quality::{Comparison, Diagnosis, Site};
 use crate::raster::{Camera, Projection};
 use glam::{DMat3, DMat4, DVec3};
 
-/// Where a file is seen from.
+/// The direction from which a file is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Sight {
-    /// From where most of the worst places are seen.
+    /// The one that shows most of the worst places.
     #[default]
     Auto,
     /// From this side.
     From(DVec3),
 }
 
-/// Places that have a say; more would cost more and say the same.
+/// The largest number of sites that are considered; more would only cost more.
 const MOST_PLACES: usize = 64;
 
-/// Boxes and faces that are looked at for whether a place is hidden; beyond, it counts as hidden.
+/// The limit of boxes and faces that are tested per ray; beyond it, a site counts as hidden.
 const BUDGET: usize = 1 << 14;
 
-/// How much a place counts that is seen edge-on or whose face has no direction, against one seen from the front.
+/// The weight of a site that is seen edge-on or whose face has no direction, relative to one seen from the front.
 const EDGE_ON: f64 = 0.05;
 
-/// How much of the way to the middle of its face a place is looked at.
+/// The share by which a site is moved towards the middle of its face.
 const ASIDE: f64 = 0.02;
 
-/// How much of a picture is left free around what it shows: room for a legend below.
+/// The size of a picture relative to the model in it.
 const MARGIN: f64 = 1.2;
 
-/// A place that should be seen.
+/// A site that should be visible.
 struct Wanted {
     position: DVec3,
     normal: DVec3,
-    /// Its number among the places of parts, and its face.
+    /// Its object and face.
     object: usize,
     face: u32,
     weight: f64,
 }
 
 impl Wanted {
-    /// A place a little way into its face: before a corner itself stands all that meets there.
+    /// A site, moved a little into its face: at the corner itself other faces would hide it.
     fn of(model: &Model, site: &Site) -> Option<Self> {
-        let (object, position, normal) = model.stand(site)?;
+        let (object, position, normal) = model.locate(site)?;
         let (part, place) = model.object(object);
         let middle = site.face.map_or(position, |face| {
             let (mesh, _) = model.part(part);
@@ -58,8 +58,8 @@ impl Wanted {
     }
 }
 
-/// A camera that sees all of a model, from a side or from where most is seen of what was found and what changed; `None`
-/// if there is nothing to see.
+/// A camera that shows all of a model, from a side or from where most of the findings and changes are visible; `None` for an
+/// empty model.
 pub(super) fn camera(
     model: &Model,
     diagnosis: &Diagnosis,
@@ -73,7 +73,7 @@ pub(super) fn camera(
     all_from(model, direction)
 }
 
-/// A camera that sees all of a model from where a place is seen, and whether it is.
+/// A camera that shows all of a model from where a site is visible, and whether it is.
 pub(super) fn camera_on(model: &Model, obstacles: &[Obstacles<'_>], site: &Site) -> Option<(Camera, bool)> {
     let place = Wanted { weight: 1.0, ..Wanted::of(model, site)? };
     let wanted = std::slice::from_ref(&place);
@@ -81,7 +81,7 @@ pub(super) fn camera_on(model: &Model, obstacles: &[Obstacles<'_>], site: &Site)
     Some((camera, is_seen(model, obstacles, &place, camera.eye - place.position)))
 }
 
-/// A camera that sees all of a model from a direction, made of the usual one; `None` if there is nothing to see.
+/// A camera that shows all of a model from a direction, computed from the usual one; `None` for an empty model.
 fn all_from(model: &Model, direction: impl FnOnce(DVec3) -> DVec3) -> Option<Camera> {
     let framing = Camera::framing(model.bounds()?, 1.0);
     let distance = framing.eye.distance(framing.target);
@@ -91,7 +91,7 @@ fn all_from(model: &Model, direction: impl FnOnce(DVec3) -> DVec3) -> Option<Cam
     Some(zoomed(model, camera))
 }
 
-/// The places of findings, errors before warnings before notes, and what changed most.
+/// The sites of findings, errors before warnings before notes, and the largest changes.
 fn wanted(model: &Model, diagnosis: &Diagnosis, comparison: Option<&Comparison>) -> Vec<Wanted> {
     let found = diagnosis.findings.iter().flat_map(|finding| {
         let weight = [1.0, 100.0, 10_000.0][finding.severity as usize];
@@ -104,8 +104,8 @@ fn wanted(model: &Model, diagnosis: &Diagnosis, comparison: Option<&Comparison>)
     sites.into_iter().take(MOST_PLACES).filter_map(place).collect()
 }
 
-/// Of the directions from a cube's faces, edges and corners, the one from which most is seen; the usual one if that is no
-/// worse. Where none of them shows any of the gravest places, those from before and behind these places' faces as well.
+/// The best of the directions from a cube's faces, edges and corners; the usual one if it is no worse. If none of them shows
+/// any of the gravest sites, the directions of their face normals are tried as well.
 fn best(model: &Model, obstacles: &[Obstacles<'_>], wanted: &[Wanted], usual: DVec3) -> DVec3 {
     if wanted.is_empty() {
         return usual;
@@ -132,7 +132,7 @@ fn best(model: &Model, obstacles: &[Obstacles<'_>], wanted: &[Wanted], usual: DV
     sides.find(|(place, side)| shown(place, *side)).map_or(best.0, |(_, side)| side)
 }
 
-/// Which of some places something stands before, as seen by an eye.
+/// Whether each of some sites is hidden from an eye.
 pub(super) fn hidden(model: &Model, sites: &[&Site], eye: DVec3) -> Vec<bool> {
     if sites.is_empty() {
         return Vec::new();
@@ -144,7 +144,7 @@ pub(super) fn hidden(model: &Model, sites: &[&Site], eye: DVec3) -> Vec<bool> {
     sites.iter().map(is_hidden).collect()
 }
 
-/// Whether nothing stands between a place and a far eye.
+/// Whether a site is visible from a distant eye.
 fn is_seen(model: &Model, obstacles: &[Obstacles<'_>], place: &Wanted, direction: DVec3) -> bool {
     model.objects().enumerate().all(|(number, (part, transform))| {
         let back = inverse(transform);
@@ -155,7 +155,7 @@ fn is_seen(model: &Model, obstacles: &[Obstacles<'_>], place: &Wanted, direction
     })
 }
 
-/// How far from a place on a face of an object the first other face is, that way, if that is less than `most`.
+/// The distance from a position on a face to the next face in a direction, at most `most`.
 pub(super) fn clearance(
     model: &Model,
     obstacles: &[Obstacles<'_>],
@@ -172,7 +172,7 @@ pub(super) fn clearance(
     })
 }
 
-/// The inverse of an affine map of any scale: the determinant of one that is far from 1 has no number.
+/// The inverse of an affine map of any scale, whose determinant may be out of range.
 fn inverse(map: DMat4) -> DMat4 {
     let linear = DMat3::from_mat4(map);
     let scale = unit_scale(linear.to_cols_array().into_iter().fold(0.0, |most: f64, x| most.max(x.abs())));
@@ -180,7 +180,7 @@ fn inverse(map: DMat4) -> DMat4 {
     DMat4::from_mat3_translation(back, -(back * map.w_axis.truncate()))
 }
 
-/// The same camera with the angle of view that the model fills.
+/// The same camera with the angle of view of the model.
 fn zoomed(model: &Model, camera: Camera) -> Camera {
     let (Projection::Perspective(angle), Ok([right, up, forward])) = (camera.projection, camera.axes())
     else {
@@ -203,7 +203,7 @@ fn zoomed(model: &Model, camera: Camera) -> Camera {
 mod tests {
     use super::*;
 
-    /// Determinants of such scales are zero or infinite, and what stood there counted as hidden.
+    /// Determinants of such scales are zero or infinite.
     #[test]
     fn maps_of_any_scale_are_undone() {
         let turn = DMat4::from_axis_angle(DVec3::new(1.0, 2.0, 3.0).normalize(), 0.7);

@@ -1,28 +1,89 @@
-//! Dots on a heat map where single corners are far off that no pixel would show.
+//! Markers over a heat map: lines along creases, dots on single corners, rings around worst places.
 
-use super::heat::{ABSENT, HeatScale};
+use super::heat_scale::{ABSENT, HeatScale};
 use crate::num::{LinearRgb, viridis};
-use crate::raster::{Camera, LinePath, LineStyle, Lines, Projection};
+use crate::raster::{Camera, LinePath, LineStyle, Lines, Projection, Scene};
+use crate::report::overlay::{Overlay, overlay};
+use crate::report::picture::Picture;
 use glam::{DMat4, DVec3};
+
+/// The brightness of lines along edges: darker than all colours except those of correct normals, lighter than these.
+pub(super) const LINE: f64 = 0.3;
+
+/// The share of a picture that lines may cover; beyond it, those of short edges are omitted.
+const MOST_INK: f64 = 0.1;
+
+/// Pixels below which an edge is short: lines a pixel wide would cover much of the faces between them.
+const SHORT: f64 = 8.0;
 
 /// The width of the dots that mark single corners, in a picture of 480 pixels.
 const DOT: f64 = 2.5;
 
-/// The share of the scale from which on corners are marked.
+/// The share of the scale above which corners are marked.
 const MARKED: f64 = 0.5;
 
-/// The share of the scale by which they are further off than what is round them: where all is far off, that is seen anyway.
+/// The share of the scale by which they exceed their surroundings: where all deviations are large, that is visible anyway.
 const CONTRAST: f64 = 0.25;
 
-/// Colours that marks have from there to the end of the scale: a hundredth of the scale from what they mark, or two at its end.
+/// Colours of dots from there to the end of the scale: within a hundredth of the scale of their deviation, or two at its end.
 const SHADES: usize = 25;
 
+/// The creases of a scene as lines that show its form. Where they would hide the colours, as on a fine faceted mesh, those
+/// along short edges are omitted.
+pub(super) fn crease_lines(scene: &Scene<'_>, side: u32) -> Vec<Lines> {
+    let mut lines = overlay(scene, [side; 2], Overlay::Creases);
+    for Lines { style, .. } in &mut lines {
+        // Thinner than in the picture of the creases.
+        *style = LineStyle { colour: LinearRgb::grey(LINE), width: 0.5 * style.width, ..*style };
+    }
+    let length = |[a, b]: [DVec3; 2]| {
+        let at = |point| scene.camera.on_picture([side; 2], point).ok().flatten();
+        at(a).zip(at(b)).map_or(0.0, |(a, b)| libm::hypot(a[0] - b[0], a[1] - b[1]))
+    };
+    let lengths = |lines: &Lines| -> Vec<f64> {
+        match &lines.path {
+            LinePath::Edges { object, edges } => {
+                let object = &scene.objects[*object];
+                let place = |vertex| object.transform.transform_point3(object.shape.point(vertex));
+                edges.iter().map(|edge| length(edge.map(place))).collect()
+            }
+            LinePath::Points { points, segments } => {
+                segments.iter().map(|ends| length(ends.map(|end| points[end as usize]))).collect()
+            }
+            _ => Vec::new(),
+        }
+    };
+    let all: Vec<Vec<f64>> = lines.iter().map(lengths).collect();
+    let ink: f64 =
+        lines.iter().zip(&all).map(|(lines, all)| lines.style.width * all.iter().sum::<f64>()).sum();
+    if ink > MOST_INK * f64::from(side) * f64::from(side) {
+        for (lines, lengths) in lines.iter_mut().zip(&all) {
+            let mut is_long = lengths.iter().map(|&length| length >= SHORT);
+            match &mut lines.path {
+                LinePath::Edges { edges, .. } => edges.retain(|_| is_long.next() == Some(true)),
+                LinePath::Points { segments, .. } => segments.retain(|_| is_long.next() == Some(true)),
+                _ => {}
+            }
+        }
+    }
+    lines.retain(|lines| !is_empty(lines));
+    lines
+}
+
+fn is_empty(lines: &Lines) -> bool {
+    match &lines.path {
+        LinePath::Edges { edges, .. } => edges.is_empty(),
+        LinePath::Points { segments, .. } => segments.is_empty(),
+        _ => true,
+    }
+}
+
 impl HeatScale {
-    /// The colours that mark corners, each with the deviations that it marks.
+    /// The colours of dots, each with the deviations that it marks.
     fn marks(self) -> Vec<(LinearRgb, impl Fn(Option<f64>) -> bool)> {
         let absent = (LinearRgb::from(ABSENT), None, None);
         let share = |at: f64| MARKED + (1.0 - MARKED) * at / SHADES as f64;
-        // Higher ones lie above lower ones; what is beyond the scale has the colour of its end.
+        // Larger deviations are drawn last; those beyond the scale have the colour of its end.
         let above = |at: usize| {
             let is_last = at + 1 == SHADES;
             let next = (!is_last).then(|| share(at as f64 + 1.0) * self.full.0);
@@ -40,7 +101,7 @@ impl HeatScale {
         all.map(|(colour, least, below)| (colour, is_marked(least, below))).collect()
     }
 
-    /// Whether a corner of such a deviation may be marked.
+    /// Whether a corner with this deviation may be marked.
     pub(super) fn is_far(self, deviation: Option<f64>) -> bool {
         deviation.is_none_or(|degrees| degrees >= self.full.0 * MARKED)
     }
@@ -51,14 +112,14 @@ pub(super) struct Corner {
     /// Where it is in the world.
     pub(super) position: DVec3,
     pub(super) deviation: Option<f64>,
-    /// The length of the longest edge of its face there.
+    /// The length of the longer edge of its face there.
     pub(super) edge: f64,
-    /// The least deviation of corners at the places of its face's corners, `None` if none has one.
+    /// The smallest deviation at the positions of its face's corners; `None` without one.
     pub(super) around: Option<f64>,
 }
 
-/// Dots on corners that are far off, more than what is round them, and whose faces are too small to be seen: a pixel shows the mean
-/// of what it covers, and of single faults among many faces that would be nothing.
+/// Dots on corners with a large deviation, larger than that of their surroundings, on faces too small to be visible: a pixel
+/// shows the mean of what it covers, in which single faults among many faces vanish.
 pub(super) fn dots(
     corners: impl Iterator<Item = Corner>,
     scale: HeatScale,
@@ -82,7 +143,7 @@ pub(super) fn dots(
         let marked = all.iter().filter(|corner| is_marked(corner.deviation));
         let points = marked.flat_map(|corner| {
             let pixel = pixel(camera, side, corner.position);
-            // Towards the eye, or the surface round it would hide what bends away.
+            // Towards the eye, or the surrounding surface would hide parts of it.
             let at = corner.position - forward * width * pixel;
             [at - right * 0.5 * pixel, at + right * 0.5 * pixel]
         });
@@ -91,9 +152,7 @@ pub(super) fn dots(
         let style = LineStyle { colour, width, hide: true };
         Lines { path: LinePath::Points { points, segments }, style }
     });
-    marks
-        .filter(|lines| !matches!(&lines.path, LinePath::Points { segments, .. } if segments.is_empty()))
-        .collect()
+    marks.filter(|lines| !is_empty(lines)).collect()
 }
 
 /// The size of a pixel in the world, at a point.
@@ -108,6 +167,19 @@ fn pixel(camera: &Camera, side: u32, point: DVec3) -> f64 {
 /// The longest of the edges that a corner of a face has, in the world.
 pub(super) fn longest_edge(place: DMat4, [before, here, after]: [DVec3; 3]) -> f64 {
     [before, after].map(|end| place.transform_vector3(end - here).length()).into_iter().fold(0.0, f64::max)
+}
+
+/// Draws a red ring around a point of a picture.
+pub(super) fn ring(picture: &mut Picture, [x, y]: [f64; 2], radius: f64) {
+    let reach = radius as i64 + 3;
+    for dy in -reach..=reach {
+        for dx in -reach..=reach {
+            let [px, py] = [x as i64 + dx, y as i64 + dy];
+            let distance = libm::hypot(px as f64 + 0.5 - x, py as f64 + 0.5 - y);
+            let share = (1.5 - (distance - radius).abs()).clamp(0.0, 1.0);
+            picture.blend([px, py], [0.9, 0.1, 0.1], share as f32);
+        }
+    }
 }
 
 #[cfg(test)]

@@ -1,28 +1,31 @@
-//! Pictures of what was found: deviation as colours, facing, creases, and the worst places close up.
+//! A file as a model whose corners have separate colours and normals, and its pictures.
 
-use super::deviation::measure;
-use super::heat::HeatScale;
-use super::sight::{self, Sight};
+use super::heat_scale::{HeatScale, encode};
 use crate::io::Loaded;
 use crate::mesh::{Column, Faces, Mesh, MeshBuilder, Obstacles, normal_matrix};
 use crate::normals::{NormalField, Summary};
 use crate::num::LinearRgb;
-use crate::quality::{Diagnosis, Severity, Site, Survey, survey};
+use crate::quality::{Site, Survey};
 use crate::raster::{
     Camera, Image, Object, Paint, Recentring, RenderSettings, Samples, Scene, Shape, Show, default_lights,
     render,
 };
-use crate::report::{Overlay, Picture, ReportError, overlay};
+use crate::report::error::ReportError;
+use crate::report::overlay::{Overlay, overlay};
+use crate::report::picture::Picture;
 use crate::shade::Material;
 use glam::{DMat3, DMat4, DVec3};
 use std::borrow::Cow;
 
-/// A file taken apart, so that each corner has a colour and a normal of its own.
+/// Pixels along the sides of overviews.
+pub(super) const OVERVIEW: u32 = 320;
+
+/// A file whose corners have separate colours and normals.
 pub(super) struct Model {
     parts: Vec<PartModel>,
-    /// Which part stands where.
+    /// The part and the transform of each object.
     places: Vec<(usize, DMat4)>,
-    /// Which of the nodes that have that part it is, in their order.
+    /// The number of each object among the nodes with the same part.
     numbers: Vec<u32>,
     pub(super) scale: HeatScale,
 }
@@ -30,15 +33,15 @@ pub(super) struct Model {
 struct PartModel {
     mesh: Mesh,
     field: NormalField,
-    /// The normals that the rule of the mesh gives: edges that are sharp by it show its form, whatever is wrong.
+    /// The normals of the estimated weighting: their creases show the form, whatever is wrong.
     ruled: NormalField,
     deviations: Vec<Option<f64>>,
     /// The same, to be drawn.
-    measures: Vec<LinearRgb>,
+    encoded: Vec<LinearRgb>,
 }
 
 impl Model {
-    /// The file with what was measured of each part, in colours of a scale.
+    /// The file with the survey of each part, in colours of a scale.
     pub(super) fn new(loaded: &Loaded, surveys: &[Survey], scale: HeatScale) -> Result<Self, ReportError> {
         let parts = loaded.parts.iter().zip(surveys);
         let parts: Vec<PartModel> =
@@ -59,7 +62,7 @@ impl Model {
         Ok(model)
     }
 
-    /// Brings what is huge, tiny or far away to where a camera can see it.
+    /// Moves huge, tiny or distant models into the range of a camera.
     fn recentre(&mut self) -> Result<(), ReportError> {
         let Some((low, high)) = self.bounds() else { return Ok(()) };
         if !(low.is_finite() && high.is_finite()) {
@@ -71,8 +74,8 @@ impl Model {
         Ok(())
     }
 
-    /// Which object a place is on, where that is in the world, and which way its face looks there.
-    pub(super) fn stand(&self, site: &Site) -> Option<(usize, DVec3, DVec3)> {
+    /// The object of a site, its world position, and the normal of its face (zero if none).
+    pub(super) fn locate(&self, site: &Site) -> Option<(usize, DVec3, DVec3)> {
         let position = site.position?;
         let object = self.places.iter().position(|(part, _)| *part == site.part)?;
         let place = self.places[object].1;
@@ -82,7 +85,7 @@ impl Model {
         Some((object, place.transform_point3(position), normal.unwrap_or(DVec3::ZERO)))
     }
 
-    /// The middle of what a node shows of its part, in the world, if the place is about a node.
+    /// The middle of a node's part, in the world, if the site is about a node.
     pub(super) fn middle_of_node(&self, site: &Site) -> Option<DVec3> {
         let number = site.place?;
         let is_it = |at: &usize| self.places[*at].0 == site.part && self.numbers[*at] == number;
@@ -91,22 +94,22 @@ impl Model {
         Some(place.transform_point3(low.midpoint(high)))
     }
 
-    /// What rays may meet of each part.
+    /// The obstacles of each part, for rays.
     pub(super) fn obstacles(&self) -> Vec<Obstacles<'_>> {
         self.parts.iter().map(|part| Obstacles::new(&part.mesh)).collect()
     }
 
-    /// Which part stands where.
+    /// The part and the transform of each object.
     pub(super) fn objects(&self) -> impl Iterator<Item = (usize, DMat4)> {
         self.places.iter().copied()
     }
 
-    /// Which part an object is, and where it stands.
+    /// The part and the transform of an object.
     pub(super) fn object(&self, object: usize) -> (usize, DMat4) {
         self.places[object]
     }
 
-    /// The mesh of a part, every corner a vertex of its own, and the normals of its faces.
+    /// The mesh of a part, every corner with a separate vertex, and its face normals.
     pub(super) fn part(&self, part: usize) -> (&Mesh, &[DVec3]) {
         let PartModel { mesh, field, .. } = &self.parts[part];
         (mesh, &field.face_normals)
@@ -120,21 +123,21 @@ impl Model {
         self.places.iter().flat_map(of)
     }
 
-    /// The mesh of a part, every corner a vertex of its own, and how far the normals of these are off.
+    /// The mesh of a part, every corner with a separate vertex, and the deviation of their normals.
     pub(super) fn deviations(&self, part: usize) -> (&Mesh, &[Option<f64>]) {
         let PartModel { mesh, deviations, .. } = &self.parts[part];
         (mesh, deviations)
     }
 
-    /// The scene from a camera, as it is lit.
+    /// The lit scene from a camera.
     pub(super) fn scene(&self, camera: Camera) -> Scene<'_> {
         let paint = |_: &PartModel| Paint::Lit(Material::default());
         self.painted(camera, |part| &part.field, paint)
     }
 
-    /// The scene from a camera, with the [measure] of each corner for its colour.
-    pub(super) fn measured(&self, camera: Camera) -> Scene<'_> {
-        self.painted(camera, |part| &part.ruled, |part| Paint::Given(Cow::Borrowed(&part.measures)))
+    /// The scene from a camera, with the [encoded](encode) deviation of each corner for its colour.
+    pub(super) fn encoded(&self, camera: Camera) -> Scene<'_> {
+        self.painted(camera, |part| &part.ruled, |part| Paint::Given(Cow::Borrowed(&part.encoded)))
     }
 
     fn painted<'a>(
@@ -157,13 +160,13 @@ impl Model {
         }
     }
 
-    /// The box round all of it, in the world; `None` if there is nothing.
+    /// The bounding box in the world; `None` if it is empty.
     pub(super) fn bounds(&self) -> Option<(DVec3, DVec3)> {
         let any = Camera::framing((DVec3::ZERO, DVec3::ONE), 1.0);
         self.scene(any).bounds()
     }
 
-    /// Lit with the normals that it has.
+    /// A picture, lit with its own normals.
     pub(super) fn lit(&self, camera: Camera, side: u32) -> Result<Picture, ReportError> {
         draw(&self.scene(camera), side, Show::Shaded)
     }
@@ -189,58 +192,32 @@ impl PartModel {
             faces.push(&range.map(|corner| corner as u32).collect::<Vec<u32>>());
         }
         let positions = corners.iter().map(|&vertex| mesh.positions()[vertex as usize]).collect();
-        let apart = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build();
-        let apart = apart.map_err(|error| ReportError::Encoder(error.to_string()))?;
-        let own: Vec<u32> = (0..corners.len() as u32).collect();
+        let separate = MeshBuilder { positions, faces, ..MeshBuilder::default() }.build();
+        let separate = separate.map_err(|error| ReportError::Encoder(error.to_string()))?;
+        let corner_numbers: Vec<u32> = (0..corners.len() as u32).collect();
         let field = |normals: &[DVec3]| NormalField {
-            normals: Column::per_corner(normals.to_vec(), own.clone()),
-            entry_vertex: own.clone(),
+            normals: Column::per_corner(normals.to_vec(), corner_numbers.clone()),
+            entry_vertex: corner_numbers.clone(),
             face_normals: survey.face_normals.clone(),
             morph_normals: Vec::new(),
             faults: crate::normals::Faults::default(),
             summary: Summary::default(),
         };
         Ok(Self {
-            mesh: apart,
+            mesh: separate,
             field: field(&survey.shaded),
             ruled: field(&survey.expected),
-            measures: survey.deviations.iter().copied().map(measure).collect(),
+            encoded: survey.deviations.iter().copied().map(encode).collect(),
             deviations: survey.deviations.clone(),
         })
     }
-}
-
-/// The worst place of each error and warning.
-pub(super) fn worst_places(diagnosis: &Diagnosis) -> Vec<&Site> {
-    let grave = diagnosis.findings.iter().filter(|finding| finding.severity > Severity::Note);
-    grave.filter_map(|finding| finding.places.first()).collect()
-}
-
-/// The heat map of a file alone: how far stored normals are from those that the rule of their mesh gives, with a ring round
-/// the worst place of each error and warning that is seen, and a legend below; as many pixels wide as it is asked for, and higher by the
-/// legend. The deviation spreads over faces from corner to corner, and each pixel has the colour of the mean of what it
-/// shows. Corners whose faces are too small to be seen are marked with dots, the worst uppermost; where corners have no stored
-/// normal that has a direction, the surface has a colour of its own.
-///
-/// # Errors
-/// If there is nothing to draw, or it cannot be drawn.
-pub fn deviation_picture(
-    loaded: &Loaded,
-    diagnosis: &Diagnosis,
-    sight: Sight,
-    side: u32,
-) -> Result<Picture, ReportError> {
-    let surveys = survey(loaded);
-    let model = Model::new(loaded, &surveys, HeatScale::of(surveys.iter()))?;
-    let camera = sight::camera(&model, diagnosis, None, sight).ok_or(ReportError::Empty)?;
-    Ok(model.deviation(camera, side, &worst_places(diagnosis))?.0)
 }
 
 pub(super) fn draw(scene: &Scene<'_>, side: u32, show: Show) -> Result<Picture, ReportError> {
     Ok(render_at(scene, side, RenderSettings { show, ..RenderSettings::default() })?.into())
 }
 
-/// As all pictures of a report are drawn, with other settings as they are given.
+/// Renders with the settings of all pictures of a report, and the given other ones.
 pub(super) fn render_at(
     scene: &Scene<'_>,
     side: u32,
@@ -248,17 +225,4 @@ pub(super) fn render_at(
 ) -> Result<Image, ReportError> {
     let settings = RenderSettings { size: [side; 2], samples: Samples::Four, two_sided: true, ..settings };
     render(scene, &settings).map_err(|error| ReportError::Encoder(error.to_string()))
-}
-
-/// A red ring round a point of a picture.
-pub(super) fn ring(picture: &mut Picture, [x, y]: [f64; 2], radius: f64) {
-    let reach = radius as i64 + 3;
-    for dy in -reach..=reach {
-        for dx in -reach..=reach {
-            let [px, py] = [x as i64 + dx, y as i64 + dy];
-            let distance = libm::hypot(px as f64 + 0.5 - x, py as f64 + 0.5 - y);
-            let share = (1.5 - (distance - radius).abs()).clamp(0.0, 1.0);
-            picture.blend([px, py], [0.9, 0.1, 0.1], share as f32);
-        }
-    }
 }

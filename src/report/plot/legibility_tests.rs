@@ -1,8 +1,8 @@
-//! What tests of all plots ask of one: that nothing is drawn over, and that nothing is lost without colour.
+//! Assertions for tests of all plots: no text overlaps another, and series differ without colour.
 
-use super::Plot;
 use super::draw::width_of;
-use super::look::looks;
+use super::series::Plot;
+use super::series_style::series_styles;
 use std::collections::BTreeSet;
 
 /// A text and its ends: left, top, right, bottom.
@@ -61,8 +61,8 @@ impl Plot {
                 assert!(apart, "{}: {words} lies over {other}", self.title);
             }
         }
-        let looks = looks(&self.series);
-        let in_grey = looks.iter().zip(&self.series).map(|(look, series)| look.in_grey(series.mark));
+        let styles = series_styles(&self.series);
+        let in_grey = styles.iter().zip(&self.series).map(|(style, series)| style.in_grey(series.mark));
         let different: BTreeSet<_> = in_grey.collect();
         assert_eq!(different.len(), self.series.len(), "{}: series look alike in grey", self.title);
     }

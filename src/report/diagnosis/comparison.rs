@@ -1,22 +1,25 @@
 //! Before and after, side by side.
 
-use super::heat::HeatScale;
-use super::pictures::Model;
-use super::sight::hidden;
+use super::heat_scale::HeatScale;
+use super::model::{Model, OVERVIEW};
+use super::view_choice::hidden;
 use crate::io::Loaded;
 use crate::num::three_digits;
 use crate::quality::{Comparison, Site, Survey};
 use crate::raster::Camera;
-use crate::report::{Page, Picture, ReportError, Table};
+use crate::report::error::ReportError;
+use crate::report::html::Page;
+use crate::report::picture::Picture;
+use crate::report::table::Table;
 
-/// The file that came after, and what is different in it.
+/// A file after a change, with its comparison.
 #[derive(Clone, Copy, Debug)]
 pub struct After<'a> {
-    /// What it is called.
+    /// The name of the file.
     pub name: &'a str,
     /// The file.
     pub loaded: &'a Loaded,
-    /// What changed.
+    /// The differences.
     pub comparison: &'a Comparison,
 }
 
@@ -27,7 +30,6 @@ pub(super) fn section(
     after: After<'_>,
     surveys: &[Survey],
     camera: Camera,
-    side: u32,
 ) -> Result<(), ReportError> {
     let comparison = after.comparison;
     page.heading("Before and after");
@@ -42,8 +44,8 @@ pub(super) fn section(
     let mut seen =
         places.iter().zip(hidden(&change, &places, camera.eye)).filter(|(_, is_hidden)| !is_hidden);
     let worst: Vec<&Site> = seen.next().map(|(site, _)| *site).into_iter().collect();
-    let lit = [before.lit(camera, side)?, then.lit(camera, side)?];
-    let (marked, _) = change.deviation(camera, side, &worst)?;
+    let lit = [before.lit(camera, OVERVIEW)?, then.lit(camera, OVERVIEW)?];
+    let (marked, _) = change.deviation(camera, OVERVIEW, &worst)?;
     let pictures: [(&Picture, &str); 3] = [
         (&lit[0], "the mesh lit with the normals that it had before"),
         (&lit[1], "the mesh lit with the normals that it has after"),
@@ -52,7 +54,7 @@ pub(super) fn section(
     let caption = "Left: before. Middle: after. Right: by how much the normals of each corner changed; a ring marks \
                    the place that changed most of those that are seen.";
     page.pictures(&pictures, caption)?;
-    let off = [before.deviation(camera, side, &[])?.0, then.deviation(camera, side, &[])?.0];
+    let off = [before.deviation(camera, OVERVIEW, &[])?.0, then.deviation(camera, OVERVIEW, &[])?.0];
     let words = ["before", "after"].map(|when| {
         let scale = before.scale.words();
         format!("{when}: the mesh coloured by the deviation of its normals from the rule that they follow, {scale}")

@@ -1,7 +1,7 @@
-//! Histograms of what was measured.
+//! Histograms of the survey of a file.
 
 use crate::quality::Survey;
-use crate::report::{Axis, Mark, Plot, Series};
+use crate::report::plot::{Axis, Mark, Plot, Series};
 
 /// Bins of a histogram.
 const BINS: usize = 60;
