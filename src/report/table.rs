@@ -2,6 +2,9 @@
 
 use std::fmt::Write;
 
+/// The name of a column, and its cell for an item.
+pub(super) type Column<'a, T> = (&'a str, &'a dyn Fn(&T) -> String);
+
 /// Rows under columns, the first of which names the row.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Table {
@@ -18,6 +21,13 @@ impl Table {
             columns: columns.iter().map(|&column| column.to_owned()).collect(),
             rows: Vec::new(),
         }
+    }
+
+    /// A table with a row for each item, whose cells are computed by the columns.
+    pub(super) fn of<T>(caption: &str, items: &[T], columns: &[Column<T>]) -> Self {
+        let names: Vec<&str> = columns.iter().map(|(name, _)| *name).collect();
+        let rows = items.iter().map(|item| columns.iter().map(|(_, cell)| cell(item)).collect()).collect();
+        Self { rows, ..Self::new(caption, &names) }
     }
 
     /// With another row.

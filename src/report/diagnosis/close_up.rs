@@ -28,15 +28,19 @@ impl Model {
         let (Some((object, position, normal)), Some((low, high))) = (self.locate(site), self.bounds()) else {
             return Ok(None);
         };
-        let (part, place) = self.object(object);
-        let (mesh, face_normals) = self.part(part);
+        let (part, place) = self.objects[object];
+        let mesh = &self.parts[part].mesh;
         let around = Around::new(mesh, site);
         let local = around.size(mesh, site, place, (high - low).length());
         let size = if local > 0.0 { local } else { CLOSEST * (high - low).length() };
         if size == 0.0 || !size.is_finite() {
             return Ok(None);
         }
-        let towards = if normal == DVec3::ZERO { around.outward(face_normals, place) } else { normal };
+        let towards = if normal == DVec3::ZERO {
+            around.outward(&self.parts[part].field.face_normals, place)
+        } else {
+            normal
+        };
         let up = if towards.y.abs() > 0.95 { DVec3::NEG_Z } else { DVec3::Y };
         // Half way to the next face in front, if that is nearer than the picture is wide.
         let face = site.face.unwrap_or(u32::MAX);

@@ -7,7 +7,7 @@
 use super::heat_scale::HeatScale;
 use super::legend::{Marks, with_legend};
 use super::markers::{Corner, crease_lines, dots, longest_edge, ring};
-use super::model::{Model, render_at};
+use super::model::{Model, PartModel, render_at};
 use super::view_choice::{Sight, camera, hidden};
 use crate::io::Loaded;
 use crate::mesh::{Mesh, place_key};
@@ -77,14 +77,14 @@ impl Model {
 
     /// Whether any corner may have to be marked.
     fn is_any_far(&self) -> bool {
-        let parts: BTreeSet<usize> = self.objects().map(|(part, _)| part).collect();
-        parts.into_iter().any(|part| self.deviations(part).1.iter().any(|&it| self.scale.is_far(it)))
+        let parts: BTreeSet<usize> = self.objects.iter().map(|(part, _)| *part).collect();
+        parts.into_iter().any(|part| self.parts[part].deviations.iter().any(|&it| self.scale.is_far(it)))
     }
 
     /// All corners, in the world.
     fn corners(&self) -> impl Iterator<Item = Corner> {
-        self.objects().flat_map(|(part, place)| {
-            let (mesh, deviations) = self.deviations(part);
+        self.objects.iter().flat_map(|&(part, place)| {
+            let PartModel { mesh, deviations, .. } = &self.parts[part];
             let point = |vertex: u32| mesh.positions()[vertex as usize];
             let least_at = least_at_places(mesh, deviations);
             let of_face = move |face: &[u32]| -> Vec<Corner> {

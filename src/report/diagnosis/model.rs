@@ -22,20 +22,23 @@ pub(super) const OVERVIEW: u32 = 320;
 
 /// A file whose corners have separate colours and normals.
 pub(super) struct Model {
-    parts: Vec<PartModel>,
+    pub(super) parts: Vec<PartModel>,
     /// The part and the transform of each object.
-    places: Vec<(usize, DMat4)>,
+    pub(super) objects: Vec<(usize, DMat4)>,
     /// The number of each object among the nodes with the same part.
     numbers: Vec<u32>,
     pub(super) scale: HeatScale,
 }
 
-struct PartModel {
-    mesh: Mesh,
-    field: NormalField,
+/// A part of a file.
+pub(super) struct PartModel {
+    /// Every corner is a separate vertex.
+    pub(super) mesh: Mesh,
+    pub(super) field: NormalField,
     /// The normals of the estimated weighting: their creases show the form, whatever is wrong.
     ruled: NormalField,
-    deviations: Vec<Option<f64>>,
+    /// The deviation of each corner, in degrees.
+    pub(super) deviations: Vec<Option<f64>>,
     /// The same, to be drawn.
     encoded: Vec<LinearRgb>,
 }
@@ -47,17 +50,18 @@ impl Model {
         let parts: Vec<PartModel> =
             parts.map(|(part, survey)| PartModel::new(&part.mesh, survey)).collect::<Result<_, _>>()?;
         let has_faces = |part: usize| parts[part].mesh.face_count() > 0;
-        let mut places: Vec<(usize, DMat4)> =
+        let mut objects: Vec<(usize, DMat4)> =
             loaded.nodes.iter().map(|node| (node.part, node.world_from_part)).collect();
-        if places.is_empty() {
-            places = (0..parts.len()).map(|part| (part, DMat4::IDENTITY)).collect();
+        if objects.is_empty() {
+            objects = (0..parts.len()).map(|part| (part, DMat4::IDENTITY)).collect();
         }
         let is_flat = |place: DMat4| normal_matrix(DMat3::from_mat4(place)).is_none();
-        let number = |at: usize| places[..at].iter().filter(|(part, _)| *part == places[at].0).count() as u32;
+        let number =
+            |at: usize| objects[..at].iter().filter(|(part, _)| *part == objects[at].0).count() as u32;
         let is_shown = |&(part, place): &(usize, DMat4)| has_faces(part) && !is_flat(place);
-        let numbers = (0..places.len()).filter(|&at| is_shown(&places[at])).map(number).collect();
-        places.retain(is_shown);
-        let mut model = Self { parts, places, numbers, scale };
+        let numbers = (0..objects.len()).filter(|&at| is_shown(&objects[at])).map(number).collect();
+        objects.retain(is_shown);
+        let mut model = Self { parts, objects, numbers, scale };
         model.recentre()?;
         Ok(model)
     }
@@ -69,7 +73,7 @@ impl Model {
             return Err(ReportError::Range);
         }
         if let Some(recentring) = Recentring::of((low, high)) {
-            self.places.iter_mut().for_each(|(_, place)| recentring.apply(place));
+            self.objects.iter_mut().for_each(|(_, place)| recentring.apply(place));
         }
         Ok(())
     }
@@ -77,8 +81,8 @@ impl Model {
     /// The object of a site, its world position, and the normal of its face (zero if none).
     pub(super) fn locate(&self, site: &Site) -> Option<(usize, DVec3, DVec3)> {
         let position = site.position?;
-        let object = self.places.iter().position(|(part, _)| *part == site.part)?;
-        let place = self.places[object].1;
+        let object = self.objects.iter().position(|(part, _)| *part == site.part)?;
+        let place = self.objects[object].1;
         let normals = &self.parts[site.part].field.face_normals;
         let normal = site.face.map_or(DVec3::ZERO, |face| normals[face as usize]);
         let normal = normal_matrix(DMat3::from_mat4(place)).and_then(|matrix| matrix.apply(normal));
@@ -88,8 +92,8 @@ impl Model {
     /// The middle of a node's part, in the world, if the site is about a node.
     pub(super) fn middle_of_node(&self, site: &Site) -> Option<DVec3> {
         let number = site.place?;
-        let is_it = |at: &usize| self.places[*at].0 == site.part && self.numbers[*at] == number;
-        let place = self.places[(0..self.places.len()).find(is_it)?].1;
+        let is_it = |at: &usize| self.objects[*at].0 == site.part && self.numbers[*at] == number;
+        let place = self.objects[(0..self.objects.len()).find(is_it)?].1;
         let (low, high) = self.parts[site.part].mesh.bounds()?;
         Some(place.transform_point3(low.midpoint(high)))
     }
@@ -99,34 +103,12 @@ impl Model {
         self.parts.iter().map(|part| Obstacles::new(&part.mesh)).collect()
     }
 
-    /// The part and the transform of each object.
-    pub(super) fn objects(&self) -> impl Iterator<Item = (usize, DMat4)> {
-        self.places.iter().copied()
-    }
-
-    /// The part and the transform of an object.
-    pub(super) fn object(&self, object: usize) -> (usize, DMat4) {
-        self.places[object]
-    }
-
-    /// The mesh of a part, every corner with a separate vertex, and its face normals.
-    pub(super) fn part(&self, part: usize) -> (&Mesh, &[DVec3]) {
-        let PartModel { mesh, field, .. } = &self.parts[part];
-        (mesh, &field.face_normals)
-    }
-
     /// All points, in the world.
     pub(super) fn points(&self) -> impl Iterator<Item = DVec3> {
         let of = |&(part, place): &(usize, DMat4)| {
             self.parts[part].mesh.positions().iter().map(move |&position| place.transform_point3(position))
         };
-        self.places.iter().flat_map(of)
-    }
-
-    /// The mesh of a part, every corner with a separate vertex, and the deviation of their normals.
-    pub(super) fn deviations(&self, part: usize) -> (&Mesh, &[Option<f64>]) {
-        let PartModel { mesh, deviations, .. } = &self.parts[part];
-        (mesh, deviations)
+        self.objects.iter().flat_map(of)
     }
 
     /// The lit scene from a camera.
@@ -152,7 +134,7 @@ impl Model {
             Object { paint: paint(part), transform, ..Object::new(shape, Material::default()) }
         };
         Scene {
-            objects: self.places.iter().map(object).collect(),
+            objects: self.objects.iter().map(object).collect(),
             lines: Vec::new(),
             lights: default_lights(&camera).to_vec(),
             camera,

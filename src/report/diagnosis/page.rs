@@ -1,4 +1,4 @@
-//! The page of a diagnosis: overview, changes, one section per finding, histograms.
+//! The page of a diagnosis: overview, changes, one section per finding, histograms. Its texts are in page.en.ftl.
 
 use super::comparison::{self, After};
 use super::deviation::worst_places;
@@ -17,10 +17,17 @@ use crate::report::error::ReportError;
 use crate::report::html::{Page, with_code};
 use crate::report::picture::Picture;
 use crate::report::table::Table;
+use crate::text::{Catalogue, Language, Value, catalogue};
 use maud::html;
 
 /// Pixels along the sides of close-ups.
 const CLOSE_UP: u32 = 240;
+
+static TEXTS: Catalogue = catalogue!("page", en);
+
+fn text(key: &str, values: &[(&'static str, Value)]) -> String {
+    TEXTS.with(key, values).get(Language::English).to_owned()
+}
 
 /// The number of findings with close-ups.
 const CLOSE_UPS: usize = 12;
@@ -94,12 +101,9 @@ fn overview(
     let (heat, marks) = model.deviation(camera, OVERVIEW, &worst_places(diagnosis))?;
     let (facing, creases) = (model.facing(camera, OVERVIEW)?, model.creases(camera, OVERVIEW)?);
     let pictures: [(&Picture, &str); 3] = [
-        (
-            &heat,
-            &format!("the mesh coloured by the deviation of its stored normals, {}", model.scale.words()),
-        ),
-        (&facing, "the mesh with front faces light blue and back faces dark red"),
-        (&creases, "the mesh lit, with lines along creases and seams"),
+        (&heat, &text("heat-alternative", &[("scale", model.scale.words().into())])),
+        (&facing, &text("facing-alternative", &[])),
+        (&creases, &text("creases-alternative", &[])),
     ];
     page.pictures(&pictures, &caption(marks, diagnosis))?;
     if !diagnosis.findings.is_empty() {
@@ -114,21 +118,16 @@ fn overview(
 /// The caption of the pictures of the overview.
 fn caption(marks: Marks, diagnosis: &Diagnosis) -> String {
     let of_edges = [Kind::AveragedCrease, Kind::SplitSeam, Kind::GroupMismatch];
-    let parts = [
-        (marks.dots, "; dots are on what is far off and too small to be seen"),
-        (
-            of_edges.iter().any(|&kind| diagnosis.get(kind).is_some()),
-            "; where edges are smooth or split against it, which the findings tell of the edges, all corners at them are off",
-        ),
-        (marks.lines, "; grey lines are where that rule has two normals at an edge"),
-        (marks.rings, "; red rings mark the worst place of each error and warning"),
-        (marks.hidden, "; worst places that lie behind have no ring"),
+    let marks = [
+        (marks.dots, "marks-dots"),
+        (of_edges.iter().any(|&kind| diagnosis.get(kind).is_some()), "marks-edges"),
+        (marks.lines, "marks-lines"),
+        (marks.rings, "marks-rings"),
+        (marks.hidden, "marks-hidden"),
     ];
-    let shown: String = parts.into_iter().filter(|(is_shown, _)| *is_shown).map(|(_, words)| words).collect();
-    format!(
-        "Left: how far stored normals are from those that the rule of their mesh gives{shown}. Middle: front faces \
-         light blue, back faces dark red. Right: lit, with orange lines where the normals of two sides differ."
-    )
+    let shown = marks.into_iter().filter(|(is_shown, _)| *is_shown);
+    let shown: String = shown.map(|(_, key)| text(key, &[])).collect();
+    text("overview-caption", &[("marks", shown.into())])
 }
 
 /// The estimated weighting and crease angle of each part.
@@ -204,16 +203,15 @@ fn close_ups(
 ) -> Result<bool, ReportError> {
     let picture = model.close_up(site, obstacles, CLOSE_UP)?;
     if let Some(picture) = &picture {
-        let alternative = format!("the worst place of {id}, close up, seen from in front of its face");
-        let close = "the worst place, seen from in front of its face, with the edges of faces; what covers it is cut away.";
+        let alternative = text("close-up-alternative", &[("finding", id.into())]);
         let whole = model.whereabouts(site, obstacles, CLOSE_UP)?;
-        let ring = "Right: the ring is round it in the whole";
         let caption = match &whole {
-            Some((_, true)) => format!("Left: {close} {ring}."),
-            Some((_, false)) => format!("Left: {close} {ring}, where it lies behind what is seen."),
-            None => format!("This is {close}"),
+            Some((_, true)) => text("close-up-seen", &[]),
+            Some((_, false)) => text("close-up-hidden", &[]),
+            None => text("close-up-alone", &[]),
         };
-        let whole = whole.iter().map(|(whole, _)| (whole, "the whole mesh, with a ring round that place"));
+        let of_whole = text("whole-alternative", &[]);
+        let whole = whole.iter().map(|(whole, _)| (whole, of_whole.as_str()));
         let pictures: Vec<(&Picture, &str)> =
             std::iter::once((picture, alternative.as_str())).chain(whole).collect();
         page.pictures(&pictures, &caption)?;
@@ -221,8 +219,8 @@ fn close_ups(
     }
     let node = model.node(site, camera, CLOSE_UP)?;
     if let Some(picture) = &node {
-        let caption = "The whole mesh, with a ring round the middle of what the first of these nodes shows.";
-        page.pictures(&[(picture, "the whole mesh, with a ring round a node")], caption)?;
+        let alternative = text("node-alternative", &[]);
+        page.pictures(&[(picture, alternative.as_str())], &text("node-caption", &[]))?;
     }
     Ok(picture.is_some() || node.is_some())
 }

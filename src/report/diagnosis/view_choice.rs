@@ -46,9 +46,9 @@ impl Wanted {
     /// A site, moved a little into its face: at the corner itself other faces would hide it.
     fn of(model: &Model, site: &Site) -> Option<Self> {
         let (object, position, normal) = model.locate(site)?;
-        let (part, place) = model.object(object);
+        let (part, place) = model.objects[object];
         let middle = site.face.map_or(position, |face| {
-            let (mesh, _) = model.part(part);
+            let mesh = &model.parts[part].mesh;
             let corners = mesh.faces().face(face as usize);
             let sum: DVec3 = corners.iter().map(|&vertex| mesh.positions()[vertex as usize]).sum();
             place.transform_point3(sum / corners.len() as f64)
@@ -146,7 +146,7 @@ pub(super) fn hidden(model: &Model, sites: &[&Site], eye: DVec3) -> Vec<bool> {
 
 /// Whether a site is visible from a distant eye.
 fn is_seen(model: &Model, obstacles: &[Obstacles<'_>], place: &Wanted, direction: DVec3) -> bool {
-    model.objects().enumerate().all(|(number, (part, transform))| {
+    model.objects.iter().enumerate().all(|(number, &(part, transform))| {
         let back = inverse(transform);
         let from = obstacles[part].local(back.transform_point3(place.position));
         let own = if number == place.object { place.face } else { u32::MAX };
@@ -163,7 +163,7 @@ pub(super) fn clearance(
     way: DVec3,
     most: f64,
 ) -> f64 {
-    model.objects().enumerate().fold(most, |most, (number, (part, transform))| {
+    model.objects.iter().enumerate().fold(most, |most, (number, &(part, transform))| {
         let (back, obstacles) = (inverse(transform), &obstacles[part]);
         let from = obstacles.local(back.transform_point3(position));
         let along = obstacles.local_way(back.transform_vector3(way));

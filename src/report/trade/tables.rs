@@ -2,8 +2,11 @@
 
 use crate::normals::Weight;
 use crate::num::{significant_digits, three_digits};
-use crate::report::table::Table;
-use crate::trade::{ClassPoint, EncodingRow, OwnMesh, ShadingRow, Tiling, Trade, Way};
+use crate::report::table::{Column, Table};
+use crate::trade::{
+    ApproximationRow, BoxRow, ClassPoint, EncodingRow, OwnMesh, OwnMethod, PrecisionRow, ShadingRow, Tiling,
+    Trade, Way,
+};
 
 /// A cell without a number.
 const NONE: &str = "–";
@@ -103,42 +106,29 @@ pub fn cost_table(trade: &Trade) -> Table {
 pub fn box_table(trade: &Trade) -> Table {
     let caption = "Corners of boxes, all 64 triangulations: degrees off the diagonal";
     let mut table = Table::new(caption, &["weight", "1 × 1 × 1", "1 × 1 × 10"]);
-    for weight in Weight::ALL {
-        let rows: Vec<String> = trade
-            .boxes
-            .iter()
-            .filter(|row| row.weight == weight)
-            .map(|row| match row.deviations.as_slice() {
-                values if values.len() <= 3 => {
-                    let values =
-                        values.iter().map(|&x| if x < 1e-9 { "0".into() } else { format!("{x:.3}") });
-                    values.collect::<Vec<_>>().join(", ")
-                }
-                values => format!("{:.1} to {:.1}", values[0], values[values.len() - 1]),
-            })
-            .collect();
-        if !rows.is_empty() {
-            table.push(std::iter::once(weight.name().to_owned()).chain(rows));
-        }
+    let exact = |&x: &f64| if x < 1e-9 { "0".into() } else { format!("{x:.3}") };
+    let cell = |row: &BoxRow| match row.deviations.as_slice() {
+        values if values.len() <= 3 => values.iter().map(exact).collect::<Vec<_>>().join(", "),
+        values => format!("{:.1} to {:.1}", values[0], values[values.len() - 1]),
+    };
+    for weight in Weight::ALL.into_iter().filter(|&weight| weight != Weight::Quadric) {
+        let cells = trade.boxes.iter().filter(|row| row.weight == weight).map(cell);
+        table.push(std::iter::once(weight.name().to_owned()).chain(cells));
     }
     table
 }
 
 /// `fast` compared with `faithful`.
 pub fn precision_table(trade: &Trade) -> Table {
-    let columns = ["stored in f32", "weight", "fast − faithful, rms", "largest", "faithful − truth, rms", ""];
-    let mut table = Table::new("Precision: degrees", &columns);
-    for row in &trade.precision {
-        table.push([
-            row.case.to_owned(),
-            row.weight.name().to_owned(),
-            three_digits(row.fast.rms),
-            three_digits(row.fast.max),
-            three_digits(row.faithful.rms),
-            if row.declined { "left to faithful" } else { "" }.to_owned(),
-        ]);
-    }
-    table
+    let columns: [Column<PrecisionRow>; 6] = [
+        ("stored in f32", &|row| row.case.to_owned()),
+        ("weight", &|row| row.weight.name().to_owned()),
+        ("fast − faithful, rms", &|row| three_digits(row.fast.rms)),
+        ("largest", &|row| three_digits(row.fast.max)),
+        ("faithful − truth, rms", &|row| three_digits(row.faithful.rms)),
+        ("", &|row| if row.declined { "left to faithful" } else { "" }.to_owned()),
+    ];
+    Table::of("Precision: degrees", &trade.precision, &columns)
 }
 
 /// Stored normals; their times, which depend on the machine, can be omitted.
@@ -148,34 +138,24 @@ pub fn encoding_table(rows: &[EncodingRow], timed: bool) -> Table {
         "Stored normals: degrees over {directions} directions, the bound that none exceeds, and the largest highlight \
          exponents within half an 8-bit step up to that bound"
     );
-    let mut columns =
-        vec!["encoding", "bytes", "mean", "largest", "bound", "diffuse", "n, Blinn", "n, Phong"];
-    if timed {
-        columns.extend(["encode ns", "decode ns"]);
-    }
-    let mut table = Table::new(&caption, &columns);
     let exponent = |n: Option<u64>| match n {
         Some(1_000_000_000..) => "any".into(),
         Some(n) => n.to_string(),
         None => NONE.into(),
     };
-    for row in rows {
-        let mut cells = vec![
-            row.name.clone(),
-            row.bytes.to_string(),
-            three_digits(row.mean),
-            three_digits(row.max),
-            three_digits(row.bound),
-            if row.diffuse { "yes" } else { "no" }.to_owned(),
-            exponent(row.blinn),
-            exponent(row.phong),
-        ];
-        if timed {
-            cells.extend([row.encode_ns, row.decode_ns].map(three_digits));
-        }
-        table.push(cells);
-    }
-    table
+    let columns: [Column<EncodingRow>; 10] = [
+        ("encoding", &|row| row.name.clone()),
+        ("bytes", &|row| row.bytes.to_string()),
+        ("mean", &|row| three_digits(row.mean)),
+        ("largest", &|row| three_digits(row.max)),
+        ("bound", &|row| three_digits(row.bound)),
+        ("diffuse", &|row| if row.diffuse { "yes" } else { "no" }.to_owned()),
+        ("n, Blinn", &|row| exponent(row.blinn)),
+        ("n, Phong", &|row| exponent(row.phong)),
+        ("encode ns", &|row| three_digits(row.encode_ns)),
+        ("decode ns", &|row| three_digits(row.decode_ns)),
+    ];
+    Table::of(&caption, rows, if timed { &columns } else { &columns[..8] })
 }
 
 /// Ways to shade with one kind of highlight: rms error in steps of 1/255 and the share of pixels over half a step.
@@ -223,19 +203,15 @@ pub fn shading_table(rows: &[ShadingRow], reflection: &str) -> Table {
 
 /// The crate's own approximations.
 pub fn approximation_table(trade: &Trade) -> Table {
-    let columns = ["approximation", "largest error", "unit", "ns", "ns exactly"];
-    let mut table =
-        Table::new("Approximations of this crate beside libm, and single precision beside double", &columns);
-    for row in &trade.approximations {
-        table.push([
-            row.what.clone(),
-            three_digits(row.error),
-            row.unit.to_owned(),
-            three_digits(row.ns),
-            three_digits(row.exact_ns),
-        ]);
-    }
-    table
+    let columns: [Column<ApproximationRow>; 5] = [
+        ("approximation", &|row| row.what.clone()),
+        ("largest error", &|row| three_digits(row.error)),
+        ("unit", &|row| row.unit.to_owned()),
+        ("ns", &|row| three_digits(row.ns)),
+        ("ns exactly", &|row| three_digits(row.exact_ns)),
+    ];
+    let caption = "Approximations of this crate beside libm, and single precision beside double";
+    Table::of(caption, &trade.approximations, &columns)
 }
 
 /// The weights on a user mesh.
@@ -247,29 +223,23 @@ pub fn own_table(own: &OwnMesh) -> Table {
         own.normals,
         three_digits(own.plain_ns)
     );
-    let columns = ["weight", "rms", "median", "99 %", "largest", "ns/triangle", "× plain", "rms to angle"];
-    let mut table = Table::new(&caption, &columns);
-    let angle = Weight::ALL.iter().position(|&weight| weight == Weight::Angle);
-    for (place, method) in own.methods.iter().enumerate() {
-        let of_estimate = |x: f64| match method.weight {
-            Weight::Quadric => NONE.into(),
-            _ if method.estimate.count == 0 => NONE.into(),
-            _ => three_digits(x),
-        };
-        let estimate = method.estimate;
-        let star = if method.weight == own.recommended { "*" } else { "" };
-        table.push([
-            format!("{}{star}", method.weight.name()),
-            of_estimate(estimate.rms),
-            of_estimate(estimate.median),
-            of_estimate(estimate.p99),
-            of_estimate(estimate.max),
-            three_digits(method.ns_per_triangle),
-            three_digits(method.ratio),
-            angle.map_or(NONE.into(), |angle| three_digits(own.differences[place][angle])),
-        ]);
-    }
-    table
+    let star = |row: &OwnMethod| if row.weight == own.recommended { "*" } else { "" };
+    let estimate = |row: &OwnMethod, x: f64| match row.weight {
+        Weight::Quadric => NONE.into(),
+        _ if row.estimate.count == 0 => NONE.into(),
+        _ => three_digits(x),
+    };
+    let columns: [Column<OwnMethod>; 8] = [
+        ("weight", &|row| format!("{}{}", row.weight.name(), star(row))),
+        ("rms", &|row| estimate(row, row.estimate.rms)),
+        ("median", &|row| estimate(row, row.estimate.median)),
+        ("99 %", &|row| estimate(row, row.estimate.p99)),
+        ("largest", &|row| estimate(row, row.estimate.max)),
+        ("ns/triangle", &|row| three_digits(row.ns_per_triangle)),
+        ("× plain", &|row| three_digits(row.ratio)),
+        ("rms to angle", &|row| three_digits(own.differences[row.weight as usize][Weight::Angle as usize])),
+    ];
+    Table::of(&caption, &own.methods, &columns)
 }
 
 /// Milliseconds of each way to shade, on the finest regular mesh of each surface.

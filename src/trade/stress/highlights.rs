@@ -80,7 +80,7 @@ fn blinn(exponent: u32) -> StressCase {
         let half = (light.normalize() + view.normalize()).normalize();
         let blur = 0.5 / f64::from(exponent).sqrt();
         let normal = (half + blur * numbers.unit() * direction(numbers)).normalize();
-        Scene::far(light, view, normal, exponent, Reflection::Blinn)
+        Scene::far([light, view, normal], exponent, Reflection::Blinn)
     })
 }
 
@@ -90,7 +90,7 @@ fn exactly_opposite() -> StressCase {
         let light = front(numbers).as_vec3().as_dvec3();
         let normal = front(numbers).normalize();
         // Twice as far: the same direction to the last bit.
-        Scene::near(light, light * -2.0, normal, MODERATE, Reflection::Blinn).without_highlight()
+        Scene::near([light, light * -2.0, normal], MODERATE, Reflection::Blinn).without_highlight()
     })
 }
 
@@ -103,7 +103,7 @@ fn nearly_opposite(angle: f64) -> StressCase {
         let aside = light.cross(direction(numbers)).normalize();
         let view = -light * libm::cos(angle) + aside * libm::sin(angle);
         let normal = (aside + 0.3 * direction(numbers) + 0.3 * light).normalize();
-        Scene::near(light * 2.0, view * 3.0, normal, MODERATE, Reflection::Blinn)
+        Scene::near([light * 2.0, view * 3.0, normal], MODERATE, Reflection::Blinn)
     })
 }
 
@@ -115,7 +115,7 @@ fn behind() -> StressCase {
         let along = normal.cross(direction(numbers)).normalize();
         let depth = libm::exp10(-1.0 - 4.0 * numbers.unit());
         let (light, view) = (along - normal * depth, -along + normal * depth);
-        Scene::far(light, view, normal, MODERATE, Reflection::Phong).without_highlight()
+        Scene::far([light, view, normal], MODERATE, Reflection::Phong).without_highlight()
     })
 }
 
@@ -128,7 +128,7 @@ fn grazing() -> StressCase {
             let normal = front(&mut numbers).normalize();
             let along = normal.cross(direction(&mut numbers)).normalize();
             let light = (along + normal * (2e-5 * numbers.unit() - 1e-5)).as_vec3().as_dvec3();
-            let scene = Scene::far(light, DVec3::Z, normal, 1, Reflection::Blinn);
+            let scene = Scene::far([light, DVec3::Z, normal], 1, Reflection::Blinn);
             let truth = scene.true_diffuse();
             let error = |found: f64| small(&(big(found) - &truth).abs());
             let [double, single] =

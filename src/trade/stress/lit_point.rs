@@ -25,27 +25,15 @@ pub(super) struct Scene {
 }
 
 impl Scene {
-    /// Light and viewer in these directions, infinitely far away.
-    pub(super) fn far(
-        light: DVec3,
-        view: DVec3,
-        normal: DVec3,
-        exponent: u32,
-        reflection: Reflection,
-    ) -> Self {
-        let [light, view, normal] = [light, view, normal].map(|v| v.as_vec3());
+    /// Light and viewer in these directions, infinitely far away; then the normal.
+    pub(super) fn far(vectors: [DVec3; 3], exponent: u32, reflection: Reflection) -> Self {
+        let [light, view, normal] = vectors.map(|v| v.as_vec3());
         Self { light, view, normal, exponent, reflection, far: true, dark: false }
     }
 
-    /// Light and viewer at these points.
-    pub(super) fn near(
-        light: DVec3,
-        view: DVec3,
-        normal: DVec3,
-        exponent: u32,
-        reflection: Reflection,
-    ) -> Self {
-        Self { far: false, ..Self::far(light, view, normal, exponent, reflection) }
+    /// Light and viewer at these points; then the normal.
+    pub(super) fn near(vectors: [DVec3; 3], exponent: u32, reflection: Reflection) -> Self {
+        Self { far: false, ..Self::far(vectors, exponent, reflection) }
     }
 
     /// The same scene with a true highlight of 0.
