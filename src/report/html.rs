@@ -117,7 +117,7 @@ impl Page {
         PreEscaped((self.setting)(text))
     }
 
-    /// Adds an element on a line of its own.
+    /// Adds an element and a line break.
     pub(super) fn push(&mut self, element: Markup) {
         self.body.push_str(&element.0);
         self.body.push('\n');

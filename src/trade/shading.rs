@@ -211,7 +211,7 @@ mod tests {
             // All ways share one coverage.
             assert_eq!((flat.compared, flat.disagreeing), (phong.compared, phong.disagreeing));
         }
-        // Lights are coloured: luminance is a measure of its own.
+        // Lights are coloured: luminance differs from the channels.
         assert!(rows.iter().any(|row| row.error.luminance.rms < 0.99 * row.error.linear.rms));
         for (shading, interpolation) in [("flat", None), ("gouraud", perspective), ("phong", perspective)] {
             let [coarse, fine] = [1000, 4000].map(|faces| find(faces, shading, interpolation));

@@ -1,4 +1,4 @@
-//! Before and after, side by side.
+//! The comparison of two files: pictures side by side, and the numbers.
 
 use super::heat_scale::HeatScale;
 use super::model::{Model, OVERVIEW};

@@ -57,7 +57,7 @@ pub(super) fn histograms(surveys: &[Survey]) -> Vec<(&'static str, &'static str,
 
 /// A histogram of shares as one of counts, by powers of ten: of a million, one shows.
 fn counted(mut plot: Plot, all: usize) -> Plot {
-    /// Where an empty bin stands.
+    /// The height of an empty bin.
     const NONE: f64 = 0.5;
     let points = plot.series.iter_mut().flat_map(|series| &mut series.points);
     let highest = points.fold(1.0, |most: f64, [_, share]| {

@@ -1,4 +1,4 @@
-//! How series are told apart: by colour, and without it by their dashes and signs.
+//! Styles of series, which differ in colour, and without it in dashes and signs.
 
 use super::series::{Mark, Series};
 use std::fmt::Write;

@@ -50,7 +50,7 @@ impl Fan {
         Self { centre: scale(self.centre), triangles }
     }
 
-    /// Vertices, the centre first, each triangle with two of its own.
+    /// Vertices, the centre first, two for each triangle.
     pub(super) fn positions(&self) -> Vec<Vec3> {
         std::iter::once(self.centre).chain(self.triangles.iter().flatten().copied()).collect()
     }

@@ -84,7 +84,7 @@ impl Group {
         DESCRIPTIONS[self as usize].1
     }
 
-    /// Why there is no `fast` beside the cases of the group that have none.
+    /// The reason why cases of the group have no `fast`.
     pub const fn without_fast(self) -> &'static str {
         match self {
             Group::NonFinite => "reading and checking positions is the same for both",

@@ -6,7 +6,7 @@ use super::pixel_coverage::{View, coverage_count, plain_coverage, true_coverage}
 use crate::num::numbers::Numbers;
 use glam::Vec3;
 
-/// Triangles of each kind, each on a picture of its own.
+/// The number of triangles of each kind, each in a separate picture.
 const TRIANGLES: usize = 12;
 /// Slivers in a disc of radius 30: each is 1/100 of a pixel wide at the rim.
 const SLIVERS: usize = 20_000;
