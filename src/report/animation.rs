@@ -10,7 +10,7 @@ use std::io::Write;
 
 /// Pictures shown one after the other, without end.
 ///
-/// All frames share one [`Palette`], so that what stands still does not flicker; it is known when the last frame has been
+/// All frames share one [`Palette`], so that still parts do not flicker; it is known when the last frame has been
 /// seen. Frames are kept until then as far as they take no more than [`KEPT`](Self::KEPT) bytes; the others are drawn again.
 /// So an animation takes no more memory than a picture, however long it is.
 #[derive(Clone, Copy, Debug)]

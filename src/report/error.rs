@@ -1,4 +1,4 @@
-//! What cannot be made.
+//! Errors of pictures and pages.
 
 /// Why a picture cannot be made into a file.
 #[derive(Debug, thiserror::Error)]
@@ -31,7 +31,7 @@ pub enum ReportError {
     /// Nothing to show.
     #[error("there is no picture to show")]
     Empty,
-    /// Positions or nodes of a file put something where no number tells where it is.
+    /// Positions or nodes of a file are out of the range of numbers.
     #[error(
         "a node moves positions beyond the range of numbers, where nothing can be drawn; correct its transform"
     )]

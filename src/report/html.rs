@@ -1,16 +1,18 @@
-//! Pages that open from disk with nothing else: one file, no address, no script.
+//! Pages of HTML that open from disk: one file without addresses and scripts.
 
 use super::error::ReportError;
 use super::picture::Picture;
 use super::png::encode_png;
+use super::table::Table;
 use crate::num::Transfer;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
+use maud::{DOCTYPE, Markup, PreEscaped, html};
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-/// Text as HTML: what would be markup is escaped, also between quotation marks.
+/// Text as HTML: markup is escaped, also in attributes.
 ///
 /// ```
 /// assert_eq!(crease::report::escape_html("a < b & \"c\""), "a &lt; b &amp; &quot;c&quot;");
@@ -33,7 +35,7 @@ pub fn escape_html(text: &str) -> Cow<'_, str> {
     Cow::Owned(out)
 }
 
-/// Running text as HTML, with what stands between two backticks as code and the rest as `prose` writes it.
+/// Running text as HTML: the text between two backticks as code, the rest by `prose`.
 pub(super) fn with_code_in(text: &str, prose: impl Fn(&str, &mut String)) -> String {
     let mut out = String::with_capacity(text.len() + 16);
     let mut rest = text;
@@ -48,15 +50,15 @@ pub(super) fn with_code_in(text: &str, prose: impl Fn(&str, &mut String)) -> Str
     out
 }
 
-/// Running text as HTML, with what stands between two backticks as code.
+/// Running text as HTML, with the text between two backticks as code.
 pub(super) fn with_code(text: &str) -> String {
     with_code_in(text, |text, out| out.push_str(&escape_html(text)))
 }
 
 /// A page under construction: headings, paragraphs, tables and figures, one after the other.
 ///
-/// Everything is inside the one file: style, pictures (as data) and drawings. Each picture has alternative text, headings
-/// are linked from a list of contents, and the style knows paper. Text that comes in is escaped; [`Page::raw`] is not.
+/// Style, pictures (as data) and drawings are all inside the one file. Each picture has alternative text, headings are linked
+/// from a list of contents, and the style includes rules for print. Text is escaped, except that of [`Page::raw`].
 ///
 /// ```
 /// use crease::report::{Page, Table};
@@ -71,9 +73,9 @@ pub(super) fn with_code(text: &str) -> String {
 pub struct Page {
     title: String,
     lead: String,
-    /// The language's tag, and what the list of contents is called in it.
+    /// The language's tag, and the name of the list of contents in it.
     language: [String; 2],
-    /// How running text becomes HTML.
+    /// Turns running text into HTML.
     setting: fn(&str) -> String,
     body: String,
     /// The text and the id of each heading.
@@ -95,74 +97,79 @@ impl Page {
         }
     }
 
-    /// The page in another language than English: its tag (BCP 47), and what the list of contents is called.
+    /// The page in another language than English: its tag (BCP 47), and the name of the list of contents.
     #[must_use]
     pub fn in_language(mut self, tag: &str, contents: &str) -> Self {
         self.language = [tag, contents].map(str::to_owned);
         self
     }
 
-    /// The page with running text (the lead, paragraphs, lists, cells, captions of drawings) made HTML by this, which has to
-    /// escape it.
+    /// The page with a function that turns running text (the lead, paragraphs, lists, cells, captions of drawings) into HTML
+    /// and escapes it.
     #[must_use]
     pub(super) fn set_by(mut self, setting: fn(&str) -> String) -> Self {
         self.setting = setting;
         self
     }
 
-    /// A part's heading, listed in the contents.
+    /// Running text as HTML.
+    fn set(&self, text: &str) -> Markup {
+        PreEscaped((self.setting)(text))
+    }
+
+    /// Adds an element and a line break.
+    pub(super) fn push(&mut self, element: Markup) {
+        self.body.push_str(&element.0);
+        self.body.push('\n');
+    }
+
+    /// A heading of a section, listed in the contents.
     pub fn heading(&mut self, text: &str) {
         let id = self.id(text);
-        let _ = writeln!(self.body, "<h2 id=\"{id}\">{}</h2>", escape_html(text));
+        self.push(html! { h2 id=(id) { (text) } });
         self.contents.push((text.to_owned(), id));
     }
 
-    /// A heading within a part.
+    /// A heading within a section.
     pub fn subheading(&mut self, text: &str) {
         let id = self.id(text);
-        let _ = writeln!(self.body, "<h3 id=\"{id}\">{}</h3>", escape_html(text));
+        self.push(html! { h3 id=(id) { (text) } });
     }
 
     /// A paragraph.
     pub fn paragraph(&mut self, text: &str) {
-        let _ = writeln!(self.body, "<p>{}</p>", (self.setting)(text));
+        self.push(html! { p { (self.set(text)) } });
     }
 
     /// A list of points.
     pub fn list<'a>(&mut self, points: impl IntoIterator<Item = &'a str>) {
-        self.body.push_str("<ul>\n");
-        for point in points {
-            let _ = writeln!(self.body, "<li>{}</li>", (self.setting)(point));
-        }
-        self.body.push_str("</ul>\n");
+        self.push(html! { ul { @for point in points { li { (self.set(point)) } } } });
     }
 
     /// A table.
     pub fn table(&mut self, table: &Table) {
-        let _ = writeln!(
-            self.body,
-            "<div class=\"wide\"><table><caption>{}</caption>",
-            escape_html(&table.caption)
-        );
-        self.body.push_str("<thead><tr>");
-        let class = |column: usize| if table.has_words(column) { " class=\"words\"" } else { "" };
-        for (column, name) in table.columns.iter().enumerate() {
-            let _ = write!(self.body, "<th scope=\"col\"{}>{}</th>", class(column), escape_html(name));
-        }
-        self.body.push_str("</tr></thead>\n<tbody>\n");
-        for row in &table.rows {
-            self.body.push_str("<tr>");
-            for (column, cell) in row.iter().enumerate() {
-                let (tag, scope) = if column == 0 { ("th", " scope=\"row\"") } else { ("td", "") };
-                let _ = write!(self.body, "<{tag}{scope}{}>{}</{tag}>", class(column), (self.setting)(cell));
-            }
-            self.body.push_str("</tr>\n");
-        }
-        self.body.push_str("</tbody></table></div>\n");
+        let classes: Vec<Option<&str>> =
+            (0..table.columns.len()).map(|column| table.has_words(column).then_some("words")).collect();
+        self.push(html! {
+            div.wide { table {
+                caption { (table.caption) }
+                thead { tr {
+                    @for (name, class) in table.columns.iter().zip(&classes) {
+                        th scope="col" class=[class] { (name) }
+                    }
+                } }
+                tbody { @for row in &table.rows { tr {
+                    @for (column, (cell, class)) in row.iter().zip(&classes).enumerate() {
+                        @if column == 0 { th scope="row" class=[class] { (self.set(cell)) } }
+                        @else { td class=[class] { (self.set(cell)) } }
+                    }
+                } } }
+            } }
+        });
     }
 
-    /// Pictures side by side under one caption, as many in a row as fit; each with what it shows for those who cannot see
-    /// it. Nothing for no pictures.
+    /// Pictures side by side under one caption, as many in a row as fit, each with its alternative text. Nothing for no
+    /// pictures.
     ///
     /// # Errors
     /// Sizes that do not fit a picture's pixels.
@@ -170,23 +177,19 @@ impl Page {
         let images = pictures.iter().map(|(picture, alternative)| image(picture, alternative));
         let images: Vec<String> = images.collect::<Result<_, _>>()?;
         if !images.is_empty() {
-            let (images, caption) = (images.join("\n"), escape_html(caption));
-            let _ = writeln!(
-                self.body,
-                "<figure>\n<div class=\"row\">\n{images}\n</div>\n<figcaption>{caption}</figcaption>\n</figure>"
-            );
+            let images = PreEscaped(images.concat());
+            self.push(html! { figure { div.row { (images) } figcaption { (caption) } } });
         }
         Ok(())
     }
 
-    /// A drawing under a caption; it is given an id for its parts to refer to. See [`Plot::svg`](super::Plot::svg).
+    /// A drawing under a caption; `draw` is given an id for its parts to refer to. See [`Plot::svg`](super::Plot::svg).
     pub fn drawing(&mut self, name: &str, caption: &str, draw: impl FnOnce(&str) -> String) {
-        let id = self.id(name);
-        let (drawing, caption) = (draw(&id), (self.setting)(caption));
-        let _ = writeln!(self.body, "<figure>\n{drawing}\n<figcaption>{caption}</figcaption>\n</figure>");
+        let drawing = PreEscaped(draw(&self.id(name)));
+        self.push(html! { figure { (drawing) figcaption { (self.set(caption)) } } });
     }
 
-    /// HTML as it is.
+    /// HTML that is not escaped.
     pub fn raw(&mut self, html: &str) {
         self.body.push_str(html);
     }
@@ -199,7 +202,7 @@ impl Page {
         let words: Vec<&str> = words.split('-').filter(|word| !word.is_empty()).collect();
         let base = if words.is_empty() { "part".to_owned() } else { words.join("-") };
         let numbered = (1..).map(|n: u32| if n == 1 { base.clone() } else { format!("{base}-{n}") });
-        // Ids of drawings have parts of their own after a dot, which no id made here contains.
+        // Ids within drawings have a dot, which no id made here contains.
         let id = numbered.into_iter().find(|id| !self.ids.contains(id)).expect("there are numbers enough");
         self.ids.insert(id.clone());
         id
@@ -207,126 +210,39 @@ impl Page {
 
     /// The whole page.
     pub fn finish(self) -> String {
-        let (title, lead) = (escape_html(&self.title), (self.setting)(&self.lead));
-        let entries = self.contents.iter();
-        let entries =
-            entries.map(|(text, id)| format!("<li><a href=\"#{id}\">{}</a></li>\n", escape_html(text)));
-        let contents: String = entries.collect();
-        let [tag, named] = self.language.each_ref().map(|text| escape_html(text));
-        let contents = match contents.as_str() {
-            "" => String::new(),
-            entries => format!("<nav aria-label=\"{named}\"><ol>\n{entries}</ol></nav>\n"),
+        let [tag, contents] = &self.language;
+        let page = html! {
+            (DOCTYPE)
+            html lang=(tag) {
+                head {
+                    meta charset="utf-8";
+                    meta name="viewport" content="width=device-width, initial-scale=1";
+                    title { (self.title) }
+                    style { (PreEscaped(STYLE)) }
+                }
+                body { main {
+                    h1 { (self.title) }
+                    p.lead { (self.set(&self.lead)) }
+                    @if !self.contents.is_empty() {
+                        nav aria-label=(contents) { ol {
+                            @for (text, id) in &self.contents { li { a href={ "#" (id) } { (text) } } }
+                        } }
+                    }
+                    (PreEscaped(&self.body))
+                } }
+            }
         };
-        format!(
-            "<!DOCTYPE html>\n<html lang=\"{tag}\">\n<head>\n<meta charset=\"utf-8\">\n\
-             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{title}</title>\n\
-             <style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>{title}</h1>\n<p class=\"lead\">{lead}</p>\n\
-             {contents}{body}</main>\n</body>\n</html>\n",
-            body = self.body,
-        )
+        page.into_string()
     }
 }
 
 const STYLE: &str = include_str!("page.css");
 
-/// A picture as an element that holds its own bytes.
+/// A picture as an element that contains its bytes.
 pub(super) fn image(picture: &Picture, alternative: &str) -> Result<String, ReportError> {
-    let file = STANDARD.encode(encode_png(picture, Transfer::Srgb)?);
-    let ([width, height], alternative) = (picture.size, escape_html(alternative));
-    Ok(format!(
-        "<img src=\"data:image/png;base64,{file}\" width=\"{width}\" height=\"{height}\" alt=\"{alternative}\">"
-    ))
-}
-
-/// Rows under columns, the first of which names the row.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Table {
-    caption: String,
-    columns: Vec<String>,
-    rows: Vec<Vec<String>>,
-}
-
-impl Table {
-    /// A table without rows.
-    pub fn new(caption: &str, columns: &[&str]) -> Self {
-        Self {
-            caption: caption.to_owned(),
-            columns: columns.iter().map(|&column| column.to_owned()).collect(),
-            rows: Vec::new(),
-        }
-    }
-
-    /// With another row.
-    #[must_use]
-    pub fn row<T: Into<String>>(mut self, cells: impl IntoIterator<Item = T>) -> Self {
-        self.push(cells);
-        self
-    }
-
-    /// Adds a row. Cells that are not there are empty.
-    pub fn push<T: Into<String>>(&mut self, cells: impl IntoIterator<Item = T>) {
-        let mut row: Vec<String> = cells.into_iter().map(Into::into).collect();
-        row.resize(self.columns.len(), String::new());
-        self.rows.push(row);
-    }
-
-    /// Leaves out the columns in which no row has anything.
-    pub fn drop_empty_columns(&mut self) {
-        let keep: Vec<bool> = (0..self.columns.len())
-            .map(|column| self.rows.iter().any(|row| !row[column].is_empty()))
-            .collect();
-        for row in self.rows.iter_mut().chain([&mut self.columns]) {
-            let mut kept = keep.iter();
-            row.retain(|_| kept.next() == Some(&true));
-        }
-    }
-
-    /// Whether there are no rows.
-    pub fn is_empty(&self) -> bool {
-        self.rows.is_empty()
-    }
-
-    /// Whether a column holds words: fewer than half of what stands in it are numbers, a digit first and one word at most,
-    /// such as a unit.
-    fn has_words(&self, column: usize) -> bool {
-        let filled = || self.rows.iter().map(|row| &row[column]).filter(|cell| !cell.is_empty());
-        let is_word = |text: &&str| text.chars().filter(|c| c.is_alphabetic()).count() > 1;
-        let words = |cell: &str| cell.split(' ').filter(is_word).count();
-        let is_number = |cell: &&String| {
-            let starts = |c: char| c.is_ascii_digit() || c == '∞';
-            cell.trim_start_matches(['-', '−', '+']).starts_with(starts) && words(cell) < 2
-        };
-        2 * filled().filter(is_number).count() < filled().count()
-    }
-
-    /// As text for a terminal: columns of equal width, numbers to the right, words to the left.
-    pub fn to_text(&self) -> String {
-        let lines = || std::iter::once(&self.columns).chain(&self.rows);
-        let width = |column: usize| lines().map(|line| line[column].chars().count()).max().unwrap_or(0);
-        let widths: Vec<usize> = (0..self.columns.len()).map(width).collect();
-        let words: Vec<bool> = (0..self.columns.len()).map(|column| self.has_words(column)).collect();
-        let mut text = format!("{}\n", self.caption);
-        for line in lines() {
-            let cells = line.iter().zip(&widths).enumerate().map(|(column, (cell, width))| {
-                let fill = " ".repeat(width - cell.chars().count());
-                if column == 0 || words[column] { format!("{cell}{fill}") } else { format!("{fill}{cell}") }
-            });
-            let _ = writeln!(text, "  {}", cells.collect::<Vec<_>>().join("  ").trim_end());
-        }
-        text
-    }
-
-    /// As a table of Markdown, without the caption.
-    pub fn to_markdown(&self) -> String {
-        let line = |cells: &[String]| {
-            let cells = cells.iter().map(|cell| cell.replace('|', "\\|"));
-            format!("| {} |\n", cells.collect::<Vec<_>>().join(" | "))
-        };
-        let mut text = line(&self.columns);
-        let _ = writeln!(text, "|---|{}", "---:|".repeat(self.columns.len().saturating_sub(1)));
-        self.rows.iter().for_each(|row| text.push_str(&line(row)));
-        text
-    }
+    let source = format!("data:image/png;base64,{}", STANDARD.encode(encode_png(picture, Transfer::Srgb)?));
+    let [width, height] = picture.size;
+    Ok(html! { img src=(source) width=(width) height=(height) alt=(alternative); }.into_string())
 }
 
 #[cfg(test)]
@@ -352,33 +268,6 @@ mod tests {
         let mut page = Page::new("", "");
         let ids = ["A b", "a-b", "a b", "", "·"].map(|text| page.id(text));
         assert_eq!(ids, ["a-b", "a-b-2", "a-b-3", "part", "part-2"]);
-    }
-
-    #[test]
-    fn tables_are_the_same_in_every_form() {
-        let table =
-            Table::new("Errors", &["weight", "rms"]).row(["max", "0.5"]).row(["a|b", "11.25"]).row(["–"]);
-        assert_eq!(table.to_text(), "Errors\n  weight    rms\n  max       0.5\n  a|b     11.25\n  –\n");
-        let markdown = "| weight | rms |\n|---|---:|\n| max | 0.5 |\n| a\\|b | 11.25 |\n| – |  |\n";
-        assert_eq!(table.to_markdown(), markdown);
-        assert!(!table.is_empty());
-    }
-
-    #[test]
-    fn columns_in_which_nothing_stands_go() {
-        let mut table =
-            Table::new("t", &["face", "corner", "degrees"]).row(["1", "", ""]).row(["2", "", "30"]);
-        table.drop_empty_columns();
-        assert_eq!(table, Table::new("t", &["face", "degrees"]).row(["1", ""]).row(["2", "30"]));
-    }
-
-    /// What begins with a digit may be words all the same.
-    #[test]
-    fn columns_of_words_are_distinguished_from_numbers() {
-        let table = Table::new("t", &["quantity", "found", "others"])
-            .row(["1/d²: share of the floor", "0.5 px", "8.7 to 9.7"])
-            .row(["8 bits: largest change", "-3", "0.5 (12 %)"]);
-        assert_eq!([0, 1, 2].map(|column| table.has_words(column)), [true, false, false]);
     }
 
     #[test]

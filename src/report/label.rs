@@ -12,7 +12,7 @@ static FONT: LazyLock<FontRef<'static>> = LazyLock::new(|| {
     font.expect("the font that the crate carries can be read")
 });
 
-/// What stands for a character that the font lacks.
+/// The replacement of characters that the font lacks.
 const REPLACEMENT: char = '?';
 
 /// The width of a line of text in pixels, at a height from the top of the tallest to the bottom of the lowest letter.

@@ -1,5 +1,5 @@
-//! What people and programs are told (layer 7): pictures as files, labels, lines over a picture, the numbers behind a
-//! pixel; pages and plots.
+//! Output for people and programs (layer 7): picture files, labels, lines over a picture, the numbers of a pixel, tables, plots
+//! and pages.
 //!
 //! ```
 //! use crease::num::Transfer;
@@ -12,21 +12,36 @@
 //! # Ok::<(), crease::report::ReportError>(())
 //! ```
 
-mod animation;
-mod artefact;
-mod diagnosis;
+// What can go wrong.
 mod error;
-mod html;
-mod label;
-mod overlay;
-mod palette;
-mod panel;
+// Pictures to combine and to draw on.
 mod picture;
-mod plot;
+// PNG files.
 mod png;
+// Text in pictures.
+mod label;
+// Pictures side by side with captions.
+mod panel;
+// The palette of an animation.
+mod palette;
+// GIF files.
+mod animation;
+// Edges, creases and normals as lines over a picture.
+mod overlay;
+// The numbers of one pixel.
 mod probe;
-mod seams;
+// Plots as SVG.
+mod plot;
+// Tables as text and Markdown.
+mod table;
+// Pages of HTML.
+mod html;
+// Pages of experiments.
+mod artefact;
+// Accuracy against speed.
 mod trade;
+// Pages and heat maps of a diagnosis.
+mod diagnosis;
 
 pub use animation::Animation;
 pub use artefact::{
@@ -35,7 +50,7 @@ pub use artefact::{
 };
 pub use diagnosis::{After, Sight, deviation_picture, diagnosis_page};
 pub use error::ReportError;
-pub use html::{Page, Table, escape_html};
+pub use html::{Page, escape_html};
 pub use label::{draw_text, text_width};
 pub use overlay::{Overlay, overlay};
 pub use palette::{ColourCount, Palette};
@@ -44,6 +59,7 @@ pub use picture::Picture;
 pub use plot::{Axis, Mark, Plot, Scale, Series};
 pub use png::encode_png;
 pub use probe::{PixelReport, SampleReport, probe_pixel};
+pub use table::Table;
 pub use trade::{
     approximation_table, box_table, class_table, cost_table, encoding_table, order_table, own_page,
     own_table, precision_table, shading_table, shading_times, surface_table, trade_page,

@@ -1,6 +1,5 @@
-//! Lines over a picture that show what shading is made from: edges, creases, normals.
+//! Lines over a picture: edges of faces, creases, seams between objects, normals.
 
-use super::seams::{Rim, seams};
 use crate::mesh::{Link, Mesh, Topology, Weld, normal_matrix};
 use crate::normals::NormalField;
 use crate::num::{Degrees, LinearRgb, Radians};
@@ -49,20 +48,20 @@ pub fn overlay(scene: &Scene, size: [u32; 2], kind: Overlay) -> Vec<Lines> {
     let side = f64::from(size[0].min(size[1]));
     let style = LineStyle { colour, width: width * (side / NORMAL_SIDE).max(1.0), hide: true };
     let longest = NORMAL_LENGTH * height_at_target(scene);
-    let length = |form: &Object| longest.min(NORMAL_EDGES * mean_edge(form));
+    let length = |it: &Object| longest.min(NORMAL_EDGES * mean_edge(it));
     let mut rims = Vec::new();
-    let forms = scene.objects.iter().enumerate().filter(|(_, form)| has_directions(form));
-    let mut paths: Vec<LinePath> = forms
-        .map(|(object, form)| match kind {
-            Overlay::Wire => LinePath::Edges { object, edges: form.shape.edges() },
+    let objects = scene.objects.iter().enumerate().filter(|(_, it)| has_directions(it));
+    let mut paths: Vec<LinePath> = objects
+        .map(|(object, it)| match kind {
+            Overlay::Wire => LinePath::Edges { object, edges: it.shape.edges() },
             Overlay::Creases => {
                 let rims = (scene.objects.len() > 1).then_some(&mut rims);
-                LinePath::Edges { object, edges: creases(form, rims) }
+                LinePath::Edges { object, edges: creases(it, rims) }
             }
             Overlay::VertexNormals => {
-                LinePath::VertexNormals { object, normals: form.shape.vertex_normals(), length: length(form) }
+                LinePath::VertexNormals { object, normals: it.shape.vertex_normals(), length: length(it) }
             }
-            Overlay::FaceNormals => LinePath::FaceNormals { object, length: length(form) },
+            Overlay::FaceNormals => LinePath::FaceNormals { object, length: length(it) },
         })
         .collect();
     let seams = seams(rims, differ);
@@ -154,6 +153,45 @@ fn mean_edge(object: &Object) -> f64 {
     if count > 0 { sum / count as f64 } else { 0.0 }
 }
 
+/// A boundary edge of an object, in the scene: its ends, and the unit normals there.
+#[derive(Clone, Copy, Debug)]
+struct Rim {
+    /// Its ends, the one with the lower coordinates first.
+    points: [DVec3; 2],
+    /// The normals of its face at the ends.
+    normals: [DVec3; 2],
+}
+
+impl Rim {
+    /// An edge between two points with their normals, in any order.
+    fn new(a: (DVec3, DVec3), b: (DVec3, DVec3)) -> Self {
+        let (a, b) = if key(a.0) <= key(b.0) { (a, b) } else { (b, a) };
+        Self { points: [a.0, b.0], normals: [a.1, b.1] }
+    }
+
+    fn key(&self) -> [[u64; 3]; 2] {
+        self.points.map(key)
+    }
+}
+
+/// A point as bits: equal points, and only those, have the same.
+fn key(point: DVec3) -> [u64; 3] {
+    // −0 and 0 are equal.
+    point.to_array().map(|x| (x + 0.0).to_bits())
+}
+
+/// The edges with several rims, two of which have normals at either end that `differ`, once each.
+fn seams(mut rims: Vec<Rim>, differ: impl Fn(DVec3, DVec3) -> bool) -> Vec<[DVec3; 2]> {
+    rims.sort_by_cached_key(Rim::key);
+    let at_one_place = rims.chunk_by(|a, b| a.key() == b.key());
+    let is_seam = |rims: &&[Rim]| {
+        // If none differs from the first, no two differ by more than twice the threshold.
+        let [first, others @ ..] = *rims else { return false };
+        others.iter().any(|rim| (0..2).any(|end| differ(first.normals[end], rim.normals[end])))
+    };
+    at_one_place.filter(is_seam).map(|rims| rims[0].points).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -226,5 +264,18 @@ mod tests {
             };
             assert!((length - NORMAL_LENGTH * height).abs() < 1e-12);
         }
+    }
+
+    #[test]
+    fn a_seam_is_where_rims_meet_whose_normals_differ() {
+        let (a, b, c) = (DVec3::ZERO, DVec3::X, DVec3::Y);
+        let up = Rim::new((a, DVec3::Z), (b, DVec3::Z));
+        // The same place the other way round, with zero's other sign.
+        let next_to = |normal| Rim::new((b, normal), (-a, DVec3::Z));
+        let elsewhere = Rim::new((a, DVec3::X), (c, DVec3::X));
+        let unlike = |a: DVec3, b: DVec3| a != b;
+        assert_eq!(seams(vec![up, elsewhere, next_to(DVec3::Z)], unlike), [] as [[DVec3; 2]; 0]);
+        assert_eq!(seams(vec![up, elsewhere, next_to(DVec3::X)], unlike), [[a, b]]);
+        assert_eq!(seams(vec![next_to(DVec3::X)], unlike), [] as [[DVec3; 2]; 0]);
     }
 }

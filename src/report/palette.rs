@@ -1,4 +1,4 @@
-//! One palette for all frames of an animation, so that what stands still does not flicker.
+//! One palette for all frames of an animation, so that still parts do not flicker.
 
 use std::collections::BTreeSet;
 
@@ -8,11 +8,11 @@ pub(super) const LARGEST: usize = 256;
 const BITS: u32 = 6;
 const DROPPED: u32 = 8 - BITS;
 
-/// At most 256 colours that stand for those of some pictures.
+/// At most 256 colours that represent those of some pictures.
 ///
 /// Pictures of at most 256 colours keep them exactly. Else colours are counted in cells of 4 × 4 × 4 codes, and cells
 /// are put together by median cut (Heckbert 1982): the box whose pixels times squared longest side are the most is cut
-/// across that side where half of its pixels lie to each side, until there are 256 boxes; a box stands for the mean of
+/// across that side where half of its pixels lie to each side, until there are 256 boxes; a box becomes the mean of
 /// its pixels. Each cell takes the nearest of these means. Ties go to the first box and the first component, so the
 /// same pictures give the same palette on any machine.
 #[derive(Clone, Debug)]
@@ -88,7 +88,7 @@ impl Palette {
         &self.colours
     }
 
-    /// The entry that stands for a colour of the pictures that it was made of.
+    /// The entry that represents a colour of the counted pictures.
     pub fn entry(&self, colour: [u8; 3]) -> [u8; 3] {
         if self.entry_of_cell.is_empty() {
             return colour;

@@ -4,7 +4,7 @@ use super::error::ReportError;
 use super::label::{draw_text, text_width};
 use super::picture::Picture;
 
-/// A picture and what stands below it.
+/// A picture and its caption.
 #[derive(Clone, Debug)]
 pub struct Panel {
     /// One line of text.
@@ -25,7 +25,7 @@ const TEXT_RANGE: [f32; 2] = [14.0, 56.0];
 /// The largest side of a sheet, as of any picture that is drawn.
 const LARGEST: u32 = 16_384;
 
-/// Where panels stand.
+/// The layout of panels.
 struct Layout {
     columns: usize,
     /// Height of the text.

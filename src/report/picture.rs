@@ -1,4 +1,4 @@
-//! Pictures to put together and to draw on.
+//! Pictures to combine and to draw on.
 
 use super::error::ReportError;
 use crate::raster::{Image, Pixels};
@@ -34,7 +34,7 @@ impl Picture {
         matches!(self.pixels, Pixels::Sixteen(_))
     }
 
-    /// Copies another picture into this one, its upper left corner at `at`; what lies outside is left out. Components of
+    /// Copies another picture into this one, its upper left corner at `at`; parts outside are omitted. Components of
     /// 8 bits become 16 bits by 257·c, which keeps black and white, and 16 bits become 8 by their upper half.
     pub fn paste(&mut self, other: &Picture, at: [u32; 2]) {
         let width = (other.size[0].min(self.size[0].saturating_sub(at[0]))) as usize;

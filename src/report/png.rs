@@ -1,4 +1,4 @@
-//! PNG files that say what their numbers mean.
+//! PNG files that state the meaning of their numbers.
 
 use super::error::ReportError;
 use super::picture::Picture;

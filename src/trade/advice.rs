@@ -1,12 +1,29 @@
-//! What to use, said plainly: every sentence is made from numbers of the measurement.
+//! Advice in sentences, made from the numbers of a measurement. The sentences are in advice.en.ftl.
 
-use super::summary::{ClassPoint, frontier};
-use super::{Effort, Subject, Tiling, Trade};
+use super::cases::{NamedSurface, Tiling};
+use super::cost::Way;
+use super::effort::Effort;
+use super::encodings::EncodingRow;
+use super::solids::BoxRow;
+use super::summary::{ClassPoint, Trade, frontier};
 use crate::normals::Weight;
 use crate::num::three_digits;
+use crate::text::{Catalogue, Language, Value, catalogue};
 
-/// Weights whose errors are this close are alike: surfaces differ by more.
+static TEXTS: Catalogue = catalogue!("advice", en);
+
+/// Weights whose errors are within this factor count as equal: surfaces differ by more.
 const ALIKE: f64 = 1.1;
+
+/// The sentence of a key with its values.
+pub(super) fn sentence(key: &str, values: &[(&'static str, Value)]) -> String {
+    TEXTS.with(key, values).get(Language::English).to_owned()
+}
+
+/// A number as sentences have it.
+pub(super) fn digits(x: f64) -> Value {
+    three_digits(x).into()
+}
 
 /// Advice on which weights, which precision, which encodings and which shading to use.
 pub fn advice(trade: &Trade) -> Vec<String> {
@@ -23,20 +40,17 @@ pub fn advice(trade: &Trade) -> Vec<String> {
 
 /// Medians of few surfaces are not those of all.
 fn on_effort(trade: &Trade) -> Option<String> {
-    let names = |effort| Subject::all(effort).iter().map(|subject| subject.name).collect::<Vec<_>>();
-    (trade.effort == Effort::Quick).then(|| {
-        let (few, all) = (names(Effort::Quick), names(Effort::Usual));
-        format!(
-            "Quick: from {} surfaces ({}). Over all {} the best weight of a class may be another: measure without --quick \
-             before you choose.",
-            few.len(),
-            few.join(", "),
-            all.len()
-        )
-    })
+    let names = |effort| NamedSurface::all(effort).iter().map(|surface| surface.name).collect::<Vec<_>>();
+    let (few, all) = (names(Effort::Quick), names(Effort::Usual).len());
+    let values = [
+        ("few", few.len().to_string().into()),
+        ("names", few.join(", ").into()),
+        ("all", all.to_string().into()),
+    ];
+    (trade.effort == Effort::Quick).then(|| sentence("quick", &values))
 }
 
-/// The best weight that sums faces; [`Weight::Angle`], the usual one, among those that are alike.
+/// The best weight that sums faces; [`Weight::Angle`], the default, if its error is about as small.
 pub(super) fn best_sum(points: &[ClassPoint]) -> Option<ClassPoint> {
     let sums = || points.iter().filter(|point| point.weight != Weight::Quadric);
     let best = sums().min_by(|a, b| a.rms.total_cmp(&b.rms))?;
@@ -47,103 +61,84 @@ pub(super) fn best_sum(points: &[ClassPoint]) -> Option<ClassPoint> {
 fn on_class(trade: &Trade, tiling: Tiling) -> Option<String> {
     let points = trade.of_class(tiling);
     let best = best_sum(&points)?;
-    let others = |worst: bool| {
-        let sums =
-            points.iter().filter(|point| point.weight != Weight::Quadric && point.weight != best.weight);
-        let by_error = |a: &&ClassPoint, b: &&ClassPoint| a.rms.total_cmp(&b.rms);
-        if worst { sums.max_by(by_error) } else { sums.min_by(by_error) }
-    };
-    let (next, worst) = (others(false)?, others(true)?);
-    // The usual weight stands for all that are alike, which has to be said.
-    let (title, relation) = match next.rms < best.rms {
-        true => (format!("{}, the default", best.weight.name()), "within a tenth of the least, which is"),
-        false => (best.weight.name().to_owned(), "next is"),
-    };
-    let mut text = format!(
-        "On {}: {title} (rms {}°, {} times the plain loop; {relation} {} with {}°, last {} with {}°).",
-        tiling.describes(),
-        three_digits(best.rms),
-        three_digits(best.ratio),
-        next.weight.name(),
-        three_digits(next.rms),
-        worst.weight.name(),
-        three_digits(worst.rms),
+    let others =
+        || points.iter().filter(|point| point.weight != Weight::Quadric && point.weight != best.weight);
+    let next = others().min_by(|a, b| a.rms.total_cmp(&b.rms))?;
+    let worst = others().max_by(|a, b| a.rms.total_cmp(&b.rms))?;
+    // The default weight is named where its error is about the smallest, which has to be said.
+    let key = if next.rms < best.rms { "class-default" } else { "class-best" };
+    let mut text = sentence(
+        key,
+        &[
+            ("class", tiling.describes().into()),
+            ("best", best.weight.name().into()),
+            ("rms", digits(best.rms)),
+            ("ratio", digits(best.ratio)),
+            ("next", next.weight.name().into()),
+            ("next-rms", digits(next.rms)),
+            ("worst", worst.weight.name().into()),
+            ("worst-rms", digits(worst.rms)),
+        ],
     );
-    let on_frontier = |weight: Weight| frontier(&points).into_iter().find(|point| point.weight == weight);
-    let is_worth_it = |quadric: &ClassPoint| ALIKE * quadric.rms < best.rms;
-    if let Some(quadric) = on_frontier(Weight::Quadric).filter(is_worth_it) {
-        text.push_str(&format!(
-            " Where accuracy is worth {} times the plain loop, quadric: {}°.",
-            three_digits(quadric.ratio),
-            three_digits(quadric.rms)
-        ));
+    let quadric = frontier(&points).into_iter().find(|point| point.weight == Weight::Quadric);
+    if let Some(quadric) = quadric.filter(|quadric| ALIKE * quadric.rms < best.rms) {
+        text.push(' ');
+        text += &sentence("class-quadric", &[("ratio", digits(quadric.ratio)), ("rms", digits(quadric.rms))]);
     }
     Some(text)
 }
 
 fn on_boxes(trade: &Trade) -> Option<String> {
-    let right = |weight: Weight| {
-        let mut rows = trade.boxes.iter().filter(|row| row.weight == weight);
-        rows.all(|row| row.deviations.iter().all(|&deviation| deviation < 1e-9))
-    };
-    let invariant = |weight: Weight| {
-        trade.boxes.iter().filter(|row| row.weight == weight).all(super::BoxRow::is_invariant)
-    };
-    let names = |of: &dyn Fn(Weight) -> bool| {
-        let found = Weight::ALL.into_iter().filter(|&weight| weight != Weight::Quadric && of(weight));
+    let names = |is_true: fn(&BoxRow) -> bool| {
+        let rows = |weight| trade.boxes.iter().filter(move |row| row.weight == weight);
+        let found = Weight::ALL.into_iter().filter(|&weight| weight != Weight::Quadric);
+        let found = found.filter(|&weight| rows(weight).all(is_true));
         found.map(Weight::name).collect::<Vec<_>>().join(", ")
     };
-    let (right, invariant) = (names(&right), names(&invariant));
-    (!right.is_empty()).then(|| {
-        format!(
-            "On flat faces that may be triangulated this way or that (buildings, machine parts): {right}, which points \
-             along the diagonal at every corner of a box; only {invariant} do not depend on the cut at all."
-        )
-    })
+    let right = names(|row| row.deviations.iter().all(|&deviation| deviation < 1e-9));
+    let values = [("right", right.as_str().into()), ("invariant", names(BoxRow::is_invariant).into())];
+    (!right.is_empty()).then(|| sentence("boxes", &values))
 }
 
 fn on_precision(trade: &Trade) -> Option<String> {
-    let kept = || trade.precision.iter().filter(|row| !row.declined);
-    let worst = kept().map(|row| row.fast.max).reduce(f64::max)?;
-    let declined: Vec<&str> = trade.precision.iter().filter(|row| row.declined).map(|row| row.case).collect();
+    let kept = trade.precision.iter().filter(|row| !row.declined);
+    let worst = kept.map(|row| row.fast.max).reduce(f64::max)?;
     let cost = |way| trade.costs.ratio(way, Weight::Angle);
-    let saved = cost(super::Way::MeshFast)? / cost(super::Way::Mesh)?;
-    let mut declined = declined;
-    declined.dedup();
-    let time = match three_digits(saved) {
-        share if saved < 0.95 => format!("takes {share} of the time"),
-        share if saved > 1.05 => format!("takes {share} times as long"),
-        _ => "saves no time".into(),
+    let saved = cost(Way::MeshFast)? / cost(Way::Mesh)?;
+    let time = match saved {
+        ..0.95 => "time-less",
+        1.05.. => "time-more",
+        _ => "time-same",
     };
-    let mut text = format!(
-        "`--precision fast` differs from faithful by {}° at the most on these meshes, and {time}. A face it is off by up to \
-         0.0172° where it is a thousandth as high as long, a vertex by that times what its sum shrinks by; beyond, it leaves \
-         the mesh to faithful.",
-        three_digits(worst)
-    );
+    let time = sentence(time, &[("share", digits(saved))]);
+    let mut text = sentence("precision", &[("worst", digits(worst)), ("time", time.into())]);
+    let declined = trade.precision.iter().filter(|row| row.declined);
+    let mut declined: Vec<&str> = declined.map(|row| row.case).collect();
+    declined.dedup();
     if !declined.is_empty() {
-        text.push_str(&format!(" It left {} to faithful.", declined.join(", ")));
+        text.push(' ');
+        text += &sentence("declined", &[("cases", declined.join(", ").into())]);
     }
     Some(text)
 }
 
 fn on_encodings(trade: &Trade) -> Option<String> {
-    let smallest = |serves: &dyn Fn(&super::EncodingRow) -> bool| {
-        let found = trade.encodings.iter().filter(|row| serves(row));
+    let smallest = |is_enough: fn(&&EncodingRow) -> bool| {
+        let found = trade.encodings.iter().filter(is_enough);
         found.min_by(|a, b| a.bytes.cmp(&b.bytes).then(a.max.total_cmp(&b.max)))
     };
-    let diffuse = smallest(&|row| row.diffuse)?;
-    let shiny = smallest(&|row| row.blinn.is_some_and(|exponent| exponent >= 1000))?;
-    let failing: Vec<&str> =
-        trade.encodings.iter().filter(|row| !row.diffuse).map(|row| row.name.as_str()).collect();
-    Some(format!(
-        "Stored normals: {} bytes ({}) are enough for diffuse light within half an 8-bit step, {} bytes ({}) for Blinn \
-         highlights of n = 1000 and more. Not even diffuse light survives {}.",
-        diffuse.bytes,
-        diffuse.name,
-        shiny.bytes,
-        shiny.name,
-        failing.join(", ")
+    let diffuse = smallest(|row| row.diffuse)?;
+    let shiny = smallest(|row| row.blinn.is_some_and(|exponent| exponent >= 1000))?;
+    let failing = trade.encodings.iter().filter(|row| !row.diffuse).map(|row| row.name.as_str());
+    Some(sentence(
+        "encodings",
+        &[
+            ("diffuse-bytes", diffuse.bytes.to_string().into()),
+            ("diffuse", diffuse.name.as_str().into()),
+            ("shiny-bytes", shiny.bytes.to_string().into()),
+            ("shiny", shiny.name.as_str().into()),
+            ("failing", failing.collect::<Vec<_>>().join(", ").into()),
+        ],
     ))
 }
 
@@ -155,16 +150,10 @@ fn on_shading(trade: &Trade) -> Option<String> {
                 && row.interpolation.is_none_or(|i| i == "perspective")
         });
         let squares: Vec<f64> = rows.map(|row| row.error.linear.rms * row.error.linear.rms).collect();
-        (!squares.is_empty()).then(|| (squares.iter().sum::<f64>() / squares.len() as f64).sqrt())
+        (!squares.is_empty()).then(|| digits((squares.iter().sum::<f64>() / squares.len() as f64).sqrt()))
     };
-    let (flat, gouraud, phong) = (rms("flat")?, rms("gouraud")?, rms("phong")?);
-    Some(format!(
-        "Shading, over all regular meshes here: flat is off by {} steps of 1/255, Gouraud by {}, Phong by {} (rms, linear \
-         light). A mesh four times as fine brings each closer; no shading repairs a silhouette.",
-        three_digits(flat),
-        three_digits(gouraud),
-        three_digits(phong)
-    ))
+    let values = [("flat", rms("flat")?), ("gouraud", rms("gouraud")?), ("phong", rms("phong")?)];
+    Some(sentence("shading", &values))
 }
 
 #[cfg(test)]

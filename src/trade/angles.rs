@@ -1,4 +1,4 @@
-//! Angles between normals, summed up.
+//! Statistics of angles between normals: errors, histograms, orders of convergence.
 
 use crate::num::{CompensatedSum, Degrees, Radians};
 use serde::Serialize;
@@ -23,7 +23,7 @@ pub struct AngleErrors {
 }
 
 impl AngleErrors {
-    /// Sums up angles in their order, so that the same list gives the same bits. All 0 for an empty one.
+    /// The statistics of angles, summed in their order, so that the same list gives the same bits. All 0 for an empty one.
     pub fn of(angles: &[Radians]) -> Self {
         let (mut sum, mut squares) = (CompensatedSum::default(), CompensatedSum::default());
         let mut degrees: Vec<f64> = angles.iter().map(|&angle| Degrees::from(angle).0).collect();
@@ -45,10 +45,10 @@ impl AngleErrors {
     }
 }
 
-/// How many errors are of which size: shares of all, in quarters of a decade from 10⁻⁸ to 10² degrees.
+/// The distribution of errors: shares of all, in quarters of a decade from 10⁻⁸ to 10² degrees.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Histogram {
-    /// The share of errors in each bin; the first one also has what is below it, the last one what is above.
+    /// The share of errors in each bin; the first one includes smaller errors, the last one larger ones.
     pub shares: Vec<f64>,
 }
 
@@ -68,7 +68,7 @@ impl Histogram {
         Self { shares: counts.into_iter().map(|count| f64::from(count) / all).collect() }
     }
 
-    /// Where each bin begins, in degrees, and where the last one ends.
+    /// The edges of the bins, in degrees.
     pub fn edges() -> impl Iterator<Item = f64> {
         (0..=Self::BINS).map(|bin| libm::exp10(Self::LOWEST + bin as f64 / 4.0))
     }

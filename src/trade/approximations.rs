@@ -1,6 +1,6 @@
-//! What this crate's own approximations cost and save.
+//! Errors and costs of this crate's own approximations.
 
-use super::timing::{Candidate, fewest_seconds};
+use super::effort::{Candidate, fewest_seconds};
 use crate::num::{LinearRgb, Power, Real, Underflow, corner_angle};
 use crate::shade::{Attenuation, Light, Material, ShadeError, ShadeSettings, Shader, SurfacePoint, Viewer};
 use glam::DVec3;
@@ -8,10 +8,10 @@ use serde::Serialize;
 use std::f64::consts::PI;
 use std::hint::black_box;
 
-/// An approximation beside what it stands for.
+/// An approximation compared with the function that it replaces.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ApproximationRow {
-    /// What is computed.
+    /// The approximated function.
     pub what: String,
     /// The largest error found.
     pub error: f64,
@@ -19,14 +19,14 @@ pub struct ApproximationRow {
     pub unit: &'static str,
     /// Nanoseconds of each computation.
     pub ns: f64,
-    /// Nanoseconds of the function that it stands for.
+    /// Nanoseconds of the function that it replaces.
     pub exact_ns: f64,
 }
 
 /// How many arguments each is tried with.
 const COUNT: usize = 1 << 14;
 
-/// A function that is measured, on numbers that go with their truths.
+/// A function to measure on numbers whose true values are known.
 struct Trial<'a> {
     what: String,
     error: f64,
@@ -36,7 +36,7 @@ struct Trial<'a> {
 }
 
 /// Angles of corners without an arc tangent; powers for highlights without a logarithm of the platform, in double and in
-/// single precision; and light on points in single precision, as pictures have it, beside double.
+/// single precision; and light on points in single precision, as in pictures, compared with double.
 pub fn approximation_rows() -> Vec<ApproximationRow> {
     let shares: Vec<f64> = (1..=COUNT).map(|k| k as f64 / COUNT as f64).collect();
     let corners: Vec<[f64; 2]> =
@@ -102,9 +102,9 @@ fn power<'a, R: Real + Send + Sync>(
     }
 }
 
-/// Points of a unit ball on a spiral, as single precision has them, with their normals.
+/// Points of a unit sphere on a spiral, in single precision, with their normals.
 fn points() -> Vec<SurfacePoint<f32>> {
-    // The golden angle: turns that never meet.
+    // The golden angle: rotations that never coincide.
     let turn = PI * (3.0 - 5.0_f64.sqrt());
     let point = |k: usize| {
         let height = 1.0 - (2 * k + 1) as f64 / COUNT as f64;
@@ -116,7 +116,7 @@ fn points() -> Vec<SurfacePoint<f32>> {
     (0..COUNT).map(point).collect()
 }
 
-/// A lamp and a viewer near by, Blinn's highlight with n = 32.
+/// A lamp and a viewer nearby, Blinn's highlight with n = 32.
 fn light(points: &[SurfacePoint<f32>]) -> Result<Trial<'_>, ShadeError> {
     let lamp = Light::Point {
         position: DVec3::new(2.0, 3.0, 4.0),
@@ -143,7 +143,7 @@ fn light(points: &[SurfacePoint<f32>]) -> Result<Trial<'_>, ShadeError> {
     })
 }
 
-/// Uses every result, so that none is left out.
+/// Uses every result, so that none is optimised away.
 fn sum<T: Copy>(arguments: &[T], of: impl Fn(T) -> f64) {
     black_box(arguments.iter().map(|&argument| of(argument)).sum::<f64>());
 }

@@ -1,55 +1,60 @@
-//! The surfaces and the ways to cut them that errors are measured on.
+//! The surfaces and tilings that errors are measured on.
 
-use super::Effort;
+use super::angles::angle_between;
+use super::effort::Effort;
 use crate::mesh::{Link, Mesh, Topology};
+use crate::normals::NormalField;
+use crate::num::Radians;
 use crate::surface::{
     BezierPatch, Catenoid, Cone, Cylinder, Ellipsoid, MonkeySaddle, Pattern, Primitive, Sphere, Superquadric,
     Surface, SurfaceError, Tessellation, Torus, Wave,
 };
 use glam::DVec3;
+use rayon::prelude::*;
 use serde::Serialize;
 
-/// A surface with a name.
+/// A surface with its name.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Subject {
-    /// What reports call it: as the verb `surface` does.
+pub struct NamedSurface {
+    /// The name, as on the command line of `surface`.
     pub name: &'static str,
-    /// The surface, with its usual measures.
+    /// The surface, with its default dimensions.
     pub surface: Surface,
 }
 
-impl Subject {
+impl NamedSurface {
     /// The ones that are measured: five with [`Effort::Quick`], else all but the plane, on which every normal is exact.
-    pub fn all(effort: Effort) -> Vec<Subject> {
-        let subject = |name, surface| Subject { name, surface };
-        let mut all = vec![
-            subject("sphere", Sphere::default().into()),
-            subject("torus", Torus::default().into()),
-            subject("wave", Surface::Wave(Wave::default())),
-            subject("catenoid", Surface::Catenoid(Catenoid::default())),
-            subject("superquadric", Surface::Superquadric(Superquadric::default())),
+    pub fn all(effort: Effort) -> Vec<NamedSurface> {
+        let all: [(&str, Surface); 11] = [
+            ("sphere", Sphere::default().into()),
+            ("torus", Torus::default().into()),
+            ("wave", Surface::Wave(Wave::default())),
+            ("catenoid", Surface::Catenoid(Catenoid::default())),
+            ("superquadric", Surface::Superquadric(Superquadric::default())),
+            ("ellipsoid", Ellipsoid::default().into()),
+            ("cylinder", Cylinder::default().into()),
+            ("cone", Cone::default().into()),
+            ("monkey-saddle", Surface::MonkeySaddle(MonkeySaddle::default())),
+            ("bezier", Surface::Patch(Box::<BezierPatch>::default())),
+            ("teapot", Surface::Teapot),
         ];
-        if effort != Effort::Quick {
-            all.extend([
-                subject("ellipsoid", Ellipsoid::default().into()),
-                subject("cylinder", Cylinder::default().into()),
-                subject("cone", Cone::default().into()),
-                subject("monkey-saddle", Surface::MonkeySaddle(MonkeySaddle::default())),
-                subject("bezier", Surface::Patch(Box::<BezierPatch>::default())),
-                subject("teapot", Surface::Teapot),
-            ]);
-        }
-        all
+        let count = if effort == Effort::Quick { 5 } else { all.len() };
+        all.into_iter().take(count).map(|(name, surface)| NamedSurface { name, surface }).collect()
+    }
+
+    /// The torus, which costs and precision are measured on.
+    pub(super) fn torus() -> Self {
+        NamedSurface { name: "torus", surface: Torus::default().into() }
     }
 
     /// Whether the surface has a normal at a vertex of it: everywhere but at the tip of a cone.
-    pub(super) fn is_smooth_at(&self, position: DVec3) -> bool {
+    fn is_smooth_at(&self, position: DVec3) -> bool {
         let on_axis = position.x == 0.0 && position.z == 0.0;
         !(on_axis && matches!(self.surface, Surface::Primitive(Primitive::Cone(_))))
     }
 }
 
-/// A way to cut a surface.
+/// A way to cut a surface into faces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Tiling {
@@ -76,6 +81,20 @@ pub enum Tiling {
     Noisy,
 }
 
+/// The name and the described class of meshes of each tiling, in the order of [`Tiling::ALL`].
+const DESCRIPTIONS: [(&str, &str); 10] = [
+    ("regular", "regular grids"),
+    ("jittered", "irregular triangles"),
+    ("stretched", "triangles ten times as long as wide"),
+    ("slivers", "good triangles beside needles"),
+    ("quads", "irregular quads"),
+    ("polygons", "polygons of many corners"),
+    ("icosphere", "subdivided icosahedra"),
+    ("marching", "marching tetrahedra"),
+    ("scattered", "Delaunay triangles of scattered points"),
+    ("noisy", "scans with noise"),
+];
+
 impl Tiling {
     /// All of them.
     pub const ALL: [Tiling; 10] = [
@@ -93,34 +112,12 @@ impl Tiling {
 
     /// The name in reports.
     pub fn name(self) -> &'static str {
-        match self {
-            Tiling::Regular => "regular",
-            Tiling::Jittered => "jittered",
-            Tiling::Stretched => "stretched",
-            Tiling::Slivers => "slivers",
-            Tiling::Quads => "quads",
-            Tiling::Polygons => "polygons",
-            Tiling::Icosphere => "icosphere",
-            Tiling::Marching => "marching",
-            Tiling::Scattered => "scattered",
-            Tiling::Noisy => "noisy",
-        }
+        DESCRIPTIONS[self as usize].0
     }
 
-    /// The class of meshes that it stands for.
+    /// The class of meshes that it represents.
     pub fn describes(self) -> &'static str {
-        match self {
-            Tiling::Regular => "regular grids",
-            Tiling::Jittered => "irregular triangles",
-            Tiling::Stretched => "triangles ten times as long as wide",
-            Tiling::Slivers => "good triangles beside needles",
-            Tiling::Quads => "irregular quads",
-            Tiling::Polygons => "polygons of many corners",
-            Tiling::Icosphere => "subdivided icosahedra",
-            Tiling::Marching => "marching tetrahedra",
-            Tiling::Scattered => "Delaunay triangles of scattered points",
-            Tiling::Noisy => "scans with noise",
-        }
+        DESCRIPTIONS[self as usize].1
     }
 
     /// Whether a surface can be cut this way.
@@ -155,17 +152,12 @@ impl Tiling {
             Tiling::Scattered => (Pattern::Scattered, 0.0),
         };
         let noise = if self == Tiling::Noisy { 0.05 } else { 0.0 };
-        Tessellation {
-            pattern,
-            segments: segments.map(|n| n << level),
-            jitter,
-            noise,
-            ..Tessellation::default()
-        }
+        let segments = segments.map(|n| n << level);
+        Tessellation { pattern, segments, jitter, noise, ..Tessellation::default() }
     }
 
     /// The levels that are measured: four, which is three halvings, the last of them the finest. The icosphere of 42
-    /// vertices is left out: by symmetry every weight is exact on it.
+    /// vertices is omitted: by symmetry every weight is exact on it.
     pub(super) fn levels(self, effort: Effort) -> std::ops::Range<u32> {
         let finest = match (effort, self) {
             (Effort::Quick, Tiling::Icosphere) => 4,
@@ -177,23 +169,23 @@ impl Tiling {
     }
 }
 
-/// A mesh of a surface, and what is needed to measure normals on it.
-pub(super) struct Specimen {
+/// A mesh of a surface with its true normals.
+pub(super) struct SampleMesh {
     pub(super) mesh: Mesh,
     pub(super) topology: Topology,
-    /// The exact normal of each vertex; none where errors are not counted: on open sides, whose vertices lack half of their
+    /// The exact normal of each vertex; `None` where errors are not counted: on boundaries, whose vertices lack half of their
     /// faces, and where the surface has no normal.
     pub(super) truth: Vec<Option<DVec3>>,
 }
 
-impl Specimen {
-    pub(super) fn new(subject: &Subject, tessellation: &Tessellation) -> Result<Self, SurfaceError> {
-        let mesh = subject.surface.tessellate(tessellation)?;
+impl SampleMesh {
+    pub(super) fn new(surface: &NamedSurface, tessellation: &Tessellation) -> Result<Self, SurfaceError> {
+        let mesh = surface.surface.tessellate(tessellation)?;
         let topology = Topology::by_index(mesh.faces(), mesh.vertex_count());
         let normals = mesh.columns().normals.as_ref().map_or(&[][..], |column| &column.values);
         let known = normals.iter().zip(mesh.positions());
         let mut truth: Vec<Option<DVec3>> =
-            known.map(|(&normal, &position)| subject.is_smooth_at(position).then_some(normal)).collect();
+            known.map(|(&normal, &position)| surface.is_smooth_at(position).then_some(normal)).collect();
         let corners = mesh.faces().corners();
         for half_edge in 0..corners.len() as u32 {
             if topology.link(half_edge) == Link::Boundary {
@@ -204,9 +196,16 @@ impl Specimen {
         Ok(Self { mesh, topology, truth })
     }
 
-    /// Vertices that are not counted.
+    /// The number of vertices that are not counted.
     pub(super) fn excluded(&self) -> usize {
         self.truth.iter().filter(|normal| normal.is_none()).count()
+    }
+
+    /// The angle to the truth of every counted entry of a field of this mesh.
+    pub(super) fn errors(&self, field: &NormalField) -> Vec<Radians> {
+        let error =
+            |(&normal, &vertex): (&DVec3, &u32)| Some(angle_between(normal, self.truth[vertex as usize]?));
+        field.normals.values.par_iter().zip(&field.entry_vertex).filter_map(error).collect()
     }
 }
 
@@ -216,14 +215,14 @@ mod tests {
 
     #[test]
     fn every_surface_can_be_cut_every_way_that_fits() {
-        for subject in Subject::all(Effort::Full) {
-            for tiling in Tiling::ALL.into_iter().filter(|tiling| tiling.fits(&subject.surface)) {
-                let tessellation = tiling.tessellation(&subject.surface, 0);
-                let specimen = Specimen::new(&subject, &tessellation).unwrap();
-                let counted = specimen.truth.len() - specimen.excluded();
-                assert!(counted >= 12, "{} {}: {counted}", subject.name, tiling.name());
-                let open = !matches!(subject.name, "sphere" | "torus" | "ellipsoid" | "superquadric");
-                assert_eq!(specimen.excluded() > 0, open, "{} {}", subject.name, tiling.name());
+        for surface in NamedSurface::all(Effort::Full) {
+            for tiling in Tiling::ALL.into_iter().filter(|tiling| tiling.fits(&surface.surface)) {
+                let tessellation = tiling.tessellation(&surface.surface, 0);
+                let sample = SampleMesh::new(&surface, &tessellation).unwrap();
+                let counted = sample.truth.len() - sample.excluded();
+                assert!(counted >= 12, "{} {}: {counted}", surface.name, tiling.name());
+                let open = !matches!(surface.name, "sphere" | "torus" | "ellipsoid" | "superquadric");
+                assert_eq!(sample.excluded() > 0, open, "{} {}", surface.name, tiling.name());
             }
         }
     }

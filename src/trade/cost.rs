@@ -1,10 +1,8 @@
-//! What vertex normals cost.
+//! The cost of vertex normals, as a multiple of a plain loop.
 
-use super::baseline::plain_vertex_normals;
-use super::cases::{Specimen, Subject, Tiling};
-use super::timing::{Candidate, fewest_seconds};
+use super::cases::{NamedSurface, SampleMesh, Tiling};
+use super::effort::{Candidate, Effort, Observer, Progress, fewest_seconds};
 use super::vertex::{recipe, weight_name};
-use super::{Effort, Observer, Progress};
 use crate::mesh::{Faces, Mesh, MeshBuilder, Storage, Topology};
 use crate::normals::{NormalRecipe, Precision, Scratch, Slivers, Weight, compute_on, vertex_normals};
 use glam::DVec3;
@@ -22,27 +20,27 @@ pub struct Costs {
     pub rows: Vec<CostRow>,
 }
 
-/// What one way costs.
+/// The cost of one weight one way.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct CostRow {
-    /// What it is.
+    /// How normals are computed.
     pub way: Way,
     /// The weight.
     #[serde(serialize_with = "weight_name")]
     pub weight: Weight,
     /// Nanoseconds a triangle.
     pub ns_per_triangle: f64,
-    /// How many times as much as the plain loop.
+    /// Times the plain loop.
     pub ratio: f64,
 }
 
-/// A way to vertex normals.
+/// A way to compute vertex normals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Way {
     /// [`vertex_normals`]: slices in, slices out, faithful.
     Slices,
-    /// [`compute_on`] a mesh whose topology is there, with creases and faults, faithful.
+    /// [`compute_on`] a mesh with its topology, with creases and faults, faithful.
     Mesh,
     /// The same with [`Precision::Fast`].
     MeshFast,
@@ -57,13 +55,9 @@ impl Costs {
             Effort::Usual => (4, 5),
             Effort::Full => (5, 7),
         };
-        let subjects = Subject::all(Effort::Quick);
-        let torus = subjects.iter().find(|subject| subject.name == "torus");
-        let specimen = torus.and_then(|torus| {
-            Specimen::new(torus, &Tiling::Jittered.tessellation(&torus.surface, level)).ok()
-        });
-        let costs =
-            specimen.map_or_else(Self::default, |specimen| Self::on(&in_single(&specimen.mesh), rounds));
+        let torus = NamedSurface::torus();
+        let sample = SampleMesh::new(&torus, &Tiling::Jittered.tessellation(&torus.surface, level));
+        let costs = sample.map_or_else(|_| Self::default(), |it| Self::on(&rounded(&it.mesh, |p| p), rounds));
         observe(Progress { stage: "cost", done: 1, total: 1 });
         costs
     }
@@ -75,15 +69,15 @@ impl Costs {
         let triangles = fans(mesh.faces());
         let mut candidates: Vec<Candidate> = Vec::new();
         let mut normals = vec![[0.0; 3]; positions.len()];
-        let (places, list) = (&positions, &triangles);
-        candidates.push(Box::new(move || plain_vertex_normals(places, list, black_box(&mut normals))));
+        let (points, list) = (&positions, &triangles);
+        candidates.push(Box::new(move || plain_vertex_normals(points, list, black_box(&mut normals))));
         let mut ways = Vec::new();
         for weight in Weight::ALL {
             if weight != Weight::Quadric {
                 let (mut scratch, mut normals) = (Scratch::new(), vec![[0.0; 3]; positions.len()]);
                 candidates.push(Box::new(move || {
                     let faults =
-                        vertex_normals(places, list, weight, Slivers::Exclude, &mut scratch, &mut normals);
+                        vertex_normals(points, list, weight, Slivers::Exclude, &mut scratch, &mut normals);
                     drop(black_box(faults));
                 }));
                 ways.push((Way::Slices, weight));
@@ -109,14 +103,46 @@ impl Costs {
         }
     }
 
-    /// What a weight costs one way, as a multiple of the plain loop.
-    pub fn ratio(&self, way: Way, weight: Weight) -> Option<f64> {
-        self.rows.iter().find(|row| row.way == way && row.weight == weight).map(|row| row.ratio)
+    /// The cost of a weight one way.
+    pub fn row(&self, way: Way, weight: Weight) -> Option<&CostRow> {
+        self.rows.iter().find(|row| row.way == way && row.weight == weight)
     }
 
-    /// The cheapest faithful way to a weight: through slices, if it can be had there.
+    /// The cost of a weight one way, as a multiple of the plain loop.
+    pub fn ratio(&self, way: Way, weight: Weight) -> Option<f64> {
+        self.row(way, weight).map(|row| row.ratio)
+    }
+
+    /// The lowest cost of a weight, faithful: through slices, except for the quadric.
     pub fn cheapest(&self, weight: Weight) -> Option<f64> {
         self.ratio(Way::Slices, weight).or_else(|| self.ratio(Way::Mesh, weight))
+    }
+}
+
+/// Vertex normals by the simplest loop: one thread, single precision, area weights, no checks. A vertex whose triangles all
+/// have zero area becomes NaN.
+///
+/// Every cost of this module, and every ratio of the benches, is relative to it, measured in the same run.
+///
+/// # Panics
+/// If a triangle refers to a vertex that does not exist, or there are fewer normals than positions.
+pub fn plain_vertex_normals(positions: &[[f32; 3]], triangles: &[[u32; 3]], normals: &mut [[f32; 3]]) {
+    normals.fill([0.0; 3]);
+    for corners in triangles {
+        let [p, q, r] = corners.map(|vertex| positions[vertex as usize]);
+        let u = [q[0] - p[0], q[1] - p[1], q[2] - p[2]];
+        let v = [r[0] - p[0], r[1] - p[1], r[2] - p[2]];
+        let n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+        for &vertex in corners {
+            let sum = &mut normals[vertex as usize];
+            sum[0] += n[0];
+            sum[1] += n[1];
+            sum[2] += n[2];
+        }
+    }
+    for n in normals {
+        let scale = 1.0 / (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).sqrt();
+        *n = [n[0] * scale, n[1] * scale, n[2] * scale];
     }
 }
 
@@ -129,14 +155,9 @@ fn fans(faces: &Faces) -> Vec<[u32; 3]> {
     faces.iter().flat_map(fan).collect()
 }
 
-/// The mesh with its positions rounded to single precision, as engines and binary files have them.
-pub(super) fn in_single(mesh: &Mesh) -> Mesh {
-    rounded(mesh, |position| position)
-}
-
 /// The mesh with every position moved and then rounded to single precision.
-pub(super) fn rounded(mesh: &Mesh, place: impl Fn(DVec3) -> DVec3) -> Mesh {
-    let round = |&position: &DVec3| place(position).as_vec3().as_dvec3();
+pub(super) fn rounded(mesh: &Mesh, moved: impl Fn(DVec3) -> DVec3) -> Mesh {
+    let round = |&position: &DVec3| moved(position).as_vec3().as_dvec3();
     let builder = MeshBuilder {
         positions: mesh.positions().iter().map(round).collect(),
         storage: Storage::F32,

@@ -1,8 +1,7 @@
-//! What is lost when normals are stored in few bits.
+//! Errors and costs of normals that are stored in few bits.
 
 use super::angles::angle_between;
-use super::timing::{Candidate, fewest_seconds};
-use super::{Effort, Observer, Progress};
+use super::effort::{Candidate, Effort, Observer, Progress, fewest_seconds};
 use crate::normals::encoding::Encoding;
 use crate::num::{CompensatedSum, Degrees, Radians, largest_exponent};
 use glam::DVec3;
@@ -11,7 +10,7 @@ use serde::Serialize;
 use std::f64::consts::TAU;
 use std::hint::black_box;
 
-/// Half a step of 8 bits: what a highlight may change by unseen.
+/// Half a step of 8 bits: the largest invisible change of a highlight.
 const HALF_STEP: f64 = 1.0 / 510.0;
 
 /// One encoding.
@@ -27,7 +26,7 @@ pub struct EncodingRow {
     pub max: f64,
     /// How many directions these two are of.
     pub directions: u32,
-    /// The angle that no normal is off by more: [`Encoding::worst_angle`], in degrees.
+    /// The largest error of any normal: [`Encoding::worst_angle`], in degrees.
     pub bound: f64,
     /// Whether a diffuse term stays within half a step of 8 bits, of every normal: by the bound.
     pub diffuse: bool,
@@ -107,8 +106,8 @@ pub fn encoding_rows(effort: Effort, observe: Observer) -> Vec<EncodingRow> {
     };
     let mut rows: Vec<EncodingRow> = Encoding::ALL.into_iter().enumerate().map(row).collect();
     observe(Progress { stage: "encodings", done: total - 1, total });
-    for (row, [encode, decode]) in rows.iter_mut().zip(times()) {
-        (row.encode_ns, row.decode_ns) = (encode, decode);
+    for (row, times) in rows.iter_mut().zip(times()) {
+        [row.encode_ns, row.decode_ns] = times;
     }
     observe(Progress { stage: "encodings", done: total, total });
     rows

@@ -1,36 +1,48 @@
-//! Accuracy against speed, measured, and the extremes (layer 5).
+//! Accuracy against speed, measured, and the numerical extremes (layer 5).
 //!
-//! *Which vertex normals should I use?* is answered with numbers: errors against surfaces whose normals are known, beside
-//! what they cost; the same for ways to store normals, to shade with them, and for the approximations that this crate's own
-//! code makes. Errors are the same bits at any number of threads; times are of the machine, as ratios to a plain loop that
-//! ran in between. Module `stress` asks what happens where numbers end.
+//! *Which vertex normals should I use?* is answered with numbers: errors on surfaces whose normals are known, and costs; the
+//! same for encodings of normals, for shading with them, and for the approximations that this crate uses itself. Errors are
+//! the same bits at any number of threads; times depend on the machine and are ratios to a plain loop that ran in the same
+//! measurement. Module `stress` tests the limits of floating-point numbers.
 
-mod advice;
-mod angles;
-mod approximations;
-mod baseline;
-mod cases;
-mod cost;
+// How much is measured, progress, and times that can be compared.
 mod effort;
+// Angles between normals: errors, histograms, orders of convergence.
+mod angles;
+// Surfaces, tilings, and meshes with their true normals.
+mod cases;
+// Errors of every weight on surfaces.
+mod vertex;
+// Costs of every weight.
+mod cost;
+// Dependence on the triangulation of flat faces.
+mod solids;
+// Single precision compared with faithful.
+mod precision;
+// Normals in few bits.
 mod encodings;
+// Ways to shade.
+mod shading;
+// The crate's own approximations.
+mod approximations;
+// The whole measurement.
+mod summary;
+// Advice from its numbers.
+mod advice;
+// All weights on a user mesh.
+mod own;
+// Exact references in integers and 256 bits.
 #[cfg(any(test, feature = "stress"))]
 pub(crate) mod exact;
-mod own;
-mod precision;
-mod shading;
-mod solids;
+// The numerical extremes.
 #[cfg(feature = "stress")]
 pub mod stress;
-mod summary;
-mod timing;
-mod vertex;
 
 pub use advice::advice;
 pub use angles::{AngleErrors, Histogram, angle_between, order_of_convergence};
 pub use approximations::{ApproximationRow, approximation_rows};
-pub use baseline::plain_vertex_normals;
-pub use cases::{Subject, Tiling};
-pub use cost::{CostRow, Costs, Way};
+pub use cases::{NamedSurface, Tiling};
+pub use cost::{CostRow, Costs, Way, plain_vertex_normals};
 pub use effort::{Effort, Observer, Progress};
 pub use encodings::{DIRECTIONS, EncodingRow, direction, encoding_error, encoding_rows};
 pub use own::{OwnMesh, OwnMethod, estimate_map};

@@ -1,25 +1,26 @@
-//! The trade on a mesh whose surface nobody knows.
+//! All weights on a user mesh, whose true normals are not known.
 
+use super::advice::{digits, sentence};
 use super::angles::{AngleErrors, Histogram, angle_between};
-use super::cost::{Costs, Way};
+use super::cost::{CostRow, Costs, Way};
+use super::effort::{Observer, Progress};
 use super::vertex::weight_name;
-use super::{Observer, Progress};
 use crate::mesh::Mesh;
 use crate::normals::{NormalField, NormalRecipe, Weight, compute};
-use crate::num::{CompensatedSum, Degrees, Radians, three_digits};
+use crate::num::{CompensatedSum, Degrees, Radians};
 use glam::DVec3;
 use serde::Serialize;
 
-/// What the weights come to on somebody's own mesh.
+/// The errors and costs of all weights on a user mesh.
 ///
-/// The truth is not known. The quadric method, which is of second order where sums of faces are of first, stands in for it:
+/// The true normals are not known. The quadric method, of second order where sums of faces are of first, replaces them:
 /// where the surface is smooth and the mesh fine enough, its own error is far below theirs. On a coarse mesh it is not: on
-/// the jittered torus of 64 × 32 the quadric is off by 0.57° and Max's weights by 0.50°, on 128 × 64 by 0.14° and 0.25°. Ranks
-/// that are close mean little there; weights that are far off still show.
+/// the jittered torus of 64 × 32 the error of the quadric is 0.57° and that of Max's weights 0.50°, on 128 × 64 0.14° and
+/// 0.25°. Small differences mean little there; weights with large errors still show.
 ///
-/// Normals where the quadric gives what the angle mean gives to the bit say nothing, and are left out: there was no quadric,
-/// having too few neighbours or none that bear it out ([`without_quadric`](Self::without_quadric)), or all is flat. What is
-/// left may be little of the mesh; the reasons say how much.
+/// Normals for which the quadric is bitwise the angle mean are omitted: no quadric could be fitted
+/// ([`without_quadric`](Self::without_quadric)), or the faces are coplanar. The rest may be a small part of the mesh; the
+/// reasons say how much.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct OwnMesh {
     /// Vertices of all parts.
@@ -53,7 +54,7 @@ pub struct OwnMethod {
     /// The weight.
     #[serde(serialize_with = "weight_name")]
     pub weight: Weight,
-    /// The angle to the quadric's normals, where those say something.
+    /// The angle to the quadric's normals, where they differ from the angle mean.
     pub estimate: AngleErrors,
     /// How these angles are spread.
     pub histogram: Histogram,
@@ -63,23 +64,21 @@ pub struct OwnMethod {
     pub ratio: f64,
 }
 
-/// Normals are alike below this, in degrees: what single precision can tell apart is a hundred times coarser.
+/// Normals count as equal below this angle, in degrees: single precision is a hundred times coarser.
 const ALIKE: f64 = 1e-5;
 /// With fewer normals, or a smaller share of them, estimates mean nothing.
 const FEWEST: (usize, f64) = (20, 0.05);
-/// With a smaller share they are of a part of the mesh, which has to be said.
+/// With a smaller share, estimates are of a part of the mesh, which has to be said.
 const WELL_COVERED: f64 = 0.5;
 /// In degrees: the quadric is more accurate than the best sum where that is off by less than about half a degree, as on the
-/// torus of [`OwnMesh`]. From twice that on it is no judge.
-const MOST_REPORTED: f64 = 1.0;
+/// torus of [`OwnMesh`]. From twice that on weights cannot be ranked by it.
+const TOO_COARSE: f64 = 1.0;
 /// In degrees: where the best sum is this close to the quadric, the quadric is the more accurate of the two. On the same torus
 /// of 128 × 64 that is 0.23.
 const QUADRIC_WINS: f64 = 0.3;
-const SAFE: &str =
-    "angle does not change when flat faces are cut into other triangles, so it is the safe choice.";
-/// Below so many triangles a run is over in microseconds, and what it costs is not the weight's doing.
+/// On fewer triangles a run takes microseconds, most of them independent of the weight.
 const SMALL: usize = 10_000;
-/// The usual weight is not worth leaving for less than a tenth.
+/// The default weight is recommended if its error is within this factor of the smallest.
 const SIGNIFICANT: f64 = 1.1;
 
 impl OwnMesh {
@@ -87,70 +86,128 @@ impl OwnMesh {
     pub fn measure(parts: &[&Mesh], recipe: &NormalRecipe, observe: Observer) -> Self {
         let total = Weight::ALL.len() + 1;
         let mut without_quadric = 0;
-        let mut compute_all = |(done, weight): (usize, Weight)| {
+        // Groups do not depend on the weight: the same index in each list is the same corner of the mesh.
+        let mut fields: Vec<Vec<DVec3>> = Vec::new();
+        for (done, weight) in Weight::ALL.into_iter().enumerate() {
             observe(Progress { stage: "normals", done, total });
             let recipe = NormalRecipe { weight, ..*recipe };
-            let fields: Vec<NormalField> = parts.iter().map(|mesh| compute(mesh, &recipe)).collect();
-            without_quadric += fields.iter().map(|field| field.summary.quadric_fallbacks).sum::<usize>();
-            fields.into_iter().flat_map(|field| field.normals.values).collect()
-        };
-        // Groups do not depend on the weight, so the same place in each list is the same corner of the mesh.
-        let fields: Vec<Vec<DVec3>> = Weight::ALL.into_iter().enumerate().map(&mut compute_all).collect();
+            let computed: Vec<NormalField> = parts.iter().map(|mesh| compute(mesh, &recipe)).collect();
+            without_quadric += computed.iter().map(|field| field.summary.quadric_fallbacks).sum::<usize>();
+            fields.push(computed.into_iter().flat_map(|field| field.normals.values).collect());
+        }
         observe(Progress { stage: "cost", done: total - 1, total });
         let costs = costs(parts);
         observe(Progress { stage: "cost", done: total, total });
-        let of = |weight: Weight| {
-            let place = Weight::ALL.iter().position(|&other| other == weight);
-            &fields[place.expect("all weights are computed")]
+        let [angle, quadric] = [Weight::Angle, Weight::Quadric].map(|weight| &fields[weight as usize]);
+        let estimated: Vec<usize> = (0..quadric.len()).filter(|&i| quadric[i] != angle[i]).collect();
+        let method = |(weight, normals): (Weight, &Vec<DVec3>)| {
+            let angles: Vec<Radians> =
+                estimated.iter().map(|&i| angle_between(normals[i], quadric[i])).collect();
+            let cost = |of: fn(&CostRow) -> f64| costs.row(Way::Mesh, weight).map_or(0.0, of);
+            OwnMethod {
+                weight,
+                estimate: AngleErrors::of(&angles),
+                histogram: Histogram::of(&angles),
+                ns_per_triangle: cost(|row| row.ns_per_triangle),
+                ratio: cost(|row| row.ratio),
+            }
         };
-        let (angle, quadric) = (of(Weight::Angle), of(Weight::Quadric));
-        let reported: Vec<usize> = (0..quadric.len()).filter(|&i| quadric[i] != angle[i]).collect();
-        let methods: Vec<OwnMethod> = Weight::ALL
-            .into_iter()
-            .zip(&fields)
-            .map(|(weight, normals)| {
-                let angles: Vec<Radians> =
-                    reported.iter().map(|&i| angle_between(normals[i], quadric[i])).collect();
-                let cost = |of: fn(&super::CostRow) -> f64| {
-                    costs.rows.iter().find(|row| row.weight == weight && row.way == Way::Mesh).map_or(0.0, of)
-                };
-                OwnMethod {
-                    weight,
-                    estimate: AngleErrors::of(&angles),
-                    histogram: Histogram::of(&angles),
-                    ns_per_triangle: cost(|row| row.ns_per_triangle),
-                    ratio: cost(|row| row.ratio),
-                }
-            })
-            .collect();
-        let alike = share_alike(&fields);
-        let (recommended, mut reasons) =
-            recommend(&methods, [reported.len(), quadric.len(), without_quadric], alike);
-        if (1..SMALL).contains(&costs.triangles) {
-            reasons.push(format!(
-                "Costs were taken on {} triangles: on so few most of it is what every call takes, and ratios change from run to \
-                 run. `crease trade` has those of large meshes.",
-                costs.triangles
-            ));
-        }
-        Self {
+        let mut own = Self {
             vertices: parts.iter().map(|mesh| mesh.vertex_count()).sum(),
             faces: parts.iter().map(|mesh| mesh.face_count()).sum(),
             normals: quadric.len(),
-            alike,
-            estimated_from: reported.len(),
+            alike: share_alike(&fields),
+            estimated_from: estimated.len(),
             without_quadric,
-            methods,
+            methods: Weight::ALL.into_iter().zip(&fields).map(method).collect(),
             differences: fields.iter().map(|a| fields.iter().map(|b| rms_between(a, b)).collect()).collect(),
             plain_ns: costs.plain_ns,
-            recommended,
-            reasons,
+            recommended: Weight::Angle,
+            reasons: Vec::new(),
+        };
+        own.recommend();
+        if (1..SMALL).contains(&costs.triangles) {
+            let triangles = costs.triangles.to_string().into();
+            own.reasons.push(sentence("few-triangles", &[("triangles", triangles)]));
         }
+        own
+    }
+
+    /// Chooses the weight to use, with the reasons.
+    fn recommend(&mut self) {
+        self.reasons = self.reasons_of_coverage();
+        let (estimated, all) = (self.estimated_from, self.normals);
+        let (fewest, share) = FEWEST;
+        let counts = || [("estimated", estimated.to_string().into()), ("all", all.to_string().into())];
+        if estimated < fewest || (estimated as f64) < share * all as f64 {
+            self.reasons.extend([sentence("too-few", &counts()), sentence("safe", &[])]);
+            return;
+        }
+        if (estimated as f64) < WELL_COVERED * all as f64 {
+            let [estimated_from, of] = counts();
+            let share = percent(estimated as f64 / all as f64).into();
+            self.reasons.push(sentence("partial", &[estimated_from, of, ("share", share)]));
+        }
+        let method = |weight: Weight| self.methods.iter().find(|method| method.weight == weight);
+        let sums = self.methods.iter().filter(|method| method.weight != Weight::Quadric);
+        let closest = sums.min_by(|a, b| a.estimate.rms.total_cmp(&b.estimate.rms));
+        let (Some(best), Some(usual), Some(quadric)) =
+            (closest, method(Weight::Angle), method(Weight::Quadric))
+        else {
+            return;
+        };
+        let [rms, usual_rms] = [best, usual].map(|method| method.estimate.rms);
+        let name = ("best", best.weight.name().into());
+        let [estimated_from, _] = counts();
+        if rms > TOO_COARSE {
+            let sentences = [
+                sentence("too-coarse", &[name, ("rms", digits(rms)), estimated_from]),
+                sentence("safe", &[]),
+            ];
+            self.reasons.extend(sentences);
+            return;
+        }
+        let recommended = if usual_rms <= SIGNIFICANT * rms { usual } else { best };
+        let mut reasons = vec![match recommended.weight == best.weight {
+            true => sentence("closest", &[name, ("rms", digits(rms)), estimated_from]),
+            false => {
+                let usual = [("usual", usual.weight.name().into()), ("usual-rms", digits(usual_rms))];
+                let [usual, usual_rms] = usual;
+                sentence("near-closest", &[usual, name, usual_rms, ("rms", digits(rms))])
+            }
+        }];
+        if recommended.weight != Weight::Angle {
+            reasons.push(sentence("default", &[("rms", digits(usual_rms))]));
+        }
+        reasons.push(sentence("cost", &[("ratio", digits(recommended.ratio))]));
+        if rms < QUADRIC_WINS {
+            reasons.push(sentence("quadric-wins", &[("ratio", digits(quadric.ratio))]));
+        }
+        reasons.push(sentence("estimates", &[]));
+        if recommended.estimate.rms < 0.1 {
+            reasons.push(sentence("any-weight", &[]));
+        }
+        self.recommended = recommended.weight;
+        self.reasons.extend(reasons);
+    }
+
+    /// The share of normals that do not depend on the weight, and of those without a quadric.
+    fn reasons_of_coverage(&self) -> Vec<String> {
+        let alike = (self.alike > 0.05).then(|| sentence("alike", &[("share", percent(self.alike).into())]));
+        let without = (self.without_quadric > 0).then(|| {
+            let share = percent(self.without_quadric as f64 / self.normals as f64);
+            sentence("without-quadric", &[("share", share.into())])
+        });
+        alike.into_iter().chain(without).collect()
     }
 }
 
-/// The normals of a weight on a mesh, and at every vertex the largest angle to the quadric's normals, where those say
-/// something. For pictures.
+fn percent(share: f64) -> String {
+    format!("{:.0} %", 100.0 * share)
+}
+
+/// The normals of a weight on a mesh, and at every vertex the largest angle to the quadric's normals, where they differ from
+/// the angle mean. For pictures.
 pub fn estimate_map(
     mesh: &Mesh,
     recipe: &NormalRecipe,
@@ -194,97 +251,6 @@ fn share_alike(fields: &[Vec<DVec3>]) -> f64 {
     };
     let alike = (0..first.len()).filter(|&i| same(i)).count();
     if first.is_empty() { 1.0 } else { alike as f64 / first.len() as f64 }
-}
-
-/// The weight to use, and why: from how many normals tell something, of how many, and for how many there is no quadric.
-fn recommend(
-    methods: &[OwnMethod],
-    [reported, all, without_quadric]: [usize; 3],
-    alike: f64,
-) -> (Weight, Vec<String>) {
-    let mut reasons = Vec::new();
-    let percent = |share: f64| format!("{:.0} %", 100.0 * share);
-    if alike > 0.05 {
-        reasons.push(format!("{} of the normals are the same with every weight.", percent(alike)));
-    }
-    if without_quadric > 0 {
-        reasons.push(format!(
-            "{} of the normals have no quadric: too few neighbours, or none that bear it out, as on two rings of points. They \
-             are not in the estimate.",
-            percent(without_quadric as f64 / all as f64)
-        ));
-    }
-    let (fewest, share) = FEWEST;
-    if reported < fewest || (reported as f64) < share * all as f64 {
-        reasons.push(format!(
-            "Quadrics tell something of only {reported} of {all} normals, too few to rank weights by: the mesh is flat between \
-             its creases, or has too few vertices."
-        ));
-        reasons.push(SAFE.into());
-        return (Weight::Angle, reasons);
-    }
-    if (reported as f64) < WELL_COVERED * all as f64 {
-        reasons.push(format!(
-            "Estimates are from {reported} of {all} normals ({}): they say nothing of the rest.",
-            percent(reported as f64 / all as f64)
-        ));
-    }
-    let of = |weight: Weight| methods.iter().find(|method| method.weight == weight);
-    let sums = methods.iter().filter(|method| method.weight != Weight::Quadric);
-    let ranked = sums.min_by(|a, b| a.estimate.rms.total_cmp(&b.estimate.rms));
-    let (Some(best), Some(usual), Some(quadric)) = (ranked, of(Weight::Angle), of(Weight::Quadric)) else {
-        return (Weight::Angle, reasons);
-    };
-    let degrees = |method: &OwnMethod| three_digits(method.estimate.rms);
-    if best.estimate.rms > MOST_REPORTED {
-        reasons.push(format!(
-            "Even {}, the closest, is {}° from the quadric normals of {reported} normals: on a mesh as coarse as that the quadric is \
-             no nearer to the truth than the sums, and weights cannot be ranked by it.",
-            best.weight.name(),
-            degrees(best)
-        ));
-        reasons.push(SAFE.into());
-        return (Weight::Angle, reasons);
-    }
-    let recommended = if usual.estimate.rms <= SIGNIFICANT * best.estimate.rms { usual } else { best };
-    reasons.push(match recommended.weight == best.weight {
-        true => format!(
-            "{} is closest to the quadric normals: rms {}° of {reported} normals.",
-            best.weight.name(),
-            degrees(best)
-        ),
-        false => format!(
-            "{} is within a tenth of the closest weight, {} ({}° against {}°), and does not change when flat faces are \
-             cut into other triangles.",
-            usual.weight.name(),
-            best.weight.name(),
-            degrees(usual),
-            degrees(best)
-        ),
-    });
-    if recommended.weight != Weight::Angle {
-        reasons.push(format!("angle, the default, is at {}°.", degrees(usual)));
-    }
-    reasons
-        .push(format!("It costs {} times the plain single-precision loop.", three_digits(recommended.ratio)));
-    if best.estimate.rms < QUADRIC_WINS {
-        reasons.push(format!(
-            "Where the surface is smooth and time is no matter, quadric itself is likely to be the most accurate, at {} times \
-             that loop.",
-            three_digits(quadric.ratio)
-        ));
-    }
-    reasons.push(
-        "Estimates take the quadric for the truth, which it nears as edges grow short beside the surface's curves; on a coarse \
-         mesh, weights that are close to each other cannot be distinguished by it."
-            .into(),
-    );
-    if recommended.estimate.rms < 0.1 {
-        reasons.push(
-            "The difference is below a tenth of a degree: any weight will do for diffuse light.".into(),
-        );
-    }
-    (recommended.weight, reasons)
 }
 
 #[cfg(test)]

@@ -1,38 +1,38 @@
-//! `fast` beside `faithful`, where it matters.
+//! `fast` compared with `faithful` on meshes that are hard for single precision.
 
 use super::angles::{AngleErrors, angle_between};
-use super::cases::{Specimen, Subject, Tiling};
+use super::cases::{NamedSurface, SampleMesh, Tiling};
 use super::cost::rounded;
 use super::vertex::{recipe, weight_name};
 use crate::mesh::Topology;
-use crate::normals::{NormalField, NormalRecipe, Precision, Weight, compute_on};
+use crate::normals::{NormalRecipe, Precision, Weight, compute_on};
 use crate::num::Radians;
 use crate::surface::{Cone, Tessellation};
 use glam::DVec3;
 use serde::Serialize;
 
-/// Normals in single precision beside faithful ones, of a torus or a cone stored in single precision.
+/// Normals in single precision compared with faithful ones, of a torus or a cone stored in single precision.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PrecisionRow {
-    /// What is special about the mesh.
+    /// The mesh.
     pub case: &'static str,
     /// The weight.
     #[serde(serialize_with = "weight_name")]
     pub weight: Weight,
     /// Between `fast` and `faithful`.
     pub fast: AngleErrors,
-    /// Between `faithful` and the surface: what the tessellation and the storage cost.
+    /// Between `faithful` and the surface: the error of the tessellation and the storage.
     pub faithful: AngleErrors,
-    /// Whether `fast` saw that the mesh is out of its range, and left it to `faithful`.
+    /// Whether the mesh is out of the range of `fast`, which left it to `faithful`.
     pub declined: bool,
 }
 
-/// How a mesh is made hard for single precision.
-type Hardship = (&'static str, Tiling, fn(DVec3) -> DVec3);
+/// A mesh that is hard for single precision: its description, tiling, and where its positions are moved.
+type HardCase = (&'static str, Tiling, fn(DVec3) -> DVec3);
 
 const WEIGHTS: [Weight; 4] = [Weight::Uniform, Weight::Area, Weight::Angle, Weight::Max];
 
-const CASES: [Hardship; 7] = [
+const CASES: [HardCase; 7] = [
     ("64 × 32, jittered", Tiling::Jittered, |p| p),
     ("stretched ten times", Tiling::Stretched, |p| p),
     ("slivers of 1 : 1000", Tiling::Slivers, |p| p),
@@ -42,57 +42,45 @@ const CASES: [Hardship; 7] = [
     ("scaled by 10⁻⁷", Tiling::Jittered, |p| p * 1e-7),
 ];
 
-/// As high as faces may be long for `fast`, and sums that shrink by as much as the cone is high.
+/// Faces of the largest aspect ratio for `fast`, and sums that shrink by the height of the cone.
 const CONE: &str = "tip of a cone of height 50";
-
-/// A cone fifty times as high as its base is wide, in two rows of faces.
-fn cone() -> Option<Specimen> {
-    let subject = Subject { name: "cone", surface: Cone::new(1.0, 50.0).ok()?.into() };
-    let tessellation = Tessellation { segments: [64, 2], jitter: 0.2, ..Tessellation::default() };
-    Specimen::new(&subject, &tessellation).ok()
-}
 
 /// All rows: seven cases of a torus and one of a cone, with four weights each.
 pub fn precision_rows() -> Vec<PrecisionRow> {
-    let subjects = Subject::all(super::Effort::Quick);
-    let Some(torus) = subjects.iter().find(|subject| subject.name == "torus") else { return Vec::new() };
-    let rows = |(case, tiling, place): Hardship| {
+    let torus = NamedSurface::torus();
+    let of_torus = CASES.into_iter().map(|(case, tiling, moved)| {
         let tessellation = tiling.tessellation(&torus.surface, 2);
-        let specimen = Specimen::new(torus, &tessellation);
-        WEIGHTS.into_iter().filter_map(move |weight| row(case, specimen.as_ref().ok()?, place, weight))
+        (case, SampleMesh::new(&torus, &tessellation).ok(), moved)
+    });
+    let of_cone: (_, _, fn(DVec3) -> DVec3) = (CONE, cone(), |p| p);
+    let rows = |(case, sample, moved): (&'static str, Option<SampleMesh>, fn(DVec3) -> DVec3)| {
+        let row = |weight| Some(row(case, sample.as_ref()?, moved, weight));
+        WEIGHTS.into_iter().filter_map(row).collect::<Vec<_>>()
     };
-    let cone = cone();
-    let of_cone = |weight| row(CONE, cone.as_ref()?, |p| p, weight);
-    let of_torus = CASES.into_iter().flat_map(|case| rows(case).collect::<Vec<_>>());
-    of_torus.chain(WEIGHTS.into_iter().filter_map(of_cone)).collect()
+    of_torus.chain([of_cone]).flat_map(rows).collect()
 }
 
-fn row(
-    case: &'static str,
-    specimen: &Specimen,
-    place: fn(DVec3) -> DVec3,
-    weight: Weight,
-) -> Option<PrecisionRow> {
-    let mesh = rounded(&specimen.mesh, place);
+/// A cone fifty times as high as its base is wide, in two rows of faces.
+fn cone() -> Option<SampleMesh> {
+    let surface = NamedSurface { name: "cone", surface: Cone::new(1.0, 50.0).ok()?.into() };
+    let tessellation = Tessellation { segments: [64, 2], jitter: 0.2, ..Tessellation::default() };
+    SampleMesh::new(&surface, &tessellation).ok()
+}
+
+fn row(case: &'static str, sample: &SampleMesh, moved: fn(DVec3) -> DVec3, weight: Weight) -> PrecisionRow {
+    let mesh = rounded(&sample.mesh, moved);
     let topology = Topology::by_index(mesh.faces(), mesh.vertex_count());
     let compute = |precision| compute_on(&mesh, &topology, &NormalRecipe { precision, ..recipe(weight) });
     let [faithful, fast] = [Precision::Faithful, Precision::Fast].map(compute);
     let pairs = faithful.normals.values.iter().zip(&fast.normals.values);
     let differences: Vec<Radians> = pairs.map(|(&a, &b)| angle_between(a, b)).collect();
-    let truth = |field: &NormalField| {
-        let known = field.normals.values.iter().zip(&field.entry_vertex);
-        let error = |(&normal, &vertex): (&DVec3, &u32)| {
-            Some(angle_between(normal, specimen.truth[vertex as usize]?))
-        };
-        known.filter_map(error).collect::<Vec<_>>()
-    };
-    Some(PrecisionRow {
+    PrecisionRow {
         case,
         weight,
         fast: AngleErrors::of(&differences),
-        faithful: AngleErrors::of(&truth(&faithful)),
+        faithful: AngleErrors::of(&sample.errors(&faithful)),
         declined: fast.summary.fast_declined,
-    })
+    }
 }
 
 #[cfg(test)]

@@ -1,7 +1,8 @@
-//! Ways to shade against the picture of the surface itself.
+//! Ways to shade, compared with the picture of the surface itself.
 
-use super::cases::{Specimen, Subject, Tiling};
-use super::{Effort, Observer, Progress};
+use super::cases::{NamedSurface, SampleMesh, Tiling};
+use super::effort::{Effort, Observer, Progress};
+use super::vertex::recipe;
 use crate::mesh::Column;
 use crate::metric::{ImageError, image_error};
 use crate::normals::{NormalField, compute_on};
@@ -23,11 +24,11 @@ pub struct ShadingRow {
     pub tiling: Tiling,
     /// Into how many faces.
     pub faces: usize,
-    /// Whose highlight: `phong` with n = 8, or `blinn` with n = 32, which is as wide.
+    /// The highlight: `phong` with n = 8, or `blinn` with n = 32, which is as wide.
     pub reflection: &'static str,
     /// Where colours are computed.
     pub shading: &'static str,
-    /// How they, or normals, spread; only for those that do.
+    /// How they, or normals, are interpolated; only for those that are.
     pub interpolation: Option<&'static str>,
     /// Against the picture of the surface, in steps of 1/255 of linear light; shares over half a step.
     pub error: ImageError,
@@ -35,74 +36,58 @@ pub struct ShadingRow {
     pub milliseconds: f64,
 }
 
-/// Where pixels that both pictures cover may differ unseen, in steps of 8 bits.
+/// The largest invisible difference of a pixel, in steps of 8 bits.
 const THRESHOLD: f64 = 0.5;
 
-/// The ways to shade.
-const WAYS: [(Shading, Interpolation); 8] = [
-    (Shading::Wireframe, Interpolation::Perspective),
-    (Shading::Flat, Interpolation::Perspective),
-    (Shading::Gouraud, Interpolation::Scanline),
-    (Shading::Gouraud, Interpolation::Affine),
-    (Shading::Gouraud, Interpolation::Perspective),
-    (Shading::Phong, Interpolation::Scanline),
-    (Shading::Phong, Interpolation::Affine),
-    (Shading::Phong, Interpolation::Perspective),
+/// The ways to shade: shading and interpolation, each with its name; the interpolation has one only if it matters.
+const WAYS: [(Shading, &str, Interpolation, Option<&str>); 8] = [
+    (Shading::Wireframe, "wireframe", Interpolation::Perspective, None),
+    (Shading::Flat, "flat", Interpolation::Perspective, None),
+    (Shading::Gouraud, "gouraud", Interpolation::Scanline, Some("scanline")),
+    (Shading::Gouraud, "gouraud", Interpolation::Affine, Some("affine")),
+    (Shading::Gouraud, "gouraud", Interpolation::Perspective, Some("perspective")),
+    (Shading::Phong, "phong", Interpolation::Scanline, Some("scanline")),
+    (Shading::Phong, "phong", Interpolation::Affine, Some("affine")),
+    (Shading::Phong, "phong", Interpolation::Perspective, Some("perspective")),
 ];
 
-/// All rows. Vertices have the surface's exact normals, so that what differs is shading alone.
+/// The kinds of highlights and their names.
+const REFLECTIONS: [(Reflection, &str); 2] = [(Reflection::Phong, "phong"), (Reflection::Blinn, "blinn")];
+
+/// All rows. Vertices have the surface's exact normals, so that only the shading differs.
 ///
 /// # Errors
 /// Those of drawing.
 pub fn shading_rows(effort: Effort, observe: Observer) -> Result<Vec<ShadingRow>, RenderError> {
-    let (size, levels): (u32, &[u32]) = match effort {
-        Effort::Quick => (160, &[1, 2]),
-        Effort::Usual => (320, &[0, 1, 2, 3]),
-        Effort::Full => (640, &[0, 1, 2, 3, 4]),
-    };
-    let names: &[&str] = match effort {
-        Effort::Quick => &["sphere", "torus"],
-        _ => &["sphere", "torus", "ellipsoid", "cylinder", "cone", "plane"],
-    };
-    let plane = Subject { name: "plane", surface: Plane::default().into() };
-    let all = Subject::all(Effort::Full).into_iter().chain([plane]);
-    let subjects: Vec<Subject> = all.filter(|subject| names.contains(&subject.name)).collect();
-    // Several levels of one, and one of the others: what a cut changes shows on one level.
-    let regular = levels.iter().map(|&level| (Tiling::Regular, level));
-    let others = Tiling::ALL.into_iter().filter(|&tiling| match effort {
-        Effort::Quick => matches!(tiling, Tiling::Jittered | Tiling::Quads),
-        _ => tiling != Tiling::Regular,
-    });
-    let cuts: Vec<(Tiling, u32)> = regular.chain(others.map(|tiling| (tiling, 1))).collect();
-    let total = subjects.len() * cuts.len();
+    let size = [160, 320, 640][effort as usize];
+    let (surfaces, tilings) = (surfaces(effort), tilings(effort));
+    let total = surfaces.len() * tilings.len();
     let mut rows = Vec::new();
-    for (number, subject) in subjects.iter().enumerate() {
-        let Surface::Primitive(primitive) = subject.surface else { continue };
-        let truths = [Reflection::Phong, Reflection::Blinn]
-            .map(|reflection| (reflection, exact(primitive, reflection, size)));
-        for (place, &(tiling, level)) in cuts.iter().enumerate() {
-            let done = number * cuts.len() + place;
+    for (number, surface) in surfaces.iter().enumerate() {
+        let Surface::Primitive(primitive) = surface.surface else { continue };
+        let truths = REFLECTIONS.map(|(reflection, _)| exact(primitive, reflection, size));
+        for (place, &(tiling, level)) in tilings.iter().enumerate() {
+            let done = number * tilings.len() + place;
             observe(Progress { stage: "shading", done, total });
-            if !tiling.fits(&subject.surface) {
+            if !tiling.fits(&surface.surface) {
                 continue;
             }
-            let tessellation = tiling.tessellation(&subject.surface, level);
-            let Ok(specimen) = Specimen::new(subject, &tessellation) else { continue };
-            let field = with_exact_normals(&specimen);
-            for (reflection, truth) in &truths {
-                let shape = Shape::Mesh { mesh: &specimen.mesh, normals: &field };
-                let scene = scene(shape, primitive, *reflection);
-                for (shading, interpolation) in WAYS {
+            let tessellation = tiling.tessellation(&surface.surface, level);
+            let Ok(sample) = SampleMesh::new(surface, &tessellation) else { continue };
+            let field = with_exact_normals(&sample);
+            for ((reflection, reflection_name), truth) in REFLECTIONS.into_iter().zip(&truths) {
+                let shape = Shape::Mesh { mesh: &sample.mesh, normals: &field };
+                let scene = scene(shape, primitive, reflection);
+                for (shading, shading_name, interpolation, interpolation_name) in WAYS {
                     let image = render(&scene, &settings(size, shading, interpolation))?;
                     let truth = truth.as_ref().map_err(Clone::clone)?;
-                    let spreads = matches!(shading, Shading::Gouraud | Shading::Phong);
                     rows.push(ShadingRow {
-                        surface: subject.name,
+                        surface: surface.name,
                         tiling,
-                        faces: specimen.mesh.face_count(),
-                        reflection: if *reflection == Reflection::Phong { "phong" } else { "blinn" },
-                        shading: shading_name(shading),
-                        interpolation: spreads.then(|| interpolation_name(interpolation)),
+                        faces: sample.mesh.face_count(),
+                        reflection: reflection_name,
+                        shading: shading_name,
+                        interpolation: interpolation_name,
                         error: image_error(&image, truth, THRESHOLD)
                             .expect("both pictures have one size and linear colours"),
                         milliseconds: milliseconds(&image),
@@ -115,6 +100,30 @@ pub fn shading_rows(effort: Effort, observe: Observer) -> Result<Vec<ShadingRow>
     Ok(rows)
 }
 
+fn surfaces(effort: Effort) -> Vec<NamedSurface> {
+    let names: &[&str] = match effort {
+        Effort::Quick => &["sphere", "torus"],
+        _ => &["sphere", "torus", "ellipsoid", "cylinder", "cone", "plane"],
+    };
+    let plane = NamedSurface { name: "plane", surface: Plane::default().into() };
+    let all = NamedSurface::all(Effort::Full).into_iter().chain([plane]);
+    all.filter(|surface| names.contains(&surface.name)).collect()
+}
+
+/// Tilings and their levels: several of the regular one, and one of the others.
+fn tilings(effort: Effort) -> Vec<(Tiling, u32)> {
+    let levels = match effort {
+        Effort::Quick => 1..3,
+        Effort::Usual => 0..4,
+        Effort::Full => 0..5,
+    };
+    let others = Tiling::ALL.into_iter().filter(|&tiling| match effort {
+        Effort::Quick => matches!(tiling, Tiling::Jittered | Tiling::Quads),
+        _ => tiling != Tiling::Regular,
+    });
+    levels.map(|level| (Tiling::Regular, level)).chain(others.map(|tiling| (tiling, 1))).collect()
+}
+
 /// The picture of the surface itself.
 fn exact(primitive: Primitive, reflection: Reflection, size: u32) -> Result<Image, RenderError> {
     let scene = scene(Shape::Surface(primitive), primitive, reflection);
@@ -122,19 +131,19 @@ fn exact(primitive: Primitive, reflection: Reflection, size: u32) -> Result<Imag
 }
 
 /// A mesh's own field with the surface's normals at vertices.
-fn with_exact_normals(specimen: &Specimen) -> NormalField {
-    let field = compute_on(&specimen.mesh, &specimen.topology, &super::vertex::recipe(Default::default()));
-    let stored = specimen.mesh.columns().normals.as_ref().map(|column| column.values.clone());
-    let corners = specimen.mesh.faces().corners().to_vec();
-    let entry_vertex = (0..specimen.mesh.vertex_count() as u32).collect();
+fn with_exact_normals(sample: &SampleMesh) -> NormalField {
+    let field = compute_on(&sample.mesh, &sample.topology, &recipe(Default::default()));
+    let stored = sample.mesh.columns().normals.as_ref().map(|column| column.values.clone());
+    let corners = sample.mesh.faces().corners().to_vec();
+    let entry_vertex = (0..sample.mesh.vertex_count() as u32).collect();
     match stored {
         Some(values) => NormalField { normals: Column::per_corner(values, corners), entry_vertex, ..field },
         None => field,
     }
 }
 
-/// Grey plastic under one warm far light and a little cool light of everywhere, framed by the surface's own box. The lights
-/// are coloured so that luminance is not what every channel is.
+/// Grey plastic under one warm directional light and a little cool ambient light, framed by the surface's own box. The lights
+/// are coloured so that luminance differs from every channel.
 fn scene<'a>(shape: Shape<'a>, primitive: Primitive, reflection: Reflection) -> Scene<'a> {
     let blinn = Material::default();
     let exponent = match reflection {
@@ -174,24 +183,6 @@ fn milliseconds(image: &Image) -> f64 {
     (times.geometry + times.binning + times.tiles).as_secs_f64() * 1e3
 }
 
-fn shading_name(shading: Shading) -> &'static str {
-    match shading {
-        Shading::Flat => "flat",
-        Shading::Gouraud => "gouraud",
-        Shading::Phong => "phong",
-        Shading::Wireframe => "wireframe",
-        Shading::Exact => "exact",
-    }
-}
-
-fn interpolation_name(interpolation: Interpolation) -> &'static str {
-    match interpolation {
-        Interpolation::Scanline => "scanline",
-        Interpolation::Affine => "affine",
-        Interpolation::Perspective => "perspective",
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -220,7 +211,7 @@ mod tests {
             // All ways share one coverage.
             assert_eq!((flat.compared, flat.disagreeing), (phong.compared, phong.disagreeing));
         }
-        // Lights are coloured: luminance is a measure of its own.
+        // Lights are coloured: luminance differs from the channels.
         assert!(rows.iter().any(|row| row.error.luminance.rms < 0.99 * row.error.linear.rms));
         for (shading, interpolation) in [("flat", None), ("gouraud", perspective), ("phong", perspective)] {
             let [coarse, fine] = [1000, 4000].map(|faces| find(faces, shading, interpolation));

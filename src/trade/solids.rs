@@ -1,4 +1,4 @@
-//! Boxes, cut in every way: whether a weight cares how flat faces are triangulated.
+//! Boxes, cut in every way: whether a weight depends on how flat faces are triangulated.
 
 use super::angles::angle_between;
 use super::vertex::{recipe, weight_name};

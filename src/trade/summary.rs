@@ -1,14 +1,15 @@
-//! Everything measured, and what it comes to for each class of meshes.
+//! The whole measurement, and its summary for each class of meshes.
 
 use super::angles::median;
 use super::approximations::{ApproximationRow, approximation_rows};
+use super::cases::Tiling;
 use super::cost::Costs;
+use super::effort::{Effort, Observer};
 use super::encodings::{EncodingRow, encoding_rows};
 use super::precision::{PrecisionRow, precision_rows};
 use super::shading::{ShadingRow, shading_rows};
 use super::solids::{BoxRow, box_rows};
 use super::vertex::{VertexCase, vertex_cases};
-use super::{Effort, Observer, Tiling};
 use crate::normals::Weight;
 use crate::raster::RenderError;
 use serde::Serialize;
@@ -23,9 +24,9 @@ pub struct Trade {
     pub vertex: Vec<VertexCase>,
     /// Boxes, cut in every way.
     pub boxes: Vec<BoxRow>,
-    /// What vertex normals cost.
+    /// The cost of vertex normals.
     pub costs: Costs,
-    /// Single precision beside faithful.
+    /// Single precision compared with faithful.
     pub precision: Vec<PrecisionRow>,
     /// Ways to store normals.
     pub encodings: Vec<EncodingRow>,
@@ -53,11 +54,11 @@ impl Trade {
         })
     }
 
-    /// What each weight does on a class of meshes: the median, over surfaces, of the rms error on the quoted mesh; beside its
-    /// cost as a multiple of the plain loop. In the order of [`Weight::ALL`].
+    /// The error and cost of each weight on a class of meshes: the median, over surfaces, of the rms error on the quoted mesh,
+    /// and the cost as a multiple of the plain loop. In the order of [`Weight::ALL`].
     ///
-    /// The median, because a mean would be that of the one or two surfaces with points that no weight does well at: the
-    /// folds of the teapot, the tip of the cone.
+    /// The median, because the mean is dominated by the one or two surfaces with points at which all weights are inaccurate:
+    /// the folds of the teapot, the tip of the cone.
     pub fn of_class(&self, tiling: Tiling) -> Vec<ClassPoint> {
         let cases = || self.vertex.iter().filter(|case| case.tiling == tiling);
         let point = |weight: Weight| {
@@ -75,7 +76,7 @@ pub struct ClassPoint {
     pub weight: Weight,
     /// Degrees.
     pub rms: f64,
-    /// Times the plain loop, on one thread, through slices if the weight can be had so.
+    /// Times the plain loop, on one thread, through slices except for the quadric.
     pub ratio: f64,
 }
 

@@ -1,12 +1,11 @@
 //! Vertex normals against the truth: every weight on every surface, cut in every way, at four resolutions.
 
 use super::angles::{AngleErrors, Histogram, angle_between, order_of_convergence};
-use super::cases::{Specimen, Subject, Tiling};
-use super::{Effort, Observer, Progress};
+use super::cases::{NamedSurface, SampleMesh, Tiling};
+use super::effort::{Effort, Observer, Progress};
 use crate::mesh::Mesh;
 use crate::normals::{Crease, NormalField, NormalRecipe, Weight, compute_on};
 use crate::num::Radians;
-use glam::DVec3;
 use rayon::prelude::*;
 use serde::{Serialize, Serializer};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -64,7 +63,7 @@ const QUOTED: u32 = 2;
 impl VertexCase {
     /// Measures one surface cut one way, at the given levels of resolution. A surface that cannot be cut like this has no
     /// meshes.
-    pub fn measure(subject: &Subject, tiling: Tiling, levels: std::ops::Range<u32>) -> Self {
+    pub fn measure(surface: &NamedSurface, tiling: Tiling, levels: std::ops::Range<u32>) -> Self {
         let methods = Weight::ALL.map(|weight| MethodErrors {
             weight,
             errors: Vec::new(),
@@ -74,18 +73,18 @@ impl VertexCase {
         let quoted =
             (QUOTED.clamp(levels.start, levels.end.max(levels.start + 1) - 1) - levels.start) as usize;
         let mut case =
-            Self { surface: subject.name, tiling, meshes: Vec::new(), quoted, methods: methods.into() };
+            Self { surface: surface.name, tiling, meshes: Vec::new(), quoted, methods: methods.into() };
         for level in levels {
-            let tessellation = tiling.tessellation(&subject.surface, level);
-            let Ok(specimen) = Specimen::new(subject, &tessellation) else { continue };
+            let tessellation = tiling.tessellation(&surface.surface, level);
+            let Ok(sample) = SampleMesh::new(surface, &tessellation) else { continue };
             case.meshes.push(MeshSize {
                 segments: tessellation.segments,
-                vertices: specimen.mesh.vertex_count(),
-                faces: specimen.mesh.face_count(),
-                excluded: specimen.excluded(),
+                vertices: sample.mesh.vertex_count(),
+                faces: sample.mesh.face_count(),
+                excluded: sample.excluded(),
             });
             for method in &mut case.methods {
-                let angles = errors(&specimen, method.weight);
+                let angles = sample.errors(&sample.field(method.weight));
                 method.errors.push(AngleErrors::of(&angles));
                 if case.meshes.len() == quoted + 1 {
                     method.histogram = Histogram::of(&angles);
@@ -108,15 +107,15 @@ impl VertexCase {
 
 /// All cases of an effort, several at a time. The numbers do not depend on how many.
 pub fn vertex_cases(effort: Effort, observe: Observer) -> Vec<VertexCase> {
-    let subjects = Subject::all(effort);
-    let pairs: Vec<(&Subject, Tiling)> = subjects
+    let surfaces = NamedSurface::all(effort);
+    let pairs: Vec<(&NamedSurface, Tiling)> = surfaces
         .iter()
-        .flat_map(|subject| Tiling::ALL.map(|tiling| (subject, tiling)))
-        .filter(|(subject, tiling)| tiling.fits(&subject.surface))
+        .flat_map(|surface| Tiling::ALL.map(|tiling| (surface, tiling)))
+        .filter(|(surface, tiling)| tiling.fits(&surface.surface))
         .collect();
     let (done, total) = (AtomicUsize::new(0), pairs.len());
-    let measure = |&(subject, tiling): &(&Subject, Tiling)| {
-        let case = VertexCase::measure(subject, tiling, tiling.levels(effort));
+    let measure = |&(surface, tiling): &(&NamedSurface, Tiling)| {
+        let case = VertexCase::measure(surface, tiling, tiling.levels(effort));
         let done = done.fetch_add(1, Ordering::Relaxed) + 1;
         observe(Progress { stage: "vertex normals", done, total });
         case
@@ -124,43 +123,42 @@ pub fn vertex_cases(effort: Effort, observe: Observer) -> Vec<VertexCase> {
     pairs.par_iter().with_max_len(1).map(measure).collect()
 }
 
+impl SampleMesh {
+    /// The vertex normals of a weight.
+    fn field(&self, weight: Weight) -> NormalField {
+        compute_on(&self.mesh, &self.topology, &recipe(weight))
+    }
+}
+
 /// The recipe that weights are compared with: no edge is hard.
 pub(super) fn recipe(weight: Weight) -> NormalRecipe {
     NormalRecipe { weight, crease: Crease::OFF, ..NormalRecipe::default() }
 }
 
-/// The angle to the truth of every entry that is counted.
-pub(super) fn errors(specimen: &Specimen, weight: Weight) -> Vec<Radians> {
-    let field = compute_on(&specimen.mesh, &specimen.topology, &recipe(weight));
-    let error =
-        |(&normal, &vertex): (&DVec3, &u32)| Some(angle_between(normal, specimen.truth[vertex as usize]?));
-    field.normals.values.par_iter().zip(&field.entry_vertex).filter_map(error).collect()
-}
-
 /// The angle to the truth at every vertex of a mesh of a surface, 0 where it is not counted; and the mesh with its field.
 /// For pictures.
 pub fn error_map(
-    subject: &Subject,
+    surface: &NamedSurface,
     tiling: Tiling,
     weight: Weight,
 ) -> Option<(Mesh, NormalField, Vec<Radians>)> {
-    let specimen = Specimen::new(subject, &tiling.tessellation(&subject.surface, QUOTED)).ok()?;
-    let field = compute_on(&specimen.mesh, &specimen.topology, &recipe(weight));
-    let mut angles = vec![Radians(0.0); specimen.mesh.vertex_count()];
+    let sample = SampleMesh::new(surface, &tiling.tessellation(&surface.surface, QUOTED)).ok()?;
+    let field = sample.field(weight);
+    let mut angles = vec![Radians(0.0); sample.mesh.vertex_count()];
     for (&normal, &vertex) in field.normals.values.iter().zip(&field.entry_vertex) {
-        if let Some(truth) = specimen.truth[vertex as usize] {
+        if let Some(truth) = sample.truth[vertex as usize] {
             angles[vertex as usize] = angle_between(normal, truth);
         }
     }
-    Some((specimen.mesh, field, angles))
+    Some((sample.mesh, field, angles))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn subject(name: &str) -> Subject {
-        Subject::all(Effort::Full).into_iter().find(|subject| subject.name == name).unwrap()
+    fn surface(name: &str) -> NamedSurface {
+        NamedSurface::all(Effort::Full).into_iter().find(|surface| surface.name == name).unwrap()
     }
 
     /// Errors to as many digits as are printed.
@@ -172,7 +170,7 @@ mod tests {
     /// Figures computed apart from this program, in double precision, to all their digits.
     #[test]
     fn icosphere_figures_come_out() {
-        let case = VertexCase::measure(&subject("sphere"), Tiling::Icosphere, 0..4);
+        let case = VertexCase::measure(&surface("sphere"), Tiling::Icosphere, 0..4);
         assert_eq!(case.meshes[2].vertices, 642);
         let at = |level: usize, weight| {
             let method = case.methods.iter().find(|method| method.weight == weight).unwrap();
@@ -205,7 +203,7 @@ mod tests {
     /// order on both.
     #[test]
     fn the_torus_converges_as_published() {
-        let case = VertexCase::measure(&subject("torus"), Tiling::Jittered, 2..6);
+        let case = VertexCase::measure(&surface("torus"), Tiling::Jittered, 2..6);
         let method = |case: &VertexCase, weight| {
             case.methods.iter().find(|method| method.weight == weight).cloned().unwrap()
         };
@@ -217,7 +215,7 @@ mod tests {
         }
         let quadric = method(&case, Weight::Quadric).order.unwrap();
         assert!((quadric - 2.0).abs() < 0.15, "{quadric}");
-        let regular = VertexCase::measure(&subject("torus"), Tiling::Regular, 2..6);
+        let regular = VertexCase::measure(&surface("torus"), Tiling::Regular, 2..6);
         for weight in [Weight::Uniform, Weight::Area, Weight::Angle, Weight::Edge] {
             let order = method(&regular, weight).order.unwrap();
             assert!((order - 2.0).abs() < 0.05, "{}: {order}", weight.name());
@@ -230,7 +228,7 @@ mod tests {
     #[test]
     fn quadrics_are_second_order_on_jittered_meshes() {
         for name in ["wave", "monkey-saddle", "ellipsoid", "bezier"] {
-            let case = VertexCase::measure(&subject(name), Tiling::Jittered, 2..6);
+            let case = VertexCase::measure(&surface(name), Tiling::Jittered, 2..6);
             let quadric = case.methods.iter().find(|method| method.weight == Weight::Quadric).unwrap();
             let order = quadric.order.unwrap();
             assert!((order - 2.0).abs() < 0.15, "{name}: {order} from {:?}", quadric.errors);
@@ -241,7 +239,7 @@ mod tests {
     fn threads_change_no_bit() {
         let measure = |threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-            pool.install(|| VertexCase::measure(&subject("wave"), Tiling::Scattered, 0..3))
+            pool.install(|| VertexCase::measure(&surface("wave"), Tiling::Scattered, 0..3))
         };
         assert_eq!(measure(1), measure(3));
     }

@@ -17,8 +17,8 @@ pub struct Report<'a> {
 struct Case<'a> {
     group: &'static str,
     name: &'a str,
-    what: &'static str,
-    expectation: &'static str,
+    what: String,
+    expectation: String,
     samples: usize,
     faithful: Error,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -41,7 +41,7 @@ struct Error {
     #[serde(skip_serializing_if = "Option::is_none")]
     declined: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    formula: Option<&'static str>,
+    formula: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     fails: Option<bool>,
 }
@@ -84,15 +84,15 @@ impl<'a> Case<'a> {
             ..Error::bounded(worst, bound)
         });
         let plain = measured.plain.map(|worst| Error {
-            formula: Some(case.plain_formula),
+            formula: Some(case.plain_formula()),
             fails: Some(result.plain_fails()),
             ..Error::new(worst, case.plain_unit)
         });
         Self {
             group: case.group.name(),
             name: &case.name,
-            what: case.what,
-            expectation: case.expectation,
+            what: case.what(),
+            expectation: case.expectation(),
             samples: measured.samples,
             faithful: Error::bounded(measured.faithful, case.bound),
             without_fast: fast.is_none().then(|| case.group.without_fast()),

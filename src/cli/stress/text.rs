@@ -20,7 +20,7 @@ pub fn table(results: &[StressResult], seconds: f64, verbose: bool, style: Style
         cells.chain([HEADINGS[column].len()]).max().unwrap_or(0)
     });
     let mut out = String::new();
-    let mut before: (Option<Group>, &str) = (None, "");
+    let mut before: (Option<Group>, String) = (None, String::new());
     for (result, row) in results.iter().zip(&rows) {
         let case = result.case;
         if before.0 != Some(case.group) {
@@ -29,14 +29,15 @@ pub fn table(results: &[StressResult], seconds: f64, verbose: bool, style: Style
             let _ = writeln!(out, "{blank}{name}: {}", case.group.about());
             line(&mut out, &HEADINGS.map(str::to_owned), &widths, result, style);
         }
-        if before != (Some(case.group), case.expectation) {
-            let _ = writeln!(out, "  expected: {}", case.expectation);
+        let expectation = (Some(case.group), case.expectation());
+        if before != expectation {
+            let _ = writeln!(out, "  expected: {}", expectation.1);
         }
         line(&mut out, row, &widths, result, style);
         if verbose {
             detail(&mut out, result);
         }
-        before = (Some(case.group), case.expectation);
+        before = expectation;
     }
     let summary = Summary::new(results);
     let verdict = match summary.broken {
@@ -86,15 +87,15 @@ fn row(result: &StressResult) -> Row {
 
 fn detail(out: &mut String, result: &StressResult) {
     let case = result.case;
-    let _ = writeln!(out, "      {} ({})", case.what, count(result.measured.samples, "result"));
-    let _ = writeln!(out, "      bound: {}", case.bound.source);
+    let _ = writeln!(out, "      {} ({})", case.what(), count(result.measured.samples, "result"));
+    let _ = writeln!(out, "      bound: {}", case.bound.source());
     if let Some(bound) = case.fast_bound {
-        let _ = writeln!(out, "      fast: {}; {}", allowed(bound), bound.source);
+        let _ = writeln!(out, "      fast: {}; {}", allowed(bound), bound.source());
     } else {
         let _ = writeln!(out, "      fast: none: {}", case.group.without_fast());
     }
     if result.measured.plain.is_some() {
-        let _ = writeln!(out, "      plain: {}", case.plain_formula);
+        let _ = writeln!(out, "      plain: {}", case.plain_formula());
     }
 }
 
@@ -146,7 +147,7 @@ pub fn list(cases: &[StressCase], style: Style) -> String {
             let name = style.paint(Style::BOLD, case.group.name());
             let _ = writeln!(out, "{name}: {}", case.group.about());
         }
-        let _ = writeln!(out, "  {:width$}  {}", case.name, case.what);
+        let _ = writeln!(out, "  {:width$}  {}", case.name, case.what());
     }
     out
 }
@@ -162,6 +163,6 @@ pub fn breach(result: &StressResult) -> String {
         "{case:?}: {way} is off by {}, allowed are {} ({})",
         error(worst, bound.unit),
         amount(bound.most, bound.unit),
-        bound.source
+        bound.source()
     )
 }

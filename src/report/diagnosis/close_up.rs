@@ -1,41 +1,48 @@
-//! The worst place of a finding, close up.
+//! Pictures of a site: close up, in the whole, and of its node.
 
-use super::pictures::{Model, draw, ring};
-use super::sight::{camera_on, clearance};
+use super::markers::ring;
+use super::model::{Model, draw};
+use super::view_choice::{camera_on, clearance};
 use crate::mesh::{Mesh, Obstacles, normal_matrix};
 use crate::quality::Site;
 use crate::raster::{Camera, Projection, Show};
-use crate::report::{Overlay, Picture, ReportError, overlay};
+use crate::report::error::ReportError;
+use crate::report::overlay::{Overlay, overlay};
+use crate::report::picture::Picture;
 use glam::{DMat3, DMat4, DVec3};
 
-/// Short edges that a close-up shows one above the other, or thereabouts.
+/// The height of a close-up in short edges.
 const EDGES: f64 = 8.0;
 
-/// The share of the whole that is shown where edges have no length, and of the edges' length that the eye stays away.
+/// The size of the close-up as a share of the model where edges have no length, and the least distance of the eye in edges.
 const CLOSEST: f64 = 1e-3;
 
 impl Model {
-    /// A place close up, lit, with its edges; what stands in front of it is cut away. `None` for what is nowhere.
+    /// A close-up, lit, with edges; what covers the site is cut away. `None` without a position.
     pub(super) fn close_up(
         &self,
         site: &Site,
         obstacles: &[Obstacles<'_>],
         side: u32,
     ) -> Result<Option<Picture>, ReportError> {
-        let (Some((object, position, normal)), Some((low, high))) = (self.stand(site), self.bounds()) else {
+        let (Some((object, position, normal)), Some((low, high))) = (self.locate(site), self.bounds()) else {
             return Ok(None);
         };
-        let (part, place) = self.object(object);
-        let (mesh, face_normals) = self.part(part);
+        let (part, place) = self.objects[object];
+        let mesh = &self.parts[part].mesh;
         let around = Around::new(mesh, site);
         let local = around.size(mesh, site, place, (high - low).length());
         let size = if local > 0.0 { local } else { CLOSEST * (high - low).length() };
         if size == 0.0 || !size.is_finite() {
             return Ok(None);
         }
-        let towards = if normal == DVec3::ZERO { around.outward(face_normals, place) } else { normal };
+        let towards = if normal == DVec3::ZERO {
+            around.outward(&self.parts[part].field.face_normals, place)
+        } else {
+            normal
+        };
         let up = if towards.y.abs() > 0.95 { DVec3::NEG_Z } else { DVec3::Y };
-        // Half way to what covers the place, if that is nearer than the picture is wide.
+        // Half way to the next face in front, if that is nearer than the picture is wide.
         let face = site.face.unwrap_or(u32::MAX);
         let clear = clearance(self, obstacles, (object, face, position), towards, EDGES * size);
         let camera = Camera {
@@ -51,10 +58,8 @@ impl Model {
         ring(&mut picture, [f64::from(side) / 2.0; 2], f64::from(side) / 16.0);
         Ok(Some(picture))
     }
-}
 
-impl Model {
-    /// All of it lit, from where a place is seen, with a ring round that; and whether it is seen.
+    /// The whole model lit, from where a site is visible, with a ring around it; and whether it is visible.
     pub(super) fn whereabouts(
         &self,
         site: &Site,
@@ -62,7 +67,7 @@ impl Model {
         side: u32,
     ) -> Result<Option<(Picture, bool)>, ReportError> {
         let (Some((_, position, _)), Some((camera, is_seen))) =
-            (self.stand(site), camera_on(self, obstacles, site))
+            (self.locate(site), camera_on(self, obstacles, site))
         else {
             return Ok(None);
         };
@@ -72,10 +77,8 @@ impl Model {
         }
         Ok(Some((picture, is_seen)))
     }
-}
 
-impl Model {
-    /// All of it lit, with a ring round the middle of a node's mesh; `None` where a place is about no node.
+    /// The whole model lit, with a ring around the middle of a node's mesh; `None` if the site is not about a node.
     pub(super) fn node(
         &self,
         site: &Site,
@@ -91,7 +94,7 @@ impl Model {
     }
 }
 
-/// The faces that have a corner at a place: at its vertex, or at any corner of its face.
+/// The faces with a corner at a site: at its vertex, or at any corner of its face.
 struct Around {
     faces: Vec<usize>,
 }
@@ -108,9 +111,8 @@ impl Around {
         }
     }
 
-    /// The length, in the world, that a quarter of the edges there are shorter than: long faces end at edges that bend most
-    /// over little. Of shapes of few edges so much that the picture is not much wider than the `whole`, and where it is about a
-    /// face, so much that all of it is seen.
+    /// The lower quartile of the lengths of edges there, in the world: long faces end at short edges. It is limited so that the
+    /// picture is not much wider than the `whole`; for the site of a face it is large enough to show all of the face.
     fn size(&self, mesh: &Mesh, site: &Site, place: DMat4, whole: f64) -> f64 {
         let edges = self.faces.iter().flat_map(|&face| {
             let ends = points(mesh, face).skip(1).chain(points(mesh, face).take(1));
@@ -129,7 +131,7 @@ impl Around {
         }
     }
 
-    /// The way that most of the faces look in the world, if any does.
+    /// The mean direction of the faces in the world, +z if there is none.
     fn outward(&self, face_normals: &[DVec3], place: DMat4) -> DVec3 {
         let sum: DVec3 = self.faces.iter().map(|&face| face_normals[face]).sum();
         let normal = normal_matrix(DMat3::from_mat4(place)).and_then(|matrix| matrix.apply(sum));
@@ -137,7 +139,7 @@ impl Around {
     }
 }
 
-/// Where the corners of a face are.
+/// The positions of the corners of a face.
 fn points(mesh: &Mesh, face: usize) -> impl Iterator<Item = DVec3> {
     mesh.faces().face(face).iter().map(|&vertex| mesh.positions()[vertex as usize])
 }

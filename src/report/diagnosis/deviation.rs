@@ -1,38 +1,61 @@
-//! Deviations as colours.
+//! Heat maps: deviations as colours.
 //!
-//! A mean of colours is no colour of the legend. So what is drawn are numbers: the deviation spreads over faces from corner
-//! to corner, each pixel has the mean of those that it shows, and that has its colour on the scale. Where most of
-//! what a pixel shows has no deviation it has the colour of that. Only on the rim of the mesh, and of lines and dots on
-//! it, are colours mixed.
+//! The mean of two colours is not on the scale. So deviations are interpolated over faces instead of colours; each pixel has
+//! the colour of the mean deviation of its samples, or that of corners without a deviation if they are the majority. Colours
+//! are mixed only at the borders of the mesh, of lines and of dots.
 
-use super::dots::{Corner, dots, longest_edge};
-use super::heat::{HeatScale, Marks, form, with_legend};
-use super::pictures::{Model, render_at, ring};
-use super::sight::hidden;
+use super::heat_scale::HeatScale;
+use super::legend::{Marks, with_legend};
+use super::markers::{Corner, crease_lines, dots, longest_edge, ring};
+use super::model::{Model, PartModel, render_at};
+use super::view_choice::{Sight, camera, hidden};
+use crate::io::Loaded;
 use crate::mesh::{Mesh, place_key};
 use crate::num::{LinearRgb, Srgb8};
-use crate::quality::Site;
+use crate::quality::{Diagnosis, Severity, Site, survey};
 use crate::raster::{Camera, Lines, Paint, Pixels, RenderSettings, Scene};
-use crate::report::{Picture, ReportError};
+use crate::report::error::ReportError;
+use crate::report::picture::Picture;
 use std::borrow::Cow;
 use std::collections::{BTreeSet, HashMap};
 
-/// What is drawn of a corner in place of a colour: its deviation in degrees, and whether it has one or none.
-pub(super) fn measure(deviation: Option<f64>) -> LinearRgb {
-    deviation.map_or(LinearRgb::new(0.0, 0.0, 1.0), |degrees| LinearRgb::new(degrees, 1.0, 0.0))
+/// The worst place of each error and warning.
+pub(super) fn worst_places(diagnosis: &Diagnosis) -> Vec<&Site> {
+    let grave = diagnosis.findings.iter().filter(|finding| finding.severity > Severity::Note);
+    grave.filter_map(|finding| finding.places.first()).collect()
+}
+
+/// The heat map of a file: the angle between stored normals and those of the estimated weighting, with a ring around the
+/// visible worst place of each error and warning, and a legend below. It has `side` pixels across, and is higher by the
+/// legend. The deviation is interpolated over faces, and each pixel has the colour of the mean of its samples. Corners on
+/// faces too small to be visible are marked with dots, the worst last; corners without a valid stored normal have a
+/// separate colour.
+///
+/// # Errors
+/// If there is nothing to draw, or it cannot be drawn.
+pub fn deviation_picture(
+    loaded: &Loaded,
+    diagnosis: &Diagnosis,
+    sight: Sight,
+    side: u32,
+) -> Result<Picture, ReportError> {
+    let surveys = survey(loaded);
+    let model = Model::new(loaded, &surveys, HeatScale::of(surveys.iter()))?;
+    let camera = camera(&model, diagnosis, None, sight).ok_or(ReportError::Empty)?;
+    Ok(model.deviation(camera, side, &worst_places(diagnosis))?.0)
 }
 
 impl Model {
-    /// Coloured by deviation, with rings round those of some places that are seen, a legend below, and what it explains.
+    /// A heat map with rings around the visible ones of some sites and a legend below, and the marks of the legend.
     pub(super) fn deviation(
         &self,
         camera: Camera,
         side: u32,
         sites: &[&Site],
     ) -> Result<(Picture, Marks), ReportError> {
-        let scene = self.measured(camera);
-        // Colours alone show no form.
-        let mut lines = form(&scene, side);
+        let scene = self.encoded(camera);
+        // Colours alone do not show the form.
+        let mut lines = crease_lines(&scene, side);
         let mut marks = Marks { lines: !lines.is_empty(), ..Marks::default() };
         let dots =
             if self.is_any_far() { dots(self.corners(), self.scale, &camera, side) } else { Vec::new() };
@@ -42,7 +65,7 @@ impl Model {
         for (site, is_hidden) in sites.iter().zip(hidden(self, sites, camera.eye)) {
             if is_hidden {
                 marks.hidden = true;
-            } else if let Some((_, position, _)) = self.stand(site)
+            } else if let Some((_, position, _)) = self.locate(site)
                 && let Ok(Some(at)) = camera.on_picture([side; 2], position)
             {
                 ring(&mut picture, at, f64::from(side) / 40.0);
@@ -54,14 +77,14 @@ impl Model {
 
     /// Whether any corner may have to be marked.
     fn is_any_far(&self) -> bool {
-        let parts: BTreeSet<usize> = self.objects().map(|(part, _)| part).collect();
-        parts.into_iter().any(|part| self.deviations(part).1.iter().any(|&it| self.scale.is_far(it)))
+        let parts: BTreeSet<usize> = self.objects.iter().map(|(part, _)| *part).collect();
+        parts.into_iter().any(|part| self.parts[part].deviations.iter().any(|&it| self.scale.is_far(it)))
     }
 
     /// All corners, in the world.
     fn corners(&self) -> impl Iterator<Item = Corner> {
-        self.objects().flat_map(|(part, place)| {
-            let (mesh, deviations) = self.deviations(part);
+        self.objects.iter().flat_map(|&(part, place)| {
+            let PartModel { mesh, deviations, .. } = &self.parts[part];
             let point = |vertex: u32| mesh.positions()[vertex as usize];
             let least_at = least_at_places(mesh, deviations);
             let of_face = move |face: &[u32]| -> Vec<Corner> {
@@ -82,7 +105,7 @@ impl Model {
     }
 }
 
-/// The least deviation at each place where a corner has one.
+/// The smallest deviation at each position.
 fn least_at_places(mesh: &Mesh, deviations: &[Option<f64>]) -> HashMap<[u64; 3], f64> {
     let mut least = HashMap::new();
     for (&position, degrees) in mesh.positions().iter().zip(deviations) {
@@ -94,7 +117,7 @@ fn least_at_places(mesh: &Mesh, deviations: &[Option<f64>]) -> HashMap<[u64; 3],
     least
 }
 
-/// A scene of [measures](measure) in colours of a scale, with lines.
+/// A scene of [encoded](super::heat_scale::encode) deviations in colours of a scale, with lines.
 fn coloured(
     scene: Scene<'_>,
     lines: Vec<Lines>,
@@ -102,7 +125,7 @@ fn coloured(
     side: u32,
 ) -> Result<Picture, ReportError> {
     let vertices = scene.objects.iter().map(|object| count(&object.paint)).max();
-    // One for all: a file may have a mesh stand at many places.
+    // Shared: a file may have many nodes with one mesh.
     let black = vec![LinearRgb::BLACK; vertices.unwrap_or(0)];
     let mut scene: Scene<'_> = scene;
     let background = scene.background;
@@ -134,7 +157,7 @@ fn coloured(
     Ok(Picture { size: [side; 2], pixels: Pixels::Eight(pixels) })
 }
 
-/// How many colours are given.
+/// The number of given colours.
 fn count(paint: &Paint<'_>) -> usize {
     if let Paint::Given(colours) = paint { colours.len() } else { 0 }
 }
@@ -179,7 +202,8 @@ mod tests {
             projection: Projection::Orthographic(1.2),
             near: 0.0,
         };
-        let measures: Vec<LinearRgb> = corners.iter().map(|&(_, deviation)| measure(deviation)).collect();
+        let measures: Vec<LinearRgb> =
+            corners.iter().map(|&(_, deviation)| super::super::heat_scale::encode(deviation)).collect();
         let object = Object {
             paint: Paint::Given(Cow::Owned(measures)),
             ..Object::new(Shape::Mesh { mesh: &mesh, normals: &normals }, Material::default())

@@ -1,16 +1,27 @@
-//! The diagnosis of a file as a page: what was found, shown.
+//! The diagnosis of a file as a page and as a heat map.
 
-mod change;
-mod close_up;
+// The colours of deviations.
+mod heat_scale;
+// Lines, dots and rings over a heat map.
+mod markers;
+// The legend of a heat map.
+mod legend;
+// A file with separate corners, and its pictures.
+mod model;
+// The choice of a view.
+mod view_choice;
+// Heat maps.
 mod deviation;
-mod dots;
-mod heat;
+// Pictures of single sites.
+mod close_up;
+// Before and after.
+mod comparison;
+// Histograms of a survey.
+mod histograms;
+// The page.
 mod page;
-mod pictures;
-mod plots;
-mod sight;
 
-pub use change::After;
+pub use comparison::After;
+pub use deviation::deviation_picture;
 pub use page::diagnosis_page;
-pub use pictures::deviation_picture;
-pub use sight::Sight;
+pub use view_choice::Sight;

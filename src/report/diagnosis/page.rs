@@ -1,30 +1,40 @@
-//! The page.
+//! The page of a diagnosis: overview, changes, one section per finding, histograms. Its texts are in page.en.ftl.
 
-use super::change::{self, After};
-use super::heat::{HeatScale, Marks};
-use super::pictures::{Model, worst_places};
-use super::plots::histograms;
-use super::sight::{self, Sight};
+use super::comparison::{self, After};
+use super::deviation::worst_places;
+use super::heat_scale::HeatScale;
+use super::histograms::histograms;
+use super::legend::Marks;
+use super::model::{Model, OVERVIEW};
+use super::view_choice::{Sight, camera};
 use crate::io::Loaded;
 use crate::mesh::Obstacles;
 use crate::num::{powers_of_ten, three_digits};
 use crate::quality::catalogue::Kind;
-use crate::quality::{Diagnosis, Finding, Severity, survey};
+use crate::quality::{Diagnosis, Finding, Severity, Site, survey};
 use crate::raster::Camera;
-use crate::report::html::with_code;
-use crate::report::{Page, Picture, ReportError, Table, escape_html};
-use std::fmt::Write;
+use crate::report::error::ReportError;
+use crate::report::html::{Page, with_code};
+use crate::report::picture::Picture;
+use crate::report::table::Table;
+use crate::text::{Catalogue, Language, Value, catalogue};
+use maud::html;
 
-/// Pixels along the sides of overviews, and of close-ups.
-const SIDES: [u32; 2] = [320, 240];
+/// Pixels along the sides of close-ups.
+const CLOSE_UP: u32 = 240;
 
-/// Findings that get close-ups of their own.
+static TEXTS: Catalogue = catalogue!("page", en);
+
+fn text(key: &str, values: &[(&'static str, Value)]) -> String {
+    TEXTS.with(key, values).get(Language::English).to_owned()
+}
+
+/// The number of findings with close-ups.
 const CLOSE_UPS: usize = 12;
 
-/// The diagnosis of a file as a page of HTML that opens from disk with nothing else: pictures from where the worst places
-/// face, each finding with its explanation, its worst place close up and the command that mends it, and histograms.
-/// `name` is what the file is called, `output` what mended it would be. With a file that came `after`, both are shown side
-/// by side, and what changed.
+/// The diagnosis of a file as a page of HTML that opens from disk with nothing else: pictures of the worst places, each
+/// finding with its explanation, its worst place close up and the command that fixes it, and histograms. `name` is the name
+/// of the file, `output` that of the fixed one. With a file `after` a change, both are shown side by side, with what changed.
 ///
 /// # Errors
 /// Pictures that cannot be drawn or made into files.
@@ -36,22 +46,29 @@ pub fn diagnosis_page(
     sight: Sight,
 ) -> Result<String, ReportError> {
     let surveys = survey(loaded);
-    // Colours mean the same before and after.
+    // The same colours before and after.
     let later = after.map(|after| survey(after.loaded)).unwrap_or_default();
     let model = Model::new(loaded, &surveys, HeatScale::of(surveys.iter().chain(&later)))?;
     let mut page = Page::new(&format!("Normals of {name}"), &verdict(diagnosis)).set_by(with_code);
-    let camera = sight::camera(&model, diagnosis, after.map(|after| after.comparison), sight);
+    let camera = camera(&model, diagnosis, after.map(|after| after.comparison), sight);
     overview(&mut page, &model, diagnosis, camera)?;
     if let (Some(after), Some(camera)) = (after, camera) {
-        change::section(&mut page, &model, after, &later, camera, SIDES[0])?;
+        comparison::section(&mut page, &model, after, &later, camera)?;
     }
-    rules(&mut page, diagnosis);
+    weightings(&mut page, diagnosis);
     let obstacles = model.obstacles();
     let mut drawn = 0;
     for finding in &diagnosis.findings {
-        let wanted = drawn < CLOSE_UPS;
-        drawn +=
-            usize::from(section(&mut page, (&model, &obstacles, camera), finding, (name, output), wanted)?);
+        describe(&mut page, finding, [name, output]);
+        let worst = finding.places.first().filter(|_| drawn < CLOSE_UPS);
+        if let Some(site) = worst {
+            let id = finding.kind.id();
+            drawn += usize::from(close_ups(&mut page, (&model, &obstacles, camera), site, id)?);
+        }
+        let table = places(finding);
+        if !table.is_empty() {
+            page.table(&table);
+        }
     }
     page.heading("Distributions");
     for (name, caption, plot) in histograms(&surveys) {
@@ -81,70 +98,58 @@ fn overview(
         page.paragraph("There are no faces to show.");
         return Ok(());
     };
-    let (heat, marks) = model.deviation(camera, SIDES[0], &worst_places(diagnosis))?;
-    let (facing, creases) = (model.facing(camera, SIDES[0])?, model.creases(camera, SIDES[0])?);
+    let (heat, marks) = model.deviation(camera, OVERVIEW, &worst_places(diagnosis))?;
+    let (facing, creases) = (model.facing(camera, OVERVIEW)?, model.creases(camera, OVERVIEW)?);
     let pictures: [(&Picture, &str); 3] = [
-        (
-            &heat,
-            &format!("the mesh coloured by the deviation of its stored normals, {}", model.scale.words()),
-        ),
-        (&facing, "the mesh with front faces light blue and back faces dark red"),
-        (&creases, "the mesh lit, with lines along creases and seams"),
+        (&heat, &text("heat-alternative", &[("scale", model.scale.words().into())])),
+        (&facing, &text("facing-alternative", &[])),
+        (&creases, &text("creases-alternative", &[])),
     ];
     page.pictures(&pictures, &caption(marks, diagnosis))?;
-    let mut links = String::from("<ul>\n");
-    for finding in &diagnosis.findings {
-        let (id, severity, cause) = (finding.kind.id(), finding.severity.name(), escape_html(&finding.cause));
-        let _ = writeln!(links, "<li><a href=\"#{id}\">{severity}: {id}</a>: {cause}</li>");
-    }
-    links.push_str("</ul>\n");
     if !diagnosis.findings.is_empty() {
-        page.raw(&links);
+        page.push(html! { ul { @for finding in &diagnosis.findings {
+            @let id = finding.kind.id();
+            li { a href={ "#" (id) } { (finding.severity.name()) ": " (id) } ": " (finding.cause) }
+        } } });
     }
     Ok(())
 }
 
-/// What there is to see in the pictures of the overview.
+/// The caption of the pictures of the overview.
 fn caption(marks: Marks, diagnosis: &Diagnosis) -> String {
     let of_edges = [Kind::AveragedCrease, Kind::SplitSeam, Kind::GroupMismatch];
-    let reported = [
-        (marks.dots, "; dots are on what is far off and too small to be seen"),
-        (
-            of_edges.iter().any(|&kind| diagnosis.get(kind).is_some()),
-            "; where edges are smooth or split against it, which the findings tell of the edges, all corners at them are off",
-        ),
-        (marks.lines, "; grey lines are where that rule has two normals at an edge"),
-        (marks.rings, "; red rings mark the worst place of each error and warning"),
-        (marks.hidden, "; worst places that lie behind have no ring"),
+    let marks = [
+        (marks.dots, "marks-dots"),
+        (of_edges.iter().any(|&kind| diagnosis.get(kind).is_some()), "marks-edges"),
+        (marks.lines, "marks-lines"),
+        (marks.rings, "marks-rings"),
+        (marks.hidden, "marks-hidden"),
     ];
-    let reported: String =
-        reported.into_iter().filter(|(is_there, _)| *is_there).map(|(_, words)| words).collect();
-    format!(
-        "Left: how far stored normals are from those that the rule of their mesh gives{reported}. Middle: front faces \
-         light blue, back faces dark red. Right: lit, with orange lines where the normals of two sides differ."
-    )
+    let shown = marks.into_iter().filter(|(is_shown, _)| *is_shown);
+    let shown: String = shown.map(|(_, key)| text(key, &[])).collect();
+    text("overview-caption", &[("marks", shown.into())])
 }
 
-/// How the normals of each part were made.
-fn rules(page: &mut Page, diagnosis: &Diagnosis) {
+/// The estimated weighting and crease angle of each part.
+fn weightings(page: &mut Page, diagnosis: &Diagnosis) {
     let columns = ["part", "faces", "weight", "crease angle", "within 5°", "median"];
     let mut table = Table::new("How the stored normals were made, as far as they tell", &columns);
     for (number, part) in diagnosis.parts.iter().enumerate() {
         let Some(estimate) = part.estimate else { continue };
         let name = if part.name.is_empty() { format!("part {number}") } else { part.name.clone() };
-        let fits = estimate.fits_most();
         let groups = if estimate.groups { " and smoothing groups" } else { "" };
+        let (weight, crease) = match estimate.fits_most() {
+            true => (estimate.weight.name(), format!("{}°{groups}", estimate.crease.0)),
+            false => ("no rule", String::new()),
+        };
+        let turned = if estimate.turned { ", turned back" } else { "" };
         table.push([
             name,
             part.faces.to_string(),
-            if fits { estimate.weight.name().to_owned() } else { "no rule".to_owned() },
-            if fits { format!("{}°{}", estimate.crease.0, groups) } else { String::new() },
-            format!(
-                "{} %{}",
-                three_digits(100.0 * estimate.reproduced),
-                if estimate.turned { ", turned back" } else { "" }
-            ),
-            format!("{}°", powers_of_ten(&three_digits(estimate.median.0))),
+            weight.to_owned(),
+            crease,
+            format!("{} %{turned}", three_digits(100.0 * estimate.reproduced)),
+            format!("{}°", digits(estimate.median.0)),
         ]);
     }
     if !table.is_empty() {
@@ -152,66 +157,76 @@ fn rules(page: &mut Page, diagnosis: &Diagnosis) {
     }
 }
 
-/// One finding; tells whether it has a picture.
-fn section(
-    page: &mut Page,
-    (model, obstacles, camera): (&Model, &[Obstacles<'_>], Option<Camera>),
-    finding: &Finding,
-    (name, output): (&str, &str),
-    wanted: bool,
-) -> Result<bool, ReportError> {
+/// A number with a power of ten where it would be long.
+fn digits(x: f64) -> String {
+    powers_of_ten(&three_digits(x))
+}
+
+/// The heading and the words of a finding.
+fn describe(page: &mut Page, finding: &Finding, [name, output]: [&str; 2]) {
     let entry = finding.kind.entry();
     page.heading(entry.id);
-    let mut said = format!("{}: {}. ", finding.severity.name(), finding.cause);
-    let _ = write!(said, "{} of {} ({} %)", finding.count, finding.of, three_digits(100.0 * finding.share()));
-    let reported = |number: f64| powers_of_ten(&three_digits(number));
+    let share = three_digits(100.0 * finding.share());
+    let mut text = format!(
+        "{}: {}. {} of {} ({share} %)",
+        finding.severity.name(),
+        finding.cause,
+        finding.count,
+        finding.of
+    );
     if let Some(steps) = finding.steps.filter(|&steps| steps > 0.0) {
-        let angle = finding.degrees.map_or(String::new(), |degrees| format!("{}°, ", reported(degrees)));
-        let _ = write!(said, "; up to {angle}{} of 255 grey steps under a key light", reported(steps));
+        let angle = finding.degrees.map_or(String::new(), |degrees| format!("{}°, ", digits(degrees)));
+        text += &format!("; up to {angle}{} of 255 grey steps under a key light", digits(steps));
     }
     if let Some((amount, unit)) = finding.amount.zip(finding.kind.unit())
         && let amount = finding.kind.write_amount(amount)
         && !finding.cause.contains(&amount)
     {
-        let _ = write!(said, "; at worst {} {unit}", powers_of_ten(&amount));
+        text += &format!("; at worst {} {unit}", powers_of_ten(&amount));
     }
     if let Some(confidence) = finding.confidence {
-        let _ = write!(said, "; confidence {confidence:.2}");
+        text += &format!("; confidence {confidence:.2}");
     }
-    said.push('.');
-    page.paragraph(&said);
-    page.paragraph(&entry.meaning());
-    page.paragraph(&entry.advice());
+    text.push('.');
+    [text, entry.meaning(), entry.advice()].iter().for_each(|text| page.paragraph(text));
     if let Some(command) = finding.command(name, output) {
-        page.raw(&format!("<pre><code>{}</code></pre>\n", escape_html(&command)));
+        page.push(html! { pre { code { (command) } } });
     }
-    let worst = finding.places.first().filter(|_| wanted);
-    let picture = worst.map(|site| model.close_up(site, obstacles, SIDES[1])).transpose()?.flatten();
+}
+
+/// Pictures of the worst place of a finding: close up and in the whole, or of its node. Whether there is one.
+fn close_ups(
+    page: &mut Page,
+    (model, obstacles, camera): (&Model, &[Obstacles<'_>], Option<Camera>),
+    site: &Site,
+    id: &str,
+) -> Result<bool, ReportError> {
+    let picture = model.close_up(site, obstacles, CLOSE_UP)?;
     if let Some(picture) = &picture {
-        let alternative =
-            format!("the worst place of {}, close up, seen from in front of its face", entry.id);
-        let close = "the worst place, seen from in front of its face, with the edges of faces; what covers it is cut away.";
-        let mut pictures = vec![(picture, alternative.as_str())];
-        let whole = worst.map(|site| model.whereabouts(site, obstacles, SIDES[1])).transpose()?.flatten();
+        let alternative = text("close-up-alternative", &[("finding", id.into())]);
+        let whole = model.whereabouts(site, obstacles, CLOSE_UP)?;
         let caption = match &whole {
-            Some((_, true)) => format!("Left: {close} Right: the ring is round it in the whole."),
-            Some((_, false)) => {
-                format!(
-                    "Left: {close} Right: the ring is round it in the whole, where it lies behind what is seen."
-                )
-            }
-            None => format!("This is {close}"),
+            Some((_, true)) => text("close-up-seen", &[]),
+            Some((_, false)) => text("close-up-hidden", &[]),
+            None => text("close-up-alone", &[]),
         };
-        pictures
-            .extend(whole.iter().map(|(whole, _)| (whole, "the whole mesh, with a ring round that place")));
+        let of_whole = text("whole-alternative", &[]);
+        let whole = whole.iter().map(|(whole, _)| (whole, of_whole.as_str()));
+        let pictures: Vec<(&Picture, &str)> =
+            std::iter::once((picture, alternative.as_str())).chain(whole).collect();
         page.pictures(&pictures, &caption)?;
-        page.raw("<p><a href=\"#overview\">To the overview</a></p>\n");
+        page.push(html! { p { a href="#overview" { "To the overview" } } });
     }
-    let node = worst.map(|site| model.node(site, camera, SIDES[1])).transpose()?.flatten();
+    let node = model.node(site, camera, CLOSE_UP)?;
     if let Some(picture) = &node {
-        let caption = "The whole mesh, with a ring round the middle of what the first of these nodes shows.";
-        page.pictures(&[(picture, "the whole mesh, with a ring round a node")], caption)?;
+        let alternative = text("node-alternative", &[]);
+        page.pictures(&[(picture, alternative.as_str())], &text("node-caption", &[]))?;
     }
+    Ok(picture.is_some() || node.is_some())
+}
+
+/// The worst places of a finding.
+fn places(finding: &Finding) -> Table {
     let columns = ["place", "face", "corner", "vertex", "position", "degrees"];
     let mut table = Table::new("The worst places", &columns);
     for site in finding.places.iter().filter(|site| site.position.is_some()) {
@@ -221,14 +236,10 @@ fn section(
             (None, Some(node)) if !node.is_empty() => node.clone(),
             _ => format!("part {}", site.part),
         };
-        let shown = |x: f64| powers_of_ten(&three_digits(x));
-        let position = site.position.map(|p| p.to_array().map(shown).join(", ")).unwrap_or_default();
-        let degrees = site.degrees.map(shown).unwrap_or_default();
+        let position = site.position.map(|p| p.to_array().map(digits).join(", ")).unwrap_or_default();
+        let degrees = site.degrees.map(digits).unwrap_or_default();
         table.push([place, number(site.face), number(site.corner), number(site.vertex), position, degrees]);
     }
     table.drop_empty_columns();
-    if !table.is_empty() {
-        page.table(&table);
-    }
-    Ok(picture.is_some() || node.is_some())
+    table
 }

@@ -1,25 +1,25 @@
-//! Axes: where numbers lie, and which are written.
+//! Axes: their scale, ends and ticks.
 
 use crate::num::powers_of_ten;
 
-/// How numbers are spread along an axis.
+/// The scale of an axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Scale {
-    /// Evenly.
+    /// Linear.
     #[default]
     Linear,
-    /// By their logarithms.
+    /// Logarithmic.
     Log,
 }
 
 /// An axis of a plot.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Axis {
-    /// What it measures, with its unit.
+    /// The label, with the unit.
     pub label: String,
-    /// How.
+    /// The scale.
     pub scale: Scale,
-    /// Its ends; by default what the points need.
+    /// The ends; by default those of the points.
     pub range: Option<[f64; 2]>,
 }
 
@@ -34,12 +34,12 @@ impl Axis {
         Self { label: label.to_owned(), scale: Scale::Log, range: None }
     }
 
-    /// Whether a number has a place on the axis.
+    /// Whether a number can be shown on the axis.
     pub(super) fn takes(&self, x: f64) -> bool {
         x.is_finite() && (self.scale == Scale::Linear || x > 0.0)
     }
 
-    /// The axis laid out for numbers that it takes.
+    /// The axis fitted to numbers that it takes.
     pub(super) fn fit(&self, numbers: impl Iterator<Item = f64>) -> Fitted {
         let found = numbers.fold(None, |ends: Option<[f64; 2]>, x| {
             Some(ends.map_or([x, x], |[low, high]| [low.min(x), high.max(x)]))
@@ -63,7 +63,7 @@ impl Axis {
 }
 
 impl Scale {
-    /// Where a number lies, in numbers or decades.
+    /// The coordinate of a number, in numbers or decades.
     fn place(self, x: f64) -> f64 {
         match self {
             Scale::Linear => x,
@@ -80,12 +80,12 @@ pub(super) struct Fitted {
 }
 
 impl Fitted {
-    /// Where a number lies, as a share of the axis.
+    /// The position of a number, as a share of the axis.
     pub(super) fn share(&self, x: f64) -> f64 {
         (self.scale.place(x) - self.low) / (self.high - self.low)
     }
 
-    /// The numbers that are marked: those with a text are written.
+    /// The ticks, with a label or an empty one.
     pub(super) fn ticks(&self) -> Vec<(f64, String)> {
         match self.scale {
             Scale::Linear => self.even_ticks(),
@@ -140,7 +140,7 @@ impl Fitted {
     }
 }
 
-/// Where powers of ten are written below.
+/// Smaller numbers are written with powers of ten.
 const SMALL: f64 = 0.001;
 
 /// A number in few characters, with a power of ten where it would be long.

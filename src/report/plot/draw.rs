@@ -1,27 +1,29 @@
-//! The elements of a plot.
+//! The elements of a plot as SVG.
 
 use super::axis::Fitted;
-use super::legend::legend;
-use super::look::{Look, SIGN, looks};
-use super::{Mark, Plot, Series};
+use super::series::{Mark, Plot, Series};
+use super::series_style::{SIGN, SeriesStyle, series_styles};
 use crate::report::html::escape_html;
 use crate::report::label::text_width;
 use std::fmt::Write;
 
-/// Room round the field for numbers and labels, in pixels; to the left at the least.
+/// Margins of the field for numbers and labels, in pixels; the left one may be wider.
 const LEFT: f64 = 68.0;
 const TOP: f64 = 34.0;
 const BOTTOM: f64 = 52.0;
 const RIGHT: f64 = 14.0;
-/// Where the baseline of the upright title is, and what is free on both sides of the numbers beside it.
+/// The baseline of the upright axis label, and the gap on both sides of the numbers next to it.
 const UPRIGHT: f64 = 16.0;
 const FREE: f64 = 6.0;
-/// Part of a line's height that is below its baseline, and the height of a line of 12 pixels, in DejaVu Sans: of the usual fonts
-/// without serifs none has wider letters.
+/// The part of a line below its baseline, and the height of a line of 12 pixels, in DejaVu Sans: no usual sans-serif font has
+/// wider letters.
 const BELOW: f64 = 4.0;
 const LINE: f32 = 12.0 * 1.164;
+/// The height of a line of the legend, and the width of the sample before the name.
+const LEGEND_LINE: f64 = 18.0;
+const SAMPLE: f64 = 34.0;
 
-/// The field of a plot and where numbers lie in it.
+/// The field of a plot and its axes.
 struct Field {
     left: f64,
     top: f64,
@@ -46,10 +48,24 @@ pub(super) fn width_of(words: &str) -> f64 {
     f64::from(text_width(words, LINE))
 }
 
-/// The plot as SVG.
-pub(super) fn svg(plot: &Plot, id: &str) -> String {
-    let looks = looks(&plot.series);
-    let (legend, legend_width) = legend(plot, &looks);
+impl Plot {
+    /// The plot as an element of a page; the ids of its parts begin with the given one and a dot.
+    pub fn svg(&self, id: &str) -> String {
+        svg(self, id)
+    }
+
+    /// A number along an axis with the plot's decimal mark.
+    fn written(&self, number: String) -> String {
+        match self.decimal_mark {
+            '.' => number,
+            mark => number.replace('.', &mark.to_string()),
+        }
+    }
+}
+
+fn svg(plot: &Plot, id: &str) -> String {
+    let styles = series_styles(&plot.series);
+    let (legend, legend_width) = legend(plot, &styles);
     let [width, height] = plot.size.map(f64::from);
     let taken = |axis: usize| {
         plot.series.iter().flat_map(move |series| kept(plot, series).map(move |(_, point)| point[axis]))
@@ -83,11 +99,11 @@ pub(super) fn svg(plot: &Plot, id: &str) -> String {
         field.height + 2.0 * SIGN
     );
     let _ = writeln!(out, "<g clip-path=\"url(#{id}.field)\">");
-    // What is measured lies over what it is held against.
+    // Measured series are drawn over guides.
     let (guides, measured): (Vec<_>, Vec<_>) =
-        plot.series.iter().zip(&looks).partition(|(series, _)| series.mark == Mark::Guide);
-    for (series, look) in guides.into_iter().chain(measured) {
-        draw_series(plot, series, look, &field, &mut out);
+        plot.series.iter().zip(&styles).partition(|(series, _)| series.mark == Mark::Guide);
+    for (series, style) in guides.into_iter().chain(measured) {
+        draw_series(plot, series, style, &field, &mut out);
     }
     out.push_str("</g>\n");
     let _ = writeln!(
@@ -98,16 +114,44 @@ pub(super) fn svg(plot: &Plot, id: &str) -> String {
     out
 }
 
-/// The points of a series that have a place, with their numbers.
+/// The points of a series that are on the axes, with their numbers.
 fn kept<'a>(plot: &'a Plot, series: &'a Series) -> impl Iterator<Item = (usize, [f64; 2])> + 'a {
     let points = series.points.iter().copied().enumerate();
     points.filter(|(_, [x, y])| plot.x.takes(*x) && plot.y.takes(*y))
 }
 
-/// Text at a place; `more` are further attributes.
+/// Text at a position, with further attributes.
 pub(super) fn text(out: &mut String, [x, y]: [f64; 2], anchor: &str, more: &str, words: &str) {
     let words = escape_html(words);
     let _ = writeln!(out, "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\" {more}>{words}</text>");
+}
+
+/// The line of a series.
+fn line(out: &mut String, path: &str, style: &SeriesStyle) {
+    let SeriesStyle { colour, dash, .. } = style;
+    let _ = writeln!(
+        out,
+        "<path d=\"{path}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"1.6\" stroke-dasharray=\"{dash}\"/>"
+    );
+}
+
+/// The legend and its width; empty if no series has a name.
+fn legend(plot: &Plot, styles: &[SeriesStyle]) -> (String, f64) {
+    let named = || plot.series.iter().zip(styles).filter(|(series, _)| !series.name.is_empty());
+    let widest = named().map(|(series, _)| width_of(&series.name)).fold(0.0, f64::max);
+    if widest == 0.0 {
+        return (String::new(), 0.0);
+    }
+    let mut out = String::new();
+    for (number, (series, style)) in named().enumerate() {
+        let y = 8.0 + number as f64 * LEGEND_LINE;
+        if series.mark != Mark::Points {
+            line(&mut out, &format!("M0 {y:.1}H26"), style);
+        }
+        style.draw_sign(&mut out, [13.0, y]);
+        text(&mut out, [SAMPLE, y + 4.0], "start", "", &series.name);
+    }
+    (out, SAMPLE + widest + 8.0)
 }
 
 fn axes(plot: &Plot, field: &Field, out: &mut String) {
@@ -134,37 +178,24 @@ fn axes(plot: &Plot, field: &Field, out: &mut String) {
     text(out, [x, y], "middle", &format!("transform=\"rotate(-90 {x:.1} {y:.1})\""), &plot.y.label);
 }
 
-fn draw_series(plot: &Plot, series: &Series, look: &Look, field: &Field, out: &mut String) {
+fn draw_series(plot: &Plot, series: &Series, style: &SeriesStyle, field: &Field, out: &mut String) {
     let points: Vec<(usize, [f64; 2])> =
         kept(plot, series).map(|(number, [x, y])| (number, [field.x(x), field.y(y)])).collect();
     let mut path = String::new();
     for (place, &(_, [x, y])) in points.iter().enumerate() {
-        let before = place.checked_sub(1).map(|before| points[before].1);
-        match (series.mark, before) {
-            (Mark::Points, _) => {}
-            (Mark::Steps, None) => {
-                let _ = write!(path, "M{x:.1} {:.1}V{y:.1}", field.top + field.height);
-            }
-            (_, None) => {
-                let _ = write!(path, "M{x:.1} {y:.1}");
-            }
-            (Mark::Frontier | Mark::Steps, Some(_)) => {
-                let _ = write!(path, "H{x:.1}V{y:.1}");
-            }
-            (_, Some(_)) => {
-                let _ = write!(path, "L{x:.1} {y:.1}");
-            }
-        }
+        path += &match (series.mark, place) {
+            (Mark::Points, _) => String::new(),
+            (Mark::Steps, 0) => format!("M{x:.1} {:.1}V{y:.1}", field.top + field.height),
+            (_, 0) => format!("M{x:.1} {y:.1}"),
+            (Mark::Frontier | Mark::Steps, _) => format!("H{x:.1}V{y:.1}"),
+            _ => format!("L{x:.1} {y:.1}"),
+        };
     }
     if !path.is_empty() {
-        let _ = writeln!(
-            out,
-            "<path d=\"{path}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\" stroke-dasharray=\"{}\"/>",
-            look.colour, look.dash
-        );
+        line(out, &path, style);
     }
-    for place in look.signed(series.mark, points.len()) {
-        look.draw_sign(out, points[place].1);
+    for place in style.signed(series.mark, points.len()) {
+        style.draw_sign(out, points[place].1);
     }
     for &(number, at) in &points {
         if let Some(label) = series.labels.get(number) {

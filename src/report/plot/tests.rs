@@ -89,11 +89,11 @@ fn series_differ_without_colour() {
     let all: Vec<Series> = marks.into_iter().map(|mark| series("a", mark, &points)).collect();
     plot(all.clone()).assert_legible();
     // Signs of curves are few, and not at the same places.
-    let looks = look::looks(&all);
-    let [first, second] = [2, 3].map(|k| looks[k].signed(Mark::Curve, points.len()));
+    let styles = series_style::series_styles(&all);
+    let [first, second] = [2, 3].map(|k| styles[k].signed(Mark::Curve, points.len()));
     assert_eq!((first.len(), second.len()), (4, 4));
     assert!(first.iter().all(|place| !second.contains(place)));
-    assert_eq!((looks[0].signed(Mark::Points, 99).len(), looks[4].signed(Mark::Guide, 99).len()), (99, 0));
+    assert_eq!((styles[0].signed(Mark::Points, 99).len(), styles[4].signed(Mark::Guide, 99).len()), (99, 0));
 }
 
 #[test]

@@ -1,9 +1,13 @@
-//! The measurement of accuracy against speed, for people: tables, plots, pictures and one page of all.
+//! The measurement of accuracy against speed: tables, plots, pictures and pages.
 
-mod page;
-mod pictures;
-mod plots;
+// Tables.
 mod tables;
+// Plots.
+mod plots;
+// Pictures of errors.
+mod pictures;
+// Pages.
+mod page;
 
 pub use page::{own_page, trade_page};
 pub use tables::{

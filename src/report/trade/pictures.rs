@@ -2,47 +2,44 @@
 
 use crate::mesh::Mesh;
 use crate::normals::{NormalField, NormalRecipe, Weight};
-use crate::num::viridis;
-use crate::num::{Degrees, LinearRgb, Radians, unit_scale};
+use crate::num::{Degrees, LinearRgb, Radians, unit_scale, viridis};
 use crate::raster::{Camera, Object, Paint, RenderSettings, Samples, Scene, Shape, render};
-use crate::report::{Picture, ReportError};
+use crate::report::error::ReportError;
+use crate::report::picture::Picture;
 use crate::shade::Material;
-use crate::trade::{Subject, Tiling, error_map, estimate_map};
+use crate::trade::{NamedSurface, Tiling, error_map, estimate_map};
 use glam::{DMat4, DVec3};
 use std::borrow::Cow;
 
 /// The errors at the ends of the colours, in degrees, as powers of ten.
 const ENDS: [f64; 2] = [-2.0, 1.0];
-/// What the colours mean.
-pub(super) const KEY: &str = "Dark violet is an error of 0.01° or less, blue-green 0.3°, yellow 10° or more, in even steps of the logarithm.";
-
-/// Of vertices whose error nobody knows.
+/// The colour of vertices without a known error.
 const UNKNOWN: LinearRgb = LinearRgb::grey(0.5);
 
-/// A mesh and what its vertices are coloured by.
-pub(super) struct Coloured<'a> {
+/// A mesh and the errors of its normals.
+pub(super) struct ErrorPicture<'a> {
     mesh: Cow<'a, Mesh>,
     field: NormalField,
     errors: Vec<Option<Radians>>,
 }
 
-impl<'a> Coloured<'a> {
+impl<'a> ErrorPicture<'a> {
     /// A surface cut one way with the errors of a weight's normals; `None` if it cannot be cut like this.
-    pub(super) fn surface(subject: &Subject, tiling: Tiling, weight: Weight) -> Option<Self> {
-        let (mesh, field, angles) = error_map(subject, tiling, weight)?;
+    pub(super) fn surface(surface: &NamedSurface, tiling: Tiling, weight: Weight) -> Option<Self> {
+        let (mesh, field, angles) = error_map(surface, tiling, weight)?;
         Some(Self { mesh: Cow::Owned(mesh), field, errors: angles.into_iter().map(Some).collect() })
     }
 
-    /// Somebody's own mesh with the angles of a weight's normals to the quadric's.
+    /// A user mesh with the angles of a weight's normals to the quadric's.
     pub(super) fn own(mesh: &'a Mesh, recipe: &NormalRecipe, weight: Weight) -> Self {
         let (field, errors) = estimate_map(mesh, recipe, weight);
         Self { mesh: Cow::Borrowed(mesh), field, errors }
     }
 
-    /// Each vertex in the colour of its error; `None` if there is nothing to see.
+    /// The mesh with each vertex in the colour of its error; `None` for an empty mesh.
     pub(super) fn draw(&self, size: u32) -> Result<Option<Picture>, ReportError> {
         let Some((low, high)) = self.mesh.bounds() else { return Ok(None) };
-        // In the middle and of about unit size, whatever it was.
+        // Scaled to about unit size around the origin.
         let (centre, half) = (low * 0.5 + high * 0.5, high * 0.5 - low * 0.5);
         let scale = unit_scale(half.max_element());
         let colours = self.errors.iter().map(|error| error.map_or(UNKNOWN, colour)).collect();

@@ -2,16 +2,26 @@
 
 use crate::normals::Weight;
 use crate::num::three_digits;
-use crate::report::{Axis, Mark, Plot, Series};
+use crate::report::plot::{Axis, Mark, Plot, Series};
 use crate::trade::{
-    AngleErrors, ClassPoint, EncodingRow, Histogram, OwnMesh, ShadingRow, Tiling, Trade, VertexCase, frontier,
+    AngleErrors, ClassPoint, EncodingRow, Histogram, MethodErrors, OwnMesh, ShadingRow, Tiling, Trade,
+    VertexCase, frontier,
 };
 
-/// Errors below this, in degrees, are exact and have no place on a logarithmic axis.
+/// Errors below this, in degrees, count as exact and are not on a logarithmic axis.
 const EXACT: f64 = 1e-9;
 
-fn colour(weight: Weight) -> Option<usize> {
-    Weight::ALL.iter().position(|&other| other == weight)
+/// The size of plots with a legend.
+const SIZE: [u32; 2] = [680, 320];
+
+/// A series of a weight, in its colour.
+fn weight_series(weight: Weight, name: String, points: Vec<[f64; 2]>, mark: Mark) -> Series {
+    Series { name, points, mark, colour: Some(weight as usize), ..Series::default() }
+}
+
+/// A grey line to compare with.
+fn guide(name: &str, points: [[f64; 2]; 2]) -> Series {
+    Series { name: name.into(), points: points.to_vec(), mark: Mark::Guide, ..Series::default() }
 }
 
 /// Error against cost of every weight on a class of meshes, with the Pareto frontier.
@@ -24,7 +34,7 @@ pub(super) fn frontier_plot(trade: &Trade, tiling: Tiling) -> Plot {
     }
 }
 
-/// Weights by cost and error, and the line of those that no other beats in both.
+/// Weights by cost and error, with the Pareto frontier.
 fn pareto_plot(points: &[ClassPoint], description: &str) -> Plot {
     let place = |point: &ClassPoint| [point.ratio, point.rms];
     let best = frontier(points);
@@ -35,16 +45,13 @@ fn pareto_plot(points: &[ClassPoint], description: &str) -> Plot {
         mark: Mark::Frontier,
         ..Series::default()
     };
-    let weights = points.iter().map(|point| Series {
-        name: point.weight.name().into(),
-        points: vec![place(point)],
-        colour: colour(point.weight),
-        ..Series::default()
+    let weights = points.iter().map(|point| {
+        weight_series(point.weight, point.weight.name().into(), vec![place(point)], Mark::Points)
     });
     let description = format!("From cheap to accurate, nothing beats: {}. {description}", on_it.join(", "));
     Plot {
         description: description.trim_end().into(),
-        size: [680, 320],
+        size: SIZE,
         y: Axis::log("rms error, degrees"),
         series: std::iter::once(line).chain(weights).collect(),
         ..Plot::default()
@@ -56,37 +63,21 @@ pub(super) fn convergence_plot(case: &VertexCase) -> Plot {
     // The mean edge in units of the coarsest one.
     let faces: Vec<f64> = case.meshes.iter().map(|mesh| mesh.faces as f64).collect();
     let edge = |place: usize| (faces[0] / faces[place]).sqrt();
-    let mut series: Vec<Series> = case
-        .methods
-        .iter()
-        .map(|method| Series {
-            name: match method.order {
-                Some(order) => format!("{}, order {order:.2}", method.weight.name()),
-                None => format!("{}, exact", method.weight.name()),
-            },
-            points: method
-                .errors
-                .iter()
-                .enumerate()
-                .map(|(place, errors)| [edge(place), if errors.rms < EXACT { 0.0 } else { errors.rms }])
-                .collect(),
-            mark: Mark::Line,
-            colour: colour(method.weight),
-            ..Series::default()
-        })
-        .collect();
+    let method = |method: &MethodErrors| {
+        let name = match method.order {
+            Some(order) => format!("{}, order {order:.2}", method.weight.name()),
+            None => format!("{}, exact", method.weight.name()),
+        };
+        let shown = |rms: f64| if rms < EXACT { 0.0 } else { rms };
+        let points = method.errors.iter().enumerate().map(|(place, errors)| [edge(place), shown(errors.rms)]);
+        weight_series(method.weight, name, points.collect(), Mark::Line)
+    };
     let coarsest = case.methods.iter().filter_map(|method| Some(method.errors.first()?.rms));
     let top = coarsest.fold(0.0, f64::max) * 1.6;
     let finest = edge(faces.len() - 1);
-    for (name, power) in [("slope 1", 1), ("slope 2", 2)] {
-        let low = if power == 1 { top * finest } else { top * finest * finest };
-        series.push(Series {
-            name: name.into(),
-            points: vec![[1.0, top], [finest, low]],
-            mark: Mark::Guide,
-            ..Series::default()
-        });
-    }
+    let slopes = [("slope 1", top * finest), ("slope 2", top * finest * finest)];
+    let slopes = slopes.map(|(name, low)| guide(name, [[1.0, top], [finest, low]]));
+    let series = case.methods.iter().map(method).chain(slopes).collect();
     let orders = case.methods.iter().map(|method| {
         let order = method.order.map_or("exact".into(), |order| format!("{order:.2}"));
         format!("{} {order}", method.weight.name())
@@ -102,7 +93,7 @@ pub(super) fn convergence_plot(case: &VertexCase) -> Plot {
     }
 }
 
-/// How many normals have an error of which size.
+/// The distribution of the errors of normals.
 pub(super) fn histogram_plot(case: &VertexCase) -> Plot {
     let spread = case
         .methods
@@ -121,25 +112,20 @@ fn spread_plot(spread: &[(Weight, &AngleErrors, &Histogram)]) -> Plot {
     let shown = spread.iter().filter(|(_, errors, _)| errors.rms > EXACT);
     let series = shown.map(|(weight, _, histogram)| {
         let shares = histogram.shares.iter().chain(histogram.shares.last());
-        // Bins that are empty on both sides of all others are left out.
+        // Empty bins at both ends are omitted.
         let points = edges.iter().zip(shares).map(|(&edge, &share)| [edge, 100.0 * share]);
         let points: Vec<[f64; 2]> = points.collect();
         let first = points.iter().position(|point| point[1] > 0.0).unwrap_or(0);
         let last = points.iter().rposition(|point| point[1] > 0.0).map_or(points.len(), |last| last + 2);
-        Series {
-            name: weight.name().into(),
-            points: points[first..last.min(points.len())].to_vec(),
-            mark: Mark::Steps,
-            colour: colour(*weight),
-            ..Series::default()
-        }
+        let points = points[first..last.min(points.len())].to_vec();
+        weight_series(*weight, weight.name().into(), points, Mark::Steps)
     });
     let medians = spread
         .iter()
         .map(|(weight, errors, _)| format!("{} {}°", weight.name(), three_digits(errors.median)));
     Plot {
         description: format!("Medians: {}.", medians.collect::<Vec<_>>().join(", ")),
-        size: [680, 320],
+        size: SIZE,
         y: Axis::linear("normals in a quarter of a decade, %"),
         series: series.collect(),
         ..Plot::default()
@@ -163,7 +149,7 @@ pub(super) fn encoding_plot(rows: &[EncodingRow]) -> Plot {
             "The worst angle falls by half with each bit of an octahedral component; those of 16 bits are \
                       below four thousandths of a degree in four bytes."
                 .into(),
-        size: [680, 320],
+        size: SIZE,
         x: Axis { range: Some([1.0, 13.0]), ..Axis::linear("bytes of a normal") },
         y: Axis::log("largest error, degrees"),
         series: vec![
@@ -171,12 +157,7 @@ pub(super) fn encoding_plot(rows: &[EncodingRow]) -> Plot {
             kind("octahedral, nearest", &|row| octahedral(row) && nearest(row)),
             kind("snorm", &|row| row.name.starts_with("snorm")),
             kind("floating point", &|row| !octahedral(row) && !row.name.starts_with("snorm")),
-            Series {
-                name: "half a step, diffuse".into(),
-                points: vec![[1.0, half_step], [13.0, half_step]],
-                mark: Mark::Guide,
-                ..Series::default()
-            },
+            guide("half a step, diffuse", [[1.0, half_step], [13.0, half_step]]),
         ],
         ..Plot::default()
     }
@@ -207,7 +188,7 @@ pub(super) fn shading_plot(rows: &[ShadingRow], surface: &str) -> Plot {
             "Flat shading is worst and Phong shading best at every number of faces; all come closer to the \
                       picture of the surface as faces grow in number."
                 .into(),
-        size: [680, 320],
+        size: SIZE,
         x: Axis::log("faces"),
         y: Axis::log("rms error, steps of 1/255"),
         series: series.collect(),
@@ -215,7 +196,7 @@ pub(super) fn shading_plot(rows: &[ShadingRow], surface: &str) -> Plot {
     }
 }
 
-/// Estimated error against cost on somebody's own mesh, with the Pareto frontier.
+/// Estimated error against cost on a user mesh, with the Pareto frontier.
 pub(super) fn own_plot(own: &OwnMesh) -> Plot {
     let sums = own.methods.iter().filter(|method| method.weight != Weight::Quadric);
     let points: Vec<ClassPoint> = sums
@@ -230,7 +211,7 @@ pub(super) fn own_plot(own: &OwnMesh) -> Plot {
     }
 }
 
-/// How the estimated errors on somebody's own mesh are spread.
+/// The distribution of the estimated errors on a user mesh.
 pub(super) fn own_histogram_plot(own: &OwnMesh) -> Plot {
     let spread = own.methods.iter().filter(|method| method.weight != Weight::Quadric);
     let spread: Vec<_> = spread.map(|method| (method.weight, &method.estimate, &method.histogram)).collect();

@@ -1,11 +1,14 @@
-//! Tables of the measurement.
+//! Tables of the measurement, for pages and the terminal.
 
 use crate::normals::Weight;
 use crate::num::{significant_digits, three_digits};
-use crate::report::Table;
-use crate::trade::{EncodingRow, OwnMesh, ShadingRow, Tiling, Trade, Way};
+use crate::report::table::{Column, Table};
+use crate::trade::{
+    ApproximationRow, BoxRow, ClassPoint, EncodingRow, OwnMesh, OwnMethod, PrecisionRow, ShadingRow, Tiling,
+    Trade, Way,
+};
 
-/// Where there is no number.
+/// A cell without a number.
 const NONE: &str = "–";
 
 /// Columns: one thing, then every weight.
@@ -14,39 +17,40 @@ fn by_weight(caption: &str, first: &[&'static str]) -> Table {
     Table::new(caption, &columns)
 }
 
-/// Errors below the rounding of positions are none.
-fn degrees(x: f64) -> String {
-    if x < 1e-9 { "exact".into() } else { three_digits(x) }
+/// An error in degrees. Errors below the rounding of positions count as none.
+fn degrees(x: f64, digits: usize) -> String {
+    if x < 1e-9 { "exact".into() } else { significant_digits(x, digits) }
 }
 
-/// As [`degrees`], with four digits.
-fn finely(x: f64) -> String {
-    if x < 1e-9 { "exact".into() } else { significant_digits(x, 4) }
-}
-
-/// The rms error of each weight on each class of meshes, the median over its surfaces; the best sum of faces is marked with a star.
-pub fn class_table(trade: &Trade) -> Table {
-    let mut table =
-        by_weight("Vertex normals: rms error in degrees at 64 × 32, median over surfaces", &["mesh"]);
+/// A table of weights with a row for each tiling that has cells.
+fn by_tiling(caption: &str, cells: impl Fn(Tiling) -> Vec<String>) -> Table {
+    let mut table = by_weight(caption, &["mesh"]);
     for tiling in Tiling::ALL {
-        let points = trade.of_class(tiling);
-        let sums = points.iter().filter(|point| point.weight != Weight::Quadric);
-        let best = sums.map(|point| point.rms).fold(f64::INFINITY, f64::min);
-        let cells = points.iter().map(|point| {
-            let star = if point.weight != Weight::Quadric && point.rms == best { "*" } else { "" };
-            format!("{}{star}", degrees(point.rms))
-        });
-        if !points.is_empty() {
+        let cells = cells(tiling);
+        if !cells.is_empty() {
             table.push(std::iter::once(tiling.name().to_owned()).chain(cells));
         }
     }
     table
 }
 
+/// The rms error of each weight on each class of meshes, the median over its surfaces; a star marks the best sum of faces.
+pub fn class_table(trade: &Trade) -> Table {
+    by_tiling("Vertex normals: rms error in degrees at 64 × 32, median over surfaces", |tiling| {
+        let points = trade.of_class(tiling);
+        let sums = points.iter().filter(|point| point.weight != Weight::Quadric);
+        let best = sums.map(|point| point.rms).fold(f64::INFINITY, f64::min);
+        let cell = |point: &ClassPoint| {
+            let star = if point.weight != Weight::Quadric && point.rms == best { "*" } else { "" };
+            format!("{}{star}", degrees(point.rms, 3))
+        };
+        points.iter().map(cell).collect()
+    })
+}
+
 /// The order of convergence of each weight on each class of meshes: the median over its surfaces.
 pub fn order_table(trade: &Trade) -> Table {
-    let mut table = by_weight("Order of convergence over three halvings, median over surfaces", &["mesh"]);
-    for tiling in Tiling::ALL {
+    by_tiling("Order of convergence over three halvings, median over surfaces", |tiling| {
         let cases: Vec<_> = trade.vertex.iter().filter(|case| case.tiling == tiling).collect();
         let order = |weight: Weight| {
             let methods =
@@ -55,11 +59,8 @@ pub fn order_table(trade: &Trade) -> Table {
             orders.sort_by(f64::total_cmp);
             orders.get(orders.len() / 2).map_or("exact".into(), |order| format!("{order:.2}"))
         };
-        if !cases.is_empty() {
-            table.push(std::iter::once(tiling.name().to_owned()).chain(Weight::ALL.map(order)));
-        }
-    }
-    table
+        if cases.is_empty() { Vec::new() } else { Weight::ALL.map(order).to_vec() }
+    })
 }
 
 /// Every surface in every tiling: errors on the quoted mesh, to the digits that the reference prints.
@@ -71,7 +72,7 @@ pub fn surface_table(trade: &Trade) -> Table {
     for case in &trade.vertex {
         let error = |weight: Weight| {
             let errors = case.quoted_errors(weight);
-            errors.map_or(NONE.into(), |e| [e.rms, e.median, e.p99, e.max].map(finely).join(" / "))
+            errors.map_or(NONE.into(), |e| [e.rms, e.median, e.p99, e.max].map(|x| degrees(x, 4)).join(" / "))
         };
         let excluded = case.meshes.get(case.quoted).map_or(0, |mesh| mesh.excluded);
         let names = [case.surface.to_owned(), case.tiling.name().to_owned(), excluded.to_string()];
@@ -80,7 +81,7 @@ pub fn surface_table(trade: &Trade) -> Table {
     table
 }
 
-/// What each weight costs each way.
+/// The cost of each weight.
 pub fn cost_table(trade: &Trade) -> Table {
     let costs = &trade.costs;
     let caption = format!(
@@ -91,8 +92,7 @@ pub fn cost_table(trade: &Trade) -> Table {
     let mut table = Table::new(&caption, &["weight", "slices, faithful", "mesh, faithful", "mesh, fast"]);
     for weight in Weight::ALL {
         let cell = |way: Way| {
-            let row = costs.rows.iter().find(|row| row.way == way && row.weight == weight);
-            row.map_or(NONE.into(), |row| {
+            costs.row(way, weight).map_or(NONE.into(), |row| {
                 format!("{} ({}×)", three_digits(row.ns_per_triangle), three_digits(row.ratio))
             })
         };
@@ -102,97 +102,64 @@ pub fn cost_table(trade: &Trade) -> Table {
     table
 }
 
-/// How far corners of boxes are from their diagonals.
+/// The deviation of normals at corners of boxes from the diagonals.
 pub fn box_table(trade: &Trade) -> Table {
     let caption = "Corners of boxes, all 64 triangulations: degrees off the diagonal";
     let mut table = Table::new(caption, &["weight", "1 × 1 × 1", "1 × 1 × 10"]);
-    for weight in Weight::ALL {
-        let rows: Vec<String> = trade
-            .boxes
-            .iter()
-            .filter(|row| row.weight == weight)
-            .map(|row| match row.deviations.as_slice() {
-                values if values.len() <= 3 => {
-                    let values =
-                        values.iter().map(|&x| if x < 1e-9 { "0".into() } else { format!("{x:.3}") });
-                    values.collect::<Vec<_>>().join(", ")
-                }
-                values => format!("{:.1} to {:.1}", values[0], values[values.len() - 1]),
-            })
-            .collect();
-        if !rows.is_empty() {
-            table.push(std::iter::once(weight.name().to_owned()).chain(rows));
-        }
+    let exact = |&x: &f64| if x < 1e-9 { "0".into() } else { format!("{x:.3}") };
+    let cell = |row: &BoxRow| match row.deviations.as_slice() {
+        values if values.len() <= 3 => values.iter().map(exact).collect::<Vec<_>>().join(", "),
+        values => format!("{:.1} to {:.1}", values[0], values[values.len() - 1]),
+    };
+    for weight in Weight::ALL.into_iter().filter(|&weight| weight != Weight::Quadric) {
+        let cells = trade.boxes.iter().filter(|row| row.weight == weight).map(cell);
+        table.push(std::iter::once(weight.name().to_owned()).chain(cells));
     }
     table
 }
 
-/// `fast` beside `faithful`.
+/// `fast` compared with `faithful`.
 pub fn precision_table(trade: &Trade) -> Table {
-    let columns = ["stored in f32", "weight", "fast − faithful, rms", "largest", "faithful − truth, rms", ""];
-    let mut table = Table::new("Precision: degrees", &columns);
-    for row in &trade.precision {
-        table.push([
-            row.case.to_owned(),
-            row.weight.name().to_owned(),
-            three_digits(row.fast.rms),
-            three_digits(row.fast.max),
-            three_digits(row.faithful.rms),
-            if row.declined { "left to faithful" } else { "" }.to_owned(),
-        ]);
-    }
-    table
+    let columns: [Column<PrecisionRow>; 6] = [
+        ("stored in f32", &|row| row.case.to_owned()),
+        ("weight", &|row| row.weight.name().to_owned()),
+        ("fast − faithful, rms", &|row| three_digits(row.fast.rms)),
+        ("largest", &|row| three_digits(row.fast.max)),
+        ("faithful − truth, rms", &|row| three_digits(row.faithful.rms)),
+        ("", &|row| if row.declined { "left to faithful" } else { "" }.to_owned()),
+    ];
+    Table::of("Precision: degrees", &trade.precision, &columns)
 }
 
-/// Stored normals; their times are of the machine, and can be left out.
+/// Stored normals; their times, which depend on the machine, can be omitted.
 pub fn encoding_table(rows: &[EncodingRow], timed: bool) -> Table {
     let directions = rows.iter().map(|row| row.directions).max().unwrap_or(0);
     let caption = format!(
         "Stored normals: degrees over {directions} directions, the bound that none exceeds, and the largest highlight \
          exponents within half an 8-bit step up to that bound"
     );
-    let mut columns =
-        vec!["encoding", "bytes", "mean", "largest", "bound", "diffuse", "n, Blinn", "n, Phong"];
-    if timed {
-        columns.extend(["encode ns", "decode ns"]);
-    }
-    let mut table = Table::new(&caption, &columns);
     let exponent = |n: Option<u64>| match n {
         Some(1_000_000_000..) => "any".into(),
         Some(n) => n.to_string(),
         None => NONE.into(),
     };
-    for row in rows {
-        let mut cells = vec![
-            row.name.clone(),
-            row.bytes.to_string(),
-            three_digits(row.mean),
-            three_digits(row.max),
-            three_digits(row.bound),
-            if row.diffuse { "yes" } else { "no" }.to_owned(),
-            exponent(row.blinn),
-            exponent(row.phong),
-        ];
-        if timed {
-            cells.extend([row.encode_ns, row.decode_ns].map(three_digits));
-        }
-        table.push(cells);
-    }
-    table
+    let columns: [Column<EncodingRow>; 10] = [
+        ("encoding", &|row| row.name.clone()),
+        ("bytes", &|row| row.bytes.to_string()),
+        ("mean", &|row| three_digits(row.mean)),
+        ("largest", &|row| three_digits(row.max)),
+        ("bound", &|row| three_digits(row.bound)),
+        ("diffuse", &|row| if row.diffuse { "yes" } else { "no" }.to_owned()),
+        ("n, Blinn", &|row| exponent(row.blinn)),
+        ("n, Phong", &|row| exponent(row.phong)),
+        ("encode ns", &|row| three_digits(row.encode_ns)),
+        ("decode ns", &|row| three_digits(row.decode_ns)),
+    ];
+    Table::of(&caption, rows, if timed { &columns } else { &columns[..8] })
 }
 
 /// Ways to shade with one kind of highlight: rms error in steps of 1/255 and the share of pixels over half a step.
 pub fn shading_table(rows: &[ShadingRow], reflection: &str) -> Table {
-    const WAYS: [(&str, Option<&str>); 8] = [
-        ("wireframe", None),
-        ("flat", None),
-        ("gouraud", Some("scanline")),
-        ("gouraud", Some("affine")),
-        ("gouraud", Some("perspective")),
-        ("phong", Some("scanline")),
-        ("phong", Some("affine")),
-        ("phong", Some("perspective")),
-    ];
     let caption = format!(
         "Shading, {reflection} highlight: rms error in steps of 1/255 of linear light (pixels over half a step); \
          pixels covered otherwise"
@@ -218,44 +185,36 @@ pub fn shading_table(rows: &[ShadingRow], reflection: &str) -> Table {
     for mesh in
         of_reflection.chunk_by(|a, b| (a.surface, a.tiling, a.faces) == (b.surface, b.tiling, b.faces))
     {
-        let find = |(shading, interpolation)| {
-            mesh.iter().find(|row| row.shading == shading && row.interpolation == interpolation)
-        };
-        let cell = |way| {
-            find(way).map_or(NONE.into(), |row| {
-                format!("{} ({:.0} %)", three_digits(row.error.linear.rms), 100.0 * row.error.linear.over)
-            })
-        };
-        let phong = find(WAYS[7]).map(|row| row.error);
-        let last = phong.map_or([NONE; 3].map(str::to_owned), |error| {
-            let covered = format!("{:.2} %", 100.0 * error.disagreement);
-            [covered, three_digits(error.luminance.rms), three_digits(error.linear.max)]
+        let cells = mesh.iter().map(|row| {
+            format!("{} ({:.0} %)", three_digits(row.error.linear.rms), 100.0 * row.error.linear.over)
         });
-        let first = mesh[0];
+        // The last row is that of Phong shading, right under perspective.
+        let (first, phong) = (mesh[0], mesh[mesh.len() - 1].error);
         let names = [first.surface.to_owned(), first.tiling.name().to_owned(), first.faces.to_string()];
-        table.push(names.into_iter().chain(WAYS.map(cell)).chain(last));
+        let last = [
+            format!("{:.2} %", 100.0 * phong.disagreement),
+            three_digits(phong.luminance.rms),
+            three_digits(phong.linear.max),
+        ];
+        table.push(names.into_iter().chain(cells).chain(last));
     }
     table
 }
 
 /// The crate's own approximations.
 pub fn approximation_table(trade: &Trade) -> Table {
-    let columns = ["approximation", "largest error", "unit", "ns", "ns exactly"];
-    let mut table =
-        Table::new("Approximations of this crate beside libm, and single precision beside double", &columns);
-    for row in &trade.approximations {
-        table.push([
-            row.what.clone(),
-            three_digits(row.error),
-            row.unit.to_owned(),
-            three_digits(row.ns),
-            three_digits(row.exact_ns),
-        ]);
-    }
-    table
+    let columns: [Column<ApproximationRow>; 5] = [
+        ("approximation", &|row| row.what.clone()),
+        ("largest error", &|row| three_digits(row.error)),
+        ("unit", &|row| row.unit.to_owned()),
+        ("ns", &|row| three_digits(row.ns)),
+        ("ns exactly", &|row| three_digits(row.exact_ns)),
+    ];
+    let caption = "Approximations of this crate beside libm, and single precision beside double";
+    Table::of(caption, &trade.approximations, &columns)
 }
 
-/// The weights on somebody's own mesh.
+/// The weights on a user mesh.
 pub fn own_table(own: &OwnMesh) -> Table {
     let caption = format!(
         "Angle to the quadric's normals in degrees, over {} of {} normals; cost on one thread (plain f32 loop: {} ns a \
@@ -264,58 +223,41 @@ pub fn own_table(own: &OwnMesh) -> Table {
         own.normals,
         three_digits(own.plain_ns)
     );
-    let columns = ["weight", "rms", "median", "99 %", "largest", "ns/triangle", "× plain", "rms to angle"];
-    let mut table = Table::new(&caption, &columns);
-    let angle = Weight::ALL.iter().position(|&weight| weight == Weight::Angle);
-    for (place, method) in own.methods.iter().enumerate() {
-        let of_estimate = |x: f64| match method.weight {
-            Weight::Quadric => NONE.into(),
-            _ if method.estimate.count == 0 => NONE.into(),
-            _ => three_digits(x),
-        };
-        let estimate = method.estimate;
-        let star = if method.weight == own.recommended { "*" } else { "" };
-        table.push([
-            format!("{}{star}", method.weight.name()),
-            of_estimate(estimate.rms),
-            of_estimate(estimate.median),
-            of_estimate(estimate.p99),
-            of_estimate(estimate.max),
-            three_digits(method.ns_per_triangle),
-            three_digits(method.ratio),
-            angle.map_or(NONE.into(), |angle| three_digits(own.differences[place][angle])),
-        ]);
-    }
-    table
+    let star = |row: &OwnMethod| if row.weight == own.recommended { "*" } else { "" };
+    let estimate = |row: &OwnMethod, x: f64| match row.weight {
+        Weight::Quadric => NONE.into(),
+        _ if row.estimate.count == 0 => NONE.into(),
+        _ => three_digits(x),
+    };
+    let columns: [Column<OwnMethod>; 8] = [
+        ("weight", &|row| format!("{}{}", row.weight.name(), star(row))),
+        ("rms", &|row| estimate(row, row.estimate.rms)),
+        ("median", &|row| estimate(row, row.estimate.median)),
+        ("99 %", &|row| estimate(row, row.estimate.p99)),
+        ("largest", &|row| estimate(row, row.estimate.max)),
+        ("ns/triangle", &|row| three_digits(row.ns_per_triangle)),
+        ("× plain", &|row| three_digits(row.ratio)),
+        ("rms to angle", &|row| three_digits(own.differences[row.weight as usize][Weight::Angle as usize])),
+    ];
+    Table::of(&caption, &own.methods, &columns)
 }
 
 /// Milliseconds of each way to shade, on the finest regular mesh of each surface.
 pub fn shading_times(rows: &[ShadingRow]) -> Table {
-    let mut surfaces: Vec<&str> = rows.iter().map(|row| row.surface).collect();
-    surfaces.dedup();
-    let columns: Vec<&str> =
-        ["shading", "interpolation"].into_iter().chain(surfaces.iter().copied()).collect();
+    let is_shown = |row: &&ShadingRow| row.reflection == "blinn" && row.tiling == Tiling::Regular;
+    // For each surface the rows of its finest mesh, in the order of the ways to shade.
+    let finest = rows.chunk_by(|a, b| a.surface == b.surface).map(|rows| {
+        let faces = rows.iter().filter(is_shown).map(|row| row.faces).max();
+        rows.iter().filter(is_shown).filter(|row| Some(row.faces) == faces).collect()
+    });
+    let finest: Vec<Vec<&ShadingRow>> = finest.collect();
+    let surfaces = finest.iter().filter_map(|rows| Some(rows.first()?.surface));
+    let columns: Vec<&str> = ["shading", "interpolation"].into_iter().chain(surfaces).collect();
     let mut table = Table::new("Time of a picture of the finest regular mesh, all threads: ms", &columns);
-    let finest = |surface: &str| {
-        let regular = rows.iter().filter(|row| row.surface == surface && row.tiling == Tiling::Regular);
-        regular.map(|row| row.faces).max().unwrap_or(0)
-    };
-    let first = surfaces.first().copied().unwrap_or_default();
-    let is_shown = |row: &&ShadingRow, surface: &str| {
-        row.surface == surface
-            && row.reflection == "blinn"
-            && row.tiling == Tiling::Regular
-            && row.faces == finest(surface)
-    };
-    for way in rows.iter().filter(|row| is_shown(row, first)) {
-        let cell = |surface: &&str| {
-            let same = |row: &&ShadingRow| {
-                is_shown(row, surface) && (row.shading, row.interpolation) == (way.shading, way.interpolation)
-            };
-            rows.iter().find(same).map_or(NONE.into(), |row| three_digits(row.milliseconds))
-        };
+    for (number, way) in finest.first().into_iter().flatten().enumerate() {
         let names = [way.shading.to_owned(), way.interpolation.unwrap_or(NONE).to_owned()];
-        table.push(names.into_iter().chain(surfaces.iter().map(cell)));
+        let times = finest.iter().filter_map(|rows| Some(three_digits(rows.get(number)?.milliseconds)));
+        table.push(names.into_iter().chain(times));
     }
     table
 }

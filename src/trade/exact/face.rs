@@ -1,12 +1,12 @@
-//! Faces in exact integers.
+//! Faces: areas and normals in exact integers, dihedral angles and rotations by rounding in 256 bits.
 
-use super::vector::{Vector, unit};
-use super::{BITS, Big};
+use super::vector::{Vector, add, angle, cross, difference, length, unit};
+use super::{BITS, Big, big};
 use dashu::integer::IBig;
 use glam::DVec3;
 
-/// Twice the area vector, in units of 2⁻²¹⁴⁸: Σ Pi × Pi+1, which is exact here wherever the origin is. That it is the
-/// same as the formulas of the kernels is the first thing that a comparison with it tests.
+/// Twice the area vector, in units of 2⁻²¹⁴⁸: Σ Pi × Pi+1, which is exact here wherever the origin is. The formulas of the
+/// kernels are others, so that a comparison tests them.
 fn area_vector(points: &[DVec3]) -> [IBig; 3] {
     let points: Vec<[IBig; 3]> = points.iter().map(|point| point.to_array().map(whole)).collect();
     let mut sum = [IBig::ZERO, IBig::ZERO, IBig::ZERO];
@@ -37,4 +37,57 @@ fn whole(x: f64) -> IBig {
     let magnitude =
         if exponent == 0 { IBig::from(fraction) } else { IBig::from(fraction | 1 << 52) << (exponent - 1) };
     if x < 0.0 { -magnitude } else { magnitude }
+}
+
+/// The angle between the normals of two faces, in radians; `None` if one has no area.
+pub(crate) fn dihedral(a: &[DVec3], b: &[DVec3]) -> Option<Big> {
+    Some(angle(&face_normal(a)?, &face_normal(b)?))
+}
+
+/// An angle in radians.
+pub(crate) fn radians(degrees: f64) -> Big {
+    // π/4 is the angle of (1, 1).
+    big(degrees) * big(1.0).atan2(&big(1.0)) / big(45.0)
+}
+
+/// Most by which the normal of a face turns if no corner moves by more than δ: the arc sine of
+/// δ (Σ|Pᵢ₊₁ − Pᵢ₋₁| + nδ) / |Σ Pᵢ × Pᵢ₊₁|, or half a turn where that is none.
+pub(crate) fn turn(points: &[DVec3], moved: &Big) -> Big {
+    let at = |corner: usize| points[corner % points.len()];
+    let corners = || 0..points.len();
+    let from_first = |corner: usize| difference(at(corner), points[0]);
+    let terms = corners().map(|corner| cross(&from_first(corner), &from_first(corner + 1)));
+    let area = terms.reduce(add).map_or(Big::ZERO, |sum| length(&sum));
+    let diagonals = corners().map(|corner| length(&difference(at(corner + 2), at(corner))));
+    let reach = diagonals.fold(moved * big(points.len() as f64), |sum, diagonal| sum + diagonal) * moved;
+    if reach >= area {
+        return radians(180.0);
+    }
+    reach.atan2(&(&area * &area - &reach * &reach).sqrt())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::trade::exact::small;
+    use std::f64::consts::{FRAC_PI_2, PI};
+
+    const SQUARE: [DVec3; 4] = [DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::Y];
+
+    #[test]
+    fn a_wall_stands_square_on_the_floor() {
+        let wall = [DVec3::Y, DVec3::new(1.0, 1.0, 0.0), DVec3::new(1.0, 1.0, 2.0)];
+        assert_eq!(small(&dihedral(&SQUARE, &wall).unwrap()), FRAC_PI_2);
+        assert_eq!([small(&radians(180.0)), small(&radians(40.0))], [PI, 40_f64.to_radians()]);
+        assert!(dihedral(&SQUARE, &[DVec3::X; 3]).is_none());
+    }
+
+    /// Four corners, four diagonals of √2 (two, each way), twice the area 2.
+    #[test]
+    fn a_square_turns_by_its_formula() {
+        let moved = 1e-3;
+        let expected = libm::asin(moved * (4.0 * 2.0_f64.sqrt() + 4.0 * moved) / 2.0);
+        assert!((small(&turn(&SQUARE, &big(moved))) - expected).abs() < 1e-17);
+        assert_eq!(small(&turn(&SQUARE, &big(1.0))), PI);
+    }
 }

@@ -1,12 +1,12 @@
 //! Vertex normals by their formula, in 256 bits.
 
-use super::vector::{Vector, cross, difference, dot, length, unit};
+use super::vector::{Vector, add, cross, difference, dot, length, unit};
 use super::{Big, big};
 use crate::normals::Weight;
 use glam::DVec3;
 use rayon::prelude::*;
 
-/// Faces that are summed in a row. Where sums begin and end must not depend on the number of threads.
+/// Faces that are summed in one task; fixed, so that the sum does not depend on the number of threads.
 const CHUNK: usize = 4096;
 
 /// The unit vector along Σ w n̂ over triangles (centre, a, b); `None` where it is zero. Triangles without area add nothing.
@@ -14,7 +14,6 @@ const CHUNK: usize = 4096;
 /// # Panics
 /// For [`Weight::Quadric`], which is no weight.
 pub(crate) fn vertex_normal(centre: DVec3, fan: &[[DVec3; 2]], weight: Weight) -> Option<Vector> {
-    let add = |sum: Vector, term: Vector| -> Vector { std::array::from_fn(|axis| &sum[axis] + &term[axis]) };
     let chunks: Vec<Option<Vector>> = fan
         .par_chunks(CHUNK)
         .map(|chunk| chunk.iter().filter_map(|&[a, b]| term(centre, a, b, weight)).reduce(add))
@@ -48,7 +47,7 @@ fn term(centre: DVec3, a: DVec3, b: DVec3, weight: Weight) -> Option<Vector> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::trade::exact::angle_to;
+    use crate::trade::exact::vector::angle_to;
 
     /// The corner of a box of 1 × 2 × 4, of which each weight has its own closed form.
     #[test]

@@ -1,20 +1,21 @@
-//! Truth to hold computed numbers against: exact integers for the signs and areas of faces, 256 bits for everything that
-//! has a root, an arc tangent or a power in it.
+//! Exact references: integers for the signs and areas of faces, 256 bits for roots, arc tangents and powers.
 //!
 //! 256 bits are more than the 200 that any row of the stress table needs: an error of the reference is below 2⁻²⁴⁰ of
 //! what it is the reference for, unless a formula itself cancels by more than that.
 
-mod dihedral;
-mod face;
-mod mean;
-mod ray;
+// Vectors, their angles and errors.
 mod vector;
+// Faces and their dihedral angles.
+mod face;
+// Vertex normals.
+mod mean;
+// Rays and triangles, for the coverage of pixels.
+mod ray;
 
-pub(crate) use dihedral::{dihedral, radians, turn};
-pub(crate) use face::{degenerate, face_normal};
+pub(crate) use face::{degenerate, dihedral, face_normal, radians, turn};
 pub(crate) use mean::vertex_normal;
 pub(crate) use ray::Target;
-pub(crate) use vector::{Vector, angle, angle_to, distance, dot, error_in_ulps, length, unit};
+pub(crate) use vector::{Vector, angle, degrees_to, distance, dot, error_in_ulps, length, unit};
 
 use dashu::float::{FBig, round::mode::HalfEven};
 

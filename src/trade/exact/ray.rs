@@ -1,4 +1,4 @@
-//! Where rays meet a triangle, in exact integers: what a pixel shows.
+//! Intersections of rays with a triangle, in exact integers: the true coverage of a pixel.
 
 use dashu::base::Signed;
 use dashu::integer::IBig;
@@ -17,12 +17,12 @@ pub(crate) struct Target {
     planes: [Whole; 3],
     /// a·(b × c), and its exponent.
     volume: (IBig, i32),
-    /// Nothing nearer than this many times a ray's direction is met.
+    /// Hits nearer than this many times a ray's direction do not count.
     nearest: Whole,
 }
 
 impl Target {
-    /// All coordinates are taken as they are: nothing is rounded on the way.
+    /// All coordinates are exact: nothing is rounded.
     pub(crate) fn new(triangle: &[DVec3; 3], nearest: f64) -> Self {
         let [a, b, c] = triangle.map(Whole::new);
         let planes = [a.cross(&b), b.cross(&c), c.cross(&a)];
@@ -30,7 +30,7 @@ impl Target {
         Self { planes, volume, nearest: Whole::new(DVec3::new(nearest, 0.0, 0.0)) }
     }
 
-    /// Whether the ray along a direction meets the inside, at least the nearest distance away. An edge is no inside.
+    /// Whether the ray along a direction meets the interior, edges excluded, at least the nearest distance away.
     pub(crate) fn is_hit(&self, direction: DVec3) -> bool {
         let direction = Whole::new(direction);
         let exponents = self.planes.each_ref().map(|plane| plane.exponent);
@@ -116,7 +116,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_too_far_away_to_tell() {
+    fn far_triangles_are_exact() {
         let far =
             [DVec3::new(-1e300, 0.0, -1.0), DVec3::new(1e300, 0.0, -1.0), DVec3::new(0.0, 1e-300, -1.0)];
         let far = Target::new(&far, 0.1);

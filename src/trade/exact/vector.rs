@@ -1,4 +1,4 @@
-//! Vectors of big numbers, and how far computed ones are from them.
+//! Vectors of big numbers, and the errors of computed ones.
 
 use super::{Big, big, small};
 use dashu::base::Abs;
@@ -11,6 +11,11 @@ pub(crate) type Vector = [Big; 3];
 pub(crate) fn difference(a: DVec3, b: DVec3) -> Vector {
     let (a, b) = (a.to_array(), b.to_array());
     std::array::from_fn(|axis| big(a[axis]) - big(b[axis]))
+}
+
+/// a + b.
+pub(crate) fn add(a: Vector, b: Vector) -> Vector {
+    std::array::from_fn(|axis| &a[axis] + &b[axis])
 }
 
 /// a·b.
@@ -49,6 +54,11 @@ pub(crate) fn angle_to(got: DVec3, truth: &Vector) -> f64 {
     }
     let got = got.to_array().map(big);
     libm::atan2(small(&length(&cross(&got, truth))), small(&dot(&got, truth)))
+}
+
+/// The angle between a computed vector of any length and a true one, in degrees; NaN for a vector without a direction.
+pub(crate) fn degrees_to(computed: DVec3, truth: &Vector) -> f64 {
+    angle_to(computed, truth).to_degrees()
 }
 
 /// The length of the difference between a computed vector and a true one.

@@ -1,19 +1,26 @@
-//! What a case is, and what came out of it.
+//! A case of the catalogue, and its result.
 
-use crate::trade::stress::group::Group;
+use super::group::Group;
+use crate::text::{Catalogue, Language, catalogue};
 
-/// In what an error is counted.
+static TEXTS: Catalogue = catalogue!("texts", en);
+
+fn text(key: &str) -> String {
+    TEXTS.get(key).get(Language::English).to_owned()
+}
+
+/// The unit of an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Unit {
     /// Units of the last place of the true `f32` component: the largest of the three.
     Ulps,
     /// The angle to the true direction, in degrees.
     Degrees,
-    /// |got − true| / |true|.
+    /// |computed − true| / |true|.
     Relative,
-    /// |got − true|, of colours and directions, for which 1 is much.
+    /// |computed − true|, of colours and directions, whose largest value is 1.
     Absolute,
-    /// Wrong answers: pixels, edges, faults that are told apart wrongly.
+    /// The number of wrong answers: pixels, edges, or faults with a wrong reason.
     Wrong,
 }
 
@@ -29,8 +36,8 @@ impl Unit {
         }
     }
 
-    /// From where on an error can be seen: half a step of an 8-bit picture. A white surface changes by that much when its
-    /// normal turns by asin(1/510) = 0.1123°, which is ten thousand ulps; one wrong pixel or edge is seen.
+    /// The smallest visible error: half a step of an 8-bit picture. A white surface changes by that much when its
+    /// normal turns by asin(1/510) = 0.1123°, which is ten thousand ulps; one wrong pixel or edge is visible.
     pub fn visible(self) -> f64 {
         match self {
             Unit::Ulps => 1e4,
@@ -41,30 +48,40 @@ impl Unit {
     }
 }
 
-/// What an error may be, and why.
+/// The largest error that is allowed, and why.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Bound {
-    /// The largest that is allowed.
+    /// The largest error.
     pub most: f64,
-    /// In this unit.
+    /// Its unit.
     #[serde(skip)]
     pub unit: Unit,
-    /// Where the number comes from.
-    pub source: &'static str,
+    /// The key of the text about its source.
+    #[serde(serialize_with = "as_text")]
+    source: &'static str,
+}
+
+fn as_text<S: serde::Serializer>(key: &str, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(&text(key))
 }
 
 impl Bound {
-    /// A bound with its source.
-    pub const fn new(most: f64, unit: Unit, source: &'static str) -> Self {
+    /// A bound with the key of its source.
+    pub(super) const fn new(most: f64, unit: Unit, source: &'static str) -> Self {
         Self { most, unit, source }
     }
 
     /// No wrong answer at all.
-    pub const fn none_wrong(source: &'static str) -> Self {
+    pub(super) const fn none_wrong(source: &'static str) -> Self {
         Self::new(0.0, Unit::Wrong, source)
     }
 
-    /// Whether errors keep to it.
+    /// The derivation of the bound, or the document that states it.
+    pub fn source(&self) -> String {
+        text(self.source)
+    }
+
+    /// Whether errors are within the bound.
     pub fn holds(&self, worst: &Worst) -> bool {
         worst.undefined == 0 && worst.error <= self.most
     }
@@ -80,12 +97,12 @@ pub struct Worst {
 }
 
 impl Worst {
-    /// So many wrong answers.
+    /// This number of wrong answers.
     pub(super) fn wrong(count: usize) -> Self {
         Self { error: count as f64, undefined: 0 }
     }
 
-    /// Takes one more error in; NaN stands for a result that is none.
+    /// Includes one more error; NaN stands for an undefined result.
     pub(super) fn add(&mut self, error: f64) {
         if error.is_nan() {
             self.undefined += 1;
@@ -103,43 +120,96 @@ impl FromIterator<f64> for Worst {
     }
 }
 
-/// What was measured in a case.
+/// The errors of a case.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Measured {
-    /// How many results there are.
+    /// The number of results.
     pub samples: usize,
-    /// Of [`Precision::Faithful`](crate::normals::Precision), or of `f64` where there is no such choice.
+    /// Errors of [`Precision::Faithful`](crate::normals::Precision), or of `f64` where there is no such choice.
     pub faithful: Worst,
-    /// Of [`Precision::Fast`](crate::normals::Precision), or of `f32` where there is no such choice.
+    /// Errors of [`Precision::Fast`](crate::normals::Precision), or of `f32` where there is no such choice.
     pub fast: Option<Worst>,
-    /// How many of the samples `fast` has left to `faithful`, being out of its range.
+    /// How many of the samples are out of the range of `fast`, which left them to `faithful`.
     pub declined: usize,
-    /// Of the formula in plain `f32`.
+    /// Errors of the formula in plain `f32`.
     pub plain: Option<Worst>,
+}
+
+impl Measured {
+    /// Pairs of errors: of `faithful` and of the plain formula.
+    pub(super) fn pairs(errors: impl IntoIterator<Item = [f64; 2]>) -> Self {
+        let errors = errors.into_iter().map(|[faithful, plain]| [faithful, 0.0, plain]);
+        Self { fast: None, ..Self::triples(errors) }
+    }
+
+    /// Triples of errors: of `faithful`, `fast` and the plain formula.
+    pub(super) fn triples(errors: impl IntoIterator<Item = [f64; 3]>) -> Self {
+        let (mut samples, mut worst) = (0, [Worst::default(); 3]);
+        for triple in errors {
+            samples += 1;
+            worst.iter_mut().zip(triple).for_each(|(worst, error)| worst.add(error));
+        }
+        let [faithful, fast, plain] = worst;
+        Self { samples, faithful, fast: Some(fast), declined: 0, plain: Some(plain) }
+    }
+
+    /// Numbers of wrong answers of `faithful` and of the plain formula.
+    pub(super) fn wrong(samples: usize, faithful: usize, plain: usize) -> Self {
+        let [faithful, plain] = [faithful, plain].map(Worst::wrong);
+        Self { samples, faithful, plain: Some(plain), ..Self::default() }
+    }
 }
 
 /// One case of the catalogue.
 pub struct StressCase {
-    /// Where it belongs.
+    /// The group that it is part of.
     pub group: Group,
-    /// Its name, of its own in the group.
+    /// Its name, unique in the group.
     pub name: String,
-    /// What is computed.
-    pub what: &'static str,
-    /// What is expected, in words.
-    pub expectation: &'static str,
-    /// What `faithful` is held to.
+    /// The bound of `faithful`.
     pub bound: Bound,
-    /// What `fast` is held to, where it concerns it: with the answers that it leaves to `faithful`.
+    /// The bound of `fast`, where the case concerns it: with the answers that it leaves to `faithful`.
     pub fast_bound: Option<Bound>,
-    /// In what the plain formula's error is counted.
+    /// The unit of the plain formula's error.
     pub plain_unit: Unit,
-    /// The plain formula.
-    pub plain_formula: &'static str,
-    pub(super) measure: Box<dyn Fn() -> Measured + Send + Sync>,
+    /// The first part of the keys of its texts.
+    texts: &'static str,
+    measure: Box<dyn Fn() -> Measured + Send + Sync>,
 }
 
 impl StressCase {
+    /// A case with the bounds of `faithful` and `fast`. Plain formulas are far from counting ulps: their error is in degrees
+    /// then.
+    pub(super) fn new(
+        group: Group,
+        texts: &'static str,
+        name: impl Into<String>,
+        (bound, fast_bound): (Bound, Option<Bound>),
+        measure: impl Fn() -> Measured + Send + Sync + 'static,
+    ) -> Self {
+        let plain_unit = if bound.unit == Unit::Ulps { Unit::Degrees } else { bound.unit };
+        Self { group, name: name.into(), bound, fast_bound, plain_unit, texts, measure: Box::new(measure) }
+    }
+
+    /// A description of the input and of what is counted.
+    pub fn what(&self) -> String {
+        self.text("what")
+    }
+
+    /// The expectation, in words.
+    pub fn expectation(&self) -> String {
+        self.text("expected")
+    }
+
+    /// The plain formula.
+    pub fn plain_formula(&self) -> String {
+        self.text("plain")
+    }
+
+    fn text(&self, part: &str) -> String {
+        text(&format!("{}-{part}", self.texts))
+    }
+
     /// Runs the case. The same bits on any number of threads.
     pub fn run(&self) -> StressResult<'_> {
         let measured = (self.measure)();
@@ -159,16 +229,16 @@ impl std::fmt::Debug for StressCase {
     }
 }
 
-/// What came out of a case.
+/// The result of a case.
 #[derive(Clone, Copy, Debug)]
 pub struct StressResult<'a> {
     /// The case.
     pub case: &'a StressCase,
-    /// The numbers.
+    /// The errors.
     pub measured: Measured,
-    /// Whether `faithful` keeps to its bound.
+    /// Whether `faithful` is within its bound.
     pub faithful_holds: bool,
-    /// Whether `fast` does, if it concerns it.
+    /// Whether `fast` is within its bound, if it has one.
     pub fast_holds: bool,
 }
 
@@ -178,15 +248,14 @@ impl StressResult<'_> {
         self.faithful_holds && self.fast_holds
     }
 
-    /// Whether plain `f32` code fails so that it can be seen: a result that is no number, or an error of
-    /// [`Unit::visible`] or more. Not where `faithful` fails as well, with half of that error or more: what is lost to
-    /// storage is lost to both.
+    /// Whether plain `f32` code fails visibly: an undefined result, or an error of [`Unit::visible`] or more. False
+    /// where `faithful` has half of that error or more and is visibly wrong too: storage loses the same for both.
     pub fn plain_fails(&self) -> bool {
-        let seen = |worst: Worst, unit: Unit| worst.undefined > 0 || worst.error >= unit.visible();
+        let is_visible = |worst: Worst, unit: Unit| worst.undefined > 0 || worst.error >= unit.visible();
         let faithful = self.measured.faithful;
         self.measured.plain.is_some_and(|plain| {
-            let both = seen(faithful, self.case.bound.unit) && plain.error <= 2.0 * faithful.error;
-            seen(plain, self.case.plain_unit) && !both
+            let both = is_visible(faithful, self.case.bound.unit) && plain.error <= 2.0 * faithful.error;
+            is_visible(plain, self.case.plain_unit) && !both
         })
     }
 }
@@ -235,8 +304,12 @@ mod tests {
             assert!(cases.iter().any(|case| case.group == group), "{group:?}");
         }
         for case in &cases {
-            assert!(case.bound.most.is_finite() && !case.bound.source.is_empty(), "{case:?}");
-            assert!(!case.what.is_empty() && !case.expectation.is_empty() && !case.plain_formula.is_empty());
+            assert!(case.bound.most.is_finite(), "{case:?}");
+            let sources =
+                [Some(case.bound), case.fast_bound].into_iter().flatten().map(|bound| bound.source());
+            for text in sources.chain([case.what(), case.expectation(), case.plain_formula()]) {
+                assert!(!text.is_empty() && !text.starts_with('{'), "{case:?}: {text}");
+            }
         }
     }
 }

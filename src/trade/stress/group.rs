@@ -35,6 +35,25 @@ pub enum Group {
     Encoding,
 }
 
+/// The name and a description of each group, in the order of [`Group::ALL`].
+const DESCRIPTIONS: [(&str, &str); 15] = [
+    ("magnitude", "coordinates from 1e-45 to 3e38, and mixed in one triangle"),
+    ("offset", "triangles of size 1 far from the origin: arithmetic and storage apart"),
+    ("needle", "faces much longer than high, and the sliver threshold"),
+    ("degenerate", "exactly collinear and duplicate points"),
+    ("non-finite", "positions that are infinite or not a number"),
+    ("valence", "vertices of 3 to a million faces, and fans that nearly cancel"),
+    ("fan", "opposite faces, folds, edges of three faces, tips of cones"),
+    ("angle", "corners near 0 and 180 degrees"),
+    ("crease", "dihedral angles exactly at the crease angle"),
+    ("unit", "unit vectors of subnormal and of huge ones"),
+    ("product", "differences of nearly equal products"),
+    ("highlight", "powers of cosines up to a million, opposite and grazing light"),
+    ("attenuation", "light very close to its source"),
+    ("raster", "triangles 1e30 off the picture, behind the eye, of a million pixels, thinner than one"),
+    ("encoding", "normals in few bits, at the poles and on the edges of the octahedron"),
+];
+
 impl Group {
     /// All groups, in the order of the catalogue.
     pub const ALL: [Group; 15] = [
@@ -57,26 +76,15 @@ impl Group {
 
     /// The name used on the command line and in reports.
     pub const fn name(self) -> &'static str {
-        match self {
-            Group::Magnitude => "magnitude",
-            Group::Offset => "offset",
-            Group::Needle => "needle",
-            Group::Degenerate => "degenerate",
-            Group::NonFinite => "non-finite",
-            Group::Valence => "valence",
-            Group::Fan => "fan",
-            Group::Angle => "angle",
-            Group::Crease => "crease",
-            Group::Unit => "unit",
-            Group::Product => "product",
-            Group::Highlight => "highlight",
-            Group::Attenuation => "attenuation",
-            Group::Raster => "raster",
-            Group::Encoding => "encoding",
-        }
+        DESCRIPTIONS[self as usize].0
     }
 
-    /// Why there is no `fast` beside the cases of the group that have none.
+    /// A description in one line.
+    pub const fn about(self) -> &'static str {
+        DESCRIPTIONS[self as usize].1
+    }
+
+    /// The reason why cases of the group have no `fast`.
     pub const fn without_fast(self) -> &'static str {
         match self {
             Group::NonFinite => "reading and checking positions is the same for both",
@@ -89,29 +97,6 @@ impl Group {
             Group::Encoding => "codes are made one way",
             Group::Fan => "quadrics are fitted in f64, whatever the precision of the mean",
             _ => "computed one way",
-        }
-    }
-
-    /// What it is about, in a line.
-    pub const fn about(self) -> &'static str {
-        match self {
-            Group::Magnitude => "coordinates from 1e-45 to 3e38, and mixed in one triangle",
-            Group::Offset => "triangles of size 1 far from the origin: arithmetic and storage apart",
-            Group::Needle => "faces much longer than high, and the sliver threshold",
-            Group::Degenerate => "exactly collinear and duplicate points",
-            Group::NonFinite => "positions that are infinite or not a number",
-            Group::Valence => "vertices of 3 to a million faces, and fans that nearly cancel",
-            Group::Fan => "opposite faces, folds, edges of three faces, tips of cones",
-            Group::Angle => "corners near 0 and 180 degrees",
-            Group::Crease => "dihedral angles exactly at the crease angle",
-            Group::Unit => "unit vectors of subnormal and of huge ones",
-            Group::Product => "differences of nearly equal products",
-            Group::Highlight => "powers of cosines up to a million, opposite and grazing light",
-            Group::Attenuation => "light very close to its source",
-            Group::Raster => {
-                "triangles 1e30 off the picture, behind the eye, of a million pixels, thinner than one"
-            }
-            Group::Encoding => "normals in few bits, at the poles and on the edges of the octahedron",
         }
     }
 }

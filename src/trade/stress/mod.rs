@@ -1,10 +1,10 @@
 //! The numerical extremes: a catalogue of cases, each with an expectation.
 //!
-//! A case computes something with this library at the end of what numbers can hold, and compares it with the truth: face
+//! A case computes something with this library at the limits of floating-point numbers and compares it with the truth: face
 //! normals with exact integers and a 256-bit root, everything else with the same formula in 256 bits. It states the bound
-//! that the error has to keep to and where the bound comes from, for [`Precision::Faithful`] and, where it concerns it, for
-//! [`Precision::Fast`]; where there is no such choice, as with light on a point, these are `f64` and `f32`. Beside it stands
-//! what the formula gives as it is usually written, in plain `f32`.
+//! of the error and its source, for [`Precision::Faithful`] and, where the case concerns it, for [`Precision::Fast`]. Where
+//! there is no such choice, as with light on a point, these are `f64` and `f32`. For comparison, each case also has the error
+//! of the formula as it is usually written, in plain `f32`.
 //!
 //! ```
 //! use crease::trade::stress::{Group, catalogue};
@@ -23,12 +23,43 @@
 
 // The groups of cases.
 mod group;
-// A case and its outcome.
+// A case and its result; texts.en.ftl has the words of all cases.
 mod case;
-// Cases about normals.
-mod normals;
-// Cases about lighting and drawing.
-mod pictures;
+// Reproducible random vectors and rotations.
+mod random;
+// The formulas as usually written, in f32.
+mod plain;
+// Products, unit vectors and corner angles.
+mod arithmetic;
+// Face normals against exact arithmetic.
+mod face_normals;
+// Vertex normals of fans against 256-bit arithmetic.
+mod fans;
+// Coordinates at the limits of f32, and far from the origin.
+mod magnitude;
+// Slivers and faces of zero area.
+mod degenerate;
+// Infinite and undefined positions.
+mod non_finite;
+// Many faces at one vertex, and faces that meet as in no smooth surface.
+mod fan_shapes;
+// Quadrics through rounded points of a cylinder.
+mod quadrics;
+// Dihedral angles equal to the crease angle.
+mod creases;
+// Normals in few bits.
+mod encodings;
+// One lit point against 256-bit arithmetic.
+mod lit_point;
+// Specular highlights, and light along or behind the surface.
+mod highlights;
+// Light close to its source.
+mod attenuation;
+// Which pixels a triangle covers.
+mod pixel_coverage;
+// Triangles that are hard to draw.
+mod triangles;
+
 pub use case::{Bound, Measured, StressCase, StressResult, Unit, Worst};
 pub use group::Group;
 
@@ -40,20 +71,20 @@ pub fn catalogue() -> Vec<StressCase> {
 /// The cases of one group.
 pub fn cases_of(group: Group) -> Vec<StressCase> {
     match group {
-        Group::Magnitude => normals::magnitude::cases(),
-        Group::Offset => normals::offset::cases(),
-        Group::Needle => normals::sliver::cases(),
-        Group::Degenerate => normals::degenerate::cases(),
-        Group::NonFinite => normals::non_finite::cases(),
-        Group::Valence => normals::valence::cases(),
-        Group::Fan => normals::fan::cases().into_iter().chain(normals::quadric::cases()).collect(),
-        Group::Angle => normals::angle::cases(),
-        Group::Crease => normals::crease::cases(),
-        Group::Unit => normals::unit::cases(),
-        Group::Product => normals::product::cases(),
-        Group::Highlight => pictures::highlight::cases(),
-        Group::Attenuation => pictures::attenuation::cases(),
-        Group::Raster => pictures::triangles::cases(),
-        Group::Encoding => normals::encoding::cases(),
+        Group::Magnitude => magnitude::magnitude_cases(),
+        Group::Offset => magnitude::offset_cases(),
+        Group::Needle => degenerate::sliver_cases(),
+        Group::Degenerate => degenerate::zero_area_cases(),
+        Group::NonFinite => non_finite::cases(),
+        Group::Valence => fan_shapes::valence_cases(),
+        Group::Fan => fan_shapes::fan_cases().into_iter().chain(quadrics::cases()).collect(),
+        Group::Angle => arithmetic::angle_cases(),
+        Group::Crease => creases::cases(),
+        Group::Unit => arithmetic::unit_vector_cases(),
+        Group::Product => arithmetic::product_cases(),
+        Group::Highlight => highlights::cases(),
+        Group::Attenuation => attenuation::cases(),
+        Group::Raster => triangles::cases(),
+        Group::Encoding => encodings::cases(),
     }
 }

@@ -48,7 +48,7 @@ fn the_page_of_a_fault_is_whole() {
         assert!(distinct.contains(finding.kind.id()), "{}", finding.kind.id());
     }
     assert!(page.contains(&Kind::Flipped.entry().meaning()));
-    assert!(page.contains("crease normals &#39;a &lt;torus&gt;.obj&#39; -o mended.obj --when broken"));
+    assert!(page.contains("crease normals 'a &lt;torus&gt;.obj' -o mended.obj --when broken"));
 }
 
 /// How many pixels of a picture, above the legend, have such a colour.

@@ -1,0 +1,198 @@
+//! Faces of little or no area: slivers, the sliver threshold, collinear and duplicate points.
+
+use super::case::{Bound, Measured, StressCase, Unit, Worst};
+use super::face_normals::{self, FAST, Triangle};
+use super::fans::{self, Fan};
+use super::group::Group;
+use super::plain;
+use super::random::vector;
+use crate::normals::{FaultReason, Scratch, Slivers, Weight, face_normals};
+use crate::num::numbers::Numbers;
+use crate::trade::exact;
+use glam::{DVec3, Vec3};
+
+/// Height over length.
+const THINNESS: [f64; 8] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-12];
+const TRIANGLES: usize = 300;
+/// The spacing of `f32` numbers near 1.
+const SPACING: f32 = f32::EPSILON;
+/// The bounds of a vertex normal that degenerate faces must not change.
+const UNCHANGED: (Bound, Option<Bound>) = (Bound::new(3e-6, Unit::Degrees, "unchanged-bound"), Some(FAST));
+
+pub(super) fn sliver_cases() -> Vec<StressCase> {
+    let slivers = THINNESS.map(|thinness| {
+        let name = format!("height/length {thinness:.0e}");
+        face_normals::case(Group::Needle, "slivers", name, move || thin_triangles(thinness))
+    });
+    let bound = Bound::none_wrong("sliver-threshold-bound");
+    let bounds = (bound, Some(bound));
+    let others = [
+        StressCase::new(Group::Needle, "sliver-threshold", "sliver threshold", bounds, measure_threshold),
+        StressCase::new(
+            Group::Needle,
+            "next-to-sliver",
+            "vertex beside a sliver",
+            UNCHANGED,
+            measure_neighbour,
+        ),
+    ];
+    slivers.into_iter().chain(others).collect()
+}
+
+/// Long sides in any direction; one half with a corner at the origin, where numbers are finest.
+fn thin_triangles(thinness: f64) -> Vec<Triangle> {
+    let mut numbers = Numbers::new(4);
+    let triangle = |i: usize| {
+        let along = vector(&mut numbers).normalize();
+        let across = along.cross(vector(&mut numbers)).normalize();
+        let start = if i.is_multiple_of(2) { DVec3::ZERO } else { vector(&mut numbers) };
+        let apex = along * numbers.unit() + across * thinness;
+        [start, start + along, start + apex].map(|corner| corner.as_vec3())
+    };
+    (0..TRIANGLES).map(triangle).collect()
+}
+
+/// Heights of 1 to 8 spacings over a base from 1 to 1.75, along each pair of axes, at three sizes.
+fn measure_threshold() -> Measured {
+    let (mut samples, mut declined, mut wrong) = (0, 0, [0; 3]);
+    for spacings in 1..=8_u8 {
+        for axis in 0..3 {
+            let point = |along: f32, up: f32| {
+                let mut point = [0.0; 3];
+                (point[axis], point[(axis + 1) % 3]) = (along, up);
+                point
+            };
+            for size in [1_048_576.0, 1.0, 1.0 / 1_048_576.0] {
+                let height = f32::from(spacings) * SPACING;
+                let corners = [point(1.0, 0.0), point(1.75, 0.0), point(1.25, height)];
+                let corners = corners.map(|corner| corner.map(|x| x * size));
+                let faults = face_normals(&corners, &[[0, 1, 2]], &mut Scratch::new(), &mut [[0.0; 3]]);
+                let faults = faults.expect("slices of matching lengths").faces;
+                let [a, b, c] = corners.map(Vec3::from);
+                let fast = face_normals::fast(&[a, b, c]);
+                let is_sliver = [
+                    faults.iter().any(|fault| fault.reason == FaultReason::BelowStorage),
+                    fast.fault == Some(FaultReason::BelowStorage),
+                    (b - a).cross(c - a).length() < 1e-6,
+                ];
+                samples += 1;
+                declined += usize::from(fast.declined);
+                for (wrong, is_sliver) in wrong.iter_mut().zip(is_sliver) {
+                    *wrong += usize::from(is_sliver != (spacings < 4));
+                }
+            }
+        }
+    }
+    let [faithful, fast, plain] = wrong;
+    Measured { fast: Some(Worst::wrong(fast)), declined, ..Measured::wrong(samples, faithful, plain) }
+}
+
+/// A sliver, whose direction is rounding, must not change the normal of a vertex.
+fn measure_neighbour() -> Measured {
+    const FANS: usize = 50;
+    let mut numbers = Numbers::new(5);
+    let mut declined = 0;
+    let errors = [0; FANS].map(|_| {
+        let mut fan = Fan::cone(6, 0.3);
+        let truth = fan.true_normal(Weight::Uniform);
+        // Half way to the rim, but for a spacing.
+        let [a, _] = fan.triangles[numbers.below(6)];
+        let off = vector(&mut numbers).as_vec3() * SPACING;
+        fan.triangles.push([a, fan.centre + (a - fan.centre) * 0.5 + off]);
+        let (positions, indices) = (fan.positions(), fan.indices());
+        let faithful = fans::faithful(&positions, &indices, Weight::Uniform, Slivers::Exclude)[0];
+        let mesh = face_normals::indexed(&positions, &indices);
+        let fast = fans::fast(&mesh, Weight::Uniform, Slivers::Exclude);
+        declined += usize::from(fast.summary.fast_declined);
+        let plain = plain::direction(plain::vertex_normal(fan.centre, &fan.triangles, Weight::Uniform));
+        [faithful, fast.normals.values[0], plain].map(|normal| exact::degrees_to(normal, &truth))
+    });
+    Measured { declined, ..Measured::triples(errors) }
+}
+
+pub(super) fn zero_area_cases() -> Vec<StressCase> {
+    vec![
+        reported_case("collinear", "exactly collinear", collinear_points),
+        reported_case("duplicate", "duplicate points", duplicate_points),
+        reported_case("far-collinear", "collinear far away", far_collinear_points),
+        face_normals::case(Group::Degenerate, "off-line", "one spacing off a line", || {
+            sample(off_line_points)
+        }),
+        StressCase::new(
+            Group::Degenerate,
+            "next-to-zero-area",
+            "vertex beside faces of no area",
+            UNCHANGED,
+            || {
+                let mut fan = Fan::cone(6, 0.3);
+                let (centre, [a, b]) = (fan.centre, fan.triangles[0]);
+                fan.triangles.extend([[a, a], [centre, b], [centre, centre]]);
+                fans::measure(&[fan], &fans::WEIGHTS)
+            },
+        ),
+    ]
+}
+
+/// Every triangle has zero area, which exact arithmetic confirms, and has to be reported.
+fn reported_case(texts: &'static str, name: &str, triangle: fn(&mut Numbers) -> Triangle) -> StressCase {
+    let bound = Bound::none_wrong("zero-area-bound");
+    StressCase::new(Group::Degenerate, texts, name, (bound, Some(bound)), move || {
+        let triangles = sample(triangle);
+        let is_unit = |normal: [f32; 3]| (Vec3::from(normal).length() - 1.0).abs() < 1e-6;
+        let results = face_normals::faithful(&triangles);
+        let wrong = triangles.iter().zip(results).filter(|(corners, (normal, is_degenerate))| {
+            let truth = exact::degenerate(&corners.map(|corner| corner.as_dvec3()));
+            *is_degenerate != truth || !truth || !is_unit(*normal)
+        });
+        let fast: Vec<_> = triangles.iter().map(face_normals::fast).collect();
+        let missed = fast.iter().filter(|fast| {
+            fast.fault != Some(FaultReason::ZeroArea) || !is_unit(fast.normal.as_vec3().to_array())
+        });
+        let undefined =
+            triangles.iter().filter(|triangle| face_normals::plain_direction(triangle).is_nan()).count();
+        Measured {
+            samples: triangles.len(),
+            faithful: Worst::wrong(wrong.count()),
+            fast: Some(Worst::wrong(missed.count())),
+            declined: fast.iter().filter(|fast| fast.declined).count(),
+            plain: Some(Worst { error: (triangles.len() - undefined) as f64, undefined }),
+        }
+    })
+}
+
+fn sample(triangle: impl Fn(&mut Numbers) -> Triangle) -> Vec<Triangle> {
+    let mut numbers = Numbers::new(6);
+    (0..TRIANGLES).map(|_| triangle(&mut numbers)).collect()
+}
+
+/// A vector of whole numbers up to a limit, not zero.
+fn whole(numbers: &mut Numbers, limit: usize) -> Vec3 {
+    let mut one = || numbers.below(2 * limit + 1) as f32 - limit as f32;
+    let v = Vec3::new(one(), one(), one());
+    if v == Vec3::ZERO { Vec3::X } else { v }
+}
+
+fn collinear_points(numbers: &mut Numbers) -> Triangle {
+    let (start, along) = (whole(numbers, 1000), whole(numbers, 1000));
+    let size = libm::ldexpf(1.0, numbers.below(40) as i32 - 20);
+    [0.0, 1.0, 2.0 + numbers.below(9) as f32].map(|times| (start + along * times) * size)
+}
+
+fn far_collinear_points(numbers: &mut Numbers) -> Triangle {
+    let (start, along) = (whole(numbers, 1_000_000), whole(numbers, 100));
+    [0.0, 1.0, 2.0 + numbers.below(90) as f32].map(|times| start + along * times)
+}
+
+fn duplicate_points(numbers: &mut Numbers) -> Triangle {
+    let [a, b] = [0; 2].map(|_| Vec3::from_array([0; 3].map(|_| numbers.spread(30) as f32)));
+    [[a, a, b], [a, b, a], [b, a, a], [a, a, a]][numbers.below(4)]
+}
+
+/// Collinear points, one moved off the line by one spacing.
+fn off_line_points(numbers: &mut Numbers) -> Triangle {
+    let mut corners = collinear_points(numbers);
+    let axis = numbers.below(3);
+    let x = &mut corners[2][axis];
+    *x = if numbers.below(2) == 0 { x.next_up() } else { x.next_down() };
+    corners
+}
