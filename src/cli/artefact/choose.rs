@@ -1,7 +1,7 @@
 //! Which experiments are meant, and whether what was typed suits them.
 
 use super::args::{ALL, ArtefactArgs, LIST};
-use crease::artefact::{ArtefactError, Changes, EXPERIMENTS, Experiment, Knob, experiment};
+use crease::artefact::{ArtefactError, Changes, EXPERIMENTS, Experiment, ParameterName, experiment};
 use std::path::Path;
 
 /// The experiments that are meant.
@@ -24,9 +24,9 @@ pub fn chosen(args: &ArtefactArgs) -> Result<Chosen, String> {
 }
 
 /// What was given.
-fn given(args: &ArtefactArgs) -> impl Iterator<Item = Knob> {
-    let mesh = args.own.mesh.is_some().then_some(Knob::Mesh);
-    args.parameters.changes().knobs().chain(mesh)
+fn given(args: &ArtefactArgs) -> impl Iterator<Item = ParameterName> {
+    let mesh = args.own.mesh.is_some().then_some(ParameterName::Mesh);
+    args.parameters.changes().names().chain(mesh)
 }
 
 fn accept(experiment: &Experiment, changes: &Changes) -> Result<(), ArtefactError> {

@@ -18,7 +18,7 @@ use super::{Exit, usage_error, use_threads};
 use args::LIST;
 use choose::{Chosen, chosen};
 use crease::artefact::{
-    ArtefactError, Changes, EXPERIMENTS, Experiment, Knob, Language, Outcome, Setup, UserMesh,
+    ArtefactError, Changes, EXPERIMENTS, Experiment, Language, Outcome, ParameterName, Setup, UserMesh,
 };
 use crease::io::{self, Limits, Loaded, ReadError, ReadOptions, shell_word};
 use crease::mesh::{Faces, Mesh, MeshBuilder};
@@ -79,13 +79,13 @@ fn list(args: &ArtefactArgs, console: &Console) {
 }
 
 /// The options that were typed, of those that change what is drawn and measured.
-fn typed(args: &ArtefactArgs) -> impl Iterator<Item = Knob> {
+fn typed(args: &ArtefactArgs) -> impl Iterator<Item = ParameterName> {
     let changes = args.parameters.changes();
     let has_mesh = args.own.mesh.is_some();
-    Knob::ALL.into_iter().filter(move |&knob| match knob {
-        Knob::Mesh => has_mesh,
+    ParameterName::ALL.into_iter().filter(move |&knob| match knob {
+        ParameterName::Mesh => has_mesh,
         // Reported beside.
-        Knob::Interpolation => false,
+        ParameterName::Interpolation => false,
         _ => changes.only(&[knob]) != Changes::default(),
     })
 }
@@ -154,7 +154,7 @@ fn work(
         let start = Instant::now();
         let setup = Setup {
             parameters: changes.only(experiment.takes).apply(experiment.defaults),
-            mesh: own.filter(|_| experiment.takes.contains(&Knob::Mesh)),
+            mesh: own.filter(|_| experiment.takes.contains(&ParameterName::Mesh)),
         };
         let outcome =
             experiment.run(&setup).map_err(|error| Failure::Draw(format!("{}: {error}", experiment.id)))?;
@@ -200,7 +200,10 @@ fn tell(run: &Run, files: Vec<String>, agrees: bool, args: &ArtefactArgs, consol
             outcome: Some(outcome),
             command: Some(animated(experiment.command(setup, language), args)),
             files,
-            unheeded: typed(args).filter(|knob| !experiment.takes.contains(knob)).map(Knob::name).collect(),
+            unheeded: typed(args)
+                .filter(|knob| !experiment.takes.contains(knob))
+                .map(ParameterName::name)
+                .collect(),
             seconds: Some(*seconds),
             ..Report::new(experiment, setup)
         };

@@ -32,7 +32,7 @@
 
 use super::super::report::ErrorReport;
 use crate::cli::render::INTERPOLATIONS;
-use crease::artefact::{Experiment, Formula, Knob, Outcome, Setup, Taken, Text};
+use crease::artefact::{Experiment, Formula, Outcome, ParameterName, ParameterValues, Setup, Text};
 use crease::normals::Weight;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -49,7 +49,7 @@ pub struct Report<'a> {
     pub claim: Text,
     pub sources: Vec<Text>,
     pub formulas: Vec<Formula>,
-    pub takes: &'static [Knob],
+    pub takes: &'static [ParameterName],
     pub ranges: BTreeMap<&'static str, Range>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub own_mesh: Option<Text>,
@@ -57,7 +57,7 @@ pub struct Report<'a> {
     pub mesh: Option<&'a str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub finer: Option<&'a str>,
-    pub parameters: Taken<'a>,
+    pub parameters: ParameterValues<'a>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unheeded: Vec<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -79,10 +79,12 @@ pub enum Range {
 }
 
 impl Range {
-    fn of(experiment: &Experiment, knob: Knob) -> Option<Self> {
+    fn of(experiment: &Experiment, knob: ParameterName) -> Option<Self> {
         match knob {
-            Knob::Weight => Some(Range::Names(Weight::ALL.map(Weight::name).to_vec())),
-            Knob::Interpolation => Some(Range::Names(INTERPOLATIONS.iter().map(|choice| choice.0).collect())),
+            ParameterName::Weight => Some(Range::Names(Weight::ALL.map(Weight::name).to_vec())),
+            ParameterName::Interpolation => {
+                Some(Range::Names(INTERPOLATIONS.iter().map(|choice| choice.0).collect()))
+            }
             _ => experiment.range(knob).map(|range| Range::Numbers([*range.start(), *range.end()])),
         }
     }
@@ -107,7 +109,7 @@ impl<'a> Report<'a> {
             own_mesh: experiment.own_mesh(),
             mesh: setup.mesh.map(|own| own.name),
             finer: setup.mesh.and_then(|own| own.finer).map(|(name, _)| name),
-            parameters: Taken { knobs: experiment.takes, parameters: &setup.parameters },
+            parameters: ParameterValues { names: experiment.takes, parameters: &setup.parameters },
             unheeded: Vec::new(),
             outcome: None,
             command: None,
