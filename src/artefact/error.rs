@@ -1,6 +1,6 @@
-//! Why an experiment gives nothing.
+//! The errors of experiments.
 
-use super::Knob;
+use super::parameter_name::ParameterName;
 use crate::mesh::MeshError;
 use crate::metric::MetricError;
 use crate::raster::RenderError;
@@ -8,57 +8,57 @@ use crate::surface::SurfaceError;
 use crate::text::given;
 use std::ops::RangeInclusive;
 
-/// Why there is no outcome.
+/// An error of an experiment.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ArtefactError {
     /// There is no such experiment.
     #[error("there is no experiment `{found}`; `crease artefact list` names them all{}",
         .nearest.map(|id| format!(" (did you mean `{id}`?)")).unwrap_or_default())]
     Unknown {
-        /// What was asked for.
+        /// The id that was given.
         found: String,
-        /// The id that is most like it.
+        /// The most similar id.
         nearest: Option<&'static str>,
     },
     /// A parameter that the experiment does not have.
-    #[error("the experiment `{experiment}` has no {}; it takes {takes}", .knob.name())]
+    #[error("the experiment `{experiment}` has no {}; it takes {takes}", .name.name())]
     NotTaken {
         /// The experiment.
         experiment: &'static str,
-        /// What was given.
-        knob: Knob,
-        /// What could be.
+        /// The parameter.
+        name: ParameterName,
+        /// The parameters that it has.
         takes: String,
     },
     /// A parameter out of its range.
-    #[error("--{} is {}; {expected}", .knob.name(), given(*.found))]
+    #[error("--{} is {}; {expected}", .name.name(), given(*.found))]
     Range {
-        /// Which.
-        knob: Knob,
-        /// What was given.
+        /// The parameter.
+        name: ParameterName,
+        /// The value that was given.
         found: f64,
-        /// What would do.
+        /// The values that are valid.
         expected: &'static str,
     },
-    /// Segments too few or too many for an experiment to make sense.
+    /// A number of segments outside the range of the experiment.
     #[error("--segments is {found}; the experiment `{experiment}` takes {} to {}", .range.start(), .range.end())]
     Segments {
         /// The experiment.
         experiment: &'static str,
-        /// What was given.
+        /// The value that was given.
         found: u32,
-        /// What would do.
+        /// The values that are valid.
         range: RangeInclusive<u32>,
     },
     /// A mesh that does not suit the experiment.
     #[error("{found}; {advice}")]
     Mesh {
-        /// What it is like.
+        /// What is wrong with it.
         found: String,
         /// What to do.
         advice: &'static str,
     },
-    /// Nothing that moves.
+    /// An experiment without an animation.
     #[error("the experiment `{0}` has no animation; these do: {1}")]
     Still(&'static str, String),
     /// A picture cannot be drawn.

@@ -1,9 +1,13 @@
 //! What an experiment is.
 
-use super::{ArtefactError, Knob, Language, Outcome, Parameters, Role, Setup, Text, Verdict};
+use super::error::ArtefactError;
+use super::outcome::{Outcome, Verdict};
+use super::parameter_name::ParameterName;
+use super::parameters::{Parameters, Setup};
+use super::shot::Role;
 use crate::io::shell_word;
 use crate::raster::Image;
-use crate::text::Catalogue;
+use crate::text::{Catalogue, Language, Text};
 use serde::Serialize;
 use std::ops::RangeInclusive;
 
@@ -13,12 +17,12 @@ pub struct Experiment {
     /// Its name: lower-case letters, digits and hyphens. It does not change between versions.
     pub id: &'static str,
     /// Its texts: `title`, `claim`, `source-N` (section or exercise of the lectures, papers), `formula-N` with `formula-N-says`
-    /// (closed forms, of its own shapes), `own-mesh` (what a user's mesh is examined for, if it takes [`Knob::Mesh`]) and
+    /// (closed forms, of its own shapes), `own-mesh` (what a user's mesh is examined for, if it takes [`ParameterName::Mesh`]) and
     /// `shown-by` (what would show the artefact where the parameters hide it: the end of a sentence).
     pub(super) texts: &'static Catalogue,
     /// What may be changed about it.
-    pub takes: &'static [Knob],
-    /// How many segments it makes sense with, if it takes [`Knob::Segments`].
+    pub takes: &'static [ParameterName],
+    /// How many segments it makes sense with, if it takes [`ParameterName::Segments`].
     pub segments: RangeInclusive<u32>,
     /// Its own settings.
     pub defaults: Parameters,
@@ -60,7 +64,7 @@ impl Experiment {
 
     /// What a user's mesh is examined for; `None` if it takes none.
     pub fn own_mesh(&self) -> Option<Text> {
-        self.takes.contains(&Knob::Mesh).then(|| self.texts.get("own-mesh"))
+        self.takes.contains(&ParameterName::Mesh).then(|| self.texts.get("own-mesh"))
     }
 
     /// Runs the experiment.
@@ -77,7 +81,7 @@ impl Experiment {
         let shows = |roles: &[Role]| outcome.shots.iter().any(|shot| roles.contains(&shot.role));
         // A cure of which no picture shows anything is none that is seen.
         let is_shown = shows(&[Role::Bad]) && shows(&[Role::Cured, Role::Attempt]);
-        let is_tested = outcome.moved.is_present() && is_shown;
+        let is_tested = outcome.effect.is_present() && is_shown;
         if !is_tested && !matches!(outcome.verdict, Verdict::Absent(_)) {
             outcome.verdict = Verdict::Absent(self.texts.get("shown-by"));
         }
@@ -99,32 +103,6 @@ impl Experiment {
         self.frame.is_some()
     }
 
-    /// Draws one frame, counted from 0, of an animation of so many.
-    ///
-    /// # Errors
-    /// As [`run`](Self::run), and if it has no animation.
-    pub fn frame(&self, setup: &Setup, number: u32, count: u32) -> Result<Image, ArtefactError> {
-        self.check(setup)?;
-        self.moves()?(setup, number, count)
-    }
-
-    /// Refuses to be animated if nothing in it moves.
-    ///
-    /// # Errors
-    /// [`ArtefactError::Still`], with the names of those that have an animation.
-    pub fn refuse_still(&self) -> Result<(), ArtefactError> {
-        self.moves().map(|_| ())
-    }
-
-    /// How it draws a frame.
-    fn moves(&self) -> Result<FrameFn, ArtefactError> {
-        self.frame.ok_or_else(|| {
-            let animated = super::EXPERIMENTS.iter().filter(|other| other.is_animated());
-            let names: Vec<&str> = animated.map(|other| other.id).collect();
-            ArtefactError::Still(self.id, names.join(", "))
-        })
-    }
-
     /// The command that does the same run and writes its pictures, with pages in this language. File names are quoted for a
     /// POSIX shell.
     pub fn command(&self, setup: &Setup, language: Language) -> String {
@@ -135,10 +113,10 @@ impl Experiment {
                 command.push_str(&format!(" --finer {}", shell_word(finer)));
             }
         }
-        for &knob in self.takes {
-            let [own, usual] = [&setup.parameters, &self.defaults].map(|parameters| parameters.value(knob));
+        for &name in self.takes {
+            let [own, usual] = [&setup.parameters, &self.defaults].map(|parameters| parameters.value(name));
             if let Some(own) = own.filter(|own| Some(own) != usual.as_ref()) {
-                command.push_str(&format!(" --{} {own}", knob.name()));
+                command.push_str(&format!(" --{} {own}", name.name()));
             }
         }
         if language != Language::default() {
@@ -147,10 +125,10 @@ impl Experiment {
         command + " -o out"
     }
 
-    fn check(&self, setup: &Setup) -> Result<(), ArtefactError> {
+    pub(super) fn check(&self, setup: &Setup) -> Result<(), ArtefactError> {
         self.accept(&setup.parameters)?;
         match setup.mesh {
-            Some(_) => self.refuse([Knob::Mesh]),
+            Some(_) => self.refuse([ParameterName::Mesh]),
             None => Ok(()),
         }
     }
@@ -172,11 +150,13 @@ impl Experiment {
     }
 
     /// The least and the most of a number that it takes; `None` for what is no number, and for what it does not take.
-    pub fn range(&self, knob: Knob) -> Option<RangeInclusive<f64>> {
-        match knob {
-            _ if !self.takes.contains(&knob) => None,
-            Knob::Segments => Some(f64::from(*self.segments.start())..=f64::from(*self.segments.end())),
-            _ => knob.range(),
+    pub fn range(&self, name: ParameterName) -> Option<RangeInclusive<f64>> {
+        match name {
+            _ if !self.takes.contains(&name) => None,
+            ParameterName::Segments => {
+                Some(f64::from(*self.segments.start())..=f64::from(*self.segments.end()))
+            }
+            _ => name.range(),
         }
     }
 
@@ -184,12 +164,12 @@ impl Experiment {
     ///
     /// # Errors
     /// [`ArtefactError::NotTaken`].
-    pub fn refuse(&self, given: impl IntoIterator<Item = Knob>) -> Result<(), ArtefactError> {
-        match given.into_iter().find(|knob| !self.takes.contains(knob)) {
+    pub fn refuse(&self, given: impl IntoIterator<Item = ParameterName>) -> Result<(), ArtefactError> {
+        match given.into_iter().find(|name| !self.takes.contains(name)) {
             None => Ok(()),
-            Some(knob) => {
-                let takes: Vec<String> = self.takes.iter().map(|knob| format!("--{}", knob.name())).collect();
-                Err(ArtefactError::NotTaken { experiment: self.id, knob, takes: takes.join(", ") })
+            Some(name) => {
+                let takes: Vec<String> = self.takes.iter().map(|name| format!("--{}", name.name())).collect();
+                Err(ArtefactError::NotTaken { experiment: self.id, name, takes: takes.join(", ") })
             }
         }
     }

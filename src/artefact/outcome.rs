@@ -1,7 +1,8 @@
 //! What an experiment finds: data and linear pictures, no markup.
 
-use super::{Moved, Text, Threshold};
-use crate::raster::Image;
+use super::effect::Effect;
+use super::shot::{Role, Shot};
+use crate::text::Text;
 use serde::{Serialize, Serializer};
 
 /// Everything that came of a run.
@@ -9,8 +10,9 @@ use serde::{Serialize, Serializer};
 pub struct Outcome {
     /// Whether the claim holds here.
     pub verdict: Verdict,
-    /// The number that the cure moves.
-    pub moved: Moved,
+    /// The number that the cure changes.
+    #[serde(rename = "moved")]
+    pub effect: Effect,
     /// All numbers.
     pub measures: Vec<Measure>,
     /// Pictures: the artefact, its cure, the difference.
@@ -47,13 +49,17 @@ impl Outcome {
         for measure in &self.measures {
             assert_ne!(measure.agrees(), Some(false), "{measure:?}");
         }
-        assert!(self.moved.is_present(), "{:?}", self.moved);
-        assert!(self.moved.reduction() >= self.moved.factor && self.moved.factor > 1.0, "{:?}", self.moved);
+        assert!(self.effect.is_present(), "{:?}", self.effect);
+        assert!(
+            self.effect.reduction() >= self.effect.factor && self.effect.factor > 1.0,
+            "{:?}",
+            self.effect
+        );
     }
 
     /// The measure whose English name starts like this.
     pub(super) fn measured(&self, name: &str) -> f64 {
-        let named = |measure: &&Measure| measure.name.get(super::Language::English).starts_with(name);
+        let named = |measure: &&Measure| measure.name.get(crate::text::Language::English).starts_with(name);
         self.measures.iter().find(named).unwrap_or_else(|| panic!("no measure {name}")).value
     }
 }
@@ -68,7 +74,7 @@ pub enum Verdict {
     HoldsOnlyIf(Text),
     /// Not here, for this reason.
     Fails(Text),
-    /// It is not put to the test: with these parameters nothing of its artefact is seen ([`Moved::is_present`]). These would
+    /// It is not put to the test: with these parameters nothing of its artefact is seen ([`Effect::is_present`]). These would
     /// show it.
     Absent(Text),
 }
@@ -139,31 +145,6 @@ impl Range {
 }
 
 impl Measure {
-    /// A number that nothing is known about beforehand.
-    pub fn new(name: Text, unit: &'static str, value: f64) -> Self {
-        Self { name, unit, value, expected: None, beyond: None }
-    }
-
-    /// With what it should be.
-    #[must_use]
-    pub fn expect(self, value: f64, tolerance: f64, by: Text) -> Self {
-        let range = Range::Near { value, tolerance };
-        Self { expected: Some(Expected { range, by }), ..self }
-    }
-
-    /// With a bound that it must not exceed, nor be negative.
-    #[must_use]
-    pub fn at_most(self, at_most: f64, by: Text) -> Self {
-        let range = Range::AtMost { at_most };
-        Self { expected: Some(Expected { range, by }), ..self }
-    }
-
-    /// With the reason why no law covers it under these parameters.
-    #[must_use]
-    pub fn beyond(self, why: Text) -> Self {
-        Self { beyond: Some(why), ..self }
-    }
-
     /// Whether it is what it should be; `None` where nothing is known.
     pub fn agrees(&self) -> Option<bool> {
         Some(self.expected.as_ref()?.range.contains(self.value))
@@ -190,80 +171,6 @@ impl Serialize for Measure {
     }
 }
 
-/// What a picture shows. It follows from what was measured in it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Role {
-    /// The artefact.
-    Bad,
-    /// The same without, or with little of it.
-    Cured,
-    /// A cure that does too little.
-    Attempt,
-    /// Nothing of the artefact: with these parameters it is not there, and there is nothing to cure.
-    Absent,
-    /// What lies between two pictures, or a map of an error.
-    Difference,
-    /// The surface itself.
-    Truth,
-    /// What there is to see where the artefact is so faint that maps beside it have to show it.
-    Seen,
-}
-
-/// How much of the artefact a picture has, and from what size on it is seen.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Amount {
-    /// What it measures.
-    pub name: Text,
-    /// Its unit; empty for none.
-    pub unit: &'static str,
-    /// What was found.
-    pub value: f64,
-    /// From what size on it is seen.
-    pub present: Threshold,
-}
-
-/// A picture.
-#[derive(Clone, Debug, Serialize)]
-pub struct Shot {
-    /// Its name within the experiment: lower-case letters, digits and hyphens.
-    pub name: &'static str,
-    /// What it shows.
-    pub role: Role,
-    /// What stands below it, in a few words.
-    pub label: Text,
-    /// What there is to see in it, in a sentence: also for those who cannot see it.
-    pub caption: Text,
-    /// What its role follows from; none of differences and of the surface itself.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub measured: Option<Amount>,
-    /// The picture, with its linear samples.
-    #[serde(rename = "size", serialize_with = "size")]
-    pub image: Image,
-}
-
-impl Shot {
-    /// What lies between two pictures.
-    pub(super) fn difference(name: &'static str, label: Text, caption: Text, image: Image) -> Self {
-        Self { name, role: Role::Difference, label, caption, measured: None, image }
-    }
-
-    /// What maps of an artefact are of.
-    pub(super) fn seen(name: &'static str, label: Text, caption: Text, image: Image) -> Self {
-        Self { name, role: Role::Seen, label, caption, measured: None, image }
-    }
-
-    /// The surface itself.
-    pub(super) fn truth(name: &'static str, label: Text, caption: Text, image: Image) -> Self {
-        Self { name, role: Role::Truth, label, caption, measured: None, image }
-    }
-}
-
-/// A picture as its size.
-fn size<S: Serializer>(image: &Image, serializer: S) -> Result<S::Ok, S::Error> {
-    image.size.serialize(serializer)
-}
-
 /// Curves over common axes.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Chart {
@@ -288,18 +195,6 @@ pub struct Scale {
     pub label: Text,
     /// Whether powers of ten are equally far apart.
     pub logarithmic: bool,
-}
-
-impl Scale {
-    /// An even one.
-    pub fn linear(label: Text) -> Self {
-        Self { label, logarithmic: false }
-    }
-
-    /// One of powers of ten.
-    pub fn log(label: Text) -> Self {
-        Self { label, logarithmic: true }
-    }
 }
 
 /// Points that belong together.
@@ -333,15 +228,23 @@ mod tests {
 
     #[test]
     fn bounds_have_one_side_and_closed_forms_two() {
-        let measure = |value| Measure::new(Text::same("x"), "", value);
+        let measure = |value, range: Option<Range>| Measure {
+            name: Text::same("x"),
+            unit: "",
+            value,
+            expected: range.map(|range| Expected { range, by: Text::same("y") }),
+            beyond: None,
+        };
+        let near = Some(Range::Near { value: 1.0, tolerance: 0.5 });
+        let bound = Some(Range::AtMost { at_most: 1.0 });
         for (measure, agrees) in [
-            (measure(1.5).expect(1.0, 0.5, Text::same("y")), true),
-            (measure(0.4).expect(1.0, 0.5, Text::same("y")), false),
-            (measure(0.0).at_most(1.0, Text::same("y")), true),
-            (measure(1.0).at_most(1.0, Text::same("y")), true),
-            (measure(1.1).at_most(1.0, Text::same("y")), false),
-            (measure(-0.1).at_most(1.0, Text::same("y")), false),
-            (measure(f64::NAN).at_most(1.0, Text::same("y")), false),
+            (measure(1.5, near), true),
+            (measure(0.4, near), false),
+            (measure(0.0, bound), true),
+            (measure(1.0, bound), true),
+            (measure(1.1, bound), false),
+            (measure(-0.1, bound), false),
+            (measure(f64::NAN, bound), false),
         ] {
             assert_eq!(measure.agrees(), Some(agrees), "{measure:?}");
             let json = serde_json::to_value(&measure).unwrap();
@@ -349,7 +252,7 @@ mod tests {
             let has = |member: &str| !json["expected"][member].is_null();
             assert_ne!(has("value") && has("tolerance"), has("at_most"), "{json}");
         }
-        let json = serde_json::to_value(measure(1.0)).unwrap();
+        let json = serde_json::to_value(measure(1.0, None)).unwrap();
         assert_eq!(json.as_object().unwrap().len(), 3, "{json}");
     }
 
@@ -357,18 +260,22 @@ mod tests {
     fn a_series_begins_with_an_artefact_after_a_cure() {
         use Role::{Absent, Attempt, Bad, Cured, Difference, Truth};
         let lengths = |roles: &[Role]| -> Vec<usize> {
-            let image = crate::artefact::stage::picture([1, 1], vec![[0.0; 3]], vec![1]);
+            let image = crate::artefact::drawing::picture([1, 1], vec![[0.0; 3]], vec![1]);
             let shot = |&role: &Role| Shot {
+                name: "x",
                 role,
-                ..Shot::truth("x", Text::same("x"), Text::same("y"), image.clone())
+                label: Text::same("x"),
+                caption: Text::same("y"),
+                measured: None,
+                image: image.clone(),
             };
             let outcome = Outcome {
                 verdict: Verdict::Holds(Text::same("z")),
-                moved: Moved {
+                effect: Effect {
                     name: Text::same("x"),
                     unit: "",
                     bad: 1.0,
-                    present: Threshold::HALF_PIXEL,
+                    present: crate::artefact::Threshold::half_pixel(),
                     cure: Text::same("y"),
                     cured: 0.0,
                     factor: 2.0,

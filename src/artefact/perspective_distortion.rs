@@ -1,16 +1,19 @@
 //! Interpolation on the picture against interpolation in the scene.
 
-use super::stage::{draw, linear, map, picture, settings};
-use super::{
-    ArtefactError, Chart, Curve, Drawn, Experiment, Knob, Language, Measure, Moved, Outcome, Parameters,
-    Scale, Setup, Shot, Text, Threshold, Verdict,
-};
+use super::drawing::{draw, linear, map, picture, settings, smooth};
+use super::effect::{Effect, Threshold};
+use super::error::ArtefactError;
+use super::experiment::Experiment;
+use super::outcome::{Drawn, Outcome, Verdict};
+use super::parameter_name::ParameterName;
+use super::parameters::{Parameters, Setup};
+use super::recorder::{Axis, Check, Recorder};
 use crate::mesh::{Faces, Mesh, MeshBuilder};
 use crate::normals::Weight;
 use crate::num::LinearRgb;
 use crate::raster::{Camera, Image, Interpolation, Object, Paint, Projection, Shading, Shape};
 use crate::shade::Material;
-use crate::text::{Catalogue, catalogue};
+use crate::text::{Catalogue, Value, catalogue};
 use glam::DVec3;
 
 static TEXTS: Catalogue = catalogue!("perspective_distortion");
@@ -18,7 +21,7 @@ static TEXTS: Catalogue = catalogue!("perspective_distortion");
 pub(super) static EXPERIMENT: Experiment = Experiment {
     id: "perspective-distortion",
     texts: &TEXTS,
-    takes: &[Knob::Size, Knob::Segments],
+    takes: &[ParameterName::Size, ParameterName::Segments],
     segments: Parameters::SEGMENTS,
     // As many as it takes for half a step of 8 bits.
     defaults: Parameters { segments: 20, ..Parameters::USUAL },
@@ -28,6 +31,8 @@ pub(super) static EXPERIMENT: Experiment = Experiment {
 
 /// The depth ratio of the pictures.
 const RATIO: f64 = 4.0;
+/// Full scale of the maps of errors, in lengths of the wall.
+const FULL: f64 = 0.35;
 /// Those of the plot.
 const RATIOS: [f64; 6] = [1.1, 1.5, 2.0, 4.0, 6.0, 10.0];
 /// Squares of the board along each side: of a wall in nine pieces or a multiple of that ten, for corners of pieces are right, and
@@ -40,76 +45,64 @@ const REACH: f64 = 0.9;
 
 fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let Parameters { size, segments, .. } = setup.parameters;
+    let error = |pieces, interpolation| Wall::new(RATIO, pieces)?.error(interpolation);
+    let corrected = error(1, Interpolation::Perspective)?;
+    let scanline = error(1, Interpolation::Scanline)?;
+    let in_pieces = error(segments, Interpolation::Affine)?;
+    let values = [("segments", segments.into()), ("pieces-error", in_pieces.into()), ("full", FULL.into())];
+    let mut out = Recorder::new(&TEXTS, &values);
+    let mut measured = Vec::new();
+    for ratio in RATIOS {
+        let found = Wall::new(ratio, 1)?.error(Interpolation::Affine)?;
+        out.set("ratio", Value::number(ratio));
+        out.measure("affine", "", found, Check::Near(law(ratio), TOLERANCE));
+        measured.push([ratio, found]);
+    }
+    out.measure("scanline", "", scanline, Check::Near(law(RATIO), TOLERANCE));
+    out.measure("perspective", "", corrected, Check::Near(0.0, TOLERANCE));
+    out.measure("pieces", "", in_pieces, Check::Near(pieces_law(RATIO, segments), TOLERANCE));
+    for pieces in [1, segments] {
+        out.set("pieces", pieces);
+        let found = Wall::new(RATIO, pieces)?.error_up(Interpolation::Affine)?;
+        out.measure("pieces-up", "", found, Check::AtMost(pieces_law(RATIO, pieces) + TOLERANCE));
+    }
+    let effect = out.effect("affine", "", [measured[3][1], corrected], Threshold::half_step(), 1000.0);
+    let of_pieces = Effect { cured: in_pieces, ..effect.clone() };
+    charts(measured, &mut out);
     let wall = |pieces, interpolation| Wall::new(RATIO, pieces)?.draw([size; 2], interpolation);
     let affine = wall(1, Interpolation::Affine)?;
     let right = wall(1, Interpolation::Perspective)?;
     let cut = wall(segments, Interpolation::Affine)?;
+    let board = |image: &Image| board(image, squares(segments));
+    out.bad("affine", &effect, board(&affine));
+    out.cured("perspective", &effect, board(&right));
+    out.cured("pieces", &of_pieces, board(&cut));
+    out.difference("error", error_map(&affine, &right));
+    out.difference("error-pieces", error_map(&cut, &right));
+    let verdict = Verdict::HoldsOnlyIf(out.text("holds-only-if"));
+    Ok(out.finish(verdict, effect))
+}
 
-    let law = |ratio: f64| (ratio.sqrt() - 1.0) / (ratio.sqrt() + 1.0);
-    let error = |ratio, pieces, interpolation| Wall::new(ratio, pieces)?.error(interpolation);
-    let measured: Vec<f64> =
-        RATIOS.into_iter().map(|ratio| error(ratio, 1, Interpolation::Affine)).collect::<Result<_, _>>()?;
-    let corrected = error(RATIO, 1, Interpolation::Perspective)?;
-    let scanline = error(RATIO, 1, Interpolation::Scanline)?;
-    let in_pieces = error(RATIO, segments, Interpolation::Affine)?;
-    let up = Wall::new(RATIO, 1)?.error_up(Interpolation::Affine)?;
-    let up_in_pieces = Wall::new(RATIO, segments)?.error_up(Interpolation::Affine)?;
-    let by = || TEXTS.get("nearest-pixel-single");
-    let mut measures: Vec<Measure> = RATIOS
-        .into_iter()
-        .zip(&measured)
-        .map(|(ratio, &found)| {
-            let name = Text::each(|language| {
-                let affine = if language == Language::English { "affine" } else { "afim" };
-                format!("{affine}, ρ = {}", language.number(ratio))
-            });
-            Measure::new(name, "", found).expect(law(ratio), TOLERANCE, by())
-        })
-        .collect();
-    measures.push(Measure::new(TEXTS.get("measure-scanline"), "", scanline).expect(
-        law(RATIO),
-        TOLERANCE,
-        by(),
-    ));
-    measures.push(Measure::new(TEXTS.get("measure-perspective-correct"), "", corrected).expect(
-        0.0,
-        TOLERANCE,
-        TEXTS.get("by-w-w-linear"),
-    ));
-    measures.push(
-        Measure::new(
-            TEXTS.with("measure-affine-segments-segments", &[("segments", segments.into())]),
-            "",
-            in_pieces,
-        )
-        .expect(pieces_law(RATIO, segments), TOLERANCE, TEXTS.get("by-nearest-piece-largest")),
-    );
-    for (pieces, found) in [(1, up), (segments, up_in_pieces)] {
-        measures.push(
-            Measure::new(TEXTS.with("measure-affine-pieces-pieces", &[("pieces", pieces.into())]), "", found)
-                .at_most(pieces_law(RATIO, pieces) + TOLERANCE, TEXTS.get("by-much-across-diagonal")),
-        );
+/// The largest errors by depth ratio, and the place on the surface by the place on the picture.
+fn charts(measured: Vec<[f64; 2]>, out: &mut Recorder) {
+    let ratios = (0..=60).map(|k| libm::exp10(f64::from(k) / 60.0));
+    let curves = vec![
+        out.curve("measured", Drawn::Points, measured),
+        out.curve("law", Drawn::Guide, ratios.map(|ratio| [ratio, law(ratio)]).collect()),
+    ];
+    out.chart("largest-error", [Axis::Log, Axis::Linear], curves);
+    let mut curves = Vec::new();
+    for ratio in [1.0, 2.0, 4.0, 10.0] {
+        out.set("ratio", Value::number(ratio));
+        let places = (0..=50).map(|k| f64::from(k) / 50.0).map(|t| [t, law_place(ratio, t)]);
+        curves.push(out.curve("place", Drawn::Curve, places.collect()));
     }
-    let bad = measured[3];
-    let moved = Moved {
-        name: TEXTS.get("moved"),
-        unit: "",
-        bad,
-        present: Threshold::HALF_STEP,
-        cure: TEXTS.get("cure"),
-        cured: corrected,
-        factor: 1000.0,
-    };
-    let cut_up = Moved { cured: in_pieces, ..moved.clone() };
-    let shots = shots([&moved, &cut_up], [&affine, &right, &cut], segments);
-    Ok(Outcome {
-        verdict: Verdict::HoldsOnlyIf(TEXTS.get("holds-only-if-depths-triangle-corners")),
-        moved,
-        charts: vec![error_chart(&measured, law), place_chart(law_place)],
-        measures,
-        shots,
-        notes: vec![TEXTS.get("note-board-not-image"), TEXTS.get("note-cut-into-more")],
-    })
+    out.chart("place", [Axis::Linear; 2], curves);
+}
+
+/// The largest error of even interpolation at a depth ratio.
+fn law(ratio: f64) -> f64 {
+    (ratio.sqrt() - 1.0) / (ratio.sqrt() + 1.0)
 }
 
 /// The error's derivative by the place is up to ρ: half a pixel of 4096·0.9 is 10/7400 at ρ = 10 beside the largest error, where it
@@ -130,7 +123,7 @@ fn law_place(ratio: f64, t: f64) -> f64 {
 /// Cut into pieces of the same length, the nearest one has the largest ratio and the largest error.
 fn pieces_law(ratio: f64, pieces: u32) -> f64 {
     let nearest = 1.0 + (ratio - 1.0) / f64::from(pieces);
-    (nearest.sqrt() - 1.0) / (nearest.sqrt() + 1.0) / f64::from(pieces)
+    law(nearest) / f64::from(pieces)
 }
 
 /// A wall that runs away from the viewer, from the left at depth 1 to the right at depth ρ, in as many equal pieces across as
@@ -162,7 +155,7 @@ impl Wall {
     }
 
     fn draw(&self, size: [u32; 2], interpolation: Interpolation) -> Result<Image, ArtefactError> {
-        let normals = super::stage::smooth(&self.mesh, Weight::Angle);
+        let normals = smooth(&self.mesh, Weight::Angle);
         let object = Object {
             paint: Paint::Given(self.colours.as_slice().into()),
             ..Object::new(Shape::Mesh { mesh: &self.mesh, normals: &normals }, Material::default())
@@ -220,95 +213,13 @@ fn board(image: &Image, squares: f64) -> Image {
     picture(image.size, colours, image.coverage.clone())
 }
 
-fn shots([moved, cut_up]: [&Moved; 2], [affine, right, cut]: [&Image; 3], pieces: u32) -> Vec<Shot> {
-    let board = |image: &Image| board(image, squares(pieces));
-    let off = |image: &Image| {
-        let pairs = linear(image).iter().zip(linear(right)).zip(&image.coverage);
-        let error = |((a, b), &covered): ((&[f32; 3], &[f32; 3]), &u8)| {
-            (covered > 0).then(|| f64::from((a[0] - b[0]).abs().max((a[1] - b[1]).abs())))
-        };
-        map(image.size, &pairs.map(error).collect::<Vec<_>>(), 0.35)
+/// How far places are from the right ones, across or up, whichever is more.
+fn error_map(image: &Image, right: &Image) -> Image {
+    let pairs = linear(image).iter().zip(linear(right)).zip(&image.coverage);
+    let error = |((a, b), &covered): ((&[f32; 3], &[f32; 3]), &u8)| {
+        (covered > 0).then(|| f64::from((a[0] - b[0]).abs().max((a[1] - b[1]).abs())))
     };
-    vec![
-        moved.bad_shot(
-            "affine",
-            TEXTS.get("affine-title"),
-            [
-                TEXTS.get("affine-caption-wall-runs-away"),
-                TEXTS.get("affine-caption-interpolated-picture-squares"),
-            ],
-            board(affine),
-        ),
-        moved.cured_shot(
-            "perspective",
-            TEXTS.get("perspective-title"),
-            [
-                TEXTS.get("perspective-caption-same-face-interpolated"),
-                TEXTS.get("perspective-caption-squares-become-smaller"),
-            ],
-            board(right),
-        ),
-        cut_up.cured_shot(
-            "pieces",
-            TEXTS.get("pieces-title"),
-            [
-                TEXTS.with("pieces-caption-affine-again-but", &[("pieces", pieces.into())]),
-                TEXTS.get("pieces-caption-each-errs-little"),
-            ],
-            board(cut),
-        ),
-        Shot::difference(
-            "error",
-            TEXTS.get("error-title"),
-            TEXTS.get("error-caption-how-far-affine"),
-            off(affine),
-        ),
-        Shot::difference(
-            "error-pieces",
-            TEXTS.get("error-pieces-title"),
-            TEXTS.with("error-pieces-caption-same-scale-wall", &[("cured", cut_up.cured.into())]),
-            off(cut),
-        ),
-    ]
-}
-
-fn error_chart(measured: &[f64], law: impl Fn(f64) -> f64) -> Chart {
-    let ratios = (0..=60).map(|k| libm::exp10(f64::from(k) / 60.0));
-    Chart {
-        name: "largest-error",
-        title: TEXTS.get("chart-title"),
-        caption: TEXTS.get("chart-caption"),
-        x: Scale::log(TEXTS.get("axis-depth-ratio")),
-        y: Scale::linear(TEXTS.get("axis-largest-t-s")),
-        curves: vec![
-            Curve {
-                name: TEXTS.get("curve-measured"),
-                drawn: Drawn::Points,
-                points: RATIOS.into_iter().zip(measured).map(|(ratio, &error)| [ratio, error]).collect(),
-            },
-            Curve {
-                name: TEXTS.get("curve-closed-form"),
-                drawn: Drawn::Guide,
-                points: ratios.map(|ratio| [ratio, law(ratio)]).collect(),
-            },
-        ],
-    }
-}
-
-fn place_chart(place: impl Fn(f64, f64) -> f64) -> Chart {
-    let curve = |ratio: f64| Curve {
-        name: Text::each(|language| format!("ρ = {}", language.number(ratio))),
-        drawn: Drawn::Curve,
-        points: (0..=50).map(|k| f64::from(k) / 50.0).map(|t| [t, place(ratio, t)]).collect(),
-    };
-    Chart {
-        name: "place",
-        title: TEXTS.get("chart-title-place-surface-against"),
-        caption: TEXTS.get("chart-caption-even-interpolation-takes"),
-        x: Scale::linear(TEXTS.get("axis-t-picture")),
-        y: Scale::linear(TEXTS.get("axis-s-surface")),
-        curves: [1.0, 2.0, 4.0, 10.0].map(curve).to_vec(),
-    }
+    map(image.size, &pairs.map(error).collect::<Vec<_>>(), FULL)
 }
 
 #[cfg(test)]
@@ -321,7 +232,7 @@ mod tests {
         let outcome = EXPERIMENT.run(&setup).unwrap();
         outcome.prove();
         // A third at ρ = 4, which single precision cures.
-        assert!(outcome.moved.bad > 0.33 && outcome.moved.reduction() > 1e3, "{:?}", outcome.moved);
+        assert!(outcome.effect.bad > 0.33 && outcome.effect.reduction() > 1e3, "{:?}", outcome.effect);
     }
 
     /// Figures computed apart from this program.

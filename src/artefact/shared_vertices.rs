@@ -1,10 +1,13 @@
 //! Vertices that neighbours do not share: T-junctions, cracks, seams.
 
-use super::stage::{chalk, draw, front, light_at, linear, luminance, object, settings};
-use super::{
-    ArtefactError, Chart, Curve, Drawn, Experiment, Knob, Measure, Moved, Outcome, Parameters, Scale, Setup,
-    Shot, Threshold, Verdict,
-};
+use super::drawing::{chalk, draw, front, light_at, linear, luminance, object, settings, smooth};
+use super::effect::{Effect, Threshold};
+use super::error::ArtefactError;
+use super::experiment::Experiment;
+use super::outcome::{Drawn, Outcome, Verdict};
+use super::parameter_name::ParameterName;
+use super::parameters::{Parameters, Setup};
+use super::recorder::{Axis, Check, Recorder};
 use crate::mesh::{Faces, Mesh, MeshBuilder, Weld};
 use crate::normals::{Crease, NormalRecipe, Weight, compute};
 use crate::num::{Degrees, LinearRgb, Radians};
@@ -19,7 +22,7 @@ static TEXTS: Catalogue = catalogue!("shared_vertices");
 pub(super) static EXPERIMENT: Experiment = Experiment {
     id: "shared-vertices",
     texts: &TEXTS,
-    takes: &[Knob::Size, Knob::Segments, Knob::Light],
+    takes: &[ParameterName::Size, ParameterName::Segments, ParameterName::Light],
     segments: Parameters::SEGMENTS,
     defaults: Parameters { segments: 16, light: Degrees(50.0), ..Parameters::USUAL },
     run,
@@ -36,99 +39,72 @@ const OFF: f64 = 6.0;
 
 fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let Parameters { size, segments, light, .. } = setup.parameters;
+    let edge = 2.0 * HALF * f64::from(size) / 2.0;
+    let values = [
+        ("off", OFF.into()),
+        ("edge", edge.into()),
+        ("facets", f64::from(segments).into()),
+        ("light", light.0.into()),
+    ];
+    let mut out = Recorder::new(&TEXTS, &values);
     let wall = Wall::new(size);
+    t_junction(&wall, size, &mut out)?;
+    crack(&wall, size, edge, &mut out)?;
+    let effect = seam(&Tube::new(segments)?, size, light, &mut out)?;
+    let verdict = Verdict::HoldsOnlyIf(out.text("holds-only-if"));
+    Ok(out.finish(verdict, effect))
+}
+
+/// The jump of colour at a vertex that the large face does not have.
+fn t_junction(wall: &Wall, size: u32, out: &mut Recorder) -> Result<(), ArtefactError> {
     let bad = wall.draw(&wall.mesh(0.0, false)?, size, Samples::One)?;
     let cured = wall.draw(&wall.mesh(0.0, true)?, size, Samples::One)?;
     let law = (MIDDLE - (ENDS[0] + wall.share() * (ENDS[1] - ENDS[0]))).abs();
-    let [jump, mended] = [&bad, &cured].map(|image| largest(&jumps(image)));
-
-    let cracked = wall.draw(&wall.mesh(OFF, false)?, size, Samples::Sixteen)?;
-    let whole = wall.draw(&wall.mesh(OFF, true)?, size, Samples::Sixteen)?;
-    let [crack, closed] = [&cracked, &whole].map(|image| wall.uncovered(image));
-    let edge = 2.0 * HALF * f64::from(size) / 2.0;
+    let [jump, left] = [&bad, &cured].map(|image| largest(&jumps(image)));
     // How far the pixel to the left of the edge is from it: of an odd number of pixels the middle one has its centre on the edge.
     let next_to = if size.is_multiple_of(2) { 0.5 } else { 1.0 };
+    out.measure("t-junction", "", jump, Check::Near(law, 1e-3));
+    let law = law * next_to / (HALF * f64::from(size) / 2.0);
+    out.measure("t-junction-shared", "", left, Check::Near(law, 2e-4));
+    let height = |row: u32| 1.0 - (f64::from(row) + 0.5) * 2.0 / f64::from(size);
+    let curve = |name, image: &Image| {
+        let points = jumps(image).into_iter().map(|(row, jump)| [height(row), jump]).collect();
+        out.curve(name, Drawn::Curve, points)
+    };
+    let curves = vec![curve("t-junction", &bad), curve("t-junction-shared", &cured)];
+    out.chart("jump", [Axis::Linear; 2], curves);
+    // Beside the edge the large face has gone half a pixel towards its far edge, or a whole one: of the smallest picture a
+    // fourteenth.
+    let effect = out.effect("t-junction", "", [jump, left], Threshold::half_step(), 10.0);
+    out.bad("t-junction", &effect, bad);
+    out.cured("t-junction-shared", &effect, cured);
+    Ok(())
+}
 
-    let tube = Tube::new(segments)?;
-    let [open, welded] = [Weld::Off, Weld::Exact].map(|weld| tube.draw(size, light, weld));
+/// The area between faces when the vertex is off its edge.
+fn crack(wall: &Wall, size: u32, edge: f64, out: &mut Recorder) -> Result<(), ArtefactError> {
+    let cracked = wall.draw(&wall.mesh(OFF, false)?, size, Samples::Sixteen)?;
+    let whole = wall.draw(&wall.mesh(OFF, true)?, size, Samples::Sixteen)?;
+    let [open, closed] = [&cracked, &whole].map(|image| wall.uncovered(image));
+    out.measure("crack", "px²", open, Check::Near(0.5 * edge * OFF, edge / 16.0 + 2.0));
+    out.measure("crack-closed", "px²", closed, Check::Near(0.0, 0.0));
+    let present = Threshold { value: 0.5, why: out.text("why-half-pixel") };
+    let effect = out.effect("crack", "px²", [open, closed], present, 100.0);
+    out.bad("crack", &effect, cracked);
+    out.cured("crack-closed", &effect, whole);
+    Ok(())
+}
+
+/// The jump of luminance along a seam, which is the effect that the experiment reports.
+fn seam(tube: &Tube, size: u32, light: Degrees, out: &mut Recorder) -> Result<Effect, ArtefactError> {
+    let [open, welded] = [Weld::Off, Weld::Exact].map(|weld| tube.jump(light, weld));
     let (open, welded) = (open?, welded?);
-    let seam_law = tube.law(light);
-    let [seam_open, seam_welded] = [Weld::Off, Weld::Exact].map(|weld| tube.jump(light, weld));
-    let (seam_open, seam_welded) = (seam_open?, seam_welded?);
-
-    let measures = vec![
-        Measure::new(TEXTS.get("measure-t-junction-largest"), "", jump).expect(
-            law,
-            1e-3,
-            TEXTS.get("by-c-t-tb"),
-        ),
-        Measure::new(TEXTS.get("measure-same-vertex-both"), "", mended).expect(
-            law * next_to / (HALF * f64::from(size) / 2.0),
-            2e-4,
-            TEXTS.get("by-edge-none-pixel"),
-        ),
-        Measure::new(TEXTS.get("measure-crack-area-not"), "px²", crack).expect(
-            0.5 * edge * OFF,
-            edge / 16.0 + 2.0,
-            TEXTS.get("by-l-sixteenth-pixel"),
-        ),
-        Measure::new(TEXTS.get("measure-same-vertex-both"), "px²", closed).expect(
-            0.0,
-            0.0,
-            TEXTS.get("by-faces-share-edge"),
-        ),
-        Measure::new(TEXTS.get("measure-seam-jump-luminance"), "", seam_open).expect(
-            seam_law,
-            2e-3,
-            TEXTS.get("by-sin-l-sin"),
-        ),
-        Measure::new(TEXTS.get("measure-seam-welded"), "", seam_welded).expect(
-            0.0,
-            2e-3,
-            TEXTS.get("by-normal-vertex-above"),
-        ),
-    ];
-    let seam = Moved {
-        name: TEXTS.get("moved"),
-        unit: "",
-        bad: seam_open,
-        present: Threshold::HALF_STEP,
-        cure: TEXTS.get("cure"),
-        cured: seam_welded,
-        factor: 100.0,
-    };
-    let t_junction = Moved {
-        name: TEXTS.get("moved-largest-jump-across"),
-        bad: jump,
-        cured: mended,
-        // Beside the edge the large face has gone half a pixel towards its far edge: or a whole one: of the smallest picture a fourteenth.
-        factor: 10.0,
-        ..seam.clone()
-    };
-    let crack = Moved {
-        name: TEXTS.get("moved-area-not-covered"),
-        unit: "px²",
-        bad: crack,
-        present: Threshold { value: 0.5, why: TEXTS.get("why-half-pixel") },
-        cured: closed,
-        ..seam.clone()
-    };
-    Ok(Outcome {
-        verdict: Verdict::HoldsOnlyIf(TEXTS.get("holds-only-if-colour-or-normal")),
-        charts: vec![chart(&wall, &bad, &cured)],
-        shots: shots(
-            [&t_junction, &crack, &seam],
-            [bad, cured, cracked, whole, open, welded],
-            [edge, f64::from(segments), light.0],
-        ),
-        moved: seam,
-        measures,
-        notes: vec![
-            TEXTS.get("note-vertex-long-edge"),
-            TEXTS.get("note-moved-off-edge"),
-            TEXTS.get("note-along-seam-rows"),
-        ],
-    })
+    out.measure("seam", "", open, Check::Near(tube.law(light), 2e-3));
+    out.measure("seam-welded", "", welded, Check::Near(0.0, 2e-3));
+    let effect = out.effect("seam", "", [open, welded], Threshold::half_step(), 100.0);
+    out.bad("seam", &effect, tube.draw([size; 2], light, Weld::Off)?);
+    out.cured("seam-welded", &effect, tube.draw([size; 2], light, Weld::Exact)?);
+    Ok(effect)
 }
 
 /// A large face at the left, two small ones at the right, and a vertex between those on the large one's edge.
@@ -178,7 +154,7 @@ impl Wall {
     fn draw(&self, mesh: &Mesh, size: u32, samples: Samples) -> Result<Image, ArtefactError> {
         let [low, high] = ENDS;
         let colours = [low, low, high, high, low, MIDDLE, high, MIDDLE].map(LinearRgb::grey);
-        let normals = super::stage::smooth(mesh, Weight::Angle);
+        let normals = smooth(mesh, Weight::Angle);
         let object = Object {
             paint: Paint::Given(colours.as_slice().into()),
             ..Object::new(Shape::Mesh { mesh, normals: &normals }, Material::default())
@@ -241,7 +217,7 @@ impl Tube {
         Ok(Self { mesh: builder.build()?, segments })
     }
 
-    fn image(&self, size: [u32; 2], light: Degrees, weld: Weld) -> Result<Image, ArtefactError> {
+    fn draw(&self, size: [u32; 2], light: Degrees, weld: Weld) -> Result<Image, ArtefactError> {
         let recipe =
             NormalRecipe { weight: Weight::Uniform, crease: Crease::OFF, weld, ..NormalRecipe::default() };
         let normals = compute(&self.mesh, &recipe);
@@ -250,14 +226,10 @@ impl Tube {
         draw(vec![object(&self.mesh, &normals, chalk())], &[light_at(light)], camera, &settings)
     }
 
-    fn draw(&self, size: u32, light: Degrees, weld: Weld) -> Result<Image, ArtefactError> {
-        self.image([size; 2], light, weld)
-    }
-
     /// The jump at the seam, along a scanline of many pixels.
     fn jump(&self, light: Degrees, weld: Weld) -> Result<f64, ArtefactError> {
         const LINE: u32 = 8192;
-        let image = self.image([LINE, 1], light, weld)?;
+        let image = self.draw([LINE, 1], light, weld)?;
         let red = |pixel: u32| f64::from(linear(&image)[pixel as usize][0]);
         Ok((red(LINE / 2 + 1) - red(LINE / 2 - 2)).abs())
     }
@@ -266,90 +238,6 @@ impl Tube {
         let half = TAU / f64::from(self.segments) / 2.0;
         let side = |angle: f64| libm::cos(angle - Radians::from(light).0).max(0.0);
         (side(half) - side(-half)).abs()
-    }
-}
-
-/// The pictures; and the length of the long edge in pixels, how many facets the tube has, and the light's angle in degrees.
-fn shots(
-    [t_junction, crack, seam]: [&Moved; 3],
-    [bad, cured, cracked, whole, open, welded]: [Image; 6],
-    [edge, facets, light]: [f64; 3],
-) -> Vec<Shot> {
-    vec![
-        t_junction.bad_shot(
-            "t-junction",
-            TEXTS.get("t-junction-title"),
-            [
-                TEXTS.get("t-junction-caption-three-faces-corners"),
-                TEXTS.get("t-junction-caption-edge-seen-middle"),
-            ],
-            bad,
-        ),
-        t_junction.cured_shot(
-            "t-junction-shared",
-            TEXTS.get("t-junction-shared-title"),
-            [
-                TEXTS.get("t-junction-shared-caption-vertex-corner-large"),
-                TEXTS.get("t-junction-shared-caption-no-jump-edge"),
-            ],
-            cured,
-        ),
-        crack.bad_shot(
-            "crack",
-            TEXTS.get("crack-title"),
-            [
-                TEXTS.with("crack-caption-vertex-off-px", &[("off", OFF.into()), ("edge", edge.into())]),
-                TEXTS.get("crack-caption-background-shows-through"),
-            ],
-            cracked,
-        ),
-        crack.cured_shot(
-            "crack-closed",
-            TEXTS.get("crack-closed-title"),
-            [
-                TEXTS.get("crack-closed-caption-same-vertex-corner"),
-                TEXTS.get("crack-closed-caption-no-sample-left"),
-            ],
-            whole,
-        ),
-        seam.bad_shot(
-            "seam",
-            TEXTS.get("seam-title"),
-            [
-                TEXTS.with(
-                    "seam-caption-tube-n-facets",
-                    &[("facets", facets.into()), ("light", light.into())],
-                ),
-                TEXTS.get("seam-caption-line-down-middle"),
-            ],
-            open,
-        ),
-        seam.cured_shot(
-            "seam-welded",
-            TEXTS.get("seam-welded-title"),
-            [
-                TEXTS.get("seam-welded-caption-welded-normals-means"),
-                TEXTS.get("seam-welded-caption-line-gone"),
-            ],
-            welded,
-        ),
-    ]
-}
-
-fn chart(wall: &Wall, bad: &Image, cured: &Image) -> Chart {
-    let height = |row: u32| 1.0 - (f64::from(row) + 0.5) * 2.0 / f64::from(wall.size);
-    let curve = |name, image: &Image| Curve {
-        name,
-        drawn: Drawn::Curve,
-        points: jumps(image).into_iter().map(|(row, jump)| [height(row), jump]).collect(),
-    };
-    Chart {
-        name: "jump",
-        title: TEXTS.get("chart-title"),
-        caption: TEXTS.get("chart-caption"),
-        x: Scale::linear(TEXTS.get("axis-height-along-edge")),
-        y: Scale::linear(TEXTS.get("axis-jump-luminance")),
-        curves: vec![curve(TEXTS.get("t-junction-title"), bad), curve(TEXTS.get("vertex-shared"), cured)],
     }
 }
 
@@ -363,8 +251,8 @@ mod tests {
         let outcome = EXPERIMENT.run(&setup).unwrap();
         outcome.prove();
         // 2 sin 50° sin 11.25°, computed apart from this program; a pixel and a half on both sides.
-        assert!((outcome.moved.bad - 0.298_90).abs() < 2e-3, "{:?}", outcome.moved);
+        assert!((outcome.effect.bad - 0.298_90).abs() < 2e-3, "{:?}", outcome.effect);
         // A tube of 16 facets jumps by 0.3 under a light at 50°; welded, luminance moves by its slope over three pixels.
-        assert!(outcome.moved.bad > 0.2 && outcome.moved.reduction() > 100.0, "{:?}", outcome.moved);
+        assert!(outcome.effect.bad > 0.2 && outcome.effect.reduction() > 100.0, "{:?}", outcome.effect);
     }
 }

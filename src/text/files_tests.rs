@@ -121,17 +121,38 @@ fn every_key_that_the_code_names_exists() {
             .iter()
             .flat_map(|path| messages(&std::fs::read_to_string(path).unwrap()).unwrap().into_keys())
             .collect();
-        for call in ["TEXTS.get(", "TEXTS.with("] {
+        for (call, parts) in CALLS {
             for rest in text.split(call).skip(1) {
-                let Some(key) = rest.trim_start().strip_prefix('"').and_then(|rest| rest.split('"').next())
+                let Some(name) = rest.trim_start().strip_prefix('"').and_then(|rest| rest.split('"').next())
                 else {
                     continue;
                 };
-                assert!(known.contains(key), "{}: no text for {key}", path.display());
+                for part in *parts {
+                    let key = format!("{name}{part}");
+                    assert!(known.contains(&key), "{}: no text for {key}", path.display());
+                }
             }
         }
     }
 }
+
+/// Calls that name a key, or the start of keys with these ends.
+const CALLS: &[(&str, &[&str])] = &[
+    ("TEXTS.get(", &[""]),
+    ("TEXTS.with(", &[""]),
+    ("SHARED.get(", &[""]),
+    ("out.text(", &[""]),
+    ("Check::Untested(", &[""]),
+    ("out.measure(", &["-measure"]),
+    ("out.effect(", &["-effect", "-cure"]),
+    ("out.bad(", &["-title", "-caption"]),
+    ("out.cured(", &["-title", "-caption"]),
+    ("out.truth(", &["-title", "-caption"]),
+    ("out.seen(", &["-title", "-caption"]),
+    ("out.difference(", &["-title", "-caption"]),
+    ("out.curve(", &["-curve"]),
+    ("out.chart(", &["-title", "-caption", "-x", "-y"]),
+];
 
 #[test]
 fn faults_of_files_are_found() {

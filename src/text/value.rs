@@ -68,13 +68,13 @@ impl From<usize> for Value {
 
 impl From<&str> for Value {
     fn from(text: &str) -> Self {
-        Value::Text(Text::made(text.to_owned(), text.to_owned()))
+        Value::Text(Text::each(|_| text.to_owned()))
     }
 }
 
 impl From<String> for Value {
     fn from(text: String) -> Self {
-        Value::Text(Text::made(text.clone(), text))
+        Value::Text(Text::each(|_| text.clone()))
     }
 }
 

@@ -2,7 +2,7 @@
 //! against nothing.
 
 use crease::artefact::{
-    EXPERIMENTS, Experiment, Knob, Language, Outcome, Parameters, Role, Setup, Shot, Verdict,
+    EXPERIMENTS, Experiment, Language, Outcome, ParameterName, Parameters, Role, Setup, Shot, Verdict,
 };
 use crease::normals::Weight;
 use crease::num::Degrees;
@@ -18,23 +18,23 @@ const SIZE: u32 = 40;
 fn cases(experiment: &'static Experiment) -> Vec<Parameters> {
     let usual = Parameters { size: SIZE, ..experiment.defaults };
     let (fewest, most) = (*experiment.segments.start(), (*experiment.segments.end()).min(256));
-    let of = |&knob: &Knob| -> Vec<Parameters> {
+    let of = |&knob: &ParameterName| -> Vec<Parameters> {
         match knob {
-            Knob::Size => [32, 33, 100].map(|size| Parameters { size, ..usual }).to_vec(),
-            Knob::Segments => [fewest, fewest + 4, 10, 13, 41, most]
+            ParameterName::Size => [32, 33, 100].map(|size| Parameters { size, ..usual }).to_vec(),
+            ParameterName::Segments => [fewest, fewest + 4, 10, 13, 41, most]
                 .map(|segments| Parameters { segments, ..usual })
                 .to_vec(),
-            Knob::Light => [-180.0, -60.0, 0.0, 80.0, 90.0, 120.0]
+            ParameterName::Light => [-180.0, -60.0, 0.0, 80.0, 90.0, 120.0]
                 .map(|light| Parameters { light: Degrees(light), ..usual })
                 .to_vec(),
-            Knob::Exponent => [0.0, 0.5, 1.0, 1.3, 5.0, 1000.0, 1e6]
+            ParameterName::Exponent => [0.0, 0.5, 1.0, 1.3, 5.0, 1000.0, 1e6]
                 .map(|exponent| Parameters { exponent, ..usual })
                 .to_vec(),
-            Knob::Crease => [0.0, 30.0, 45.0, 90.0, 180.0]
+            ParameterName::Crease => [0.0, 30.0, 45.0, 90.0, 180.0]
                 .map(|crease| Parameters { crease: Degrees(crease), ..usual })
                 .to_vec(),
-            Knob::Weight => Weight::ALL.map(|weight| Parameters { weight, ..usual }).to_vec(),
-            Knob::Interpolation | Knob::Mesh => Vec::new(),
+            ParameterName::Weight => Weight::ALL.map(|weight| Parameters { weight, ..usual }).to_vec(),
+            ParameterName::Interpolation | ParameterName::Mesh => Vec::new(),
         }
     };
     experiment.takes.iter().flat_map(of).collect()
@@ -129,7 +129,7 @@ fn roles_captions_and_verdicts_agree_with_what_was_measured() {
         let reported = |what: String| format!("{} {parameters:?}: {what}", experiment.id);
         wrong.extend(outcome.shots.iter().filter_map(disagreement).map(reported));
         let has = |role| outcome.shots.iter().any(|shot| shot.role == role);
-        let (moved, is_absent) = (&outcome.moved, matches!(outcome.verdict, Verdict::Absent(_)));
+        let (moved, is_absent) = (&outcome.effect, matches!(outcome.verdict, Verdict::Absent(_)));
         let is_shown = moved.is_present() && has(Role::Bad);
         if !is_absent && !is_shown {
             wrong.push(reported(format!("a verdict on nothing: {:?}", outcome.verdict)));
@@ -252,7 +252,7 @@ fn verdicts_follow_from_what_is_measured() {
     let light = |degrees: f64| move |parameters: &mut Parameters| parameters.light = Degrees(degrees);
     for id in ["flat-validity", "mach-bands", "triangulation"] {
         let outcome = run(id, &light(180.0));
-        assert!(matches!(outcome.verdict, Verdict::Absent(_)), "{id}: {:?}", outcome.moved);
+        assert!(matches!(outcome.verdict, Verdict::Absent(_)), "{id}: {:?}", outcome.effect);
         assert!(!matches!(run(id, &|_| ()).verdict, Verdict::Absent(_)), "{id}");
     }
     // Past 70.53° the largest jumps are still Gouraud's, but the light is not where the lectures have it.
@@ -263,7 +263,7 @@ fn verdicts_follow_from_what_is_measured() {
         past.verdict
     );
     let sharp = run("false-smoothing", &|parameters| parameters.crease = Degrees(180.0));
-    assert!(sharp.moved.is_present() && !sharp.moved.is_cured(), "{:?}", sharp.moved);
+    assert!(sharp.effect.is_present() && !sharp.effect.is_cured(), "{:?}", sharp.effect);
 }
 
 /// Round numbers beside pictures that no parameter moves, and the law that keeps them.
@@ -289,7 +289,7 @@ const KEPT: [(&str, &str, &str); 14] = [
 fn what_is_reported_next_to_pictures_is_measured() {
     let mut values: BTreeMap<(&str, String), BTreeSet<u64>> = BTreeMap::new();
     for (experiment, _, outcome) in RUNS.iter() {
-        let moved = [("bad", outcome.moved.bad), ("cured", outcome.moved.cured)];
+        let moved = [("bad", outcome.effect.bad), ("cured", outcome.effect.cured)];
         let shots = outcome.shots.iter().filter_map(|shot| Some((shot.name, shot.measured.as_ref()?.value)));
         for (name, value) in moved.into_iter().chain(shots) {
             values.entry((experiment.id, name.to_owned())).or_default().insert(value.to_bits());

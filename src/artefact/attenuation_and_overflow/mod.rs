@@ -1,27 +1,30 @@
 //! Light that fades with distance, and light that is too much.
 
-use super::body::{Body, Diagonal};
 mod plates;
-mod texts;
 
-use super::stage::{chalk, draw, front, linear, settings};
-use super::{
-    ArtefactError, Chart, Curve, Drawn, Experiment, Knob, Measure, Moved, Outcome, Parameters, Scale, Setup,
-    Text, Threshold, Verdict,
-};
+use super::drawing::{chalk, draw, front, linear, settings};
+use super::effect::{Effect, Threshold};
+use super::error::ArtefactError;
+use super::experiment::Experiment;
+use super::outcome::{Drawn, Outcome, Verdict};
+use super::parameter_name::ParameterName;
+use super::parameters::{Parameters, Setup};
+use super::recorder::{Axis, Check, Recorder};
+use super::triangle_mesh::{Diagonal, TriangleMesh};
 use crate::num::{LinearRgb, Srgb8};
 use crate::raster::{Image, Interpolation, RenderSettings, Shading};
 use crate::shade::{Attenuation, Light, ToneRule};
+use crate::text::{Catalogue, catalogue};
 use glam::DVec3;
 use plates::{CUE, DEPTHS, obliqueness, plate_pixel, plate_value, plates};
 use std::f64::consts::PI;
-use std::sync::LazyLock;
-use texts::TEXTS;
+
+static TEXTS: Catalogue = catalogue!("texts");
 
 pub(super) static EXPERIMENT: Experiment = Experiment {
     id: "attenuation-and-overflow",
     texts: &TEXTS,
-    takes: &[Knob::Size],
+    takes: &[ParameterName::Size],
     segments: Parameters::SEGMENTS,
     defaults: Parameters::USUAL,
     run,
@@ -34,196 +37,100 @@ const STRENGTH: f64 = 1.5;
 const K: f64 = 1.0;
 /// The lamp's colour. Its components differ so much that clamping changes the hue.
 const WARM: LinearRgb = LinearRgb::new(1.0, 0.6, 0.2);
-/// Rules of attenuation.
-static NAMES: LazyLock<[Text; 3]> =
-    LazyLock::new(|| [TEXTS.get("inverse-square-d"), TEXTS.get("quadratic-d-d"), TEXTS.get("offset-d-k")]);
 /// The window's side.
 const WINDOW: f64 = 6.0;
 
 fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let size = setup.parameters.size;
-    let rules = [
-        Attenuation::InverseSquare,
-        Attenuation::Quadratic { constant: 1.0, linear: 1.0, quadratic: 1.0 },
-        Attenuation::Offset { k: K },
+    let values = [
+        ("strength", STRENGTH.into()),
+        ("height", HEIGHT.into()),
+        ("k", K.into()),
+        ("hue", (WARM.g / WARM.r).into()),
     ];
-    let floor = |rule: usize, colour, tone| floor(rules[rule], colour, tone, size);
-    let white = LinearRgb::grey(STRENGTH);
-    let [square, quadratic, offset] = [0, 1, 2].map(|rule| floor(rule, white, ToneRule::Clamp));
-    let (square, quadratic, offset) = (square?, quadratic?, offset?);
-    let (clamped, divided) =
-        (floor(0, WARM * STRENGTH, ToneRule::Clamp)?, floor(0, WARM * STRENGTH, ToneRule::DivideByMax)?);
-    let (plain, cued) = (plates(None, size)?, plates(Some(CUE), size)?);
-
-    let overflow = share(&square);
-    let radius = libm::pow(STRENGTH * HEIGHT, 2.0 / 3.0) - HEIGHT * HEIGHT;
-    let pixel = WINDOW / f64::from(size);
-    let ratio = |image: &Image| {
-        let Srgb8(code) = Srgb8(image.pixel(size / 2, size / 2).unwrap_or_default());
-        let colour = LinearRgb::from(Srgb8(code));
-        colour.g / colour.r
-    };
-    let by_square = expected_contrast(|d| 1.0 / (d * d), pixel);
-    let by_offset = expected_contrast(|d| 1.0 / (d + K), pixel);
-    let peak = |image: &Image| values(image).fold(0.0, f64::max);
-    let contrast_of = |image: &Image| plate_value(image, 0) / plate_value(image, 2);
-    let [near, far] = [0, 2].map(|plate| DEPTHS[plate] * obliqueness(plate_pixel([size; 2], plate), size));
-    let by_depth = (far + CUE.k) / (near + CUE.k);
-    let [c, d] = [ToneRule::Clamp, ToneRule::DivideByMax].map(|rule| rule.apply([0.9, 1.1, 0.3]));
-    // What a step of 8 bits is there, of linear light.
-    let code = "the step of 8 bits at this colour";
-    let code_pt = "o passo de 8 bits nesta cor";
-    let measures = vec![
-        Measure::new(TEXTS.get("measure-d-share-floor"), "", overflow).expect(
-            PI * radius / (WINDOW * WINDOW),
-            // Half of the pixels on the border may be counted wrong, all to one side.
-            PI * radius.sqrt() * pixel / (WINDOW * WINDOW),
-            TEXTS.get("by-i-h-h"),
-        ),
-        Measure::new(TEXTS.get("measure-d-k-share"), "", share(&offset)).expect(
-            0.0,
-            0.0,
-            TEXTS.get("by-i-h-k"),
-        ),
-        Measure::new(TEXTS.get("measure-d-light-below"), "", contrast(&square)).expect(
-            by_square,
-            2e-4 * by_square,
-            formula_at_pixels(),
-        ),
-        Measure::new(TEXTS.get("measure-d-k-light"), "", contrast(&offset)).expect(
-            by_offset,
-            2e-4 * by_offset,
-            formula_at_pixels(),
-        ),
-        Measure::new(TEXTS.get("measure-clamped-green-over"), "", ratio(&clamped)).expect(
-            1.0,
-            1e-12,
-            TEXTS.get("by-both-cut"),
-        ),
-        Measure::new(TEXTS.get("measure-divided-largest-green"), "", ratio(&divided)).expect(
-            WARM.g / WARM.r,
-            0.005,
-            Text::new(code, code_pt),
-        ),
-        Measure::new(TEXTS.get("measure-exercise-red-after"), "", c[0]).expect(
-            0.9,
-            0.0,
-            TEXTS.get("by-lectures"),
-        ),
-        Measure::new(TEXTS.get("measure-exercise-red-after-division"), "", d[0]).expect(
-            0.9 / 1.1,
-            1e-15,
-            TEXTS.get("by-printed"),
-        ),
-        Measure::new(TEXTS.get("measure-depth-cueing-nearest"), "", contrast_of(&cued)).expect(
-            by_depth,
-            // A corner moved by 1/256 pixel moves the place seen by 2/(256 size) of half the window. There, less than 0.7 of it
-            // off the middle, the share by which distance changes is less than 0.7 tan², tan² = 1/4; two plates.
-            by_depth * (1.0 / (256.0 * f64::from(size)) + 1e-5),
-            TEXTS.get("by-d-k-d"),
-        ),
-        Measure::new(TEXTS.get("measure-d-largest-luminance"), "", peak(&square)),
-    ];
-    let charts = vec![chart()];
-    let moved = Moved {
-        name: TEXTS.get("moved"),
-        unit: "",
-        bad: overflow,
-        present: Threshold { value: 0.5 / f64::from(size * size), why: TEXTS.get("why-half-pixel") },
-        cure: TEXTS.get("cure"),
-        cured: share(&offset),
-        factor: 10.0,
-    };
-    let hue = Moved {
-        name: TEXTS.with("moved-how-far-green", &[("r", (WARM.g / WARM.r).into())]),
-        bad: (ratio(&clamped) - WARM.g / WARM.r).abs(),
-        present: Threshold { value: 0.02, why: TEXTS.get("why-hue-seen-differ") },
-        cured: (ratio(&divided) - WARM.g / WARM.r).abs(),
-        ..moved.clone()
-    };
-    let fading = Moved {
-        name: TEXTS.with("moved-how-far-light", &[("by-depth", by_depth.into())]),
-        bad: (contrast_of(&plain) - by_depth).abs(),
-        present: Threshold { value: 0.1, why: TEXTS.get("why-tenth-plate-light") },
-        cured: (contrast_of(&cued) - by_depth).abs(),
-        ..moved.clone()
-    };
-    Ok(Outcome {
-        verdict: Verdict::HoldsOnlyIf(TEXTS.get("holds-only-if-colours-shown-they")),
-        shots: vec![
-            moved.bad_shot(
-                "inverse-square",
-                NAMES[0].clone(),
-                [
-                    TEXTS.with(
-                        "inverse-square-title",
-                        &[("strength", STRENGTH.into()), ("height", HEIGHT.into())],
-                    ),
-                    TEXTS.get("inverse-square-caption-white-disc-hard"),
-                ],
-                square,
-            ),
-            Moved { cured: share(&quadratic), ..moved.clone() }.cured_shot(
-                "quadratic",
-                NAMES[1].clone(),
-                [TEXTS.get("quadratic-title"), TEXTS.get("quadratic-caption-no-disc-still")],
-                quadratic,
-            ),
-            moved.cured_shot(
-                "offset",
-                NAMES[2].clone(),
-                [TEXTS.with("offset-title", &[("k", K.into())]), TEXTS.get("offset-caption-no-disc-floor")],
-                offset,
-            ),
-            hue.bad_shot(
-                "clamped",
-                TEXTS.get("clamped-title"),
-                [TEXTS.get("clamped-caption-orange-lamp"), TEXTS.get("clamped-caption-red-green-both")],
-                clamped,
-            ),
-            hue.cured_shot(
-                "divided",
-                TEXTS.get("divided-title"),
-                [
-                    TEXTS.get("divided-caption-divided-largest-component"),
-                    TEXTS.get("divided-caption-hue-lamp-everywhere"),
-                ],
-                divided,
-            ),
-            fading.bad_shot(
-                "no-depth-cue",
-                TEXTS.get("no-depth-cue-title"),
-                [
-                    TEXTS.get("no-depth-cue-caption-three-plates-different"),
-                    TEXTS.get("no-depth-cue-caption-all-alike-nearest"),
-                ],
-                plain,
-            ),
-            fading.cured_shot(
-                "depth-cue",
-                TEXTS.get("depth-cue-title"),
-                [
-                    TEXTS.get("depth-cue-caption-divided-distance-viewer"),
-                    TEXTS.get("depth-cue-caption-near-plate-bright"),
-                ],
-                cued,
-            ),
-        ],
-        moved,
-        measures,
-        charts,
-        notes: vec![TEXTS.get("note-under-d-light"), TEXTS.get("note-lectures-use-letter")],
-    })
+    let mut out = Recorder::new(&TEXTS, &values);
+    let (effect, peak) = attenuation(size, &mut out)?;
+    overflowing_colours(size, &mut out)?;
+    depth_cueing(size, &mut out)?;
+    out.measure("peak", "", peak, Check::None);
+    chart(&mut out);
+    let verdict = Verdict::HoldsOnlyIf(out.text("holds-only-if"));
+    Ok(out.finish(verdict, effect))
 }
 
-fn formula_at_pixels() -> Text {
-    TEXTS.get("formula-centres-these")
+/// A floor under three rules of attenuation. Returns the effect that the experiment reports, and the largest luminance under 1/d².
+fn attenuation(size: u32, out: &mut Recorder) -> Result<(Effect, f64), ArtefactError> {
+    let floor = |rule| floor(rule, LinearRgb::grey(STRENGTH), ToneRule::Clamp, size);
+    let square = floor(Attenuation::InverseSquare)?;
+    let quadratic = floor(Attenuation::Quadratic { constant: 1.0, linear: 1.0, quadratic: 1.0 })?;
+    let offset = floor(Attenuation::Offset { k: K })?;
+    let [of_square, of_quadratic, of_offset] = [&square, &quadratic, &offset].map(share);
+    let radius = libm::pow(STRENGTH * HEIGHT, 2.0 / 3.0) - HEIGHT * HEIGHT;
+    let pixel = WINDOW / f64::from(size);
+    // Half of the pixels on the border may be counted wrong, all to one side.
+    let tolerance = PI * radius.sqrt() * pixel / (WINDOW * WINDOW);
+    let check = Check::Near(PI * radius / (WINDOW * WINDOW), tolerance);
+    out.measure("share-inverse-square", "", of_square, check);
+    out.measure("share-offset", "", of_offset, Check::Near(0.0, 0.0));
+    let by_square = expected_contrast(|d| 1.0 / (d * d), pixel);
+    let by_offset = expected_contrast(|d| 1.0 / (d + K), pixel);
+    out.measure("contrast-inverse-square", "", contrast(&square), Check::Near(by_square, 2e-4 * by_square));
+    out.measure("contrast-offset", "", contrast(&offset), Check::Near(by_offset, 2e-4 * by_offset));
+    let present = Threshold { value: 0.5 / f64::from(size * size), why: out.text("why-half-pixel") };
+    let effect = out.effect("overflow", "", [of_square, of_offset], present, 10.0);
+    let peak = luminances(&square).fold(0.0, f64::max);
+    out.bad("inverse-square", &effect, square);
+    out.cured("quadratic", &Effect { cured: of_quadratic, ..effect.clone() }, quadratic);
+    out.cured("offset", &effect, offset);
+    Ok((effect, peak))
+}
+
+/// A lamp too bright for the screen, its colour clamped and divided by its largest component.
+fn overflowing_colours(size: u32, out: &mut Recorder) -> Result<(), ArtefactError> {
+    let floor = |tone| floor(Attenuation::InverseSquare, WARM * STRENGTH, tone, size);
+    let (clamped, divided) = (floor(ToneRule::Clamp)?, floor(ToneRule::DivideByMax)?);
+    let hue = |image: &Image| {
+        let colour = LinearRgb::from(Srgb8(image.pixel(size / 2, size / 2).unwrap_or_default()));
+        colour.g / colour.r
+    };
+    let [of_clamped, of_divided] = [&clamped, &divided].map(hue);
+    let own = WARM.g / WARM.r;
+    out.measure("clamped", "", of_clamped, Check::Near(1.0, 1e-12));
+    out.measure("divided", "", of_divided, Check::Near(own, 0.005));
+    let [c, d] = [ToneRule::Clamp, ToneRule::DivideByMax].map(|rule| rule.apply([0.9, 1.1, 0.3]));
+    out.measure("exercise-clamped", "", c[0], Check::Near(0.9, 0.0));
+    out.measure("exercise-divided", "", d[0], Check::Near(0.9 / 1.1, 1e-15));
+    let present = Threshold { value: 0.02, why: out.text("why-hue") };
+    let errors = [(of_clamped - own).abs(), (of_divided - own).abs()];
+    let effect = out.effect("hue", "", errors, present, 10.0);
+    out.bad("clamped", &effect, clamped);
+    out.cured("divided", &effect, divided);
+    Ok(())
+}
+
+/// Plates at different distances, all alike without depth cueing.
+fn depth_cueing(size: u32, out: &mut Recorder) -> Result<(), ArtefactError> {
+    let (plain, cued) = (plates(None, size)?, plates(Some(CUE), size)?);
+    let [of_plain, of_cued] = [&plain, &cued].map(|image| plate_value(image, 0) / plate_value(image, 2));
+    let [near, far] = [0, 2].map(|plate| DEPTHS[plate] * obliqueness(plate_pixel([size; 2], plate), size));
+    let law = (far + CUE.k) / (near + CUE.k);
+    // A corner moved by 1/256 pixel moves the place seen by 2/(256 size) of half the window. There, less than 0.7 of it off the
+    // middle, the share by which distance changes is less than 0.7 tan², tan² = 1/4; two plates.
+    let tolerance = law * (1.0 / (256.0 * f64::from(size)) + 1e-5);
+    out.measure("depth-cue", "", of_cued, Check::Near(law, tolerance));
+    out.set("law", law);
+    let present = Threshold { value: 0.1, why: out.text("why-plate") };
+    let errors = [(of_plain - law).abs(), (of_cued - law).abs()];
+    let effect = out.effect("depth-cue", "", errors, present, 10.0);
+    out.bad("no-depth-cue", &effect, plain);
+    out.cured("depth-cue", &effect, cued);
+    Ok(())
 }
 
 /// A floor seen from above with a lamp over its middle.
 fn floor(rule: Attenuation, colour: LinearRgb, tone: ToneRule, size: u32) -> Result<Image, ArtefactError> {
     let half = 0.5 * WINDOW;
-    let body = Body::grid([1, 1], Diagonal::Rising, |u, v| {
+    let body = TriangleMesh::grid([1, 1], Diagonal::Rising, |u, v| {
         (DVec3::new((2.0 * u - 1.0) * half, (2.0 * v - 1.0) * half, 0.0), DVec3::Z)
     });
     let light = Light::Point { position: DVec3::Z * HEIGHT, colour, attenuation: rule };
@@ -232,7 +139,7 @@ fn floor(rule: Attenuation, colour: LinearRgb, tone: ToneRule, size: u32) -> Res
 }
 
 /// The luminance of a white floor.
-fn values(image: &Image) -> impl Iterator<Item = f64> {
+fn luminances(image: &Image) -> impl Iterator<Item = f64> {
     linear(image).iter().map(|colour| f64::from(colour[0]))
 }
 
@@ -243,7 +150,7 @@ const ROUNDING: f64 = (4.0 * 100.0 / (HEIGHT + K) + 12.0) / (1 << 24) as f64;
 
 /// The share of pixels over 1.
 fn share(image: &Image) -> f64 {
-    values(image).filter(|&value| value > 1.0 + ROUNDING).count() as f64 / image.coverage.len() as f64
+    luminances(image).filter(|&value| value > 1.0 + ROUNDING).count() as f64 / image.coverage.len() as f64
 }
 
 /// The middle pixel over the one half-way down the right edge.
@@ -264,41 +171,27 @@ fn expected_contrast(rule: impl Fn(f64) -> f64, pixel: f64) -> f64 {
     light(off, off) / light(0.5 * (WINDOW - pixel), off)
 }
 
-fn chart() -> Chart {
-    let rules: [fn(f64) -> f64; 3] = [|d| 1.0 / (d * d), |d| 1.0 / (1.0 + d + d * d), |d| 1.0 / (d + K)];
-    let curve = |(name, rule): (&Text, fn(f64) -> f64)| Curve {
-        name: name.clone(),
-        drawn: Drawn::Curve,
-        points: (0..=160)
-            .map(|k| {
-                let rho = f64::from(k) / 40.0;
-                let d = libm::hypot(HEIGHT, rho);
-                [rho, STRENGTH * HEIGHT / d * rule(d)]
-            })
-            .collect(),
-    };
+fn chart(out: &mut Recorder) {
+    let rules: [(&str, fn(f64) -> f64); 3] = [
+        ("inverse-square", |d| 1.0 / (d * d)),
+        ("quadratic", |d| 1.0 / (1.0 + d + d * d)),
+        ("offset", |d| 1.0 / (d + K)),
+    ];
+    let mut curves = Vec::new();
+    for (name, rule) in rules {
+        let point = |k| {
+            let rho = f64::from(k) / 40.0;
+            let d = libm::hypot(HEIGHT, rho);
+            [rho, STRENGTH * HEIGHT / d * rule(d)]
+        };
+        curves.push(out.curve(name, Drawn::Curve, (0..=160).map(point).collect()));
+    }
+    curves.push(out.curve("white", Drawn::Guide, vec![[0.0, 1.0], [4.0, 1.0]]));
     // Where d² = d + k.
     let crossing = 0.5 * (1.0 + (1.0 + 4.0 * K).sqrt());
-    let mut curves: Vec<Curve> = NAMES.iter().zip(rules).map(curve).collect();
-    curves.push(Curve {
-        name: TEXTS.get("curve-screen-can-show"),
-        drawn: Drawn::Guide,
-        points: vec![[0.0, 1.0], [4.0, 1.0]],
-    });
-    Chart {
-        name: "light-on-the-floor",
-        title: TEXTS.get("chart-title"),
-        caption: TEXTS.with(
-            "chart-caption",
-            &[
-                ("strength", (STRENGTH / (HEIGHT * HEIGHT)).into()),
-                ("value", ((crossing * crossing - HEIGHT * HEIGHT).sqrt()).into()),
-            ],
-        ),
-        x: Scale::linear(TEXTS.get("axis-distance")),
-        y: Scale::log(TEXTS.get("axis-luminance")),
-        curves,
-    }
+    out.set("overflow", STRENGTH / (HEIGHT * HEIGHT));
+    out.set("crossing", (crossing * crossing - HEIGHT * HEIGHT).sqrt());
+    out.chart("light-on-the-floor", [Axis::Linear, Axis::Log], curves);
 }
 
 #[cfg(test)]
@@ -312,8 +205,8 @@ mod tests {
             let outcome = EXPERIMENT.run(&Setup { parameters, mesh: None }).unwrap();
             outcome.prove();
             // Present: π [(I₀h)^(2/3) − h²]/36 with I₀h = 3/4, computed apart from this program. Cured: nothing.
-            assert!((outcome.moved.bad - 0.050_22).abs() < 1e-3, "{:?}", outcome.moved);
-            assert_eq!(outcome.moved.cured, 0.0);
+            assert!((outcome.effect.bad - 0.050_22).abs() < 1e-3, "{:?}", outcome.effect);
+            assert_eq!(outcome.effect.cured, 0.0);
             // Clamping makes orange yellow, division keeps it; the lectures' [0.9, 1.1, 0.3] keeps its 0.9 or gets 0.818.
             assert_eq!(outcome.measured("clamped: green over red"), 1.0);
             assert!((outcome.measured("divided by the largest: green over red") - 0.6).abs() < 0.005);

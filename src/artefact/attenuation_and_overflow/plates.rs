@@ -1,8 +1,8 @@
 //! Plates one behind the other, which fade with their distance from the viewer.
 
-use super::super::ArtefactError;
-use super::super::body::{Body, Diagonal};
-use super::super::stage::{chalk, draw, front, linear, settings};
+use super::super::drawing::{chalk, draw, front, linear, settings};
+use super::super::error::ArtefactError;
+use super::super::triangle_mesh::{Diagonal, TriangleMesh};
 use crate::num::{LinearRgb, Radians};
 use crate::raster::{Camera, Image, Interpolation, Projection, RenderSettings, Shading};
 use crate::shade::{DepthCue, Light};
@@ -16,11 +16,11 @@ const TANGENT: f64 = 0.5;
 
 /// Three equal plates one behind the other, of the same size on the picture.
 pub(super) fn plates(depth_cue: Option<DepthCue>, size: u32) -> Result<Image, ArtefactError> {
-    let bodies: Vec<Body> = (0..3)
+    let bodies: Vec<TriangleMesh> = (0..3)
         .map(|plate| {
             let depth = DEPTHS[plate];
             let (middle, half) = ((plate as f64 - 1.0) * 0.6, 0.25);
-            Body::grid([1, 1], Diagonal::Rising, |u, v| {
+            TriangleMesh::grid([1, 1], Diagonal::Rising, |u, v| {
                 let [x, y] = [middle + (2.0 * u - 1.0) * half, (2.0 * v - 1.0) * 2.5 * half];
                 (DVec3::new(x, y, 0.0) * (TANGENT * depth) - DVec3::Z * depth, DVec3::Z)
             })

@@ -1,257 +1,158 @@
 //! Edges that are meant to be sharp, smoothed away by averaged normals.
 
-mod bodies;
-mod own;
-mod shots;
-mod subject;
+mod lit_mesh;
+mod meshes;
+#[cfg(test)]
+mod tests;
+mod user_mesh;
 
-use super::own_mesh::{camera, light_from};
-use super::stage::{front, light_at, object};
-use super::{
-    ArtefactError, Chart, Curve, Drawn, Experiment, Knob, Language, Measure, Moved, Outcome, Parameters,
-    Scale, Setup, Text, Threshold, Verdict,
-};
-use crate::normals::{Crease, NormalRecipe, Weight, compute};
+use super::drawing::{front, light_at};
+use super::effect::{Effect, Threshold};
+use super::error::ArtefactError;
+use super::experiment::Experiment;
+use super::outcome::{Drawn, Outcome, Verdict};
+use super::parameter_name::ParameterName;
+use super::parameters::{Parameters, Setup};
+use super::recorder::{Axis, Check, Recorder};
+use crate::normals::{Crease, Weight};
 use crate::num::{Degrees, Radians};
 use crate::raster::Camera;
+use crate::text::{Catalogue, Value, catalogue};
 use glam::DVec3;
-use subject::Subject;
-use texts::TEXTS;
+use lit_mesh::{FULL_ANGLE, LitMesh, Rendering};
+
+static TEXTS: Catalogue = catalogue!("texts");
 
 pub(super) static EXPERIMENT: Experiment = Experiment {
     id: "false-smoothing",
     texts: &TEXTS,
-    takes: &[Knob::Size, Knob::Light, Knob::Weight, Knob::Crease, Knob::Mesh],
+    takes: &[
+        ParameterName::Size,
+        ParameterName::Light,
+        ParameterName::Weight,
+        ParameterName::Crease,
+        ParameterName::Mesh,
+    ],
     segments: Parameters::SEGMENTS,
     defaults: Parameters { light: Degrees(35.0), ..Parameters::USUAL },
     run,
     frame: None,
 };
 
-/// How much the strips of the zig-zag and of the roof lean.
+/// The lean of the strips of the zig-zag and of the roof.
 const SLOPE: Degrees = Degrees(45.0);
-/// Full scale of the maps of angles, in degrees, and of light.
-const FULL_ANGLE: f64 = 60.0;
-const FULL_LIGHT: f64 = 0.5;
+/// The angle at the cube's corners: arctan √2.
+const CUBE: f64 = 54.735_610_317_245_346;
 
 fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
-    match &setup.mesh {
-        None => of_bodies(&setup.parameters),
-        Some(own) => own::run(own, &setup.parameters),
+    let crease = setup.parameters.crease.0;
+    let mut out =
+        Recorder::new(&TEXTS, &[("crease", Value::number(crease)), ("full-angle", FULL_ANGLE.into())]);
+    if let Some(own) = &setup.mesh {
+        return user_mesh::run(own, &setup.parameters, out);
     }
+    let effect = shapes(&setup.parameters, &mut out)?;
+    let verdict = Verdict::Holds(out.text("holds"));
+    Ok(out.finish(verdict, effect))
 }
 
-fn of_bodies(parameters: &Parameters) -> Result<Outcome, ArtefactError> {
+/// The cube, the gear, the zig-zag and the roof, averaged and split. Returns the effect on the gear.
+fn shapes(parameters: &Parameters, out: &mut Recorder) -> Result<Effect, ArtefactError> {
     let &Parameters { size, light, weight, crease, .. } = parameters;
-    let solid = |mesh| {
-        let field = compute(&mesh, &NormalRecipe::default());
-        let camera = camera(&[object(&mesh, &field, subject::material())]);
-        Ok::<_, ArtefactError>(Subject { light: light_from(&camera, light)?, mesh, camera, size })
-    };
     let sheet = |leans: &[Degrees], light| {
-        // Wider than the window, which no end is seen in.
-        let mesh = bodies::folded(leans, 32)?;
-        Ok::<_, ArtefactError>(Subject { mesh, camera: from_above(), light: light_at(light), size })
+        // Wider than the window, so that its ends are not visible.
+        let mesh = meshes::folded(leans, 32)?;
+        Ok::<_, ArtefactError>(LitMesh { mesh, camera: from_above(), light: light_at(light), size })
     };
-    let (cube, gear) = (solid(bodies::cube()?)?, solid(bodies::gear()?)?);
+    let pair = |mesh: &LitMesh| -> Result<[Rendering; 2], ArtefactError> {
+        Ok([mesh.render(weight, Crease::OFF)?, mesh.render(weight, Crease::Angle(crease))?])
+    };
     let folds = [SLOPE, Degrees(-SLOPE.0)];
-    let zigzag = sheet(&folds, light)?;
-    let zigzag_in_front = sheet(&folds, Degrees(0.0))?;
-    let roof = sheet(&[SLOPE, Degrees(0.0), Degrees(-SLOPE.0), Degrees(0.0)], light)?;
-
-    let splits = Crease::Angle(crease);
-    let both = |subject: &Subject| {
-        Ok::<_, ArtefactError>([subject.case(weight, Crease::OFF)?, subject.case(weight, splits)?])
-    };
-    let [cube_smooth, cube_sharp] = both(&cube)?;
-    let [gear_smooth, gear_sharp] = both(&gear)?;
-    let [zigzag_smooth, zigzag_sharp] = both(&zigzag)?;
-    let [roof_smooth, roof_sharp] = both(&roof)?;
-    let [front_smooth, front_sharp] = both(&zigzag_in_front)?;
+    let gear_mesh = LitMesh::from_corner(meshes::gear()?, light, size)?;
+    let cube = pair(&LitMesh::from_corner(meshes::cube()?, light, size)?)?;
+    let gear = pair(&gear_mesh)?;
+    let zigzag = pair(&sheet(&folds, light)?)?;
+    let roof = pair(&sheet(&[SLOPE, Degrees(0.0), Degrees(-SLOPE.0), Degrees(0.0)], light)?)?;
+    let [front_smooth, front_sharp] = pair(&sheet(&folds, Degrees(0.0))?)?;
     let right_angle = Degrees(90.0);
-    // Corners at the sheets' ends, out of sight, have one face only.
-    let bends = [
-        (TEXTS.get("cube"), cube_smooth.largest(), cube_sharp.largest(), CUBE, right_angle),
-        (TEXTS.get("zig-zag"), zigzag_smooth.largest(), zigzag_sharp.largest(), SLOPE.0, right_angle),
-        (TEXTS.get("roof"), roof_smooth.largest(), roof_sharp.largest(), 0.5 * SLOPE.0, SLOPE),
-    ];
-    let mut measures = Vec::new();
-    for (of, smooth, sharp, law, edge) in bends {
-        measures.extend(angles(&of, [smooth, sharp], law, parameters, edge));
+    // Corners at the sheets' ends, out of the picture, have one face only.
+    for (shape, pair, law, edge) in [
+        ("shape-cube", &cube, CUBE, right_angle),
+        ("shape-zigzag", &zigzag, SLOPE.0, right_angle),
+        ("shape-roof", &roof, 0.5 * SLOPE.0, SLOPE),
+    ] {
+        out.set("shape", out.text(shape));
+        measure_angles(pair, law, edge, parameters, out);
     }
-    measures.extend([
-        brightness(TEXTS.get("zig-zag-light"), front_smooth.middle(), 1.0),
-        brightness(
-            TEXTS.get("zig-zag-light-front"),
-            front_sharp.true_middle(),
-            libm::cos(Radians::from(SLOPE).0),
-        ),
-        share(
-            TEXTS.with("gear-share-corners", &[("value", crease.0.into())]),
-            gear_smooth.share_over(crease),
-        ),
-        bore(gear_sharp.largest(), parameters),
-        Measure::new(TEXTS.get("measure-gear-averaged-mean"), "°", gear_smooth.deviation.mean),
-        Measure::new(TEXTS.get("measure-gear-split-mean"), "°", gear_sharp.deviation.mean),
-    ]);
-    let moved = Moved {
-        name: TEXTS.get("moved"),
-        unit: "°",
-        bad: gear_smooth.deviation.mean,
-        present: Threshold::HALF_STEP_OF_TILT,
-        cure: match separates_gear(parameters) {
-            true => Text::each(|language| {
-                let left = TEXTS.get("cure");
-                format!("{}; {}", cure(crease).get(language), left.get(language))
-            }),
-            false => cure(crease),
-        },
-        cured: gear_sharp.deviation.mean,
-        factor: 100.0,
+    out.measure("front-averaged", "", front_smooth.middle(), Check::Near(1.0, 1e-6));
+    let law = libm::cos(Radians::from(SLOPE).0);
+    out.measure("front-faces", "", front_sharp.true_middle(), Check::Near(law, 1e-6));
+    out.measure("gear-share", "", gear[0].share_over(crease), Check::None);
+    // The gear's bore, which is round, keeps half the angle between its facets.
+    let check = match separates_gear(parameters) {
+        true => Check::Near(180.0 / f64::from(meshes::BORE), 1e-9),
+        false => Check::None,
     };
-    Ok(Outcome {
-        verdict: Verdict::Holds(TEXTS.get("holds-wherever-faces-share")),
-        charts: vec![chart(&gear, weight)?],
-        shots: shots::all(
-            &moved,
-            separates_gear(parameters),
-            [
-                [cube_smooth, cube_sharp],
-                [gear_smooth, gear_sharp],
-                [roof_smooth, roof_sharp],
-                [zigzag_smooth, zigzag_sharp],
-            ],
-        ),
-        moved,
-        measures,
-        notes: notes(),
-    })
+    out.measure("gear-bore", "°", gear[1].largest(), check);
+    out.measure("gear-averaged", "°", gear[0].deviation.mean, Check::None);
+    out.measure("gear-split", "°", gear[1].deviation.mean, Check::None);
+    chart(&gear_mesh, weight, out);
+    let ([gear_angles, gear_light], [cube_angles, _]) = (gear[0].maps(), cube[0].maps());
+    let effect = show(["gear", "gear-split"], gear, out);
+    out.difference("gear-angles", gear_angles);
+    out.difference("gear-light", gear_light);
+    show(["cube", "cube-split"], cube, out);
+    out.difference("cube-angles", cube_angles);
+    show(["zigzag", "zigzag-split"], zigzag, out);
+    show(["roof", "roof-split"], roof, out);
+    Ok(Effect { name: out.text("gear-effect"), ..effect })
 }
 
-/// A parallel view of a sheet at which its profile is seen at both of its ends.
+/// A parallel view of a sheet that shows its profile at both ends.
 fn from_above() -> Camera {
     Camera { eye: DVec3::new(0.0, 70.0, 100.0), ..front(6.0) }
 }
 
-fn notes() -> Vec<Text> {
-    vec![TEXTS.get("zig-zag-every"), TEXTS.get("splitting-gives-each")]
+/// The pictures of a mesh, averaged and split.
+fn show(names: [&'static str; 2], [smooth, sharp]: [Rendering; 2], out: &mut Recorder) -> Effect {
+    let means = [smooth.deviation.mean, sharp.deviation.mean];
+    let effect = out.effect("pixels", "°", means, Threshold::half_step_of_tilt(), 100.0);
+    out.bad(names[0], &effect, smooth.lit);
+    out.cured(names[1], &effect, sharp.lit);
+    effect
 }
-
-/// The angle at the cube's corners: arctan √2.
-const CUBE: f64 = 54.735_610_317_245_346;
 
 /// The largest angle between a corner's normal and its face, averaged and split, with the law of the averaged one and the angle
 /// of the edges.
-fn angles(
-    of: &Text,
-    [smooth, sharp]: [f64; 2],
+fn measure_angles(
+    [smooth, sharp]: &[Rendering; 2],
     law: f64,
-    parameters: &Parameters,
     edge: Degrees,
-) -> Vec<Measure> {
-    let &Parameters { weight, crease, .. } = parameters;
-    let name = |what: [&'static str; 2]| {
-        Text::each(|language| {
-            let [en, pt] = what;
-            let what = Text::new(en, pt);
-            format!("{}, {}", of.get(language), what.get(language))
-        })
-    };
-    let averaged = Measure::new(
-        name([
-            "averaged: largest angle of a corner's normal to its face",
-            "média: maior ângulo da normal de um canto com a sua face",
-        ]),
-        "°",
-        smooth,
-    );
-    let split = Measure::new(
-        name([
-            "split: largest angle of a corner's normal to its face",
-            "separado: maior ângulo da normal de um canto com a sua face",
-        ]),
-        "°",
-        sharp,
-    );
-    // A quadric through vertices of a bend is no mean of its faces.
-    if weight == Weight::Quadric {
-        return vec![averaged, split];
+    parameters: &Parameters,
+    out: &mut Recorder,
+) {
+    let split_law = if parameters.crease.0 < edge.0 - 0.1 { 0.0 } else { law };
+    for (name, rendering, law) in [("averaged", smooth, law), ("split", sharp, split_law)] {
+        // A quadric through the vertices of a fold is not a mean of its faces.
+        let check = match parameters.weight {
+            Weight::Quadric => Check::None,
+            _ => Check::Near(law, 1e-9),
+        };
+        out.measure(name, "°", rendering.largest(), check);
     }
-    let is_split = crease.0 < edge.0 - 0.1;
-    let by = |en, pt| Text::new(en, pt);
-    vec![
-        averaged.expect(
-            law,
-            1e-9,
-            by(
-                "the angle between the mean and a face; a few roundings",
-                "o ângulo entre a média e uma face; poucos arredondamentos",
-            ),
-        ),
-        split.expect(
-            if is_split { 0.0 } else { law },
-            1e-9,
-            by(
-                "0 where the crease angle is less than that of the edge",
-                "0 onde o ângulo de vinco é menor que o da aresta",
-            ),
-        ),
-    ]
 }
 
-fn brightness(name: Text, found: f64, law: f64) -> Measure {
-    Measure::new(name, "", found).expect(law, 1e-6, TEXTS.get("by-n-l-l"))
-}
-
-fn share(name: Text, found: f64) -> Measure {
-    Measure::new(name, "", found)
-}
-
-/// Whether all of the gear is split but its bore: teeth bend by more than 60°, the bore by 7.5°.
+/// Whether all of the gear is split but its bore: its teeth have edges of more than 60°, its bore of 7.5°.
 fn separates_gear(parameters: &Parameters) -> bool {
     (8.0..60.0).contains(&parameters.crease.0) && parameters.weight != Weight::Quadric
 }
 
-/// What is left at the gear's bore, which is round: half the angle between its facets.
-fn bore(found: f64, parameters: &Parameters) -> Measure {
-    let measure = Measure::new(TEXTS.get("measure-gear-split-largest"), "°", found);
-    if !separates_gear(parameters) {
-        return measure;
-    }
-    measure.expect(180.0 / f64::from(bodies::BORE), 1e-9, TEXTS.get("by-half-angle-between"))
-}
-
-/// What crease angles make of the gear.
-fn chart(gear: &Subject, weight: Weight) -> Result<Chart, ArtefactError> {
+/// The error on the gear by crease angle.
+fn chart(gear: &LitMesh, weight: Weight, out: &mut Recorder) {
     let points = (0..=36).map(|k| {
         let crease = Degrees(5.0 * f64::from(k));
         [crease.0, gear.mean_of_corners(weight, Crease::Angle(crease))]
     });
-    Ok(Chart {
-        name: "error-by-crease-angle",
-        title: TEXTS.get("chart-title"),
-        caption: TEXTS.get("chart-caption"),
-        x: Scale::linear(TEXTS.get("axis-crease-angle-degrees")),
-        y: Scale::linear(TEXTS.get("axis-mean-angle-degrees")),
-        curves: vec![Curve {
-            name: TEXTS.get("curve-corners-gear"),
-            drawn: Drawn::Line,
-            points: points.collect(),
-        }],
-    })
+    let curve = out.curve("gear", Drawn::Line, points.collect());
+    out.chart("error-by-crease-angle", [Axis::Linear; 2], vec![curve]);
 }
-
-/// What is done about it.
-fn cure(crease: Degrees) -> Text {
-    Text::each(|language| {
-        let angle = language.number(crease.0);
-        match language {
-            Language::English => format!("vertices split at edges over {angle}°"),
-            Language::Portuguese => format!("vértices separados em arestas de mais de {angle}°"),
-        }
-    })
-}
-
-#[cfg(test)]
-mod tests;
-mod texts;

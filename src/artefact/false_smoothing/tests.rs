@@ -18,8 +18,8 @@ fn the_artefact_is_there_and_is_cured() {
             assert_ne!(measure.agrees(), Some(false), "{weight:?}: {measure:?}");
         }
         // Present: normals are off by tens of degrees. Cured: only the bore's facets are left, a hundred times less.
-        let moved = &outcome.moved;
-        assert!(moved.bad > 20.0 && moved.reduction() > 100.0, "{weight:?}: {moved:?}");
+        let effect = &outcome.effect;
+        assert!(effect.bad > 20.0 && effect.reduction() > 100.0, "{weight:?}: {effect:?}");
     }
 }
 
@@ -29,7 +29,7 @@ fn a_zigzag_vanishes() {
     let outcome = EXPERIMENT.run(&setup(64)).unwrap();
     let luminances = |name: &str| {
         let shot = outcome.shots.iter().find(|shot| shot.name == name).unwrap();
-        let all = super::super::stage::luminance(&shot.image);
+        let all = super::super::drawing::luminance(&shot.image);
         let seen = all.iter().zip(&shot.image.coverage).filter(|(_, covered)| **covered > 0);
         seen.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), (&y, _)| (low.min(y), high.max(y)))
     };
@@ -45,13 +45,13 @@ fn a_crease_angle_over_the_edges_cures_nothing() {
     setup.parameters.crease = Degrees(100.0);
     let outcome = EXPERIMENT.run(&setup).unwrap();
     assert!(outcome.measures.iter().all(|measure| measure.agrees() != Some(false)));
-    assert_eq!(outcome.moved.bad, outcome.moved.cured);
-    assert!(outcome.moved.is_present() && !outcome.moved.is_cured());
+    assert_eq!(outcome.effect.bad, outcome.effect.cured);
+    assert!(outcome.effect.is_present() && !outcome.effect.is_cured());
 }
 
 #[test]
 fn meshes_of_ones_own_are_judged_by_the_crease_angle() {
-    let (cube, ball) = (bodies::cube().unwrap(), Surface::from(Sphere::default()));
+    let (cube, ball) = (meshes::cube().unwrap(), Surface::from(Sphere::default()));
     let ball = ball.tessellate(&Tessellation { segments: [24, 12], ..Tessellation::default() }).unwrap();
     let run = |mesh| {
         let own = UserMesh { name: "own.obj", mesh, finer: None };
@@ -61,6 +61,6 @@ fn meshes_of_ones_own_are_judged_by_the_crease_angle() {
     assert!(matches!(outcome.verdict, Verdict::Holds(_)));
     assert_eq!(outcome.measures[0].value, 1.0);
     // Single precision of pictures.
-    assert!(outcome.moved.bad > 10.0 && outcome.moved.cured < 1e-4, "{:?}", outcome.moved);
+    assert!(outcome.effect.bad > 10.0 && outcome.effect.cured < 1e-4, "{:?}", outcome.effect);
     assert!(matches!(run(&ball).verdict, Verdict::Absent(_)));
 }

@@ -1,9 +1,10 @@
 //! The pictures: a box and a plate under a near lamp, and a plate before a near viewer.
 
-use super::super::stage::{chalk, draw, front, object, settings};
-use super::super::{ArtefactError, Moved, Shot, Threshold};
-use super::texts::TEXTS;
-use super::{Lamp, RADIUS, RATIOS, Viewer, paint_plate, squares};
+use super::super::drawing::{chalk, draw, front, object, settings};
+use super::super::effect::{Effect, Threshold};
+use super::super::error::ArtefactError;
+use super::super::recorder::Recorder;
+use super::plate::{Lamp, RADIUS, RATIOS, Viewer, paint_plate, squares};
 use crate::metric::image_error;
 use crate::normals::{NormalRecipe, compute};
 use crate::num::{Degrees, LinearRgb};
@@ -11,35 +12,22 @@ use crate::raster::{Camera, Image, Interpolation, Shading};
 use crate::shade::{Attenuation, Light};
 use glam::DVec3;
 
-/// The plate that the number that moves is measured on.
+/// The plate on which the effect is measured.
 pub(super) fn of_plate(
     lamp: &Lamp,
-    moved: &Moved,
+    effect: &Effect,
     segments: u32,
     size: u32,
-) -> Result<Vec<Shot>, ArtefactError> {
+    out: &mut Recorder,
+) -> Result<(), ArtefactError> {
     let paint = |cells| paint_plate(cells, chalk(), lamp.light(), front(2.0), size, Shading::Flat);
-    Ok(vec![
-        moved.bad_shot(
-            "plate",
-            TEXTS.get("plate-title"),
-            [TEXTS.get("plate-caption-plate-under-lamp"), TEXTS.get("plate-caption-all-grey")],
-            paint(1)?,
-        ),
-        moved.cured_shot(
-            "plate-small-faces",
-            TEXTS.get("plate-small-faces-title"),
-            [
-                TEXTS.with("plate-small-faces-caption-same-plate-cut", &[("segments", segments.into())]),
-                TEXTS.get("plate-small-faces-caption-light-falls-off"),
-            ],
-            paint(segments)?,
-        ),
-    ])
+    out.bad("plate", effect, paint(1)?);
+    out.cured("plate-small-faces", effect, paint(segments)?);
+    Ok(())
 }
 
 /// A box under a lamp that is near its upper corner, and far away in the same direction.
-pub(super) fn of_box(size: u32, segments: u32) -> Result<Vec<Shot>, ArtefactError> {
+pub(super) fn of_box(size: u32, segments: u32, out: &mut Recorder) -> Result<(), ArtefactError> {
     let sides = [
         (DVec3::new(-1.0, -1.0, 1.0), DVec3::X * 2.0, DVec3::Y * 2.0),
         (DVec3::new(1.0, -1.0, 1.0), DVec3::Z * -2.0, DVec3::Y * 2.0),
@@ -61,99 +49,36 @@ pub(super) fn of_box(size: u32, segments: u32) -> Result<Vec<Shot>, ArtefactErro
     let off = |image: &Image, truth: &Image| {
         Ok::<f64, ArtefactError>(image_error(image, truth, 0.5)?.linear.max / 255.0)
     };
-    let small = Moved {
-        name: TEXTS.get("moved-largest-error-pixel"),
-        unit: "",
-        bad: off(&flat, &near)?,
-        present: Threshold::HALF_STEP,
-        cure: TEXTS.get("cure-smaller-faces"),
-        cured: off(&cut_up, &near)?,
-        // Of faces a third as long already.
-        factor: 2.0,
-    };
-    let away = Moved { cured: off(&far, &paint(1, 100.0, Shading::Phong)?)?, factor: 10.0, ..small.clone() };
-    Ok(vec![
-        small.bad_shot(
-            "flat",
-            TEXTS.get("flat-title"),
-            [TEXTS.get("flat-caption-lamp-stands-near"), TEXTS.get("flat-caption-but-each-side")],
-            flat,
-        ),
-        Shot::truth(
-            "every-pixel",
-            TEXTS.get("every-pixel-title"),
-            TEXTS.get("every-pixel-caption-lit-every-pixel"),
-            near,
-        ),
-        small.cured_shot(
-            "flat-small-faces",
-            TEXTS.get("flat-small-faces-title"),
-            [
-                TEXTS.with("flat-small-faces-caption-same-flat-shading", &[("segments", segments.into())]),
-                TEXTS.get("flat-small-faces-caption-closer-truth"),
-            ],
-            cut_up,
-        ),
-        away.cured_shot(
-            "flat-lamp-far",
-            TEXTS.get("flat-lamp-far-title"),
-            [
-                TEXTS.get("flat-lamp-far-caption-lamp-moved-hundred"),
-                TEXTS.get("flat-lamp-far-caption-now-colour-side"),
-            ],
-            far,
-        ),
-    ])
+    // Of faces a third as long already.
+    let errors = [off(&flat, &near)?, off(&cut_up, &near)?];
+    let small = out.effect("small-faces", "", errors, Threshold::half_step(), 2.0);
+    let cured = off(&far, &paint(1, 100.0, Shading::Phong)?)?;
+    let away = Effect { cured, factor: 10.0, ..small.clone() };
+    out.bad("flat", &small, flat);
+    out.truth("every-pixel", near);
+    out.cured("flat-small-faces", &small, cut_up);
+    out.cured("flat-lamp-far", &away, far);
+    Ok(())
 }
 
 /// How far to the side the light stands whose highlight a near viewer sees on the plate: closer to the axis than its edges.
 pub(super) const ASIDE: Degrees = Degrees(15.0);
 
 /// The plate with nothing but a highlight, its viewer at two circumradii.
-pub(super) fn of_highlight(exponent: f64, segments: u32, size: u32) -> Result<Vec<Shot>, ArtefactError> {
+pub(super) fn of_highlight(
+    exponent: f64,
+    segments: u32,
+    size: u32,
+    out: &mut Recorder,
+) -> Result<(), ArtefactError> {
     let viewer = Viewer { angle: ASIDE, distance: RATIOS[0] * RADIUS, exponent };
     let (material, light, camera) = viewer.scene();
     let paint = |cells, shading| paint_plate(cells, material, light, camera, size, shading);
-    let small = Moved {
-        name: TEXTS.with("moved-largest-error-highlight", &[("value", ASIDE.0.into())]),
-        unit: "",
-        bad: viewer.error(1, size)?,
-        present: Threshold::HALF_STEP,
-        cure: TEXTS.get("cure-smaller-faces"),
-        cured: viewer.error(segments, size)?,
-        // Of a few steps less the squares are still seen.
-        factor: 20.0,
-    };
-    Ok(vec![
-        small.bad_shot(
-            "highlight",
-            TEXTS.get("highlight-title"),
-            [
-                TEXTS.with(
-                    "highlight-caption-plate-nothing-but",
-                    &[("exponent", exponent.into()), ("value", ASIDE.0.into())],
-                ),
-                TEXTS.get("highlight-caption-grey-middle-no"),
-            ],
-            paint(1, Shading::Flat)?,
-        ),
-        Shot::truth(
-            "highlight-every-pixel",
-            TEXTS.get("highlight-every-pixel-title"),
-            TEXTS.get("highlight-every-pixel-caption-lit-every-pixel"),
-            paint(1, Shading::Phong)?,
-        ),
-        small.cured_shot(
-            "highlight-small-faces",
-            TEXTS.get("highlight-small-faces-title"),
-            [
-                TEXTS.with(
-                    "highlight-small-faces-caption-flat-shading-segments",
-                    &[("segments", segments.into())],
-                ),
-                TEXTS.get("highlight-small-faces-caption-highlight-place-steps"),
-            ],
-            paint(segments, Shading::Flat)?,
-        ),
-    ])
+    // With an error that is only a few steps smaller the squares would still be seen.
+    let errors = [viewer.error(1, size)?, viewer.error(segments, size)?];
+    let effect = out.effect("highlight", "", errors, Threshold::half_step(), 20.0);
+    out.bad("highlight", &effect, paint(1, Shading::Flat)?);
+    out.truth("highlight-every-pixel", paint(1, Shading::Phong)?);
+    out.cured("highlight-small-faces", &effect, paint(segments, Shading::Flat)?);
+    Ok(())
 }

@@ -1,8 +1,8 @@
 //! What is drawn: a plate and a sphere whose highlights fall between vertices, and what light there is on them.
 
-use super::super::ArtefactError;
-use super::super::body::{Body, Diagonal};
-use super::super::stage::{draw, front, settings};
+use super::super::drawing::{draw, front, settings};
+use super::super::error::ArtefactError;
+use super::super::triangle_mesh::{Diagonal, TriangleMesh};
 use crate::num::{Degrees, LinearRgb, Radians};
 use crate::raster::{Image, Interpolation, Object, Shading};
 use crate::shade::{Light, Material, Reflectance};
@@ -38,9 +38,9 @@ pub(super) fn material(exponent: f64) -> Material {
 }
 
 /// Two triangles whose normals at the corners lean outwards.
-pub(super) fn plate() -> Body {
+pub(super) fn plate() -> TriangleMesh {
     let (sine, cosine) = libm::sincos(Radians::from(TILT).0);
-    Body::grid([1, 1], Diagonal::Rising, |u, v| {
+    TriangleMesh::grid([1, 1], Diagonal::Rising, |u, v| {
         let place = DVec3::new(2.0 * u - 1.0, 2.0 * v - 1.0, 0.0);
         (place, place * (sine / SQRT_2) + DVec3::Z * cosine)
     })

@@ -1,23 +1,34 @@
 //! Mach bands on a cylinder: steps of flat shading, slope jumps of Gouraud's and Phong's.
 
-mod duff;
+mod charts;
+mod counter_example;
+mod laws;
 mod pictures;
-mod predicted;
-mod texts;
+mod predicted_overshoot;
 mod tube;
 
-use super::{
-    ArtefactError, Experiment, Knob, Measure, Moved, Outcome, Parameters, Setup, Text, Threshold, Verdict,
-};
-use crate::num::{Degrees, Radians};
+use super::effect::{Effect, Threshold};
+use super::error::ArtefactError;
+use super::experiment::Experiment;
+use super::outcome::{Outcome, Verdict};
+use super::parameter_name::ParameterName;
+use super::parameters::{Parameters, Setup};
+use super::recorder::{Check, Recorder};
+use crate::num::Degrees;
 use crate::raster::Shading;
-use texts::TEXTS;
+use crate::text::{Catalogue, catalogue};
+use charts::Lines;
+use counter_example::GRAZING;
+use laws::{Law, flat_step, gouraud_jump, phong_jump};
+use pictures::Jumps;
 use tube::{Found, Profile, Tube};
+
+static TEXTS: Catalogue = catalogue!("texts");
 
 pub(super) static EXPERIMENT: Experiment = Experiment {
     id: "mach-bands",
     texts: &TEXTS,
-    takes: &[Knob::Size, Knob::Segments, Knob::Light],
+    takes: &[ParameterName::Size, ParameterName::Segments, ParameterName::Light],
     // Of fewer facets no edge may be in sight; those of four times as many more would be a few pixels wide.
     segments: 6..=128,
     // So few that bands are seen with the naked eye; with an odd number of facets in the light no two neighbours are alike.
@@ -26,141 +37,66 @@ pub(super) static EXPERIMENT: Experiment = Experiment {
     frame: None,
 };
 
-/// Where Phong's shading is the worse one.
-const GRAZING: Degrees = Degrees(80.0);
 /// How many times more segments the cured cylinder has.
 const FINER: u32 = 4;
 
 fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let Parameters { size, segments, light, .. } = setup.parameters;
-    let tube = Tube::under(light, segments)?;
-    let lines = [Shading::Flat, Shading::Gouraud, Shading::Phong, Shading::Exact]
-        .map(|shading| tube.profile(light, shading));
-    let [flat, gouraud, phong, exact] = lines;
-    let lines = Lines { flat: flat?, gouraud: gouraud?, phong: phong?, exact: exact? };
-    let fine = Tube::under(light, FINER * segments)?;
-
-    let step =
-        tube.largest(light, |theta| (lines.flat.step(&tube, theta), flat_step(theta, light, tube.delta())));
-    let of = |line: &Profile, law: Law| {
-        tube.largest(light, |theta| (line.slope_jump(&tube, theta).0, law(theta, light, tube.delta())))
-    };
-    let (of_gouraud, of_phong) = (of(&lines.gouraud, gouraud_jump), of(&lines.phong, phong_jump));
-    let is_gouraud_worse = of_gouraud.measured.abs() > of_phong.measured.abs();
-    let worse = match is_gouraud_worse {
-        true => Worse { name: "Gouraud", shading: Shading::Gouraud, law: gouraud_jump, found: of_gouraud },
-        false => Worse { name: "Phong", shading: Shading::Phong, law: phong_jump, found: of_phong },
-    };
-    let is_phong_worse_at = |theta: f64| {
-        phong_jump(theta, light, tube.delta()).abs() > gouraud_jump(theta, light, tube.delta()).abs()
-    };
-    // At the same edge, which the finer one has too.
-    let (at, fine_line) = (worse.found.theta, fine.profile(light, worse.shading)?);
-    let (of_fine, by_fine) = fine_line.slope_jump(&fine, at);
-
-    let jump = |name: &str, line: &Profile, found: Found, notation: Text| {
-        let name = TEXTS.with("name-largest-slope", &[("name", name.into())]);
-        let (_, tolerance) = line.slope_jump(&tube, found.theta);
-        Measure::new(name, "1/R", found.measured).expect(found.law, tolerance, notation)
-    };
-    let mut measures = vec![
-        Measure::new(TEXTS.get("measure-flat-largest-step"), "", step.measured).expect(
-            step.law,
-            1e-6,
-            TEXTS.get("by-sin-l-sin"),
-        ),
-        jump("Gouraud", &lines.gouraud, of_gouraud, TEXTS.get("cos-l-tan")),
-        jump("Phong", &lines.phong, of_phong, TEXTS.get("sin-l-sin")),
-        Measure::new(
-            Text::made(
-                format!("{} with {} segments: slope jump at the same edge", worse.name, FINER * segments),
-                format!(
-                    "{} com {} segmentos: salto de inclinação na mesma aresta",
-                    worse.name,
-                    FINER * segments
-                ),
-            ),
-            "1/R",
-            of_fine,
-        )
-        .expect((worse.law)(at, light, fine.delta()), by_fine, TEXTS.get("by-same-smaller")),
+    let values = [
+        ("segments", f64::from(segments).into()),
+        ("finer", (FINER * segments).into()),
+        ("factor", FINER.into()),
+        ("light", light.0.into()),
     ];
-    measures.extend(duff::measures(segments)?);
-    measures.extend(predicted::measures(&tube, &fine, light)?);
-    let grazing = Tube::under(GRAZING, segments)?;
-    let moved = Moved {
-        name: Text::made(
-            format!(
-                "{}'s slope jump at the edge, within 60° of the direction of view, where it is largest",
-                worse.name
-            ),
-            format!(
-                "o salto de inclinação de {} na aresta, a até 60° da direção de visão, em que ele é maior",
-                worse.name
-            ),
-        ),
-        unit: "1/R",
-        bad: worse.found.measured.abs(),
-        present: threshold(&tube),
-        cure: Text::made(
-            format!("{FINER} times the segments, at the same edge"),
-            format!("{FINER} vezes mais segmentos, na mesma aresta"),
-        ),
-        cured: of_fine.abs(),
-        // Jumps are of first order in the width of a facet, and of more where tangents grow.
-        factor: 3.5,
+    let mut out = Recorder::new(&TEXTS, &values);
+    let (tube, fine) = (Tube::under(light, segments)?, Tube::under(light, FINER * segments)?);
+    let lines = Lines::new(&tube, light)?;
+    let edges = Edges::measure(&tube, &fine, light, &lines, &mut out)?;
+    counter_example::measure(segments, &mut out)?;
+    predicted_overshoot::measure(&tube, &fine, light, &mut out)?;
+    // Jumps are of first order in the width of a facet, and of more where tangents grow.
+    let bad = edges.worse.found.measured.abs();
+    let effect = out.effect("finer", "1/R", [bad, edges.of_fine.abs()], threshold(&tube, &out), 3.5);
+    // Another shading need not make bands vanish, but visibly smaller.
+    let of_shading = |bad: f64, cured: f64, tube: &Tube, out: &Recorder| {
+        out.effect("shading", "1/R", [bad, cured], threshold(tube, out), 1.5)
     };
-    let better = if is_gouraud_worse { of_phong } else { of_gouraud };
-    let [phong_at_80, gouraud_at_80] =
-        [Shading::Phong, Shading::Gouraud].map(|shading| grazing.jumps(GRAZING, shading));
-    let jumps_at_80 = [phong_at_80?, gouraud_at_80?];
-    let largest = |jumps: &Vec<[f64; 2]>| jumps.iter().map(|jump| jump[1]).fold(0.0, f64::max);
-    let [phong_at_80, gouraud_at_80] = jumps_at_80.each_ref().map(largest);
-    // What another shading does need not make bands vanish, but be seen to be less.
-    let other = |bad: f64, cured: f64, tube: &Tube| Moved {
-        name: TEXTS.get("moved"),
-        bad,
-        cured,
-        present: threshold(tube),
-        factor: 1.5,
-        ..moved.clone()
+    let step = Effect {
+        name: out.text("flat-effect"),
+        unit: "",
+        bad: edges.step.measured.abs(),
+        present: Threshold::half_step(),
+        ..effect.clone()
     };
-    let shown = Shown {
-        worse: &worse,
-        step: Moved {
-            name: TEXTS.get("moved-largest-step-within"),
-            unit: "",
-            bad: step.measured.abs(),
-            present: Threshold::HALF_STEP,
-            ..moved.clone()
-        },
-        other: other(worse.found.measured.abs(), better.measured.abs(), &tube),
-        finer: moved.clone(),
-        at_80: other(phong_at_80, gouraud_at_80, &grazing),
-        jumps_at_80,
+    let of_other = of_shading(bad, edges.better.measured.abs(), &tube, &out);
+    let grazing = Jumps::measure(Tube::under(GRAZING, segments)?, GRAZING)?;
+    let of_grazing =
+        of_shading(grazing.largest_of_phong(), grazing.largest_of_gouraud(), &grazing.tube, &out);
+    charts::record(&lines, &of_other, &mut out);
+    predicted_overshoot::charts(&tube, light, &mut out)?;
+    charts::record_grazing(&grazing.tube, GRAZING, &of_grazing, &mut out)?;
+    let worse = edges.worse.shading;
+    pictures::record(size, light, [&tube, &fine], worse, [&step, &of_other, &effect], &mut out)?;
+    grazing.show(size, GRAZING, &of_grazing, &mut out)?;
+    let verdict = match worse {
+        Shading::Gouraud => Verdict::HoldsOnlyIf(out.text("holds-only-if")),
+        _ => Verdict::Fails(out.text("fails")),
     };
-    let mut charts = pictures::charts(&lines, &shown);
-    charts.extend(predicted::charts(&tube, light)?);
-    charts.extend(pictures::charts_of_grazing_light(&grazing, &shown.at_80)?);
-    Ok(Outcome {
-        verdict: verdict(is_gouraud_worse, tube.edges(light).any(is_phong_worse_at), light),
-        measures,
-        shots: pictures::shots(size, light, [&tube, &fine, &grazing], &shown)?,
-        moved,
-        charts,
-        notes: notes(),
-    })
+    Ok(out.finish(verdict, effect))
 }
 
-/// Luminance across the picture.
-struct Lines {
-    flat: Profile,
-    gouraud: Profile,
-    phong: Profile,
-    exact: Profile,
+/// The largest jumps at the edges.
+struct Edges {
+    /// Of flat shading.
+    step: Found,
+    worse: Worse,
+    /// Of the other shading.
+    better: Found,
+    /// Of the worse shading on the finer cylinder, at the same edge.
+    of_fine: f64,
 }
 
-/// The shading whose slope jumps more.
+/// Gouraud's or Phong's shading: the one whose slope jumps more.
 struct Worse {
     name: &'static str,
     shading: Shading,
@@ -168,69 +104,56 @@ struct Worse {
     found: Found,
 }
 
-/// What the pictures are measured by.
-struct Shown<'a> {
-    worse: &'a Worse,
-    /// Of flat shading.
-    step: Moved,
-    /// The shading whose slope jumps more, and the other one.
-    other: Moved,
-    /// The former, and the same with more segments.
-    finer: Moved,
-    /// In light at 80°, Phong's and Gouraud's.
-    at_80: Moved,
-    /// The same at each edge: its place across the picture, and the slope's jump.
-    jumps_at_80: [Vec<[f64; 2]>; 2],
-}
-
-/// Where cos θ_L = 1/3: from there on Phong's slope jump is the larger one at some edge.
-const DUFF: Degrees = Degrees(70.528_779_365_509_3);
-
-/// By what was measured at the edges, and whether Phong's jump is the larger one at any of them.
-fn verdict(is_gouraud_worse: bool, is_phong_worse_somewhere: bool, light: Degrees) -> Verdict {
-    match is_gouraud_worse {
-        true if light.0.abs() > DUFF.0 && !is_phong_worse_somewhere => {
-            Verdict::HoldsOnlyIf(TEXTS.get("holds-only-if-no-edge-stands"))
+impl Edges {
+    fn measure(
+        tube: &Tube,
+        fine: &Tube,
+        light: Degrees,
+        lines: &Lines,
+        out: &mut Recorder,
+    ) -> Result<Self, ArtefactError> {
+        let delta = tube.delta();
+        let step =
+            tube.largest(light, |theta| (lines.flat.step(tube, theta), flat_step(theta, light, delta)));
+        let largest = |line: &Profile, law: Law| {
+            tube.largest(light, |theta| (line.slope_jump(tube, theta).0, law(theta, light, delta)))
+        };
+        let (gouraud, phong) = (largest(&lines.gouraud, gouraud_jump), largest(&lines.phong, phong_jump));
+        let is_gouraud_worse = gouraud.measured.abs() > phong.measured.abs();
+        let (worse, better) = match is_gouraud_worse {
+            true => {
+                let (name, shading) = ("Gouraud", Shading::Gouraud);
+                (Worse { name, shading, law: gouraud_jump, found: gouraud }, phong)
+            }
+            false => {
+                let (name, shading) = ("Phong", Shading::Phong);
+                (Worse { name, shading, law: phong_jump, found: phong }, gouraud)
+            }
+        };
+        out.set("worse", worse.name);
+        out.set("better", if is_gouraud_worse { "Phong" } else { "Gouraud" });
+        // At the same edge, which the finer one has too.
+        let (at, fine_line) = (worse.found.theta, fine.profile(light, worse.shading)?);
+        let (of_fine, by_fine) = fine_line.slope_jump(fine, at);
+        out.measure("flat-step", "", step.measured, Check::Near(step.law, 1e-6));
+        for (name, line, found) in
+            [("gouraud-jump", &lines.gouraud, gouraud), ("phong-jump", &lines.phong, phong)]
+        {
+            let (_, tolerance) = line.slope_jump(tube, found.theta);
+            out.measure(name, "1/R", found.measured, Check::Near(found.law, tolerance));
         }
-        true if light.0.abs() > DUFF.0 => {
-            Verdict::HoldsOnlyIf(TEXTS.get("holds-only-if-largest-jumps-compared"))
-        }
-        true => Verdict::HoldsOnlyIf(TEXTS.get("holds-only-if-light-less-off")),
-        false => Verdict::Fails(TEXTS.get("fails-light-far-off")),
+        let law = (worse.law)(at, light, fine.delta());
+        out.measure("fine-jump", "1/R", of_fine, Check::Near(law, by_fine));
+        Ok(Self { step, worse, better, of_fine })
     }
 }
 
-fn notes() -> Vec<Text> {
-    vec![
-        TEXTS.get("slope-luminance-jumps"),
-        TEXTS.get("overshoot-called-predicted"),
-        TEXTS.get("facets-meet-light"),
-        TEXTS.get("jumps-first-order"),
-    ]
-}
-
-/// The jump at an edge at the angle θ (radians) under a light, for facets of the angle Δ (radians).
-type Law = fn(f64, Degrees, f64) -> f64;
-
-fn flat_step(theta: f64, light: Degrees, delta: f64) -> f64 {
-    2.0 * libm::sin(theta - Radians::from(light).0).abs() * libm::sin(delta / 2.0)
-}
-
-fn gouraud_jump(theta: f64, light: Degrees, delta: f64) -> f64 {
-    -libm::cos(Radians::from(light).0) * (libm::tan(theta + delta / 2.0) - libm::tan(theta - delta / 2.0))
-}
-
-fn phong_jump(theta: f64, light: Degrees, delta: f64) -> f64 {
-    let bend = libm::tan(theta + delta / 2.0) - libm::tan(theta - delta / 2.0);
-    -libm::sin(theta - Radians::from(light).0) * libm::sin(theta) * bend
-}
-
-/// The jump of slope from which on a luminance that is straight over facets is off a round one by half a step of 8 bits: in the
+/// The jump of slope above which a luminance that is straight over facets is off a round one by half a step of 8 bits: in the
 /// middle of a facet of the width w it is w/8 times the jump.
-fn threshold(tube: &Tube) -> Threshold {
+fn threshold(tube: &Tube, out: &Recorder) -> Threshold {
     Threshold {
-        value: 8.0 * Threshold::HALF_STEP.value / (2.0 * libm::sin(0.5 * tube.delta())),
-        why: TEXTS.get("why-luminance-facet-half"),
+        value: 8.0 * Threshold::HALF_STEP / (2.0 * libm::sin(0.5 * tube.delta())),
+        why: out.text("why-slope"),
     }
 }
 
@@ -238,6 +161,7 @@ fn threshold(tube: &Tube) -> Threshold {
 mod tests {
     use super::tube::slope_weights;
     use super::*;
+    use crate::num::Radians;
     use std::f64::consts::TAU;
 
     #[test]
@@ -297,14 +221,14 @@ mod tests {
             assert_eq!(measure.agrees(), Some(true), "{measure:?}");
         }
         // Jumps of first order: a quarter, and less where tangents grow.
-        assert!(outcome.moved.bad > 0.3 && outcome.moved.reduction() > 3.5, "{:?}", outcome.moved);
+        assert!(outcome.effect.bad > 0.3 && outcome.effect.reduction() > 3.5, "{:?}", outcome.effect);
         assert!(matches!(outcome.verdict, Verdict::HoldsOnlyIf(_)));
     }
 
     /// From 70.53° on there may be edges where Phong is the worse one; at 80° there are. The pictures are labelled by that.
     #[test]
     fn in_grazing_light_the_claim_fails() {
-        use super::super::Role;
+        use super::super::shot::Role;
         for (light, is_gouraud_worse) in [(60.0, true), (-60.0, true), (80.0, false), (-80.0, false)] {
             let outcome = run(light, 16);
             let [gouraud, phong] = [1, 2].map(|k| outcome.measures[k].value.abs());
@@ -322,7 +246,11 @@ mod tests {
     fn where_nothing_is_lit_or_facets_are_fine_nothing_is_claimed() {
         for (light, segments) in [(180.0, 16), (30.0, 128)] {
             let outcome = run(light, segments);
-            assert!(matches!(outcome.verdict, Verdict::Absent(_)), "{light} {segments}: {:?}", outcome.moved);
+            assert!(
+                matches!(outcome.verdict, Verdict::Absent(_)),
+                "{light} {segments}: {:?}",
+                outcome.effect
+            );
         }
         let parameters = Parameters { segments: 5, ..EXPERIMENT.defaults };
         let error = EXPERIMENT.run(&Setup { parameters, mesh: None }).unwrap_err().to_string();

@@ -1,7 +1,7 @@
 //! A cylinder in facets, and luminance across it.
 
-use crate::artefact::ArtefactError;
-use crate::artefact::stage::{chalk, draw, front, light_at, luminance, object, settings, smooth};
+use super::super::drawing::{chalk, draw, front, light_at, luminance, object, settings, smooth};
+use super::super::error::ArtefactError;
 use crate::mesh::{Faces, Mesh, MeshBuilder};
 use crate::normals::{NormalField, Weight};
 use crate::num::{Degrees, Radians};

@@ -1,25 +1,30 @@
 //! The lectures' diamond: turning a polygon changes its colours under the scanline algorithm.
 
-mod back;
 mod oblique;
 mod pictures;
 mod polygon;
-mod texts;
+mod turned_back;
 
-use super::stage::linear;
-use super::{
-    ArtefactError, Experiment, Knob, Measure, Moved, Outcome, Parameters, Setup, Text, Threshold, Verdict,
-};
+use super::effect::Threshold;
+use super::error::ArtefactError;
+use super::experiment::Experiment;
+use super::outcome::{Drawn, Outcome, Verdict};
+use super::parameter_name::ParameterName;
+use super::parameters::{Parameters, Setup};
+use super::recorder::{Axis, Check, Recorder};
 use crate::num::Degrees;
 use crate::raster::{Image, Interpolation};
+use crate::text::{Catalogue, catalogue};
 use glam::{DVec2, DVec3};
-use polygon::Polygon;
-use texts::TEXTS;
+use pictures::Pictures;
+use polygon::{Polygon, centre};
+
+static TEXTS: Catalogue = catalogue!("texts");
 
 pub(super) static EXPERIMENT: Experiment = Experiment {
     id: "orientation",
     texts: &TEXTS,
-    takes: &[Knob::Size, Knob::Interpolation, Knob::Mesh],
+    takes: &[ParameterName::Size, ParameterName::Interpolation, ParameterName::Mesh],
     segments: Parameters::SEGMENTS,
     defaults: Parameters { size: 321, interpolation: Interpolation::Scanline, ..Parameters::USUAL },
     run,
@@ -34,138 +39,105 @@ fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let size = setup.parameters.size | 1;
     let polygon = Polygon::of(setup.mesh.as_ref(), size)?;
     let is_diamond = setup.mesh.is_none();
-    let angle = |turn: u32| Degrees(360.0 * f64::from(turn) / f64::from(TURNS));
-    let centres = |interpolation| -> Result<Vec<DVec3>, ArtefactError> {
-        (0..TURNS).map(|turn| Ok(centre(&polygon.draw(size, angle(turn), interpolation)?))).collect()
-    };
-    let scanline = centres(Interpolation::Scanline)?;
-    let triangles = centres(Interpolation::Affine)?;
-    let tolerance = tolerance(&polygon, size);
-    // Where the law jumps it is that of either side: not asked.
-    let law = |(turn, &found): (u32, &DVec3)| match polygon.jumps(DVec2::ZERO, angle(turn), size, tolerance) {
-        true => found,
-        false => polygon.scanline(DVec2::ZERO, angle(turn)),
-    };
-    let laws: Vec<DVec3> = (0..).zip(&scanline).map(law).collect();
-
-    let spread = |colours: &[DVec3]| -> (f64, f64) {
-        let far = colours.iter().map(|&colour| (colour - colours[0]).abs().max_element());
-        (far.clone().fold(0.0, f64::max), far.sum::<f64>() / colours.len() as f64)
-    };
-    let off = scanline.iter().zip(&laws).map(|(found, law)| (*found - *law).abs().max_element());
-    let off = off.fold(0.0, f64::max);
-    let (most, mean) = spread(&scanline);
-    let (most_law, mean_law) = spread(&laws);
-    let (of_triangles, _) = spread(&triangles);
-    let as_law = || TEXTS.get("law-scanline-corners");
-    let mut measures = vec![
-        Measure::new(TEXTS.get("measure-largest-distance-law"), "", off).expect(0.0, tolerance, as_law()),
-        Measure::new(TEXTS.get("measure-largest-change-centre"), "", most).expect(
-            most_law,
-            2.0 * tolerance,
-            as_law(),
-        ),
-        Measure::new(TEXTS.get("measure-mean-change-centre"), "", mean).expect(
-            mean_law,
-            2.0 * tolerance,
-            as_law(),
-        ),
-        Measure::new(TEXTS.get("measure-largest-change-triangles"), "", of_triangles).expect(
-            0.0,
-            2.0 * tolerance,
-            TEXTS.get("by-barycentric-coordinates-do"),
-        ),
-    ];
-    measures.extend(back::measures(&polygon, size, tolerance)?);
-    let mut measures = held(measures, &polygon, size);
-    let cuts = [false, true].map(|other_way| polygon.cut(other_way));
-    let [first, second] = cuts;
-    let (first, second) = (first?, second?);
-    let [one, other] = [&first, &second].map(|cut| cut.draw(size, Degrees(0.0), Interpolation::Affine));
-    let (one, other) = (one?, other?);
+    let shape = if is_diamond { "diamond" } else { "polygon" };
+    let mut out = Recorder::new(&TEXTS, &[("shape", shape.into()), ("full", pictures::FULL.into())]);
+    let colours = CentreColours::measure(&polygon, size, &mut out)?;
+    turned_back::measure(&polygon, size, &mut out)?;
+    let pictures = Pictures::draw(&polygon, size)?;
     if is_diamond {
-        measures.extend(of_the_diamond(&scanline, &one, &other, tolerance));
-        measures.extend(oblique::measures(&polygon, size, tolerance)?);
+        let (tolerance, [one, other]) = (polygon.tolerance(size), &pictures.cuts);
+        measure_diamond(&colours.scanline, [one, other], tolerance, &mut out);
+        oblique::measure(&polygon, size, tolerance, &mut out)?;
     }
-    let upright = polygon.draw(size, Degrees(0.0), Interpolation::Scanline)?;
-    let turned = polygon.draw(size, Degrees(90.0), Interpolation::Scanline)?;
-    let back = back::turned_back(&turned, Degrees(90.0));
-    let triangles_back =
-        back::turned_back(&first.draw(size, Degrees(90.0), Interpolation::Affine)?, Degrees(90.0));
-    let half = polygon.draw(size, Degrees(45.0), Interpolation::Scanline)?;
-    let moved = Moved {
-        name: TEXTS.get("moved"),
-        unit: "",
-        bad: most,
-        present: Threshold::HALF_STEP,
-        cure: TEXTS.get("cure"),
-        cured: of_triangles,
-        factor: 50.0,
-    };
-    Ok(Outcome {
-        verdict: Verdict::Holds(TEXTS.get("holds-polygons-four-corners")),
-        charts: vec![pictures::chart(&scanline, &laws, &triangles, &moved)],
-        shots: pictures::shots(
-            [upright, half, turned, back],
-            &triangles_back,
-            [one, other],
-            first.is_cut_as(&second),
-            is_diamond,
-            &moved,
-        ),
-        moved,
-        measures,
-        notes: vec![
-            TEXTS.get("note-seen-front-all"),
-            TEXTS.get("note-algorithm-interpolates-down"),
-            TEXTS.get("note-animation-animate-shows"),
-            TEXTS.get("note-triangles-cure-three"),
-        ],
-    })
+    let numbers = [largest_change(&colours.scanline), largest_change(&colours.triangles)];
+    let effect = out.effect("centre", "", numbers, Threshold::half_step(), 50.0);
+    out.set("bad", effect.bad);
+    out.set("cured", effect.cured);
+    colours.chart(&mut out);
+    pictures.show(&effect, &mut out);
+    let verdict = Verdict::Holds(out.text("holds"));
+    Ok(out.finish(verdict, effect))
 }
 
-/// Corners are moved by up to 1/512 of a pixel each way, over colours that change along edges; and from one edge of a narrow corner
-/// to the next within a fifth of the picture's side. Colours themselves are of single precision: a few roundings of them.
-fn tolerance(polygon: &Polygon, size: u32) -> f64 {
-    let [change, shortest] = polygon.steepest(size);
-    let snapped = 4.0 * change / (256.0 * shortest.min(0.2 * f64::from(size)));
-    snapped + 4.0 * f64::from(f32::EPSILON) * polygon.brightest()
+/// The colours at the centre of the polygon over a whole turn.
+struct CentreColours {
+    scanline: Vec<DVec3>,
+    laws: Vec<DVec3>,
+    triangles: Vec<DVec3>,
 }
 
-/// Numbers that the law does not cover: edges shorter than a pixel are passed over by scanlines.
-fn held(measures: Vec<Measure>, polygon: &Polygon, size: u32) -> Vec<Measure> {
-    let [_, shortest] = polygon.steepest(size);
-    if shortest >= 1.0 {
-        return measures;
+impl CentreColours {
+    fn measure(polygon: &Polygon, size: u32, out: &mut Recorder) -> Result<Self, ArtefactError> {
+        let angle = |turn: u32| Degrees(360.0 * f64::from(turn) / f64::from(TURNS));
+        let centres = |interpolation| -> Result<Vec<DVec3>, ArtefactError> {
+            (0..TURNS).map(|turn| Ok(centre(&polygon.draw(size, angle(turn), interpolation)?))).collect()
+        };
+        let scanline = centres(Interpolation::Scanline)?;
+        let triangles = centres(Interpolation::Affine)?;
+        let tolerance = polygon.tolerance(size);
+        // Where the law jumps it is that of either side: not compared.
+        let law =
+            |(turn, &found): (u32, &DVec3)| match polygon.jumps(DVec2::ZERO, angle(turn), size, tolerance) {
+                true => found,
+                false => polygon.scanline(DVec2::ZERO, angle(turn)),
+            };
+        let laws: Vec<DVec3> = (0..).zip(&scanline).map(law).collect();
+        let off = scanline.iter().zip(&laws).map(|(found, law)| (*found - *law).abs().max_element());
+        out.measure("law", "", off.fold(0.0, f64::max), polygon.check(size, 0.0, tolerance));
+        let check = |law| polygon.check(size, law, 2.0 * tolerance);
+        out.measure("largest-change", "", largest_change(&scanline), check(largest_change(&laws)));
+        out.measure("mean-change", "", mean_change(&scanline), check(mean_change(&laws)));
+        out.measure("triangles-change", "", largest_change(&triangles), check(0.0));
+        Ok(Self { scanline, laws, triangles })
     }
-    let why = TEXTS.get("polygon-edges-shorter");
-    measures.into_iter().map(|measure| Measure { expected: None, ..measure }.beyond(why.clone())).collect()
+
+    fn chart(&self, out: &mut Recorder) {
+        let curve = |name, drawn, colours: &[DVec3], axis: usize| {
+            let angle = |turn: usize| 360.0 * turn as f64 / colours.len() as f64;
+            let points = colours.iter().enumerate().map(|(turn, colour)| [angle(turn), colour[axis]]);
+            out.curve(name, drawn, points.collect())
+        };
+        let curves = vec![
+            curve("r-scanline", Drawn::Points, &self.scanline, 0),
+            curve("g-scanline", Drawn::Points, &self.scanline, 1),
+            curve("b-scanline", Drawn::Points, &self.scanline, 2),
+            curve("g-triangles", Drawn::Curve, &self.triangles, 1),
+            curve("r-law", Drawn::Guide, &self.laws, 0),
+            curve("g-law", Drawn::Guide, &self.laws, 1),
+            curve("b-law", Drawn::Guide, &self.laws, 2),
+        ];
+        out.chart("centre", [Axis::Linear; 2], curves);
+    }
+}
+
+/// How far colours are from the first, in the component that changes most.
+fn changes(colours: &[DVec3]) -> impl Iterator<Item = f64> {
+    colours.iter().map(|&colour| (colour - colours[0]).abs().max_element())
+}
+
+fn largest_change(colours: &[DVec3]) -> f64 {
+    changes(colours).fold(0.0, f64::max)
+}
+
+fn mean_change(colours: &[DVec3]) -> f64 {
+    changes(colours).sum::<f64>() / colours.len() as f64
 }
 
 /// The answers of exercise 1.6.25, and the centre in triangles.
-fn of_the_diamond(scanline: &[DVec3], one: &Image, other: &Image, tolerance: f64) -> Vec<Measure> {
-    let exercise = TEXTS.get("exercise-b-answer");
-    let diagonal = TEXTS.get("mean-corners-diagonal");
+fn measure_diamond(scanline: &[DVec3], [one, other]: [&Image; 2], tolerance: f64, out: &mut Recorder) {
     let quarter = scanline.len() / 4;
-    let cases = [
-        (TEXTS.get("position"), scanline[0], [0.1, 0.5, 0.5], &exercise),
-        (TEXTS.get("position-v2"), scanline[quarter], [0.2, 0.3, 0.1], &exercise),
-        (TEXTS.get("diagonal-triangles"), centre(one), [0.1, 0.5, 0.5], &diagonal),
-        (TEXTS.get("diagonal-triangles-v2"), centre(other), [0.2, 0.3, 0.1], &diagonal),
-    ];
-    let components = |(name, found, law, by): (Text, DVec3, [f64; 3], &Text)| {
-        use super::Language::{English, Portuguese};
-        let component = |axis: usize| {
-            let letter = ["R", "G", "B"][axis];
-            let name = Text::made(
-                format!("{}: {letter} at the centre", name.get(English)),
-                format!("{}: {letter} no centro", name.get(Portuguese)),
-            );
-            Measure::new(name, "", found[axis]).expect(law[axis], tolerance, by.clone())
-        };
-        [0, 1, 2].map(component)
-    };
-    cases.into_iter().flat_map(components).collect()
+    for (name, title, found, law) in [
+        ("exercise", "position-1", scanline[0], [0.1, 0.5, 0.5]),
+        ("exercise", "position-2", scanline[quarter], [0.2, 0.3, 0.1]),
+        ("diagonal", "diagonal-13-cut", centre(one), [0.1, 0.5, 0.5]),
+        ("diagonal", "diagonal-24-cut", centre(other), [0.2, 0.3, 0.1]),
+    ] {
+        out.set("case", out.text(title));
+        for (axis, letter) in ["R", "G", "B"].into_iter().enumerate() {
+            out.set("component", letter);
+            out.measure(name, "", found[axis], Check::Near(law[axis], tolerance));
+        }
+    }
 }
 
 fn frame(setup: &Setup, number: u32, count: u32) -> Result<Image, ArtefactError> {
@@ -175,14 +147,9 @@ fn frame(setup: &Setup, number: u32, count: u32) -> Result<Image, ArtefactError>
     polygon.draw(size, angle, setup.parameters.interpolation)
 }
 
-/// The colour of the pixel in the middle.
-fn centre(image: &Image) -> DVec3 {
-    let middle = linear(image)[linear(image).len() / 2];
-    DVec3::from(middle.map(f64::from))
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::drawing::linear;
     use super::*;
     use crate::artefact::UserMesh;
     use crate::mesh::{Faces, MeshBuilder};
@@ -216,9 +183,9 @@ mod tests {
         }
         // 0.4 in blue between the two positions; what triangles leave is the snapping of corners.
         assert!(
-            (outcome.moved.bad - 0.4).abs() < 0.01 && outcome.moved.reduction() > 50.0,
+            (outcome.effect.bad - 0.4).abs() < 0.01 && outcome.effect.reduction() > 50.0,
             "{:?}",
-            outcome.moved
+            outcome.effect
         );
         let by_name = |name| outcome.shots.iter().find(|shot| shot.name == name).unwrap();
         assert!(linear(&by_name("position-1").image) != linear(&by_name("position-2").image));
@@ -240,7 +207,7 @@ mod tests {
             "{:?}",
             outcome.measures
         );
-        assert!(outcome.moved.bad > 0.1, "{:?}", outcome.moved);
+        assert!(outcome.effect.bad > 0.1, "{:?}", outcome.effect);
     }
 
     /// Letters with notches, whose mean lies outside or whose edges lie on scanlines: cut within themselves, and right.
@@ -295,7 +262,7 @@ mod tests {
             outcome
         };
         let triangle = run(&[[0.0, 0.0], [3.0, 0.0], [0.0, 2.0]]);
-        assert!(matches!(triangle.verdict, Verdict::Absent(_)), "{:?}", triangle.moved);
+        assert!(matches!(triangle.verdict, Verdict::Absent(_)), "{:?}", triangle.effect);
         let bent =
             [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [3.0, 3.0], [3.0, 1.0], [1.0, 1.0], [1.0, 3.0], [0.0, 3.0]];
         assert!(matches!(run(&bent).verdict, Verdict::Holds(_)));

@@ -1,9 +1,8 @@
-//! The diamond seen aslant: where triangles depend on their turn as well, unless they are interpolated by perspective.
+//! The diamond seen obliquely, where triangles depend on their turn too unless they are interpolated by perspective.
 
-use super::centre;
-use super::polygon::Polygon;
-use super::texts::TEXTS;
-use crate::artefact::{ArtefactError, Measure, Text};
+use super::super::error::ArtefactError;
+use super::super::recorder::{Check, Recorder};
+use super::polygon::{Polygon, centre};
 use crate::num::{Degrees, Radians};
 use crate::raster::{Camera, Interpolation, Projection};
 use glam::{DMat4, DVec3};
@@ -37,8 +36,13 @@ fn change(diamond: &Polygon, size: u32, interpolation: Interpolation) -> Result<
 /// The change under scanlines, in triangles, and in triangles by perspective, against the law: of the ends of a line at depths
 /// d ± s, the middle has the colours in parts of (d ∓ s)/2d when they are mixed by distances in the picture. That is the line
 /// from corner 3 to corner 1 in one position; in the other scanlines run from corner 2 to corner 4, while the triangles' edge
-/// stands upright and is not aslant.
-pub(super) fn measures(diamond: &Polygon, size: u32, tolerance: f64) -> Result<Vec<Measure>, ArtefactError> {
+/// is upright and has one depth.
+pub(super) fn measure(
+    diamond: &Polygon,
+    size: u32,
+    tolerance: f64,
+    out: &mut Recorder,
+) -> Result<(), ArtefactError> {
     let triangles = diamond.cut(false)?;
     let [c1, c2, c3, c4] = Polygon::LECTURES.map(DVec3::from);
     let lean = libm::sin(Radians::from(AWAY).0) / EYE;
@@ -46,30 +50,13 @@ pub(super) fn measures(diamond: &Polygon, size: u32, tolerance: f64) -> Result<V
     let mixed = |left: DVec3, right: DVec3| 0.5 * (left * (1.0 - lean) + right * (1.0 + lean));
     let largest = |a: DVec3, b: DVec3| (a - b).abs().max_element();
     let upright = mixed(c3, c1);
-    let cases = [
-        (
-            TEXTS.get("oblique-change-quarter"),
-            (diamond, Interpolation::Scanline),
-            largest(mixed(c2, c4), upright),
-            TEXTS.get("line-corner-mixed"),
-        ),
-        (
-            TEXTS.get("oblique-change-quarter-turn"),
-            (&triangles, Interpolation::Affine),
-            largest(0.5 * (c1 + c3), upright),
-            TEXTS.get("s-d-corners"),
-        ),
-        (
-            TEXTS.get("oblique-change-quarter-turn-triangles"),
-            (&triangles, Interpolation::Perspective),
-            0.0,
-            TEXTS.get("colours-mixed-depth"),
-        ),
-    ];
-    let measure =
-        |(name, (polygon, interpolation), law, by): (Text, (&Polygon, Interpolation), f64, Text)| {
-            let found = change(polygon, size, interpolation)?;
-            Ok(Measure::new(name, "", found).expect(law, 2.0 * FORESHORTENED * tolerance, by))
-        };
-    cases.into_iter().map(measure).collect()
+    for (name, polygon, interpolation, law) in [
+        ("oblique-scanline", diamond, Interpolation::Scanline, largest(mixed(c2, c4), upright)),
+        ("oblique-triangles", &triangles, Interpolation::Affine, largest(0.5 * (c1 + c3), upright)),
+        ("oblique-perspective", &triangles, Interpolation::Perspective, 0.0),
+    ] {
+        let found = change(polygon, size, interpolation)?;
+        out.measure(name, "", found, Check::Near(law, 2.0 * FORESHORTENED * tolerance));
+    }
+    Ok(())
 }

@@ -1,10 +1,71 @@
-//! The polygon in its positions, and its centre over a whole turn.
+//! The polygon in its positions, under scanlines and in triangles.
 
-use super::super::stage::{differences, linear, map, picture};
-use super::super::{Chart, Curve, Drawn, Moved, Scale, Shot, Text, Threshold};
-use super::texts::TEXTS;
-use crate::raster::Image;
-use glam::DVec3;
+use super::super::drawing::{differences, linear, map, picture};
+use super::super::effect::Effect;
+use super::super::error::ArtefactError;
+use super::super::recorder::Recorder;
+use super::polygon::Polygon;
+use super::turned_back::turned_back;
+use crate::num::Degrees;
+use crate::raster::{Image, Interpolation};
+
+/// Full scale of the maps of differences.
+pub(super) const FULL: f64 = 0.4;
+
+/// The pictures that are compared.
+pub(super) struct Pictures {
+    /// Under scanlines: not turned, turned by 45° and by 90°, and the last turned back.
+    upright: Image,
+    half: Image,
+    turned: Image,
+    back: Image,
+    /// In triangles, turned by 90° and turned back.
+    triangles_back: Image,
+    /// In triangles cut one way and the other; the same where the polygon has one cut only.
+    pub(super) cuts: [Image; 2],
+    has_one_cut: bool,
+}
+
+impl Pictures {
+    pub(super) fn draw(polygon: &Polygon, size: u32) -> Result<Self, ArtefactError> {
+        let right_angle = Degrees(90.0);
+        let scanline = |angle| polygon.draw(size, angle, Interpolation::Scanline);
+        let (first, second) = (polygon.cut(false)?, polygon.cut(true)?);
+        let triangles = |cut: &Polygon, angle| cut.draw(size, angle, Interpolation::Affine);
+        let turned = scanline(right_angle)?;
+        Ok(Self {
+            upright: scanline(Degrees(0.0))?,
+            half: scanline(Degrees(45.0))?,
+            back: turned_back(&turned, right_angle),
+            turned,
+            triangles_back: turned_back(&triangles(&first, right_angle)?, right_angle),
+            cuts: [triangles(&first, Degrees(0.0))?, triangles(&second, Degrees(0.0))?],
+            has_one_cut: first.is_cut_as(&second),
+        })
+    }
+
+    /// Shows the pictures, with the effect of a turn on the centre.
+    pub(super) fn show(self, effect: &Effect, out: &mut Recorder) {
+        let Self { upright, half, turned, back, triangles_back, cuts: [one, other], has_one_cut } = self;
+        let largest = |a: &Image, b: &Image| differences(a, b).into_iter().flatten().fold(0.0, f64::max);
+        let changes = [largest(&upright, &back), largest(&one, &triangles_back)];
+        let seam = out.effect("seam", "", changes, effect.present.clone(), 10.0);
+        out.set("cuts", if has_one_cut { "one" } else { "two" });
+        let difference = map(upright.size, &differences(&upright, &back), FULL);
+        let between = map(upright.size, &differences(&one, &other), FULL);
+        out.bad("halves", &seam, halves(&upright, &back));
+        out.cured("halves-triangles", &seam, halves(&one, &triangles_back));
+        out.bad("position-1", effect, upright);
+        out.bad("turned-45", effect, half);
+        out.bad("position-2", effect, turned);
+        out.difference("difference", difference);
+        out.cured("diagonal-13", effect, one);
+        out.cured("diagonal-24", effect, other);
+        if !has_one_cut {
+            out.difference("diagonals", between);
+        }
+    }
+}
 
 /// The upper half of a picture above the lower half of another of the same size: where both show the same, there is no seam.
 fn halves(upper: &Image, lower: &Image) -> Image {
@@ -15,184 +76,10 @@ fn halves(upper: &Image, lower: &Image) -> Image {
     picture(upper.size, colours, coverage)
 }
 
-/// What is to be said of a special case (the lectures' diamond), or of any polygon.
-fn either(is_special: bool, special: Text, any: Text) -> Text {
-    if is_special { special } else { any }
-}
-
-/// The pictures of what was drawn under scanlines (unturned, turned by 45° and 90°, and turned back), under triangles turned
-/// back, and cut one way and the other, which are the same where it has one cut only: then they have no difference to show.
-pub(super) fn shots(
-    [upright, half, turned, back]: [Image; 4],
-    triangles_back: &Image,
-    [one, other]: [Image; 2],
-    has_one_cut: bool,
-    is_diamond: bool,
-    moved: &Moved,
-) -> Vec<Shot> {
-    let captioned = |diamond, any| either(is_diamond, diamond, any);
-    let largest = |a: &Image, b: &Image| differences(a, b).into_iter().flatten().fold(0.0, f64::max);
-    let seam = Moved {
-        name: TEXTS.get("moved-largest-change-pixel"),
-        bad: largest(&upright, &back),
-        cured: largest(&one, triangles_back),
-        factor: 10.0,
-        ..moved.clone()
-    };
-    let difference = map(upright.size, &differences(&upright, &back), 0.4);
-    let between = map(upright.size, &differences(&one, &other), 0.4);
-    let cuts_differ = largest(&one, &other) > Threshold::HALF_STEP.value;
-    let same_however_turned = || TEXTS.get("same-colours-however");
-    let but_not_the_other = match cuts_differ {
-        true => TEXTS.get("also-same-however"),
-        false => same_however_turned(),
-    };
-    let mut shots = vec![
-        seam.bad_shot(
-            "halves",
-            TEXTS.get("halves-title"),
-            [
-                captioned(
-                    TEXTS.get("halves-caption-above-diamond-stands"),
-                    TEXTS.get("halves-caption-above-polygon-stands"),
-                ),
-                TEXTS.get("halves-caption-colours-own-would"),
-            ],
-            halves(&upright, &back),
-        ),
-        seam.cured_shot(
-            "halves-triangles",
-            TEXTS.get("halves-triangles-title"),
-            [
-                TEXTS.get("halves-triangles-caption-same-triangles"),
-                TEXTS.get("halves-triangles-caption-no-seam"),
-            ],
-            halves(&one, triangles_back),
-        ),
-        moved.bad_shot(
-            "position-1",
-            TEXTS.get("position-1-title"),
-            [
-                captioned(
-                    TEXTS.get("position-1-caption-position-scanline-through"),
-                    TEXTS.get("position-1-caption-stands-every-pixel"),
-                ),
-                TEXTS.get("position-1-caption-turned-other-colours"),
-            ],
-            upright,
-        ),
-        moved.bad_shot(
-            "turned-45",
-            TEXTS.get("turned-45-title"),
-            [
-                captioned(
-                    TEXTS.get("turned-45-caption-eighth-turn-scanline"),
-                    TEXTS.get("turned-45-caption-eighth-turn-scanlines"),
-                ),
-                TEXTS.get("turned-45-caption-colours-change-turn"),
-            ],
-            half,
-        ),
-        moved.bad_shot(
-            "position-2",
-            TEXTS.get("position-2-title"),
-            [
-                captioned(
-                    TEXTS.get("position-2-caption-position-scanline-runs"),
-                    TEXTS.get("position-2-caption-quarter-turn-scanlines"),
-                ),
-                TEXTS.get("position-2-caption-same-polygon-other"),
-            ],
-            turned,
-        ),
-        Shot::difference(
-            "difference",
-            TEXTS.get("difference-title"),
-            captioned(
-                TEXTS.get("difference-caption-position-turned-back"),
-                TEXTS.get("difference-caption-drawn-turned-turned"),
-            ),
-            difference,
-        ),
-        moved.cured_shot(
-            "diagonal-13",
-            captioned(TEXTS.get("diagonal-13-title"), TEXTS.get("diagonal-13-caption-triangles-cut-way")),
-            [
-                captioned(
-                    TEXTS.get("diagonal-13-caption-cut-corner-corner"),
-                    TEXTS.get("diagonal-13-caption-cut-way"),
-                ),
-                same_however_turned(),
-            ],
-            one,
-        ),
-        moved.cured_shot(
-            "diagonal-24",
-            captioned(
-                TEXTS.get("diagonal-24-title"),
-                either(
-                    has_one_cut,
-                    TEXTS.get("diagonal-24-caption-triangles-same-cut"),
-                    TEXTS.get("diagonal-24-caption-triangles-cut-another"),
-                ),
-            ),
-            [
-                captioned(
-                    TEXTS.get("diagonal-24-caption-cut-corner-corner"),
-                    either(
-                        has_one_cut,
-                        TEXTS.get("diagonal-24-caption-no-other-cut"),
-                        TEXTS.get("diagonal-24-caption-cut-another-way"),
-                    ),
-                ),
-                but_not_the_other,
-            ],
-            other,
-        ),
-    ];
-    if !has_one_cut {
-        shots.push(Shot::difference(
-            "diagonals",
-            captioned(TEXTS.get("diagonals-title"), TEXTS.get("diagonals-caption-difference-cuts")),
-            captioned(
-                TEXTS.get("diagonals-caption-diagonal-less-other"),
-                TEXTS.get("diagonals-caption-cut-less-other"),
-            ),
-            between,
-        ));
-    }
-    shots
-}
-
-pub(super) fn chart(scanline: &[DVec3], laws: &[DVec3], triangles: &[DVec3], moved: &Moved) -> Chart {
-    let angle = |turn: usize| 360.0 * turn as f64 / scanline.len() as f64;
-    let curve = |name, drawn, colours: &[DVec3], axis: usize| Curve {
-        name,
-        drawn,
-        points: colours.iter().enumerate().map(|(turn, colour)| [angle(turn), colour[axis]]).collect(),
-    };
-    let mut curves = vec![
-        curve(TEXTS.get("r-scanline"), Drawn::Points, scanline, 0),
-        curve(TEXTS.get("g-scanline"), Drawn::Points, scanline, 1),
-        curve(TEXTS.get("b-scanline"), Drawn::Points, scanline, 2),
-        curve(TEXTS.get("g-triangles"), Drawn::Curve, triangles, 1),
-    ];
-    let names = [TEXTS.get("r-law"), TEXTS.get("g-law"), TEXTS.get("b-law")];
-    curves.extend(names.into_iter().enumerate().map(|(axis, name)| curve(name, Drawn::Guide, laws, axis)));
-    Chart {
-        name: "centre",
-        title: TEXTS.get("chart-title"),
-        caption: TEXTS.with("chart-caption", &[("bad", moved.bad.into()), ("cured", moved.cured.into())]),
-        x: Scale::linear(TEXTS.get("axis-turned-degrees")),
-        y: Scale::linear(TEXTS.get("axis-linear-component")),
-        curves,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::EXPERIMENT;
-    use crate::artefact::stage::luminance;
+    use crate::artefact::drawing::luminance;
     use crate::artefact::{Parameters, Setup};
 
     /// The seam's height at the centre: the colours of the exercise's two positions against none.

@@ -1,7 +1,9 @@
 //! A polygon that is turned, and the law of its scanline.
 
-use crate::artefact::stage::{draw, front, settings, smooth};
-use crate::artefact::{ArtefactError, UserMesh};
+use super::super::drawing::{draw, front, linear, settings, smooth};
+use super::super::error::ArtefactError;
+use super::super::parameters::UserMesh;
+use super::super::recorder::Check;
 use crate::mesh::{Faces, Mesh, MeshBuilder, triangulate};
 use crate::normals::{NormalField, Weight};
 use crate::num::{Degrees, LinearRgb, Radians};
@@ -196,7 +198,7 @@ impl Polygon {
     }
 
     /// The largest change of a colour along an edge, and the shortest edge in pixels.
-    pub(super) fn steepest(&self, size: u32) -> [f64; 2] {
+    fn steepest(&self, size: u32) -> [f64; 2] {
         let count = self.corners.len();
         let edges = (0..count).map(|corner| (corner, (corner + 1) % count));
         let colour = |corner: usize| DVec3::from(self.colours[corner].to_array());
@@ -209,9 +211,21 @@ impl Polygon {
         })
     }
 
-    /// The largest component of a colour.
-    pub(super) fn brightest(&self) -> f64 {
-        self.colours.iter().map(|colour| colour.largest()).fold(0.0, f64::max)
+    /// The tolerance of colours in a picture of this size.
+    ///
+    /// Corners are moved by up to 1/512 of a pixel each way, over colours that change along edges; and from one edge of a narrow
+    /// corner to the next within a fifth of the picture's side. Colours themselves are of single precision: a few roundings.
+    pub(super) fn tolerance(&self, size: u32) -> f64 {
+        let [change, shortest] = self.steepest(size);
+        let snapped = 4.0 * change / (256.0 * shortest.min(0.2 * f64::from(size)));
+        let brightest = self.colours.iter().map(|colour| colour.largest()).fold(0.0, f64::max);
+        snapped + 4.0 * f64::from(f32::EPSILON) * brightest
+    }
+
+    /// The check of a number by the law, which does not cover edges shorter than a pixel: scanlines may pass over them.
+    pub(super) fn check(&self, size: u32, law: f64, tolerance: f64) -> Check {
+        let [_, shortest] = self.steepest(size);
+        if shortest < 1.0 { Check::Untested("short-edges") } else { Check::Near(law, tolerance) }
     }
 
     /// Where the horizontal line through a place leaves the polygon, turned with the place by an angle, to the left and to the
@@ -260,6 +274,12 @@ impl Polygon {
         let from_middle = pixel.map(|k| f64::from(k) + 0.5 - 0.5 * f64::from(size));
         DVec2::new(from_middle[0], -from_middle[1]) * (Self::WINDOW / f64::from(size))
     }
+}
+
+/// The colour of the pixel in the middle.
+pub(super) fn centre(image: &Image) -> DVec3 {
+    let middle = linear(image)[linear(image).len() / 2];
+    DVec3::from(middle.map(f64::from))
 }
 
 /// A triangle from each of its corners on.

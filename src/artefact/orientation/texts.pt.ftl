@@ -10,103 +10,137 @@ formula-1-says =
     direito, e θ = 0 é a posição 1
 own-mesh = a sua primeira face de quatro cantos ou mais, com as cores dos seus vértices se as tiver
 shown-by = um polígono de quatro cantos ou mais, cujas cores não estão num plano sobre ele, o mostraria.
-law-scanline-corners = a lei da linha de varredura; os cantos se ajustam a 1/256 de pixel
-measure-largest-distance-law = maior distância da lei, em 72 giros
-measure-largest-change-centre = maior mudança da cor do centro
-measure-mean-change-centre = mudança média da cor do centro
-measure-largest-change-triangles = maior mudança, em triângulos
-by-barycentric-coordinates-do = coordenadas baricêntricas não giram; os cantos se ajustam a 1/256 de pixel
-moved = maior mudança da cor do centro durante o giro
-cure = cortado em triângulos
-holds-polygons-four-corners =
+law-by = a lei da linha de varredura; os cantos se ajustam a 1/256 de pixel
+law-measure = maior distância da lei, em 72 giros
+largest-change-measure = maior mudança da cor do centro
+mean-change-measure = mudança média da cor do centro
+triangles-change-measure = maior mudança, em triângulos
+triangles-change-by = coordenadas baricêntricas não giram; os cantos se ajustam a 1/256 de pixel
+centre-effect = maior mudança da cor do centro durante o giro
+centre-cure = cortado em triângulos
+holds =
     para polígonos de quatro cantos ou mais, cujas cores não são as de um plano. Triângulos não dependem de como são
     girados, mas as cores de um polígono passam a depender de como ele é cortado neles.
-note-seen-front-all =
+note-1 =
     Vistos de frente todos os triângulos são iguais. Em vista oblíqua as suas cores têm de ser misturadas por
     1/profundidade (perspectiva): misturadas por distâncias na imagem também mudam com o giro, menos que as da linha de
     varredura.
-note-algorithm-interpolates-down =
+note-2 =
     O algoritmo interpola ao longo das duas arestas que a linha de varredura corta, e depois entre elas. Gire o
     polígono, e a linha pelo seu centro corta outras arestas em outros lugares.
-note-animation-animate-shows =
+note-3 =
     A animação (--animate) mostra o giro; --interpolation affine ou perspective o mostra em triângulos, onde nada muda
     senão o lugar.
-note-triangles-cure-three =
+note-4 =
     Triângulos curam isso: três cantos determinam um plano de cores. O preço é a escolha da diagonal: o centro do
     losango tem a média dos cantos que a diagonal liga.
-polygon-edges-shorter = este polígono tem arestas menores que um pixel, que as linhas de varredura podem saltar
-exercise-b-answer = exercício 1.6.25 b, resposta C
-mean-corners-diagonal = a média dos cantos que a diagonal liga
-position = posição 1
-position-v2 = posição 2
-diagonal-triangles = diagonal 1–3 (triângulos)
-diagonal-triangles-v2 = diagonal 2–4 (triângulos)
-oblique-change-quarter = em vista oblíqua, mudança por um quarto de volta: varredura
-line-corner-mixed = a linha do canto 3 ao 1, depois a do 2 ao 4, misturada por distâncias na imagem
-oblique-change-quarter-turn = em vista oblíqua, mudança por um quarto de volta: triângulos
-s-d-corners = s/2d da diferença dos cantos 1 e 3: a aresta entre eles entra na profundidade numa posição só
-oblique-change-quarter-turn-triangles = em vista oblíqua, mudança por um quarto de volta: triângulos com perspectiva
-colours-mixed-depth = cores misturadas por 1/profundidade são do lugar no polígono
-law-scanline-every = a lei da linha de varredura em cada pixel, 0 em triângulos; os cantos se ajustam a 1/256 de pixel
-moved-largest-change-pixel = maior mudança da cor de um pixel por um quarto de volta, girado de volta
-same-colours-however = As mesmas cores como quer que seja girado.
-also-same-however = Também as mesmas como quer que seja girado, mas não as do outro.
+short-edges = este polígono tem arestas menores que um pixel, que as linhas de varredura podem saltar
+exercise-by = exercício 1.6.25 b, resposta C
+diagonal-by = a média dos cantos que a diagonal liga
+position-1 = posição 1
+position-2 = posição 2
+diagonal-13-cut = diagonal 1–3 (triângulos)
+diagonal-24-cut = diagonal 2–4 (triângulos)
+oblique-scanline-measure = em vista oblíqua, mudança por um quarto de volta: varredura
+oblique-scanline-by = a linha do canto 3 ao 1, depois a do 2 ao 4, misturada por distâncias na imagem
+oblique-triangles-measure = em vista oblíqua, mudança por um quarto de volta: triângulos
+oblique-triangles-by = s/2d da diferença dos cantos 1 e 3: a aresta entre eles entra na profundidade numa posição só
+oblique-perspective-measure = em vista oblíqua, mudança por um quarto de volta: triângulos com perspectiva
+oblique-perspective-by = cores misturadas por 1/profundidade são do lugar no polígono
+back-scanline-by = a lei da linha de varredura em cada pixel, 0 em triângulos; os cantos se ajustam a 1/256 de pixel
+seam-effect = maior mudança da cor de um pixel por um quarto de volta, girado de volta
+diagonal-13-seen = As mesmas cores como quer que seja girado.
 halves-title = varredura: 0° acima, 90° abaixo
-halves-caption-above-diamond-stands =
-    Acima, o losango como está; abaixo, desenhado girado de 90° e girado de volta. O canto 1 está à direita, o 2 acima,
-    o 3 à esquerda (o mais claro), o 4 abaixo (oliva).
-halves-caption-above-polygon-stands = Acima, o polígono como está; abaixo, desenhado girado de 90° e girado de volta.
-halves-caption-colours-own-would = Se as cores fossem dele, não haveria emenda.
+halves-seen = Se as cores fossem dele, não haveria emenda.
 halves-triangles-title = triângulos: 0° acima, 90° abaixo
-halves-triangles-caption-same-triangles = O mesmo em triângulos.
-halves-triangles-caption-no-seam = Não há emenda.
+halves-triangles-caption = O mesmo em triângulos.
+halves-triangles-seen = Não há emenda.
 position-1-title = linha de varredura, 0°
-position-1-caption-position-scanline-through = Posição 1: a linha de varredura pelo centro vai do canto 3 ao canto 1.
-position-1-caption-stands-every-pixel =
-    Como está: cada pixel fica entre as duas arestas que a sua linha de varredura encontra primeiro.
-position-1-caption-turned-other-colours = Girado ele tem outras cores.
+position-1-seen = Girado ele tem outras cores.
 turned-45-title = linha de varredura, 45°
-turned-45-caption-eighth-turn-scanline =
-    Um oitavo de volta: a linha corta duas arestas nos seus meios, e o centro é a média de todos os cantos.
-turned-45-caption-eighth-turn-scanlines = Um oitavo de volta: as linhas encontram as arestas em outros lugares.
-turned-45-caption-colours-change-turn = As cores mudam com o giro.
+turned-45-seen = As cores mudam com o giro.
 position-2-title = linha de varredura, 90°
-position-2-caption-position-scanline-runs = Posição 2: a linha vai do canto 2 ao canto 4.
-position-2-caption-quarter-turn-scanlines = Um quarto de volta: as linhas encontram outras arestas.
-position-2-caption-same-polygon-other = O mesmo polígono tem outras cores.
+position-2-seen = O mesmo polígono tem outras cores.
 difference-title = diferença, 90° girado de volta
-difference-caption-position-turned-back =
-    A posição 2 girada de volta, menos a posição 1: escuro é nenhuma, amarelo 0,4 da faixa numa componente.
-difference-caption-drawn-turned-turned =
-    Desenhado girado e girado de volta, menos como está: escuro é nenhuma, amarelo 0,4 da faixa numa componente.
-diagonal-13-title = triângulos, diagonal 1–3
-diagonal-13-caption-triangles-cut-way = triângulos, um corte
-diagonal-13-caption-cut-corner-corner =
-    Cortado do canto 1 ao canto 3: o que as linhas de varredura desenham na posição 1, cuja linha do meio é esta
-    diagonal.
-diagonal-13-caption-cut-way = Cortado de um modo.
-diagonal-24-title = triângulos, diagonal 2–4
-diagonal-24-caption-triangles-same-cut = triângulos, o mesmo corte
-diagonal-24-caption-triangles-cut-another = triângulos, outro corte
-diagonal-24-caption-cut-corner-corner = Cortado do canto 2 ao canto 4: o que as linhas de varredura desenham na posição 2.
-diagonal-24-caption-no-other-cut = Nenhum outro corte fica dentro deste polígono: o mesmo mais uma vez.
-diagonal-24-caption-cut-another-way = Cortado de outro modo.
-diagonals-title = diferença das diagonais
-diagonals-caption-difference-cuts = diferença dos cortes
-diagonals-caption-diagonal-less-other =
-    Uma diagonal menos a outra: o que o corte decide, e é o que o giro decide nas linhas de varredura. Amarelo é 0,4 da
-    faixa numa componente.
-diagonals-caption-cut-less-other = Um corte menos o outro: o que o corte decide. Amarelo é 0,4 da faixa numa componente.
-r-scanline = R, linha de varredura
-g-scanline = G, linha de varredura
-b-scanline = B, linha de varredura
-g-triangles = G, triângulos
-r-law = R, a lei
-g-law = G, a lei
-b-law = B, a lei
-chart-title = Cor do centro numa volta inteira
-chart-caption =
+difference-caption =
+    Desenhado girado e girado de volta, menos como está: escuro é nenhuma, amarelo { $full } da faixa numa componente.
+diagonals-title =
+    { $shape ->
+        [diamond] diferença das diagonais
+       *[polygon] diferença dos cortes
+    }
+diagonals-caption = Um corte menos o outro: o que o corte decide. Amarelo é { $full } da faixa numa componente.
+r-scanline-curve = R, linha de varredura
+g-scanline-curve = G, linha de varredura
+b-scanline-curve = B, linha de varredura
+g-triangles-curve = G, triângulos
+r-law-curve = R, a lei
+g-law-curve = G, a lei
+b-law-curve = B, a lei
+centre-title = Cor do centro numa volta inteira
+centre-caption =
     No algoritmo de linhas de varredura a cor do centro muda até { $bad } numa volta, como diz a lei; em triângulos até
     { $cured }.
-axis-turned-degrees = giro, graus
-axis-linear-component = componente linear
+centre-x = giro, graus
+centre-y = componente linear
+largest-change-by = { law-by }
+mean-change-by = { law-by }
+seam-cure = { centre-cure }
+back-scanline-measure = linha de varredura: um quarto de volta, girado de volta (rms)
+back-triangles-measure = triângulos: um quarto de volta, girado de volta (rms)
+back-perspective-measure = triângulos com perspectiva: um quarto de volta, girado de volta (rms)
+back-triangles-by = { back-scanline-by }
+back-perspective-by = { back-scanline-by }
+exercise-measure = { $case }: { $component } no centro
+diagonal-measure = { exercise-measure }
+diagonal-24-seen = { diagonal-13-seen }
+halves-caption =
+    Acima, o polígono como está; abaixo, desenhado girado de 90° e girado de volta.{ $shape ->
+        [diamond] {" "}O canto 1 está à direita, o 2 acima, o 3 à esquerda (o mais claro), o 4 abaixo (oliva).
+       *[polygon] {""}
+    }
+position-1-caption =
+    { $shape ->
+        [diamond] Posição 1: a linha de varredura pelo centro vai do canto 3 ao canto 1.
+       *[polygon] Como está: cada pixel fica entre as duas arestas que a sua linha de varredura encontra primeiro.
+    }
+turned-45-caption =
+    { $shape ->
+        [diamond] Um oitavo de volta: a linha corta duas arestas nos seus meios, e o centro é a média de todos os cantos.
+       *[polygon] Um oitavo de volta: as linhas encontram as arestas em outros lugares.
+    }
+position-2-caption =
+    { $shape ->
+        [diamond] Posição 2: a linha vai do canto 2 ao canto 4.
+       *[polygon] Um quarto de volta: as linhas encontram outras arestas.
+    }
+diagonal-13-title =
+    { $shape ->
+        [diamond] triângulos, diagonal 1–3
+       *[polygon] triângulos, um corte
+    }
+diagonal-13-caption =
+    { $shape ->
+        [diamond]
+            Cortado do canto 1 ao canto 3: o que as linhas de varredura desenham na posição 1, cuja linha do meio é esta
+            diagonal.
+       *[polygon] Cortado de um modo.
+    }
+diagonal-24-title =
+    { $shape ->
+        [diamond] triângulos, diagonal 2–4
+       *[polygon]
+            { $cuts ->
+                [one] triângulos, o mesmo corte
+               *[two] triângulos, outro corte
+            }
+    }
+diagonal-24-caption =
+    { $shape ->
+        [diamond] Cortado do canto 2 ao canto 4: o que as linhas de varredura desenham na posição 2.
+       *[polygon]
+            { $cuts ->
+                [one] Nenhum outro corte fica dentro deste polígono: o mesmo mais uma vez.
+               *[two] Cortado de outro modo.
+            }
+    }

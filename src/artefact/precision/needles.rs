@@ -1,7 +1,7 @@
 //! Triangles that are much lower than long, whose normals cancel in plain arithmetic.
 
-use super::super::{Chart, Curve, Drawn, Scale};
-use super::texts::TEXTS;
+use super::super::outcome::Drawn;
+use super::super::recorder::{Axis, Check, Recorder};
 use crate::normals::{Scratch, face_normals};
 use crate::num::{Degrees, Radians};
 use glam::{DVec3, Vec3};
@@ -10,7 +10,7 @@ use glam::{DVec3, Vec3};
 const NEEDLES: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 
 /// Each height with the largest error of the normal in degrees: by plain single precision, and as this library computes it.
-pub(super) fn errors() -> [Vec<[f64; 2]>; 2] {
+fn errors() -> [Vec<[f64; 2]>; 2] {
     [0, 1].map(|way| NEEDLES.map(|ratio| [ratio, needle(ratio)[way]]).to_vec())
 }
 
@@ -50,24 +50,19 @@ fn rounding(ratio: f64) -> f64 {
     Degrees::from(Radians(0.5 * f64::from(f32::EPSILON) / ratio)).0
 }
 
-pub(super) fn chart(naive: Vec<[f64; 2]>, careful: Vec<[f64; 2]>) -> Chart {
+/// Measures and chart of the errors.
+pub(super) fn record(out: &mut Recorder) {
+    let [plain, careful] = errors();
+    out.measure("needle-plain", "°", plain[4][1], Check::None);
+    let largest = careful.iter().map(|point| point[1]).fold(0.0, f64::max);
+    out.measure("needles-exact", "°", largest, Check::AtMost(6e-6));
     let guide = NEEDLES.iter().map(|&ratio| [ratio, rounding(ratio)]).collect();
-    Chart {
-        name: "needles",
-        title: TEXTS.get("chart-title"),
-        caption: TEXTS.get("chart-caption"),
-        x: Scale::log(TEXTS.get("axis-height-over-length")),
-        y: Scale::log(TEXTS.get("axis-largest-error-degrees")),
-        curves: vec![
-            Curve { name: TEXTS.get("curve-plain-products"), drawn: Drawn::Points, points: naive },
-            Curve {
-                name: TEXTS.get("curve-exact-differences-products"),
-                drawn: Drawn::Points,
-                points: careful,
-            },
-            Curve { name: TEXTS.get("curve-rounding-over-r"), drawn: Drawn::Guide, points: guide },
-        ],
-    }
+    let curves = vec![
+        out.curve("plain", Drawn::Points, plain),
+        out.curve("exact", Drawn::Points, careful),
+        out.curve("rounding", Drawn::Guide, guide),
+    ];
+    out.chart("needles", [Axis::Log; 2], curves);
 }
 
 #[cfg(test)]

@@ -1,10 +1,11 @@
 //! What the normals of needles do to a highlight: a flat plate cut into them, in a light close by.
 
-use super::super::body::Body;
-use super::super::stage::{draw, front, settings};
-use super::super::{ArtefactError, Measure, Moved, Shot};
-use super::texts::TEXTS;
-use super::{DIFFUSE, SPECULAR, angle, bound, surface};
+use super::super::drawing::{draw, front, settings};
+use super::super::effect::Threshold;
+use super::super::error::ArtefactError;
+use super::super::recorder::{Check, Recorder};
+use super::super::triangle_mesh::TriangleMesh;
+use super::highlight::{angle, bound, material};
 use crate::metric::image_error;
 use crate::normals::{Scratch, face_normals};
 use crate::num::LinearRgb;
@@ -58,7 +59,7 @@ impl Normals {
 }
 
 /// Stripes from below upwards over a window of the side 1, each with the normal of the needle whose middle it is.
-fn stripes(normals: &[DVec3]) -> Body {
+fn stripes(normals: &[DVec3]) -> TriangleMesh {
     let count = normals.len() as f64;
     let (mut positions, mut all) = (Vec::new(), Vec::new());
     for (k, &normal) in normals.iter().enumerate() {
@@ -68,7 +69,7 @@ fn stripes(normals: &[DVec3]) -> Body {
         all.extend([normal; 4]);
     }
     let halves = |k: u32| [[0, 1, 2], [0, 2, 3]].map(|half: [u32; 3]| half.map(|corner| 4 * k + corner));
-    Body::new(&positions, (0..normals.len() as u32).flat_map(halves).collect(), &all)
+    TriangleMesh::new(&positions, (0..normals.len() as u32).flat_map(halves).collect(), &all)
 }
 
 fn light(normals: &[DVec3], size: u32, exponent: f64) -> Result<Image, ArtefactError> {
@@ -76,51 +77,27 @@ fn light(normals: &[DVec3], size: u32, exponent: f64) -> Result<Image, ArtefactE
     let light = Light::Point { position, colour: LinearRgb::WHITE, attenuation: Attenuation::None };
     let settings = settings([size; 2], Shading::Phong, Interpolation::Perspective);
     let object = stripes(normals);
-    draw(vec![object.object(surface(exponent, [DIFFUSE, SPECULAR]))], &[light], front(1.0), &settings)
+    draw(vec![object.object(material(exponent))], &[light], front(1.0), &settings)
 }
 
-/// The plate as plain arithmetic has it and as exact differences of products have it, and what was measured; `moved` says of what.
-pub(super) fn plate(
+/// The plate with normals by plain arithmetic and by exact differences of products.
+pub(super) fn record(
     [size, segments]: [u32; 2],
     exponent: f64,
-    moved: &Moved,
-) -> Result<(Measure, [Shot; 2]), ArtefactError> {
+    out: &mut Recorder,
+) -> Result<(), ArtefactError> {
     let Normals { plain, careful } = Normals::of(3 * segments);
     let reference = light(&vec![DVec3::Z; plain.len()], size, exponent)?;
     let (lit_plain, lit_careful) = (light(&plain, size, exponent)?, light(&careful, size, exponent)?);
     let error = |image: &Image| image_error(image, &reference, 0.5).map(|error| error.linear.max / 255.0);
     let largest = plain.iter().map(|&normal| angle(normal, DVec3::Z)).fold(0.0, f64::max);
-    let moved = Moved {
-        name: TEXTS.get("moved-largest-change-light"),
-        bad: error(&lit_plain)?,
-        cure: TEXTS.get("curve-exact-differences-products"),
-        cured: error(&lit_careful)?,
-        ..moved.clone()
-    };
-    let measure =
-        Measure::new(TEXTS.get("measure-plate-needles-plain"), "", moved.bad / bound(exponent, largest))
-            .at_most(1.0, TEXTS.with("by-bound-k-d-k", &[("largest", largest.into())]));
-    let shots = [
-        moved.bad_shot(
-            "needles-plain",
-            TEXTS.get("needles-plain-title"),
-            [
-                TEXTS.get("needles-plain-caption-flat-plate-light"),
-                TEXTS.get("needles-plain-caption-highlight-torn-into"),
-            ],
-            lit_plain,
-        ),
-        moved.cured_shot(
-            "needles-exact",
-            TEXTS.get("needles-exact-title"),
-            [
-                TEXTS.get("needles-exact-caption-same-needles-normals"),
-                TEXTS.get("needles-exact-caption-highlight-round-spot"),
-            ],
-            lit_careful,
-        ),
-    ];
-    Ok((measure, shots))
+    let errors = [error(&lit_plain)?, error(&lit_careful)?];
+    out.set("largest", largest);
+    out.measure("plate", "", errors[0] / bound(exponent, largest), Check::AtMost(1.0));
+    let effect = out.effect("plate", "", errors, Threshold::half_step(), 20.0);
+    out.bad("needles-plain", &effect, lit_plain);
+    out.cured("needles-exact", &effect, lit_careful);
+    Ok(())
 }
 
 #[cfg(test)]

@@ -1,246 +1,133 @@
 //! Phong's and Blinn's highlights.
 
-mod behind;
-mod texts;
-mod widths;
+mod highlight_width;
+mod light_behind;
+mod scene;
 
-use super::stage::{draw, front, light_at, settings};
-use super::{
-    ArtefactError, Chart, Curve, Drawn, Experiment, Knob, Measure, Moved, Outcome, Parameters, Scale, Setup,
-    Shot, Text, Threshold, Verdict,
-};
+use super::effect::{Effect, Threshold};
+use super::error::ArtefactError;
+use super::experiment::Experiment;
+use super::outcome::{Drawn, Outcome, Verdict};
+use super::parameter_name::ParameterName;
+use super::parameters::{Parameters, Setup};
+use super::recorder::{Axis, Check, Recorder};
 use crate::metric::image_error;
-use crate::num::{Degrees, LinearRgb, Radians};
-use crate::raster::{Image, Interpolation, Object, RenderSettings, Shading, Shape};
-use crate::shade::{Guards, Material, Reflectance, Reflection, blinn_exponent};
-use crate::surface::{Primitive, Sphere};
-use behind::Behind;
-use std::f64::consts::FRAC_PI_2;
-use texts::TEXTS;
+use crate::num::{Degrees, Radians};
+use crate::raster::Image;
+use crate::shade::{Guards, Reflection, blinn_exponent};
+use crate::text::{Catalogue, catalogue};
+use highlight_width::HalfWidths;
+use light_behind::{BEHIND, record_light_behind};
+use scene::{GRAZING, WINDOW, ball};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+static TEXTS: Catalogue = catalogue!("texts");
 
 pub(super) static EXPERIMENT: Experiment = Experiment {
     id: "reflection-models",
     texts: &TEXTS,
-    takes: &[Knob::Size, Knob::Exponent],
+    takes: &[ParameterName::Size, ParameterName::Exponent],
     segments: Parameters::SEGMENTS,
     defaults: Parameters { exponent: 10.0, ..Parameters::USUAL },
     run,
     frame: None,
 };
 
-/// Light far round the sphere.
-const GRAZING: Degrees = Degrees(120.0);
 /// How many times nearer to Phong's highlight four times the exponent has to be.
 const FACTOR: f64 = 5.0;
-/// The window's side; the sphere has the radius 1.
-const WINDOW: f64 = 2.2;
 
 fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
     let Parameters { size, exponent, .. } = setup.parameters;
-    let ball = |reflection, exponent, light, guards| ball(reflection, exponent, light, guards, size);
-    let on = Guards::default();
-    let head_on = Degrees(0.0);
-    let phong = ball(Reflection::Phong, exponent, head_on, on)?;
-    let blinn = ball(Reflection::Blinn, exponent, head_on, on)?;
-    let matched = ball(Reflection::Blinn, blinn_exponent(exponent), head_on, on)?;
-    let largest =
-        |image: &Image| Ok::<f64, ArtefactError>(image_error(image, &phong, 0.5)?.linear.max / 255.0);
-    let (same, fourfold) = (largest(&blinn)?, largest(&matched)?);
-    let law = |own: f64| {
-        let difference = |k: u32| {
-            let phi = f64::from(k) / 1e4 * std::f64::consts::PI;
-            // Mirrored away from the viewer there is nothing, whatever the exponent.
-            let phong = if phi < FRAC_PI_2 { libm::pow(libm::cos(phi), exponent) } else { 0.0 };
-            (phong - libm::pow(libm::cos(0.5 * phi), own)).abs()
-        };
-        (0..=10_000).map(difference).fold(0.0, f64::max)
+    let [blinn, phong] = highlight_width::in_front(exponent);
+    let values = [
+        ("exponent", exponent.into()),
+        ("blinn-exponent", blinn_exponent(exponent).into()),
+        ("blinn-angle", blinn.into()),
+        ("phong-angle", phong.into()),
+        ("behind", BEHIND.0.into()),
+    ];
+    let mut out = Recorder::new(&TEXTS, &values);
+    let effect = matched_exponent(size, exponent, &mut out)?;
+    grazing_light(size, exponent, &mut out)?;
+    record_light_behind(Reflection::Phong, exponent, size, &mut out)?;
+    record_light_behind(Reflection::Blinn, exponent, size, &mut out)?;
+    out.set("is-cured", if effect.is_cured() { "yes" } else { "no" });
+    chart(exponent, &mut out);
+    let verdict = match effect.is_cured() {
+        true => Verdict::HoldsOnlyIf(out.text("holds-only-if")),
+        false => Verdict::Fails(out.text("fails")),
     };
-    let (grazing_phong, grazing_blinn) = (
-        ball(Reflection::Phong, exponent, GRAZING, on)?,
-        ball(Reflection::Blinn, blinn_exponent(exponent), GRAZING, on)?,
-    );
+    Ok(out.finish(verdict, effect))
+}
+
+/// Light and viewer in front: Blinn's highlight with Phong's exponent and with four times that.
+fn matched_exponent(size: u32, exponent: f64, out: &mut Recorder) -> Result<Effect, ArtefactError> {
+    let ball = |reflection, exponent| ball(reflection, exponent, Degrees(0.0), Guards::default(), size);
+    let phong = ball(Reflection::Phong, exponent)?;
+    let blinn = ball(Reflection::Blinn, exponent)?;
+    let matched = ball(Reflection::Blinn, blinn_exponent(exponent))?;
+    let largest = |image: &Image| image_error(image, &phong, 0.5).map(|error| error.linear.max / 255.0);
+    let (same, fourfold) = (largest(&blinn)?, largest(&matched)?);
     let radius = f64::from(size) / WINDOW;
     // Half a pixel turns the normal by 1/R over the cosine of its angle to the viewer, and the mirrored ray by twice that. Powers
     // change by √n of it at most, and by 1 for the smallest n.
     let pixel = 0.5 / radius * 2.0 * exponent.sqrt().max(1.0);
-    let by_scan = TEXTS.get("largest-over-scan");
-    let compared = |measure: Measure, law: f64, tolerance: f64| match pixel < 0.5 {
-        true => measure.expect(law, tolerance, by_scan.clone()),
-        false => measure.beyond(TEXTS.get("untested-highlight-hardly-wider")),
+    let check = |law: f64, tolerance: f64| match pixel < 0.5 {
+        true => Check::Near(law, tolerance),
+        false => Check::Untested("highlight-below-pixel"),
     };
-    let [across_phong, across_blinn] = [
-        widths::measure(
-            TEXTS.get("light-phong-highlight"),
-            &grazing_phong,
-            widths::of_phong(exponent),
-            widths::phong_at(exponent),
-            TEXTS.get("half-widths-half"),
-        ),
-        widths::measure(
-            TEXTS.get("light-blinn-highlight"),
-            &grazing_blinn,
-            widths::of_blinn(blinn_exponent(exponent)),
-            widths::blinn_at(blinn_exponent(exponent)),
-            TEXTS.get("round"),
-        ),
-    ];
-    // Where widths cannot be told nothing is said of them.
-    let stretch = |measure: &Measure| match measure.beyond {
-        None => (measure.value - 1.0).abs(),
-        Some(_) => 0.0,
-    };
-    let moved = Moved {
-        name: TEXTS.get("moved"),
-        unit: "",
-        bad: same,
-        present: Threshold::HALF_STEP,
-        cure: TEXTS.get("cure"),
-        cured: fourfold,
-        factor: FACTOR,
-    };
-    let stretched = Moved {
-        name: match across_phong.beyond.is_none() && across_blinn.beyond.is_none() {
-            true => TEXTS.get("moved-width-across-over"),
-            false => TEXTS.get("moved-width-across-over-width"),
-        },
-        bad: stretch(&across_phong),
-        present: Threshold { value: 0.1, why: TEXTS.get("why-tenth-width") },
-        cured: stretch(&across_blinn),
-        ..moved.clone()
-    };
-    let [phong_behind, blinn_behind] = [Reflection::Phong, Reflection::Blinn]
-        .map(|reflection| Behind::new(reflection, exponent, size, &moved));
-    let (phong_behind, blinn_behind) = (phong_behind?, blinn_behind?);
-    let mut measures = vec![
-        compared(Measure::new(TEXTS.get("measure-same-n-largest"), "", same), law(exponent), 0.5 * pixel),
-        compared(
-            Measure::new(TEXTS.get("measure-blinn-n-largest"), "", fourfold),
-            law(blinn_exponent(exponent)),
-            // Near its largest the difference is flat; where powers are steep it is not.
-            (0.1 * law(blinn_exponent(exponent)) + 1e-5).max(if exponent < 2.0 { 0.5 * pixel } else { 0.0 }),
-        ),
-        across_phong,
-        across_blinn,
-    ];
-    measures.extend(phong_behind.measures());
-    measures.extend(blinn_behind.measures());
-    Ok(Outcome {
-        verdict: verdict(&moved),
-        shots: [vec![
-            Shot::truth(
-                "phong",
-                TEXTS.get("phong-title"),
-                TEXTS.with("phong-caption-phong-highlight-sphere", &[("exponent", exponent.into())]),
-                phong,
-            ),
-            moved.bad_shot(
-                "blinn-same-n",
-                TEXTS.get("blinn-same-n-title"),
-                [
-                    TEXTS.get("blinn-same-n-caption-blinn-same-exponent"),
-                    Text::with(
-                        "It is wider: at half its height where the normal is {}° off the viewer, Phong's at {}°.",
-                        "É mais largo: à meia altura onde a normal está a {}° do observador, o de Phong a {}°.",
-                        &widths::in_front(exponent),
-                    ),
-                ],
-                blinn,
-            ),
-            moved.cured_shot(
-                "blinn-4n",
-                TEXTS.get("blinn-4n-title"),
-                [
-                    TEXTS.get("blinn-4n-caption-blinn-four-times"),
-                    TEXTS.get("blinn-4n-caption-much-closer-phong"),
-                ],
-                matched,
-            ),
-            stretched.bad_shot(
-                "phong-grazing",
-                TEXTS.get("phong-grazing-title"),
-                [
-                    TEXTS.with("phong-grazing-caption-light-far-round", &[("exponent", exponent.into())]),
-                    TEXTS.get("phong-grazing-caption-here-phong-highlight"),
-                ],
-                grazing_phong,
-            ),
-            stretched.cured_shot(
-                "blinn-grazing",
-                TEXTS.get("blinn-grazing-title"),
-                [
-                    TEXTS.with("blinn-grazing-caption-blinn-under-same", &[("blinn-exponent", (blinn_exponent(exponent)).into())]),
-                    TEXTS.get("blinn-grazing-caption-circle-sphere-cut"),
-                ],
-                grazing_blinn,
-            ),
-        ], phong_behind.shots().into(), blinn_behind.shots().into()].concat(),
-        charts: vec![chart(exponent, moved.is_cured())],
-        moved,
-        measures,
-        notes: vec![TEXTS.get("note-lectures-give-both")],
-    })
+    out.measure("same-exponent", "", same, check(largest_difference(exponent, exponent), 0.5 * pixel));
+    let law = largest_difference(exponent, blinn_exponent(exponent));
+    // Near its largest the difference is flat; where powers are steep it is not.
+    let tolerance = (0.1 * law + 1e-5).max(if exponent < 2.0 { 0.5 * pixel } else { 0.0 });
+    out.measure("fourfold-exponent", "", fourfold, check(law, tolerance));
+    let effect = out.effect("exponent", "", [same, fourfold], Threshold::half_step(), FACTOR);
+    out.truth("phong", phong);
+    out.bad("blinn-same-n", &effect, blinn);
+    out.cured("blinn-4n", &effect, matched);
+    Ok(effect)
 }
 
-/// The true sphere with nothing but a highlight.
-fn ball(
-    reflection: Reflection,
-    exponent: f64,
-    light: Degrees,
-    guards: Guards,
-    size: u32,
-) -> Result<Image, ArtefactError> {
-    let material = Material {
-        ambient: Reflectance::NONE,
-        diffuse: Reflectance::NONE,
-        specular: Reflectance::Merged(LinearRgb::WHITE),
-        exponent,
-        reflection,
+/// The largest difference of Phong's highlight and Blinn's of another exponent over the angle to the mirrored ray, by a scan.
+fn largest_difference(exponent: f64, of_blinn: f64) -> f64 {
+    let difference = |k: u32| {
+        let phi = f64::from(k) / 1e4 * PI;
+        // Mirrored away from the viewer there is nothing, whatever the exponent.
+        let phong = if phi < FRAC_PI_2 { libm::pow(libm::cos(phi), exponent) } else { 0.0 };
+        (phong - libm::pow(libm::cos(0.5 * phi), of_blinn)).abs()
     };
-    let sphere = Object::new(Shape::Surface(Primitive::from(Sphere::default())), material);
-    let settings =
-        RenderSettings { guards, ..settings([size; 2], Shading::Exact, Interpolation::Perspective) };
-    draw(vec![sphere], &[light_at(light)], front(WINDOW), &settings)
+    (0..=10_000).map(difference).fold(0.0, f64::max)
 }
 
-/// By whether four times the exponent brings Blinn's highlight to Phong's.
-fn verdict(moved: &Moved) -> Verdict {
-    match moved.is_cured() {
-        true => Verdict::HoldsOnlyIf(TEXTS.get("holds-only-if-blinn-exponent-n")),
-        false => Verdict::Fails(TEXTS.get("fails-small-exponent-no")),
-    }
+/// Grazing light, in which Phong's highlight is stretched.
+fn grazing_light(size: u32, exponent: f64, out: &mut Recorder) -> Result<(), ArtefactError> {
+    let four = blinn_exponent(exponent);
+    let ball = |reflection, exponent| ball(reflection, exponent, GRAZING, Guards::default(), size);
+    let (phong, blinn) = (ball(Reflection::Phong, exponent)?, ball(Reflection::Blinn, four)?);
+    let widths = HalfWidths::of_phong(exponent);
+    let of_phong = widths.measure("width-phong", &phong, highlight_width::phong_at(exponent), out);
+    let widths = HalfWidths::of_blinn(four);
+    let of_blinn = widths.measure("width-blinn", &blinn, highlight_width::blinn_at(four), out);
+    let present = Threshold { value: 0.1, why: out.text("why-width") };
+    let effect = out.effect("width", "", [of_phong, of_blinn], present, FACTOR);
+    out.bad("phong-grazing", &effect, phong);
+    out.cured("blinn-grazing", &effect, blinn);
+    Ok(())
 }
 
-fn chart(exponent: f64, is_covered: bool) -> Chart {
-    let curve = |name, drawn, value: &dyn Fn(f64) -> f64| Curve {
-        name,
-        drawn,
-        points: (0..=180)
-            .map(|k| {
-                let degrees = f64::from(k) * 0.5;
-                [degrees, value(Radians::from(Degrees(degrees)).0)]
-            })
-            .collect(),
+fn chart(exponent: f64, out: &mut Recorder) {
+    let curve = |name, value: &dyn Fn(f64) -> f64| {
+        let degrees = (0..=180).map(|k| f64::from(k) * 0.5);
+        let points = degrees.map(|degrees| [degrees, value(Radians::from(Degrees(degrees)).0)]);
+        out.curve(name, Drawn::Curve, points.collect())
     };
     let power = |cosine: f64, n: f64| libm::pow(cosine, n);
-    Chart {
-        name: "highlights",
-        title: TEXTS.get("chart-title"),
-        caption: match is_covered {
-            true => TEXTS.get("chart-caption"),
-            false => TEXTS.get("chart-caption-against-angle-mirrored"),
-        },
-        x: Scale::linear(TEXTS.get("axis-degrees")),
-        y: Scale::linear(TEXTS.get("axis-highlight")),
-        curves: vec![
-            curve(TEXTS.get("phong-title"), Drawn::Curve, &|phi| power(libm::cos(phi), exponent)),
-            curve(TEXTS.get("blinn-same-n-title"), Drawn::Curve, &|phi| {
-                power(libm::cos(0.5 * phi), exponent)
-            }),
-            curve(TEXTS.get("blinn-4n-title"), Drawn::Curve, &|phi| {
-                power(libm::cos(0.5 * phi), blinn_exponent(exponent))
-            }),
-        ],
-    }
+    let curves = vec![
+        curve("phong", &|phi| power(libm::cos(phi), exponent)),
+        curve("blinn-same-n", &|phi| power(libm::cos(0.5 * phi), exponent)),
+        curve("blinn-4n", &|phi| power(libm::cos(0.5 * phi), blinn_exponent(exponent))),
+    ];
+    out.chart("highlights", [Axis::Linear; 2], curves);
 }
 
 #[cfg(test)]
@@ -255,7 +142,7 @@ mod tests {
             let outcome = EXPERIMENT.run(&Setup { parameters, mesh: None }).unwrap();
             outcome.prove();
             // Present: a fifth of full light. Cured: ten times less.
-            assert!(outcome.moved.bad > 0.2 && outcome.moved.reduction() > 10.0, "{:?}", outcome.moved);
+            assert!(outcome.effect.bad > 0.2 && outcome.effect.reduction() > 10.0, "{:?}", outcome.effect);
         }
     }
 
@@ -285,7 +172,7 @@ mod tests {
                 matches!(outcome.verdict, Verdict::Fails(_)),
                 fails,
                 "{exponent}: {:?}",
-                outcome.moved
+                outcome.effect
             );
         }
     }

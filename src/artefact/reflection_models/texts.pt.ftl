@@ -16,63 +16,81 @@ formula-3-says = o brilho de Blinn na fronteira da luz, N·L = 0: sem guarda ele
 formula-4 = {"I_\\mathrm{trás} = k_s (−\\cos(β))^n"}
 formula-4-says = o mesmo do de Phong, onde a luz está de fato atrás, β > 90°
 shown-by = um brilho de alguns pixels (expoentes de 1 a 100, ou uma imagem maior) o mostraria.
-largest-over-scan = o maior em φ, por uma varredura de 10 001 ângulos; meio pixel
-untested-highlight-hardly-wider = o brilho mal é mais largo que um pixel
-light-phong-highlight = luz a 120°: brilho de Phong, largura transversal sobre a longitudinal
-half-widths-half = meias larguras à meia altura em forma fechada; 2 para brilhos estreitos
-light-blinn-highlight = luz a 120°: brilho de Blinn, largura transversal sobre a longitudinal
-round = redondo
-moved = maior diferença do brilho de Phong
-cure = expoente quatro vezes maior
-moved-width-across-over = largura transversal sobre a longitudinal, menos 1
-moved-width-across-over-width = largura transversal sobre a longitudinal, menos 1, onde ambas se podem medir
-why-tenth-width = um décimo da sua largura
-measure-same-n-largest = mesmo n: maior diferença
-measure-blinn-n-largest = Blinn com 4n: maior diferença
+same-exponent-by = o maior em φ, por uma varredura de 10 001 ângulos; meio pixel
+highlight-below-pixel = o brilho mal é mais largo que um pixel
+width-phong-measure = luz a 120°: brilho de Phong, largura transversal sobre a longitudinal
+width-phong-by = meias larguras à meia altura em forma fechada; 2 para brilhos estreitos
+width-blinn-measure = luz a 120°: brilho de Blinn, largura transversal sobre a longitudinal
+width-blinn-by = redondo
+exponent-effect = maior diferença do brilho de Phong
+exponent-cure = expoente quatro vezes maior
+width-effect = largura transversal sobre a longitudinal, menos 1, onde ambas se podem medir
+why-width = um décimo da sua largura
+same-exponent-measure = mesmo n: maior diferença
+fourfold-exponent-measure = Blinn com 4n: maior diferença
 phong-title = Phong, expoente n
-phong-caption-phong-highlight-sphere = O brilho de Phong numa esfera, luz e observador em frente; n = { $exponent }.
+phong-caption = O brilho de Phong numa esfera, luz e observador em frente; n = { $exponent }.
 blinn-same-n-title = Blinn, expoente n
-blinn-same-n-caption-blinn-same-exponent = O de Blinn com o mesmo expoente.
+blinn-same-n-caption = O de Blinn com o mesmo expoente.
 blinn-4n-title = Blinn, expoente 4n
-blinn-4n-caption-blinn-four-times = O de Blinn com expoente quatro vezes maior.
-blinn-4n-caption-much-closer-phong = Fica muito mais perto do de Phong.
+blinn-4n-caption = O de Blinn com expoente quatro vezes maior.
+blinn-4n-seen = Fica muito mais perto do de Phong.
 phong-grazing-title = Phong, luz a 120°
-phong-grazing-caption-light-far-round = Luz vinda de trás e de lado, n = { $exponent }.
-phong-grazing-caption-here-phong-highlight =
+phong-grazing-caption = Luz vinda de trás e de lado, n = { $exponent }.
+phong-grazing-seen =
     Aqui é o brilho de Phong que erra: ele se alonga para cima e para baixo, através do plano da luz e da visão, como
     superfícies ásperas reais não o mostram.
 blinn-grazing-title = Blinn 4n, luz a 120°
-blinn-grazing-caption-blinn-under-same = O de Blinn sob a mesma luz, com 4n = { $blinn-exponent }.
-blinn-grazing-caption-circle-sphere-cut = É um círculo na esfera, cortado onde a esfera se vira para longe da luz.
-note-lectures-give-both =
+blinn-grazing-caption = O de Blinn sob a mesma luz, com 4n = { $blinn-exponent }.
+blinn-grazing-seen = É um círculo na esfera, cortado onde a esfera se vira para longe da luz.
+note-1 =
     As aulas (1.6.19) dão aos dois modelos um só expoente, embora com o mesmo o brilho de Blinn seja mais largo; Ting
     2008 dá ao de Blinn um expoente próprio. A guarda retém a luz por trás mas deixa uma borda, pois nenhum dos modelos
     vai a 0 junto com N·L.
-holds-only-if-blinn-exponent-n =
+holds-only-if =
     o expoente de Blinn é 4n e a luz está perto da direção de visão. Com o mesmo n o seu brilho é duas vezes mais largo;
     com luz rasante o de Phong se alonga onde o de Blinn fica redondo. Ambos precisam de guarda contra a luz por trás.
-fails-small-exponent-no =
+fails =
     com um expoente tão pequeno nenhum outro iguala os dois: cos(φ)^n e cos(φ/2)^4n concordam perto de φ = 0, e este
     brilho é tão largo quanto a esfera.
-chart-title = Altura do brilho
-chart-caption =
-    Em função do ângulo do raio espelhado ao observador: o de Blinn com o mesmo expoente é largo; com expoente quatro
-    vezes maior a curva se aproxima da de Phong.
-chart-caption-against-angle-mirrored =
-    Em função do ângulo do raio espelhado ao observador: com um expoente tão pequeno a curva de Blinn se afasta da de
-    Phong, também com expoente quatro vezes maior.
-axis-degrees = φ em graus
-axis-highlight = brilho
-moved-brightest-pixel-faces = pixel mais claro voltado para longe da luz
-r-v-n = (R·V)^n nos centros desses pixels, no máximo (−cos(β))^n; precisão simples
-n-h-n = (N·H)^n nos centros desses pixels, no máximo sin(β/2)^n; precisão simples
-name-light-no = { $name }, luz a 150°, sem guarda: pixel mais claro voltado para longe da luz
-name-same-guard = { $name }, o mesmo com a guarda
-by-nothing-behind = nada por trás
-highlight-n-exponent = {" "}com n = { $exponent }, a luz a { $value }°, quase atrás da esfera.
-shot-yet-highlight-spreads = Mas o brilho se espalha pelo lado escuro.
-shot-guard-n-l = Com a guarda N·L > 0.
-shot-highlight-ends-light = O brilho termina onde a luz termina, numa borda dura.
-untested-highlight-wide-part = o brilho é tão largo quanto a parte iluminada e visível da esfera
-untested-highlight-narrower-three = o brilho é mais estreito que três pixels
-straight-lines-between = retas entre centros de pixels
+highlights-title = Altura do brilho
+highlights-x = φ em graus
+highlights-y = brilho
+behind-effect = pixel mais claro voltado para longe da luz
+behind-phong-by = (R·V)^n nos centros desses pixels, no máximo (−cos(β))^n; precisão simples
+behind-by = (N·H)^n nos centros desses pixels, no máximo sin(β/2)^n; precisão simples
+behind-measure = Blinn, luz a { $behind }°, sem guarda: pixel mais claro virado para longe da luz
+behind-guarded-measure = Blinn, o mesmo com a guarda
+behind-guarded-by = nada por trás
+behind-seen = Mas o brilho se espalha pelo lado escuro.
+behind-guarded-caption = Com a guarda N·L > 0.
+behind-guarded-seen = O brilho termina onde a luz termina, numa borda dura.
+highlight-too-wide = o brilho é tão largo quanto a parte iluminada e visível da esfera
+highlight-too-narrow = o brilho é mais estreito que três pixels
+fourfold-exponent-by = { same-exponent-by }
+width-cure = { blinn-grazing-title }
+behind-cure = a guarda N·L > 0
+blinn-same-n-seen =
+    É mais largo: à meia altura onde a normal está a { $blinn-angle }° do observador, o de Phong a { $phong-angle }°.
+highlights-caption =
+    Em função do ângulo do raio espelhado ao observador: { $is-cured ->
+        [yes]
+            o de Blinn com o mesmo expoente é largo; com expoente quatro vezes maior a curva se aproxima da de Phong.
+       *[no]
+            com um expoente tão pequeno a curva de Blinn se afasta da de Phong, também com expoente quatro vezes maior.
+    }
+phong-curve = { phong-title }
+blinn-same-n-curve = { blinn-same-n-title }
+blinn-4n-curve = { blinn-4n-title }
+behind-phong-measure = Phong, luz a { $behind }°, sem guarda: pixel mais claro virado para longe da luz
+behind-phong-guarded-measure = Phong, o mesmo com a guarda
+behind-phong-guarded-by = { behind-guarded-by }
+behind-title = Blinn, luz atrás, sem guarda
+behind-guarded-title = Blinn, luz atrás, com guarda
+behind-phong-title = Phong, luz atrás, sem guarda
+behind-phong-guarded-title = Phong, luz atrás, com guarda
+behind-caption = O brilho de Blinn com n = { $exponent }, a luz a { $behind }°, quase atrás da esfera.
+behind-phong-caption = O brilho de Phong com n = { $exponent }, a luz a { $behind }°, quase atrás da esfera.
+behind-phong-seen = { behind-seen }
+behind-phong-guarded-caption = { behind-guarded-caption }
+behind-phong-guarded-seen = { behind-guarded-seen }

@@ -1,21 +1,33 @@
 //! Outlines stay polygons, however smoothly the faces are shaded.
 
-mod ball;
-mod curved;
-mod own;
+mod curved_triangles;
+mod outline;
+mod round_surfaces;
+#[cfg(test)]
+mod tests;
+mod user_mesh;
 
-use super::stage::{chalk, draw, map, settings};
-use super::{ArtefactError, Experiment, Knob, Outcome, Parameters, Setup};
-use crate::metric::{Contour, ContourDistance, contour_distance};
+use super::error::ArtefactError;
+use super::experiment::Experiment;
+use super::outcome::Outcome;
+use super::parameter_name::ParameterName;
+use super::parameters::{Parameters, Setup};
+use super::recorder::Recorder;
 use crate::num::Degrees;
-use crate::raster::{Camera, Image, Interpolation, Object, RenderSettings, Samples, Shading};
-use crate::shade::{Light, Material};
-use texts::TEXTS;
+use crate::text::{Catalogue, catalogue};
+
+static TEXTS: Catalogue = catalogue!("texts");
 
 pub(super) static EXPERIMENT: Experiment = Experiment {
     id: "silhouette",
     texts: &TEXTS,
-    takes: &[Knob::Size, Knob::Segments, Knob::Light, Knob::Crease, Knob::Mesh],
+    takes: &[
+        ParameterName::Size,
+        ParameterName::Segments,
+        ParameterName::Light,
+        ParameterName::Crease,
+        ParameterName::Mesh,
+    ],
     // More would be hardly larger than pixels.
     segments: 3..=256,
     defaults: Parameters { segments: 12, light: Degrees(40.0), ..Parameters::USUAL },
@@ -24,84 +36,9 @@ pub(super) static EXPERIMENT: Experiment = Experiment {
 };
 
 fn run(setup: &Setup) -> Result<Outcome, ArtefactError> {
+    let out = Recorder::new(&TEXTS, &[]);
     match &setup.mesh {
-        None => ball::run(&setup.parameters),
-        Some(own) => own::run(own, &setup.parameters),
+        None => round_surfaces::run(&setup.parameters, out),
+        Some(own) => user_mesh::run(own, &setup.parameters, out),
     }
 }
-
-/// Where things are seen from, and in what light.
-struct View {
-    size: u32,
-    camera: Camera,
-    light: Light,
-}
-
-/// An outline, drawn larger than the pictures.
-struct Outline {
-    contour: Contour,
-    /// Its pixels in one of the pictures.
-    scale: f64,
-}
-
-impl View {
-    /// Pictures have smooth edges, so that only corners of polygons are seen.
-    const SAMPLES: Samples = Samples::Sixteen;
-    /// Samples of outlines, and their width in pixels if they are not larger than four times the pictures.
-    const OF_OUTLINES: Samples = Samples::Four;
-    const WIDEST: u32 = 2048;
-
-    fn draw(&self, object: Object, shading: Shading) -> Result<Image, ArtefactError> {
-        let settings = RenderSettings {
-            samples: Self::SAMPLES,
-            ..settings([self.size; 2], shading, Interpolation::Perspective)
-        };
-        draw(vec![object], std::slice::from_ref(&self.light), self.camera, &settings)
-    }
-
-    /// How many of an outline's pixels are one of a picture, along a side.
-    fn scale(&self) -> u32 {
-        (Self::WIDEST / self.size).clamp(1, 4)
-    }
-
-    /// What two outlines leave open together, in pixels: each is found to 3/2 − √2 and a quarter of its own.
-    fn open(&self) -> f64 {
-        2.0 * (1.5 - std::f64::consts::SQRT_2 + 0.25) / f64::from(self.scale())
-    }
-
-    fn outline(&self, object: Object, shading: Shading) -> Result<Outline, ArtefactError> {
-        let scale = self.scale();
-        let settings = RenderSettings {
-            samples: Self::OF_OUTLINES,
-            keep_linear: false,
-            ..settings([scale * self.size; 2], shading, Interpolation::Perspective)
-        };
-        let image = draw(vec![object], &[], self.camera, &settings)?;
-        Ok(Outline { contour: Contour::of(&image, Self::OF_OUTLINES), scale: scale.into() })
-    }
-}
-
-impl Outline {
-    /// How far it is from the true one, in pixels of the pictures.
-    fn distance(&self, truth: &Outline) -> Result<ContourDistance, ArtefactError> {
-        Ok(contour_distance(&self.contour, &truth.contour)?.scaled(1.0 / self.scale))
-    }
-}
-
-/// The share of each pixel that only one of two pictures covers.
-fn between(image: &Image, truth: &Image) -> Image {
-    let share = |(&a, &b): (&u8, &u8)| {
-        (a.max(b) > 0).then(|| f64::from(a.abs_diff(b)) / View::SAMPLES.count() as f64)
-    };
-    let shares: Vec<Option<f64>> = image.coverage.iter().zip(&truth.coverage).map(share).collect();
-    map(image.size, &shares, 1.0)
-}
-
-/// What everything is made of here.
-fn material() -> Material {
-    chalk()
-}
-
-#[cfg(test)]
-mod tests;
-mod texts;

@@ -1,6 +1,6 @@
 //! Outlines of balls and of meshes.
 
-use super::ball::{area_ratio, enough, sagitta};
+use super::round_surfaces::{area_ratio, enough, sagitta};
 use super::*;
 use crate::artefact::{Language, UserMesh};
 use crate::surface::{Pattern, Sphere, Surface, Tessellation};
@@ -31,8 +31,8 @@ fn the_artefact_is_there_and_is_cured() {
             assert_eq!(measure.agrees(), Some(true), "{measure:?}");
         }
         // Present: two pixels. Cured: less than half of one, all that outlines leave open included.
-        let moved = &outcome.moved;
-        assert!(moved.bad > 1.9 && moved.cured < 0.5 && moved.reduction() > 3.9, "{moved:?}");
+        let effect = &outcome.effect;
+        assert!(effect.bad > 1.9 && effect.cured < 0.5 && effect.reduction() > 3.9, "{effect:?}");
     }
 }
 
@@ -50,13 +50,13 @@ fn a_mesh_of_ones_own_is_held_against_a_finer_one_or_itself() {
     };
     for outcome in [run(Some(("fine.obj", &fine))), run(None)] {
         // The middles of its faces lie up to 0.074 radii of 72 pixels within, those of its edges up to 0.049.
-        let moved = &outcome.moved;
-        assert!(moved.bad > 2.0 && moved.bad < 5.4 && moved.reduction() > 2.5, "{moved:?}");
-        assert!(matches!(outcome.verdict, super::super::Verdict::Holds(_)));
+        let effect = &outcome.effect;
+        assert!(effect.bad > 2.0 && effect.bad < 5.4 && effect.reduction() > 2.5, "{effect:?}");
+        assert!(matches!(outcome.verdict, crate::artefact::Verdict::Holds(_)));
     }
     let own = UserMesh { name: "fine.obj", mesh: &fine, finer: None };
     let smooth = EXPERIMENT.run(&Setup { mesh: Some(own), ..setup(160) }).unwrap();
-    assert!(matches!(smooth.verdict, super::super::Verdict::Absent(_)), "{:?}", smooth.moved);
+    assert!(matches!(smooth.verdict, crate::artefact::Verdict::Absent(_)), "{:?}", smooth.effect);
 }
 
 /// The edges of a coarse ball are sharper than the usual crease angle, so that it is compared with itself: what it is told helps.
@@ -70,13 +70,13 @@ fn a_coarse_mesh_is_reported_what_shows_its_outline() {
         EXPERIMENT.run(&setup).unwrap()
     };
     let alone = run(40.0, None);
-    assert!(matches!(alone.verdict, super::super::Verdict::Absent(_)), "{:?}", alone.moved);
+    assert!(matches!(alone.verdict, crate::artefact::Verdict::Absent(_)), "{:?}", alone.effect);
     for (language, says) in Language::ALL.into_iter().zip(["30 edges stay sharp", "30 arestas ficam vivas"]) {
         let reported = alone.verdict.condition().get(language);
         assert!([says, "--crease 180", "--finer "].iter().all(|part| reported.contains(part)), "{reported}");
     }
     for helped in [run(180.0, None), run(40.0, Some(("fine.obj", &fine)))] {
-        assert!(helped.moved.bad > 3.0 && matches!(helped.verdict, super::super::Verdict::Holds(_)));
+        assert!(helped.effect.bad > 3.0 && matches!(helped.verdict, crate::artefact::Verdict::Holds(_)));
     }
 }
 

@@ -1,7 +1,7 @@
 //! Which experiments are meant, and whether what was typed suits them.
 
 use super::args::{ALL, ArtefactArgs, LIST};
-use crease::artefact::{ArtefactError, Changes, EXPERIMENTS, Experiment, Knob, experiment};
+use crease::artefact::{ArtefactError, Changes, EXPERIMENTS, Experiment, ParameterName, experiment};
 use std::path::Path;
 
 /// The experiments that are meant.
@@ -24,9 +24,9 @@ pub fn chosen(args: &ArtefactArgs) -> Result<Chosen, String> {
 }
 
 /// The options that were given, of those that change what is drawn and measured.
-pub fn given(args: &ArtefactArgs) -> impl Iterator<Item = Knob> {
-    let mesh = args.own.mesh.is_some().then_some(Knob::Mesh);
-    args.parameters.changes().knobs().chain(mesh)
+pub fn given(args: &ArtefactArgs) -> impl Iterator<Item = ParameterName> {
+    let mesh = args.own.mesh.is_some().then_some(ParameterName::Mesh);
+    args.parameters.changes().names().chain(mesh)
 }
 
 fn accept(experiment: &Experiment, changes: &Changes) -> Result<(), ArtefactError> {
@@ -50,11 +50,11 @@ fn all(args: &ArtefactArgs) -> Result<Chosen, String> {
         return Err("one animation shows one experiment: name it instead of `all`".into());
     }
     let changes = args.parameters.changes();
-    for knob in given(args) {
-        let takers = EXPERIMENTS.iter().filter(|experiment| experiment.takes.contains(&knob));
-        let refusals = takers.map(|experiment| accept(experiment, &changes.only(&[knob])).err());
+    for name in given(args) {
+        let takers = EXPERIMENTS.iter().filter(|experiment| experiment.takes.contains(&name));
+        let refusals = takers.map(|experiment| accept(experiment, &changes.only(&[name])).err());
         match refusals.min_by_key(Option::is_some) {
-            None => return Err(format!("no experiment takes --{}", knob.name())),
+            None => return Err(format!("no experiment takes --{}", name.name())),
             Some(Some(error)) => return Err(error.to_string()),
             Some(None) => {}
         }
@@ -74,7 +74,7 @@ fn refuse_to_list(args: &ArtefactArgs) -> Result<(), String> {
     let option = match given(args).next() {
         _ if args.output.is_some() => "-o".to_owned(),
         _ if args.animate.is_some() => "--animate".to_owned(),
-        Some(knob) => format!("--{}", knob.name()),
+        Some(name) => format!("--{}", name.name()),
         None => return Ok(()),
     };
     Err(format!(

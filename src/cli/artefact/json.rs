@@ -2,7 +2,7 @@
 
 use crate::cli::common::choice::Choose;
 use crate::cli::common::report::Head;
-use crease::artefact::{Experiment, Formula, Knob, Outcome, Setup, Taken, Text};
+use crease::artefact::{Experiment, Formula, Outcome, ParameterName, ParameterValues, Setup, Text};
 use crease::normals::Weight;
 use crease::raster::Interpolation;
 use serde::Serialize;
@@ -17,7 +17,7 @@ pub struct Report<'a> {
     claim: Text,
     sources: Vec<Text>,
     formulas: Vec<Formula>,
-    takes: &'static [Knob],
+    takes: &'static [ParameterName],
     ranges: BTreeMap<&'static str, Range>,
     #[serde(skip_serializing_if = "Option::is_none")]
     own_mesh: Option<Text>,
@@ -25,7 +25,7 @@ pub struct Report<'a> {
     mesh: Option<&'a str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     finer: Option<&'a str>,
-    parameters: Taken<'a>,
+    parameters: ParameterValues<'a>,
     #[serde(flatten)]
     pub result: Option<RunReport<'a>>,
 }
@@ -51,14 +51,14 @@ enum Range {
 }
 
 impl Range {
-    fn of(experiment: &Experiment, knob: Knob) -> Option<Self> {
+    fn of(experiment: &Experiment, name: ParameterName) -> Option<Self> {
         fn names<T: Choose>() -> Option<Range> {
             Some(Range::Names(T::CHOICES.iter().map(|choice| choice.0).collect()))
         }
-        match knob {
-            Knob::Weight => names::<Weight>(),
-            Knob::Interpolation => names::<Interpolation>(),
-            _ => experiment.range(knob).map(|range| Range::Numbers([*range.start(), *range.end()])),
+        match name {
+            ParameterName::Weight => names::<Weight>(),
+            ParameterName::Interpolation => names::<Interpolation>(),
+            _ => experiment.range(name).map(|range| Range::Numbers([*range.start(), *range.end()])),
         }
     }
 }
@@ -67,7 +67,7 @@ impl<'a> Report<'a> {
     /// A report on an experiment that is not run yet.
     pub fn new(experiment: &'static Experiment, setup: &'a Setup<'a>) -> Self {
         let ranges =
-            experiment.takes.iter().filter_map(|&knob| Some((knob.name(), Range::of(experiment, knob)?)));
+            experiment.takes.iter().filter_map(|&name| Some((name.name(), Range::of(experiment, name)?)));
         Self {
             head: Head::new("crease-artefact/2"),
             experiment: experiment.id,
@@ -80,7 +80,7 @@ impl<'a> Report<'a> {
             own_mesh: experiment.own_mesh(),
             mesh: setup.mesh.map(|own| own.name),
             finer: setup.mesh.and_then(|own| own.finer).map(|(name, _)| name),
-            parameters: Taken { knobs: experiment.takes, parameters: &setup.parameters },
+            parameters: ParameterValues { names: experiment.takes, parameters: &setup.parameters },
             result: None,
         }
     }

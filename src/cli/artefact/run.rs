@@ -11,7 +11,7 @@ use crate::cli::common::input::Source;
 use crate::cli::common::options::Color;
 use crate::cli::common::output::make_folder;
 use crate::cli::common::progress::Progress;
-use crease::artefact::{ArtefactError, EXPERIMENTS, Experiment, Knob, Language, Setup, UserMesh};
+use crease::artefact::{ArtefactError, EXPERIMENTS, Experiment, Language, ParameterName, Setup, UserMesh};
 use crease::io::{Loaded, ReadOptions, shell_word};
 use crease::mesh::{Faces, Mesh, MeshBuilder};
 use crease::report::{list_table, measure_table, misses, verdict_text};
@@ -76,18 +76,18 @@ fn report_unrun(
 }
 
 /// The options that some experiments ignore; `--interpolation` has a note of its own.
-fn typed(args: &ArtefactArgs) -> impl Iterator<Item = Knob> {
-    given(args).filter(|&knob| knob != Knob::Interpolation)
+fn typed(args: &ArtefactArgs) -> impl Iterator<Item = ParameterName> {
+    given(args).filter(|&name| name != ParameterName::Interpolation)
 }
 
 /// Which of the options that were typed change only some of the experiments, in words.
 fn unheeded(args: &ArtefactArgs, experiments: &[&'static Experiment]) -> Vec<String> {
-    let reported = typed(args).filter_map(|knob| {
-        let takes = |experiment: &&&Experiment| experiment.takes.contains(&knob);
+    let reported = typed(args).filter_map(|name| {
+        let takes = |experiment: &&&Experiment| experiment.takes.contains(&name);
         let ids: Vec<&str> = experiments.iter().filter(takes).map(|experiment| experiment.id).collect();
         (ids.len() < experiments.len()).then(|| match &ids[..] {
-            [] => format!("--{} changes none of them", knob.name()),
-            ids => format!("--{} changes {} only; the others are as without it", knob.name(), ids.join(", ")),
+            [] => format!("--{} changes none of them", name.name()),
+            ids => format!("--{} changes {} only; the others are as without it", name.name(), ids.join(", ")),
         })
     });
     reported.collect()
@@ -133,7 +133,7 @@ fn run_all(
         let start = Instant::now();
         let setup = Setup {
             parameters: changes.only(experiment.takes).apply(experiment.defaults),
-            mesh: own.filter(|_| experiment.takes.contains(&Knob::Mesh)),
+            mesh: own.filter(|_| experiment.takes.contains(&ParameterName::Mesh)),
         };
         let outcome =
             experiment.run(&setup).map_err(|error| Failure::input(format!("{}: {error}", experiment.id)))?;
@@ -177,7 +177,10 @@ fn print(run: &Run, files: Vec<String>, agrees: bool, args: &ArtefactArgs, conso
     let mut report = Report::new(experiment, setup);
     report.head.status = if agrees { "ok" } else { "findings" };
     report.result = Some(RunReport {
-        unheeded: typed(args).filter(|knob| !experiment.takes.contains(knob)).map(Knob::name).collect(),
+        unheeded: typed(args)
+            .filter(|name| !experiment.takes.contains(name))
+            .map(ParameterName::name)
+            .collect(),
         outcome,
         command: animated(experiment.command(setup, language), args),
         files: files.clone(),

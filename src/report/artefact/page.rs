@@ -6,7 +6,9 @@ use super::running::running;
 use super::tables::{measure_table, verdict_in_short, verdict_text};
 use super::words;
 use crate::artefact::{Experiment, Language, Outcome, Role, Setup, Shot};
-use crate::report::{Page, Picture, ReportError, escape_html};
+use crate::report::html::image;
+use crate::report::{Page, Picture, ReportError};
+use maud::{Markup, PreEscaped, html};
 
 /// The name of an experiment's page in the gallery.
 pub fn page_name(experiment: &Experiment) -> String {
@@ -25,30 +27,25 @@ pub fn experiment_page(
     language: Language,
     in_gallery: bool,
 ) -> Result<String, ReportError> {
+    let text = |key| words::text(key, language);
     let mut page = page(experiment.title().get(language), experiment.claim().get(language), language);
     if in_gallery {
-        let all = words::ALL;
-        let all = escape_html(all.get(language));
-        page.raw(&format!("<p class=\"up\"><a href=\"index.html\">{all}</a></p>\n"));
+        page.raw(&html! { p.up { a href="index.html" { (text("all")) } } "\n" }.into_string());
     }
     claim(experiment, setup, language, &mut page);
-    page.heading(words::VERDICT.get(language));
-    page.raw(&verdict(outcome, language));
-    page.heading(words::PICTURES.get(language));
-    // An artefact and its cures stay in one row.
+    page.heading(&text("verdict"));
+    let [name, condition] = verdict_text(outcome, language);
+    page.raw(&html! { p.verdict { strong { (name) } ": " (set(&condition)) } "\n" }.into_string());
+    page.heading(&text("pictures"));
     for series in outcome.series() {
-        page.raw("<div class=\"shots\">\n");
-        for shot in series {
-            page.raw(&figure(experiment, shot, language)?);
-        }
-        page.raw("</div>\n");
+        page.raw(&figures(experiment, series, language)?.into_string());
     }
-    page.heading(words::MOVED.get(language));
-    page.paragraph(&words::moved(&outcome.moved, language));
-    page.heading(words::MEASURED.get(language));
+    page.heading(&text("effect"));
+    page.paragraph(words::effect(&outcome.effect).get(language));
+    page.heading(&text("measured"));
     page.table(&measure_table(outcome, language));
     if !outcome.charts.is_empty() {
-        page.heading(words::PLOTS.get(language));
+        page.heading(&text("plots"));
     }
     for chart in &outcome.charts {
         let plot = chart_plot(chart, language);
@@ -56,16 +53,17 @@ pub fn experiment_page(
     }
     // On paper the command does not stand alone on a page.
     page.raw("<div class=\"end\">\n");
-    page.heading(words::EXPLAINED.get(language));
+    page.heading(&text("explained"));
     outcome.notes.iter().for_each(|note| page.paragraph(note.get(language)));
-    page.heading(words::REPRODUCE.get(language));
-    page.paragraph(words::COMMAND.get(language));
-    let command = escape_html(&experiment.command(setup, language)).into_owned();
-    page.raw(&format!("<pre><code>{command}</code></pre>\n</div>\n"));
+    page.heading(&text("reproduce"));
+    page.paragraph(&text("command"));
+    let command = experiment.command(setup, language);
+    page.raw(&html! { pre { code { (command) } } "\n" }.into_string());
+    page.raw("</div>\n");
     Ok(page.finish())
 }
 
-/// What thumbnails show of the first series: the artefact that stands before the first cure, that, and the first difference.
+/// The thumbnails of the first series: the artefact before the first cure, that cure, and the first difference.
 fn thumbnails(series: &[Shot]) -> impl Iterator<Item = &Shot> {
     let is_one_of = |roles: &'static [Role]| move |shot: &&Shot| roles.contains(&shot.role);
     let cure = series.iter().position(|shot| matches!(shot.role, Role::Cured | Role::Attempt));
@@ -80,38 +78,44 @@ fn thumbnails(series: &[Shot]) -> impl Iterator<Item = &Shot> {
 /// # Errors
 /// Pictures that cannot be made into files.
 pub fn index_page(found: &[(&Experiment, &Outcome)], language: Language) -> Result<String, ReportError> {
-    let mut page = page(words::LABORATORY.get(language), words::LEAD.get(language), language);
-    page.raw("<div class=\"cards\">\n");
-    for (experiment, outcome) in found {
-        let first = outcome.series().next().unwrap_or_default();
-        let thumbnails = thumbnails(first)
-            .map(|shot| super::super::html::image(&thumbnail(&shot.image), shot.caption.get(language)));
-        let thumbnails: Vec<String> = thumbnails.collect::<Result<_, _>>()?;
-        page.raw(&format!(
-            "<a class=\"card\" href=\"{}\">\n<span class=\"row\">{}</span>\n<strong>{}</strong>\n<span>{}</span>\n<em>{}</em>\n\
-             </a>\n",
-            escape_html(&page_name(experiment)),
-            thumbnails.join(""),
-            escape_html(experiment.title().get(language)),
-            running(experiment.claim().get(language)),
-            running(&verdict_in_short(outcome, language)),
-        ));
-    }
-    page.raw("</div>\n");
+    let text = |key| words::text(key, language);
+    let mut page = page(&text("laboratory"), &text("lead"), language);
+    let card = |experiment: &Experiment, outcome: &Outcome| -> Result<Markup, ReportError> {
+        let thumbnails = thumbnails(outcome.series().next().unwrap_or_default());
+        let images = thumbnails
+            .map(|shot| image(&thumbnail(&shot.image), shot.caption.get(language)).map(PreEscaped))
+            .collect::<Result<Vec<_>, _>>()?;
+        Ok(html! {
+            a.card href=(page_name(experiment)) {
+                span.row { @for image in images { (image) } }
+                strong { (experiment.title().get(language)) }
+                span { (set(experiment.claim().get(language))) }
+                em { (set(&verdict_in_short(outcome, language))) }
+            }
+        })
+    };
+    let cards = found.iter().map(|(experiment, outcome)| card(experiment, outcome));
+    let cards = cards.collect::<Result<Vec<_>, _>>()?;
+    page.raw(&html! { div.cards { @for card in cards { (card) } } "\n" }.into_string());
     Ok(page.finish())
 }
 
 fn page(title: &str, lead: &str, language: Language) -> Page {
-    Page::new(title, lead).in_language(language.tag(), words::CONTENTS.get(language)).set_by(running)
+    Page::new(title, lead).in_language(language.tag(), &words::text("contents", language)).set_by(running)
+}
+
+/// Running text as markup.
+fn set(text: &str) -> Markup {
+    PreEscaped(running(text))
 }
 
 /// Who claims it, and the closed forms.
 fn claim(experiment: &Experiment, setup: &Setup, language: Language, page: &mut Page) {
-    page.heading(words::CLAIM.get(language));
+    page.heading(&words::text("claim", language));
     page.paragraph(experiment.claim().get(language));
     page.list(experiment.sources().iter().map(|source| source.get(language)));
     if setup.mesh.is_some() {
-        page.paragraph(words::NO_FORMULAS.get(language));
+        page.paragraph(&words::text("no-formulas", language));
     }
     for formula in experiment.closed_forms(setup) {
         page.raw(&mathml(formula.notation.get(language)));
@@ -120,20 +124,22 @@ fn claim(experiment: &Experiment, setup: &Setup, language: Language, page: &mut 
     }
 }
 
-fn verdict(outcome: &Outcome, language: Language) -> String {
-    let [name, condition] = verdict_text(outcome, language);
-    let (name, condition) = (escape_html(&name), running(&condition));
-    format!("<p class=\"verdict\"><strong>{name}</strong>: {condition}</p>\n")
-}
-
-fn figure(experiment: &Experiment, shot: &Shot, language: Language) -> Result<String, ReportError> {
-    let picture = Picture::from(shot.image.clone());
-    let image = super::super::html::image(&picture, shot.caption.get(language))?;
-    let role = words::role(shot.role);
-    let [role, label, caption] = [&role, &shot.label, &shot.caption].map(|text| running(text.get(language)));
-    let file = picture_name(experiment, shot.name);
-    Ok(format!(
-        "<figure>\n{image}\n<figcaption><strong>{label}</strong> ({role}). {caption} <code>{file}.png</code></figcaption>\n\
-         </figure>\n"
-    ))
+/// An artefact and its cures, in one row.
+fn figures(experiment: &Experiment, series: &[Shot], language: Language) -> Result<Markup, ReportError> {
+    let figure = |shot: &Shot| -> Result<Markup, ReportError> {
+        let picture = image(&Picture::from(shot.image.clone()), shot.caption.get(language))?;
+        let role = words::text(words::role(shot.role), language);
+        let file = picture_name(experiment, shot.name);
+        Ok(html! {
+            figure {
+                (PreEscaped(picture))
+                figcaption {
+                    strong { (set(shot.label.get(language))) } " (" (role) "). "
+                    (set(shot.caption.get(language))) " " code { (file) ".png" }
+                }
+            }
+        })
+    };
+    let figures = series.iter().map(figure).collect::<Result<Vec<_>, _>>()?;
+    Ok(html! { div.shots { @for figure in figures { (figure) } } "\n" })
 }

@@ -214,10 +214,10 @@ fn every_experiment_shows_its_artefact_and_its_cure() {
         let has = |role| outcome.shots.iter().any(|shot| shot.role == role);
         assert!(has(Role::Bad) && has(Role::Cured), "{}", experiment.id);
         assert!(
-            outcome.moved.is_present() && outcome.moved.reduction() >= outcome.moved.factor,
+            outcome.effect.is_present() && outcome.effect.reduction() >= outcome.effect.factor,
             "{}: {:?}",
             experiment.id,
-            outcome.moved
+            outcome.effect
         );
     }
 }

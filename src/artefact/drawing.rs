@@ -1,0 +1,155 @@
+//! What experiments share: where things stand, how they are drawn, pictures made of pictures.
+
+use super::error::ArtefactError;
+use crate::mesh::Mesh;
+use crate::normals::{Crease, NormalField, NormalRecipe, Weight, compute};
+use crate::num::{Degrees, LinearRgb, Radians, Transfer, viridis};
+use crate::raster::{
+    Camera, Image, Interpolation, Object, Pixels, Projection, RenderSettings, Scene, Shading, Shape,
+    Statistics, render,
+};
+use crate::shade::{Light, Material, Reflectance};
+use glam::DVec3;
+
+/// What is seen where there is nothing: a dark grey that neither black nor white surfaces vanish in.
+pub(super) const BACKGROUND: LinearRgb = LinearRgb::grey(0.05);
+
+/// A white surface that only diffuses: its luminance is N·L.
+pub(super) fn chalk() -> Material {
+    Material {
+        ambient: Reflectance::NONE,
+        diffuse: Reflectance::Merged(LinearRgb::WHITE),
+        ..Material::matte(LinearRgb::WHITE)
+    }
+}
+
+/// A white light from far away, turned by an angle from the viewer (+z) to the right.
+pub(super) fn light_at(angle: Degrees) -> Light {
+    let Radians(angle) = angle.into();
+    let towards = DVec3::new(libm::sin(angle), 0.0, libm::cos(angle));
+    Light::Directional { towards, colour: LinearRgb::WHITE }
+}
+
+/// A parallel camera that looks at the origin from +z at a window of this height.
+pub(super) fn front(height: f64) -> Camera {
+    let projection = Projection::Orthographic(height);
+    Camera { eye: DVec3::Z * 100.0, target: DVec3::ZERO, up: DVec3::Y, projection, near: 0.0 }
+}
+
+/// Both sides lit, linear samples kept.
+pub(super) fn settings(size: [u32; 2], shading: Shading, interpolation: Interpolation) -> RenderSettings {
+    RenderSettings {
+        size,
+        shading,
+        interpolation,
+        two_sided: true,
+        keep_linear: true,
+        ..RenderSettings::default()
+    }
+}
+
+/// Draws objects on the common background.
+pub(super) fn draw(
+    objects: Vec<Object>,
+    lights: &[Light],
+    camera: Camera,
+    settings: &RenderSettings,
+) -> Result<Image, ArtefactError> {
+    let scene = Scene { objects, lines: Vec::new(), lights: lights.to_vec(), camera, background: BACKGROUND };
+    Ok(render(&scene, settings)?)
+}
+
+/// A mesh with its normals as an object.
+pub(super) fn object<'a>(mesh: &'a Mesh, normals: &'a NormalField, material: Material) -> Object<'a> {
+    Object::new(Shape::Mesh { mesh, normals }, material)
+}
+
+/// Normals by a weight, smooth over every edge.
+pub(super) fn smooth(mesh: &Mesh, weight: Weight) -> NormalField {
+    compute(mesh, &NormalRecipe { weight, crease: Crease::OFF, ..NormalRecipe::default() })
+}
+
+/// The linear samples of a picture, which every picture of an experiment has.
+pub(super) fn linear(image: &Image) -> &[[f32; 3]] {
+    image.linear.as_deref().unwrap_or_default()
+}
+
+/// The relative luminance of every pixel.
+pub(super) fn luminance(image: &Image) -> Vec<f64> {
+    linear(image).iter().map(|&colour| LinearRgb::from(colour.map(f64::from)).luminance()).collect()
+}
+
+/// A picture of linear colours.
+pub(super) fn picture(size: [u32; 2], linear: Vec<[f32; 3]>, coverage: Vec<u8>) -> Image {
+    let code = |component: f32| Transfer::Srgb.to_u8(f64::from(component).clamp(0.0, 1.0));
+    Image {
+        size,
+        pixels: Pixels::Eight(linear.iter().map(|colour| colour.map(code)).collect()),
+        coverage,
+        linear: Some(linear),
+        statistics: Statistics::default(),
+    }
+}
+
+/// Numbers from 0 to `full` as colours from dark violet over green to yellow, which get lighter all the way: they can be
+/// told apart without colour vision and in black and white (the map *viridis* at five places). `None` is background.
+pub(super) fn map(size: [u32; 2], values: &[Option<f64>], full: f64) -> Image {
+    let colour = |value: f64| viridis(value / full).to_array().map(|component| component as f32);
+    let background = BACKGROUND.to_array().map(|component| component as f32);
+    let linear = values.iter().map(|value| value.map_or(background, colour)).collect();
+    picture(size, linear, values.iter().map(|value| u8::from(value.is_some())).collect())
+}
+
+/// The largest difference of components, pixel by pixel, where both pictures are covered.
+pub(super) fn differences(first: &Image, second: &Image) -> Vec<Option<f64>> {
+    let (colours, others) = (linear(first), linear(second));
+    let difference = |pixel: usize| {
+        let pairs = colours[pixel].into_iter().zip(others[pixel]);
+        let largest = pairs.map(|(a, b)| (f64::from(a) - f64::from(b)).abs()).fold(0.0, f64::max);
+        (first.coverage[pixel] > 0 && second.coverage[pixel] > 0).then_some(largest)
+    };
+    (0..colours.len()).map(difference).collect()
+}
+
+/// What is free between pictures that are shown as one, in pixels.
+pub(super) const GAP: u32 = 2;
+
+/// Pictures of one size as one: rows of them, with a narrow gap of background between.
+pub(super) fn tiles(rows: &[Vec<Image>]) -> Image {
+    let [width, height] = rows.first().and_then(|row| row.first()).map_or([0; 2], |image| image.size);
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(0) as u32;
+    let side = |count: u32, length: u32| (count * (length + GAP)).saturating_sub(GAP);
+    let size = [side(columns, width), side(rows.len() as u32, height)];
+    let background = BACKGROUND.to_array().map(|component| component as f32);
+    let (mut colours, mut coverage) = (Vec::new(), Vec::new());
+    for (y, x) in (0..size[1]).flat_map(|y| (0..size[0]).map(move |x| (y, x))) {
+        let tile =
+            rows.get((y / (height + GAP)) as usize).and_then(|row| row.get((x / (width + GAP)) as usize));
+        let pixel = tile.and_then(|tile| Some((tile, tile.index(x % (width + GAP), y % (height + GAP))?)));
+        colours.push(pixel.map_or(background, |(tile, index)| linear(tile)[index]));
+        coverage.push(pixel.map_or(0, |(tile, index)| tile.coverage[index]));
+    }
+    picture(size, colours, coverage)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tiles_stand_in_rows() {
+        let grey = |value: f32| picture([3, 1], vec![[value; 3]; 3], vec![1; 3]);
+        let all = tiles(&[vec![grey(0.1), grey(0.2)], vec![grey(0.3)]]);
+        assert_eq!(all.size, [8, 4]);
+        assert_eq!(all.coverage.iter().filter(|&&covered| covered > 0).count(), 9);
+        let at = |x, y| linear(&all)[all.index(x, y).unwrap()][0];
+        assert_eq!([at(0, 0), at(5, 0), at(2, 3)], [0.1, 0.2, 0.3]);
+    }
+
+    #[test]
+    fn maps_get_lighter_all_the_way() {
+        let values: Vec<Option<f64>> = (0..=40).map(|k| Some(f64::from(k) / 40.0)).collect();
+        let shown = luminance(&map([41, 1], &values, 1.0));
+        assert!(shown.windows(2).all(|pair| pair[1] > pair[0]), "{shown:?}");
+    }
+}

@@ -1,0 +1,121 @@
+//! A mesh rendered with averaged or split normals, compared with its faces.
+
+use super::super::drawing::{chalk, differences, draw, linear, luminance, map, object, settings};
+use super::super::error::ArtefactError;
+use super::super::user_mesh::{camera, light_from};
+use crate::mesh::Mesh;
+use crate::metric::{NormalDeviation, normal_deviation};
+use crate::normals::{Crease, Groups, NormalField, NormalRecipe, Weight, compute};
+use crate::num::{Degrees, angle_between};
+use crate::raster::{Camera, Image, Interpolation, RenderSettings, Shading, Show};
+use crate::shade::Light;
+
+/// Full scale of the maps of angles, in degrees, and of light.
+pub(super) const FULL_ANGLE: f64 = 60.0;
+const FULL_LIGHT: f64 = 0.5;
+
+/// A mesh with its camera and light.
+pub(super) struct LitMesh {
+    pub(super) mesh: Mesh,
+    pub(super) camera: Camera,
+    pub(super) light: Light,
+    pub(super) size: u32,
+}
+
+/// Its pictures with one kind of normals.
+pub(super) struct Rendering {
+    /// Under Phong's shading.
+    pub(super) lit: Image,
+    /// Under flat shading.
+    flat: Image,
+    /// Between the normals of pixels and those of their faces.
+    pub(super) deviation: NormalDeviation,
+    /// The angle in degrees between each corner's normal and that of its face.
+    corners: Vec<f64>,
+}
+
+impl LitMesh {
+    /// A mesh seen from the front, a little from above and from the right.
+    pub(super) fn from_corner(mesh: Mesh, light: Degrees, size: u32) -> Result<Self, ArtefactError> {
+        let field = compute(&mesh, &NormalRecipe::default());
+        let camera = camera(&[object(&mesh, &field, chalk())]);
+        Ok(Self { light: light_from(&camera, light)?, mesh, camera, size })
+    }
+
+    pub(super) fn render(&self, weight: Weight, crease: Crease) -> Result<Rendering, ArtefactError> {
+        let field = self.normals(weight, crease);
+        let picture = |shading, show| {
+            let settings =
+                RenderSettings { show, ..settings([self.size; 2], shading, Interpolation::Perspective) };
+            let lights = std::slice::from_ref(&self.light);
+            draw(vec![object(&self.mesh, &field, chalk())], lights, self.camera, &settings)
+        };
+        let [smooth, faces] = [Shading::Phong, Shading::Flat].map(|shading| picture(shading, Show::Normals));
+        Ok(Rendering {
+            lit: picture(Shading::Phong, Show::Shaded)?,
+            flat: picture(Shading::Flat, Show::Shaded)?,
+            deviation: normal_deviation(&smooth?, &faces?)?,
+            corners: self.angles(&field),
+        })
+    }
+
+    /// The mean angle between the corners' normals and those of their faces.
+    pub(super) fn mean_of_corners(&self, weight: Weight, crease: Crease) -> f64 {
+        let angles = self.angles(&self.normals(weight, crease));
+        angles.iter().sum::<f64>() / angles.len().max(1) as f64
+    }
+
+    /// By the angle alone: what a file says of its edges would hide what averaging does.
+    fn normals(&self, weight: Weight, crease: Crease) -> NormalField {
+        let recipe = NormalRecipe { weight, crease, groups: Groups::Ignore, ..NormalRecipe::default() };
+        compute(&self.mesh, &recipe)
+    }
+
+    fn angles(&self, field: &NormalField) -> Vec<f64> {
+        let faces = self.mesh.faces();
+        let owners = faces.owners();
+        let angle = |(corner, (&vertex, &face)): (usize, (&u32, &u32))| {
+            let normal = *field.normals.get(corner, vertex)?;
+            Some(Degrees::from(angle_between(normal, field.face_normals[face as usize])).0)
+        };
+        faces.corners().iter().zip(&owners).enumerate().filter_map(angle).collect()
+    }
+}
+
+impl Rendering {
+    /// The largest angle of a corner's normal to its face, in degrees.
+    pub(super) fn largest(&self) -> f64 {
+        self.corners.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// The share of corners whose normal is farther from their face.
+    pub(super) fn share_over(&self, Degrees(limit): Degrees) -> f64 {
+        let over = self.corners.iter().filter(|&&angle| angle > limit).count();
+        over as f64 / self.corners.len().max(1) as f64
+    }
+
+    /// The luminance in the middle of the picture.
+    pub(super) fn middle(&self) -> f64 {
+        middle(&self.lit)
+    }
+
+    /// The same of the faces.
+    pub(super) fn true_middle(&self) -> f64 {
+        middle(&self.flat)
+    }
+
+    /// Maps of the angle between normals, and of the error of diffuse light.
+    pub(super) fn maps(&self) -> [Image; 2] {
+        let size = self.lit.size;
+        [
+            map(size, &self.deviation.angles, FULL_ANGLE),
+            map(size, &differences(&self.lit, &self.flat), FULL_LIGHT),
+        ]
+    }
+}
+
+fn middle(image: &Image) -> f64 {
+    let [x, y] = image.size.map(|side| side / 2);
+    let place = image.index(x, y).filter(|&index| index < linear(image).len());
+    place.map_or(f64::NAN, |index| luminance(image)[index])
+}

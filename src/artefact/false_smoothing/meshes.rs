@@ -1,0 +1,94 @@
+//! Meshes with sharp edges, whose faces share their vertices.
+
+use super::super::error::ArtefactError;
+use super::super::triangle_mesh::{BOX_FACES, box_corners};
+use crate::mesh::{Faces, Mesh, MeshBuilder};
+use crate::num::{Degrees, Radians};
+use glam::{DVec2, DVec3};
+use std::f64::consts::TAU;
+
+/// The cube from −1 to 1.
+pub(super) fn cube() -> Result<Mesh, ArtefactError> {
+    build(box_corners(DVec3::splat(2.0)), &BOX_FACES.map(|face| face.to_vec()))
+}
+
+/// The teeth of the gear.
+const TEETH: u32 = 12;
+/// The vertices of its bore.
+pub(super) const BORE: u32 = 4 * TEETH;
+
+/// A gear about the z axis with a bore: flat faces, all of whose edges are sharp, but those along the bore.
+pub(super) fn gear() -> Result<Mesh, ArtefactError> {
+    const THICKNESS: f64 = 0.36;
+    // Where a tooth's root and tip begin and end, in shares of its part of the circle, and how far out they are.
+    const PROFILE: [[f64; 2]; 4] = [[0.0, 0.72], [0.42, 0.72], [0.54, 1.0], [0.88, 1.0]];
+    const HOLE: f64 = 0.36;
+    let around = |turn: f64, radius: f64| {
+        let (sine, cosine) = libm::sincos(TAU * turn);
+        DVec2::new(cosine, sine) * radius
+    };
+    let outline = (0..BORE).map(|k| {
+        let [share, radius] = PROFILE[(k % 4) as usize];
+        around((f64::from(k / 4) + share) / f64::from(TEETH), radius)
+    });
+    let bore = (0..BORE).map(|k| around(f64::from(k) / f64::from(BORE), HOLE));
+    let ring: Vec<DVec2> = outline.chain(bore).collect();
+    let layer = |z: f64| ring.iter().map(move |point| point.extend(z));
+    let positions = layer(-0.5 * THICKNESS).chain(layer(0.5 * THICKNESS)).collect();
+    let mut faces = Vec::new();
+    for (k, next) in (0..BORE).map(|k| (k, (k + 1) % BORE)) {
+        let high = 2 * BORE;
+        faces.push(vec![k, next, next + high, k + high]);
+        faces.push(vec![BORE + next, BORE + k, BORE + k + high, BORE + next + high]);
+        faces.push(vec![next, k, BORE + k, BORE + next]);
+        faces.push(vec![k + high, next + high, BORE + next + high, BORE + k + high]);
+    }
+    build(positions, &faces)
+}
+
+/// A sheet folded along lines upwards: strips of the width 1 along the profile, so many of them, each leaning by one of these
+/// angles in turn. It hangs about the origin with its middle.
+pub(super) fn folded(leans: &[Degrees], strips: u32) -> Result<Mesh, ArtefactError> {
+    const HALF: f64 = 2.2;
+    let mut profile = vec![DVec2::ZERO];
+    for strip in 0..strips as usize {
+        let (sine, cosine) = libm::sincos(Radians::from(leans[strip % leans.len()]).0);
+        profile.push(profile[strip] + DVec2::new(cosine, sine));
+    }
+    let width = profile[strips as usize].x;
+    let row = |y: f64| profile.iter().map(move |point| DVec3::new(point.x - 0.5 * width, y, point.y));
+    let positions = row(-HALF).chain(row(HALF)).collect();
+    let faces: Vec<Vec<u32>> = (0..strips).map(|k| vec![k, k + 1, k + strips + 2, k + strips + 1]).collect();
+    build(positions, &faces)
+}
+
+fn build(positions: Vec<DVec3>, polygons: &[Vec<u32>]) -> Result<Mesh, ArtefactError> {
+    let mut faces = Faces::new();
+    polygons.iter().for_each(|polygon| faces.push(polygon));
+    Ok(MeshBuilder { positions, faces, ..MeshBuilder::default() }.build()?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{Link, Topology, Weld};
+
+    #[test]
+    fn solids_are_closed_and_face_outwards() {
+        for (mesh, volume) in [(cube().unwrap(), 8.0), (gear().unwrap(), 0.0)] {
+            let topology = Topology::build(&mesh, Weld::Off);
+            let corners = mesh.faces().corner_count() as u32;
+            assert!((0..corners).all(|corner| matches!(topology.link(corner), Link::Twin(_))));
+            // Six times the volume, by fans.
+            let six: f64 = mesh
+                .faces()
+                .iter()
+                .map(|face| {
+                    let p = |k: usize| mesh.positions()[face[k] as usize];
+                    (1..face.len() - 1).map(|k| p(0).dot(p(k).cross(p(k + 1)))).sum::<f64>()
+                })
+                .sum();
+            assert!(six > 0.0 && (volume == 0.0 || (six / 6.0 - volume).abs() < 1e-12), "{six}");
+        }
+    }
+}

@@ -1,0 +1,34 @@
+//! A sphere with nothing but a highlight.
+
+use super::super::drawing::{draw, front, light_at, settings};
+use super::super::error::ArtefactError;
+use crate::num::{Degrees, LinearRgb};
+use crate::raster::{Image, Interpolation, Object, RenderSettings, Shading, Shape};
+use crate::shade::{Guards, Material, Reflectance, Reflection};
+use crate::surface::{Primitive, Sphere};
+
+/// Light far round the sphere.
+pub(super) const GRAZING: Degrees = Degrees(120.0);
+/// The window's side; the sphere has the radius 1.
+pub(super) const WINDOW: f64 = 2.2;
+
+/// The true sphere with nothing but a highlight.
+pub(super) fn ball(
+    reflection: Reflection,
+    exponent: f64,
+    light: Degrees,
+    guards: Guards,
+    size: u32,
+) -> Result<Image, ArtefactError> {
+    let material = Material {
+        ambient: Reflectance::NONE,
+        diffuse: Reflectance::NONE,
+        specular: Reflectance::Merged(LinearRgb::WHITE),
+        exponent,
+        reflection,
+    };
+    let sphere = Object::new(Shape::Surface(Primitive::from(Sphere::default())), material);
+    let settings =
+        RenderSettings { guards, ..settings([size; 2], Shading::Exact, Interpolation::Perspective) };
+    draw(vec![sphere], &[light_at(light)], front(WINDOW), &settings)
+}

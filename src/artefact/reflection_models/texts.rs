@@ -1,5 +1,0 @@
-//! The texts of this experiment.
-
-use crate::text::{Catalogue, catalogue};
-
-pub(super) static TEXTS: Catalogue = catalogue!("texts");
