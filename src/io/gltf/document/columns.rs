@@ -9,6 +9,12 @@ use crate::io::{NonFinite, Note, Problem, ReadError};
 use crate::mesh::{Column, Columns, Faces, Mesh, MeshBuilder, MeshError, NONE, Storage};
 use glam::{DVec2, DVec3};
 
+/// A column of the vertices of triangles, and where each block begins in it.
+struct BlockColumn<T> {
+    column: Option<Column<T>>,
+    first: Vec<Option<u32>>,
+}
+
 impl Assembler<'_> {
     /// Decodes the vertices of all blocks and builds the mesh. Also returns the faces that are dropped from it.
     pub fn fill(
@@ -22,15 +28,15 @@ impl Assembler<'_> {
             self.source.spend(24 * u64::from(block.count), self.at)?;
             positions.extend(self.vectors(self.accessors(block).position())?);
         }
-        let first_normals;
-        (columns.normals, first_normals) =
-            self.column(layout, &corners, "NORMAL", |accessor| self.vectors(accessor))?;
-        layout.blocks.iter_mut().zip(first_normals).for_each(|(block, first)| block.first_normal = first);
+        let normals = self.column(layout, &corners, "NORMAL", |accessor| self.vectors(accessor))?;
+        layout.blocks.iter_mut().zip(normals.first).for_each(|(block, first)| block.first_normal = first);
+        columns.normals = normals.column;
         // glTF counts v from the top of the image, meshes count from the bottom.
         let uv = |[u, v]: [f32; 2]| DVec2::new(u.into(), 1.0 - f64::from(v));
-        (columns.uvs, _) = self.column(layout, &corners, "TEXCOORD_0", |accessor| {
+        let uvs = self.column(layout, &corners, "TEXCOORD_0", |accessor| {
             Ok(self.shown::<2>(accessor)?.into_iter().map(uv))
         })?;
+        columns.uvs = uvs.column;
         columns.colors = self.colors(layout)?;
         columns.morph_targets = self.morph_targets(layout, positions.len())?;
         let note = non_finite_note(&positions, self.non_finite);
@@ -77,15 +83,14 @@ impl Assembler<'_> {
         Ok(floats)
     }
 
-    /// A column of the vertices of triangles, and where each block begins in it: per vertex if every block has values, per
-    /// corner otherwise.
+    /// The column of a semantic: per vertex if every block has values, per corner otherwise.
     fn column<T, I: Iterator<Item = T>>(
         &self,
         layout: &Layout,
         corners: &[u32],
         semantic: &str,
         read: impl Fn(usize) -> Result<I, ReadError>,
-    ) -> Result<(Option<Column<T>>, Vec<Option<u32>>), ReadError> {
+    ) -> Result<BlockColumn<T>, ReadError> {
         let mut values: Vec<T> = Vec::new();
         let mut first = vec![None; layout.blocks.len()];
         for (block, first) in layout.blocks.iter().zip(&mut first).filter(|(block, _)| block.solid) {
@@ -95,10 +100,10 @@ impl Assembler<'_> {
             values.extend(read(accessor)?);
         }
         if values.is_empty() {
-            return Ok((None, first));
+            return Ok(BlockColumn { column: None, first });
         }
         if first.iter().all(Option::is_some) {
-            return Ok((Some(Column::per_vertex(values)), first));
+            return Ok(BlockColumn { column: Some(Column::per_vertex(values)), first });
         }
         self.source.spend(4 * corners.len() as u64, self.at)?;
         let mut index = Vec::with_capacity(corners.len());
@@ -107,7 +112,7 @@ impl Assembler<'_> {
             let range = 3 * piece.first_face as usize..3 * (piece.first_face + piece.faces) as usize;
             index.extend(corners[range].iter().map(|v| first.map_or(NONE, |first| first + v - first_vertex)));
         }
-        Ok((Some(Column::per_corner(values, index)), first))
+        Ok(BlockColumn { column: Some(Column::per_corner(values, index)), first })
     }
 
     fn colors(&self, layout: &Layout) -> Result<Option<Vec<[f32; 4]>>, ReadError> {
