@@ -55,7 +55,7 @@ impl Recorder {
     }
 
     fn part(&self, name: &str, part: &str) -> Text {
-        self.text(&format!("{name}-{part}"))
+        self.text(&key(name, part))
     }
 
     /// Records a number, in a unit that may be empty.
@@ -117,8 +117,7 @@ impl Recorder {
     }
 
     fn caption(&self, name: &str) -> Caption {
-        let seen = format!("{name}-seen");
-        let seen = self.texts.has(&seen).then(|| self.text(&seen));
+        let seen = self.texts.has(&key(name, "seen")).then(|| self.part(name, "seen"));
         Caption { label: self.part(name, "title"), drawn: self.part(name, "caption"), seen }
     }
 
@@ -147,4 +146,9 @@ impl Recorder {
         let Self { measures, shots, charts, .. } = self;
         Outcome { verdict, effect, measures, shots, charts, notes }
     }
+}
+
+/// The key of a part of the texts of a name.
+fn key(name: &str, part: &str) -> String {
+    format!("{name}-{part}")
 }
