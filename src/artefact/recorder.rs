@@ -136,7 +136,8 @@ impl Recorder {
 
     /// The outcome, with the notes of the texts `note-1`, `note-2`, ….
     pub(super) fn finish(self, verdict: Verdict, effect: Effect) -> Outcome {
-        let keys = (1..).map(|number| format!("note-{number}")).take_while(|key| self.texts.has(key));
+        let keys =
+            (1..).map(|number: u32| key("note", &number.to_string())).take_while(|key| self.texts.has(key));
         let notes = keys.map(|key| self.text(&key)).collect();
         self.finish_with_notes(notes, verdict, effect)
     }
