@@ -55,7 +55,7 @@ impl Recorder {
     }
 
     fn part(&self, name: &str, part: &str) -> Text {
-        self.text(&format!("{name}-{part}"))
+        self.text(&key(name, part))
     }
 
     /// Records a number, in a unit that may be empty.
@@ -117,8 +117,7 @@ impl Recorder {
     }
 
     fn caption(&self, name: &str) -> Caption {
-        let seen = format!("{name}-seen");
-        let seen = self.texts.has(&seen).then(|| self.text(&seen));
+        let seen = self.texts.has(&key(name, "seen")).then(|| self.part(name, "seen"));
         Caption { label: self.part(name, "title"), drawn: self.part(name, "caption"), seen }
     }
 
@@ -137,7 +136,8 @@ impl Recorder {
 
     /// The outcome, with the notes of the texts `note-1`, `note-2`, ….
     pub(super) fn finish(self, verdict: Verdict, effect: Effect) -> Outcome {
-        let keys = (1..).map(|number| format!("note-{number}")).take_while(|key| self.texts.has(key));
+        let keys =
+            (1..).map(|number: u32| key("note", &number.to_string())).take_while(|key| self.texts.has(key));
         let notes = keys.map(|key| self.text(&key)).collect();
         self.finish_with_notes(notes, verdict, effect)
     }
@@ -147,4 +147,9 @@ impl Recorder {
         let Self { measures, shots, charts, .. } = self;
         Outcome { verdict, effect, measures, shots, charts, notes }
     }
+}
+
+/// The key of a part of the texts of a name.
+fn key(name: &str, part: &str) -> String {
+    format!("{name}-{part}")
 }

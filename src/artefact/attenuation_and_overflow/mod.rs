@@ -172,13 +172,10 @@ fn expected_contrast(rule: impl Fn(f64) -> f64, pixel: f64) -> f64 {
 }
 
 fn chart(out: &mut Recorder) {
-    let rules: [(&str, fn(f64) -> f64); 3] = [
-        ("inverse-square", |d| 1.0 / (d * d)),
-        ("quadratic", |d| 1.0 / (1.0 + d + d * d)),
-        ("offset", |d| 1.0 / (d + K)),
-    ];
+    let names = ["inverse-square", "quadratic", "offset"];
+    let rules: [fn(f64) -> f64; 3] = [|d| 1.0 / (d * d), |d| 1.0 / (1.0 + d + d * d), |d| 1.0 / (d + K)];
     let mut curves = Vec::new();
-    for (name, rule) in rules {
+    for (name, rule) in names.into_iter().zip(rules) {
         let point = |k| {
             let rho = f64::from(k) / 40.0;
             let d = libm::hypot(HEIGHT, rho);
