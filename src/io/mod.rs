@@ -20,6 +20,8 @@ mod text;
 mod companion_files;
 // Notes that are due for many places.
 mod repeated_notes;
+// One mesh of a file, and the edit of it.
+mod part;
 // A file as it was read.
 mod loaded;
 // Checks that all readers share.
@@ -43,9 +45,10 @@ pub(crate) use companion_files::companion;
 pub use error::{Note, Place, Problem, ReadError, Severity, WriteError};
 pub use format::Format;
 pub(crate) use gltf::NodeTree;
-pub use loaded::{Document, FileNode, Loaded, Part, PartEdit};
+pub use loaded::{Document, Loaded};
 pub use options::{Emit, Limits, NonFinite, NormalFormat, ReadOptions, TangentPolicy, WriteOptions};
 pub use output::{OutputContent, OutputFile, Written};
+pub use part::{FileNode, Part, PartEdit};
 pub(crate) use read::read_whole;
 pub use read::{detect, read, read_bytes};
 pub use text::shell_word;

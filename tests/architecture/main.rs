@@ -163,6 +163,15 @@ fn names_are_the_terms_of_the_field() {
 }
 
 #[test]
+fn files_do_not_import_each_other_in_a_circle() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut files = Vec::new();
+    collect(&root, &root, &mut files);
+    let found = imports::loops(&files);
+    assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+#[test]
 fn planted_import_loops_are_found() {
     let find = |sources: &[(&str, &str)]| {
         let owned: Vec<_> =
