@@ -300,7 +300,7 @@ fn colour_of_the_report_is_chosen() {
     let gear = gear();
     let gear = gear.each_ref().map(String::as_str);
     let has_colour = |when: &[&str]| {
-        let output = render(with(&with(&gear, &["--probe", "20,20", "--guard", "spot=off"]), when));
+        let output = render(with(&with(&gear, &["--probe", "20,20", "--material", "kd=1 ks=1"]), when));
         [output.stdout, output.stderr].map(|stream| stream.contains(&0x1b))
     };
     assert!(has_colour(&["--color", "always"])[1]);

@@ -46,7 +46,10 @@ fn every_fault_is_reported_with_its_line_and_key() {
         ("[settings]\nsize = [1e3, 3]\n", &["line 4: `settings.size`", "a whole number"]),
         ("[settings]\nsamples = 5\n", &["line 4: `settings.samples`", "1, 4, 8 or 16"]),
         ("[settings]\nbits = 12\n", &["line 4: `settings.bits`", "8 or 16"]),
-        ("[settings]\nshading = \"toon\"\n", &["line 4: `settings.shading`", "toon", "flat, gouraud, phong"]),
+        (
+            "[settings]\nshading = \"toon\"\n",
+            &["line 4: `settings.shading`", "toon", "`flat`, `gouraud`, `phong`"],
+        ),
         (
             "[settings]\nshading = \"exact\"\n[[object]]\nname = \"leaf\"\npolygons = { vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]], faces = [[0, 1, 2]] }\n",
             &["line 4: `settings.shading`", "object 2 (`leaf`)", "no analytic surface", "another shading"],
@@ -54,7 +57,7 @@ fn every_fault_is_reported_with_its_line_and_key() {
         ("[settings]\ninterpolation = \"cubic\"\n", &["line 4: `settings.interpolation`"]),
         (
             "[settings]\nterminator = \"kind\"\n",
-            &["line 4: `settings.terminator`", "kind", "smooth, hard, soft"],
+            &["line 4: `settings.terminator`", "kind", "`smooth`, `hard`, `soft`"],
         ),
         ("[settings]\ntone = \"filmic\"\n", &["line 4: `settings.tone`", "filmic", "`clamp` or `max`"]),
         ("[settings]\ntransfer = \"gamma\"\n", &["line 4: `settings.transfer`"]),
