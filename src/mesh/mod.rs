@@ -48,6 +48,7 @@ pub use faces::Faces;
 pub(crate) use faces::{FacesRef, next_in_triangle, previous_in_triangle};
 pub use link::Link;
 pub(crate) use link::MAX_CORNERS;
+#[cfg(feature = "report")]
 pub(crate) use obstacles::Obstacles;
 pub use orient::{Confidence, Orient, Orientation, orient};
 pub(crate) use orient::{Orientations, Placed, cavities};
