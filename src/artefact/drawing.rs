@@ -1,4 +1,4 @@
-//! What experiments share: where things stand, how they are drawn, pictures made of pictures.
+//! Scenes, lights and tiled pictures that experiments share.
 
 use super::error::ArtefactError;
 use crate::mesh::Mesh;

@@ -1,4 +1,4 @@
-//! What an experiment is.
+//! The definition of an experiment.
 
 use super::error::ArtefactError;
 use super::outcome::{Outcome, Verdict};

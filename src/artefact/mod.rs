@@ -35,32 +35,53 @@
 
 // What a run takes.
 mod error;
+// The names and ranges of the parameters of experiments.
 mod parameter_name;
+// The parameters of experiments and their values.
 mod parameters;
 // Scenes, pictures made of pictures, and the meshes that experiments draw.
 mod drawing;
+// Bodies of triangles whose normals are chosen, not computed.
 mod triangle_mesh;
+// A user's mesh as the input of an experiment.
 mod user_mesh;
 // What a run finds.
 mod effect;
+// The result of an experiment: data and linear pictures, no markup.
 mod outcome;
+// Collects the findings of an experiment.
 mod recorder;
+// Pictures with captions.
 mod shot;
 // The experiments.
 mod attenuation_and_overflow;
+// The definition of an experiment.
 mod experiment;
+// Sharp edges that averaged normals smooth away.
 mod false_smoothing;
+// When one colour for each face is exact.
 mod flat_validity;
+// A highlight that falls between vertices.
 mod lost_highlight;
+// Mach bands on a cylinder: steps of flat shading, slope jumps of Gouraud's and Phong's.
 mod mach_bands;
+// The lectures' diamond: rotating a polygon changes its colours under the scanline algorithm.
 mod orientation;
+// Interpolation on the picture against interpolation in the scene.
 mod perspective_distortion;
+// The effect of rounded positions and normals on a highlight.
 mod precision;
+// Phong's and Blinn's highlights.
 mod reflection_models;
+// The border between light and shadow on a coarse mesh.
 mod shading_terminator;
+// Vertices that neighbours do not share: T-junctions, cracks, seams.
 mod shared_vertices;
+// Outlines stay polygons, however smoothly the faces are shaded.
 mod silhouette;
+// One polygon, cut in two ways.
 mod triangulation;
+// Vertex normals as means of faces: how a mesh is cut shows through.
 mod vertex_average;
 // All of them by id.
 mod gallery;

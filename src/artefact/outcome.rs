@@ -1,4 +1,4 @@
-//! What an experiment finds: data and linear pictures, no markup.
+//! The result of an experiment: data and linear pictures, no markup.
 
 use super::effect::Effect;
 use super::shot::{Role, Shot};

@@ -1,4 +1,4 @@
-//! Somebody's own mesh on the laboratory's bench.
+//! A user's mesh as the input of an experiment.
 
 use super::drawing::front;
 use super::error::ArtefactError;

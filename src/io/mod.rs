@@ -30,12 +30,17 @@ mod mesh_checks;
 mod unsupported_features;
 // The formats.
 pub mod gltf;
+// Wavefront OBJ (appendix B1 of the Advanced Visualizer manual, and the practice of real files).
 pub mod obj;
+// The polygon file format (Turk 1994, and the practice of real files), ascii and binary.
 pub mod ply;
+// Stereolithography, ascii and binary (3D Systems 1988, and the practice of real files).
 pub mod stl;
 // Files of any format.
 mod instances;
+// Reading a file of any format: opening it, detecting its format, calling its reader.
 mod read;
+// Writing a file of any format: edited in its own document, or new.
 mod write;
 
 pub use appearance::{

@@ -24,9 +24,10 @@ mod contour;
 mod distance;
 // The brightest spot.
 mod highlight;
-// Luminance along a scanline.
+// Pictures with known numbers.
 #[cfg(test)]
 mod pictures_tests;
+// Luminance along a scanline, and the response of a difference of Gaussians to it, as lateral inhibition predicts.
 mod profile;
 
 pub use contour::Contour;

@@ -24,8 +24,9 @@ mod creases;
 mod fits;
 // Fallback: normals for corners whose sum has no direction, and the choice between stored and computed normals.
 mod fallback;
-// Slices: the same kernels for the caller's own arrays.
+// Encoding: normals in few bits.
 pub mod encoding;
+// Slices: the same kernels for the caller's own arrays.
 mod slices;
 
 pub use crate::mesh::Weld;

@@ -1,22 +1,39 @@
 //! Numbers without meshes (layer 0).
 
+// Angles that carry their unit.
 mod angle;
+// Colour: linear light, the sRGB transfer and the rules that make whole numbers of it.
 mod colour;
+// The angle of a corner, without the platform's arc tangent.
 mod corner_angle;
+// Numbers as text for people.
 mod digits;
+// Running a kernel with the instructions that the CPU has.
 mod dispatch;
+// Sums without any rounding error.
 mod exact;
+// Eight numbers at a time, with the instructions that the CPU has.
 mod lanes;
+// Linear least squares by Householder's QR decomposition.
 mod least_squares;
+// Reproducible numbers to test with.
 #[cfg(any(test, feature = "stress"))]
 pub(crate) mod numbers;
+// xⁿ by arithmetic alone: no call in the loop, the same bits on every machine, many at once.
 mod power;
+// Exact products, with and without a fused multiply-add.
 mod product;
+// The two precisions of generic formulas.
 mod real;
+// Powers of two that bring numbers to a size at which products neither overflow nor vanish.
 mod scale;
+// How much a highlight amplifies a small error of an angle.
 mod steepness;
+// Sums that keep their own rounding errors.
 mod sum;
+// Vectors of length 1.
 mod unit;
+// Colours for quantities, in order of lightness, so that they differ in grey.
 mod viridis;
 
 pub use angle::{Degrees, Radians, angle_between};

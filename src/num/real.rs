@@ -1,4 +1,4 @@
-//! The two precisions that formulas are written for once.
+//! The two precisions of generic formulas.
 
 use std::fmt::{Debug, Display};
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};

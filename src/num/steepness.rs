@@ -1,4 +1,4 @@
-//! How much a highlight makes of a small error of an angle.
+//! How much a highlight amplifies a small error of an angle.
 
 use super::Radians;
 

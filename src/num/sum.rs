@@ -1,4 +1,4 @@
-//! Sums that carry their own rounding errors along.
+//! Sums that keep their own rounding errors.
 
 use std::ops::AddAssign;
 

@@ -28,5 +28,6 @@ pub use outcome::{FaultCounts, MOST_PLACES, PartOutcome, ReasonCounts, ReplacedC
 pub use revision::{Revision, revise};
 pub use task::{Degenerate, Task};
 
+// Tests of the revision of single parts.
 #[cfg(test)]
 mod tests;

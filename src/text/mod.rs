@@ -18,6 +18,7 @@ mod bilingual;
 mod value;
 // The texts of one file by key.
 mod catalogue;
+// All Fluent files of the source tree, read as text: keys, placeholders, and their use in the code.
 #[cfg(test)]
 mod files_tests;
 

@@ -1,5 +1,6 @@
-//! Light that fades with distance, and light that is too much.
+//! Light that fades with distance, and light above the displayable range.
 
+// Plates one behind the other, which fade with their distance from the viewer.
 mod plates;
 
 use super::drawing::{chalk, draw, front, linear, settings};

@@ -1,9 +1,13 @@
-//! Edges that are meant to be sharp, smoothed away by averaged normals.
+//! Sharp edges that averaged normals smooth away.
 
+// A mesh rendered with averaged or split normals, compared with its faces.
 mod lit_mesh;
+// Meshes with sharp edges, whose faces share their vertices.
 mod meshes;
+// What averaging does to sharp edges.
 #[cfg(test)]
 mod tests;
+// A user's mesh, averaged over all edges and split at creases.
 mod user_mesh;
 
 use super::drawing::{front, light_at};

@@ -1,6 +1,8 @@
-//! When one colour a face is right.
+//! When one colour for each face is exact.
 
+// The pictures: a box and a plate under a near lamp, and a plate before a near viewer.
 mod pictures;
+// A plate under a near lamp or before a near viewer, and the closed forms of its errors.
 mod plate;
 
 use super::effect::Threshold;

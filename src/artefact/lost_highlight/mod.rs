@@ -1,5 +1,6 @@
 //! A highlight that falls between vertices.
 
+// What is drawn.
 mod scene;
 
 use super::drawing::{GAP, tiles};

@@ -1,4 +1,4 @@
-//! The counter-example: light from so far aside that Phong's shading has the larger jumps of slope (Duff 1979).
+//! The counter-example: light from the side, under which Phong shading has the larger jumps of slope (Duff 1979).
 
 use super::super::error::ArtefactError;
 use super::super::recorder::{Check, Recorder};

@@ -1,10 +1,16 @@
 //! Mach bands on a cylinder: steps of flat shading, slope jumps of Gouraud's and Phong's.
 
+// Luminance across the cylinder with its derivatives.
 mod charts;
+// The counter-example.
 mod counter_example;
+// The jumps of luminance and of its slope at an edge, in closed form.
 mod laws;
+// Pictures of the cylinder, and maps of its slope jumps.
 mod pictures;
+// The overshoot at edges that a model of lateral inhibition predicts.
 mod predicted_overshoot;
+// A cylinder in facets, and luminance across it.
 mod tube;
 
 use super::effect::{Effect, Threshold};

@@ -1,8 +1,12 @@
-//! The lectures' diamond: turning a polygon changes its colours under the scanline algorithm.
+//! The lectures' diamond: rotating a polygon changes its colours under the scanline algorithm.
 
+// The diamond seen obliquely, where triangles depend on the rotation unless they are interpolated with perspective.
 mod oblique;
+// The polygon in its positions, under scanlines and in triangles.
 mod pictures;
+// A rotated polygon, and the law of its scanline.
 mod polygon;
+// Pictures of the rotated polygon rotated back, for comparison with the original one.
 mod turned_back;
 
 use super::effect::Threshold;

@@ -1,4 +1,4 @@
-//! The diamond seen obliquely, where triangles depend on their turn too unless they are interpolated by perspective.
+//! The diamond seen obliquely, where triangles depend on the rotation unless they are interpolated with perspective.
 
 use super::super::error::ArtefactError;
 use super::super::recorder::{Check, Recorder};

@@ -1,4 +1,4 @@
-//! A polygon that is turned, and the law of its scanline.
+//! A rotated polygon, and the law of its scanline.
 
 use super::super::drawing::{draw, front, linear, settings, smooth};
 use super::super::error::ArtefactError;

@@ -1,4 +1,4 @@
-//! Pictures of the turned polygon turned back, for comparison with the one that was not turned.
+//! Pictures of the rotated polygon rotated back, for comparison with the original one.
 
 use super::super::drawing::{BACKGROUND, linear, picture};
 use super::super::error::ArtefactError;

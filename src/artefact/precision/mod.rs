@@ -1,8 +1,12 @@
-//! What rounding of positions and normals does to a highlight.
+//! The effect of rounded positions and normals on a highlight.
 
+// A material with a highlight, and how much its light changes with the normal.
 mod highlight;
+// Slivers: triangles whose normals cancel in plain arithmetic.
 mod needles;
+// The effect of the normals of slivers on a highlight: a flat plate cut into them, in a light nearby.
 mod plate;
+// A part of a sphere with normals of different precision, and how far they are from the true ones.
 mod sphere;
 
 use super::effect::Threshold;

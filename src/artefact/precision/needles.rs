@@ -1,4 +1,4 @@
-//! Triangles that are much lower than long, whose normals cancel in plain arithmetic.
+//! Slivers: triangles whose normals cancel in plain arithmetic.
 
 use super::super::outcome::Drawn;
 use super::super::recorder::{Axis, Check, Recorder};

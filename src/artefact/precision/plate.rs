@@ -1,4 +1,4 @@
-//! What the normals of needles do to a highlight: a flat plate cut into them, in a light close by.
+//! The effect of the normals of slivers on a highlight: a flat plate cut into them, in a light nearby.
 
 use super::super::drawing::{draw, front, settings};
 use super::super::effect::Threshold;

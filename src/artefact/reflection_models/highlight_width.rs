@@ -1,4 +1,4 @@
-//! How much longer than wide a highlight is on the sphere.
+//! The ratio of length to width of a highlight on the sphere.
 
 use super::super::drawing::{BACKGROUND, linear};
 use super::super::recorder::{Check, Recorder};

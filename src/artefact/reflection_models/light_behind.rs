@@ -1,4 +1,4 @@
-//! Light from behind the sphere, and what of it a highlight shows on the dark side.
+//! Light from behind the sphere, and the highlight that it leaves on the dark side.
 
 use super::super::drawing::linear;
 use super::super::effect::Threshold;

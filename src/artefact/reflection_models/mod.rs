@@ -1,7 +1,10 @@
 //! Phong's and Blinn's highlights.
 
+// The ratio of length to width of a highlight on the sphere.
 mod highlight_width;
+// Light from behind the sphere, and the highlight that it leaves on the dark side.
 mod light_behind;
+// A sphere with nothing but a highlight.
 mod scene;
 
 use super::effect::{Effect, Threshold};

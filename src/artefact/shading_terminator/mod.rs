@@ -1,6 +1,8 @@
-//! The border of light on a coarse mesh.
+//! The border between light and shadow on a coarse mesh.
 
+// The prism on which one facet turns away from the light.
 mod prism;
+// Light on a sphere and on a prism, and the pixels where their normals and facets disagree.
 mod scene;
 
 use super::drawing::{chalk, differences, map, tiles};

@@ -1,10 +1,15 @@
 //! Outlines stay polygons, however smoothly the faces are shaded.
 
+// Curved triangles over those of a mesh, from its normals alone.
 mod curved_triangles;
+// Outlines of drawn surfaces and the distance between them.
 mod outline;
+// Outlines that are known: a ball seen along its axis is a regular polygon, a torus two of them.
 mod round_surfaces;
+// Outlines of balls and of meshes.
 #[cfg(test)]
 mod tests;
+// The outline of a user's mesh, compared with that of a finer one or of its own curved triangles.
 mod user_mesh;
 
 use super::error::ArtefactError;

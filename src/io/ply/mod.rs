@@ -8,6 +8,7 @@
 
 // The number types, and the header.
 mod header;
+// The number types of PLY.
 mod scalar;
 // The roles of elements and properties.
 mod property_roles;
@@ -15,10 +16,13 @@ mod property_roles;
 mod rows;
 // The file as it was read.
 mod document;
+// Bytes to a PLY document and its mesh.
 mod read;
 // Writing.
 mod edit;
+// A new PLY from any meshes.
 mod new_file;
+// How the normals of an element are written back.
 mod normal_properties;
 
 pub use document::PlyDocument;
@@ -26,5 +30,6 @@ pub(super) use edit::edit;
 pub(super) use new_file::write;
 pub use read::read;
 
+// Tests of the PLY reader and writers.
 #[cfg(test)]
 mod tests;

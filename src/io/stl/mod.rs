@@ -8,11 +8,15 @@
 mod document;
 // Reading.
 mod ascii;
+// Binary STL.
 mod binary;
+// Bytes to an STL document and its meshes.
 mod read;
 // Writing.
 mod edit;
+// The edit of each facet.
 mod facet_edits;
+// A new binary STL from any meshes.
 mod new_file;
 
 pub use document::StlDocument;
@@ -21,5 +25,6 @@ pub(super) use edit::edit;
 pub(super) use new_file::write;
 pub use read::read;
 
+// Tests of the STL reader and writers.
 #[cfg(test)]
 mod tests;

@@ -16,6 +16,7 @@ mod visibility;
 mod policy;
 // Cavities that are meshes of their own.
 mod cavities;
+// Orientation of closed, nested, open and degenerate surfaces.
 #[cfg(test)]
 mod tests;
 

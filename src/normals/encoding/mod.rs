@@ -35,9 +35,13 @@
 //! assert!(back[0].distance(normal) < 6.5e-5); // 0.0037°
 //! ```
 
+// Half precision.
 mod float;
+// The octahedron, unfolded to a square.
 mod octahedral;
+// Signed normalised integers.
 mod snorm;
+// Tests.
 #[cfg(test)]
 mod tests;
 

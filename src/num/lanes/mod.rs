@@ -4,11 +4,15 @@
 //! kernels name them. They do it through [`Arithmetic`]: a formula written once runs on one number or on eight, and as
 //! every operation is the one of IEEE 754, it gives the same bits either way and on any CPU.
 
+// Eight lanes in two registers of AVX.
 #[cfg(target_arch = "x86_64")]
 mod avx2;
+// Eight lanes in one register of AVX-512.
 #[cfg(target_arch = "x86_64")]
 mod avx512;
+// Arithmetic without any particular instructions.
 mod plain;
+// Numbers and vectors for formulas, for any number of lanes.
 mod scalars;
 
 #[cfg(target_arch = "x86_64")]

@@ -1,4 +1,4 @@
-//! Numbers and vectors that formulas can be written with, whatever the lanes.
+//! Numbers and vectors for formulas, for any number of lanes.
 
 use super::{Arithmetic, Lanes};
 use std::ops::{Add, BitAnd, Div, Mul, Sub};

@@ -1,4 +1,4 @@
-//! Pages that open from disk, on paper and on a projector.
+//! Pages of experiments: for a browser, paper and a projector.
 
 use super::formula::mathml;
 use super::pictures::{chart_plot, picture_name, thumbnail};

@@ -8,8 +8,10 @@ mod series;
 mod series_style;
 // The plot as SVG.
 mod draw;
+// Assertions for tests of all plots: no text overlaps another, and series differ without colour.
 #[cfg(test)]
 mod legibility_tests;
+// Tests.
 #[cfg(test)]
 mod tests;
 
