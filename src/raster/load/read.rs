@@ -21,7 +21,7 @@ use std::path::Path;
 /// # Scene files
 /// All that a picture is made of, in TOML; `data/scenes` of the repository has annotated examples. Only objects are
 /// needed: `[[object]]` and one of `mesh`, `polygons`, `surface`. Where there is no camera all is framed by itself, where
-/// there is no light it is lit by [`default_lights`]. Angles are in degrees; faces and vertices are counted from 0.
+/// there is no light it is lit by [`default_lights`](crate::raster::default_lights). Angles are in degrees; faces and vertices are counted from 0.
 ///
 /// A colour is linear, `[r, g, b]` or one number for a grey, or `"#rrggbb"` as screens have it, which is made linear: with
 /// `transfer = "direct"`, which writes linear numbers as they are, `"#808080"` comes out as 55, and 0.502 as 128. `color` may be
@@ -59,7 +59,7 @@ use std::path::Path;
 /// | `[[light.rectangle]]` | `centre`, `u`, `v`, `colour` | to the middles of two sides; u × v shines |
 /// | `[[light.disc]]` | `centre`, `normal`, `radius`, `colour` | |
 /// | `[[object]]` | `name` | |
-/// | | `mesh` | a mesh or glTF file in the scene's folder or below it, or below [`ReadOptions::root`] |
+/// | | `mesh` | a mesh or glTF file in the scene's folder or below it, or below [`ReadOptions::root`](crate::io::ReadOptions::root) |
 /// | | `polygons` | `{ vertices, faces, normals, colours }`, the last two one a vertex, if at all |
 /// | | `surface` | `plane` and `cone`, `cylinder`, `sphere`, `ellipsoid`, `torus`: `{ sphere = { radius = 1 } }`; with a tessellation also `catenoid`, `wave`, `monkey-saddle`, `superquadric`, `teapot` |
 /// | | `tessellation` | `{ pattern, segments, jitter, noise, seed }`, see [`Tessellation`](crate::surface::Tessellation) |
