@@ -28,27 +28,26 @@ Examples:
 
 /// Show the classic artefacts of shading, with numbers
 ///
-/// Each experiment states what textbooks claim, runs it, and tells what it measured beside closed forms, whether the claim
-/// holds, and under what conditions it fails. With -o it writes a page that explains all of it and each picture as a file; the
-/// page of all experiments has an index. Of `all`, an option changes those that take it, which a note names, and those that have
-/// another range for its value are left out, with a note. A
-/// number that is not what it should be is told as an error, and makes the exit code 1.
+/// Each experiment states what textbooks claim, draws it, and measures it next to a closed form. It reports whether
+/// the claim holds and under what conditions it fails. With -o it writes a page with all pictures; `all` adds an
+/// index. With `all`, an option changes the experiments that take it, and a note names these. A measure that is off
+/// its closed form is an error and gives exit code 1.
 #[derive(Args)]
 #[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"))]
 pub struct ArtefactArgs {
-    /// Which experiment; `all` for every one, `list` to tell what they are and which options they take
+    /// Experiment by its id; `all` for every one, `list` to list them with their options
     #[arg(value_name = "EXPERIMENT", value_parser = experiments())]
     pub experiment: String,
 
-    /// Write the page, pictures (PNG) and plots (SVG) into this folder, which is made if need be
+    /// Folder for the page, pictures (PNG) and plots (SVG); created if necessary
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
 
-    /// The language of pages, captions and tables
+    /// Language of pages, captions and tables
     #[arg(long, value_name = "LANG", default_value = "en", value_parser = one_of::<Language>())]
     pub lang: Language,
 
-    /// Draw the experiment's animation into this GIF file
+    /// GIF file for the animation of the experiment
     #[arg(long, value_name = "FILE")]
     pub animate: Option<PathBuf>,
 
@@ -68,15 +67,15 @@ pub struct ArtefactArgs {
 #[derive(Args)]
 #[command(next_help_heading = "A mesh of your own")]
 pub struct OwnArgs {
-    /// Run it on this mesh, or `-` for standard input; `crease artefact list` tells what is looked at
+    /// Mesh to run the experiment on, or `-` for standard input; `crease artefact list` says what is measured on it
     #[arg(long, value_name = "FILE")]
     pub mesh: Option<PathBuf>,
 
-    /// A finer mesh of the same thing, in the same place, to take for the truth (`silhouette`)
+    /// Finer mesh of the same object at the same position, as the truth (`silhouette`)
     #[arg(long, value_name = "FILE", requires = "mesh")]
     pub finer: Option<PathBuf>,
 
-    /// Format of the meshes, where their names cannot tell [default: by name, else by content]
+    /// Format of the meshes [default: by content, else by name]
     #[arg(long, value_name = "FORMAT", value_parser = one_of::<Format>(), requires = "mesh")]
     pub format: Option<Format>,
 }
@@ -89,27 +88,27 @@ pub struct ParameterArgs {
     #[arg(long, value_name = "N")]
     pub size: Option<u32>,
 
-    /// How finely things are cut: segments of a circle, cells of a grid
+    /// Segments of a circle, or cells of a grid
     #[arg(long, value_name = "N")]
     pub segments: Option<u32>,
 
-    /// The light's angle, mostly off the axis of view
+    /// Angle of the light, in most experiments from the view direction
     #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     pub light: Option<f64>,
 
-    /// The exponent of the highlight
+    /// Exponent of the highlight
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub exponent: Option<f64>,
 
-    /// How faces count in vertex normals
+    /// Weight of faces in vertex normals
     #[arg(long, value_name = "WEIGHT", value_parser = one_of::<Weight>())]
     pub weight: Option<Weight>,
 
-    /// The crease angle of the cure
+    /// Crease angle of the cure
     #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     pub crease: Option<f64>,
 
-    /// How values at corners spread over faces in the animation of `orientation`; its pictures show every way
+    /// Interpolation in the animation of `orientation`; its pictures show all kinds
     #[arg(long, value_name = "HOW", value_parser = one_of::<Interpolation>())]
     pub interpolation: Option<Interpolation>,
 }

@@ -23,11 +23,11 @@ Examples:
   crease inspect part.obj --only stray-normals --deviation 5 -v
   crease inspect --explain averaged-crease";
 
-/// Tell what is wrong with a mesh's normals, why, where, and how much it shows
+/// Report what is wrong with a mesh's normals, why, where, and how much it shows
 ///
-/// Stored normals are compared with those that the mesh's own were most likely made by: the weighting and the crease angle
-/// that reproduce them best. Each finding has a stable name, a severity (error: wrong in any picture; warning: shows in
-/// some; note: worth knowing, may be meant), a cause, its worst places, and the command that mends it if one does.
+/// crease searches for the weight and the crease angle that reproduce the stored normals best, and compares the
+/// normals with these. Each finding has a stable id, a severity (error: wrong in any picture; warning: shows in some;
+/// note: may be intended), a cause, its worst positions, and the command that fixes it, if there is one.
 #[derive(Args)]
 #[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"))]
 pub struct InspectArgs {
@@ -35,23 +35,23 @@ pub struct InspectArgs {
     #[arg(value_name = "INPUT", required_unless_present = "explain")]
     pub inputs: Vec<PathBuf>,
 
-    /// Take all mesh files in folders and in the folders below, hidden ones left out
+    /// Include all mesh files in folders and below, except hidden ones
     #[arg(short, long)]
     pub recursive: bool,
 
-    /// Format of the input, where its name cannot tell [default: by name, else by content]
+    /// Format of the input [default: by content, else by name]
     #[arg(long, value_name = "FORMAT", value_parser = one_of::<Format>())]
     pub format: Option<Format>,
 
-    /// Companion files (MTL, glTF buffers) may be read from this folder too and below, those of standard input from here alone
+    /// Further folder from which companion files (MTL, glTF buffers) may be read; the only one for standard input
     /// [default: the input's folder]
     #[arg(long, value_name = "DIR")]
     pub root: Option<PathBuf>,
 
-    /// Tell also what is different in this file, which has the same shape: by how many degrees the normals changed, what
-    /// that shows, and which findings came and went. Faces are matched by the places of their corners, so that order,
-    /// splits and cuts into triangles do not matter; `-` is standard input (one input only). --fail-on judges the input, not
-    /// this file
+    /// Compare with this file of the same shape: by how many degrees the normals changed, how much that shows, and
+    /// which findings were added or removed. Faces are matched by the positions of their corners, so order, splits
+    /// and triangulation do not matter. `-` is standard input (one input only). --fail-on judges the input, not this
+    /// file
     #[arg(long, value_name = "FILE")]
     pub against: Option<PathBuf>,
 
@@ -68,17 +68,17 @@ pub struct InspectArgs {
 #[derive(Args)]
 #[command(next_help_heading = "Pictures (one input only)")]
 pub struct PictureArgs {
-    /// Write a page with pictures, histograms and explanations that opens from disk with nothing else; `-` is standard
-    /// output, and the report then goes to standard error; its folder is made if need be
+    /// File for a page with pictures, histograms and explanations; `-` is standard output, and the report then goes
+    /// to standard error
     #[arg(long, value_name = "FILE")]
     pub html: Option<PathBuf>,
 
-    /// Write the mesh coloured by the deviation of its stored normals, as PNG, with a ring round the worst place of each
-    /// error and warning, and a legend; `-` likewise
+    /// PNG file for the mesh coloured by the deviation of its stored normals, with a legend and a ring around the
+    /// worst position of each error and warning; `-` is standard output
     #[arg(long, value_name = "FILE")]
     pub heatmap: Option<PathBuf>,
 
-    /// Where pictures are seen from
+    /// View direction of the pictures
     #[arg(long, value_name = "SIDE", default_value = "auto", value_parser = one_of::<Sight>())]
     pub view: Sight,
 }
@@ -86,29 +86,28 @@ pub struct PictureArgs {
 #[derive(Args)]
 #[command(next_help_heading = "Findings")]
 pub struct FindingArgs {
-    /// End with exit code 1 if a finding that is told is at least that grave. Where a file of a batch cannot be read, that
-    /// comes first: exit code 5, whatever was found in the others
+    /// Exit with code 1 if a reported finding has at least this severity. If a file of a batch cannot be read, the
+    /// exit code is 5
     #[arg(long, value_name = "SEVERITY", value_parser = one_of::<Severity>())]
     pub fail_on: Option<Severity>,
 
-    /// Tell only findings that are at least that grave, and how many others there are; what is not told does not count for
-    /// --fail-on either
+    /// Report only findings of at least this severity, and count the others; --fail-on ignores these
     #[arg(long, value_name = "SEVERITY", default_value = "note", value_parser = one_of::<Severity>())]
     pub severity: Severity,
 
-    /// Leave these findings out; may be given several times
+    /// Omit these findings; repeatable
     #[arg(long, value_name = "ID", value_parser = kind, value_delimiter = ',')]
     pub ignore: Vec<Kind>,
 
-    /// Tell these findings only; may be given several times
+    /// Report only these findings; repeatable
     #[arg(long, value_name = "ID", value_parser = kind, value_delimiter = ',')]
     pub only: Vec<Kind>,
 
-    /// How many places of each finding to tell, the worst first [default: 10 in JSON, 1 as text, 10 with -v]
+    /// Positions to report for each finding, worst first [default: 10 in JSON, 1 as text, 10 with -v]
     #[arg(long, value_name = "N")]
     pub places: Option<usize>,
 
-    /// Explain a finding, or all of them with `all`, and end
+    /// Explain a finding, or all of them with `all`, and exit
     #[arg(long, value_name = "ID", value_parser = explained, exclusive = true)]
     pub explain: Option<Explained>,
 }
@@ -123,87 +122,88 @@ pub enum Explained {
 #[derive(Args)]
 #[command(next_help_heading = "Thresholds (angles in degrees)")]
 pub struct ThresholdArgs {
-    /// How far a stored normal may be from the one that its mesh's own rule gives [default: 15]
+    /// Maximum angle between a stored normal and the one of the mesh's own recipe, in degrees [default: 15]
     #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
     pub deviation: Option<Degrees>,
 
-    /// How far past 90° from its face a stored normal may point [default: 5]
+    /// Maximum angle of a stored normal beyond 90° from its face, in degrees [default: 5]
     #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
     pub past_face: Option<Degrees>,
 
-    /// How far all stored normals may be turned together [default: 5]
+    /// Maximum common rotation of all stored normals, in degrees [default: 5]
     #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
     pub rotation: Option<Degrees>,
 
-    /// How far the precision of storage may turn normals [default: 0.05]
+    /// Maximum quantisation error of stored normals, in degrees [default: 0.05]
     #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
     pub quantisation: Option<Degrees>,
 
-    /// How far past the crease angle an edge with one normal on both sides may bend [default: 10]
+    /// Maximum dihedral angle of an edge with one normal on both sides beyond the crease angle, in degrees [default:
+    /// 10]
     #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
     pub past_crease: Option<Degrees>,
 
-    /// How far the normals on the two sides of a smooth edge may be apart at both ends [default: 2]
+    /// Maximum angle between the normals on both sides of a smooth edge, in degrees [default: 2]
     #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
     pub seam: Option<Degrees>,
 
-    /// How far a tangent may lean towards its normal or away from it [default: 5]
+    /// Maximum deviation of a tangent from perpendicular to its normal, in degrees [default: 5]
     #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
     pub tangent: Option<Degrees>,
 
-    /// Most by which the length of a normal may differ from 1 [default: 0.00674]
+    /// Maximum deviation of the length of a normal from 1 [default: 0.00674]
     #[arg(long, value_name = "LENGTH", value_parser = from_0, allow_negative_numbers = true)]
     pub length: Option<f64>,
 
-    /// The same without a note [default: 0.001]
+    /// Tolerance of the length below which no note is given [default: 0.001]
     #[arg(long, value_name = "LENGTH", value_parser = from_0, allow_negative_numbers = true)]
     pub strict_length: Option<f64>,
 
-    /// How far the corners of a polygon may leave its plane [default: 10]
+    /// Maximum angle between a polygon's plane and its triangles, in degrees [default: 10]
     #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
     pub planarity: Option<Degrees>,
 
-    /// How close the ends of open edges are that are taken for one, over the bounding box's diagonal [default: 1e-6]
+    /// Distance below which two open edges count as one, as a fraction of the bounding box's diagonal [default: 1e-6]
     #[arg(long, value_name = "REL", value_parser = from_0, allow_negative_numbers = true)]
     pub weld: Option<f64>,
 
-    /// Width over length below which a face is a needle: of a triangle, height over longest edge [default: 0.001]
+    /// Ratio of width to length below which a face counts as long and thin [default: 0.001]
     #[arg(long, value_name = "RATIO", value_parser = from_0, allow_negative_numbers = true)]
     pub needle: Option<f64>,
 
-    /// From which bend on an edge is folded [default: 170]
+    /// Edges with a larger dihedral angle count as folded, in degrees [default: 170]
     #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
     pub fold: Option<Degrees>,
 
-    /// How far rounding positions to 32 bits may turn the normals of faces [default: 0.5]
+    /// Maximum error of face normals from rounding positions to 32 bits, in degrees [default: 0.5]
     #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
     pub rounding: Option<Degrees>,
 
-    /// What it has to be surer than which side of an open component is its outer one, from 0.5 to 1 [default: 0.9]
+    /// Minimum confidence needed to decide which side of an open surface is outside, from 0.5 to 1 [default: 0.9]
     #[arg(long, value_name = "SHARE", allow_negative_numbers = true, value_parser = confidence)]
     pub confidence: Option<Confidence>,
 
-    /// Most faces round a vertex [default: 48]
+    /// Maximum number of faces at a vertex [default: 48]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub valence: Option<u32>,
 
-    /// The highlight that each face has to hold, as its Blinn exponent [default: its material's, or 32]
+    /// Blinn exponent of the highlight that each face has to show [default: its material's, or 32]
     #[arg(long, value_name = "N", value_parser = from_1, allow_negative_numbers = true)]
     pub exponent: Option<f64>,
 
-    /// The change of slope at an edge, in 8-bit steps a pixel, that shows as a Mach band [default: 0.1]
+    /// Change of slope at an edge that shows as a Mach band, in 8-bit steps a pixel [default: 0.1]
     #[arg(long, value_name = "STEPS", value_parser = from_0, allow_negative_numbers = true)]
     pub band: Option<f64>,
 
-    /// How far a normal may lean from its face before shadows break up [default: 20]
+    /// Maximum angle between a normal and its face before shadows break up, in degrees [default: 20]
     #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
     pub terminator: Option<Degrees>,
 
-    /// Pixels by which an outline may cut its curve [default: 1]
+    /// Maximum deviation of an outline from its curve, in pixels [default: 1]
     #[arg(long, value_name = "PIXELS", value_parser = from_0, allow_negative_numbers = true)]
     pub outline: Option<f64>,
 
-    /// The width of the mesh on the screen, in pixels, for outlines and bands [default: 512]
+    /// Width of the mesh on the screen for outlines and bands, in pixels [default: 512]
     #[arg(long, value_name = "PIXELS", value_parser = from_1, allow_negative_numbers = true)]
     pub size: Option<f64>,
 }

@@ -22,7 +22,7 @@ Examples:
 
 /// Compute normals and write them
 ///
-/// Everything else in a file stays as it is, byte for byte where input and output have the same format.
+/// Everything else in a file stays unchanged, byte for byte if input and output have the same format.
 #[derive(Args)]
 #[command(
     after_help = EXAMPLES,
@@ -49,11 +49,11 @@ pub struct NormalsArgs {
 #[derive(Args)]
 #[command(next_help_heading = "Input and output")]
 pub struct OutputArgs {
-    /// Write to this file, or to standard output with `-` (one input only); its folder is made if need be
+    /// Output file, or `-` for standard output (one input only)
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 
-    /// Write into this folder, which is made if need be; files found in an input folder keep their places in it
+    /// Output folder, created if necessary; files of an input folder keep their relative paths
     #[arg(long, value_name = "DIR")]
     pub out_dir: Option<PathBuf>,
 
@@ -61,24 +61,24 @@ pub struct OutputArgs {
     #[arg(long)]
     pub in_place: bool,
 
-    /// Format of the input, where its name cannot tell [default: by name, else by content]
+    /// Format of the input [default: by content, else by name]
     #[arg(long, value_name = "FORMAT", value_parser = one_of::<Format>())]
     pub format: Option<Format>,
 
-    /// Format of the output, where its name cannot tell [default: by name, else that of the input]
+    /// Format of the output [default: by name, else that of the input]
     #[arg(long, value_name = "FORMAT", value_parser = one_of::<Format>())]
     pub to: Option<Format>,
 
-    /// Take all mesh files in folders and in the folders below, hidden ones left out
+    /// Include all mesh files in folders and below, except hidden ones
     #[arg(short, long)]
     pub recursive: bool,
 
-    /// Companion files (MTL, glTF buffers) may be read from this folder too and below, those of standard input from here alone
+    /// Further folder from which companion files (MTL, glTF buffers) may be read; the only one for standard input
     /// [default: the input's folder]
     #[arg(long, value_name = "DIR")]
     pub root: Option<PathBuf>,
 
-    /// Do everything but write
+    /// Do everything except writing
     #[arg(long)]
     pub dry_run: bool,
 
@@ -91,53 +91,54 @@ pub struct OutputArgs {
 #[derive(Args, Serialize)]
 #[command(next_help_heading = "Normals")]
 pub struct RecipeArgs {
-    /// Which normals to write
+    /// Kind of normals to write
     #[arg(long, value_name = "WHAT", default_value = "corner", value_parser = one_of::<Emit>())]
     #[serde(serialize_with = "as_name")]
     pub emit: Emit,
 
-    /// How much each face counts at a corner
+    /// Weight of each face at a corner
     #[arg(long, value_name = "WEIGHT", default_value = "angle", value_parser = one_of::<Weight>())]
     #[serde(serialize_with = "as_name")]
     pub weight: Weight,
 
-    /// Edges that bend by more than this many degrees stay sharp; `off` for none. If the file has smoothing groups,
-    /// the angle applies beside them only if it is given here [default: 40 without smoothing groups]
+    /// Crease angle in degrees: edges with a larger dihedral angle stay sharp; `off` for none. If the file has
+    /// smoothing groups, the angle applies in addition to them only if it is given here [default: 40 without
+    /// smoothing groups]
     #[arg(long, value_name = "DEG|off", value_parser = crease_angle, allow_negative_numbers = true)]
     pub crease: Option<Degrees>,
 
-    /// What sharp edges do
+    /// Effect of sharp edges
     #[arg(long, value_name = "RULE", default_value = "fan", value_parser = one_of::<CreaseRule>())]
     #[serde(serialize_with = "as_name")]
     pub crease_rule: CreaseRule,
 
-    /// What smoothing groups of OBJ files do
+    /// Use of smoothing groups of OBJ files
     #[arg(long, value_name = "HOW", default_value = "honour", value_parser = one_of::<Groups>())]
     #[serde(serialize_with = "as_name")]
     pub groups: Groups,
 
-    /// Further edges to keep sharp; may be given several times
+    /// Further edges to keep sharp; repeatable
     #[arg(long, value_name = "KIND", value_parser = one_of::<HardEdge>(), value_delimiter = ',')]
     #[serde(serialize_with = "hard_edge_names")]
     pub hard_edges: Vec<HardEdge>,
 
-    /// Which normals of the file to replace
+    /// Stored normals to replace
     #[arg(long, value_name = "WHICH", default_value = "always", value_parser = one_of::<When>())]
     #[serde(serialize_with = "as_name")]
     pub when: When,
 
-    /// Which coincident edges are joined for smoothing: those at exactly the same place, none, or those closer than
-    /// a fraction of the bounding box's diagonal. Vertices stay apart in any case
+    /// Coincident edges to smooth across: those with equal positions, none, or those closer than a fraction of the
+    /// bounding box's diagonal. Vertices are not merged
     #[arg(long, value_name = "exact|off|REL", default_value = "exact", value_parser = weld, allow_negative_numbers = true)]
     #[serde(serialize_with = "weld_value")]
     pub weld: Weld,
 
-    /// What faces lower than the rounding of their coordinates do
+    /// Use of slivers: faces with a height below the rounding of their coordinates
     #[arg(long, value_name = "HOW", default_value = "exclude", value_parser = one_of::<Slivers>())]
     #[serde(serialize_with = "as_name")]
     pub slivers: Slivers,
 
-    /// How carefully to compute
+    /// Precision of the computation
     #[arg(long, value_name = "HOW", default_value = "faithful", value_parser = one_of::<Precision>())]
     #[serde(serialize_with = "as_name")]
     pub precision: Precision,
@@ -146,20 +147,20 @@ pub struct RecipeArgs {
 #[derive(Args)]
 #[command(next_help_heading = "Mesh")]
 pub struct MeshArgs {
-    /// What happens to faces without area
+    /// Treatment of faces without area
     #[arg(long, value_name = "HOW", default_value = "keep", value_parser = one_of::<Degenerate>())]
     pub degenerate: Degenerate,
 
-    /// Turn every face round, and its normals with it
+    /// Reverse every face, and its normals with it
     #[arg(long)]
     pub flip: bool,
 
-    /// Turn faces so that neighbours agree, or also outward. Stored normals that --when keeps stay as they are
+    /// Reverse faces so that neighbours agree, or also outward. Stored normals that --when keeps stay unchanged
     #[arg(long, value_name = "HOW", default_value = "keep", value_parser = one_of::<Orient>())]
     pub orient: Orient,
 
-    /// What --orient outward has to be surer than of the outer side of an open component, which a vote of points about what they
-    /// see decides, to turn it: from 0.5 to 1; 1 turns none
+    /// Minimum confidence for --orient outward to reverse an open component, whose outer side a vote of rays decides:
+    /// from 0.5 to 1; 1 reverses none
     #[arg(long, value_name = "SHARE", default_value = "0.9", value_parser = confidence)]
     pub confidence: Confidence,
 
@@ -171,11 +172,11 @@ pub struct MeshArgs {
 #[derive(Args)]
 #[command(next_help_heading = "glTF")]
 pub struct GltfArgs {
-    /// What happens to tangents when normals change
+    /// Treatment of tangents when normals change
     #[arg(long, value_name = "HOW", default_value = "drop", value_parser = one_of::<TangentPolicy>())]
     pub tangents: TangentPolicy,
 
-    /// How normals are stored; other formats have no choice, which a warning says
+    /// Storage of normals in glTF; other formats have no choice, and a warning says so
     #[arg(long, value_name = "TYPE", default_value = "same", value_parser = one_of::<NormalFormat>())]
     pub normal_format: NormalFormat,
 }
@@ -217,7 +218,7 @@ choices! { Slivers {
 
 choices! { Precision {
     "faithful" => Faithful: "right to the last bit, at any magnitude, offset or thinness",
-    "fast" => Fast: "f32 arithmetic for well-shaped faces of edges 1e-6 to 1e6, else as faithful; on a mesh no faster (`crease trade` tells)",
+    "fast" => Fast: "f32 arithmetic for well-shaped faces of edges 1e-6 to 1e6, else as faithful; on a mesh no faster (see `crease trade`)",
 } }
 
 choices! { Degenerate {

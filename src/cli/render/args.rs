@@ -43,15 +43,15 @@ it is, #808080 comes out as 55, for its light is 0.216; 0.502 comes out as 128."
 
 /// Draw a mesh or a scene
 ///
-/// A mesh is framed by itself, lit by a key light and drawn with the normals that `crease normals` would write. A scene
-/// (TOML or glTF) brings its camera, lights and settings; options override them.
+/// A mesh is framed automatically, lit by a key light and drawn with the normals that `crease normals` would write. A
+/// scene (TOML or glTF) has its own camera, lights and settings; options override them.
 #[derive(Args)]
 #[command(
     after_help = EXAMPLES,
     after_long_help = format!("{SYNTAX}\n\n{EXAMPLES}\n\n{EXIT_CODES}")
 )]
 pub struct RenderArgs {
-    /// A mesh, a glTF file, a scene in TOML, or `-` for a mesh from standard input
+    /// Mesh, glTF file, scene in TOML, or `-` for a mesh from standard input
     #[arg(value_name = "INPUT")]
     pub input: PathBuf,
 
@@ -72,20 +72,20 @@ pub struct RenderArgs {
 #[derive(Args)]
 #[command(next_help_heading = "Input and output")]
 pub struct PictureArgs {
-    /// Write the picture to this PNG or GIF file, or to standard output with `-`
+    /// Output picture, PNG or GIF by its name, or `-` for standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 
-    /// Format of the input, where its name cannot tell [default: by name, else by content]
+    /// Format of the input [default: by content, else by name]
     #[arg(long, value_name = "FORMAT", value_parser = one_of::<Format>())]
     pub format: Option<Format>,
 
-    /// Companion files (meshes of a scene, MTL, glTF buffers) may be read from this folder too and below, those of standard
-    /// input from here alone [default: the input's folder]
+    /// Further folder from which companion files (meshes of a scene, MTL, glTF buffers) may be read; the only one for
+    /// standard input [default: the input's folder]
     #[arg(long, value_name = "DIR")]
     pub root: Option<PathBuf>,
 
-    /// Leave out faces whose positions are infinite or not a number, instead of refusing the file
+    /// Omit faces with positions that are infinite or not a number, instead of refusing the file
     #[arg(long)]
     pub force: bool,
 
@@ -93,8 +93,8 @@ pub struct PictureArgs {
     #[arg(long, value_name = "WxH", value_parser = values::size)]
     pub size: Option<[u32; 2]>,
 
-    /// Places looked at in each pixel, each shaded by itself; 4, 8 and 16 are the patterns of Direct3D [default: 4;
-    /// of scenes in TOML what they say, or 1]
+    /// Samples per pixel, each shaded separately; 4, 8 and 16 are the patterns of Direct3D [default: 4; for scenes in
+    /// TOML their own value, or 1]
     #[arg(long, value_name = "N", value_parser = one_of::<Samples>())]
     pub samples: Option<Samples>,
 
@@ -112,8 +112,8 @@ pub struct PictureArgs {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=720), conflicts_with = "probe")]
     pub turntable: Option<u16>,
 
-    /// Tell the numbers behind a pixel, counted from 0 at the upper left: what is seen, N, L, V, R, H, every term. Objects,
-    /// faces, vertices and lights are counted from 1 in the text, from 0 in --json
+    /// Print the numbers behind a pixel, from 0 at the upper left: the visible face, N, L, V, R, H and every term.
+    /// Objects, faces, vertices and lights count from 1 in the text, from 0 in --json
     #[arg(long, value_name = "X,Y", value_parser = values::pixel, allow_hyphen_values = true, conflicts_with_all = ["show", "overlay"])]
     pub probe: Option<[u32; 2]>,
 }
@@ -121,23 +121,24 @@ pub struct PictureArgs {
 #[derive(Args)]
 #[command(next_help_heading = "Shading")]
 pub struct ShadingArgs {
-    /// Where colours are computed [default: phong]
+    /// Shading: where colours are computed [default: phong]
     #[arg(long, value_name = "HOW", value_parser = one_of::<Shading>())]
     pub shading: Option<Shading>,
 
-    /// How values at the corners of a face spread over it [default: perspective]
+    /// Interpolation of values over a face [default: perspective]
     #[arg(long, value_name = "HOW", value_parser = one_of::<Interpolation>())]
     pub interpolation: Option<Interpolation>,
 
-    /// Whose highlight; or the colours that the file gives its vertices, unlit [default: blinn]
+    /// Highlight model, or the stored vertex colours without light [default: blinn]
     #[arg(long, value_name = "WHOSE", value_parser = one_of::<ReflectionChoice>())]
     pub reflection: Option<ReflectionChoice>,
 
-    /// Exponent of the highlight, 0 or more: the larger, the smaller the highlight [default: the material's; 32 of what has none]
+    /// Exponent of the highlight, 0 or more: a larger exponent gives a smaller highlight [default: the material's, or
+    /// 32]
     #[arg(long, value_name = "N", value_parser = not_negative, allow_negative_numbers = true)]
     pub exponent: Option<f64>,
 
-    /// Where flat faces are lit [default: centroid]
+    /// Point at which flat faces are lit [default: centroid]
     #[arg(long, value_name = "WHERE", value_parser = one_of::<FlatSample>())]
     pub flat_sample: Option<FlatSample>,
 
@@ -151,15 +152,15 @@ pub struct ShadingArgs {
     #[arg(long, value_name = "WHAT,WHAT", value_parser = one_of::<Overlay>(), value_delimiter = ',')]
     pub overlay: Vec<Overlay>,
 
-    /// What becomes of lines of wireframes and overlays where a surface is in front [default: remove]
+    /// Treatment of lines behind surfaces [default: remove]
     #[arg(long, value_name = "HOW", value_parser = one_of::<HiddenLines>())]
     pub hidden_lines: Option<HiddenLines>,
 
-    /// Leave out faces by the side that is seen; wireframes go without their edges, overlays keep all lines [default: none]
+    /// Omit faces by their visible side; wireframes omit their edges, overlays keep all lines [default: none]
     #[arg(long, value_name = "WHICH", value_parser = one_of::<Cull>())]
     pub cull: Option<Cull>,
 
-    /// Light faces seen from behind on that side
+    /// Light back faces on the visible side
     #[arg(long)]
     pub two_sided: bool,
 }
@@ -167,29 +168,28 @@ pub struct ShadingArgs {
 #[derive(Args)]
 #[command(next_help_heading = "Scene")]
 pub struct SceneArgs {
-    /// Change the camera; one of a glTF file that makes no sense is then left out, and no error [default: it frames the
-    /// mesh, 30° from top to bottom]
+    /// Camera; an invalid one of a glTF file is then ignored [default: frames the mesh, 30° from top to bottom]
     #[arg(long, value_name = "CAMERA", value_parser = fields::camera)]
     pub camera: Option<CameraChange>,
 
-    /// A light, in place of all that the scene has but ambient light; may be given several times
+    /// Light, in place of all lights of the scene except ambient light; repeatable
     #[arg(long, value_name = "LIGHT", value_parser = fields::light)]
     pub light: Vec<Light>,
 
-    /// Ambient light, in place of what the scene has
+    /// Ambient light, in place of that of the scene
     #[arg(long, value_name = "COLOUR", value_parser = colour, allow_hyphen_values = true)]
     pub ambient: Option<LinearRgb>,
 
-    /// The material of all objects
+    /// Material of all objects
     #[arg(long, value_name = "MATERIAL", value_parser = fields::material)]
     pub material: Option<Material>,
 
-    /// What is seen where there is nothing; the wireframe of a mesh is black on what is bright [default: black]
+    /// Background colour; the wireframe of a mesh is black on a bright one [default: black]
     #[arg(long, value_name = "COLOUR", value_parser = colour)]
     pub background: Option<LinearRgb>,
 
-    /// Turn the objects about the middle of their box by degrees, about the x axis first, then y, then z; the
-    /// camera and the lights of a scene stay
+    /// Rotate the objects about the centre of their bounding box, in degrees: about x, then y, then z; camera and
+    /// lights stay
     #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
     pub rotate: Option<DVec3>,
 }
@@ -197,16 +197,15 @@ pub struct SceneArgs {
 #[derive(Args)]
 #[command(next_help_heading = "Normals (as `crease normals` has them)")]
 pub struct NormalArgs {
-    /// How much each face counts at a corner [default: angle]
+    /// Weight of each face at a corner [default: angle]
     #[arg(long, value_name = "WEIGHT", value_parser = one_of::<Weight>())]
     pub weight: Option<Weight>,
 
-    /// Edges that bend by more than this many degrees stay sharp; `off` for none [default: 40 without smoothing groups]
+    /// Crease angle in degrees; `off` for none [default: 40 without smoothing groups]
     #[arg(long, value_name = "DEG|off", value_parser = crease_angle, allow_negative_numbers = true)]
     pub crease: Option<Degrees>,
 
-    /// Which normals that are stored to replace [default: all; those that a scene gives or calls given only if one of
-    /// these options is there]
+    /// Stored normals to replace [default: all; those given by a scene only with one of these options]
     #[arg(long, value_name = "WHICH", value_parser = one_of::<When>())]
     pub when: Option<When>,
 }
@@ -221,25 +220,25 @@ impl NormalArgs {
 #[derive(Args)]
 #[command(next_help_heading = "Formulas and numbers")]
 pub struct ColourArgs {
-    /// Switch one of the guards of the formulas that the literature leaves out: highlight, diffuse, spot, renormalise,
-    /// underflow; may be given several times
+    /// Switch one guard of the formulas that the literature omits: highlight, diffuse, spot, renormalise, underflow;
+    /// repeatable
     #[arg(long, value_name = "NAME=on|off", value_parser = values::guard)]
     pub guard: Vec<GuardSwitch>,
 
-    /// Switch all guards off, but for those that --guard switches on
+    /// Switch all guards off, except those that --guard switches on
     #[arg(long)]
     pub literal: bool,
 
-    /// What becomes of light on a face that turns away from it where its interpolated normals do not, under Phong's shading
-    /// [default: smooth]
+    /// Light on faces that point away from it under interpolated normals that do not, in Phong shading [default:
+    /// smooth]
     #[arg(long, value_name = "HOW", value_parser = one_of::<Terminator>())]
     pub terminator: Option<Terminator>,
 
-    /// What becomes of colours over 1 [default: clamp]
+    /// Treatment of colours above 1 [default: clamp]
     #[arg(long, value_name = "RULE", value_parser = one_of::<ToneRule>())]
     pub tone: Option<ToneRule>,
 
-    /// How linear light becomes codes [default: srgb; for --show normals and depth, direct]
+    /// Transfer from linear light to codes [default: srgb; for --show normals and depth, direct]
     #[arg(long, value_name = "CURVE", value_parser = one_of::<Transfer>())]
     pub transfer: Option<Transfer>,
 }

@@ -14,14 +14,14 @@ Examples:
 
 /// Run the numerical extremes and print what holds
 ///
-/// Each case computes something at the end of what numbers can hold and compares it with exact arithmetic, or with the
-/// same formula in 256 bits. The table shows the worst error of `faithful` and of `fast` (of f64 and f32 where there is no
-/// such choice) beside what the formula gives in plain f32 code; a cross marks where that fails so that it can be seen,
-/// by half a step of an 8-bit picture or more. With -v it tells what is computed, and the source of each bound.
+/// Each case computes something at the ends of the number range and compares it with exact arithmetic, or with the
+/// same formula in 256 bits. The table shows the worst error of `faithful` and of `fast` (of f64 and f32 where there
+/// is no such choice) next to that of plain f32 code. A cross marks visible errors: half a step of an 8-bit picture
+/// or more. With -v it prints what is computed, and the source of each bound.
 #[derive(Args)]
 #[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"))]
 pub struct StressArgs {
-    /// Run these groups of cases only; may be given several times
+    /// Run only these groups of cases; repeatable
     #[arg(long, value_name = "GROUP", value_parser = one_of::<Group>(), value_delimiter = ',')]
     pub only: Vec<Group>,
 

@@ -27,15 +27,15 @@ Examples:
 #[derive(Args)]
 #[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"))]
 pub struct SurfaceArgs {
-    /// The surface
+    /// Surface by its name
     #[arg(value_name = "SURFACE", value_parser = one_of::<Kind>())]
     pub kind: Kind,
 
-    /// Write to this file, or to standard output with `-`
+    /// Output file, or `-` for standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
 
-    /// Format of the output, where its name cannot tell [default: by name]
+    /// Format of the output [default: by name]
     #[arg(long, value_name = "FORMAT", value_parser = one_of::<Format>())]
     pub to: Option<Format>,
 
@@ -54,36 +54,36 @@ pub struct SurfaceArgs {
 #[derive(Args)]
 #[command(next_help_heading = "Shape")]
 pub struct ShapeArgs {
-    /// Of a sphere, a cylinder, or the base of a cone [default: 1]
+    /// Radius of a sphere, a cylinder, or the base of a cone [default: 1]
     #[arg(long, value_name = "R")]
     pub radius: Option<f64>,
 
-    /// Of a cylinder or a cone [default: 2], or a catenoid [default: 1.5]
+    /// Height of a cylinder or a cone [default: 2], or a catenoid [default: 1.5]
     #[arg(long, value_name = "H")]
     pub height: Option<f64>,
 
-    /// Of a torus: from the axis to the middle of the tube [default: 1]
+    /// Torus: distance from the axis to the middle of the tube [default: 1]
     #[arg(long, value_name = "R")]
     pub major: Option<f64>,
 
-    /// Of a torus: the radius of the tube [default: 0.4]
+    /// Torus: radius of the tube [default: 0.4]
     #[arg(long, value_name = "R")]
     pub minor: Option<f64>,
 
-    /// Of a catenoid: its smallest radius [default: 0.5]
+    /// Catenoid: smallest radius [default: 0.5]
     #[arg(long, value_name = "R")]
     pub waist: Option<f64>,
 
-    /// Of a plane, a wave or a saddle: width and, for the plane, height [default: 2]
+    /// Plane, wave or saddle: width and, for the plane, height [default: 2]
     #[arg(long, value_name = "W[,H]", value_parser = one_or_two)]
     pub size: Option<[f64; 2]>,
 
-    /// Of an ellipsoid [default: 1,0.6,0.4] or a superquadric [default: 1,1,1]: along x, y and z
+    /// Semi-axes along x, y and z of an ellipsoid [default: 1,0.6,0.4] or a superquadric [default: 1,1,1]
     #[arg(long, value_name = "A,B,C", value_parser = vector)]
     pub semi_axes: Option<DVec3>,
 
-    /// Of a superquadric: from north to south and from east to west; 0.1 a box, 1 an ellipsoid, 1.9 an octahedron
-    /// [default: 0.5,0.5]
+    /// Superquadric: exponents from north to south and from east to west; 0.1 is a box, 1 an ellipsoid, 1.9 an
+    /// octahedron [default: 0.5,0.5]
     #[arg(long, value_name = "N,E", value_parser = one_or_two)]
     pub roundness: Option<[f64; 2]>,
 
@@ -91,7 +91,7 @@ pub struct ShapeArgs {
     #[arg(long, value_name = "S|X,Y,Z", default_value = "1", value_parser = factors, allow_hyphen_values = true)]
     pub scale: DVec3,
 
-    /// Then move it
+    /// Move the surface, after scaling
     #[arg(long, value_name = "X,Y,Z", default_value = "0,0,0", value_parser = vector, allow_hyphen_values = true)]
     pub offset: DVec3,
 }
@@ -99,7 +99,7 @@ pub struct ShapeArgs {
 #[derive(Args)]
 #[command(next_help_heading = "Mesh")]
 pub struct PatternArgs {
-    /// How vertices and faces are arranged
+    /// Arrangement of vertices and faces
     #[arg(long, value_name = "PATTERN", default_value = "triangles", value_parser = one_of::<Pattern>())]
     pub pattern: Pattern,
 
@@ -107,24 +107,24 @@ pub struct PatternArgs {
     #[arg(long, value_name = "U[xV]", value_parser = segments)]
     pub segments: Option<[u32; 2]>,
 
-    /// How much thinner cells are than others: stretched [default: 10], slivers [default: 1000]
+    /// Ratio of cells: stretched [default: 10], slivers [default: 1000]
     #[arg(long, value_name = "RATIO")]
     pub ratio: Option<f64>,
 
-    /// How often the triangles of an icosphere are cut in four [default: 3]
+    /// Subdivisions of an icosphere [default: 3]
     #[arg(long, value_name = "N")]
     pub level: Option<u32>,
 
-    /// Move vertices at random within the surface: anywhere in so many cells about their place, from 0 to 1. Cells are
-    /// then cut along either diagonal at random
+    /// Random displacement of vertices within the surface, in cells, from 0 to 1. Cells are then cut along a random
+    /// diagonal
     #[arg(long, value_name = "CELLS", default_value_t = 0.0)]
     pub jitter: f64,
 
-    /// Move vertices at random off the surface, along its normal, by up to so many mean edges, from 0 to 1. Normals stay
+    /// Random displacement of vertices along the normal, in mean edge lengths, from 0 to 1. Normals stay
     #[arg(long, value_name = "EDGES", default_value_t = 0.0)]
     pub noise: f64,
 
-    /// Which random numbers
+    /// Seed of the random numbers
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub seed: u32,
 

@@ -19,25 +19,25 @@ Examples:
 
 /// Measure accuracy against speed
 ///
-/// Without an input: vertex normals of every weight against surfaces whose normals are known, ways to store normals, ways to
-/// shade, and what each costs; about a minute and a half. Errors are the same in every run, times are of this machine. With
-/// a mesh: what the weights differ by on it, what they cost, and which to use.
+/// Without an input: the error of every weight against surfaces whose normals are known, of encodings of normals and
+/// of kinds of shading, with the cost of each; about a minute and a half. Errors are the same in every run, times are
+/// of this machine. With a mesh: how the weights differ on it, what they cost, and which one to use.
 #[derive(Args)]
 #[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"))]
 pub struct TradeArgs {
-    /// A mesh of your own, or `-` for standard input
+    /// User mesh, or `-` for standard input
     #[arg(value_name = "INPUT")]
     pub input: Option<PathBuf>,
 
-    /// Write a page of HTML, with plots and pictures, into this folder, which is made if need be
+    /// Folder for an HTML page with plots and pictures; created if necessary
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
 
-    /// Measure less: some seconds
+    /// Measure less, in some seconds
     #[arg(long, conflicts_with_all = ["full", "input"])]
     pub quick: bool,
 
-    /// Measure more: finer meshes, larger pictures, some minutes
+    /// Measure more: finer meshes and larger pictures, in some minutes
     #[arg(long, conflicts_with = "input")]
     pub full: bool,
 
@@ -45,12 +45,11 @@ pub struct TradeArgs {
     #[arg(long, conflicts_with_all = ["json", "input"])]
     pub markdown: bool,
 
-    /// Format of the input, where its name cannot tell [default: by name, else by content]
+    /// Format of the input [default: by content, else by name]
     #[arg(long, value_name = "FORMAT", value_parser = one_of::<Format>(), requires = "input")]
     pub format: Option<Format>,
 
-    /// Edges of the input that bend by more than this many degrees stay sharp; `off` for none [default: 40 without smoothing
-    /// groups]
+    /// Crease angle of the input in degrees; `off` for none [default: 40 without smoothing groups]
     #[arg(long, value_name = "DEG|off", value_parser = crease_angle, allow_negative_numbers = true, requires = "input")]
     pub crease: Option<Degrees>,
 

@@ -206,7 +206,7 @@ fn gates_end_with_1_where_something_is_found() {
     assert_eq!(code(&inspect(&["--deviation", "200", &good])), 2);
 }
 
-/// What is not told does not count, and the help says so.
+/// Hidden findings do not count, and the help says so.
 #[test]
 fn severity_hides_findings_from_the_gate() {
     let files = folder(&[("good.obj", TRIANGLE)]);
@@ -221,7 +221,7 @@ fn severity_hides_findings_from_the_gate() {
     assert_eq!((report.counts.note, report.hidden), (0, Counts { error: 0, warning: 0, note: 1 }));
     let help = inspect(&["--help"]);
     let said = text(&help.stdout).split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(said.contains("what is not told does not count for --fail-on either"), "{said}");
+    assert!(said.contains("and count the others; --fail-on ignores these"), "{said}");
 }
 
 #[test]
