@@ -159,7 +159,7 @@ pub struct ThresholdArgs {
     #[arg(long, value_name = "LENGTH", value_parser = from_0, allow_negative_numbers = true)]
     pub strict_length: Option<f64>,
 
-    /// Maximum angle between a polygon's plane and its triangles, in degrees [default: 10]
+    /// Maximum angle between a polygon and the planes at its corners, in degrees [default: 10]
     #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
     pub planarity: Option<Degrees>,
 
@@ -167,7 +167,8 @@ pub struct ThresholdArgs {
     #[arg(long, value_name = "REL", value_parser = from_0, allow_negative_numbers = true)]
     pub weld: Option<f64>,
 
-    /// Ratio of width to length below which a face counts as long and thin [default: 0.001]
+    /// Ratio of width to length below which a face counts as long and thin; of a triangle, height over longest edge
+    /// [default: 0.001]
     #[arg(long, value_name = "RATIO", value_parser = from_0, allow_negative_numbers = true)]
     pub needle: Option<f64>,
 
