@@ -1,6 +1,6 @@
-half-step = half a step of 8 bits
+half-step = half an 8-bit step
 half-pixel = half a pixel
-half-step-of-tilt = half a step of 8 bits of diffuse light from the side
+half-step-of-tilt = a tilt that changes diffuse light from the side by half an 8-bit step
 caption = { $drawn } ({ $name }: { $value }).
 nothing-to-cure = There was nothing to cure here, { $without } without it
 too-little = It does too little here, { $without } without it
