@@ -43,7 +43,7 @@ role-difference = difference
 role-truth = reference
 role-seen = faint artefact
 gone = gone
-gone-but-for-rounding = gone, but for rounding
+gone-but-for-rounding = gone, except for rounding
 times-less = { $times } times less
 effect-absent =
     Measured quantity, { $name }: { $bad }. An artefact is visible above { $from } ({ $why }), so there is none here.
