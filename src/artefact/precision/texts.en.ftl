@@ -10,8 +10,8 @@ formula-1 = {"|ΔI_s| ≤ k_s M(n) δ, \\quad M(n) ≈ \\sqrt{n/e}"}
 formula-1-says = change of the Blinn highlight if the normal has the error δ
 formula-2 = {"δ_\\mathrm{rms} = \\frac{u}{\\sqrt{12}} \\frac{\\sqrt{a^2 + b^2 + c^2}}{2A}"}
 formula-2-says =
-    rms error of the normal of a triangle with sides a, b, c and area A whose positions are rounded to multiples of u;
-    in single precision, u is the distance from the origin over 2²³ to 2²⁴
+    rms error of the normal of a triangle with sides a, b, c and area A, with positions rounded to multiples of u. In
+    single precision, u is the distance from the origin over 2²³ to 2²⁴
 shown-by = Use a sharp highlight of some pixels (exponents from 100 to 10 000) to show it.
 mean-error-measure = 3 × 8 bits: mean error at vertices
 mean-error-by =

@@ -10,7 +10,7 @@ formula-1 = {"|ΔI_s| ≤ k_s M(n) δ, \\quad M(n) ≈ \\sqrt{n/e}"}
 formula-1-says = mudança do brilho de Blinn se a normal tem o erro δ
 formula-2 = {"δ_\\mathrm{rms} = \\frac{u}{\\sqrt{12}} \\frac{\\sqrt{a^2 + b^2 + c^2}}{2A}"}
 formula-2-says =
-    erro rms da normal de um triângulo de lados a, b, c e área A cujas posições são arredondadas a múltiplos de u; em
+    erro rms da normal de um triângulo de lados a, b, c e área A, com posições arredondadas a múltiplos de u. Em
     precisão simples, u é a distância à origem sobre 2²³ a 2²⁴
 shown-by = Use um brilho nítido de alguns pixels (expoentes de 100 a 10 000) para mostrá-lo.
 mean-error-measure = 3 × 8 bits: erro médio nos vértices

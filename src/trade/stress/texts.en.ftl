@@ -144,8 +144,8 @@ split-prisms-plain = dot(n1, n2) < cos(angle), normals of three corners
 split-prisms-bound =
     dihedral angle > crease angle + 0.01 degrees, in 256 bits; rounding rotates these faces by less than that
 counted-prisms-what =
-    the same prisms, whose side edges are exactly at the crease angle before rounding: difference of near_crease from
-    the count in 256 bits, and of that count from the number of sides
+    the same prisms, with side edges exactly at the crease angle before rounding: difference of near_crease from the
+    count in 256 bits, and of that count from the sides
 counted-prisms-expected =
     every side edge is counted, within max(0.1 degrees, rounding of the decimals), and no other edge
 counted-prisms-plain = |acos(dot(n1, n2)) - angle| <= 0.1 degrees, normals of three corners
