@@ -33,7 +33,7 @@ shading =
 few-triangles =
     Costs were taken on { $triangles } triangles. On a mesh this small, most of the cost is constant per call, and
     ratios vary between runs. `crease trade` without a file measures large meshes.
-alike = { $share } of the normals are the same with every weight.
+alike = { $share } of the normals are the same with every weighting.
 without-quadric =
     { $share } of the normals have no quadric: the vertex has too few neighbours, or the neighbours do not confirm the
     fit, as on two rings of points. They are not in the estimate.
@@ -45,7 +45,7 @@ partial =
     Estimates are from { $estimated } of { $all } normals ({ $share }). For the other normals there is no estimate.
 too-coarse =
     Even the closest weighting, { $best }, is { $rms }° (rms) from the quadric normals of { $estimated } normals. On a
-    mesh this coarse, the quadric is no more accurate than the sums, so weights cannot be ranked by it.
+    mesh this coarse, the quadric is no more accurate than the sums, so weightings cannot be ranked by it.
 closest = { $best } is closest to the quadric normals: rms { $rms }° over { $estimated } normals.
 near-closest =
     { $usual } is within 10 % of the closest weighting, { $best } ({ $usual-rms }° against { $rms }°), and does not

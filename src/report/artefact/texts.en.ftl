@@ -44,7 +44,7 @@ role-truth = reference
 role-seen = faint artefact
 gone = gone
 gone-but-for-rounding = gone, except for rounding
-times-less = { $times } times less
+times-less = { $times } times smaller
 effect-absent =
     Measured quantity, { $name }: { $bad }. An artefact is visible above { $from } ({ $why }), so there is none here.
     With the cure ({ $cure }) the quantity is { $cured }.
@@ -58,7 +58,7 @@ absent-in-pictures = the pictures do not show the artefact with these parameters
 shown-in = { $said } These pictures still show it in part: { $labels }.
 cure-fails =
     { $condition } The cure fails here ({ $cure }): { $name } changes from { $bad } to { $cured }. This is { $less }; at
-    least { $factor } times less is required.
+    least { $factor } times smaller is required.
 near = { $value } ± { $tolerance }
 at-most = at most { $value }
 miss = { $name }: measured { $found }, expected { $wanted } ({ $by })
