@@ -1,60 +1,62 @@
-title = Perspective distortion
+title = Affine interpolation is wrong under perspective
 claim =
-    Interpolating evenly on the picture is wrong under perspective: equal steps on the screen are not equal steps on the
+    Linear interpolation in the picture is wrong under perspective: equal steps on the screen are not equal steps on the
     surface.
 source-1 = Lectures: 1.5.2.3, 1.6.15, 1.6.47
 source-2 = J. F. Blinn, Hyperbolic interpolation, IEEE CG&A 12(4), 1992
 formula-1 = {"s(t) = \\frac{t}{t + ρ (1 − t)}"}
 formula-1-says =
-    the place s on the surface that is seen at the place t of the picture, both from 0 to 1; ρ = z_far/z_near
+    position s on the surface that is visible at the position t in the picture, both from 0 to 1; ρ = z_far/z_near
 formula-2 = {"\\max |t − s| = \\frac{\\sqrt{ρ} − 1}{\\sqrt{ρ} + 1}"}
-formula-2-says = the largest error of even interpolation; ½ step of 255 as soon as ρ > 1.0079 for colours from 0 to 1
-shown-by = a deeper wall would show it.
-affine-by = (√ρ − 1)/(√ρ + 1); the nearest pixel of 4096, and single precision
+formula-2-says = largest error of affine interpolation; it exceeds ½ step of 255 if ρ > 1.0079 for colours from 0 to 1
+shown-by = Use a deeper wall to show it.
+affine-by = (√ρ − 1)/(√ρ + 1); tolerance: the nearest pixel of 4096, and single precision
 scanline-measure = scanline, ρ = 4
 perspective-measure = perspective-correct, ρ = 4
-perspective-by = a/w and 1/w are linear on the picture
-pieces-measure = affine, { $segments } × { $segments } pieces
-pieces-by = the nearest piece has the largest depth ratio, 1 + (ρ − 1)/n; its error over n
-pieces-up-measure = affine, { $pieces } × { $pieces } pieces: place up
-pieces-up-by = as much as across, on the diagonal of a piece; pixels lie beside it
-affine-effect = largest error of the place across
+perspective-by = 0, because a/w and 1/w are linear in the picture
+pieces-measure = affine, { $segments } × { $segments } squares
+pieces-by = error of the nearest square, which has the largest depth ratio, 1 + (ρ − 1)/n, divided by n
+pieces-up-measure = affine, { $pieces } × { $pieces } squares: vertical position
+pieces-up-by = at most the horizontal error, which occurs on the diagonal of a square; pixels lie next to the diagonal
+affine-effect = largest error of the horizontal position
 affine-cure = perspective-correct interpolation
 holds-only-if =
-    the depths of a triangle's corners differ under a central projection. In a parallel projection, or facing the
-    viewer, both ways are the same; and an error below half a step of 255 is not seen: depths within 0.8 % for colours
-    from 0 to 1.
+    the corners of a triangle have different depths in a perspective projection. In a parallel projection, or on a face
+    parallel to the screen, both methods are equal. An error below half a step of 255 is not visible; for colours from 0
+    to 1 this means depths within 0.8 %.
 note-1 =
-    The board is not an image pasted on: two numbers are interpolated between the four corners of one face, the places
-    across and up, and a square's colour is read off them. Whatever is interpolated, colours and normals too, goes wrong
-    alike.
+    The board is not an image texture. Two numbers, the horizontal and the vertical position, are interpolated between
+    the four corners of one face, and determine the colour of each square. Colours and normals have the same error.
 note-2 =
-    Cut into more pieces both ways, each is smaller and has a smaller depth ratio: the error falls with the square of
-    their number along a side. Dividing by depth makes it vanish.
+    In a subdivided wall, each square is smaller and has a smaller depth ratio. The error falls with the square of their
+    number along a side. Division by depth removes it.
 affine-title = affine
-affine-caption = A wall that runs away to the right, to four times the depth.
+affine-caption = A wall that extends away from the viewer to the right, to four times the depth.
 affine-seen =
-    Interpolated on the picture, squares bend at the diagonal and are as wide far away as near.
+    Interpolated in the picture, the squares of the board have a kink at the diagonal and do not become narrower with
+    distance.
 perspective-title = perspective-correct
-perspective-caption = The same face interpolated in the scene.
-perspective-seen = Squares become smaller with their distance.
-pieces-title = affine, in pieces
-pieces-caption = Affine again, but the wall is cut into { $segments } × { $segments } pieces.
-pieces-seen = Each errs so little that nothing of it is seen.
-error-title = error of the affine one
+perspective-caption = The same face with perspective-correct interpolation.
+perspective-seen = The squares of the board become smaller with distance.
+pieces-title = affine, subdivided
+pieces-caption = Affine interpolation on a wall divided into { $segments } × { $segments } squares.
+pieces-seen = The error of each square is too small to be visible.
+error-title = affine error
 error-caption =
-    How far the affine place is from the true one, across or up, whichever is more: yellow is { $full } of the wall.
-error-pieces-title = error in pieces
-error-pieces-caption = The same scale for the wall in pieces: { $pieces-error } at most.
+    Distance of the affine from the true position, horizontally or vertically, whichever is larger. Yellow is { $full }
+    of the wall.
+error-pieces-title = subdivided error
+error-pieces-caption = The subdivided wall on the same scale: at most { $pieces-error }.
 largest-error-title = Largest error against the depth ratio
-largest-error-caption = Measured errors lie on the curve (√ρ − 1)/(√ρ + 1): a third of the length at ρ = 4, half at 9.
+largest-error-caption =
+    Measured errors lie on the curve (√ρ − 1)/(√ρ + 1): a third of the length at ρ = 4, half at ρ = 9.
 largest-error-x = depth ratio ρ
 largest-error-y = largest |t − s|
 measured-curve = measured
 law-curve = closed form
-place-title = Place on the surface against place on the picture
-place-caption = Even interpolation takes the straight line; what ought to be seen lies on the curves.
-place-x = t on the picture
+place-title = Surface position against picture position
+place-caption = Affine interpolation follows the straight line; the correct positions lie on the curves.
+place-x = t in the picture
 place-y = s on the surface
 affine-measure = affine, ρ = { $ratio }
 scanline-by = { affine-by }

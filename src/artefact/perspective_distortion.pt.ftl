@@ -1,58 +1,59 @@
-title = Distorção de perspectiva
+title = A interpolação afim é errada em perspectiva
 claim =
-    Interpolar por igual na imagem é errado em perspectiva: passos iguais na tela não são passos iguais na superfície.
+    A interpolação linear na imagem é errada em perspectiva: passos iguais na tela não são passos iguais na superfície.
 source-1 = Aulas: 1.5.2.3, 1.6.15, 1.6.47
 source-2 = J. F. Blinn, Hyperbolic interpolation, IEEE CG&A 12(4), 1992 (em inglês)
 formula-1 = {"s(t) = \\frac{t}{t + ρ (1 − t)}"}
-formula-1-says = o lugar s na superfície que se vê no lugar t da imagem, ambos de 0 a 1; ρ = z_longe/z_perto
+formula-1-says = posição s na superfície que é visível na posição t da imagem, ambas de 0 a 1; ρ = z_longe/z_perto
 formula-2 = {"\\max |t − s| = \\frac{\\sqrt{ρ} − 1}{\\sqrt{ρ} + 1}"}
-formula-2-says = o maior erro da interpolação uniforme; ½ passo de 255 assim que ρ > 1,0079 para cores de 0 a 1
-shown-by = uma parede mais funda o mostraria.
-affine-by = (√ρ − 1)/(√ρ + 1); o pixel mais próximo de 4096, e precisão simples
-scanline-measure = linha de varredura, ρ = 4
+formula-2-says = maior erro da interpolação afim; excede ½ passo de 255 se ρ > 1,0079 para cores de 0 a 1
+shown-by = Use uma parede mais funda para mostrá-lo.
+affine-by = (√ρ − 1)/(√ρ + 1); tolerância: o pixel mais próximo de 4096, e precisão simples
+scanline-measure = varredura, ρ = 4
 perspective-measure = correta em perspectiva, ρ = 4
-perspective-by = a/w e 1/w são lineares na imagem
-pieces-measure = afim, { $segments } × { $segments } pedaços
-pieces-by = o pedaço mais próximo tem a maior razão de profundidades, 1 + (ρ − 1)/n; o seu erro sobre n
-pieces-up-measure = afim, { $pieces } × { $pieces } pedaços: lugar na altura
-pieces-up-by = tanto quanto na largura, na diagonal de um pedaço; os pixels ficam ao lado dela
-affine-effect = maior erro do lugar na largura
+perspective-by = 0, pois a/w e 1/w são lineares na imagem
+pieces-measure = afim, { $segments } × { $segments } quadrados
+pieces-by = erro do quadrado mais próximo, que tem a maior razão de profundidades, 1 + (ρ − 1)/n, dividido por n
+pieces-up-measure = afim, { $pieces } × { $pieces } quadrados: posição vertical
+pieces-up-by = no máximo o erro horizontal, que ocorre na diagonal de um quadrado; os pixels ficam ao lado da diagonal
+affine-effect = maior erro da posição horizontal
 affine-cure = interpolação correta em perspectiva
 holds-only-if =
-    as profundidades dos cantos de um triângulo diferem sob projeção central. Em projeção paralela, ou de frente para o
-    observador, os dois modos são o mesmo; e um erro menor que meio passo de 255 não se vê: profundidades a menos de 0,8
-    % para cores de 0 a 1.
+    os cantos de um triângulo têm profundidades diferentes numa projeção em perspectiva. Numa projeção paralela, ou numa
+    face paralela à tela, os dois métodos são iguais. Um erro menor que meio passo de 255 não é visível; para cores de 0
+    a 1 isso são profundidades a menos de 0,8 %.
 note-1 =
-    O tabuleiro não é uma imagem colada: dois números são interpolados entre os quatro cantos de uma face, os lugares na
-    largura e na altura, e deles se tira a cor de cada quadrado. O que quer que se interpole, também cores e normais,
-    erra do mesmo modo.
+    O tabuleiro não é uma textura. Dois números, a posição horizontal e a vertical, são interpolados entre os quatro
+    cantos de uma face e determinam a cor de cada quadrado. Cores e normais têm o mesmo erro.
 note-2 =
-    Cortada em mais pedaços nos dois sentidos, cada um é menor e tem razão de profundidades menor: o erro cai com o
-    quadrado do número deles ao longo de um lado. Dividir pela profundidade o faz sumir.
+    Numa parede subdividida, cada quadrado é menor e tem uma razão de profundidades menor. O erro cai com o quadrado do
+    número deles por lado. A divisão pela profundidade o elimina.
 affine-title = afim
 affine-caption = Uma parede que se afasta para a direita, até quatro vezes a profundidade.
 affine-seen =
-    Interpolados na imagem, os quadrados quebram na diagonal e são tão largos longe quanto perto.
+    Interpolados na imagem, os quadrados do tabuleiro têm uma quebra na diagonal e não ficam mais estreitos com a
+    distância.
 perspective-title = correta em perspectiva
-perspective-caption = A mesma face interpolada na cena.
-perspective-seen = Os quadrados diminuem com a distância.
-pieces-title = afim, em pedaços
-pieces-caption = De novo afim, mas com a parede cortada em { $segments } × { $segments } pedaços.
-pieces-seen = Cada um erra tão pouco que nada disso se vê.
+perspective-caption = A mesma face com interpolação correta em perspectiva.
+perspective-seen = Os quadrados do tabuleiro diminuem com a distância.
+pieces-title = afim, subdividida
+pieces-caption = Interpolação afim numa parede dividida em { $segments } × { $segments } quadrados.
+pieces-seen = O erro de cada quadrado é pequeno demais para ser visível.
 error-title = erro da afim
 error-caption =
-    Quanto o lugar afim dista do verdadeiro, na largura ou na altura, o que for maior: amarelo é { $full } da parede.
-error-pieces-title = erro em pedaços
-error-pieces-caption = A mesma escala para a parede em pedaços: no máximo { $pieces-error }.
+    Distância da posição afim à verdadeira, na horizontal ou na vertical, a que for maior. Amarelo é { $full } da
+    parede.
+error-pieces-title = erro da subdividida
+error-pieces-caption = A parede subdividida na mesma escala: no máximo { $pieces-error }.
 largest-error-title = Maior erro em função da razão de profundidades
 largest-error-caption =
-    Os erros medidos estão na curva (√ρ − 1)/(√ρ + 1): um terço do comprimento em ρ = 4, metade em 9.
+    Os erros medidos estão na curva (√ρ − 1)/(√ρ + 1): um terço do comprimento em ρ = 4, metade em ρ = 9.
 largest-error-x = razão de profundidades ρ
 largest-error-y = maior |t − s|
 measured-curve = medido
 law-curve = fórmula
-place-title = Lugar na superfície em função do lugar na imagem
-place-caption = A interpolação uniforme toma a reta; o que se deveria ver está nas curvas.
+place-title = Posição na superfície em função da posição na imagem
+place-caption = A interpolação afim segue a reta; as posições corretas estão nas curvas.
 place-x = t na imagem
 place-y = s na superfície
 affine-measure = afim, ρ = { $ratio }

@@ -1,78 +1,79 @@
-title = Different diagonals
+title = The choice of diagonal changes the colours
 claim = Linear interpolation gives different results for different triangulations of the same polygon.
 source-1 =
     Ting 2008: “resultados distintos para diferentes triangulações” (different results for different triangulations)
-source-2 = Lectures: exercise 1.6.25, whose diamond is used
+source-2 = Lectures: exercise 1.6.25 (the diamond)
 formula-1 = {"c_{13} = \\frac{c_1 + c_3}{2}, \\quad c_{24} = \\frac{c_2 + c_4}{2}"}
 formula-1-says =
-    the colour in the middle of the diamond, cut from corner 1 (right) to 3 (left) or from 2 (above) to 4 (below)
+    colour in the middle of the diamond with the diagonal from corner 1 (right) to 3 (left), or from 2 (top) to 4
+    (bottom)
 formula-2 = {"c = \\frac{c_1 + c_2 + c_3 + c_4}{4}"}
-formula-2-says = with a vertex of the mean colour in the middle, whichever way it is cut
+formula-2-says = colour in the middle with an extra vertex there that has the mean colour
 formula-3 = {"|ΔI| = O(h^2)"}
 formula-3-says =
-    on a smooth surface the two diagonals of a square of side h differ in the middle by h²/2 times the mixed second
+    on a smooth surface, the two diagonals of a square with side h differ in the middle by h²/2 times the mixed second
     derivative, and less elsewhere
 shown-by =
-    fewer squares (--segments), and light from the side, would show it on the waves; the diamond shows it in any light.
-diamond-by = the mean of these corners; half a pixel's diagonal
-diamond-change-measure = diamond: largest difference of the middle
-waves-gouraud-measure = waves, Gouraud: difference of the diagonals (rms)
-waves-phong-measure = waves, Phong: difference of the diagonals (rms)
-waves-effect = light on the waves, off that of the surface itself (rms)
-diamond-effect = colour of the middle, off the mean of all corners
+    Use fewer squares (--segments) and light from the side to show it on the waves. The diamond shows it in any light.
+diamond-by = mean of these corners; tolerance: half a pixel diagonal
+diamond-change-measure = diamond: largest difference in the middle
+waves-gouraud-measure = waves, Gouraud: difference between the diagonals (rms)
+waves-phong-measure = waves, Phong: difference between the diagonals (rms)
+waves-effect = light on the waves: error against the exact surface (rms)
+diamond-effect = colour in the middle: difference from the mean of all corners
 holds =
-    wherever the corners' values do not lie in one plane. The colours of triangles do not change as the polygon is
-    turned, but how it is cut shows; on smooth surfaces the difference falls as the square of the facets' size.
-waves-rising-title = waves, cut across
+    whenever the corner values do not lie in one plane. The colours of triangles do not change when the polygon rotates,
+    but the chosen diagonal is visible. On smooth surfaces the difference falls with the square of the facet size.
+waves-rising-title = waves, diagonals across
 waves-rising-caption =
-    Slanting waves with Gouraud's shading; each square is cut across them, from the lower left to the upper right.
-waves-rising-seen = They fall into beads.
-waves-falling-title = waves, cut along
-waves-falling-caption =
-    The same vertices and normals; only the diagonals run the other way, along the waves.
-waves-falling-seen = The stripes are straight, but not as soft as those of the waves themselves.
+    Oblique waves with Gouraud shading. The diagonal of each square runs across the waves, from lower left to upper
+    right.
+waves-rising-seen = The stripes break up into beads.
+waves-falling-title = waves, diagonals along
+waves-falling-caption = The same vertices and normals; the diagonals run along the waves.
+waves-falling-seen = The stripes are straight, but less smooth than those of the exact waves.
 waves-difference-title = difference
-waves-difference-caption = How much both differ, from violet for 0 to yellow for { $full } and more.
+waves-difference-caption = Difference between the two pictures: violet is 0, yellow is { $full } or more.
 waves-fine-title = waves, finer
-waves-fine-caption = Cut across as the first, with four times the squares along a side.
-waves-fine-seen = The cut is hardly seen any more.
-waves-themselves-title = the waves themselves
-waves-themselves-caption = The surface with its own normal at every pixel.
-diamond-1-3-title = diamond, cut 1–3
-diamond-1-3-caption = Cut from the right to the left corner.
-diamond-1-3-seen = A light band runs across.
-diamond-2-4-title = diamond, cut 2–4
-diamond-2-4-caption = Cut from the upper to the lower corner.
-diamond-2-4-seen = A dark olive band runs upright, and the middle has another colour.
+waves-fine-caption = Diagonals across the waves, with four times as many squares along a side.
+waves-fine-seen = The diagonals are hardly visible.
+waves-themselves-title = exact waves
+waves-themselves-caption = The surface with its exact normal at every pixel.
+diamond-1-3-title = diamond, diagonal 1–3
+diamond-1-3-caption = The diagonal joins the right and the left corner.
+diamond-1-3-seen = There is a horizontal light band.
+diamond-2-4-title = diamond, diagonal 2–4
+diamond-2-4-caption = The diagonal joins the upper and the lower corner.
+diamond-2-4-seen = There is a vertical dark olive band, and the colour in the middle is different.
 diamond-fan-title = diamond, vertex in the middle
-diamond-fan-caption = Four triangles about a vertex with the mean of the corners.
+diamond-fan-caption = Four triangles around a vertex that has the mean colour of the corners.
 diamond-fan-seen = No diagonal is preferred.
 note-1 =
-    Each of the two triangles knows nothing of the fourth corner: along the diagonal only its two ends count. The
-    scanline algorithm on the whole polygon prefers no diagonal, but depends on how the polygon is turned (see the
-    experiment on orientation). The number that moved is how far light on the triangles is off that of the surface
-    itself, for both cuts err: at least one of them by half of what they differ by.
+    Each triangle uses three of the four corners, so only the two ends of the diagonal determine the colours along it.
+    The scanline algorithm on the whole polygon prefers no diagonal, but depends on the rotation of the polygon (see the
+    experiment `orientation`). The effect is measured against the exact surface, because both triangulations have
+    errors. At least one error is half the difference between them or more.
 order-measure = waves: order of the difference in h
 order-of-black-slopes =
-    not held against O(h²): slopes turned away from the light are black, and light has a kink at their borders
-order-below-precision = not held against O(h²): the finest squares differ by little more than single precision
-order-below-pixels = not held against O(h²): the finest squares are smaller than two pixels
-order-of-coarse-squares = not held against O(h²): so few squares to a wave are not small
-order-by = O(h²); facets of a twelfth of a wave are not small yet
-difference-by-cells-title = Difference of both diagonals
+    not compared with O(h²): slopes that face away from the light are black, and luminance has a kink at their borders
+order-below-precision = not compared with O(h²): the difference of the finest squares is close to single precision
+order-below-pixels = not compared with O(h²): the finest squares are smaller than two pixels
+order-of-coarse-squares = not compared with O(h²): there are too few squares per wave
+order-by = O(h²); tolerance: facets of a twelfth of a wave are not yet small
+difference-by-cells-title = Difference between both diagonals
 difference-by-cells-caption =
-    The difference on the waves against the number of squares along a side: the more there are, the more nearly it falls
-    as one over their square.
+    Difference on the waves against the number of squares along a side. With many squares it falls as one over the
+    square of their number.
 difference-by-cells-x = squares along a side
 difference-by-cells-y = rms difference
 measured-curve = measured
-law-curve = as h², h = 1/number
+law-curve = h², h = 1/number
 waves-cure = { $finer } times as many squares along a side
 diamond-cure = a vertex in the middle
 diamond-measure = { $cut }: { $colour } in the middle
 red = red
 green = green
 blue = blue
-waves-rising-measure = waves, cut across: light off that of the surface itself (rms)
-waves-falling-measure = waves, cut along: light off that of the surface itself (rms)
-waves-fine-measure = waves, cut across, finer: light off that of the surface itself (rms)
+waves-rising-measure = waves, diagonals across: error of light against the exact surface (rms)
+waves-falling-measure = waves, diagonals along: error of light against the exact surface (rms)
+waves-fine-measure = waves, diagonals across, finer: error of light against the exact surface (rms)

@@ -1,75 +1,77 @@
-title = Diagonais diferentes
+title = A escolha da diagonal muda as cores
 claim = A interpolação linear dá resultados distintos para diferentes triangulações do mesmo polígono.
 source-1 = Ting 2008: “resultados distintos para diferentes triangulações”
-source-2 = Aulas: exercício 1.6.25, cujo losango é usado
+source-2 = Aulas: exercício 1.6.25 (o losango)
 formula-1 = {"c_{13} = \\frac{c_1 + c_3}{2}, \\quad c_{24} = \\frac{c_2 + c_4}{2}"}
-formula-1-says = a cor no meio do losango, cortado do canto 1 (direito) ao 3 (esquerdo) ou do 2 (acima) ao 4 (abaixo)
+formula-1-says =
+    cor no meio do losango com a diagonal do canto 1 (direito) ao 3 (esquerdo), ou do 2 (de cima) ao 4 (de baixo)
 formula-2 = {"c = \\frac{c_1 + c_2 + c_3 + c_4}{4}"}
-formula-2-says = com um vértice da cor média no meio, seja como for cortado
+formula-2-says = cor no meio com um vértice a mais ali, que tem a cor média
 formula-3 = {"|ΔI| = O(h^2)"}
 formula-3-says =
-    numa superfície lisa as duas diagonais de um quadrado de lado h diferem no meio por h²/2 vezes a derivada segunda
+    numa superfície lisa, as duas diagonais de um quadrado de lado h diferem no meio por h²/2 vezes a derivada segunda
     mista, e menos no resto
-shown-by = menos quadrados (--segments), e luz de lado, o mostrariam nas ondas; o losango o mostra sob qualquer luz.
-diamond-by = a média desses cantos; meia diagonal de pixel
-diamond-change-measure = losango: maior diferença do meio
-waves-gouraud-measure = ondas, Gouraud: diferença das diagonais (rms)
-waves-phong-measure = ondas, Phong: diferença das diagonais (rms)
-waves-effect = luz nas ondas, diferença à da própria superfície (rms)
-diamond-effect = cor do meio, diferença à média de todos os cantos
+shown-by = Use menos quadrados (--segments) e luz lateral para mostrá-lo nas ondas. O losango o mostra sob qualquer luz.
+diamond-by = média desses cantos; tolerância: meia diagonal de pixel
+diamond-change-measure = losango: maior diferença no meio
+waves-gouraud-measure = ondas, Gouraud: diferença entre as diagonais (rms)
+waves-phong-measure = ondas, Phong: diferença entre as diagonais (rms)
+waves-effect = luz nas ondas: erro em relação à superfície exata (rms)
+diamond-effect = cor no meio: diferença da média de todos os cantos
 holds =
     sempre que os valores dos cantos não estão num plano. As cores dos triângulos não mudam quando o polígono gira, mas
-    o seu corte aparece; em superfícies lisas a diferença cai com o quadrado do tamanho das facetas.
-waves-rising-title = ondas, cortadas de través
+    a diagonal escolhida é visível. Em superfícies lisas a diferença cai com o quadrado do tamanho das facetas.
+waves-rising-title = ondas, diagonais de través
 waves-rising-caption =
-    Ondas oblíquas com Gouraud; cada quadrado é cortado de través, do canto inferior esquerdo ao superior direito.
-waves-rising-seen = Elas se desfazem em contas.
-waves-falling-title = ondas, cortadas ao longo
-waves-falling-caption =
-    Os mesmos vértices e normais; só as diagonais vão no outro sentido, ao longo das ondas.
-waves-falling-seen = As listras são retas, mas não tão suaves quanto as das próprias ondas.
+    Ondas oblíquas com tonalização de Gouraud. A diagonal de cada quadrado vai de través, do canto inferior esquerdo ao
+    superior direito.
+waves-rising-seen = As listras se desfazem em contas.
+waves-falling-title = ondas, diagonais ao longo
+waves-falling-caption = Os mesmos vértices e normais; as diagonais vão ao longo das ondas.
+waves-falling-seen = As listras são retas, mas menos suaves que as das ondas exatas.
 waves-difference-title = diferença
-waves-difference-caption = Quanto as duas diferem, de violeta para 0 a amarelo para { $full } ou mais.
+waves-difference-caption = Diferença entre as duas imagens: violeta é 0, amarelo é { $full } ou mais.
 waves-fine-title = ondas, mais finas
-waves-fine-caption = Cortadas de través como as primeiras, com quatro vezes mais quadrados por lado.
-waves-fine-seen = O corte quase não se vê mais.
-waves-themselves-title = as próprias ondas
-waves-themselves-caption = A superfície com a sua própria normal em cada pixel.
-diamond-1-3-title = losango, corte 1–3
-diamond-1-3-caption = Cortado do canto direito ao esquerdo.
-diamond-1-3-seen = Uma faixa clara corre na horizontal.
-diamond-2-4-title = losango, corte 2–4
-diamond-2-4-caption = Cortado do canto de cima ao de baixo.
-diamond-2-4-seen = Uma faixa oliva escura corre na vertical, e o meio tem outra cor.
+waves-fine-caption = Diagonais de través, com quatro vezes mais quadrados por lado.
+waves-fine-seen = As diagonais quase não são visíveis.
+waves-themselves-title = ondas exatas
+waves-themselves-caption = A superfície com a normal exata em cada pixel.
+diamond-1-3-title = losango, diagonal 1–3
+diamond-1-3-caption = A diagonal liga o canto direito ao esquerdo.
+diamond-1-3-seen = Há uma faixa clara horizontal.
+diamond-2-4-title = losango, diagonal 2–4
+diamond-2-4-caption = A diagonal liga o canto de cima ao de baixo.
+diamond-2-4-seen = Há uma faixa oliva escura vertical, e a cor no meio é outra.
 diamond-fan-title = losango, vértice no meio
-diamond-fan-caption = Quatro triângulos em torno de um vértice com a média dos cantos.
+diamond-fan-caption = Quatro triângulos em torno de um vértice com a cor média dos cantos.
 diamond-fan-seen = Nenhuma diagonal é preferida.
 note-1 =
-    Cada um dos dois triângulos nada sabe do quarto canto: ao longo da diagonal só contam as suas pontas. O algoritmo de
-    varredura no polígono inteiro não prefere diagonal, mas depende de como o polígono está girado (veja o experimento
-    sobre orientação). O número que mudou é quanto a luz nos triângulos difere da luz da própria superfície, pois os
-    dois cortes erram: ao menos um deles por metade do que diferem.
+    Cada triângulo usa três dos quatro cantos, e por isso só as duas pontas da diagonal determinam as cores ao longo
+    dela. O algoritmo de varredura no polígono inteiro não prefere diagonal, mas depende da rotação do polígono (veja o
+    experimento `orientation`). O efeito é medido em relação à superfície exata, pois as duas triangulações têm erros.
+    Ao menos um dos erros é metade da diferença entre elas ou mais.
 order-measure = ondas: ordem da diferença em h
 order-of-black-slopes =
-    não comparado com O(h²): encostas viradas para longe da luz são pretas, e a luz tem uma quebra nas suas bordas
-order-below-precision = não comparado com O(h²): os quadrados mais finos diferem por pouco mais que a precisão simples
+    não comparado com O(h²): encostas voltadas para longe da luz são pretas, e a luminância tem uma quebra nas suas
+    bordas
+order-below-precision = não comparado com O(h²): a diferença dos quadrados mais finos é próxima da precisão simples
 order-below-pixels = não comparado com O(h²): os quadrados mais finos são menores que dois pixels
-order-of-coarse-squares = não comparado com O(h²): tão poucos quadrados por onda não são pequenos
-order-by = O(h²); facetas de um doze avos de onda ainda não são pequenas
-difference-by-cells-title = Diferença das duas diagonais
+order-of-coarse-squares = não comparado com O(h²): há quadrados de menos por onda
+order-by = O(h²); tolerância: facetas de um doze avos de onda ainda não são pequenas
+difference-by-cells-title = Diferença entre as duas diagonais
 difference-by-cells-caption =
-    A diferença nas ondas em função do número de quadrados por lado: quanto mais há, mais ela cai como um sobre o seu
-    quadrado.
+    Diferença nas ondas em função do número de quadrados por lado. Com muitos quadrados ela cai como um sobre o quadrado
+    do número.
 difference-by-cells-x = quadrados por lado
 difference-by-cells-y = diferença rms
 measured-curve = medido
-law-curve = como h², h = 1/número
+law-curve = h², h = 1/número
 waves-cure = { $finer } vezes mais quadrados por lado
 diamond-cure = um vértice no meio
 diamond-measure = { $cut }: { $colour } no meio
 red = vermelho
 green = verde
 blue = azul
-waves-rising-measure = ondas, cortadas de través: luz, diferença à da própria superfície (rms)
-waves-falling-measure = ondas, cortadas ao longo: luz, diferença à da própria superfície (rms)
-waves-fine-measure = ondas, cortadas de través, mais finas: luz, diferença à da própria superfície (rms)
+waves-rising-measure = ondas, diagonais de través: erro da luz em relação à superfície exata (rms)
+waves-falling-measure = ondas, diagonais ao longo: erro da luz em relação à superfície exata (rms)
+waves-fine-measure = ondas, diagonais de través, mais finas: erro da luz em relação à superfície exata (rms)

@@ -1,74 +1,78 @@
-title = Mach bands on a cylinder
-claim = Mach bands are worse with Gouraud's shading than with Phong's.
+title = Gouraud shading has stronger Mach bands in frontal light
+claim = Mach bands are stronger with Gouraud shading than with Phong shading.
 source-1 = Lectures: Table 1, 1.6.13, 1.6.46, 1.6.50
-source-2 = Against it: T. Duff, Smoothly shaded renderings of polyhedral objects on raster displays, SIGGRAPH 1979
+source-2 = Counter-example: T. Duff, Smoothly shaded renderings of polyhedral objects on raster displays, SIGGRAPH 1979
 formula-1 = {"ΔI_\\mathrm{flat} = 2 |\\sin(θ − θ_L)| \\sin(Δ/2)"}
-formula-1-says = the step between two flat facets whose common edge is at the angle θ; Δ = 2π/N
+formula-1-says = luminance step between two flat facets; their common edge is at the angle θ, and Δ = 2π/N
 formula-2 = {"ΔI′_\\mathrm{Gouraud} = −\\cos(θ_L) [\\tan(θ + Δ/2) − \\tan(θ − Δ/2)]"}
-formula-2-says = the jump of the slope across the picture at that edge
+formula-2-says = jump of the luminance slope across the picture at that edge
 formula-3 = {"\\frac{ΔI′_\\mathrm{Phong}}{ΔI′_\\mathrm{Gouraud}} = \\frac{\\sin(θ − θ_L) \\sin(θ)}{\\cos(θ_L)}"}
-formula-3-says = so Phong's is the larger one somewhere as soon as cos(θ_L) < 1/3: θ_L > 70.5288°
-shown-by = light within 90° of the direction of view, and 8 to 32 segments, would show it.
-gouraud-jump-measure = Gouraud: largest slope jump within 60° of the direction of view
-flat-step-measure = flat: largest step of luminance within 60° of the direction of view
-flat-step-by = 2 |sin(θ − θ_L)| sin(Δ/2); single precision
-gouraud-jump-by = −cos θ_L [tan(θ + Δ/2) − tan(θ − Δ/2)]; roundings of the samples that a slope is taken of
-phong-jump-by = −sin(θ − θ_L) sin θ [tan(θ + Δ/2) − tan(θ − Δ/2)]; as for Gouraud
-fine-jump-by = the same with the smaller Δ
-shading-effect = largest slope jump within 60° of the direction of view
-flat-effect = largest step within 60° of the direction of view
+formula-3-says = the jump of Phong shading is larger at some edge if cos(θ_L) < 1/3, that is θ_L > 70.5288°
+shown-by = Use light within 90° of the view direction and 8 to 32 segments to show it.
+gouraud-jump-measure = Gouraud: largest slope jump within 60° of the view direction
+flat-step-measure = flat: largest luminance step within 60° of the view direction
+flat-step-by = 2 |sin(θ − θ_L)| sin(Δ/2); tolerance: single precision
+gouraud-jump-by = −cos θ_L [tan(θ + Δ/2) − tan(θ − Δ/2)]; tolerance: rounding of the samples that determine the slope
+phong-jump-by = −sin(θ − θ_L) sin θ [tan(θ + Δ/2) − tan(θ − Δ/2)]; tolerance: as for Gouraud
+fine-jump-by = the same formula with the smaller Δ
+shading-effect = largest slope jump within 60° of the view direction
+flat-effect = largest luminance step within 60° of the view direction
 fails =
-    the light is so far off the direction of view that Phong's slope jumps are the larger ones, as they may be from
-    70.5288° on.
+    the light is so far from the view direction that Phong shading has the larger slope jumps. This is possible above
+    70.5288°.
 note-1 =
-    Where the slope of luminance jumps, the eye sees a dark line at the foot and a bright line at the knee, though no
-    pixel there is darker or brighter than its neighbours on both sides. Flat shading jumps in luminance itself.
-    Gouraud's and Phong's are continuous, but their slopes are not.
+    Where the slope of luminance jumps, the eye sees a Mach band: a dark line at the lower end of a ramp, a bright line
+    at the upper end. No pixel there is darker or brighter than its neighbours on both sides. Flat shading has jumps of
+    luminance itself. Gouraud and Phong shading are continuous, but their slopes are not.
 note-2 =
-    The overshoot called predicted is that of a difference of Gaussians, a model of lateral inhibition. It says where
-    bands may be seen and how they compare on one picture, not how strongly they are seen.
+    The predicted overshoot is that of a difference of Gaussians, a model of lateral inhibition. The model predicts
+    where bands can be visible and how they compare within one picture. It does not predict how strong they look.
 note-3 =
-    Facets meet where the light ends: there the cylinder itself has a band. Edges are measured where both of their
-    facets are lit, up to 60° from the direction of view; farther round facets are seen from the side, and slopes across
-    the picture grow without bound, those of the cylinder too.
-note-4 = Jumps are of first order in the width of a facet: four times the segments make them about a quarter.
-why-slope = the luminance of a facet is then half a step of 8 bits off a round one
+    The exact cylinder has a band too: where the light ends. Edges are measured where both facets are lit, up to 60°
+    from the view direction. Beyond 60°, facets are seen at grazing angles, and slopes across the picture grow without
+    bound, for the exact cylinder too.
+note-4 =
+    Slope jumps are of first order in the width of a facet. Four times as many segments reduce them to about a quarter.
+why-slope = a jump at which the luminance on a facet is half an 8-bit step from a smooth curve
 grazing-ratio-measure =
-    light at 80°: slope jump of Phong over that of Gouraud at an edge turned to θ = 40° (a cylinder not shown)
-border-angle-measure = the light's angle beyond which Phong has the larger jump
-facets-lit-in-part = not held against sin(θ − θ_L) sin θ / cos θ_L: facets so wide are lit in part only
-grazing-ratio-by = sin(θ − θ_L) sin θ / cos θ_L; roundings of both jumps
-border-angle-by = arccos(1/3), found by halving in pictures; the ratio grows by 7.4 % a degree there
-gouraud-caption = Gouraud's shading of the same facets: luminance is continuous, its slope is not.
-phong-caption = Phong's shading of the same facets: luminance is bent on each of them.
+    light at 80°: slope jump of Phong over that of Gouraud, at an edge rotated to θ = 40° (cylinder not shown)
+border-angle-measure = angle of the light above which Phong has the larger slope jump
+facets-lit-in-part = not compared with sin(θ − θ_L) sin θ / cos θ_L: facets this wide are only partly lit
+grazing-ratio-by = sin(θ − θ_L) sin θ / cos θ_L; tolerance: rounding of both jumps
+border-angle-by = arccos(1/3), found by bisection in pictures; the ratio grows by 7.4 % per degree there
+gouraud-caption = Gouraud shading of the same facets: luminance is continuous, its slope is not.
+phong-caption = Phong shading of the same facets: luminance is curved on each facet.
 flat-title = flat
 flat-caption =
-    Flat shading of { $segments } facets, the light { $light }° off the direction of view: one luminance for each facet.
-flat-seen = Each stands out as a stripe of one grey.
-fine-seen = Jumps are about a quarter of what they were.
-exact-title = the cylinder itself
-exact-caption = The cylinder lit at every pixel with its own normal: no bands but where the light ends.
-phong-80-jumps-seen = The slope of Phong's luminance jumps more.
-gouraud-80-jumps-seen = Gouraud's shading has the smaller jumps here.
+    Flat shading of { $segments } facets, with the light { $light }° from the view direction. Each facet has one
+    luminance.
+flat-seen = Each facet is visible as a stripe of one grey.
+fine-seen = The slope jumps are about a quarter as large.
+exact-title = exact cylinder
+exact-caption = The cylinder with its exact normal at every pixel: the only band is where the light ends.
+phong-80-jumps-seen = Phong shading has the larger slope jumps here.
+gouraud-80-jumps-seen = Gouraud shading has the smaller slope jumps here.
 phong-80-title = Phong, light at 80°
 phong-80-caption =
-    The light 80° off the direction of view, Phong's shading. Luminance bends within each facet; the jumps of its slope,
-    which the map shows, are hardly seen.
+    Phong shading with the light 80° from the view direction. Luminance is curved within each facet. Its slope jumps are
+    hardly visible; the map shows them.
 gouraud-80-title = Gouraud, light at 80°
 gouraud-80-caption =
-    The same light: where facets are lit as a whole, luminance is nearly linear across the picture.
+    The same light with Gouraud shading: on fully lit facets, luminance is nearly linear across the picture.
 phong-80-jumps-caption =
-    Bars at the edges up to 60° round whose facets are lit all over, as light as the slope jumps there: violet 0, yellow
-    { $full }. What is not measured is left out.
-luminance-caption = Where there is light, flat shading has steps, Gouraud's is a polygon, Phong's is bent on each facet.
+    A bar marks each edge within 60° whose facets are fully lit. Its colour is the slope jump: violet 0, yellow
+    { $full }. Regions that are not measured are omitted.
+luminance-caption =
+    Luminance under flat shading has steps. Under Gouraud shading it is a polyline. Under Phong shading it is curved on
+    each facet.
 exact-curve = exact
 luminance-80-caption =
-    The light at 80°: the cylinder's luminance is nearly straight where it is lit, and so is Gouraud's. Phong's is bent.
+    With the light at 80°, the luminance of the lit part of the cylinder is nearly linear. Gouraud shading is nearly
+    linear too. Phong shading is curved.
 slope-80-caption =
-    The slope of that, on the facets beside the edges that are measured: Phong's goes up and down on each facet and
-    jumps back at edges, by up to { $bad }; Gouraud's jumps by up to { $cured }.
-curvature-caption =
-    The slope of the slope: where the slope jumps there is a narrow spike, and the larger the jump the higher the spike.
+    The slope of luminance on the facets next to the measured edges. Under Phong shading it rises and falls on each
+    facet and jumps at edges by up to { $bad }. Under Gouraud shading it jumps by up to { $cured }.
+curvature-caption = The slope of the slope. Each slope jump appears as a narrow peak; a larger jump has a higher peak.
 luminance-title = Luminance along a scanline
 luminance-y = linear luminance Y
 slope-title = First derivative
@@ -77,40 +81,40 @@ curvature-title = Second derivative
 curvature-y = d²Y/dx², per radius²
 luminance-x = x across the picture, in radii
 overshoot-flat-by =
-    ΔI′ (σ_s − σ_c)/√(2π) for a jump of slope, 0.111682 ΔI for a step; up to 11.6 % less where the edge lies between two
-    pixels
-narrow-facets = facets are so narrow that the model sees two edges at once
+    ΔI′ (σ_s − σ_c)/√(2π) for a jump of slope, 0.111682 ΔI for a step; tolerance: up to 11.6 % less if the edge lies
+    between two pixels
+narrow-facets = not compared: facets are so narrow that the model responds to two edges at once
 predicted-y = predicted overshoot, in luminance
 predicted-title = Predicted overshoot: slopes
 predicted-caption =
-    What a difference of two Gaussians (σ of 1 and 1.6 pixels, 67 pixels per degree) predicts: a line at each edge in
-    the light, about as high as the slope jumps there. It is a model: the eye does not follow it in strength.
+    Prediction of a difference of two Gaussians (σ of 1 and 1.6 pixels, 67 pixels per degree). There is a line at each
+    lit edge, about as high as the slope jump. This is a model: the visible strength of bands differs from it.
 predicted-flat-title = Predicted overshoot: steps
 predicted-flat-caption =
-    The same model on flat shading: a bright and a dark line beside every step that there is. There the model is known
-    to be wrong: the bands that it predicts beside steps are hardly seen (Kingdom 2014).
-phong-jump-measure = Phong: largest slope jump within 60° of the direction of view
+    The same model applied to flat shading predicts a bright and a dark line next to each step. For steps the model is
+    known to be wrong: these bands are hardly visible (Kingdom 2014).
+phong-jump-measure = Phong: largest slope jump within 60° of the view direction
 fine-jump-measure = { $worse } with { $finer } segments: slope jump at the same edge
-finer-effect = { $worse }'s slope jump at the edge, within 60° of the direction of view, where it is largest
-finer-cure = { $factor } times the segments, at the same edge
+finer-effect = { $worse }: slope jump at the edge within 60° of the view direction where it is largest
+finer-cure = { $factor } times as many segments, at the same edge
 shading-cure = the other shading
 holds-only-if =
-    the largest slope jump of each shading decides, as here. With the light more than 70.5288° off the direction of view
-    there may be edges where Phong's slope jump is the larger one; at 90° Gouraud's shading of facets lit as a whole is
-    exact, and only Phong's has bands.
+    the largest slope jump of each shading is compared, as here. If the light is more than 70.5288° from the view
+    direction, Phong shading can have the larger slope jump at some edges. At 90° Gouraud shading of fully lit facets is
+    exact, and only Phong shading has bands.
 gouraud-title = Gouraud
 phong-title = Phong
 gouraud-curve = Gouraud
 phong-curve = Phong
 flat-curve = { flat-title }
 fine-title = { $worse }, { $finer } segments
-fine-caption = { $worse }'s shading with { $factor } times the segments.
-phong-80-jumps-title = Phong, light at 80°: jumps of the slope
-gouraud-80-jumps-title = Gouraud, light at 80°: jumps of the slope
+fine-caption = { $worse } shading with { $factor } times as many segments.
+phong-80-jumps-title = Phong, light at 80°: slope jumps
+gouraud-80-jumps-title = Gouraud, light at 80°: slope jumps
 gouraud-80-jumps-caption = { phong-80-jumps-caption }
 slope-caption =
-    The slope of luminance: Gouraud's is constant on each facet that is lit as a whole. { $worse }'s jumps at edges by
-    up to { $bad }, { $better }'s by up to { $cured }.
+    The slope of luminance. Under Gouraud shading it is constant on each fully lit facet. It jumps at edges, by up to
+    { $bad } under { $worse } shading and by up to { $cured } under { $better } shading.
 slope-x = { luminance-x }
 curvature-x = { luminance-x }
 luminance-80-title = { luminance-title }, light at 80°

@@ -1,76 +1,83 @@
-title = Bandas de Mach num cilindro
-claim = As bandas de Mach são piores no sombreamento de Gouraud do que no de Phong.
+title = A tonalização de Gouraud tem bandas de Mach mais fortes sob luz frontal
+claim = As bandas de Mach são mais fortes na tonalização de Gouraud do que na de Phong.
 source-1 = Aulas: Tabela 1, 1.6.13, 1.6.46, 1.6.50
-source-2 = Em contrário: T. Duff, Smoothly shaded renderings of polyhedral objects on raster displays, SIGGRAPH 1979
+source-2 = Contraexemplo: T. Duff, Smoothly shaded renderings of polyhedral objects on raster displays, SIGGRAPH 1979
 formula-1 = {"ΔI_\\mathrm{plano} = 2 |\\sin(θ − θ_L)| \\sin(Δ/2)"}
-formula-1-says = o degrau entre duas facetas planas cuja aresta comum está no ângulo θ; Δ = 2π/N
+formula-1-says = degrau de luminância entre duas facetas planas; a aresta comum está no ângulo θ, e Δ = 2π/N
 formula-2 = {"ΔI′_\\mathrm{Gouraud} = −\\cos(θ_L) [\\tan(θ + Δ/2) − \\tan(θ − Δ/2)]"}
-formula-2-says = o salto da inclinação, ao longo da imagem, nessa aresta
+formula-2-says = salto da inclinação da luminância ao longo da imagem nessa aresta
 formula-3 = {"\\frac{ΔI′_\\mathrm{Phong}}{ΔI′_\\mathrm{Gouraud}} = \\frac{\\sin(θ − θ_L) \\sin(θ)}{\\cos(θ_L)}"}
-formula-3-says = portanto o de Phong é o maior em algum lugar assim que cos(θ_L) < 1/3: θ_L > 70,5288°
-shown-by = luz a menos de 90° da direção de visão, e de 8 a 32 segmentos, o mostrariam.
+formula-3-says = o salto da tonalização de Phong é maior em alguma aresta se cos(θ_L) < 1/3, ou seja, θ_L > 70,5288°
+shown-by = Use luz a menos de 90° da direção de visão e de 8 a 32 segmentos para mostrá-lo.
 gouraud-jump-measure = Gouraud: maior salto de inclinação a até 60° da direção de visão
-flat-step-measure = plano: maior degrau de luminância a até 60° da direção de visão
-flat-step-by = 2 |sin(θ − θ_L)| sin(Δ/2); precisão simples
-gouraud-jump-by = −cos θ_L [tan(θ + Δ/2) − tan(θ − Δ/2)]; arredondamentos das amostras de que se toma a inclinação
-phong-jump-by = −sin(θ − θ_L) sin θ [tan(θ + Δ/2) − tan(θ − Δ/2)]; como em Gouraud
-fine-jump-by = o mesmo com o Δ menor
+flat-step-measure = plana: maior degrau de luminância a até 60° da direção de visão
+flat-step-by = 2 |sin(θ − θ_L)| sin(Δ/2); tolerância: precisão simples
+gouraud-jump-by =
+    −cos θ_L [tan(θ + Δ/2) − tan(θ − Δ/2)]; tolerância: arredondamento das amostras que determinam a inclinação
+phong-jump-by = −sin(θ − θ_L) sin θ [tan(θ + Δ/2) − tan(θ − Δ/2)]; tolerância: como em Gouraud
+fine-jump-by = a mesma fórmula com o Δ menor
 shading-effect = maior salto de inclinação a até 60° da direção de visão
-flat-effect = maior degrau a até 60° da direção de visão
+flat-effect = maior degrau de luminância a até 60° da direção de visão
 fails =
-    a luz está tão longe da direção de visão que os saltos de inclinação de Phong são os maiores, como podem ser a
-    partir de 70,5288°.
+    a luz está tão longe da direção de visão que a tonalização de Phong tem os saltos de inclinação maiores. Isso é
+    possível acima de 70,5288°.
 note-1 =
-    Onde a inclinação da luminância salta, o olho vê uma linha escura no pé e uma clara no joelho, embora nenhum pixel
-    ali seja mais escuro ou mais claro que os vizinhos dos dois lados. O sombreamento plano salta na própria luminância.
-    Os de Gouraud e de Phong são contínuos, mas as suas inclinações não.
+    Onde a inclinação da luminância salta, o olho vê uma banda de Mach: uma linha escura na base da rampa, uma linha
+    clara no topo. Nenhum pixel ali é mais escuro ou mais claro que os vizinhos dos dois lados. A tonalização plana tem
+    saltos da própria luminância. As de Gouraud e de Phong são contínuas, mas as suas inclinações não.
 note-2 =
-    O excesso chamado de previsto é o de uma diferença de gaussianas, um modelo da inibição lateral. Ele diz onde bandas
-    podem ser vistas e como se comparam numa imagem, não com que força são vistas.
+    O excesso previsto é o de uma diferença de gaussianas, um modelo da inibição lateral. O modelo prevê onde as bandas
+    podem ser visíveis e como se comparam numa imagem. Ele não prevê com que intensidade são vistas.
 note-3 =
-    As facetas se encontram onde a luz acaba: ali o próprio cilindro tem uma banda. As arestas são medidas onde as suas
-    duas facetas estão iluminadas, até 60° da direção de visão; mais adiante as facetas são vistas de lado, e as
-    inclinações ao longo da imagem crescem sem limite, também as do cilindro.
+    O cilindro exato também tem uma banda: onde a luz termina. As arestas são medidas onde as duas facetas estão
+    iluminadas, até 60° da direção de visão. Além de 60° as facetas são vistas em ângulo rasante, e as inclinações ao
+    longo da imagem crescem sem limite, também as do cilindro exato.
 note-4 =
-    Os saltos são de primeira ordem na largura da faceta: quatro vezes mais segmentos os reduzem a cerca de um quarto.
-why-slope = a luminância de uma faceta fica então a meio passo de 8 bits de uma curva
+    Os saltos de inclinação são de primeira ordem na largura da faceta. Quatro vezes mais segmentos os reduzem a cerca
+    de um quarto.
+why-slope = um salto em que a luminância na faceta fica a meio passo de 8 bits de uma curva suave
 grazing-ratio-measure =
     luz a 80°: salto de Phong sobre o de Gouraud numa aresta girada a θ = 40° (cilindro não mostrado)
-border-angle-measure = ângulo da luz além do qual Phong tem o salto maior
+border-angle-measure = ângulo da luz acima do qual Phong tem o maior salto de inclinação
 facets-lit-in-part = não comparado com sin(θ − θ_L) sin θ / cos θ_L: facetas tão largas só são iluminadas em parte
-grazing-ratio-by = sin(θ − θ_L) sin θ / cos θ_L; arredondamentos dos dois saltos
+grazing-ratio-by = sin(θ − θ_L) sin θ / cos θ_L; tolerância: arredondamento dos dois saltos
 border-angle-by = arccos(1/3), achado por bissecção em imagens; a razão cresce ali 7,4 % por grau
-gouraud-caption = O sombreamento de Gouraud das mesmas facetas: a luminância é contínua, a inclinação não.
-phong-caption = O sombreamento de Phong das mesmas facetas: a luminância é curva em cada uma.
-flat-title = plano
+gouraud-caption = Tonalização de Gouraud das mesmas facetas: a luminância é contínua, a sua inclinação não.
+phong-caption = Tonalização de Phong das mesmas facetas: a luminância é curva em cada faceta.
+flat-title = plana
 flat-caption =
-    Sombreamento plano de { $segments } facetas, a luz a { $light }° da direção de visão: uma luminância para cada faceta.
-flat-seen = Cada uma se destaca como uma faixa de um só cinza.
-fine-seen = Os saltos são cerca de um quarto do que eram.
-exact-title = o próprio cilindro
-exact-caption = O cilindro iluminado em cada pixel com a sua própria normal: sem bandas senão onde a luz acaba.
-phong-80-jumps-seen = A inclinação da luminância de Phong salta mais.
-gouraud-80-jumps-seen = O sombreamento de Gouraud tem aqui os saltos menores.
+    Tonalização plana de { $segments } facetas, com a luz a { $light }° da direção de visão. Cada faceta tem uma só
+    luminância.
+flat-seen = Cada faceta é visível como uma faixa de um só cinza.
+fine-seen = Os saltos de inclinação são cerca de um quarto dos anteriores.
+exact-title = cilindro exato
+exact-caption = O cilindro com a normal exata em cada pixel: a única banda está onde a luz termina.
+phong-80-jumps-seen = A tonalização de Phong tem aqui os saltos de inclinação maiores.
+gouraud-80-jumps-seen = A tonalização de Gouraud tem aqui os saltos de inclinação menores.
 phong-80-title = Phong, luz a 80°
 phong-80-caption =
-    A luz a 80° da direção de visão, sombreamento de Phong. A luminância se curva dentro de cada faceta; os saltos da
-    sua inclinação, que o mapa mostra, quase não se veem.
+    Tonalização de Phong com a luz a 80° da direção de visão. A luminância é curva dentro de cada faceta. Os saltos da
+    sua inclinação quase não são visíveis; o mapa os mostra.
 gouraud-80-title = Gouraud, luz a 80°
 gouraud-80-caption =
-    A mesma luz: onde as facetas estão iluminadas por inteiro, a luminância é quase linear ao longo da imagem.
+    A mesma luz com tonalização de Gouraud: em facetas totalmente iluminadas, a luminância é quase linear ao longo da
+    imagem.
 phong-80-jumps-caption =
-    Barras nas arestas até 60° cujas facetas estão iluminadas por inteiro, tanto mais claras quanto mais a inclinação
-    salta ali: violeta 0, amarelo { $full }. O que não se mede fica de fora.
+    Uma barra marca cada aresta a até 60° cujas facetas estão totalmente iluminadas. A sua cor é o salto de inclinação:
+    violeta 0, amarelo { $full }. As regiões não medidas são omitidas.
 luminance-caption =
-    Onde há luz, o sombreamento plano tem degraus, o de Gouraud é uma poligonal, o de Phong é curvo em cada faceta.
+    A luminância na tonalização plana tem degraus. Na de Gouraud ela é uma poligonal. Na de Phong ela é curva em cada
+    faceta.
 exact-curve = exato
 luminance-80-caption =
-    A luz a 80°: a luminância do cilindro é quase reta onde há luz, e a de Gouraud também. A de Phong é curva.
+    Com a luz a 80°, a luminância da parte iluminada do cilindro é quase linear. A tonalização de Gouraud também é quase
+    linear. A de Phong é curva.
 slope-80-caption =
-    A inclinação disso, nas facetas junto às arestas medidas: a de Phong sobe e desce em cada faceta e salta de volta
-    nas arestas, até { $bad }; a de Gouraud salta até { $cured }.
+    A inclinação da luminância nas facetas junto às arestas medidas. Na tonalização de Phong ela sobe e desce em cada
+    faceta e salta nas arestas em até { $bad }. Na de Gouraud ela salta em até { $cured }.
 curvature-caption =
-    A inclinação da inclinação: onde a inclinação salta há um pico estreito, tanto mais alto quanto maior é o salto.
+    A inclinação da inclinação. Cada salto de inclinação aparece como um pico estreito; um salto maior tem um pico mais
+    alto.
 luminance-title = Luminância ao longo de uma linha de varredura
 luminance-y = luminância linear Y
 slope-title = Primeira derivada
@@ -79,40 +86,40 @@ curvature-title = Segunda derivada
 curvature-y = d²Y/dx², por raio²
 luminance-x = x ao longo da imagem, em raios
 overshoot-flat-by =
-    ΔI′ (σ_s − σ_c)/√(2π) para um salto de inclinação, 0,111682 ΔI para um degrau; até 11,6 % menos onde a aresta fica
-    entre dois pixels
-narrow-facets = as facetas são tão estreitas que o modelo vê duas arestas ao mesmo tempo
+    ΔI′ (σ_s − σ_c)/√(2π) para um salto de inclinação, 0,111682 ΔI para um degrau; tolerância: até 11,6 % menos se a
+    aresta fica entre dois pixels
+narrow-facets = não comparado: as facetas são tão estreitas que o modelo responde a duas arestas ao mesmo tempo
 predicted-y = excesso previsto, em luminância
 predicted-title = Excesso previsto: inclinações
 predicted-caption =
-    O que prevê uma diferença de duas gaussianas (σ de 1 e 1,6 pixel, 67 pixels por grau): uma linha em cada aresta sob
-    a luz, tão alta quanto a inclinação salta ali. É um modelo: o olho não o segue na intensidade.
+    Previsão de uma diferença de duas gaussianas (σ de 1 e 1,6 pixel, 67 pixels por grau). Há uma linha em cada aresta
+    iluminada, com altura próxima à do salto de inclinação. É um modelo: a intensidade visível das bandas difere dele.
 predicted-flat-title = Excesso previsto: degraus
 predicted-flat-caption =
-    O mesmo modelo no sombreamento plano: uma linha clara e uma escura junto a cada degrau que houver. Ali se sabe que o
-    modelo erra: as bandas que prevê junto a degraus quase não são vistas (Kingdom 2014).
+    O mesmo modelo aplicado à tonalização plana prevê uma linha clara e uma escura junto a cada degrau. Para degraus se
+    sabe que o modelo erra: essas bandas quase não são visíveis (Kingdom 2014).
 phong-jump-measure = Phong: maior salto de inclinação a até 60° da direção de visão
 fine-jump-measure = { $worse } com { $finer } segmentos: salto de inclinação na mesma aresta
-finer-effect = o salto de inclinação de { $worse } na aresta, a até 60° da direção de visão, em que ele é maior
+finer-effect = { $worse }: salto de inclinação na aresta, a até 60° da direção de visão, em que ele é maior
 finer-cure = { $factor } vezes mais segmentos, na mesma aresta
-shading-cure = o outro sombreamento
+shading-cure = a outra tonalização
 holds-only-if =
-    o maior salto de inclinação de cada sombreamento decide, como aqui. Com a luz a mais de 70,5288° da direção de visão
-    pode haver arestas em que o salto de inclinação de Phong é o maior; a 90° o sombreamento de Gouraud de facetas
-    iluminadas por inteiro é exato, e só o de Phong tem bandas.
+    se compara o maior salto de inclinação de cada tonalização, como aqui. Se a luz está a mais de 70,5288° da direção
+    de visão, a tonalização de Phong pode ter o maior salto de inclinação em algumas arestas. A 90° a tonalização de
+    Gouraud de facetas totalmente iluminadas é exata, e só a de Phong tem bandas.
 gouraud-title = Gouraud
 phong-title = Phong
 gouraud-curve = Gouraud
 phong-curve = Phong
 flat-curve = { flat-title }
 fine-title = { $worse }, { $finer } segmentos
-fine-caption = O sombreamento de { $worse } com { $factor } vezes mais segmentos.
-phong-80-jumps-title = Phong, luz a 80°: saltos da inclinação
-gouraud-80-jumps-title = Gouraud, luz a 80°: saltos da inclinação
+fine-caption = Tonalização de { $worse } com { $factor } vezes mais segmentos.
+phong-80-jumps-title = Phong, luz a 80°: saltos de inclinação
+gouraud-80-jumps-title = Gouraud, luz a 80°: saltos de inclinação
 gouraud-80-jumps-caption = { phong-80-jumps-caption }
 slope-caption =
-    A inclinação da luminância: a de Gouraud é constante em cada faceta iluminada por inteiro. A de { $worse } salta nas
-    arestas até { $bad }, a de { $better } até { $cured }.
+    A inclinação da luminância. Na tonalização de Gouraud ela é constante em cada faceta totalmente iluminada. Ela salta
+    nas arestas, em até { $bad } na tonalização de { $worse } e em até { $cured } na de { $better }.
 slope-x = { luminance-x }
 curvature-x = { luminance-x }
 luminance-80-title = { luminance-title }, luz a 80°
@@ -128,7 +135,7 @@ curvature-80-y = { curvature-y }
 predicted-x = { luminance-x }
 predicted-flat-x = { luminance-x }
 predicted-flat-y = { predicted-y }
-overshoot-flat-measure = plano: excesso previsto (DoG, σ { $centre } px, { $surround } px; { $density } px/°)
+overshoot-flat-measure = plana: excesso previsto (DoG, σ { $centre } px, { $surround } px; { $density } px/°)
 overshoot-gouraud-measure = Gouraud: excesso previsto (DoG, σ { $centre } px, { $surround } px; { $density } px/°)
 overshoot-phong-measure = Phong: excesso previsto (DoG, σ { $centre } px, { $surround } px; { $density } px/°)
 overshoot-fine-measure =

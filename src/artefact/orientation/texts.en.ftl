@@ -1,146 +1,150 @@
-title = Dependence on orientation
+title = Scanline interpolation depends on the orientation
 claim =
-    Interpolation along scanlines depends on how a polygon is turned: the centre of the diamond of exercise 1.6.25 has
-    the colour (0.1, 0.5, 0.5) in one position and (0.2, 0.3, 0.1) a quarter turn later.
+    Interpolation along scanlines depends on the orientation of a polygon. The centre of the diamond of exercise 1.6.25
+    has the colour (0.1, 0.5, 0.5) in one position and (0.2, 0.3, 0.1) after a rotation by 90°.
 source-1 = Lectures: 1.5.2.1, 1.5.2.3, 1.6.15, 1.6.25
 source-2 = Ting 2008: “different results for different triangulations”
 formula-1 = {"c(θ) = \\frac{|\\cos(θ)| (c_1 + c_3)/2 + |\\sin(θ)| (c_2 + c_4)/2}{|\\cos(θ)| + |\\sin(θ)|}"}
 formula-1-says =
-    the colour at the centre of the diamond turned by θ; c₁ to c₄ are the colours of its corners, counter-clockwise from
-    the right one, and θ = 0 is position 1
-own-mesh = its first face of four corners or more, with the colours of its vertices if it has them
-shown-by = a polygon of four corners or more, whose colours do not lie in one plane over it, would show it.
-law-by = the law of the scanline; corners snap to 256ths of pixels
-law-measure = largest distance from the law, over 72 turns
-largest-change-measure = largest change of the centre's colour
-mean-change-measure = mean change of the centre's colour
-triangles-change-measure = largest change, in triangles
-triangles-change-by = barycentric coordinates do not turn; corners snap to 256ths of pixels
-centre-effect = largest change of the centre's colour while it turns
-centre-cure = cut into triangles
+    colour at the centre of the diamond rotated by θ; c₁ to c₄ are the colours of its corners, counter-clockwise from
+    the right, and θ = 0 is position 1
+own-mesh = its first face with four corners or more, with vertex colours if there are any
+shown-by = To show it, use a polygon with four corners or more whose colours do not lie in one plane.
+law-by = the scanline formula; tolerance: corners snap to 1/256 pixel
+law-measure = largest difference from the formula over 72 rotations
+largest-change-measure = largest change of the colour at the centre
+mean-change-measure = mean change of the colour at the centre
+triangles-change-measure = triangles: largest change of the colour at the centre
+triangles-change-by = 0, because barycentric coordinates do not change; tolerance: corners snap to 1/256 pixel
+centre-effect = largest change of the colour at the centre over a full rotation
+centre-cure = triangulation
 holds =
-    for polygons of four corners and more, whose colours are not those of one plane. Triangles do not depend on how they
-    are turned, but a polygon's colours then depend on how it is cut into them.
+    for polygons with four corners or more whose colours do not lie in one plane. Triangles do not depend on their
+    orientation, but the colours of a polygon then depend on its triangulation.
 note-1 =
-    Seen from in front all triangles are alike. Aslant their colours have to be mixed by 1/depth (perspective): mixed by
-    distances in the picture they change with the turn, too, by less than scanlines' do.
+    In a frontal view, no triangle depends on its orientation. In an oblique view, their colours need
+    perspective-correct interpolation (1/depth). With affine interpolation they change with rotation too, by less than
+    scanline interpolation.
 note-2 =
-    The algorithm interpolates down the two edges that a scanline cuts, then across between them. Turn the polygon, and
-    the scanline through its centre cuts other edges at other places.
+    The algorithm interpolates along the two edges that a scanline crosses, then between them. If the polygon rotates,
+    the scanline through its centre crosses other edges at other points.
 note-3 =
-    The animation (--animate) shows the turn; --interpolation affine or perspective shows it in triangles, where nothing
-    changes but the place.
+    The animation (--animate) shows the rotation. With --interpolation affine or perspective it shows triangles; then
+    the colours do not change.
 note-4 =
-    Triangles cure that: three corners determine a plane of colours. The price is the choice of the diagonal: the
-    diamond's centre has the mean of the corners that the diagonal joins.
-short-edges = this polygon has edges shorter than a pixel, which scanlines may pass over
+    Triangles cure this, because three corners determine a plane of colours. The result then depends on the diagonal:
+    the centre of the diamond has the mean of the two corners that the diagonal joins.
+short-edges = not compared: this polygon has edges shorter than a pixel, which scanlines can miss
 exercise-by = exercise 1.6.25 b, answer C
-diagonal-by = the mean of the corners that the diagonal joins
+diagonal-by = mean of the corners that the diagonal joins
 position-1 = position 1
 position-2 = position 2
 diagonal-13-cut = diagonal 1–3 (triangles)
 diagonal-24-cut = diagonal 2–4 (triangles)
-oblique-scanline-measure = aslant, change by a quarter turn: scanline
-oblique-scanline-by = the line from corner 3 to 1, then that from 2 to 4, mixed by distances in the picture
-oblique-triangles-measure = aslant, change by a quarter turn: triangles
+oblique-scanline-measure = oblique view, change by a rotation of 90°: scanline
+oblique-scanline-by = the line from corner 3 to 1, then the line from 2 to 4, interpolated by distances in the picture
+oblique-triangles-measure = oblique view, change by a rotation of 90°: triangles
 oblique-triangles-by =
-    s/2d of what corners 1 and 3 differ by: the edge between them runs into depth in one position only
-oblique-perspective-measure = aslant, change by a quarter turn: triangles by perspective
-oblique-perspective-by = colours that are mixed by 1/depth are of the place on the polygon
-back-scanline-by = the law of the scanline at every pixel, 0 in triangles; corners snap to 256ths of pixels
-seam-effect = largest change of a pixel's colour by a quarter turn, turned back
-diagonal-13-seen = The same colours however it is turned.
-halves-title = scanline: 0° above, 90° below
-halves-seen = Were the colours its own, there would be no seam.
-halves-triangles-title = triangles: 0° above, 90° below
-halves-triangles-caption = The same in triangles.
+    s/2d of the difference between corners 1 and 3, because the edge between them changes depth in one position only
+oblique-perspective-measure = oblique view, change by a rotation of 90°: triangles, perspective-correct
+oblique-perspective-by = 0, because interpolation by 1/depth follows the polygon
+back-scanline-by = the scanline formula at every pixel, 0 in triangles; tolerance: corners snap to 1/256 pixel
+seam-effect = largest change of a pixel's colour after a rotation by 90° and back
+diagonal-13-seen = The colours are the same in any orientation.
+halves-title = scanline: 0° top, 90° bottom
+halves-seen = The two halves do not match at the seam.
+halves-triangles-title = triangles: 0° top, 90° bottom
+halves-triangles-caption = The same comparison in triangles.
 halves-triangles-seen = There is no seam.
 position-1-title = scanline, 0°
-position-1-seen = Turned it has other colours.
+position-1-seen = After a rotation it has other colours.
 turned-45-title = scanline, 45°
-turned-45-seen = Colours change with the turn.
+turned-45-seen = The colours change with the rotation.
 position-2-title = scanline, 90°
 position-2-seen = The same polygon has other colours.
-difference-title = difference, 90° turned back
+difference-title = difference, 90° and back
 difference-caption =
-    Drawn turned and turned back, less as it stands: dark is none, yellow { $full } of the full range in a component.
+    Difference between the unrotated polygon and the polygon drawn at 90° and rotated back. Dark is 0, yellow is
+    { $full } of the full range in a component.
 diagonals-title =
     { $shape ->
         [diamond] difference of the diagonals
-       *[polygon] difference of the cuts
+       *[polygon] triangulation difference
     }
-diagonals-caption = One cut less the other: what the cut decides. Yellow is { $full } of the full range in a component.
+diagonals-caption = Difference between the two triangulations. Yellow is { $full } of the full range in a component.
 r-scanline-curve = R, scanline
 g-scanline-curve = G, scanline
 b-scanline-curve = B, scanline
 g-triangles-curve = G, triangles
-r-law-curve = R, the law
-g-law-curve = G, the law
-b-law-curve = B, the law
-centre-title = Colour of the centre over a whole turn
+r-law-curve = R, formula
+g-law-curve = G, formula
+b-law-curve = B, formula
+centre-title = Colour at the centre over a rotation
 centre-caption =
-    Under the scanline algorithm the centre's colour changes by up to { $bad } over a turn, as the law says; in
-    triangles by up to { $cured }.
-centre-x = turned by, degrees
+    With the scanline algorithm, the colour at the centre changes by up to { $bad } over a full rotation, like the
+    formula. In triangles it changes by up to { $cured }.
+centre-x = rotation, degrees
 centre-y = linear component
 largest-change-by = { law-by }
 mean-change-by = { law-by }
 seam-cure = { centre-cure }
-back-scanline-measure = scanline: a quarter turn, turned back (rms)
-back-triangles-measure = triangles: a quarter turn, turned back (rms)
-back-perspective-measure = triangles by perspective: a quarter turn, turned back (rms)
+back-scanline-measure = scanline: change after a rotation by 90° and back (rms)
+back-triangles-measure = triangles: change after a rotation by 90° and back (rms)
+back-perspective-measure = triangles, perspective-correct: change after a rotation by 90° and back (rms)
 back-triangles-by = { back-scanline-by }
 back-perspective-by = { back-scanline-by }
 exercise-measure = { $case }: { $component } at the centre
 diagonal-measure = { exercise-measure }
 diagonal-24-seen = { diagonal-13-seen }
 halves-caption =
-    Above, the polygon as it stands; below, drawn turned by 90° and turned back.{ $shape ->
-        [diamond] {" "}Corner 1 is at the right, 2 above, 3 at the left (the brightest), 4 below (olive).
+    Top: the unrotated polygon. Bottom: the polygon drawn at 90° and rotated back.{ $shape ->
+        [diamond] {" "}Corner 1 is on the right, 2 at the top, 3 on the left (the brightest), 4 at the bottom (olive).
        *[polygon] {""}
     }
 position-1-caption =
     { $shape ->
         [diamond] Position 1: the scanline through the centre runs from corner 3 to corner 1.
-       *[polygon] As it stands: every pixel lies between the two edges that its scanline meets first.
+       *[polygon] No rotation: every pixel is interpolated between the two edges that its scanline meets first.
     }
 turned-45-caption =
     { $shape ->
         [diamond]
-            An eighth of a turn: the scanline cuts two edges in their middles, and the centre is the mean of all
+            Rotated by 45°: the scanline crosses two edges at their midpoints, and the centre has the mean of all
             corners.
-       *[polygon] An eighth of a turn: scanlines meet the edges elsewhere.
+       *[polygon] Rotated by 45°: scanlines cross the edges at other points.
     }
 position-2-caption =
     { $shape ->
-        [diamond] Position 2: the scanline runs from corner 2 to corner 4.
-       *[polygon] A quarter turn: scanlines meet other edges.
+        [diamond] Position 2: the scanline through the centre runs from corner 2 to corner 4.
+       *[polygon] Rotated by 90°: scanlines cross other edges.
     }
 diagonal-13-title =
     { $shape ->
         [diamond] triangles, diagonal 1–3
-       *[polygon] triangles, cut one way
+       *[polygon] first triangulation
     }
 diagonal-13-caption =
     { $shape ->
-        [diamond] Cut from corner 1 to corner 3: what scanlines draw in position 1, whose middle one is this diagonal.
-       *[polygon] Cut one way.
+        [diamond]
+            Diagonal from corner 1 to corner 3: the result of scanlines in position 1, whose middle scanline is this
+            diagonal.
+       *[polygon] The polygon divided into triangles.
     }
 diagonal-24-title =
     { $shape ->
         [diamond] triangles, diagonal 2–4
        *[polygon]
             { $cuts ->
-                [one] triangles, the same cut
-               *[two] triangles, cut another way
+                [one] same triangulation
+               *[two] second triangulation
             }
     }
 diagonal-24-caption =
     { $shape ->
-        [diamond] Cut from corner 2 to corner 4: what scanlines draw in position 2.
+        [diamond] Diagonal from corner 2 to corner 4: the result of scanlines in position 2.
        *[polygon]
             { $cuts ->
-                [one] No other cut lies inside this polygon: the same once more.
-               *[two] Cut another way.
+                [one] No other triangulation lies inside this polygon, so this is the same one.
+               *[two] Another triangulation of the same polygon.
             }
     }

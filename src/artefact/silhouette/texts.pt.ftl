@@ -1,128 +1,125 @@
-title = Silhuetas poligonais
+title = A tonalização interpolada deixa os contornos poligonais
 claim =
-    O sombreamento interpolado faz as faces parecerem redondas, mas as silhuetas continuam marcadamente poligonais:
-    normais não movem vértices.
+    A tonalização interpolada faz as faces parecerem curvas, mas a silhueta continua um polígono visível. Normais
+    interpoladas não movem vértices.
 source-1 = Aulas: 1.5.2.3, 1.6.15, 1.6.47 (figura 56)
-source-2 = Para a cura de malhas sem fórmula: A. Vlachos et al., Curved PN triangles, I3D 2001
+source-2 = Cura para malhas sem fórmula: A. Vlachos et al., Curved PN triangles, I3D 2001
 formula-1 = {"e = R (1 − \\cos(π/n))"}
-formula-1-says = quanto os meios dos lados de um n-ágono ficam para dentro do seu círculo de R pixels
+formula-1-says = distância do meio de um lado do n-ágono regular ao seu círculo; R é o raio em pixels
 formula-2 = {"\\frac{A}{A_0} = \\frac{n}{2π} \\sin(2π/n)"}
-formula-2-says = a sua área sobre a do círculo
+formula-2-says = área do n-ágono dividida pela área do círculo
 formula-3 = {"n_{1/2} = \\frac{π}{2 \\arcsin(1/(2 \\sqrt{R}))} ≈ π \\sqrt{R}"}
-formula-3-says = o n a partir do qual e é menor que meio pixel
-own-mesh = o seu contorno contra o de --finer ARQUIVO, ou o dela mesma em triângulos curvos
-shown-by = menos segmentos, uma imagem maior ou uma malha mais grosseira o mostrariam.
-ball = bola
-mean-distance-measure = bola: distância média dos contornos
+formula-3-says = número de segmentos n acima do qual e é menor que meio pixel
+own-mesh = o seu contorno, comparado com o de --finer ARQUIVO ou com o dos seus próprios triângulos curvos
+shown-by = Use menos segmentos, uma imagem maior ou uma malha mais grosseira para mostrá-lo.
+ball = esfera
+mean-distance-measure = esfera: distância média dos contornos
 mean-distance-by =
-    a média de e sobre o polígono e sobre o círculo; um terço dos pixels dos próprios contornos de cada um
+    média de e sobre o polígono e sobre o círculo; tolerância: um terço de um pixel do contorno para cada contorno
 fewest-segments-measure =
-    bola: menor número de segmentos cujo contorno erra no máximo meio pixel a mais que o de uma bola muito fina
+    esfera: menor número de segmentos cujo erro de contorno excede o de uma esfera muito fina em no máximo meio pixel
 fewest-segments-by =
-    π/(2 arcsin(1/(2√R))), achado por bissecção em imagens, cujos próprios pixels impedem até o contorno de um círculo
-    de estar certo; o que as distâncias deixam em aberto além disso, em segmentos
+    π/(2 arcsin(1/(2√R))), achado por bissecção em imagens. Só os pixels já dão um erro de contorno até a um círculo,
+    por isso a base é uma esfera muito fina. Tolerância: os pixels do contorno, convertidos em segmentos
 torus = toro
-flat-shading-measure = sombreamento plano contra o de Phong: distância dos contornos
-flat-shading-by = o sombreamento não move arestas
+flat-shading-measure = tonalização plana comparada com a de Phong: distância dos contornos
+flat-shading-by = a tonalização não move arestas
 outline-effect = maior distância do contorno
-why-half-pixel-of-outlines = meio pixel, e o que contornos de pixels deixam em aberto
+why-half-pixel-of-outlines = meio pixel, mais a tolerância dos contornos
 outline-cure = { $fine } segmentos
 note-1 =
-    Os vértices têm as normais da própria bola, e a luz corre sobre as faces como sobre uma bola. Mas a imagem acaba
-    onde as faces acabam, e o olho olha primeiro os contornos.
+    Os vértices têm as normais da esfera exata, e por isso a tonalização dentro do contorno parece curva. A imagem da
+    esfera, porém, termina onde as faces terminam. O olho nota primeiro o contorno.
 note-2 =
-    Perto do contorno as faces são vistas de lado: ali têm poucos pixels de largura, e cada uma é um lado do polígono.
-    Por isso vale mais refinar a malha onde ela se vira para longe do observador.
-distance-by = R (1 − cos(π/n)); um terço dos pixels dos próprios contornos de cada um
-area-by = n/(2π) sin(2π/n); o comprimento do contorno vezes o que as distâncias deixam em aberto
+    Perto do contorno, as faces são vistas em ângulo rasante e têm poucos pixels de largura. Cada uma delas é um lado do
+    polígono. Refine a malha primeiro onde ela se afasta do observador.
+distance-by = R (1 − cos(π/n)); tolerância: um terço de um pixel do contorno para cada contorno
+area-by = n/(2π) sin(2π/n); tolerância: o comprimento do contorno vezes a tolerância das distâncias
 error-by-segments-title = Erro do contorno
 error-by-segments-caption =
-    Quanto o contorno da bola se afasta do círculo em função do número de segmentos: a maior distância e a média caem
-    como 1/n², como dizem as fórmulas, até que só restem os pixels dos próprios contornos.
+    Distância do contorno da esfera ao círculo em função do número de segmentos. A maior distância e a média caem como
+    1/n², como as suas fórmulas. Com muitos segmentos, só resta o erro dos pixels do contorno.
 error-by-segments-x = segmentos n
 error-by-segments-y = distância em pixels
 largest-curve = maior
 mean-curve = média
 largest-law-curve = maior, fórmula
 mean-law-curve = média, fórmula
-ball-caption = O sombreamento de Phong com as normais da própria bola: por dentro tudo é redondo.
+ball-caption = Tonalização de Phong com as normais da esfera exata: o interior parece liso.
 ball-seen = O contorno é um polígono.
 ball-fine-caption =
-    Ao menos o dobro de segmentos de antes, e bastantes para um erro abaixo de { $left } px pela fórmula; o que se mede
-    pode ser até { $open } px maior, pois contornos são feitos de pixels.
-ball-fine-seen = O contorno é redondo para o olho.
-ball-itself-title = a própria bola
-ball-itself-caption = A bola pela sua equação, sem faces.
+    Ao menos o dobro de segmentos, suficientes para um erro abaixo de { $left } px pela fórmula. O erro medido pode ser
+    até { $open } px maior, pois contornos são feitos de pixels.
+ball-fine-seen = O contorno parece redondo.
+ball-itself-title = esfera exata
+ball-itself-caption = A esfera desenhada a partir da sua equação, sem faces.
 torus-caption = Um toro visto ao longo do eixo.
-torus-seen = Por fora como por dentro o contorno é um polígono.
-torus-fine-caption = O toro com tantos segmentos quanto a bola mais fina.
-torus-fine-seen = É redondo para o olho.
+torus-seen = O contorno externo e o interno são polígonos.
+torus-fine-caption = O toro com tantos segmentos quanto a esfera mais fina.
+torus-fine-seen = Os dois contornos parecem redondos.
 control-mesh =
-    Triângulos curvos deixam os vértices da malha onde estão. Se esta é a malha de controle de uma superfície de
-    subdivisão, eles não estão nessa superfície, e nenhuma curva por eles é o seu contorno: o que ajuda é subdividi-la,
-    ou mover os vértices para onde a subdivisão os leva.
+    Triângulos curvos mantêm os vértices da malha. Os vértices de uma malha de controle de uma superfície de subdivisão
+    não estão nessa superfície. Nesse caso, subdivida a malha ou mova os seus vértices para a superfície de subdivisão.
 same-outlines =
-    as duas malhas têm o mesmo contorno neste tamanho: uma imagem maior (--size) ou uma malha mais fina em --finer
-    mostraria mais.
-own-title = a malha
-own-caption = A malha como ela é, com o sombreamento de Phong.
-own-seen = O seu contorno erra.
+    As duas malhas têm o mesmo contorno neste tamanho. Use uma imagem maior (--size) ou uma malha mais fina em --finer.
+own-title = malha
+own-caption = A malha com tonalização de Phong.
+own-seen = O seu contorno difere da referência.
 own-curved-title = triângulos curvos
-own-curved-caption = A mesma malha em triângulos curvos que as suas normais determinam.
-own-curved-seen = O seu contorno se aproxima.
-finer-caption = Aquilo com que os contornos são comparados.
+own-curved-caption = A mesma malha como triângulos curvos que resultam das suas normais.
+own-curved-seen = O seu contorno fica mais perto da referência.
+finer-caption = A referência para os contornos.
 no-finer-mesh =
-    não foi dada malha mais fina, e em triângulos curvos o contorno é o mesmo: indique uma com --finer ARQUIVO, ou uma
-    imagem maior (--size).
+    Sem malha mais fina, a referência são triângulos curvos, e o contorno deles é o mesmo. Indique uma malha mais fina
+    com --finer ARQUIVO, ou uma imagem maior (--size).
 distance-measure = { $surface }, { $segments } segmentos: maior distância do contorno
 distance-fine-measure = { $surface }, { $fine } segmentos: maior distância do contorno
 distance-fine-by = { distance-by }
-area-measure = { $surface }, { $segments } segmentos: área sobre a verdadeira
-ball-title = bola, { $segments } segmentos
-ball-fine-title = bola, { $fine } segmentos
+area-measure = { $surface }, { $segments } segmentos: área dividida pela verdadeira
+ball-title = esfera, { $segments } segmentos
+ball-fine-title = esfera, { $fine } segmentos
 torus-title = toro, { $segments } segmentos
 torus-fine-title = toro, { $fine } segmentos
 own-effect = { outline-effect }
-own-cure = triângulos curvos, cada aresta cortada em { $cure-parts }
+own-cure = triângulos curvos, cada aresta dividida em { $cure-parts }
 own-distance-measure = maior distância do contorno
 own-mean-distance-measure = distância média do contorno
-own-area-measure = área sobre a da forma com que é comparada
+own-area-measure = área dividida pela área da referência
 curved-distance-measure = triângulos curvos: maior distância do contorno
 curved-mean-distance-measure = triângulos curvos: distância média do contorno
-shorter-edges-measure = as arestas teriam de ser tantas vezes mais curtas para meio pixel
+shorter-edges-measure = fator pelo qual as arestas devem ser encurtadas para um erro de meio pixel
 holds =
-    seja qual for o sombreamento; só mais faces ajudam. O erro cai como 1/n². Para meio pixel esta bola de raio de {
-    $radius } pixels precisa de { $enough } segmentos, uma de 200 pixels de 45; contornos em imagens são feitos de
-    pixels, e por isso se medem até { $open } px a mais.
+    com qualquer tonalização; só mais faces ajudam. O erro cai como 1/n². Para meio pixel, esta esfera com raio de
+    { $radius } pixels precisa de { $enough } segmentos; um raio de 200 pixels precisa de 45. Os erros medidos podem ser
+    até { $open } px maiores, pois contornos são feitos de pixels.
 no-finer-mesh-sharp-edges =
-    não foi dada malha mais fina, e { $sharp-edges } arestas ficam vivas nos triângulos curvos com que esta é comparada,
-    porque o seu ângulo passa de { $crease }°. Se representam algo redondo, --crease 180 as alisa; --finer ARQUIVO
-    indica a forma verdadeira.
-own-holds = o contorno desta malha erra mais de meio pixel aqui. { compared-with }
+    Sem malha mais fina, a referência são triângulos curvos. Neles { $sharp-edges } arestas ficam vivas, pois o seu
+    ângulo diedro excede { $crease }°. Se essas arestas pertencem a uma forma curva, alise-as com --crease 180. Para
+    comparar com a forma verdadeira, use --finer ARQUIVO.
+own-holds = o contorno desta malha difere em mais de meio pixel aqui. { compared-with }
 lacking-title =
     { $compared ->
-        [ball] o que falta
+        [ball] área que falta
        *[other] entre os contornos
     }
 lacking-caption =
     { $compared ->
         [ball]
-            Amarelo onde a bola cobre a imagem e os polígonos não: uma lua fina sobre cada lado, tanto mais fina quanto
-            mais lados há.
-        [finer] Amarelo onde só uma das duas cobre a imagem, a malha ou a mais fina.
-       *[itself] Amarelo onde só uma das duas cobre a imagem, a malha ou os seus próprios triângulos curvos.
+            Amarelo onde a esfera cobre a imagem e os polígonos não. Há um crescente em cada lado do polígono; com mais
+            lados ele é mais fino.
+        [finer] Amarelo onde só a malha ou só a malha mais fina cobre a imagem.
+       *[itself] Amarelo onde só a malha ou só os seus triângulos curvos cobrem a imagem.
     }
 finer-title =
     { $compared ->
-        [finer] a malha mais fina
-       *[itself] a forma com que é comparada
+        [finer] malha mais fina
+       *[itself] forma de referência
     }
 compared-with =
     { $compared ->
-        [finer] Ela é comparada com a malha mais fina `{ $finer }`.
+        [finer] A referência é a malha mais fina `{ $finer }`.
        *[itself]
-            Não foi dada malha mais fina, e ela é comparada consigo mesma em triângulos curvos, cada aresta cortada em
-            { $parts }: triângulos de Bézier de terceira ordem que saem dos vértices em ângulo reto com as normais
-            (curved PN triangles), e nos vincos em ângulo reto com as normais dos dois lados. Aquilo que ela representa
-            pode ter outra forma; --finer ARQUIVO a indica.
+            A referência é a malha como triângulos curvos, com cada aresta dividida em { $parts }. São triângulos de
+            Bézier cúbicos (curved PN triangles): em cada vértice são perpendiculares à sua normal, e nos vincos às
+            normais dos dois lados. A forma verdadeira pode ser outra; indique-a com --finer ARQUIVO.
     }

@@ -1,98 +1,101 @@
-title = A média no vértice
+title = Normais médias podem depender da triangulação
 claim =
-    A normal num vértice é a média das normais de todas as faces nele. Ela depende então de como a superfície foi
-    cortada em faces: uma face cortada através do vértice conta duas vezes.
+    A normal num vértice é a média das normais de todas as faces incidentes. Ela depende de como a superfície é dividida
+    em faces: uma face com uma diagonal no vértice conta duas vezes.
 source-1 = Aulas: 1.5.2.1 (figura 33), 1.6.13, 1.6.21 b (figura 47)
 source-2 =
     Pesos: G. Thürmer, C. A. Wüthrich, Computing vertex normals from polygonal facets, JGT 3(1), 1998; N. Max, Weights
     for computing vertex normals from facet normals, JGT 4(2), 1999
 formula-1 = {"N = \\frac{Σ w_i N_i}{\\left|Σ w_i N_i\\right|}"}
 formula-1-says =
-    a média num vértice: w = 1 nas aulas, o ângulo no vértice em Thürmer e Wüthrich, sin(α)/(|e_1| |e_2|) em Max
+    normal média num vértice: w = 1 nas aulas, o ângulo no vértice em Thürmer e Wüthrich, sin(α)/(|e_1| |e_2|) em Max
 formula-2 = {"\\cos(δ_{211}) = \\frac{4}{\\sqrt{6} \\sqrt{3}}, \\cos(δ_{221}) = \\frac{5}{3 \\sqrt{3}}"}
 formula-2-says =
-    o vértice de um cubo do qual uma face ou duas estão cortadas: δ = 19,4712° e 15,7932° da diagonal com w = 1
+    vértice de um cubo em que uma ou duas faces têm uma diagonal: com w = 1 a normal está a δ = 19,4712° ou 15,7932° da
+    diagonal do cubo
 formula-3 = {"w = α: δ = 0"}
-formula-3-says = os ângulos das partes de uma face plana somam o da face, seja como for cortada
-shown-by = outros pesos (--weight uniform) o mostrariam.
+formula-3-says = os ângulos dos triângulos de uma face plana somam o ângulo da face, com qualquer triangulação
+shown-by = Use outros pesos (--weight uniform) para mostrá-lo.
 equal-weights = pesos iguais
 area-weights = pesos pela área
 angle-weights = pesos pelo ângulo
 angle-area-weights = pesos ângulo × área
 max-weights = pesos de Max
-edge-weights = pesos 1/(|e₁| |e₂|) das arestas
-slivers-effect = bola de lascas: erro das normais nos vértices (rms)
-cube-effect = cubo: maior ângulo com a diagonal
-box-effect = caixa: maior ângulo com a diagonal
+edge-weights = pesos das arestas 1/(|e₁| |e₂|)
+slivers-effect = esfera com filas finas: erro das normais nos vértices (rms)
+cube-effect = cubo: maior ângulo em relação à diagonal
+box-effect = caixa: maior ângulo em relação à diagonal
 torus-effect = toro irregular: erro das normais nos vértices (rms)
 note-1 =
-    No cubo cada vértice tem três faces. Onde uma delas é cortada através do vértice, dois triângulos votam por ela e a
-    média se inclina. O ângulo no vértice se divide entre os dois, e os seus votos voltam a somar um.
+    Cada vértice do cubo tem três faces. Se a diagonal de uma delas termina no vértice, dois triângulos contam por essa
+    face, e a normal média se inclina para ela. Com pesos pelo ângulo, os dois triângulos dividem o ângulo da face no
+    vértice, e a face conta uma vez.
 note-2 =
-    Não depender do corte ainda não é estar certo: na caixa de 1 × 1 × 10 os pesos de Max dão a mesma normal para os 64
-    cortes, com erro de 46,7°, pois favorecem faces pequenas. Numa bola, onde a média representa algo redondo, eles são
-    exatos, e os ângulos não.
+    Uma média que não depende da triangulação ainda pode estar errada. Na caixa de 1 × 1 × 10, os pesos de Max dão a
+    mesma normal para as 64 triangulações, com erro de 46,7°, pois favorecem faces pequenas. Numa esfera os pesos de Max
+    são exatos, e os pesos pelo ângulo não.
 fails =
-    estes pesos dão ao cubo as mesmas normais, como quer que as faces sejam cortadas. Em superfícies redondas a média
-    ainda depende dos triângulos.
-torus-rms-by = outro programa na mesma malha, até os dígitos que imprimiu
-ball-by = exatos onde todos os vértices de um leque estão numa esfera (Max 1999)
-error-by-slivers-title = Pesos numa bola de lascas
+    estes pesos dão ao cubo as mesmas normais com qualquer triangulação. Em superfícies curvas a média ainda depende dos
+    triângulos.
+torus-rms-by = outro programa na mesma malha; tolerância: os dígitos que imprimiu
+ball-by = exatos se todos os vértices de um leque estão numa esfera (Max 1999)
+error-by-slivers-title = Pesos numa esfera com filas finas
 error-by-slivers-caption =
-    O erro das normais nos vértices (rms) quando uma fileira de triângulos sim, outra não, é tantas vezes mais estreita:
-    cresce com quase todos os pesos, e fica 0 com os de Max.
-error-by-slivers-x = altura da fileira larga sobre a da estreita
+    Erro das normais nos vértices (rms) se uma fila de triângulos sim, outra não, é mais estreita. Com quase todos os
+    pesos ele cresce com a razão das alturas; com os de Max continua 0.
+error-by-slivers-x = altura da fila larga sobre a da fina
 error-by-slivers-y = erro em graus
-cube-1-caption = O cubo alisado, as faces cortadas por uma diagonal.
-cube-1-seen = Alguns cantos se inclinam para um lado.
-cube-2-caption = O mesmo cubo com todas as faces cortadas pela outra diagonal.
-cube-2-seen = Luz e sombra estão em outro lugar.
-cube-difference-title = entre os dois
-cube-difference-caption = Quanto as duas imagens diferem: violeta 0, amarelo { $full-light } da faixa ou mais.
-cube-angle-caption = Pesos pelo ângulo.
-cube-angle-seen = Cada canto tem a diagonal como normal, como quer que as faces sejam cortadas.
+cube-1-caption = O cubo alisado, com uma das duas diagonais em cada face.
+cube-1-seen = As normais em alguns vértices se inclinam para um lado.
+cube-2-caption = O mesmo cubo com a outra diagonal em todas as faces.
+cube-2-seen = As áreas claras e escuras estão em outro lugar.
+cube-difference-title = diferença
+cube-difference-caption = Diferença entre as duas imagens: violeta 0, amarelo { $full-light } da faixa ou mais.
+cube-angle-caption = O cubo com pesos pelo ângulo.
+cube-angle-seen = Com qualquer triangulação, a normal em cada vértice é a diagonal do cubo.
 box-max-caption = A caixa de 1 × 1 × 10 com os pesos de Max.
 box-max-seen = As normais se inclinam para as faces pequenas das pontas, e as faces longas parecem curvas.
 box-angle-caption = A caixa com pesos pelo ângulo.
-box-angle-seen = Cada uma das três faces num canto conta igual.
-slivers-caption = Uma bola em que uma fileira de triângulos sim, outra não, é doze vezes mais estreita.
-slivers-seen = As fileiras aparecem como faixas na luz.
+box-angle-seen = As três faces num vértice contam igualmente.
+slivers-caption = Uma esfera em que uma fila de triângulos sim, outra não, é doze vezes mais estreita.
+slivers-seen = As filas são visíveis como faixas na luz.
 slivers-angle-caption = Pesos pelo ângulo não ajudam aqui.
-slivers-angle-seen = Uma lasca entre dois vértices tem um ângulo tão grande quanto um triângulo largo.
+slivers-angle-seen = Um triângulo estreito pode ter num vértice um ângulo tão grande quanto um largo.
 slivers-max-caption = Os pesos de Max nos mesmos triângulos.
-slivers-max-seen = São exatos em cada vértice de uma esfera, e redondos entre eles.
-torus-caption = Um toro de triângulos cortados ao acaso.
+slivers-max-seen = As normais são exatas em cada vértice de uma esfera, e a luz é lisa.
+torus-caption = Um toro com uma triangulação irregular.
 torus-seen = A luz é irregular.
 torus-max-caption = Os mesmos triângulos com os pesos de Max.
 torus-max-seen = A luz é mais regular.
-torus-itself-title = o próprio toro
-torus-itself-caption = O toro com a sua própria normal em cada pixel.
+torus-itself-title = toro exato
+torus-itself-caption = O toro com a normal exata em cada pixel.
 slivers-cure = { $round }
 torus-cure = { $round }
 cube-cure = { $flat }
 box-cure = { $flat }
 torus-largest-by = { torus-rms-by }
 torus-rms-measure = toro irregular: erro rms nos vértices, { $weighting }
-torus-largest-measure = toro irregular: erro maior nos vértices, { $weighting }
-ball-measure = bola de lascas: erro rms nos vértices, { $weighting }
-cube-largest-measure = cubo: maior ângulo entre todos os cortes, { $weighting }
-cube-next-measure = cubo: menor que não é 0, { $weighting }
-box-largest-measure = caixa 1 × 1 × 10: maior, { $weighting }
-box-least-measure = caixa 1 × 1 × 10: menor, { $weighting }
-cube-largest-by = cada face conta com os pesos dos seus triângulos no canto, um ou dois; poucos arredondamentos
+torus-largest-measure = toro irregular: maior erro nos vértices, { $weighting }
+ball-measure = esfera com filas finas: erro rms nos vértices, { $weighting }
+cube-largest-measure = cubo: maior ângulo entre todas as triangulações, { $weighting }
+cube-next-measure = cubo: menor ângulo acima de 0, { $weighting }
+box-largest-measure = caixa 1 × 1 × 10: maior ângulo, { $weighting }
+box-least-measure = caixa 1 × 1 × 10: menor ângulo, { $weighting }
+cube-largest-by =
+    cada face conta com os pesos dos seus um ou dois triângulos no vértice; tolerância: poucos arredondamentos
 cube-next-by = { cube-largest-by }
 box-largest-by = { cube-largest-by }
 box-least-by = { cube-largest-by }
-cube-1-title = cubo cortado de um modo, { $weight }
-cube-2-title = cortado do outro modo, { $weight }
+cube-1-title = cubo, uma diagonal, { $weight }
+cube-2-title = outra diagonal, { $weight }
 cube-angle-title = cubo, { $flat }
 box-max-title = caixa, { $round }
 box-angle-title = caixa, { $flat }
-slivers-title = lascas, { $weight }
-slivers-angle-title = lascas, { $flat }
-slivers-max-title = lascas, { $round }
-slivers-error-title = lascas, erro, { $weight }
-slivers-error-caption = O ângulo entre normais interpoladas e verdadeiras: violeta 0°, amarelo { $full-angle }° ou mais.
+slivers-title = filas finas, { $weight }
+slivers-angle-title = filas finas, { $flat }
+slivers-max-title = filas finas, { $round }
+slivers-error-title = filas finas, erro, { $weight }
+slivers-error-caption = Ângulo entre normais interpoladas e exatas: violeta 0°, amarelo { $full-angle }° ou mais.
 torus-title = toro irregular, { $weight }
 torus-max-title = toro irregular, { $round }
 torus-error-title = toro irregular, erro, { $weight }
@@ -104,6 +107,6 @@ angle-area-weights-curve = { angle-area-weights }
 max-weights-curve = { max-weights }
 edge-weights-curve = { edge-weights }
 holds =
-    com pesos que mudam onde uma face é cortada através do vértice, como os destas imagens ({ $weight }). Pesos pelo
-    ângulo não dependem de como faces planas são cortadas, e os de Max são exatos em esferas; nenhum está certo em toda
-    parte.
+    com pesos que contam uma face de outro modo se a sua diagonal termina no vértice, como nestas imagens ({ $weight }).
+    Pesos pelo ângulo não dependem da triangulação de faces planas, e os de Max são exatos em esferas. Nenhum peso é
+    correto em toda parte.

@@ -1,61 +1,64 @@
-laboratory = The artefact laboratory
+laboratory = Shading artefacts: claims and measurements
 lead =
-    Claims of textbooks about the artefacts of shading, put to the test: each with pictures, measured numbers beside
-    their closed forms, and the conditions under which it fails.
+    Each page tests a textbook claim about a shading artefact. It shows pictures, measured numbers with their expected
+    values, and the conditions under which the claim fails.
 contents = Contents
 all = All experiments
-claim = The claim
-no-formulas = The closed forms of this experiment are of its own shapes; without --mesh it shows them.
+claim = Claim
+no-formulas = The closed forms of this experiment apply to its own shapes. Run it without --mesh to see them.
 verdict = Verdict
-holds = It holds
-holds-only-if = It holds only if
-fails = It fails
-absent = Not put to the test here
+holds = The claim holds
+holds-only-if = The claim holds only if
+fails = The claim fails
+absent = Not tested here
 pictures = Pictures
 effect = Effect of the cure
-measured = Measured
-numbers = Every quantity, with its expected value where that is known
+measured = Measurements
+numbers = All measured quantities and their expected values
 plots = Plots
 explained = Explanation
 reproduce = Reproduce
-command = One command draws and measures all of this again; each picture is a file of its own, named below it:
+command =
+    This command repeats the measurements and draws the pictures again. Each picture is a separate file; its name is in
+    the caption:
 column-quantity = quantity
 column-measured = measured
 column-expected = expected
-column-within = within
+column-within = tolerance
 column-agrees = agrees
-column-by = by
+column-by = basis of the expected value
 yes = yes
 no = NO
 nothing = –
 column-experiment = experiment
 column-title = title
 column-options = options
-column-own-mesh = measured on your mesh (--mesh)
+column-own-mesh = measured on a user mesh (--mesh)
 experiments = Experiments
 role-bad = artefact
 role-cured = cured
 role-attempt = attempted cure
 role-absent = no artefact measured
 role-difference = difference
-role-truth = truth
-role-seen = as it looks
+role-truth = reference
+role-seen = faint artefact
 gone = gone
-gone-but-for-rounding = gone, but for rounding
-times-less = { $times } times less
+gone-but-for-rounding = gone, except for rounding
+times-less = { $times } times smaller
 effect-absent =
-    Measured is the { $name }: { $bad }, which is no artefact, for there is one above { $from } ({ $why }). With the cure
-    ({ $cure }) it is { $cured }.
+    Measured quantity, { $name }: { $bad }. An artefact is visible above { $from } ({ $why }), so there is none here.
+    With the cure ({ $cure }) the quantity is { $cured }.
 effect-present =
-    Measured is the { $name }: { $bad } with the artefact, { $cured } after the cure ({ $cure }): { $less }. There is an
-    artefact above { $from } ({ $why }); the cure has to bring it below that, or to make it at least { $factor } times
-    smaller.
-absent-below-threshold = { $name } is { $bad }, and above { $from } it would be visible ({ $why }); { $shown-by }
-absent-in-pictures = with these parameters the pictures do not show it ({ $name }: { $bad }); { $shown-by }
-shown-in = { $said } These pictures show something of it nevertheless: { $labels }.
+    Measured quantity, { $name }: { $bad } with the artefact, { $cured } after the cure ({ $cure }): { $less }. The
+    artefact is visible above { $from } ({ $why }). The cure must bring the quantity below this threshold or make it at
+    least { $factor } times smaller.
+absent-below-threshold =
+    the artefact is not visible: { $name } is { $bad }, and the threshold is { $from } ({ $why }). { $shown-by }
+absent-in-pictures = the pictures do not show the artefact with these parameters ({ $name }: { $bad }). { $shown-by }
+shown-in = { $said } These pictures still show it in part: { $labels }.
 cure-fails =
-    { $condition } The cure fails here ({ $cure }): { $name } goes from { $bad } to { $cured }, { $less } where it has to be
-    { $factor }.
+    { $condition } The cure fails here ({ $cure }): { $name } changes from { $bad } to { $cured }. This is { $less }; at
+    least { $factor } times smaller is required.
 near = { $value } ± { $tolerance }
 at-most = at most { $value }
 miss = { $name }: measured { $found }, expected { $wanted } ({ $by })

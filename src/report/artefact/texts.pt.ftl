@@ -1,59 +1,64 @@
-laboratory = O laboratório de artefatos
+laboratory = Artefatos de tonalização: afirmações e medidas
 lead =
-    Afirmações dos livros sobre os artefatos de tonalização, postas à prova: cada uma com imagens, números medidos ao
-    lado das suas fórmulas, e as condições em que falha.
+    Cada página testa uma afirmação de livros sobre um artefato de tonalização. Ela mostra imagens, números medidos com
+    os seus valores esperados e as condições em que a afirmação falha.
 contents = Conteúdo
 all = Todos os experimentos
-claim = A afirmação
-no-formulas = As fórmulas deste experimento são das suas próprias formas; sem --mesh ele as mostra.
+claim = Afirmação
+no-formulas = As fórmulas deste experimento valem para as suas próprias formas. Execute-o sem --mesh para vê-las.
 verdict = Veredito
-holds = Vale
-holds-only-if = Vale somente se
-fails = Não vale
-absent = Não posto à prova aqui
+holds = A afirmação vale
+holds-only-if = A afirmação vale somente se
+fails = A afirmação não vale
+absent = Não testada aqui
 pictures = Imagens
 effect = Efeito da cura
-measured = Medido
-numbers = Cada grandeza, com o valor esperado onde é conhecido
+measured = Medidas
+numbers = Todas as grandezas medidas e os seus valores esperados
 plots = Gráficos
 explained = Explicação
-reproduce = Refazer
-command = Um comando desenha e mede tudo isto de novo; cada imagem é um arquivo, cujo nome está abaixo dela:
+reproduce = Reproduzir
+command =
+    Este comando repete as medidas e desenha as imagens de novo. Cada imagem é um arquivo separado, cujo nome está na
+    legenda:
 column-quantity = grandeza
 column-measured = medido
 column-expected = esperado
 column-within = tolerância
 column-agrees = confere
-column-by = por
+column-by = base do valor esperado
 yes = sim
 no = NÃO
 nothing = –
 column-experiment = experimento
 column-title = título
 column-options = opções
-column-own-mesh = medido na sua malha (--mesh)
+column-own-mesh = medido numa malha do usuário (--mesh)
 experiments = Experimentos
 role-bad = artefato
 role-cured = curado
 role-attempt = tentativa de cura
 role-absent = nenhum artefato medido
 role-difference = diferença
-role-truth = verdade
-role-seen = como se vê
+role-truth = referência
+role-seen = artefato tênue
 gone = sumiu
 gone-but-for-rounding = sumiu, salvo arredondamento
 times-less = { $times } vezes menos
 effect-absent =
-    Grandeza medida: { $name }. Vale { $bad }, o que não é artefato: há um acima de { $from } ({ $why }). Com a cura
-    ({ $cure }) fica { $cured }.
+    Grandeza medida: { $name }. Vale { $bad }. Um artefato é visível acima de { $from } ({ $why }); portanto não há
+    artefato aqui. Com a cura ({ $cure }) a grandeza vale { $cured }.
 effect-present =
-    Grandeza medida: { $name }. Vale { $bad } com o artefato, { $cured } depois da cura ({ $cure }): { $less }. Há artefato
-    acima de { $from } ({ $why }); a cura tem de levá-la abaixo disso, ou torná-la ao menos { $factor } vezes menor.
-absent-below-threshold = { $name } é { $bad }, e acima de { $from } isso seria visível ({ $why }); { $shown-by }
-absent-in-pictures = com estes parâmetros as imagens não o mostram ({ $name }: { $bad }); { $shown-by }
-shown-in = { $said } Estas imagens mostram algo dele mesmo assim: { $labels }.
+    Grandeza medida: { $name }. Vale { $bad } com o artefato, { $cured } depois da cura ({ $cure }): { $less }. Há
+    artefato acima de { $from } ({ $why }). A cura deve levar a grandeza abaixo desse limiar ou torná-la ao menos
+    { $factor } vezes menor.
+absent-below-threshold =
+    o artefato não é visível: { $name } vale { $bad }, e o limiar é { $from } ({ $why }). { $shown-by }
+absent-in-pictures = as imagens não mostram o artefato com estes parâmetros ({ $name }: { $bad }). { $shown-by }
+shown-in = { $said } Mesmo assim, estas imagens o mostram em parte: { $labels }.
 cure-fails =
-    { $condition } A cura falha aqui ({ $cure }): { $name } vai de { $bad } a { $cured }, { $less } onde devem ser { $factor }.
+    { $condition } A cura falha aqui ({ $cure }): { $name } vai de { $bad } a { $cured }. São { $less }; são necessárias
+    ao menos { $factor } vezes menos.
 near = { $value } ± { $tolerance }
 at-most = no máximo { $value }
 miss = { $name }: medido { $found }, esperado { $wanted } ({ $by })

@@ -1,22 +1,23 @@
 heat-alternative = the mesh coloured by the deviation of its stored normals, { $scale }
 facing-alternative = the mesh with front faces light blue and back faces dark red
-creases-alternative = the mesh lit, with lines along creases and seams
+creases-alternative = the shaded mesh, with lines along creases and seams
 overview-caption =
-    Left: how far stored normals are from those that the rule of their mesh gives{ $marks }. Middle: front faces light blue,
-    back faces dark red. Right: lit, with orange lines where the normals of two sides differ.
-marks-dots = ; dots are on what is far off and too small to be seen
+    Left: angle between stored normals and normals computed with the estimated weighting{ $marks }. Middle: front faces
+    light blue, back faces dark red. Right: the shaded mesh, with orange lines at edges whose two sides have different
+    normals.
+marks-dots = ; dots mark large deviations on faces too small to be visible
 marks-edges =
-    ; where edges are smooth or split against it, which the findings tell of the edges, all corners at them are off
-marks-lines = ; grey lines are where that rule has two normals at an edge
-marks-rings = ; red rings mark the worst place of each error and warning
-marks-hidden = ; worst places that lie behind have no ring
+    ; at edges that are smooth or split contrary to the estimated crease angle (see the findings), all corners deviate
+marks-lines = ; grey lines mark edges with two computed normals
+marks-rings = ; red rings mark the worst location of each error and warning
+marks-hidden = ; worst locations behind other faces have no ring
 
-close-up-alternative = the worst place of { $finding }, close up, seen from in front of its face
-close-up-seen = Left: { -close-up } Right: the ring is round it in the whole.
-close-up-hidden = Left: { -close-up } Right: the ring is round it in the whole, where it lies behind what is seen.
+close-up-alternative = close view of the worst location of { $finding }, from in front of its face
+close-up-seen = Left: { -close-up } Right: a ring marks it in the whole mesh.
+close-up-hidden = Left: { -close-up } Right: a ring marks it in the whole mesh, where it is behind other faces.
 close-up-alone = This is { -close-up }
 -close-up =
-    the worst place, seen from in front of its face, with the edges of faces; what covers it is cut away.
-whole-alternative = the whole mesh, with a ring round that place
-node-caption = The whole mesh, with a ring round the middle of what the first of these nodes shows.
-node-alternative = the whole mesh, with a ring round a node
+    the worst location, viewed from in front of its face, with the edges of faces. Faces that cover it are cut away.
+whole-alternative = the whole mesh, with a ring around that location
+node-caption = The whole mesh, with a ring around the centre of the geometry of the first of these nodes.
+node-alternative = the whole mesh, with a ring around a node
