@@ -14,14 +14,9 @@ use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
 Examples:
-  crease inspect part.glb
   crease inspect part.glb --html report.html
-  crease inspect part.obj --heatmap deviation.png --view auto
   crease inspect models --recursive --json --fail-on error
-  crease inspect part.glb --against mended.glb --html change.html
-  crease inspect part.obj --severity warning --ignore needle-faces
-  crease inspect part.obj --only stray-normals --deviation 5 -v
-  crease inspect --explain averaged-crease";
+  crease inspect --explain faceted";
 
 /// Report what is wrong with a mesh's normals, why, where, and how much it shows
 ///
@@ -91,9 +86,10 @@ pub struct FindingArgs {
     #[arg(long, value_name = "SEVERITY", value_parser = one_of::<Severity>())]
     pub fail_on: Option<Severity>,
 
-    /// Report only findings of at least this severity, and count the others; --fail-on ignores these
-    #[arg(long, value_name = "SEVERITY", default_value = "note", value_parser = one_of::<Severity>())]
-    pub severity: Severity,
+    /// Report only findings of at least this severity, and count the others; --fail-on ignores these [default: note; the
+    /// text hides notes unless -v or this option is given]
+    #[arg(long, value_name = "SEVERITY", value_parser = one_of::<Severity>())]
+    pub severity: Option<Severity>,
 
     /// Omit these findings; repeatable
     #[arg(long, value_name = "ID", value_parser = kind, value_delimiter = ',')]
@@ -107,16 +103,9 @@ pub struct FindingArgs {
     #[arg(long, value_name = "N")]
     pub places: Option<usize>,
 
-    /// Explain a finding, or all of them with `all`, and exit
-    #[arg(long, value_name = "ID", value_parser = explained, exclusive = true)]
-    pub explain: Option<Explained>,
-}
-
-/// What `--explain` is about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Explained {
-    All,
-    One(Kind),
+    /// Explain findings by id or symptom (faceted, dark, seam, inside out), or all, and exit
+    #[arg(long, value_name = "WORD", num_args = 1.., exclusive = true)]
+    pub explain: Vec<String>,
 }
 
 #[derive(Args)]
@@ -262,7 +251,7 @@ fn number(text: &str, least: f64) -> Result<f64, String> {
 }
 
 choices! { Sight {
-    "auto" => Auto: "from where most of the worst places face",
+    "auto" => Auto: "from the side that most of the worst positions face",
     "front" => From(DVec3::Z): "from +z",
     "back" => From(DVec3::NEG_Z): "from −z",
     "right" => From(DVec3::X): "from +x",
@@ -274,14 +263,9 @@ choices! { Sight {
 choices! { Severity {
     "error" => Error: "wrong in any picture",
     "warning" => Warning: "shows in some light or some viewer",
-    "note" => Note: "worth knowing, may be meant",
+    "note" => Note: "for information, may be intended",
 } }
 
 fn kind(id: &str) -> Result<Kind, String> {
-    Kind::of_id(id)
-        .ok_or_else(|| "no finding has this name; `crease inspect --explain all` lists them".into())
-}
-
-fn explained(id: &str) -> Result<Explained, String> {
-    if id == "all" { Ok(Explained::All) } else { kind(id).map(Explained::One) }
+    Kind::of_id(id).ok_or_else(|| "no finding has this name; `crease inspect --explain all` lists all".into())
 }

@@ -130,7 +130,7 @@ fn normals(report: &Report) -> String {
     let (recipe, parts) = (report.recipe, &report.parts[..]);
     let rule = recipe.crease_rule.choice();
     let sharp = match (recipe.emit, crease_degrees(parts)) {
-        (Emit::Face, _) => return format!("{}, one a face", sum(parts, |part| part.faces)),
+        (Emit::Face, _) => return format!("{}, one per face", sum(parts, |part| part.faces)),
         (Emit::Vertex, _) => "no sharp edges".to_owned(),
         (Emit::Corner, Some(180.0)) => format!("{rule} rule, crease off"),
         (Emit::Corner, Some(angle)) => format!("{rule} rule at {angle}°"),
@@ -170,15 +170,15 @@ fn faults(parts: &[Part]) -> Option<String> {
 fn words(reason: &str) -> &str {
     match reason {
         "ZeroArea" => "without area",
-        "BelowStorage" => "lower than the rounding of the file",
+        "BelowStorage" => "with a height below the rounding of the file",
         "CancellingFan" => "where the faces cancel each other",
         "NonFinite" | "NotFinite" => "not finite",
-        "OutOfRange" => "beyond the range of numbers",
-        "Unreferenced" => "that no face uses",
+        "OutOfRange" => "out of range",
+        "Unreferenced" => "not used by a face",
         "Missing" => "missing",
         "Zero" => "of length zero",
         "Length" => "not of unit length",
-        "AgainstFace" => "against the own face",
+        "AgainstFace" => "against their face",
         other => other,
     }
 }
@@ -218,19 +218,24 @@ fn remarks(report: &Report) -> Vec<(&'static str, String)> {
     if let Some(angle) = crease_degrees(parts)
         && near > 0
     {
-        let text = format!("{} within 0.1° of {angle}°, or as near as the digits tell", count(near, "edge"));
+        let text = format!("{} within 0.1° of the crease angle ({angle}°)", count(near, "edge"));
         rows.push(("near", text));
     }
+    if are_creases_scattered(report) {
+        let text =
+            "scattered: most chains of crease edges are shorter than 3 edges, as on a scan; try --crease off";
+        rows.push(("creases", text.to_owned()));
+    }
     let faces = counts_above_zero(&[
-        (of(|part| part.reversed_faces), "turned round"),
+        (of(|part| part.reversed_faces), "reversed"),
         (of(|part| part.dropped_faces), "without area dropped"),
         (of(|part| part.non_finite_faces), "without finite positions dropped"),
-        (of(|part| part.summary.faces_before_groups), "before the first smoothing group count as off"),
+        (of(|part| part.summary.faces_before_groups), "before the first smoothing group (treated as off)"),
     ]);
     rows.extend(faces.into_iter().map(|text| ("faces", text)));
     rows.extend(orientation(parts).map(|text| ("orient", text)));
     let exceptions = [
-        ("quadric", of(|part| part.summary.quadric_fallbacks), "fit", "fell back to the angle mean"),
+        ("quadric", of(|part| part.summary.quadric_fallbacks), "fit", "fell back to angle weights"),
         (
             "cone",
             of(|part| part.summary.cone_declined),
@@ -249,9 +254,28 @@ fn remarks(report: &Report) -> Vec<(&'static str, String)> {
     }
     let declined = of(|part| part.summary.fast_declined.into());
     if declined > 0 {
-        rows.push(("fast", format!("out of its range in {}: faithful instead", count(declined, "part"))));
+        rows.push((
+            "fast",
+            format!("fast is not applicable to {}; faithful used", count(declined, "primitive")),
+        ));
     }
     rows
+}
+
+/// Whether most chains of crease edges are shorter than three edges, as noise makes them.
+///
+/// A chain of n edges splits n − 1 vertices if it is open and n if it is closed, so the difference between crease edges and
+/// splits is the number of open chains. This holds if nothing else splits vertices: other sharp edges, or faces that share
+/// positions and not vertices, are no scan or are not decided.
+fn are_creases_scattered(report: &Report) -> bool {
+    const FEWEST: usize = 12;
+    const LENGTH: usize = 3;
+    let parts = &report.parts[..];
+    let of = |kind: fn(&EdgeCounts) -> usize| sum(parts, |part| kind(&part.summary.edges));
+    let creases = of(|edges| edges.crease);
+    let others = of(|edges| edges.marked + edges.welded);
+    let chains = creases.saturating_sub(sum(parts, |part| part.summary.splits));
+    report.recipe.emit == Emit::Corner && creases >= FEWEST && others == 0 && creases < LENGTH * chains
 }
 
 /// What `--orient` found, if it was asked for.
@@ -261,14 +285,14 @@ fn orientation(parts: &[Part]) -> Option<String> {
     let of = |count: fn(&Orientation) -> usize| found().map(count).sum();
     let kinds = counts_above_zero(&[
         (of(|it| it.closed), "closed"),
-        (of(|it| it.open_told), "open, outer side told"),
-        (of(|it| it.open_left), "open, left"),
-        (of(|it| it.non_orientable), "not orientable, left"),
-        (of(|it| it.flat), "flat, left"),
-        (of(|it| it.undecided), "undecided, left"),
+        (of(|it| it.open_told), "open, outer side determined"),
+        (of(|it| it.open_left), "open, unchanged"),
+        (of(|it| it.non_orientable), "not orientable, unchanged"),
+        (of(|it| it.flat), "flat, unchanged"),
+        (of(|it| it.undecided), "undecided, unchanged"),
         (of(|it| it.cavities), "cavities"),
-        (of(|it| it.rooms), "as rooms, left"),
-        (of(|it| it.open_inside_out), "open, turned"),
+        (of(|it| it.rooms), "rooms, unchanged"),
+        (of(|it| it.open_inside_out), "open, reversed"),
     ]);
     let confidence = found().filter(|it| it.open_told > 0).map(|it| it.confidence).min_by(f64::total_cmp);
     let confidence = confidence.map_or(String::new(), |it| format!(" (confidence {it:.2} or more)"));

@@ -30,7 +30,7 @@ pub fn notes(request: &Request, file: &SceneFile) -> Vec<Note> {
             true => "--reflection given shows them",
             false => "a scene in TOML can give each object `reflection = \"given\"`",
         };
-        texts.push(format!("vertices have colours, which light on materials does not show; {advice}"));
+        texts.push(format!("the vertex colours are not drawn: lit materials replace them; {advice}"));
     }
     let gains =
         numbers.zip(&file.objects).filter(|(_, object)| is_lit(object)).filter_map(|(number, object)| {
@@ -50,7 +50,7 @@ fn unlit(file: &SceneFile, panels: &[RenderSettings]) -> Option<&'static str> {
             Some("the colours of vertices are shown unlit")
         }
         Show::Shaded => None,
-        _ => Some("--show shows something in place of light"),
+        _ => Some("--show draws something else in place of light"),
     }
 }
 
@@ -95,9 +95,9 @@ fn without_effect(args: &RenderArgs, file: &SceneFile, panels: &[RenderSettings]
         shading.overlay.iter().any(|it| matches!(it, Overlay::VertexNormals | Overlay::Creases));
     let has_means = file.settings.flat_sample == FlatSample::VertexMean && has(&[Shading::Flat]);
     if file.objects.iter().all(is_solid) {
-        warn(&of_normals, "there are no meshes, whose normals would change");
+        warn(&of_normals, "the scene has no meshes");
     } else if !interpolates && !draws_normals && !has_means {
-        warn(&of_normals, "only Gouraud and Phong shading take the normals of corners");
+        warn(&of_normals, "only Gouraud and Phong shading use the normals of corners");
     }
     if !interpolates {
         let is_typed = shading.interpolation.is_some();
@@ -119,7 +119,8 @@ fn analytic(args: &RenderArgs, file: &SceneFile, panels: &[RenderSettings]) -> O
         true => "the objects are analytic surfaces".into(),
         false => format!("object {} is an analytic surface", number + 1),
     };
-    panels.iter().any(is_other).then(|| {
-        format!("{which} without a tessellation: whatever the shading, drawn exactly, by casting rays")
-    })
+    panels
+        .iter()
+        .any(is_other)
+        .then(|| format!("{which} without a tessellation, drawn exactly by ray casting with any shading"))
 }

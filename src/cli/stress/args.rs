@@ -7,7 +7,6 @@ use crease::trade::stress::Group;
 
 const EXAMPLES: &str = "\
 Examples:
-  crease stress
   crease stress --only needle,offset -v
   crease stress --list
   crease stress --json > stress.json";
