@@ -10,7 +10,7 @@ formula-2-says =
     the jump along an unwelded seam, at the angle θ from the viewer, of a tube of N facets, Δ = 2π/N, with the light at
     θ_L: each side has the normal of its own facet; here θ = 0
 formula-3 = {"A = \\frac{1}{2} L δ"}
-formula-3-says = the area of the crack beside an edge of length L that a vertex is off by δ
+formula-3-says = the area of the crack along an edge of length L that a vertex is off by δ
 shown-by =
     light that comes from the side of the seam (--light 50), and fewer segments, would show it there; the T-junction and
     the crack are seen in any light.
@@ -18,7 +18,7 @@ t-junction-measure = T-junction: largest jump across the edge
 t-junction-by = |c − ((1 − t)a + tb)|; the vertex lies on the row of pixels that is measured, within 1/256 of a pixel
 t-junction-shared-measure = the same with the vertex in both faces
 t-junction-shared-by =
-    on the edge none; a pixel's centre beside it, the large face is on its way to the colour of its far edge
+    on the edge none; a pixel's centre next to it, the large face is on its way to the colour of its far edge
 crack-measure = crack: area not covered
 crack-by = Lδ/2; a sixteenth of a pixel for every pixel of its length, and one at either end
 crack-closed-by = faces that share an edge cover each sample once
@@ -36,7 +36,7 @@ holds-only-if =
     flat, evenly lit wall is not seen, and neither is a seam whose sides have the same normals.
 note-1 =
     The vertex on the long edge belongs to the two small faces only. The large face knows nothing of its colour and
-    interpolates straight past it: beside it the two sides differ.
+    interpolates straight past it: next to it the two sides differ.
 note-2 =
     Moved off the edge, as rounding does, it leaves a crack, through which the background shows. Put into the large face
     as a corner of its own, it cures both.

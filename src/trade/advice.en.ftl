@@ -37,7 +37,7 @@ without-quadric =
     { $share } of the normals have no quadric: too few neighbours, or none that bear it out, as on two rings of points. They
     are not in the estimate.
 too-few =
-    Quadrics tell something of only { $estimated } of { $all } normals, too few to rank weights by: the mesh is flat between
+    Quadrics estimate only { $estimated } of { $all } normals, too few to rank weights by: the mesh is flat between
     its creases, or has too few vertices.
 safe = angle does not change when flat faces are cut into other triangles, so it is the safe choice.
 partial = Estimates are from { $estimated } of { $all } normals ({ $share }): they say nothing of the rest.
@@ -54,6 +54,6 @@ quadric-wins =
     Where the surface is smooth and time is no matter, quadric itself is likely to be the most accurate, at { $ratio } times
     that loop.
 estimates =
-    Estimates take the quadric for the truth, which it nears as edges grow short beside the surface's curves; on a coarse
+    Estimates take the quadric for the truth, which it approaches as edges become short compared with the surface's curves; on a coarse
     mesh, weights that are close to each other cannot be distinguished by it.
 any-weight = The difference is below a tenth of a degree: any weight will do for diffuse light.

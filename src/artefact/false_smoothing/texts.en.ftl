@@ -25,7 +25,7 @@ gear-split-measure = gear, split: mean error of the pixels' normals
 gear-effect = gear: mean error of the pixels' normals
 holds =
     wherever faces that share a vertex are not meant as one smooth surface. Where they are, the same means are right, so
-    no rule without a crease angle, marks or groups can serve both. Finer faces make the smeared strip beside a sharp
+    no rule without a crease angle, marks or groups can serve both. Finer faces make the smeared strip along a sharp
     edge narrower, and leave the normals on the edge as wrong as they were.
 note-1 =
     On the zig-zag every vertex has one face that leans to the left and one that leans as much to the right, so that

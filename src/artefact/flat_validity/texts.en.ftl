@@ -52,7 +52,7 @@ small-faces-effect = largest error of a pixel's light
 small-faces-cure = smaller faces
 flat-title = flat, lamp near
 flat-caption = A lamp stands near the corner of the box.
-flat-seen = But each side has one colour: nothing tells that the lamp is near.
+flat-seen = But each side has one colour: nothing shows that the lamp is near.
 every-pixel-title = every pixel, lamp near
 every-pixel-caption =
     Lit at every pixel, the sides are bright near the lamp and fade away from it, by the angle of the light alone:

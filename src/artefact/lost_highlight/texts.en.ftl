@@ -51,7 +51,7 @@ flicker-caption =
     { $is-cured ->
         [yes]
             The brightest pixel against the turn: with Gouraud's shading it falls and rises again with every segment,
-            as the closed form says, which is of the very vertex: pixels have their centres up to half a pixel beside
+            as the closed form says, which is of the very vertex: pixels have their centres up to half a pixel from
             it, and their tops are a little lower. With Phong's it stays.
        *[no] The brightest pixel against the turn, with Gouraud's shading and with Phong's, and the closed form of Gouraud's.
     }

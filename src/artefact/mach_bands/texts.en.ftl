@@ -65,7 +65,7 @@ exact-curve = exact
 luminance-80-caption =
     The light at 80°: the cylinder's luminance is nearly straight where it is lit, and so is Gouraud's. Phong's is bent.
 slope-80-caption =
-    The slope of that, on the facets beside the edges that are measured: Phong's goes up and down on each facet and
+    The slope of that, on the facets next to the edges that are measured: Phong's goes up and down on each facet and
     jumps back at edges, by up to { $bad }; Gouraud's jumps by up to { $cured }.
 curvature-caption =
     The slope of the slope: where the slope jumps there is a narrow spike, and the larger the jump the higher the spike.
@@ -87,8 +87,8 @@ predicted-caption =
     the light, about as high as the slope jumps there. It is a model: the eye does not follow it in strength.
 predicted-flat-title = Predicted overshoot: steps
 predicted-flat-caption =
-    The same model on flat shading: a bright and a dark line beside every step that there is. There the model is known
-    to be wrong: the bands that it predicts beside steps are hardly seen (Kingdom 2014).
+    The same model on flat shading: a bright and a dark line along every step. There the model is known
+    to be wrong: the bands that it predicts along steps are hardly visible (Kingdom 2014).
 phong-jump-measure = Phong: largest slope jump within 60° of the direction of view
 fine-jump-measure = { $worse } with { $finer } segments: slope jump at the same edge
 finer-effect = { $worse }'s slope jump at the edge, within 60° of the direction of view, where it is largest

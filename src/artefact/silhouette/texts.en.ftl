@@ -18,7 +18,7 @@ fewest-segments-measure =
     ball: fewest segments whose outline is off by at most half a pixel more than that of a very fine ball
 fewest-segments-by =
     π/(2 arcsin(1/(2√R))), found by halving in pictures, whose own pixels keep even a circle's outline from being right;
-    what distances leave open beside that, in segments
+    what distances leave open in addition, in segments
 torus = torus
 flat-shading-measure = flat shading against Phong's: distance of the outlines
 flat-shading-by = shading does not move edges

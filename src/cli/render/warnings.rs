@@ -35,7 +35,7 @@ pub fn notes(request: &Request, file: &SceneFile) -> Vec<Note> {
     let gains =
         numbers.zip(&file.objects).filter(|(_, object)| is_lit(object)).filter_map(|(number, object)| {
             let gain = object.material.gain()?;
-            Some(Note::warning(Place::File, format!("object {}: {gain}", number + 1)))
+            Some(Note::warning(Place::File, format!("object {number}: {gain}")))
         });
     texts.into_iter().map(Note::remark).chain(gains).collect()
 }
@@ -117,7 +117,7 @@ fn analytic(args: &RenderArgs, file: &SceneFile, panels: &[RenderSettings]) -> O
     };
     let which = match file.objects.iter().all(is_solid) {
         true => "the objects are analytic surfaces".into(),
-        false => format!("object {} is an analytic surface", number + 1),
+        false => format!("object {number} is an analytic surface"),
     };
     panels
         .iter()

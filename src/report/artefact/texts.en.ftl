@@ -1,7 +1,7 @@
 laboratory = The artefact laboratory
 lead =
-    Claims of textbooks about the artefacts of shading, put to the test: each with pictures, measured numbers beside
-    their closed forms, and the conditions under which it fails.
+    Claims of textbooks about the artefacts of shading, tested: each with pictures, measured numbers next to their closed
+    forms, and the conditions under which it fails.
 contents = Contents
 all = All experiments
 claim = The claim

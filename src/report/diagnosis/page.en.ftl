@@ -6,7 +6,7 @@ overview-caption =
     back faces dark red. Right: lit, with orange lines where the normals of two sides differ.
 marks-dots = ; dots are on what is far off and too small to be seen
 marks-edges =
-    ; where edges are smooth or split against it, which the findings tell of the edges, all corners at them are off
+    ; all corners at edges that are smooth or split against it deviate, and the findings name these edges
 marks-lines = ; grey lines are where that rule has two normals at an edge
 marks-rings = ; red rings mark the worst place of each error and warning
 marks-hidden = ; worst places that lie behind have no ring

@@ -1,7 +1,7 @@
 title = Accuracy against speed
 lead =
     Which vertex normals should I use, how should I store them, and how should I shade with them? Errors against surfaces
-    whose normals are known, beside what they cost.
+    whose normals are known, and the cost.
 
 weights-title = Weights by class of mesh
 weights-lead =
@@ -36,8 +36,8 @@ cost-lead =
 
 precision-title = Precision
 precision-lead =
-    What single-precision arithmetic adds to the error, beside what tessellation and storage cost already. Far from the
-    origin it is the stored positions that are coarse, which no arithmetic mends.
+    What single-precision arithmetic adds to the error of tessellation and storage. Far from the origin the stored
+    positions are coarse, which no arithmetic corrects.
 
 encodings-title = Stored normals
 encodings-caption = The dotted line: what diffuse light bears unseen.
@@ -57,8 +57,8 @@ advice-title = Advice
 
 own-title = Accuracy against speed: { $name }
 own-lead =
-    The surface of this mesh is not known; the quadric method, of second order where sums of faces are of first, stands in
-    for the truth.
+    The surface of this mesh is not known. The quadric method replaces the truth: it is of second order, sums of faces are
+    of first order.
 own-weights-title = Weights
 own-weights-counts =
     { $vertices } vertices, { $faces } faces, { $normals } normals; { $alike } % of them are the same with every weight. No

@@ -54,20 +54,20 @@ impl Quoted for Vec<&str> {
 
 /// What was drawn, options that change nothing there, and why they do not.
 const UNREAD: &[(&str, &[&str], &str)] = &[
-    ("strip.obj --show depth", LIGHT, "change nothing: --show shows something in place of light"),
-    ("strip.obj --show normals", LIGHT, "change nothing: --show shows something in place of light"),
+    ("strip.obj --show depth", LIGHT, "change nothing: --show draws something else in place of light"),
+    ("strip.obj --show normals", LIGHT, "change nothing: --show draws something else in place of light"),
     ("strip.obj --shading wireframe", LIGHT, "change nothing: a wireframe is not lit"),
     ("strip.obj --reflection given", LIGHT_ALONE, "change nothing: the colours of vertices are shown unlit"),
     ("given.toml", LIGHT_ALONE, "change nothing: the colours of vertices are shown unlit"),
-    ("strip.obj --show face-id", &["--reflection", "given"], "changes nothing: --show shows"),
+    ("strip.obj --show face-id", &["--reflection", "given"], "changes nothing: --show draws"),
     ("strip.obj --shading gouraud", &["--terminator", "hard"], "--terminator changes nothing: only Phong"),
     ("strip.obj --shading flat", &["--terminator", "soft"], "--terminator changes nothing: only Phong"),
     ("exact.toml", &["--terminator", "hard"], "--terminator changes nothing: only Phong"),
-    ("strip.obj --shading flat", NORMALS, "change nothing: only Gouraud and Phong shading take the normals"),
+    ("strip.obj --shading flat", NORMALS, "change nothing: only Gouraud and Phong shading use the normals"),
     ("strip.obj --shading wireframe", NORMALS, "change nothing: only Gouraud and Phong shading take"),
     ("strip.obj --shading flat --show normals", NORMALS, "change nothing: only Gouraud and Phong"),
     ("exact.toml", NORMALS, "change nothing: only Gouraud and Phong"),
-    ("ball.toml", NORMALS, "change nothing: there are no meshes"),
+    ("ball.toml", NORMALS, "change nothing: the scene has no meshes"),
     ("strip.obj --shading flat", AFFINE, "--interpolation changes nothing: only"),
     ("strip.obj --shading wireframe", AFFINE, "--interpolation changes nothing: only"),
     ("exact.toml", AFFINE, "--interpolation changes nothing: only"),
@@ -197,9 +197,8 @@ fn colours_of_vertices_are_reported_where_they_are_lost() {
             (" --show depth", false),
         ] {
             let found = notes(&stage.args(&format!("{file}{more}")));
-            let said = found.contains(
-                "vertices have colours, which light on materials does not show; --reflection given",
-            );
+            let said = found
+                .contains("the vertex colours are not drawn: lit materials replace them; --reflection given");
             assert_eq!(said, is_reported, "{file}{more}: {found}");
         }
     }
@@ -253,9 +252,9 @@ fn materials_are_judged_where_they_are_lit() {
     let stage = Stage::new();
     let bright = ["--material", "kd=0.9 ks=0.9"];
     let found = |words: &str| notes(&with(&stage.args(words), &bright));
-    assert!(found("strip.obj").contains("object 1: "), "{}", found("strip.obj"));
+    assert!(found("strip.obj").contains("object 0: "), "{}", found("strip.obj"));
     for words in ["strip.obj --show depth", "strip.obj --shading wireframe", "strip.obj --reflection given"] {
-        assert!(!found(words).contains("object 1: "), "{words}: {}", found(words));
+        assert!(!found(words).contains("object 0: "), "{words}: {}", found(words));
     }
 }
 
