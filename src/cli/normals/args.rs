@@ -11,7 +11,7 @@ use crease::pipeline::Degenerate;
 use serde::{Serialize, Serializer};
 use std::path::PathBuf;
 
-pub const EXAMPLES: &str = "\
+const EXAMPLES: &str = "\
 Examples:
   crease normals gear.obj --crease 40 -o gear.glb
   crease normals scan.ply --crease off --weight max -o smooth.ply
