@@ -8,7 +8,7 @@ use anyhow::{Context, Result, bail, ensure};
 use crease::io::{Format, Note, OutputContent, OutputFile, Written};
 use std::collections::BTreeMap;
 use std::fs::{self, File};
-use std::hash::{DefaultHasher, Hasher};
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Component, Path, PathBuf};
 use tempfile::NamedTempFile;
@@ -46,27 +46,17 @@ pub struct Store {
     sync: bool,
     /// Do everything but write.
     dry_run: bool,
-    companions: BTreeMap<PathBuf, Mark>,
+    companions: BTreeMap<PathBuf, u64>,
 }
 
-/// What a companion was, without keeping its bytes.
-#[derive(Clone, Debug, PartialEq, Eq)]
-enum Mark {
-    Bytes { length: usize, hash: u64 },
-    CopyOf(PathBuf),
-}
-
-impl Mark {
-    fn of(content: &OutputContent) -> Self {
-        match content {
-            OutputContent::Bytes(bytes) => {
-                let mut hasher = DefaultHasher::new();
-                hasher.write(bytes);
-                Mark::Bytes { length: bytes.len(), hash: hasher.finish() }
-            }
-            OutputContent::CopyOf(path) => Mark::CopyOf(path.clone()),
-        }
+/// Identifies the content of a companion, without keeping its bytes.
+fn mark(content: &OutputContent) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    match content {
+        OutputContent::Bytes(bytes) => (0, bytes).hash(&mut hasher),
+        OutputContent::CopyOf(path) => (1, path).hash(&mut hasher),
     }
+    hasher.finish()
 }
 
 /// A file that is complete, but not yet at its place.
@@ -183,7 +173,7 @@ impl Store {
             place != main,
             "{name} is both the output and a companion file\nhelp: give the output another name"
         );
-        let mark = Mark::of(&content);
+        let mark = mark(&content);
         let twin = self.companions.get(&place);
         ensure!(
             twin.is_none_or(|twin| *twin == mark),
@@ -254,7 +244,7 @@ fn temporary_in_folder(path: &Path) -> Result<NamedTempFile> {
 /// A companion and its place.
 struct Claim {
     place: PathBuf,
-    mark: Mark,
+    mark: u64,
     content: OutputContent,
     /// It has to be written: neither has this run done so, nor is it the file that it would be a copy of, nor one with the
     /// same bytes, which may be write-protected.
@@ -394,10 +384,12 @@ fn unknown_format(path: &Path) -> String {
 /// A path with its folder made absolute, whether or not the file is there.
 pub fn resolve_parent(path: &Path) -> PathBuf {
     path.canonicalize().unwrap_or_else(|_| {
-        let folder = path.parent().unwrap_or(Path::new(""));
-        let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+        let folder = match path.parent() {
+            Some(folder) if !folder.as_os_str().is_empty() => folder,
+            _ => Path::new("."),
+        };
         let folder = folder.canonicalize().unwrap_or_else(|_| folder.to_path_buf());
-        path.file_name().map_or_else(|| folder.clone(), |name| folder.join(name))
+        folder.join(path.file_name().unwrap_or_default())
     })
 }
 

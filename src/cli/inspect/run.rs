@@ -145,7 +145,7 @@ fn inspect(
     report.fill(&diagnosis, &output);
     let stem = path.file_name().unwrap_or_default().to_string_lossy();
     report.fix_as = format!("{stem}-fixed.{extension}");
-    draw(&loaded, &diagnosis, after.as_ref(), report, &output, args)?;
+    draw(&loaded, &diagnosis, after.as_ref(), report, args)?;
     let is_grave = args.findings.fail_on.is_some_and(|least| diagnosis.worst() >= Some(least));
     let has_pictures = args.pictures.html.is_some() || args.pictures.heatmap.is_some();
     let has_faces = loaded.parts.iter().any(|part| part.mesh.face_count() > 0);
@@ -166,14 +166,12 @@ fn has_normals(loaded: &Loaded) -> bool {
     columns.flat_map(|columns| &columns.normals).any(|normals| !normals.values.is_empty())
 }
 
-/// Makes and stores the pictures that were asked for. `after` is the file that `--against` names, `output` the name of a fixed
-/// version.
+/// Makes and stores the pictures that were asked for. `after` is the file that `--against` names.
 fn draw(
     loaded: &Loaded,
     diagnosis: &Diagnosis,
     after: Option<&Loaded>,
     report: &mut InspectReport,
-    output: &str,
     args: &InspectArgs,
 ) -> Result<(), Failure> {
     /// Pixels along the sides of a heat map of its own.
@@ -183,7 +181,7 @@ fn draw(
         let after = after.zip(report.against.as_ref());
         let after =
             after.map(|(loaded, Against { path, comparison })| After { name: path, loaded, comparison });
-        let page = diagnosis_page(loaded, diagnosis, after, [&report.input.path, output], *view);
+        let page = diagnosis_page(loaded, diagnosis, after, [&report.input.path, &report.fix_as], *view);
         Target::of(path).store(page.map_err(Failure::input)?.into_bytes())?;
         report.written.push(("page", Target::of(path).name()));
     }
