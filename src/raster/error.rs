@@ -4,7 +4,7 @@ use crate::raster::view::camera::CameraError;
 use crate::shade::{NotFinite, ShadeError};
 use glam::DVec3;
 
-/// Why there is no picture. Objects are counted from 1 in messages and from 0 in fields.
+/// Why there is no picture. Objects count from 0.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum RenderError {
     /// The camera cannot be used.

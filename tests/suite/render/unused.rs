@@ -276,9 +276,7 @@ fn wireframes_of_little_contrast_are_reported() {
     // Either side of 3:1, which is light of 0.3 on white, and as a code of its own 0.586.
     assert!(on("0.31", "1", "").contains("contrast ") && !on("0.29", "1", "").contains("background"));
     let direct = "transfer = \"direct\"\n";
-    assert!(
-        on("0.6", "1", direct).contains("contrast ") && !on("0.57", "1", direct).contains("background")
-    );
+    assert!(on("0.6", "1", direct).contains("contrast ") && !on("0.57", "1", direct).contains("background"));
     let ball = folder(&[("a.toml", &format!("[settings]\nshading = \"wireframe\"\nbackground = 1\n{BALL}"))]);
     let found = notes(&[path(ball.path().join("a.toml")), "--size".into(), "40x30".into()]);
     assert!(!found.contains("choose another"), "no line is drawn: {found}");
