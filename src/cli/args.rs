@@ -28,13 +28,13 @@ pub struct Cli {
 
 #[derive(Subcommand)]
 pub enum Verb {
-    Artefact(Box<ArtefactArgs>),
     Normals(Box<NormalsArgs>),
     Inspect(Box<InspectArgs>),
     Render(Box<RenderArgs>),
-    Stress(Box<StressArgs>),
+    Artefact(Box<ArtefactArgs>),
     Surface(Box<SurfaceArgs>),
     Trade(Box<TradeArgs>),
+    Stress(Box<StressArgs>),
     /// Print a completion script for a shell
     Completions {
         /// The shell

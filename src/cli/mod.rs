@@ -16,6 +16,8 @@ mod normals;
 pub mod program;
 /// Draw a mesh or a scene.
 mod render;
+/// The help of `-h`.
+mod short_help;
 /// Run the numerical extremes.
 mod stress;
 /// Write an analytic surface as a mesh.

@@ -3,16 +3,19 @@
 use super::args::{Cli, Verb};
 use super::common::failure::Exit;
 use super::common::output::forgive_broken_pipe;
-use super::{artefact, docs, inspect, normals, render, stress, surface, trade};
-use clap::Parser;
+use super::{artefact, docs, inspect, normals, render, short_help, stress, surface, trade};
+use clap::{CommandFactory, FromArgMatches};
 use std::io::Write as _;
 use std::process::ExitCode;
 
 /// Runs the program on the arguments that it was started with.
 pub fn main() -> ExitCode {
-    let cli = match Cli::try_parse() {
+    let line: Vec<_> = std::env::args_os().collect();
+    let mut command = short_help::for_line(Cli::command(), &line);
+    let parsed = command.try_get_matches_from_mut(line).and_then(|found| Cli::from_arg_matches(&found));
+    let cli = match parsed {
         Ok(cli) => cli,
-        Err(error) => return reported(&error),
+        Err(error) => return reported(&error.format(&mut command)),
     };
     let exit = match cli.verb {
         Verb::Artefact(ref args) => artefact::run::main(args, cli.color),

@@ -122,8 +122,12 @@ pub fn read_bytes(
     options: &ReadOptions,
 ) -> Result<Loaded, ReadError> {
     let Some(format) = format.or_else(|| detect(&bytes, None)) else {
-        let found = if bytes.is_empty() { "the file is empty" } else { "the content tells no mesh format" };
-        return Err(ReadError::new(Problem::Syntax, Place::File, found, "name the format with --format"));
+        return Err(ReadError::new(
+            Problem::Syntax,
+            Place::File,
+            unknown(&bytes),
+            "choose its format with --format",
+        ));
     };
     let mut loaded = match format {
         Format::Obj => obj::read(bytes, base, options),
@@ -133,6 +137,27 @@ pub fn read_bytes(
     }?;
     loaded.notes.extend(face_notes(&loaded.parts));
     Ok(loaded)
+}
+
+/// What a file of an unknown format looks like.
+fn unknown(bytes: &[u8]) -> String {
+    const OTHERS: [(&[u8], &str); 9] = [
+        (b"\x89PNG", "a PNG image"),
+        (b"\xff\xd8\xff", "a JPEG image"),
+        (b"GIF8", "a GIF image"),
+        (b"%PDF", "a PDF document"),
+        (b"PK\x03\x04", "a ZIP archive"),
+        (b"\x1f\x8b", "a gzip archive"),
+        (b"Kaydara FBX", "an FBX file"),
+        (b"BLENDER", "a Blender file"),
+        (b"<", "XML or HTML"),
+    ];
+    if bytes.is_empty() {
+        return "the file is empty".to_owned();
+    }
+    let other = OTHERS.iter().find(|(start, _)| bytes.starts_with(start));
+    let other = other.map_or(String::new(), |(_, name)| format!("; it starts like {name}"));
+    format!("not a mesh file that crease reads (OBJ, PLY, STL, glTF, GLB){other}")
 }
 
 #[cfg(test)]
@@ -170,7 +195,7 @@ mod tests {
         assert!(error(Path::new("/dev/null")).found.contains("no regular file"));
         let path = folder.path().join("a.xyz");
         fs::write(&path, "???").unwrap();
-        assert!(error(&path).found.contains("tells no mesh format"));
+        assert!(error(&path).found.contains("not a mesh file"));
         fs::write(&path, "v 0 0 0\n").unwrap();
         assert_eq!(read(&path, None, &ReadOptions::default()).unwrap().format, Format::Obj);
         let mut options = ReadOptions::default();

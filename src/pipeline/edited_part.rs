@@ -1,10 +1,10 @@
 //! A part with faces reversed and dropped, and the way back to the numbers of the mesh as it was read.
 
-use super::outcome::{MOST_PLACES, Spot};
+use super::outcome::{FaultPlace, MOST_PLACES, Spot};
 use super::task::Task;
 use crate::io::{Part, PartEdit};
 use crate::mesh::{Column, ColumnIndex, FaceEdit, Mesh, NONE, Orientation};
-use crate::normals::{Broken, Fault, FaultReason, Faults, LENGTH_TOLERANCE, Selection};
+use crate::normals::{Broken, Fault, Faults, LENGTH_TOLERANCE, Selection};
 use crate::num::UnitVec3;
 use glam::DVec3;
 use std::borrow::Cow;
@@ -93,7 +93,7 @@ impl<'a> EditedPart<'a> {
     }
 
     /// The places of the first faults of each kind of element: faces, corners, vertices, [`MOST_PLACES`] of each.
-    pub(super) fn fault_places(&self, faults: &Faults) -> Vec<(Spot, FaultReason)> {
+    pub(super) fn fault_places(&self, faults: &Faults) -> Vec<FaultPlace> {
         let first = |list: &[Fault]| list[..list.len().min(MOST_PLACES)].to_vec();
         let indices = |list: &[Fault]| list.iter().map(|fault| fault.index).collect::<Vec<_>>();
         let (faces, corners, vertices) =
@@ -101,14 +101,16 @@ impl<'a> EditedPart<'a> {
         let spots = as_read(&self.faces.dropped, indices(&faces)).into_iter().map(Spot::Face);
         let spots = spots.chain(self.corner_spots(indices(&corners)));
         let spots = spots.chain(indices(&vertices).into_iter().map(Spot::Vertex));
-        spots.zip([faces, corners, vertices].concat().iter().map(|fault| fault.reason)).collect()
+        let all = [faces, corners, vertices].concat();
+        spots.zip(&all).map(|(spot, fault)| FaultPlace { spot, reason: fault.reason.name() }).collect()
     }
 
     /// The places of the first corners whose stored normals are broken.
-    pub(super) fn broken_places(&self, broken: &[(u32, Broken)]) -> Vec<(Spot, Broken)> {
+    pub(super) fn broken_places(&self, broken: &[(u32, Broken)]) -> Vec<FaultPlace> {
         let first = &broken[..broken.len().min(MOST_PLACES)];
         let spots = self.corner_spots(first.iter().map(|&(corner, _)| corner));
-        spots.into_iter().zip(first).map(|(spot, &(_, cause))| (spot, cause)).collect()
+        let place = |(spot, (_, cause)): (Spot, &(u32, Broken))| FaultPlace { spot, reason: cause.name() };
+        spots.into_iter().zip(first).map(place).collect()
     }
 
     /// The places of ascending corners of the edited mesh.

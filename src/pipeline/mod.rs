@@ -24,7 +24,7 @@ mod edited_part;
 // The change of a file.
 mod revision;
 
-pub use outcome::{FaultCounts, MOST_PLACES, PartOutcome, ReasonCounts, ReplacedCounts, Spot};
+pub use outcome::{Counts, FaultCounts, FaultPlace, MOST_PLACES, PartOutcome, Spot};
 pub use revision::{Revision, revise};
 pub use task::{Degenerate, Task};
 

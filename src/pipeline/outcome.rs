@@ -2,13 +2,15 @@
 
 use crate::io::Part;
 use crate::mesh::Orientation;
-use crate::normals::{Broken, Fault, FaultReason, Faults, Selection, Summary};
+use crate::normals::{EdgeCounts, Fault, Faults, Selection};
+use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// The most places that are kept of each kind of element. Counts are always complete.
 pub const MOST_PLACES: usize = 100;
 
 /// An element of a mesh as it was read; all numbers count from 0.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Spot {
     /// A face.
@@ -27,42 +29,79 @@ pub enum Spot {
     },
 }
 
+/// An element, and what was found there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct FaultPlace {
+    /// The element.
+    #[serde(flatten)]
+    pub spot: Spot,
+    /// The name of the reason.
+    pub reason: &'static str,
+}
+
+/// Counts by the name of a reason, of those that occurred.
+pub type Counts = BTreeMap<&'static str, usize>;
+
 /// What was found in one part. Counts of a part without faces are zero.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct PartOutcome {
     /// Name of the part.
     pub name: String,
     /// Vertices, used or not.
     pub vertices: usize,
+    /// Vertices that a face uses.
+    pub referenced_vertices: usize,
     /// Faces.
     pub faces: usize,
     /// Corners of all faces.
     pub corners: usize,
-    /// Faces with 3, 4, and 5 or more corners.
-    pub arities: [usize; 3],
-    /// Faces dropped because they use a position that is not finite.
-    pub non_finite_faces: usize,
-    /// Faces dropped because their area is zero.
-    pub dropped_faces: usize,
-    /// Faces reversed.
-    pub reversed_faces: usize,
-    /// What orientation found, if it was asked for; its list of faces is empty because the edit has it.
-    pub orientation: Option<Orientation>,
+    /// Faces with 3 corners.
+    pub triangles: usize,
+    /// Faces with 4 corners.
+    pub quads: usize,
+    /// Faces with 5 corners or more.
+    pub polygons: usize,
     /// Distinct (vertex, smooth group) pairs.
     pub entries: usize,
-    /// Counts of the computation.
-    pub summary: Summary,
+    /// Entries minus referenced vertices.
+    pub splits: usize,
+    /// The crease angle applied, in degrees; `None` where smoothing groups decide alone.
+    pub crease_degrees: Option<f64>,
+    /// Edges near the crease angle: [`Summary::near_crease`](crate::normals::Summary::near_crease).
+    pub near_crease: usize,
+    /// Edges by what they are.
+    pub edges: EdgeCounts,
     /// Faults of the computation.
     pub faults: FaultCounts,
-    /// Where the first faults are: of faces, of corners, of vertices, at most [`MOST_PLACES`] of
-    /// each.
-    pub fault_places: Vec<(Spot, FaultReason)>,
     /// Corners that keep their stored normal.
-    pub kept: usize,
-    /// Corners that got a computed normal although not all were to be replaced, by the reason.
-    pub replaced: ReplacedCounts,
+    pub kept_corners: usize,
+    /// Corners that got a computed normal although not all were to be replaced.
+    pub replaced_corners: Counts,
+    /// Where the first faults are: of faces, of corners, of vertices, at most [`MOST_PLACES`] of each.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub fault_places: Vec<FaultPlace>,
     /// The first corners whose stored normal was broken, at most [`MOST_PLACES`].
-    pub broken_places: Vec<(Spot, Broken)>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub broken_places: Vec<FaultPlace>,
+    /// Faces reversed.
+    pub reversed_faces: usize,
+    /// Faces dropped because their area is zero.
+    pub dropped_faces: usize,
+    /// Faces dropped because they use a position that is not finite.
+    pub non_finite_faces: usize,
+    /// What orientation found, if it was asked for; its list of faces is empty because the edit has it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub orientation: Option<Orientation>,
+    /// Quadric fits that fell back to angle weights.
+    pub quadric_fallbacks: usize,
+    /// Fans too large for the cone rule, cut by the fan rule instead.
+    pub cone_declined: usize,
+    /// Clusters of welded positions wider than twice the welding distance.
+    pub wide_clusters: usize,
+    /// Faces before the first `s` statement of an OBJ file, where groups were honoured.
+    pub faces_before_groups: usize,
+    /// Whether `fast` was not applicable and `faithful` was used.
+    pub fast_declined: bool,
 }
 
 impl PartOutcome {
@@ -71,89 +110,50 @@ impl PartOutcome {
         for range in part.mesh.faces().ranges() {
             arities[range.len().clamp(3, 5) - 3] += 1;
         }
+        let [triangles, quads, polygons] = arities;
         Self {
             name: part.name.clone(),
             vertices: part.mesh.vertex_count(),
             faces: part.mesh.face_count(),
             corners: part.mesh.faces().corner_count(),
-            arities,
+            triangles,
+            quads,
+            polygons,
             non_finite_faces: part.non_finite_faces.len(),
             ..Self::default()
         }
     }
 }
 
-/// How often each [`FaultReason`] occurred, in the order of [`FaultReason::ALL`].
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct ReasonCounts(pub [usize; FaultReason::ALL.len()]);
-
-impl ReasonCounts {
-    fn of(list: &[Fault]) -> Self {
-        let mut counts = Self::default();
-        for fault in list {
-            counts.0[fault.reason as usize] += 1;
-        }
-        counts
-    }
-
-    /// The reasons that occurred.
-    pub fn iter(&self) -> impl Iterator<Item = (FaultReason, usize)> + '_ {
-        FaultReason::ALL.into_iter().zip(self.0).filter(|&(_, count)| count > 0)
-    }
-}
-
 /// Faults by element.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct FaultCounts {
     /// Of faces.
-    pub faces: ReasonCounts,
+    pub faces: Counts,
     /// Of corners.
-    pub corners: ReasonCounts,
+    pub corners: Counts,
     /// Of vertices.
-    pub vertices: ReasonCounts,
+    pub vertices: Counts,
 }
 
 impl FaultCounts {
     pub(super) fn of(faults: &Faults) -> Self {
-        Self {
-            faces: ReasonCounts::of(&faults.faces),
-            corners: ReasonCounts::of(&faults.corners),
-            vertices: ReasonCounts::of(&faults.vertices),
-        }
+        let of = |list: &[Fault]| counted(list.iter().map(|fault| fault.reason.name()));
+        Self { faces: of(&faults.faces), corners: of(&faults.corners), vertices: of(&faults.vertices) }
     }
 }
 
-/// Corners whose stored normal was replaced, by the reason.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct ReplacedCounts {
-    /// There was none.
-    pub missing: usize,
-    /// In the order of [`Broken::ALL`].
-    pub broken: [usize; Broken::ALL.len()],
+/// The corners that a selection replaces, by the reason.
+pub(super) fn replaced(selection: &Selection) -> Counts {
+    let mut counts = counted(selection.broken.iter().map(|(_, cause)| cause.name()));
+    if !selection.missing.is_empty() {
+        counts.insert("Missing", selection.missing.len());
+    }
+    counts
 }
 
-impl ReplacedCounts {
-    pub(super) fn of(selection: &Selection) -> Self {
-        let mut counts = Self { missing: selection.missing.len(), ..Self::default() };
-        for &(_, cause) in &selection.broken {
-            counts.broken[cause as usize] += 1;
-        }
-        counts
-    }
-
-    /// All of them.
-    pub fn total(&self) -> usize {
-        self.missing + self.broken.iter().sum::<usize>()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_lists_of_reasons_are_in_the_order_of_their_discriminants() {
-        assert!(FaultReason::ALL.iter().enumerate().all(|(i, &reason)| reason as usize == i));
-        assert!(Broken::ALL.iter().enumerate().all(|(i, &cause)| cause as usize == i));
-    }
+fn counted(names: impl Iterator<Item = &'static str>) -> Counts {
+    let mut counts = Counts::new();
+    names.for_each(|name| *counts.entry(name).or_default() += 1);
+    counts
 }

@@ -1,7 +1,7 @@
 //! The change of a file.
 
 use super::edited_part::{EditedPart, applied};
-use super::outcome::{FaultCounts, PartOutcome, ReplacedCounts};
+use super::outcome::{FaultCounts, PartOutcome, replaced};
 use super::task::{Degenerate, Task};
 use crate::io::{Emit, Format, Loaded, Part, PartEdit};
 use crate::mesh::{FaceEdit, Mesh, Orient, Orientation, Orientations, Placed, Topology, cavities, orient};
@@ -71,17 +71,31 @@ fn revise_part(
         }
     }
     outcome.entries = field.normals.values.len();
-    outcome.summary = field.summary;
+    let summary = field.summary;
     let mut selection = select(&edited.mesh, field, task.when);
-    outcome.replaced = ReplacedCounts::of(&selection);
+    outcome.replaced_corners = replaced(&selection);
     if task.when != When::Always {
-        outcome.kept = edited.mesh.faces().corner_count() - outcome.replaced.total();
+        let replaced: usize = outcome.replaced_corners.values().sum();
+        outcome.kept_corners = edited.mesh.faces().corner_count() - replaced;
     }
     outcome.broken_places = edited.broken_places(&selection.broken);
     let facets = edited.faces_as_read(std::mem::take(&mut selection.face_normals));
     let edit = edited.edit(selection, task);
     outcome.reversed_faces = edit.faces.reversed.len();
     outcome.dropped_faces = edit.faces.dropped.len() - part.non_finite_faces.len();
+    let outcome = PartOutcome {
+        referenced_vertices: summary.referenced_vertices,
+        splits: summary.splits,
+        crease_degrees: summary.crease_degrees,
+        near_crease: summary.near_crease,
+        edges: summary.edges,
+        quadric_fallbacks: summary.quadric_fallbacks,
+        cone_declined: summary.cone_declined,
+        wide_clusters: summary.wide_clusters,
+        faces_before_groups: summary.faces_before_groups,
+        fast_declined: summary.fast_declined,
+        ..outcome
+    };
     (edit, outcome, Some(facets))
 }
 

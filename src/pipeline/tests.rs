@@ -113,7 +113,7 @@ fn normals_are_those_of_what_remains() {
         let (edit, outcome) = revise_one(&part, &task, None);
         let written = written(&part, &edit);
         assert_eq!(written, expected(&part, &edit, &task));
-        assert_eq!(outcome.faults.faces.iter().map(|(_, count)| count).sum::<usize>(), 2);
+        assert_eq!(outcome.faults.faces.values().sum::<usize>(), 2);
         let meet = written[0] == written[3];
         assert_eq!(meet, degenerate == Degenerate::Drop, "{written:?}");
     }
@@ -128,7 +128,7 @@ fn good_stored_normals_stay_and_turned_ones_are_new() {
     let task = Task { when: When::Missing, ..Task::default() };
     let (edit, outcome) = revise_one(&part(Some(stored.clone())), &task, Some(Format::Stl));
     assert!(edit.normals.is_none(), "nothing is missing");
-    assert_eq!((outcome.kept, outcome.replaced.total()), (15, 0));
+    assert_eq!((outcome.kept_corners, outcome.replaced_corners.len()), (15, 0));
     let facets = edit.face_normals.expect("an STL file carries them");
     assert_eq!(facets[..5], outward[..5]);
 
@@ -137,7 +137,7 @@ fn good_stored_normals_stay_and_turned_ones_are_new() {
     index[0] = NONE;
     let holed = part(Some(holes));
     let (edit, outcome) = revise_one(&holed, &task, None);
-    assert_eq!((edit.kept, outcome.replaced.missing), (6, 1));
+    assert_eq!((edit.kept, outcome.replaced_corners["Missing"]), (6, 1));
     assert_eq!(edit.normals.as_ref().unwrap().values[..6], outward);
     assert_eq!(written(&holed, &edit)[3], -DVec3::Y);
 
@@ -162,15 +162,15 @@ fn places_are_those_of_the_file() {
     for flip in [false, true] {
         let task = Task { flip, when: When::Broken, ..Task::default() };
         let (_, outcome) = revise_one(&part, &task, None);
-        assert!(outcome.fault_places.contains(&(Spot::Face(1), normals::FaultReason::ZeroArea)));
+        assert!(outcome.fault_places.contains(&FaultPlace { spot: Spot::Face(1), reason: "ZeroArea" }));
         // Turned values become new ones, so what is no unit vector has been left out before.
-        let broken = Spot::Corner { face: 2, corner: 2, vertex: 3 };
-        let expected = if flip { vec![] } else { vec![(broken, normals::Broken::Length)] };
+        let broken = FaultPlace { spot: Spot::Corner { face: 2, corner: 2, vertex: 3 }, reason: "Length" };
+        let expected = if flip { vec![] } else { vec![broken] };
         assert_eq!(outcome.broken_places, expected);
         let of_corners: Vec<Spot> = outcome
             .fault_places
             .iter()
-            .map(|place| place.0)
+            .map(|place| place.spot)
             .filter(|spot| matches!(spot, Spot::Corner { .. }))
             .collect();
         let own = |corner, vertex| Spot::Corner { face: 1, corner, vertex };

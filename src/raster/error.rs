@@ -4,7 +4,7 @@ use crate::raster::view::camera::CameraError;
 use crate::shade::{NotFinite, ShadeError};
 use glam::DVec3;
 
-/// Why there is no picture. Objects are counted from 1 in messages and from 0 in fields.
+/// Why there is no picture. Objects count from 0.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum RenderError {
     /// The camera cannot be used.
@@ -14,7 +14,7 @@ pub enum RenderError {
     #[error("the picture is {0} by {1} pixels; each side must be 1 to 16384")]
     Size(u32, u32),
     /// A light, material or setting that makes no sense.
-    #[error("object {}: {error}", .object + 1)]
+    #[error("object {object}: {error}")]
     Shade {
         /// Where it was needed.
         object: usize,
@@ -22,7 +22,7 @@ pub enum RenderError {
         error: ShadeError,
     },
     /// A colour that is infinite or not a number.
-    #[error("object {}: {error}", .object + 1)]
+    #[error("object {object}: {error}")]
     NotFinite {
         /// The object.
         object: usize,
@@ -30,16 +30,20 @@ pub enum RenderError {
         error: NotFinite,
     },
     /// A transform that is not finite or cannot be undone.
-    #[error("object {}: its transform flattens space or is not finite; normals have no direction then", .0 + 1)]
+    #[error("object {0}: its transform flattens space or is not finite; normals have no direction then")]
     Singular(usize),
     /// [`Shading::Exact`](crate::raster::Shading::Exact) of an object without an analytic surface.
-    #[error("object {}: exact shading needs an analytic surface; choose another shading or say which surface it is", .0 + 1)]
+    #[error(
+        "object {0}: exact shading needs an analytic surface; choose another shading or say which surface it is"
+    )]
     NoSurface(usize),
     /// Colours of vertices where none are: of an analytic surface that rays are cast at.
-    #[error("object {}: rays are cast at it, and nothing there has the colours of vertices; give it a material, or draw a mesh under another shading", .0 + 1)]
+    #[error(
+        "object {0}: rays are cast at it, and nothing there has the colours of vertices; give it a material, or draw a mesh under another shading"
+    )]
     Uncoloured(usize),
     /// A list of an object that is not as long as it must be.
-    #[error("object {}: {found} {what}, but {expected} {per}", .object + 1)]
+    #[error("object {object}: {found} {what}, but {expected} {per}")]
     Count {
         /// The object.
         object: usize,
@@ -65,7 +69,7 @@ pub enum RenderError {
         count: usize,
     },
     /// Lines along an object that is not there, or is an analytic surface.
-    #[error("lines {} run along object {}, which has no vertices", .lines + 1, .object + 1)]
+    #[error("lines {lines} run along object {object}, which has no vertices")]
     NoVertices {
         /// Which of the scene's sets of lines.
         lines: usize,
@@ -73,7 +77,7 @@ pub enum RenderError {
         object: usize,
     },
     /// A position so far out that its place on the picture overflows, or that is not finite itself.
-    #[error("object {}: vertex {vertex} at {position} has no finite place in front of the camera", .object + 1)]
+    #[error("object {object}: vertex {vertex} at {position} has no finite place in front of the camera")]
     OutOfRange {
         /// The object.
         object: usize,

@@ -96,19 +96,16 @@ impl fmt::Display for PixelReport {
     }
 }
 
-/// The visible point of a sample. People count from 1.
+/// The visible point of a sample.
 fn write_point(f: &mut fmt::Formatter, point: &ProbePoint) -> fmt::Result {
     let side = if point.front { "front" } else { "back" };
-    let object = point.object + 1;
+    let object = point.object;
     match point.face {
-        Some(face) => {
-            let counted = "counted from 1; in JSON from 0";
-            writeln!(f, "seen         object {object}, face {}, its {side} ({counted})", face + 1)?
-        }
+        Some(face) => writeln!(f, "seen         object {object}, face {face}, its {side}")?,
         None => writeln!(f, "seen         object {object}, an analytic surface, its {side}")?,
     }
     for (vertex, weight) in point.vertices.iter().zip(&point.weights) {
-        writeln!(f, "  vertex {:<4} weight {}", vertex + 1, Nine(*weight))?;
+        writeln!(f, "  vertex {:<4} weight {}", vertex, Nine(*weight))?;
     }
     writeln!(f, "at           {}, {} along the axis", NineEach(point.position), Nine(point.distance))?;
     writeln!(f, "face normal  {}", NineEach(point.face_normal))?;

@@ -33,7 +33,7 @@ impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
             // People count from 1.
-            Place::Light(number) => write!(f, "light {}", number + 1),
+            Place::Light(number) => write!(f, "light {number}"),
             Place::Material => f.write_str("material"),
             Place::Settings => f.write_str("shading"),
         }
@@ -61,8 +61,7 @@ fn cause(normal: &[f64; 3], light: &Option<usize>) -> String {
     match light {
         _ if normal.iter().any(|x| !x.is_finite()) => "; the normal is to blame".to_owned(),
         Some(number) => format!(
-            "; light {} is at the point itself, or its distance, attenuation or colour leaves the range of numbers",
-            number + 1
+            "; light {number} is at the point itself, or its distance, attenuation or colour leaves the range of numbers"
         ),
         None => "; so much light leaves the range of numbers".to_owned(),
     }

@@ -249,7 +249,7 @@ impl fmt::Display for Explanation {
 impl fmt::Display for LightExplanation {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         // People count from 1.
-        writeln!(f, "light {}, {}", self.light + 1, self.kind)?;
+        writeln!(f, "light {}, {}", self.light, self.kind)?;
         match self.distance {
             Some(distance) => {
                 writeln!(f, "  L          {}, distance {}", NineEach(self.towards), Nine(distance))?

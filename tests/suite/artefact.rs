@@ -72,7 +72,7 @@ fn what_acts_on_the_animation_alone_is_reported() {
     let args = ["orientation", "--size", "33", "--interpolation", "affine"];
     let output = artefact(&args);
     assert_eq!(code(&output), 0, "{}", text(&output.stderr));
-    assert!(text(&output.stderr).contains("note: --interpolation is that of the animation only"));
+    assert!(text(&output.stderr).contains("note: --interpolation applies to the animation only"));
     let out = folder(&[]);
     let gif = path(out.path().join("turn.gif"));
     let drawn = artefact(&[&args[..], &["--animate", &gif, "--frames", "2"]].concat());
@@ -152,11 +152,11 @@ fn a_polygon_of_ones_own_is_turned_and_what_does_not_suit_is_refused() {
         (&["mach-bands", "--exponent", "1e308"], 2, "no exponent"),
         (&["lost-highlight", "--exponent", "1e308"], 2, "--exponent is 1e308;"),
         (&["silhouette", "--animate", "x.gif"], 2, "these do: orientation"),
-        (&["orientation", "--animate", "turn.png"], 2, "give turn.gif"),
+        (&["orientation", "--animate", "turn.png"], 2, "use turn.gif"),
         (&["orientation", "--animate", "-"], 2, "turn.gif"),
-        (&["list", "-o", "out"], 2, "-o would be lost"),
-        (&["list", "--segments", "12"], 2, "--segments would be lost"),
-        (&["list", "--animate", "x.gif"], 2, "--animate would be lost"),
+        (&["list", "-o", "out"], 2, "`list` ignores -o"),
+        (&["list", "--segments", "12"], 2, "`list` ignores --segments"),
+        (&["list", "--animate", "x.gif"], 2, "`list` ignores --animate"),
         (&["all", "--segments", "2"], 2, "--segments is 2; give a number from 3 to 1024"),
         (&["all", "--light", "200"], 2, "--light is 200; give an angle"),
         (&["silhouette", "--mesh", "no.obj"], 3, "no.obj: there is no such file"),
@@ -164,11 +164,7 @@ fn a_polygon_of_ones_own_is_turned_and_what_does_not_suit_is_refused() {
         (&["silhouette", "--mesh", &nan], 3, "`crease normals --force`"),
         (&["silhouette", "--mesh", &nan], 3, "nan.obj"),
         (&["mach-bands", "-q", "--size", "64", "-o", "/dev/null/x"], 4, "/dev/null/x"),
-        (
-            &["mach-bands", "-q", "--size", "64", "-o", &square],
-            4,
-            "square.obj is a file; give -o the name of a folder",
-        ),
+        (&["mach-bands", "-q", "--size", "64", "-o", &square], 4, "square.obj is a file, not a folder"),
     ] {
         let output = artefact(args);
         assert_eq!(code(&output), exit, "{args:?}: {}", text(&output.stderr));
@@ -188,7 +184,7 @@ fn all_leaves_out_what_does_not_take_a_value() {
         let status = if is_out { "left-out" } else { "ok" };
         assert_eq!((&report["status"], report["outcome"].is_null()), (&status.into(), is_out), "{report}");
         let id = report["experiment"].as_str().unwrap();
-        let reported = text(&output.stderr).contains(&format!("`{id}` is left out: --segments is 3"));
+        let reported = text(&output.stderr).contains(&format!("`{id}` is omitted: --segments is 3"));
         assert_eq!(reported, is_out, "{id}: {}", text(&output.stderr));
     }
     let left_out = reports.iter().filter(|report| report["status"] == "left-out").count();
@@ -206,8 +202,7 @@ fn all_reports_what_an_option_changes() {
         let ids: Vec<&str> =
             reports.iter().filter(takes).map(|it| it["experiment"].as_str().unwrap()).collect();
         assert!((1..14).contains(&ids.len()), "{ids:?}");
-        let reported =
-            format!("note: --{knob} changes {} only; the others are as without it\n", ids.join(", "));
+        let reported = format!("note: --{knob} changes only {}\n", ids.join(", "));
         assert!(text(&output.stderr).contains(&reported), "{reported} in {}", text(&output.stderr));
         for report in &reports {
             let unheeded = report["unheeded"].as_array().is_some_and(|all| all.contains(&knob.into()));

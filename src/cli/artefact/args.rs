@@ -11,20 +11,15 @@ use crease::num::Degrees;
 use crease::raster::Interpolation;
 use std::path::PathBuf;
 
-/// What stands for every experiment, and for the list of them.
+/// The names of all experiments together, and of their list.
 pub const ALL: &str = "all";
 pub const LIST: &str = "list";
 
 const EXAMPLES: &str = "\
 Examples:
   crease artefact list
-  crease artefact mach-bands -o out
   crease artefact mach-bands --segments 24 --light 60 -o out
-  crease artefact all -o gallery
-  crease artefact all -o galeria --lang pt
-  crease artefact silhouette --mesh bunny.obj --json
-  crease artefact silhouette --mesh coarse.ply --finer fine.ply -o out
-  crease artefact orientation --animate out.gif";
+  crease artefact all -o gallery";
 
 /// Show the classic artefacts of shading, with numbers
 ///
@@ -65,9 +60,9 @@ pub struct ArtefactArgs {
 }
 
 #[derive(Args)]
-#[command(next_help_heading = "A mesh of your own")]
+#[command(next_help_heading = "User mesh")]
 pub struct OwnArgs {
-    /// Mesh to run the experiment on, or `-` for standard input; `crease artefact list` says what is measured on it
+    /// Mesh to run the experiment on, or `-` for standard input; `crease artefact list` shows what is measured on it
     #[arg(long, value_name = "FILE")]
     pub mesh: Option<PathBuf>,
 
@@ -82,7 +77,7 @@ pub struct OwnArgs {
 
 /// Not every experiment takes all of these: see `crease artefact list`.
 #[derive(Args)]
-#[command(next_help_heading = "Parameters (`crease artefact list` tells which experiment takes which)")]
+#[command(next_help_heading = "Parameters (`crease artefact list` shows which experiment uses which)")]
 pub struct ParameterArgs {
     /// Width and height of each picture in pixels, 32 to 1024
     #[arg(long, value_name = "N")]
@@ -136,7 +131,7 @@ fn experiments() -> PossibleValuesParser {
     let named = EXPERIMENTS.iter().map(|experiment| {
         PossibleValue::new(experiment.id).help(experiment.title().get(Language::English).to_owned())
     });
-    let others = [(ALL, "every experiment, with an index"), (LIST, "tell what there is")];
+    let others = [(ALL, "every experiment, with an index"), (LIST, "list the experiments and their options")];
     let others = others.map(|(name, help)| PossibleValue::new(name).help(help));
     PossibleValuesParser::new(named.chain(others).collect::<Vec<_>>())
 }

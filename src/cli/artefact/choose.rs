@@ -47,7 +47,7 @@ fn one(name: &str, args: &ArtefactArgs) -> Result<Chosen, ArtefactError> {
 /// its takers accepts.
 fn all(args: &ArtefactArgs) -> Result<Chosen, String> {
     if args.animate.is_some() {
-        return Err("one animation shows one experiment: name it instead of `all`".into());
+        return Err("an animation shows one experiment\nhelp: name it in place of `all`".into());
     }
     let changes = args.parameters.changes();
     for name in given(args) {
@@ -77,10 +77,7 @@ fn refuse_to_list(args: &ArtefactArgs) -> Result<(), String> {
         Some(name) => format!("--{}", name.name()),
         None => return Ok(()),
     };
-    Err(format!(
-        "`list` only tells what experiments there are, and {option} would be lost: leave it out, or name an experiment instead of \
-         `list`, or `all`"
-    ))
+    Err(format!("`list` ignores {option}\nhelp: omit it, or name an experiment or `all` in place of `list`"))
 }
 
 /// Refuses an animation whose name does not end in .gif.
@@ -88,12 +85,11 @@ fn refuse_other_than_gif(path: &Path) -> Result<(), String> {
     let shown = path.display();
     match path.extension() {
         _ if path.as_os_str() == "-" => {
-            Err("--animate writes a file, and standard output has the report: give a name such as turn.gif"
-                .into())
+            Err("--animate cannot write to standard output\nhelp: name a file such as turn.gif".into())
         }
         Some(ending) if !ending.eq_ignore_ascii_case("gif") => {
             let gif = path.with_extension("gif");
-            Err(format!("--animate draws a GIF, and {shown} does not end so: give {}", gif.display()))
+            Err(format!("--animate writes a GIF, not {shown}\nhelp: use {}", gif.display()))
         }
         _ => Ok(()),
     }

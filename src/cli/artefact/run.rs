@@ -35,7 +35,7 @@ pub fn main(args: &ArtefactArgs, color: Color) -> Exit {
             unheeded(args, &experiments).iter().for_each(|text| console.note(text));
         }
         if args.parameters.interpolation.is_some() && args.animate.is_none() {
-            console.note("--interpolation is that of the animation only: pictures and numbers show every way; --animate FILE draws it");
+            console.note("--interpolation applies to the animation only\nhelp: draw it with --animate FILE");
         }
     }
     let result = guarded(|| run_all(args, &experiments, &console));
@@ -87,7 +87,7 @@ fn unheeded(args: &ArtefactArgs, experiments: &[&'static Experiment]) -> Vec<Str
         let ids: Vec<&str> = experiments.iter().filter(takes).map(|experiment| experiment.id).collect();
         (ids.len() < experiments.len()).then(|| match &ids[..] {
             [] => format!("--{} changes none of them", name.name()),
-            ids => format!("--{} changes {} only; the others are as without it", name.name(), ids.join(", ")),
+            ids => format!("--{} changes only {}", name.name(), ids.join(", ")),
         })
     });
     reported.collect()
@@ -99,7 +99,7 @@ fn leave_out(args: &ArtefactArgs, experiment: &'static Experiment, why: &Artefac
     let setup = Setup { parameters, mesh: None };
     report_unrun(experiment, &setup, "left-out", &Failure::usage(why), console);
     if console.verbosity > Verbosity::Quiet {
-        console.note(&format!("`{}` is left out: {why}", experiment.id));
+        console.note(&format!("`{}` is omitted: {why}", experiment.id));
     }
 }
 

@@ -9,6 +9,9 @@ use std::fmt::Write as _;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 
+/// Between what was found and the next step, in messages.
+pub const HELP: &str = "\nhelp: ";
+
 /// How much is printed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Verbosity {
@@ -140,12 +143,19 @@ impl Console {
         self.remark(Style::BOLD, "note", message);
     }
 
+    /// Prints a message, with its next step on a line of its own.
     fn remark(&self, colour: &str, kind: &str, message: &str) {
-        if !self.stderr_is_json() {
-            let label = self.error_style.paint(colour, &format!("{kind}:"));
-            // Where remarks cannot be printed, neither can a complaint about that.
-            let _ = write(io::stderr().lock(), &format!("{label} {}\n", escaped(message)));
+        if self.stderr_is_json() {
+            return;
         }
+        let line = |colour, kind: &str, text| {
+            let label = self.error_style.paint(colour, &format!("{kind}:"));
+            format!("{label} {}\n", escaped(text))
+        };
+        let (found, help) = message.split_once(HELP).unwrap_or((message, ""));
+        let help = if help.is_empty() { String::new() } else { line(Style::BOLD, "help", help) };
+        // Where remarks cannot be printed, neither can a complaint about that.
+        let _ = write(io::stderr().lock(), &(line(colour, kind, found) + &help));
     }
 }
 

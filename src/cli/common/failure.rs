@@ -1,9 +1,10 @@
 //! Why a run failed, and the exit code for that.
 
-use super::console::Console;
+use super::console::{Console, HELP, escaped};
+use super::numbers::count;
 use crease::io::{Place, ReadError};
 use crease::report::ReportError;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
 use std::sync::Mutex;
 
@@ -22,6 +23,8 @@ pub enum Exit {
 #[derive(Clone, Debug, Serialize)]
 pub struct Failure {
     pub kind: FailureKind,
+    /// What was found and, after [`HELP`], the next step.
+    #[serde(serialize_with = "in_one_line")]
     pub message: String,
     #[serde(flatten)]
     read: Option<ReadError>,
@@ -31,7 +34,7 @@ pub struct Failure {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum FailureKind {
-    /// The options make no sense with this input.
+    /// The options do not fit this input.
     Usage,
     /// The input cannot be read, or it holds nothing that can be drawn or measured.
     Input,
@@ -78,8 +81,16 @@ impl Failure {
 
 impl From<ReadError> for Failure {
     fn from(error: ReadError) -> Self {
-        Self { read: Some(error.clone()), ..Self::input(error) }
+        let message = match &*error.advice {
+            "" => error.to_string(),
+            advice => format!("{}{HELP}{advice}", ReadError { advice: String::new(), ..error.clone() }),
+        };
+        Self { read: Some(error), ..Self::input(message) }
     }
+}
+
+fn in_one_line<S: Serializer>(message: &str, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(&message.replace(HELP, "; "))
 }
 
 impl From<anyhow::Error> for Failure {
@@ -103,6 +114,38 @@ pub fn exit_code(result: Result<Exit, Failure>, console: &Console) -> Exit {
     }
 }
 
+/// The files of a batch that failed, with their errors.
+#[derive(Debug, Default)]
+pub struct Batch {
+    failed: Vec<(String, String)>,
+}
+
+impl Batch {
+    /// Records the failure of a file.
+    pub fn record(&mut self, path: &str, failure: &Failure) {
+        let found = failure.message.split(HELP).next().unwrap_or_default();
+        self.failed.push((escaped(path), escaped(found)));
+    }
+
+    /// Whether a file failed.
+    pub fn has_failed(&self) -> bool {
+        !self.failed.is_empty()
+    }
+
+    /// The lines that end the report on a batch.
+    pub fn summary(&self, inputs: usize) -> String {
+        let (files, failed) = (count(inputs, "file"), self.failed.len());
+        match failed {
+            0 => format!("{files} done\n"),
+            _ => {
+                let lines: String =
+                    self.failed.iter().map(|(path, why)| format!("  {path}: {why}\n")).collect();
+                format!("{} of {files} done, {failed} failed:\n{lines}", inputs - failed)
+            }
+        }
+    }
+}
+
 /// Runs one job. A panic, which would be a fault of this program or of a library, fails that job only.
 pub fn guarded<T>(work: impl FnOnce() -> Result<T, Failure>) -> Result<T, Failure> {
     static MESSAGE: Mutex<Option<String>> = Mutex::new(None);
@@ -118,7 +161,7 @@ pub fn guarded<T>(work: impl FnOnce() -> Result<T, Failure>) -> Result<T, Failur
     let message = MESSAGE.lock().ok().and_then(|mut message| message.take());
     result.unwrap_or_else(|_| {
         let message = message.unwrap_or_else(|| "panicked".into());
-        let message = format!("a fault of crease itself, please report it: {message}");
+        let message = format!("a fault of crease itself: {message}{HELP}please report it");
         Err(Failure::new(FailureKind::Internal, message))
     })
 }

@@ -57,7 +57,7 @@ fn read_stdin(limits: &Limits, mut arrived: impl FnMut(u64)) -> Result<Vec<u8>, 
     let fail = |problem, found: String, advice: &str| ReadError::new(problem, Place::File, found, advice);
     if stdin.is_terminal() {
         let found = "standard input is a terminal".into();
-        return Err(fail(Problem::Io, found, "pipe a file into it, or name one"));
+        return Err(fail(Problem::Io, found, "pipe a file into it, or name a file"));
     }
     let mut bytes = Vec::new();
     while bytes.len() as u64 <= limits.bytes {
@@ -75,13 +75,13 @@ fn read_stdin(limits: &Limits, mut arrived: impl FnMut(u64)) -> Result<Vec<u8>, 
         }
     }
     let found = format!("standard input has more than {} bytes", limits.bytes);
-    Err(fail(Problem::Limit, found, "split it"))
+    Err(fail(Problem::Limit, found, "split the file"))
 }
 
 /// Refuses a `--root` that is no folder.
 pub fn check_root(root: Option<&PathBuf>) -> Result<(), Failure> {
     match root.filter(|root| !root.is_dir()) {
-        Some(root) => Err(Failure::usage(format!("--root {} is no folder", root.display()))),
+        Some(root) => Err(Failure::usage(format!("--root {} is not a folder", root.display()))),
         None => Ok(()),
     }
 }
@@ -110,7 +110,8 @@ pub fn expand(args: &[PathBuf], recursive: bool, out_dir: Option<&Path>) -> Resu
             inputs.push(Input { source: Source::Stdin, place: PathBuf::from("-") });
         } else if arg.is_dir() {
             if !recursive {
-                let advice = format!("{} is a folder; --recursive takes the mesh files in it", arg.display());
+                let advice =
+                    format!("{} is a folder\nhelp: --recursive includes the mesh files in it", arg.display());
                 return Err(Failure::usage(advice));
             }
             let before = inputs.len();

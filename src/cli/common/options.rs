@@ -10,12 +10,12 @@ use crease::num::Degrees;
 pub const EXIT_CODES: &str = "\
 Exit codes:
   0  done
-  1  `crease inspect --fail-on` found something, or an expectation of `crease stress` or a number of
-     `crease artefact` is not what it should be
+  1  `crease inspect --fail-on` found something, an expectation of `crease stress` does not hold, or a
+     measure of `crease artefact` differs from its expected value
   2  wrong usage
   3  an input could not be read
   4  an output could not be made or stored
-  5  some files of a batch failed, the others are done, whatever was found in them";
+  5  some files of a batch failed; the others are done";
 
 #[derive(Args)]
 #[command(next_help_heading = "Running and reporting")]
@@ -70,7 +70,7 @@ choices! { Format {
 } }
 
 choices! { Weight {
-    "uniform" => Uniform: "all alike (Gouraud 1971)",
+    "uniform" => Uniform: "all equal (Gouraud 1971)",
     "area" => Area: "area of the face",
     "angle" => Angle: "angle of the face at the corner (Thürmer & Wüthrich 1998)",
     "angle-area" => AngleArea: "angle times area",
@@ -81,8 +81,8 @@ choices! { Weight {
 
 choices! { When {
     "always" => Always: "all",
-    "missing" => Missing: "those that corners lack",
-    "broken" => Broken: "those too, and those not finite, zero, or against their own face; wrong lengths are divided by",
+    "missing" => Missing: "only those of corners without a normal",
+    "broken" => Broken: "also normals that are not finite, zero, or against their own face; other lengths are normalised",
 } }
 
 pub fn confidence(text: &str) -> Result<Confidence, String> {

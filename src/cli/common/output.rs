@@ -8,7 +8,7 @@ use anyhow::{Context, Result, bail, ensure};
 use crease::io::{Format, Note, OutputContent, OutputFile, Written};
 use std::collections::BTreeMap;
 use std::fs::{self, File};
-use std::hash::{DefaultHasher, Hasher};
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Component, Path, PathBuf};
 use tempfile::NamedTempFile;
@@ -46,27 +46,17 @@ pub struct Store {
     sync: bool,
     /// Do everything but write.
     dry_run: bool,
-    companions: BTreeMap<PathBuf, Mark>,
+    companions: BTreeMap<PathBuf, u64>,
 }
 
-/// What a companion was, without keeping its bytes.
-#[derive(Clone, Debug, PartialEq, Eq)]
-enum Mark {
-    Bytes { length: usize, hash: u64 },
-    CopyOf(PathBuf),
-}
-
-impl Mark {
-    fn of(content: &OutputContent) -> Self {
-        match content {
-            OutputContent::Bytes(bytes) => {
-                let mut hasher = DefaultHasher::new();
-                hasher.write(bytes);
-                Mark::Bytes { length: bytes.len(), hash: hasher.finish() }
-            }
-            OutputContent::CopyOf(path) => Mark::CopyOf(path.clone()),
-        }
+/// Identifies the content of a companion, without keeping its bytes.
+fn mark(content: &OutputContent) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    match content {
+        OutputContent::Bytes(bytes) => (0, bytes).hash(&mut hasher),
+        OutputContent::CopyOf(path) => (1, path).hash(&mut hasher),
     }
+    hasher.finish()
 }
 
 /// A file that is complete, but not yet at its place.
@@ -78,9 +68,12 @@ enum Staged {
 
 /// Makes a folder for outputs: before the work, not after.
 pub fn make_folder(folder: &Path) -> Result<()> {
-    let advice = "give -o the name of a folder, which is made if need be";
-    ensure!(!folder.exists() || folder.is_dir(), "{} is a file; {advice}", folder.display());
-    fs::create_dir_all(folder).with_context(|| format!("could not make the folder {}", folder.display()))
+    ensure!(
+        !folder.exists() || folder.is_dir(),
+        "{} is a file, not a folder\nhelp: name a folder; it is created if necessary",
+        folder.display()
+    );
+    fs::create_dir_all(folder).with_context(|| format!("could not create the folder {}", folder.display()))
 }
 
 impl Store {
@@ -100,7 +93,10 @@ impl Store {
                 // A copied companion exists where the input refers to it; standard output has no folder for new ones.
                 let new = written.companions.iter().find(|c| matches!(c.content, OutputContent::Bytes(_)));
                 if let Some(companion) = new {
-                    bail!("{} would have to stand beside the output; give a file", companion.name);
+                    bail!(
+                        "standard output has no folder for the companion file {}\nhelp: name an output file",
+                        companion.name
+                    );
                 }
                 if !self.dry_run {
                     to_stdout(&written.bytes)?;
@@ -141,7 +137,7 @@ impl Store {
         let replaced = claimed.iter().filter(|claim| claim.is_new && claim.place.is_file());
         let replaced = replaced.map(|claim| {
             let path = claim.place.display();
-            let text = "belongs to the output; the file of that name with other content is replaced";
+            let text = "belongs to the output and replaces a file of that name with other content";
             Note::remark(format!("{path} {text}"))
         });
         let replaced = replaced.collect();
@@ -175,13 +171,13 @@ impl Store {
         let place = follow_links(&folder_of(main).join(path))?;
         ensure!(
             place != main,
-            "{name} is both the output and a file beside it; give the output another name"
+            "{name} is both the output and a companion file\nhelp: give the output another name"
         );
-        let mark = Mark::of(&content);
+        let mark = mark(&content);
         let twin = self.companions.get(&place);
         ensure!(
             twin.is_none_or(|twin| *twin == mark),
-            "{} belongs to another output of this run too, with other content; write them into different folders, or \
+            "{} belongs to another output of this run too, with other content\nhelp: write them into different folders, or \
              one by one under different names",
             place.display()
         );
@@ -235,7 +231,8 @@ impl Store {
 /// An empty file in the folder of another, which is made if it is not there.
 fn temporary_in_folder(path: &Path) -> Result<NamedTempFile> {
     let folder = folder_of(path);
-    fs::create_dir_all(&folder).with_context(|| format!("could not make the folder {}", folder.display()))?;
+    fs::create_dir_all(&folder)
+        .with_context(|| format!("could not create the folder {}", folder.display()))?;
     let mut builder = tempfile::Builder::new();
     builder.prefix(".crease-").suffix(".tmp");
     // The crate's own default is 0600; a new file shall be as open as the umask allows.
@@ -247,7 +244,7 @@ fn temporary_in_folder(path: &Path) -> Result<NamedTempFile> {
 /// A companion and its place.
 struct Claim {
     place: PathBuf,
-    mark: Mark,
+    mark: u64,
     content: OutputContent,
     /// It has to be written: neither has this run done so, nor is it the file that it would be a copy of, nor one with the
     /// same bytes, which may be write-protected.
@@ -345,7 +342,7 @@ fn follow_links(path: &Path) -> Result<PathBuf> {
         let Ok(next) = fs::read_link(&path) else { return Ok(path) };
         path = path.parent().unwrap_or(Path::new("")).join(next);
     }
-    bail!("{} is a link without an end", path.display())
+    bail!("{} is a symbolic link that refers to itself", path.display())
 }
 
 /// Whether both are there and one file.
@@ -360,27 +357,39 @@ pub fn file_target(path: &Path, to: Option<Format>) -> Result<(Target, Option<Fo
         return Ok((target, to));
     }
     if path.is_dir() {
-        return Err(format!("{} is a folder; --out-dir writes into one", path.display()));
+        return Err(format!("{} is a folder\nhelp: --out-dir writes into a folder", path.display()));
     }
     let format = match (Format::from_path(path), to) {
         (Some(named), Some(to)) if named != to => {
-            return Err(format!("{} has the name of a {named} file, but --to says {to}", path.display()));
+            return Err(format!("{} has the name of a {named} file, but --to is {to}", path.display()));
         }
         (None, None) => {
-            return Err(format!("the name of {} does not tell a format; --to does", path.display()));
+            return Err(format!("{}\nhelp: use {ENDINGS}, or choose with --to", unknown_format(path)));
         }
         (named, to) => to.or(named),
     };
     Ok((target, format))
 }
 
+/// The endings of mesh files.
+const ENDINGS: &str = ".obj, .ply, .stl, .gltf or .glb";
+
+fn unknown_format(path: &Path) -> String {
+    match path.extension() {
+        Some(ending) => format!("unknown output format \".{}\" ({})", ending.display(), path.display()),
+        None => format!("unknown output format ({})", path.display()),
+    }
+}
+
 /// A path with its folder made absolute, whether or not the file is there.
 pub fn resolve_parent(path: &Path) -> PathBuf {
     path.canonicalize().unwrap_or_else(|_| {
-        let folder = path.parent().unwrap_or(Path::new(""));
-        let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+        let folder = match path.parent() {
+            Some(folder) if !folder.as_os_str().is_empty() => folder,
+            _ => Path::new("."),
+        };
         let folder = folder.canonicalize().unwrap_or_else(|_| folder.to_path_buf());
-        path.file_name().map_or_else(|| folder.clone(), |name| folder.join(name))
+        folder.join(path.file_name().unwrap_or_default())
     })
 }
 

@@ -31,7 +31,7 @@ pub fn vector(text: &str) -> Result<DVec3, String> {
 /// `#rrggbb` in sRGB, three linear components, or one for a grey.
 pub fn colour(text: &str) -> Result<LinearRgb, String> {
     let wrong = || {
-        format!("{text:?} is no colour: #rrggbb (sRGB), R,G,B or one number (linear, 0 or more) was expected")
+        format!("{text:?} is not a colour: expected #rrggbb (sRGB), R,G,B or one number (linear, 0 or more)")
     };
     if let Some(digits) = text.strip_prefix('#') {
         let is_hexadecimal = digits.len() == 6 && digits.bytes().all(|digit| digit.is_ascii_hexdigit());

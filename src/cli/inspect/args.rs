@@ -14,14 +14,9 @@ use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
 Examples:
-  crease inspect part.glb
   crease inspect part.glb --html report.html
-  crease inspect part.obj --heatmap deviation.png --view auto
   crease inspect models --recursive --json --fail-on error
-  crease inspect part.glb --against mended.glb --html change.html
-  crease inspect part.obj --severity warning --ignore needle-faces
-  crease inspect part.obj --only stray-normals --deviation 5 -v
-  crease inspect --explain averaged-crease";
+  crease inspect --explain faceted";
 
 /// Report what is wrong with a mesh's normals, why, where, and how much it shows
 ///
@@ -91,9 +86,10 @@ pub struct FindingArgs {
     #[arg(long, value_name = "SEVERITY", value_parser = one_of::<Severity>())]
     pub fail_on: Option<Severity>,
 
-    /// Report only findings of at least this severity, and count the others; --fail-on ignores these
-    #[arg(long, value_name = "SEVERITY", default_value = "note", value_parser = one_of::<Severity>())]
-    pub severity: Severity,
+    /// Report only findings of at least this severity, and count the others; --fail-on ignores these [default: note; the
+    /// text hides notes unless -v or this option is given]
+    #[arg(long, value_name = "SEVERITY", value_parser = one_of::<Severity>())]
+    pub severity: Option<Severity>,
 
     /// Omit these findings; repeatable
     #[arg(long, value_name = "ID", value_parser = kind, value_delimiter = ',')]
@@ -107,138 +103,82 @@ pub struct FindingArgs {
     #[arg(long, value_name = "N")]
     pub places: Option<usize>,
 
-    /// Explain a finding, or all of them with `all`, and exit
-    #[arg(long, value_name = "ID", value_parser = explained, exclusive = true)]
-    pub explain: Option<Explained>,
+    /// Explain findings by id or symptom (faceted, dark, seam, inside out), or all, and exit
+    #[arg(long, value_name = "WORD", num_args = 1.., exclusive = true)]
+    pub explain: Vec<String>,
 }
 
-/// What `--explain` is about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Explained {
-    All,
-    One(Kind),
+/// Makes the options of the thresholds: `option => field of Thresholds: type, parser, name of the value`.
+macro_rules! thresholds {
+    ($($(#[$help:meta])* $option:ident => $field:ident: $type:ty, $parser:expr, $value:literal;)*) => {
+        #[derive(Args)]
+        #[command(next_help_heading = "Thresholds (angles in degrees)")]
+        pub struct ThresholdArgs {
+            $($(#[$help])*
+            #[arg(long, value_name = $value, value_parser = $parser, allow_negative_numbers = true)]
+            $option: Option<$type>,)*
+        }
+
+        impl ThresholdArgs {
+            /// The defaults with the options in their place.
+            pub fn resolve(&self, places: Option<usize>) -> Thresholds {
+                let mut thresholds = Thresholds::default();
+                $(if let Some(value) = self.$option {
+                    thresholds.$field = value.into();
+                })*
+                thresholds.strict_length = thresholds.strict_length.min(thresholds.length);
+                thresholds.places = places.unwrap_or(thresholds.places);
+                thresholds
+            }
+        }
+    };
 }
 
-#[derive(Args)]
-#[command(next_help_heading = "Thresholds (angles in degrees)")]
-pub struct ThresholdArgs {
+thresholds! {
     /// Maximum angle between a stored normal and the one of the mesh's own recipe, in degrees [default: 15]
-    #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
-    pub deviation: Option<Degrees>,
-
+    deviation => deviation: Degrees, angle, "DEG";
     /// Maximum angle of a stored normal beyond 90° from its face, in degrees [default: 5]
-    #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
-    pub past_face: Option<Degrees>,
-
+    past_face => against: Degrees, angle, "DEG";
     /// Maximum common rotation of all stored normals, in degrees [default: 5]
-    #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
-    pub rotation: Option<Degrees>,
-
+    rotation => rotation: Degrees, angle, "DEG";
     /// Maximum quantisation error of stored normals, in degrees [default: 0.05]
-    #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
-    pub quantisation: Option<Degrees>,
-
+    quantisation => quantisation: Degrees, angle, "DEG";
     /// Maximum dihedral angle of an edge with one normal on both sides beyond the crease angle, in degrees [default:
     /// 10]
-    #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
-    pub past_crease: Option<Degrees>,
-
+    past_crease => crease: Degrees, angle, "DEG";
     /// Maximum angle between the normals on both sides of a smooth edge, in degrees [default: 2]
-    #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
-    pub seam: Option<Degrees>,
-
+    seam => seam: Degrees, angle, "DEG";
     /// Maximum deviation of a tangent from perpendicular to its normal, in degrees [default: 5]
-    #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
-    pub tangent: Option<Degrees>,
-
+    tangent => tangent: Degrees, angle, "DEG";
     /// Maximum deviation of the length of a normal from 1 [default: 0.00674]
-    #[arg(long, value_name = "LENGTH", value_parser = from_0, allow_negative_numbers = true)]
-    pub length: Option<f64>,
-
+    length => length: f64, from_0, "LENGTH";
     /// Tolerance of the length below which no note is given [default: 0.001]
-    #[arg(long, value_name = "LENGTH", value_parser = from_0, allow_negative_numbers = true)]
-    pub strict_length: Option<f64>,
-
+    strict_length => strict_length: f64, from_0, "LENGTH";
     /// Maximum angle between a polygon and the planes at its corners, in degrees [default: 10]
-    #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
-    pub planarity: Option<Degrees>,
-
+    planarity => planarity: Degrees, angle, "DEG";
     /// Distance below which two open edges count as one, as a fraction of the bounding box's diagonal [default: 1e-6]
-    #[arg(long, value_name = "REL", value_parser = from_0, allow_negative_numbers = true)]
-    pub weld: Option<f64>,
-
+    weld => weld: f64, from_0, "REL";
     /// Ratio of width to length below which a face counts as long and thin; of a triangle, height over longest edge
     /// [default: 0.001]
-    #[arg(long, value_name = "RATIO", value_parser = from_0, allow_negative_numbers = true)]
-    pub needle: Option<f64>,
-
+    needle => needle: f64, from_0, "RATIO";
     /// Edges with a larger dihedral angle count as folded, in degrees [default: 170]
-    #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
-    pub fold: Option<Degrees>,
-
+    fold => fold: Degrees, angle, "DEG";
     /// Maximum error of face normals from rounding positions to 32 bits, in degrees [default: 0.5]
-    #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
-    pub rounding: Option<Degrees>,
-
+    rounding => rounding: Degrees, angle, "DEG";
     /// Minimum confidence needed to decide which side of an open surface is outside, from 0.5 to 1 [default: 0.9]
-    #[arg(long, value_name = "SHARE", allow_negative_numbers = true, value_parser = confidence)]
-    pub confidence: Option<Confidence>,
-
+    confidence => confidence: Confidence, confidence, "SHARE";
     /// Maximum number of faces at a vertex [default: 48]
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
-    pub valence: Option<u32>,
-
+    valence => valence: u32, clap::value_parser!(u32), "N";
     /// Blinn exponent of the highlight that each face has to show [default: its material's, or 32]
-    #[arg(long, value_name = "N", value_parser = from_1, allow_negative_numbers = true)]
-    pub exponent: Option<f64>,
-
+    exponent => exponent: f64, from_1, "N";
     /// Change of slope at an edge that shows as a Mach band, in 8-bit steps a pixel [default: 0.1]
-    #[arg(long, value_name = "STEPS", value_parser = from_0, allow_negative_numbers = true)]
-    pub band: Option<f64>,
-
+    band => band: f64, from_0, "STEPS";
     /// Maximum angle between a normal and its face before shadows break up, in degrees [default: 20]
-    #[arg(long, value_name = "DEG", value_parser = angle, allow_negative_numbers = true)]
-    pub terminator: Option<Degrees>,
-
+    terminator => terminator: Degrees, angle, "DEG";
     /// Maximum deviation of an outline from its curve, in pixels [default: 1]
-    #[arg(long, value_name = "PIXELS", value_parser = from_0, allow_negative_numbers = true)]
-    pub outline: Option<f64>,
-
+    outline => outline: f64, from_0, "PIXELS";
     /// Width of the mesh on the screen for outlines and bands, in pixels [default: 512]
-    #[arg(long, value_name = "PIXELS", value_parser = from_1, allow_negative_numbers = true)]
-    pub size: Option<f64>,
-}
-
-impl ThresholdArgs {
-    /// The defaults with the options in their place.
-    pub fn resolve(&self, places: Option<usize>) -> Thresholds {
-        let usual = Thresholds::default();
-        let length = self.length.unwrap_or(usual.length);
-        Thresholds {
-            length,
-            strict_length: self.strict_length.unwrap_or(usual.strict_length).min(length),
-            deviation: self.deviation.unwrap_or(usual.deviation),
-            against: self.past_face.unwrap_or(usual.against),
-            rotation: self.rotation.unwrap_or(usual.rotation),
-            quantisation: self.quantisation.unwrap_or(usual.quantisation),
-            tangent: self.tangent.unwrap_or(usual.tangent),
-            crease: self.past_crease.unwrap_or(usual.crease),
-            seam: self.seam.unwrap_or(usual.seam),
-            weld: self.weld.unwrap_or(usual.weld),
-            needle: self.needle.unwrap_or(usual.needle),
-            planarity: self.planarity.unwrap_or(usual.planarity),
-            fold: self.fold.unwrap_or(usual.fold),
-            confidence: self.confidence.unwrap_or(usual.confidence),
-            valence: self.valence.unwrap_or(usual.valence),
-            rounding: self.rounding.unwrap_or(usual.rounding),
-            terminator: self.terminator.unwrap_or(usual.terminator),
-            exponent: self.exponent,
-            band: self.band.unwrap_or(usual.band),
-            outline: self.outline.unwrap_or(usual.outline),
-            size: self.size.unwrap_or(usual.size),
-            places: places.unwrap_or(usual.places),
-        }
-    }
+    size => size: f64, from_1, "PIXELS";
 }
 
 fn angle(text: &str) -> Result<Degrees, String> {
@@ -262,7 +202,7 @@ fn number(text: &str, least: f64) -> Result<f64, String> {
 }
 
 choices! { Sight {
-    "auto" => Auto: "from where most of the worst places face",
+    "auto" => Auto: "from the side that most of the worst positions face",
     "front" => From(DVec3::Z): "from +z",
     "back" => From(DVec3::NEG_Z): "from −z",
     "right" => From(DVec3::X): "from +x",
@@ -274,14 +214,9 @@ choices! { Sight {
 choices! { Severity {
     "error" => Error: "wrong in any picture",
     "warning" => Warning: "shows in some light or some viewer",
-    "note" => Note: "worth knowing, may be meant",
+    "note" => Note: "for information, may be intended",
 } }
 
 fn kind(id: &str) -> Result<Kind, String> {
-    Kind::of_id(id)
-        .ok_or_else(|| "no finding has this name; `crease inspect --explain all` lists them".into())
-}
-
-fn explained(id: &str) -> Result<Explained, String> {
-    if id == "all" { Ok(Explained::All) } else { kind(id).map(Explained::One) }
+    Kind::of_id(id).ok_or_else(|| "no finding has this name; `crease inspect --explain all` lists all".into())
 }

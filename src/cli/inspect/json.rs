@@ -21,6 +21,12 @@ pub struct InspectReport {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub against: Option<Against>,
     pub seconds: Seconds,
+    /// The name of a fixed version, in the working folder.
+    #[serde(skip)]
+    pub fix_as: String,
+    /// Kinds and paths of the pages and pictures that were written.
+    #[serde(skip)]
+    pub written: Vec<(&'static str, String)>,
 }
 
 #[derive(Clone, Copy, Debug, Default, Serialize)]

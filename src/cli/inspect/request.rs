@@ -20,7 +20,7 @@ pub fn sources(args: &InspectArgs) -> Result<Vec<Source>, Failure> {
     }
     let sources: Vec<Source> = found.into_iter().map(|input| input.source).collect();
     if args.against.as_deref().map(Source::of) == Some(Source::Stdin) && sources.contains(&Source::Stdin) {
-        return Err(Failure::usage("standard input can be read once; name one of the two files"));
+        return Err(Failure::usage("standard input can be read only once\nhelp: name one of the two files"));
     }
     check_outputs(&sources, args).map_err(Failure::usage)?;
     Ok(sources)
@@ -37,7 +37,10 @@ fn check_outputs(sources: &[Source], args: &InspectArgs) -> Result<(), String> {
     let is_file = |path: &Path| Target::of(path) != Target::Stdout;
     for output in [html, heatmap].into_iter().flatten().filter(|path| is_file(path)) {
         if let Some(input) = inputs.iter().find(|input| is_same_file(input, output)) {
-            return Err(format!("this would overwrite the input {}; name another output", input.display()));
+            return Err(format!(
+                "this would overwrite the input {}\nhelp: name another output",
+                input.display()
+            ));
         }
     }
     let is_png = |path: &Path| path.extension().is_some_and(|name| name.eq_ignore_ascii_case("png"));
@@ -46,7 +49,7 @@ fn check_outputs(sources: &[Source], args: &InspectArgs) -> Result<(), String> {
             Err(format!("--html and --heatmap would both be written to {}", html.display()))
         }
         (_, Some(path)) if is_file(path) && !is_png(path) => {
-            Err(format!("{} does not end in .png, which is what --heatmap writes", path.display()))
+            Err(format!("--heatmap writes a PNG, not {}\nhelp: use a name that ends in .png", path.display()))
         }
         _ => Ok(()),
     }

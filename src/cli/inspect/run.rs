@@ -1,38 +1,36 @@
 //! Runs `crease inspect`: all inputs one after the other.
 
-use super::args::{Explained, FindingArgs, InspectArgs, PictureArgs};
+use super::args::{FindingArgs, InspectArgs, PictureArgs};
 use super::json::{Against, Counts, InspectReport};
 use super::request::sources;
-use super::text;
-use crate::cli::args::refused;
-use crate::cli::common::console::{Console, Verbosity, escaped};
-use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
+use super::symptoms;
+use super::text::{self, Layout};
+use crate::cli::args::{refused, usage_error};
+use crate::cli::common::console::{Console, HELP, Style, Verbosity, escaped};
+use crate::cli::common::failure::{Batch, Exit, Failure, exit_code, guarded};
 use crate::cli::common::input::Source;
 use crate::cli::common::options::Color;
 use crate::cli::common::output::Target;
 use crate::cli::common::progress::{FileProgress, Progress, Stage};
 use crease::io::{Loaded, ReadOptions};
 use crease::num::Transfer;
-use crease::quality::{Diagnosis, Thresholds, compare, diagnose};
+use crease::quality::catalogue::{Kind, entries};
+use crease::quality::{Diagnosis, Severity, Thresholds, compare, diagnose};
 use crease::report::{After, deviation_picture, diagnosis_page, encode_png};
-use std::path::Path;
+use std::path::PathBuf;
 use std::time::Instant;
 
 /// What a heat map of a file without normals shows.
-const NO_DEVIATION: &str = "no normals are stored, so none can be off: the heat map has one colour for that; \
-                            `crease normals` computes them";
+const NO_DEVIATION: &str =
+    "no normals are stored: the picture shows no deviations\nhelp: compute normals with `crease normals`";
 
 /// Runs the verb.
 pub fn main(args: &InspectArgs, color: Color) -> Exit {
     let PictureArgs { html, heatmap, .. } = &args.pictures;
     let to_stdout = [html, heatmap].into_iter().flatten().find(|path| Target::of(path) == Target::Stdout);
     let console = Console::new(&args.run, color, to_stdout.map(|path| path.as_path()));
-    if let Some(explained) = args.findings.explain {
-        let style = console.report_style();
-        console.report(&match explained {
-            Explained::All => text::catalogue(style),
-            Explained::One(kind) => text::explanation(kind.entry(), style),
-        });
+    if !args.findings.explain.is_empty() {
+        console.report(&explained(&args.findings.explain.join(" "), console.report_style()));
         return exit_code(Ok(Exit::Done), &console);
     }
     let sources = match sources(args) {
@@ -43,11 +41,29 @@ pub fn main(args: &InspectArgs, color: Color) -> Exit {
     run(&sources, args, &console)
 }
 
+/// What the catalogue has on a finding, on all, or on those that a symptom fits.
+fn explained(words: &str, style: Style) -> String {
+    let found = match Kind::of_id(words) {
+        Some(kind) => vec![kind.entry()],
+        None if words == "all" => entries().collect(),
+        None => symptoms::search(words),
+    };
+    match &found[..] {
+        [] => usage_error(
+            "inspect",
+            format!("no finding fits {words:?}{HELP}`--explain all` lists all findings"),
+        ),
+        [entry] => text::explanation(entry, style),
+        found if words == "all" => text::explanations(found, style),
+        found => text::list(found, style),
+    }
+}
+
 fn run(sources: &[Source], args: &InspectArgs, console: &Console) -> Exit {
     let progress = Progress::of_inputs(console, sources);
     let read = ReadOptions { root: args.root.clone(), ..ReadOptions::default() };
     let thresholds = args.thresholds.resolve(args.findings.places);
-    let (mut failed, mut exit) = (None, Exit::Done);
+    let (mut batch, mut failed, mut exit) = (Batch::default(), None, Exit::Done);
     for source in sources {
         let mut report = InspectReport::new(source);
         let start = Instant::now();
@@ -66,9 +82,15 @@ fn run(sources: &[Source], args: &InspectArgs, console: &Console) -> Exit {
             }
             print(&report, args, sources.len() > 1, console);
         });
-        failed = result.err().or(failed);
+        if let Err(failure) = result {
+            batch.record(&report.input.path, &failure);
+            failed = Some(failure);
+        }
     }
     drop(progress);
+    if sources.len() > 1 {
+        console.text(|| batch.summary(sources.len()));
+    }
     let result = match failed {
         Some(_) if sources.len() > 1 => Ok(Exit::PartOfBatch),
         Some(failure) => Err(failure),
@@ -114,9 +136,16 @@ fn inspect(
     }
     report.seconds.inspect = start.elapsed().as_secs_f64();
     report.hidden = keep_wanted(&mut diagnosis, &args.findings);
-    let output = fixed(source, loaded.format.extension());
+    let path = match source {
+        Source::File(path) => path.with_extension(""),
+        Source::Stdin => PathBuf::from("stdin"),
+    };
+    let extension = loaded.format.extension();
+    let output = format!("{}-mended.{extension}", path.display());
     report.fill(&diagnosis, &output);
-    draw(&loaded, &diagnosis, after.as_ref(), report, &output, args)?;
+    let stem = path.file_name().unwrap_or_default().to_string_lossy();
+    report.fix_as = format!("{stem}-fixed.{extension}");
+    draw(&loaded, &diagnosis, after.as_ref(), report, args)?;
     let is_grave = args.findings.fail_on.is_some_and(|least| diagnosis.worst() >= Some(least));
     let has_pictures = args.pictures.html.is_some() || args.pictures.heatmap.is_some();
     let has_faces = loaded.parts.iter().any(|part| part.mesh.face_count() > 0);
@@ -137,14 +166,12 @@ fn has_normals(loaded: &Loaded) -> bool {
     columns.flat_map(|columns| &columns.normals).any(|normals| !normals.values.is_empty())
 }
 
-/// Makes and stores the pictures that were asked for. `after` is the file that `--against` names, `output` the name of a fixed
-/// version.
+/// Makes and stores the pictures that were asked for. `after` is the file that `--against` names.
 fn draw(
     loaded: &Loaded,
     diagnosis: &Diagnosis,
     after: Option<&Loaded>,
-    report: &InspectReport,
-    output: &str,
+    report: &mut InspectReport,
     args: &InspectArgs,
 ) -> Result<(), Failure> {
     /// Pixels along the sides of a heat map of its own.
@@ -154,12 +181,14 @@ fn draw(
         let after = after.zip(report.against.as_ref());
         let after =
             after.map(|(loaded, Against { path, comparison })| After { name: path, loaded, comparison });
-        let page = diagnosis_page(loaded, diagnosis, after, [&report.input.path, output], *view);
+        let page = diagnosis_page(loaded, diagnosis, after, [&report.input.path, &report.fix_as], *view);
         Target::of(path).store(page.map_err(Failure::input)?.into_bytes())?;
+        report.written.push(("page", Target::of(path).name()));
     }
     if let Some(path) = heatmap {
         let picture = deviation_picture(loaded, diagnosis, *view, SIDE).map_err(Failure::input)?;
         Target::of(path).store(encode_png(&picture, Transfer::Srgb).map_err(Failure::input)?)?;
+        report.written.push(("picture", Target::of(path).name()));
     }
     Ok(())
 }
@@ -168,20 +197,11 @@ fn draw(
 fn keep_wanted(diagnosis: &mut Diagnosis, args: &FindingArgs) -> Counts {
     let all = Counts::of(diagnosis);
     diagnosis.findings.retain(|finding| {
-        finding.severity >= args.severity
+        finding.severity >= args.severity.unwrap_or(Severity::Note)
             && !args.ignore.contains(&finding.kind)
             && (args.only.is_empty() || args.only.contains(&finding.kind))
     });
     all.without(Counts::of(diagnosis))
-}
-
-/// A name for the fixed version of an input, next to it.
-fn fixed(source: &Source, extension: &str) -> String {
-    let stem = match source {
-        Source::File(path) => path.with_extension(""),
-        Source::Stdin => Path::new("stdin").to_path_buf(),
-    };
-    format!("{}-mended.{extension}", stem.display())
 }
 
 fn print(report: &InspectReport, args: &InspectArgs, brief: bool, console: &Console) {
@@ -191,11 +211,17 @@ fn print(report: &InspectReport, args: &InspectArgs, brief: bool, console: &Cons
     console.print(report, || {
         let verbose = console.verbosity == Verbosity::Verbose;
         let style = console.report_style();
-        let places = args.findings.places.unwrap_or(if verbose { usize::MAX } else { 1 });
+        let layout = Layout {
+            style,
+            verbose,
+            hides_notes: !verbose && args.findings.severity.is_none() && args.findings.only.is_empty(),
+            selects_by_severity: args.findings.only.is_empty() && args.findings.ignore.is_empty(),
+            places: args.findings.places.unwrap_or(if verbose { usize::MAX } else { 1 }),
+        };
         match brief && !verbose {
             _ if report.head.error.is_some() => String::new(),
-            true => text::line(report, style),
-            false => text::block(report, style, verbose, places),
+            true => layout.line(report),
+            false => layout.block(report),
         }
     });
 }

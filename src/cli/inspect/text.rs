@@ -1,33 +1,166 @@
 //! The report of `crease inspect` on one input file, and explanations of findings, as text.
 
+use super::fix;
 use super::json::{Against, Counts, FindingReport, InspectReport};
 use crate::cli::common::console::{Style, escaped};
 use crate::cli::common::numbers::{count, counts_above_zero};
 use crease::num::{Degrees, three_digits};
-use crease::quality::catalogue::{Entry, entries};
-use crease::quality::{Element, Severity, Site};
+use crease::quality::catalogue::Entry;
+use crease::quality::{Element, Finding, PartDiagnosis, Severity, Site};
 use std::fmt::Write;
 
-/// The verdict in one line.
-pub fn line(report: &InspectReport, style: Style) -> String {
-    let name = style.paint(Style::BOLD, &escaped(&report.input.path));
-    let (reported, hidden) = (counted(report.counts, style), counted(report.hidden, style));
-    let reported = match (reported.is_empty(), hidden.is_empty()) {
-        (true, true) => "nothing found".into(),
-        (true, false) => format!("nothing of what was asked for; not told: {hidden}"),
-        (false, true) => reported,
-        (false, false) => format!("{reported}; not told: {hidden}"),
-    };
-    format!("{name}: {reported}\n")
+/// How a report is shown.
+pub struct Layout {
+    pub style: Style,
+    /// Details of each finding, and every part.
+    pub verbose: bool,
+    /// Notes are counted, not listed.
+    pub hides_notes: bool,
+    /// No findings are selected by id, so that `--severity` shows those that are hidden.
+    pub selects_by_severity: bool,
+    /// Positions of each finding.
+    pub places: usize,
 }
 
-fn counted(counts: Counts, style: Style) -> String {
-    let severities =
-        [(counts.error, Severity::Error), (counts.warning, Severity::Warning), (counts.note, Severity::Note)];
-    let reported = severities.into_iter().filter(|(number, _)| *number > 0);
-    let reported =
-        reported.map(|(number, severity)| style.paint(colour(severity), &count(number, severity.name())));
-    reported.collect::<Vec<_>>().join(", ")
+impl Layout {
+    /// The verdict in one line.
+    pub fn line(&self, report: &InspectReport) -> String {
+        let (mut shown, mut hidden) = (report.counts, report.hidden);
+        if self.hides_notes {
+            hidden.note += std::mem::take(&mut shown.note);
+        }
+        let (shown, hidden) = (self.counted(shown), self.counted(hidden));
+        let hint = if self.selects_by_severity { " (--severity note shows them)" } else { "" };
+        let nothing = if self.selects_by_severity { "no errors or warnings" } else { "no selected findings" };
+        let verdict = match (&*shown, &*hidden) {
+            ("", "") => "No problems found.".into(),
+            ("", hidden) => format!("{nothing}; {hidden} hidden{hint}"),
+            (shown, "") => shown.into(),
+            (shown, hidden) => format!("{shown}; {hidden} hidden{hint}"),
+        };
+        format!("{}: {verdict}\n", self.style.paint(Style::BOLD, &escaped(&report.input.path)))
+    }
+
+    fn counted(&self, counts: Counts) -> String {
+        let severities = [
+            (counts.error, Severity::Error),
+            (counts.warning, Severity::Warning),
+            (counts.note, Severity::Note),
+        ];
+        let counted = severities.into_iter().filter(|(number, _)| *number > 0);
+        let counted = counted
+            .map(|(number, severity)| self.style.paint(colour(severity), &count(number, severity.name())));
+        counted.collect::<Vec<_>>().join(", ")
+    }
+
+    /// The verdict, every finding, the fix, and how the normals were made.
+    pub fn block(&self, report: &InspectReport) -> String {
+        let mut out = self.line(report);
+        let is_shown = |it: &&FindingReport| !(self.hides_notes && it.finding.severity == Severity::Note);
+        let shown: Vec<&Finding> =
+            report.findings.iter().filter(is_shown).map(|report| &report.finding).collect();
+        for finding in &shown {
+            out.push_str(&self.finding(finding, report));
+        }
+        if let Some(command) = fix::command(&shown, &report.input.path, &report.fix_as) {
+            let _ = writeln!(out, "  fix: {}", escaped(&command));
+        }
+        let has_recipe =
+            |it: &&PartDiagnosis| self.verbose || report.parts.len() == 1 && it.estimate.is_some();
+        for part in report.parts.iter().filter(has_recipe) {
+            let _ = writeln!(out, "  {}", recipe(part));
+        }
+        if let Some(against) = &report.against {
+            out.push_str(&self.comparison(against, report));
+        }
+        let written: Vec<String> =
+            report.written.iter().map(|(what, path)| format!("{what}: {}", escaped(path))).collect();
+        if !written.is_empty() {
+            let _ = writeln!(out, "  {}", written.join(" · "));
+        }
+        out
+    }
+
+    /// A finding in one line, and its details if they are wanted.
+    fn finding(&self, finding: &Finding, report: &InspectReport) -> String {
+        let entry = finding.kind.entry();
+        let label = self.style.paint(colour(finding.severity), finding.severity.name());
+        let counts_elements = entry.element != Element::Mesh || finding.of > 1;
+        let is_somewhere = |site: &&Site| site.position.is_some() || entry.element == Element::Node;
+        let mut sites = finding.places.iter().take(self.places).filter(is_somewhere);
+        let id = self.style.paint(Style::BOLD, entry.id);
+        if !self.verbose {
+            let sites: Vec<String> = sites.map(|site| place(site, report)).collect();
+            let sites =
+                if sites.is_empty() { String::new() } else { format!("; at {}", sites.join("; at ")) };
+            let number = if counts_elements { format!("{}: ", elements(finding)) } else { String::new() };
+            return format!("  {label} {id}: {number}{}{sites}\n", finding.cause);
+        }
+        let mut lines = Vec::new();
+        let percent = |share: f64| format!("{} %", three_digits(100.0 * share));
+        if counts_elements {
+            let area = finding.area_share.filter(|&share| share > 0.0);
+            let area = area.map_or(String::new(), |share| format!(", {} of the area", percent(share)));
+            lines.push(format!("{} ({}){area}", elements(finding), percent(finding.share())));
+        }
+        if let Some(steps) = finding.steps.filter(|&steps| steps > 0.0) {
+            let steps = three_digits(steps);
+            let angle =
+                finding.degrees.map_or(String::new(), |degrees| format!("{}°: ", three_digits(degrees)));
+            lines.push(format!("up to {angle}{steps} of 255 grey steps under a key light"));
+        }
+        if let Some((value, unit)) = finding.amount.zip(finding.kind.unit()) {
+            let value = finding.kind.write_amount(value);
+            if !finding.cause.contains(&value) {
+                lines.push(format!("at worst {value} {unit}"));
+            }
+        }
+        lines.extend(finding.confidence.map(|confidence| format!("confidence {confidence:.2}")));
+        lines.extend(sites.by_ref().map(|site| format!("at {}", place(site, report))));
+        let lines: String = lines.iter().map(|line| format!("    {line}\n")).collect();
+        format!("  {label} {id}: {}\n{lines}", finding.cause)
+    }
+
+    /// What is different in another file: one line, then the details.
+    fn comparison(&self, against: &Against, report: &InspectReport) -> String {
+        let Against { path, comparison } = against;
+        let [mean_steps, largest_steps] = comparison.steps();
+        let angle = |Degrees(degrees): Degrees, steps: f64| {
+            format!("{}° ({} of 255 grey steps)", three_digits(degrees), three_digits(steps))
+        };
+        let summary = match comparison.changed {
+            0 => format!("no direction of {} corners changed", comparison.corners),
+            changed => format!(
+                "{changed} of {} corners changed, {} visibly, by at most {} and on average {}, under a key light",
+                comparison.corners,
+                comparison.visible,
+                angle(comparison.largest, largest_steps),
+                angle(comparison.mean, mean_steps)
+            ),
+        };
+        let mut lines = counts_above_zero(&[
+            (comparison.gained, "corners have a normal only in that file"),
+            (comparison.lost, "corners have a normal only in this file"),
+            (comparison.turned, "faces have reversed winding"),
+            (comparison.unmatched[0], "faces are only in this file"),
+            (comparison.unmatched[1], "faces are only in that file"),
+        ]);
+        let places = comparison.places.iter().take(self.places);
+        lines.extend(places.map(|site| format!("at {}", place(site, report))));
+        let mut list = |name: &str, is_wanted: fn([u64; 2]) -> bool| {
+            let findings = comparison.findings.iter().filter(|(_, counts)| is_wanted(*counts));
+            let findings: Vec<String> =
+                findings.map(|(kind, [before, after])| format!("{} {before} → {after}", kind.id())).collect();
+            if !findings.is_empty() {
+                lines.push(format!("{name}: {}", findings.join(", ")));
+            }
+        };
+        list("gone", |[_, after]| after == 0);
+        list("new", |[before, _]| before == 0);
+        list("other counts", |[before, after]| before != after && before > 0 && after > 0);
+        let lines: String = lines.iter().map(|line| format!("    {line}\n")).collect();
+        format!("  against {}: {summary}\n{lines}", self.style.paint(Style::BOLD, &escaped(path)))
+    }
 }
 
 fn colour(severity: Severity) -> &'static str {
@@ -38,71 +171,33 @@ fn colour(severity: Severity) -> &'static str {
     }
 }
 
-/// The verdict, how the normals were made, and every finding.
-pub fn block(report: &InspectReport, style: Style, verbose: bool, places: usize) -> String {
-    let mut out = line(report, style);
-    let is_shown = |has_estimate| verbose || report.parts.len() == 1 && has_estimate;
-    for part in report.parts.iter().filter(|part| is_shown(part.estimate.is_some())) {
-        let name = if part.name.is_empty() { String::new() } else { format!("{}: ", escaped(&part.name)) };
-        let made = match &part.estimate {
-            Some(estimate) if estimate.reproduced < 0.5 => "; no rule reproduces the stored normals".into(),
-            Some(estimate) => format!(
-                "; stored normals{} are best reproduced by --weight {} --crease {}{}: {} % of corners within 5°",
-                if estimate.turned { ", turned back," } else { "" },
-                estimate.weight.name(),
-                estimate.crease.0,
-                if estimate.groups { " and smoothing groups" } else { "" },
-                three_digits(100.0 * estimate.reproduced)
-            ),
-            None => String::new(),
-        };
-        let rounded = part.precision.as_ref().map_or(String::new(), |precision| {
-            format!("; rounded to {}: by at most {}°", precision.grid, three_digits(precision.error.0))
-        });
-        let _ = writeln!(out, "  {name}{} faces, {} vertices{made}{rounded}", part.faces, part.vertices);
-    }
-    report.findings.iter().for_each(|finding| out.push_str(&paragraph(finding, report, style, places)));
-    if let Some(against) = &report.against {
-        out.push_str(&comparison(against, report, style, places));
-    }
-    out
+/// `38 of 1260 corners`.
+fn elements(finding: &Finding) -> String {
+    let plural = match finding.kind.entry().element {
+        Element::Vertex => "vertices".to_owned(),
+        Element::Mesh => "meshes".to_owned(),
+        element => format!("{}s", element.name()),
+    };
+    format!("{} of {} {plural}", finding.count, finding.of)
 }
 
-fn paragraph(item: &FindingReport, report: &InspectReport, style: Style, places: usize) -> String {
-    let FindingReport { finding, command } = item;
-    let entry = finding.kind.entry();
-    let label = style.paint(colour(finding.severity), finding.severity.name());
-    let mut lines = Vec::new();
-    if entry.element != Element::Mesh || finding.of > 1 {
-        let plural = match entry.element {
-            Element::Vertex => "vertices".to_owned(),
-            Element::Mesh => "meshes".to_owned(),
-            element => format!("{}s", element.name()),
-        };
-        let percent = |share: f64| format!("{} %", three_digits(100.0 * share));
-        let area = finding.area_share.filter(|&share| share > 0.0);
-        let area = area.map_or(String::new(), |share| format!(", {} of the area", percent(share)));
-        let share = percent(finding.share());
-        lines.push(format!("{} of {} {plural} ({share}){area}", finding.count, finding.of));
-    }
-    if let Some(steps) = finding.steps.filter(|&steps| steps > 0.0) {
-        let steps = three_digits(steps);
-        let angle = finding.degrees.map_or(String::new(), |degrees| format!("{}°: ", three_digits(degrees)));
-        lines.push(format!("up to {angle}{steps} of 255 grey steps under a key light"));
-    }
-    if let Some((value, unit)) = finding.amount.zip(finding.kind.unit()) {
-        let value = finding.kind.write_amount(value);
-        if !finding.cause.contains(&value) {
-            lines.push(format!("at worst {value} {unit}"));
-        }
-    }
-    lines.extend(finding.confidence.map(|confidence| format!("confidence {confidence:.2}")));
-    let is_somewhere = |site: &&Site| site.position.is_some() || entry.element == Element::Node;
-    let sites = finding.places.iter().take(places).filter(is_somewhere);
-    lines.extend(sites.map(|site| format!("at {}", place(site, report))));
-    lines.extend(command.iter().map(|command| format!("mend: {}", escaped(command))));
-    let lines: String = lines.iter().map(|line| format!("    {line}\n")).collect();
-    format!("  {label} {}: {}\n{lines}", style.paint(Style::BOLD, entry.id), finding.cause)
+/// The size of a part, the recipe that reproduces its normals best, and their precision.
+fn recipe(part: &PartDiagnosis) -> String {
+    let name = if part.name.is_empty() { String::new() } else { format!("{}: ", escaped(&part.name)) };
+    let recipe = match &part.estimate {
+        Some(estimate) if !estimate.fits_most() => "; no recipe reproduces the stored normals".into(),
+        Some(estimate) => format!(
+            "; stored normals{} fit {} ({} % of corners within 5°)",
+            if estimate.turned { ", after a rotation of all," } else { "" },
+            estimate.in_words(),
+            three_digits(100.0 * estimate.reproduced)
+        ),
+        None => String::new(),
+    };
+    let rounded = part.precision.as_ref().map_or(String::new(), |precision| {
+        format!("; rounded to {}: by at most {}°", precision.grid, three_digits(precision.error.0))
+    });
+    format!("{name}{} faces, {} vertices{recipe}{rounded}", part.faces, part.vertices)
 }
 
 fn place(site: &Site, report: &InspectReport) -> String {
@@ -127,60 +222,14 @@ fn place(site: &Site, report: &InspectReport) -> String {
     said.join(", ")
 }
 
-/// What is different in another file: one line, then the details.
-fn comparison(against: &Against, report: &InspectReport, style: Style, places: usize) -> String {
-    let Against { path, comparison } = against;
-    let [mean_steps, largest_steps] = comparison.steps();
-    let angle = |Degrees(degrees): Degrees, steps: f64| {
-        format!("{}° ({} of 255 grey steps)", three_digits(degrees), three_digits(steps))
-    };
-    let summary = match comparison.changed {
-        0 => format!("no direction of {} corners changed", comparison.corners),
-        changed => format!(
-            "{changed} of {} corners changed, {} visibly, by {} at most and {} in the mean, under a key light",
-            comparison.corners,
-            comparison.visible,
-            angle(comparison.largest, largest_steps),
-            angle(comparison.mean, mean_steps)
-        ),
-    };
-    let mut lines = counts_above_zero(&[
-        (comparison.gained, "corners have a normal there that have none here"),
-        (comparison.lost, "corners have none there that have one here"),
-        (comparison.turned, "faces go round the other way"),
-        (comparison.unmatched[0], "faces stand here only"),
-        (comparison.unmatched[1], "faces stand there only"),
-    ]);
-    lines.extend(comparison.places.iter().take(places).map(|site| format!("at {}", place(site, report))));
-    let mut list = |name: &str, is_wanted: fn([u64; 2]) -> bool| {
-        let findings = comparison.findings.iter().filter(|(_, counts)| is_wanted(*counts));
-        let findings: Vec<String> =
-            findings.map(|(kind, [before, after])| format!("{} {before} → {after}", kind.id())).collect();
-        if !findings.is_empty() {
-            lines.push(format!("{name}: {}", findings.join(", ")));
-        }
-    };
-    list("gone", |[_, after]| after == 0);
-    list("new", |[before, _]| before == 0);
-    list("other counts", |[before, after]| before != after && before > 0 && after > 0);
-    let lines: String = lines.iter().map(|line| format!("    {line}\n")).collect();
-    format!("  against {}: {summary}\n{lines}", style.paint(Style::BOLD, &escaped(path)))
-}
-
-/// What the catalogue says of one finding.
+/// What the catalogue has on one finding.
 pub fn explanation(entry: &Entry, style: Style) -> String {
-    let mend = match entry.remedy {
-        Some(options) => {
-            let command = format!("crease normals INPUT -o OUTPUT {options}");
-            format!(
-                "{}, and what a file needs besides; inspect tells no command where it may be meant",
-                command.trim_end()
-            )
-        }
-        None => "no command does; see above".to_owned(),
+    let fix = match entry.remedy {
+        Some(options) => format!("crease normals INPUT -o OUTPUT {options}").trim_end().to_owned(),
+        None => "no command; see above".to_owned(),
     };
     format!(
-        "{} ({} at most; {}; counts {})\n  {}.\n  {}\n  What to do: {}\n  Mended by: {mend}\n",
+        "{} ({} at most; {}; counts {})\n  {}.\n  {}\n  What to do: {}\n  Fix: {fix}\n",
         style.paint(Style::BOLD, entry.id),
         entry.severity.name(),
         entry.family.name(),
@@ -191,9 +240,16 @@ pub fn explanation(entry: &Entry, style: Style) -> String {
     )
 }
 
-/// What the catalogue says of all of them.
-pub fn catalogue(style: Style) -> String {
-    entries().map(|entry| explanation(entry, style)).collect::<Vec<_>>().join("\n")
+/// The same of several.
+pub fn explanations(entries: &[&Entry], style: Style) -> String {
+    entries.iter().map(|entry| explanation(entry, style)).collect::<Vec<_>>().join("\n")
+}
+
+/// Findings with their titles, one line each.
+pub fn list(entries: &[&Entry], style: Style) -> String {
+    let line = |entry: &&Entry| format!("{}: {}\n", style.paint(Style::BOLD, entry.id), entry.title());
+    let lines: String = entries.iter().map(line).collect();
+    format!("{lines}`crease inspect --explain ID` explains one of them.\n")
 }
 
 fn capital(text: &str) -> String {

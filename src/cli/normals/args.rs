@@ -11,14 +11,11 @@ use crease::pipeline::Degenerate;
 use serde::{Serialize, Serializer};
 use std::path::PathBuf;
 
-pub const EXAMPLES: &str = "\
+const EXAMPLES: &str = "\
 Examples:
   crease normals gear.obj --crease 40 -o gear.glb
-  crease normals bunny.obj -o bunny.ply --weight max
-  crease normals scene.glb -o out.glb --when missing
-  crease normals models --recursive --out-dir out --json > report.jsonl
-  cat part.stl | crease normals - --format stl --to ply -o - > part.ply
-  crease normals part.stl --emit face --json";
+  crease normals scan.ply --crease off --weight max -o smooth.ply
+  crease normals models --recursive --out-dir out --json > report.jsonl";
 
 /// Compute normals and write them
 ///
@@ -196,46 +193,46 @@ choices! { Emit {
 } }
 
 choices! { CreaseRule {
-    "fan" => Fan: "they cut the fan of faces at a vertex into smooth groups with one normal each",
+    "fan" => Fan: "sharp edges cut the fan of faces at a vertex into smooth groups with one normal each",
     "cone" => Cone: "each corner averages the faces within the angle of its own face",
 } }
 
 choices! { Groups {
     "honour" => Honour: "edges between different groups, or without one, are sharp",
-    "ignore" => Ignore: "nothing",
+    "ignore" => Ignore: "none",
 } }
 
 choices! { HardEdge {
-    "uv" => Uv: "where texture coordinates are cut",
-    "material" => Material: "between materials",
-    "authored" => Authored: "where the stored normals of the two sides differ by more than 0.1°",
+    "uv" => Uv: "edges with different texture coordinates on both sides",
+    "material" => Material: "edges between two materials",
+    "authored" => Authored: "edges whose stored normals on both sides differ by more than 0.1°",
 } }
 
 choices! { Slivers {
-    "exclude" => Exclude: "they add nothing, unless a smooth group has no other face",
-    "keep" => Keep: "they count like any other",
+    "exclude" => Exclude: "ignored, unless a smooth group has no other face",
+    "keep" => Keep: "averaged like any other face",
 } }
 
 choices! { Precision {
-    "faithful" => Faithful: "right to the last bit, at any magnitude, offset or thinness",
-    "fast" => Fast: "f32 arithmetic for well-shaped faces of edges 1e-6 to 1e6, else as faithful; on a mesh no faster (see `crease trade`)",
+    "faithful" => Faithful: "correct to the last bit, at any magnitude, offset or thinness",
+    "fast" => Fast: "f32 arithmetic for well-shaped faces with edges of 1e-6 to 1e6, else as faithful; on a mesh no faster (see `crease trade`)",
 } }
 
 choices! { Degenerate {
-    "keep" => Keep: "they stay",
-    "drop" => Drop: "they are left out",
+    "keep" => Keep: "they stay, with a fallback normal",
+    "drop" => Drop: "they are removed",
 } }
 
 choices! { Orient {
-    "keep" => Keep: "as they are",
-    "consistent" => Consistent: "neighbours agree; the lesser part of a component is turned",
-    "outward" => Outward: "closed components face outward, cavities inward, and rooms if stored normals tell them; open ones the way that sees more, if that is sure",
+    "keep" => Keep: "faces stay unchanged",
+    "consistent" => Consistent: "neighbours agree; in each component the minority is reversed",
+    "outward" => Outward: "closed components face outward, cavities inward, rooms as their stored normals; open components face their outer side, if it is certain",
 } }
 
 choices! { TangentPolicy {
-    "drop" => Drop: "left out, and a note says so; readers then generate them",
-    "keep" => Keep: "kept as they are",
-    "regenerate" => Regenerate: "made again by MikkTSpace where texture coordinates allow",
+    "drop" => Drop: "omitted, with a note; readers then generate them",
+    "keep" => Keep: "kept unchanged",
+    "regenerate" => Regenerate: "computed by MikkTSpace where texture coordinates allow",
 } }
 
 choices! { NormalFormat {

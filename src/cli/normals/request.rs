@@ -39,13 +39,16 @@ impl<'a> Request<'a> {
         let rows = args.normals.emit == Emit::Face && args.run.json && !has_destination(args);
         if !has_destination(args) && !rows && !args.output.dry_run {
             return usage(
-                "one of --output, --out-dir and --in-place is needed; --dry-run and --emit face --json go without",
+                "one of --output, --out-dir and --in-place is required\nhelp: --dry-run and --emit face --json need none",
             );
         }
         check_root(args.output.root.as_ref())?;
         let found = expand(&args.inputs, args.output.recursive, args.output.out_dir.as_deref())?;
         if args.output.output.is_some() && found.len() > 1 {
-            return usage(format!("--output takes one input, not {}; --out-dir takes several", found.len()));
+            return usage(format!(
+                "--output takes one input, not {}\nhelp: --out-dir takes several",
+                found.len()
+            ));
         }
         let jobs: Vec<Job> = found.iter().map(|input| job(input, args)).collect::<Result<_, _>>()?;
         check_collisions(&jobs, args.output.in_place)?;
@@ -135,7 +138,7 @@ fn job(input: &Input, args: &NormalsArgs) -> Result<Job, Failure> {
             Some(_) if target.is_none() && args.run.json => {}
             Some(other) => {
                 return usage(format!(
-                    "--emit face writes ply or stl, not {other}; choose one with --to, or give --json and no output"
+                    "--emit face writes ply or stl, not {other}\nhelp: choose one with --to, or use --json without an output"
                 ));
             }
         }
@@ -145,7 +148,7 @@ fn job(input: &Input, args: &NormalsArgs) -> Result<Job, Failure> {
 
 fn folder_place(input: &Input, format: Option<Format>, to: Option<Format>) -> Result<PathBuf, Failure> {
     if input.source == Source::Stdin {
-        return usage("standard input has no name to use in --out-dir; --output takes one");
+        return usage("standard input has no name to use in --out-dir\nhelp: name the output with --output");
     }
     Ok(match to {
         Some(to) if format != Some(to) || Format::from_path(&input.place) != Some(to) => {
@@ -157,15 +160,17 @@ fn folder_place(input: &Input, format: Option<Format>, to: Option<Format>) -> Re
 
 fn in_place_target(input: &Input, format: Option<Format>, to: Option<Format>) -> Result<Target, Failure> {
     let Source::File(path) = &input.source else {
-        return usage("standard input cannot be replaced in place; --output - writes to standard output");
+        return usage(
+            "standard input cannot be replaced in place\nhelp: --output - writes to standard output",
+        );
     };
     match (format, to) {
         (Some(format), Some(to)) if format != to => usage(format!(
-            "--in-place cannot turn {} from {format} into {to}; give an output",
+            "--in-place cannot convert {} from {format} to {to}\nhelp: name an output with -o or --out-dir",
             path.display()
         )),
         (None, Some(_)) => {
-            usage(format!("--in-place needs --format to know the format of {}", path.display()))
+            usage(format!("unknown format of {}\nhelp: name it with --format", path.display()))
         }
         _ => Ok(Target::File(path.clone())),
     }
@@ -189,7 +194,7 @@ fn check_collisions(jobs: &[Job], in_place: bool) -> Result<(), Failure> {
         }
         if !in_place && let Some(input) = real(target).and_then(|real| inputs.get(&real).copied()) {
             return usage(format!(
-                "this would overwrite the input {}; name another output, or say --in-place",
+                "this would overwrite the input {}\nhelp: name another output, or use --in-place",
                 input.display()
             ));
         }

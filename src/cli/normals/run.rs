@@ -6,10 +6,9 @@ use super::request::{Job, Request};
 use super::text;
 use crate::cli::args::refused;
 use crate::cli::common::console::{Console, Verbosity, escaped};
-use crate::cli::common::failure::{Exit, Failure, exit_code, guarded};
+use crate::cli::common::failure::{Batch, Exit, Failure, exit_code, guarded};
 use crate::cli::common::input::Source;
 use crate::cli::common::notes;
-use crate::cli::common::numbers::count;
 use crate::cli::common::options::Color;
 use crate::cli::common::output::{Store, Target, folder_of};
 use crate::cli::common::progress::{FileProgress, Progress, Stage};
@@ -30,7 +29,7 @@ pub fn main(args: &NormalsArgs, color: Color) -> Exit {
     args.run.use_threads();
     let progress = Progress::of_inputs(&console, request.jobs.iter().map(|job| &job.source));
     let mut store = Store::new(args.output.sync, args.output.dry_run);
-    let mut failed = 0;
+    let mut batch = Batch::default();
     let mut result = Ok(Exit::Done);
     for job in &request.jobs {
         let mut report = Report::new(job, &request);
@@ -41,7 +40,7 @@ pub fn main(args: &NormalsArgs, color: Color) -> Exit {
         report.seconds.total = start.elapsed().as_secs_f64();
         report.head.record(&done);
         if let Err(failure) = done {
-            failed += 1;
+            batch.record(&report.input.path, &failure);
             result = Err(failure);
             report.output = None;
         }
@@ -49,20 +48,12 @@ pub fn main(args: &NormalsArgs, color: Color) -> Exit {
     }
     drop(progress);
     if request.jobs.len() > 1 {
-        console.text(|| summary(request.jobs.len(), failed));
-        if failed > 0 {
+        console.text(|| batch.summary(request.jobs.len()));
+        if batch.has_failed() {
             return Exit::PartOfBatch;
         }
     }
     exit_code(result, &console)
-}
-
-/// The line that ends the report on a batch.
-fn summary(inputs: usize, failed: usize) -> String {
-    match failed {
-        0 => format!("{} done\n", count(inputs, "file")),
-        _ => format!("{} of {} done, {failed} failed\n", inputs - failed, count(inputs, "file")),
-    }
 }
 
 fn print(report: &Report, request: &Request, console: &Console) {

@@ -1,6 +1,6 @@
 //! The report on one input file, as text.
 
-use super::json::{Counts, Part, Report, by_reason, replaced};
+use super::json::{Part, Report};
 use crate::cli::common::choice::Choose;
 use crate::cli::common::console::{Console, Style, Verbosity, escaped};
 use crate::cli::common::numbers::{count, count_of, counts_above_zero, face_kinds, row, seconds, size};
@@ -8,7 +8,7 @@ use crate::cli::common::report::MeshOutput;
 use crease::io::Emit;
 use crease::mesh::Orientation;
 use crease::normals::{EdgeCounts, When};
-use crease::pipeline::{PartOutcome, Spot};
+use crease::pipeline::{Counts, FaultPlace, PartOutcome, Spot};
 use std::fmt::Write;
 
 /// How many places of faults, and of broken normals, are printed when details are asked for.
@@ -83,11 +83,15 @@ fn sum(parts: &[Part], of: impl Fn(&PartOutcome) -> usize) -> usize {
 }
 
 fn splits(parts: &[Part]) -> String {
-    count(sum(parts, |part| part.summary.splits), "split")
+    count(sum(parts, |part| part.splits), "split")
 }
 
 fn mesh(parts: &[Part]) -> String {
-    let kinds = face_kinds([0, 1, 2].map(|kind| sum(parts, |part| part.arities[kind])));
+    let kinds = face_kinds([
+        sum(parts, |part| part.triangles),
+        sum(parts, |part| part.quads),
+        sum(parts, |part| part.polygons),
+    ]);
     let number = if parts.len() == 1 { String::new() } else { format!("{}, ", count(parts.len(), "part")) };
     let vertices = count_of(sum(parts, |part| part.vertices), "vertex", "vertices");
     let faces = count(sum(parts, |part| part.faces), "face");
@@ -97,7 +101,7 @@ fn mesh(parts: &[Part]) -> String {
 
 /// The kinds of edges. Ignored sharp edges count as smooth.
 fn edges(parts: &[Part], ignores_sharp: bool) -> String {
-    let of = |kind: fn(&EdgeCounts) -> usize| sum(parts, |part| kind(&part.summary.edges));
+    let of = |kind: fn(&EdgeCounts) -> usize| sum(parts, |part| kind(&part.edges));
     let (crease, marked) = (of(|edges| edges.crease), of(|edges| edges.marked));
     let (ignored, sharp) = if ignores_sharp { (crease + marked, 0) } else { (0, 1) };
     let smooth = of(|edges| edges.smooth) + ignored;
@@ -123,20 +127,20 @@ fn edges(parts: &[Part], ignores_sharp: bool) -> String {
 
 /// The crease angle that was applied.
 fn crease_degrees(parts: &[Part]) -> Option<f64> {
-    parts.iter().find_map(|part| part.outcome.summary.crease_degrees)
+    parts.iter().find_map(|part| part.outcome.crease_degrees)
 }
 
 fn normals(report: &Report) -> String {
     let (recipe, parts) = (report.recipe, &report.parts[..]);
     let rule = recipe.crease_rule.choice();
     let sharp = match (recipe.emit, crease_degrees(parts)) {
-        (Emit::Face, _) => return format!("{}, one a face", sum(parts, |part| part.faces)),
+        (Emit::Face, _) => return format!("{}, one per face", sum(parts, |part| part.faces)),
         (Emit::Vertex, _) => "no sharp edges".to_owned(),
         (Emit::Corner, Some(180.0)) => format!("{rule} rule, crease off"),
         (Emit::Corner, Some(angle)) => format!("{rule} rule at {angle}°"),
         (Emit::Corner, None) => format!("{rule} rule by smoothing groups"),
     };
-    let referenced = sum(parts, |part| part.summary.referenced_vertices);
+    let referenced = sum(parts, |part| part.referenced_vertices);
     format!(
         "{} weights, {sharp}: {} for {}, {}",
         recipe.weight.choice(),
@@ -147,10 +151,10 @@ fn normals(report: &Report) -> String {
 }
 
 /// Counts by reason over all parts, in words.
-fn listed(parts: &[Part], of: impl Fn(&PartOutcome) -> Counts) -> Option<String> {
+fn listed(parts: &[Part], of: fn(&PartOutcome) -> &Counts) -> Option<String> {
     let mut sums = Counts::new();
     for (name, count) in parts.iter().flat_map(|part| of(&part.outcome)) {
-        *sums.entry(name).or_default() += count;
+        *sums.entry(*name).or_default() += count;
     }
     let texts: Vec<String> = sums.iter().map(|(name, count)| format!("{count} {}", words(name))).collect();
     (!texts.is_empty()).then(|| texts.join(", "))
@@ -158,9 +162,9 @@ fn listed(parts: &[Part], of: impl Fn(&PartOutcome) -> Counts) -> Option<String>
 
 fn faults(parts: &[Part]) -> Option<String> {
     let kinds = [
-        ("faces", listed(parts, |part| by_reason(&part.faults.faces))),
-        ("corners", listed(parts, |part| by_reason(&part.faults.corners))),
-        ("vertices", listed(parts, |part| by_reason(&part.faults.vertices))),
+        ("faces", listed(parts, |part| &part.faults.faces)),
+        ("corners", listed(parts, |part| &part.faults.corners)),
+        ("vertices", listed(parts, |part| &part.faults.vertices)),
     ];
     let kinds = kinds.into_iter().filter_map(|(what, listed)| Some(format!("{what}: {}", listed?)));
     Some(kinds.collect::<Vec<_>>().join("; ")).filter(|text| !text.is_empty())
@@ -170,22 +174,22 @@ fn faults(parts: &[Part]) -> Option<String> {
 fn words(reason: &str) -> &str {
     match reason {
         "ZeroArea" => "without area",
-        "BelowStorage" => "lower than the rounding of the file",
+        "BelowStorage" => "with a height below the rounding of the file",
         "CancellingFan" => "where the faces cancel each other",
         "NonFinite" | "NotFinite" => "not finite",
-        "OutOfRange" => "beyond the range of numbers",
-        "Unreferenced" => "that no face uses",
+        "OutOfRange" => "out of range",
+        "Unreferenced" => "not used by a face",
         "Missing" => "missing",
         "Zero" => "of length zero",
         "Length" => "not of unit length",
-        "AgainstFace" => "against the own face",
+        "AgainstFace" => "against their face",
         other => other,
     }
 }
 
 /// The first places of faults and of broken normals, with numbers as in the file, from 0.
 fn places(parts: &[Part], most: usize) -> Vec<String> {
-    let at = |number: usize, spot: Spot, what: &str, reason: &str| {
+    let at = |number: usize, FaultPlace { spot, reason }: &FaultPlace, what: &str| {
         let part = if parts.len() > 1 { format!("part {number}, ") } else { String::new() };
         let element = match spot {
             Spot::Face(face) => format!("face {face}"),
@@ -196,13 +200,15 @@ fn places(parts: &[Part], most: usize) -> Vec<String> {
         };
         format!("{part}{element}: {what}{}", words(reason))
     };
-    let outcomes = || parts.iter().map(|part| &part.outcome).enumerate();
-    let faults = outcomes().flat_map(|(number, part)| part.fault_places.iter().map(move |it| (number, it)));
-    let broken = outcomes().flat_map(|(number, part)| part.broken_places.iter().map(move |it| (number, it)));
-    let faults = faults.take(most).map(|(number, (spot, reason))| at(number, *spot, "", reason.name()));
-    let broken =
-        broken.take(most).map(|(number, (spot, reason))| at(number, *spot, "stored normal ", reason.name()));
-    faults.chain(broken).collect()
+    let first = |of: fn(&PartOutcome) -> &[FaultPlace], what: &'static str| {
+        let places = parts
+            .iter()
+            .enumerate()
+            .flat_map(move |(number, part)| of(&part.outcome).iter().map(move |place| (number, place)));
+        places.take(most).map(|(number, place)| at(number, place, what)).collect::<Vec<_>>()
+    };
+    let faults = first(|part| &part.fault_places, "");
+    [faults, first(|part| &part.broken_places, "stored normal ")].concat()
 }
 
 /// Rows that only some files need.
@@ -211,47 +217,64 @@ fn remarks(report: &Report) -> Vec<(&'static str, String)> {
     let of = |field: fn(&PartOutcome) -> usize| sum(parts, field);
     let mut rows = Vec::new();
     if report.recipe.when != When::Always && of(|part| part.faces) > 0 {
-        let replaced = listed(parts, |part| replaced(&part.replaced)).unwrap_or_else(|| "none".into());
-        rows.push(("replaced", format!("{replaced}; {} kept", count(of(|part| part.kept), "corner"))));
+        let replaced = listed(parts, |part| &part.replaced_corners).unwrap_or_else(|| "none".into());
+        rows.push((
+            "replaced",
+            format!("{replaced}; {} kept", count(of(|part| part.kept_corners), "corner")),
+        ));
     }
-    let near = of(|part| part.summary.near_crease);
+    let near = of(|part| part.near_crease);
     if let Some(angle) = crease_degrees(parts)
         && near > 0
     {
-        let text = format!("{} within 0.1° of {angle}°, or as near as the digits tell", count(near, "edge"));
+        let text = format!("{} within 0.1° of the crease angle ({angle}°)", count(near, "edge"));
         rows.push(("near", text));
     }
+    if are_creases_scattered(report) {
+        let text =
+            "scattered: most chains of crease edges are shorter than 3 edges, as on a scan; try --crease off";
+        rows.push(("creases", text.to_owned()));
+    }
     let faces = counts_above_zero(&[
-        (of(|part| part.reversed_faces), "turned round"),
+        (of(|part| part.reversed_faces), "reversed"),
         (of(|part| part.dropped_faces), "without area dropped"),
         (of(|part| part.non_finite_faces), "without finite positions dropped"),
-        (of(|part| part.summary.faces_before_groups), "before the first smoothing group count as off"),
+        (of(|part| part.faces_before_groups), "before the first smoothing group (treated as off)"),
     ]);
     rows.extend(faces.into_iter().map(|text| ("faces", text)));
     rows.extend(orientation(parts).map(|text| ("orient", text)));
     let exceptions = [
-        ("quadric", of(|part| part.summary.quadric_fallbacks), "fit", "fell back to the angle mean"),
-        (
-            "cone",
-            of(|part| part.summary.cone_declined),
-            "fan",
-            "too large for the cone rule, cut by the fan rule",
-        ),
-        (
-            "weld",
-            of(|part| part.summary.wide_clusters),
-            "cluster",
-            "of positions wider than twice the distance",
-        ),
+        ("quadric", of(|part| part.quadric_fallbacks), "fit", "fell back to angle weights"),
+        ("cone", of(|part| part.cone_declined), "fan", "too large for the cone rule, cut by the fan rule"),
+        ("weld", of(|part| part.wide_clusters), "cluster", "of positions wider than twice the distance"),
     ];
     for (label, number, what, text) in exceptions.iter().filter(|row| row.1 > 0) {
         rows.push((label, format!("{} {text}", count(*number, what))));
     }
-    let declined = of(|part| part.summary.fast_declined.into());
+    let declined = of(|part| part.fast_declined.into());
     if declined > 0 {
-        rows.push(("fast", format!("out of its range in {}: faithful instead", count(declined, "part"))));
+        rows.push((
+            "fast",
+            format!("fast is not applicable to {}; faithful used", count(declined, "primitive")),
+        ));
     }
     rows
+}
+
+/// Whether most chains of crease edges are shorter than three edges, as noise makes them.
+///
+/// A chain of n edges splits n − 1 vertices if it is open and n if it is closed, so the difference between crease edges and
+/// splits is the number of open chains. This holds if nothing else splits vertices: other sharp edges, or faces that share
+/// positions and not vertices, are no scan or are not decided.
+fn are_creases_scattered(report: &Report) -> bool {
+    const FEWEST: usize = 12;
+    const LENGTH: usize = 3;
+    let parts = &report.parts[..];
+    let of = |kind: fn(&EdgeCounts) -> usize| sum(parts, |part| kind(&part.edges));
+    let creases = of(|edges| edges.crease);
+    let others = of(|edges| edges.marked + edges.welded);
+    let chains = creases.saturating_sub(sum(parts, |part| part.splits));
+    report.recipe.emit == Emit::Corner && creases >= FEWEST && others == 0 && creases < LENGTH * chains
 }
 
 /// What `--orient` found, if it was asked for.
@@ -261,14 +284,14 @@ fn orientation(parts: &[Part]) -> Option<String> {
     let of = |count: fn(&Orientation) -> usize| found().map(count).sum();
     let kinds = counts_above_zero(&[
         (of(|it| it.closed), "closed"),
-        (of(|it| it.open_told), "open, outer side told"),
-        (of(|it| it.open_left), "open, left"),
-        (of(|it| it.non_orientable), "not orientable, left"),
-        (of(|it| it.flat), "flat, left"),
-        (of(|it| it.undecided), "undecided, left"),
+        (of(|it| it.open_told), "open, outer side determined"),
+        (of(|it| it.open_left), "open, unchanged"),
+        (of(|it| it.non_orientable), "not orientable, unchanged"),
+        (of(|it| it.flat), "flat, unchanged"),
+        (of(|it| it.undecided), "undecided, unchanged"),
         (of(|it| it.cavities), "cavities"),
-        (of(|it| it.rooms), "as rooms, left"),
-        (of(|it| it.open_inside_out), "open, turned"),
+        (of(|it| it.rooms), "rooms, unchanged"),
+        (of(|it| it.open_inside_out), "open, reversed"),
     ]);
     let confidence = found().filter(|it| it.open_told > 0).map(|it| it.confidence).min_by(f64::total_cmp);
     let confidence = confidence.map_or(String::new(), |it| format!(" (confidence {it:.2} or more)"));

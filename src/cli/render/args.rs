@@ -17,29 +17,25 @@ use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
 Examples:
-  crease render bunny.obj -o bunny.png
-  crease render gear.obj --shading flat --overlay wire,creases -o gear.png --size 1280x960
+  crease render gear.obj --shading flat --overlay wire,creases -o gear.png
   crease render ball.glb --compare flat,gouraud,phong -o panels.png
-  crease render quad.obj --shading gouraud --interpolation scanline --rotate 0,0,45 -o quad.png
-  crease render part.stl --camera 'eye=3,2,5 target=0,0,0 angle=40' --light 'point position=2,4,3' -o part.png
-  crease render scene.toml --probe 320,240
-  crease render teapot.obj --turntable 36 -o spin.gif";
+  crease render scene.toml --camera 'eye=3,2,5 target=0,0,0 angle=40' -o scene.png";
 
 const SYNTAX: &str = "\
 Cameras, lights and materials are words KEY=VALUE between spaces, in quotes for the shell; vectors are X,Y,Z:
   --camera    eye=V target=V up=V angle=DEG (from top to bottom) or height=N (parallel projection) near=N;
-              what is left out stays as it is
+              omitted keys keep their values
   --light     directional towards=V
               point       position=V
               spot        position=V axis=V [cut-off=DEG] [soft-edge=DEG] [exponent=N]
-              rectangle   centre=V u=V v=V (from the middle to the middles of two sides; it shines to u × v)
+              rectangle   centre=V u=V v=V (from the centre to the middles of two sides; the side of u × v emits)
               disc        centre=V normal=V radius=N
               each with [colour=C], point and spot with
               [attenuation=none|inverse-square|inverse-square:RANGE|offset:K|KC,KL,KQ]
   --material  [colour=C] [ka=N] [kd=N] [ks=N] [highlight=C] [exponent=N]
               with a warning if kd times colour plus ks times highlight is over 1 in red, green or blue
-Colours are #rrggbb (sRGB), or linear light: R,G,B, or one number for a grey. Under --transfer direct, which writes light as
-it is, #808080 comes out as 55, for its light is 0.216; 0.502 comes out as 128.";
+Colours are #rrggbb (sRGB), or linear light: R,G,B, or one number for a grey. With --transfer direct, which writes light
+unchanged, #808080 becomes 55, because its light is 0.216; 0.502 becomes 128.";
 
 /// Draw a mesh or a scene
 ///
@@ -52,8 +48,8 @@ it is, #808080 comes out as 55, for its light is 0.216; 0.502 comes out as 128."
 )]
 pub struct RenderArgs {
     /// Mesh, glTF file, scene in TOML, or `-` for a mesh from standard input
-    #[arg(value_name = "INPUT")]
-    pub input: PathBuf,
+    #[arg(value_name = "INPUT", required_unless_present = "scene_help")]
+    pub input: Option<PathBuf>,
 
     #[command(flatten)]
     pub output: PictureArgs,
@@ -113,7 +109,7 @@ pub struct PictureArgs {
     pub turntable: Option<u16>,
 
     /// Print the numbers behind a pixel, from 0 at the upper left: the visible face, N, L, V, R, H and every term.
-    /// Objects, faces, vertices and lights count from 1 in the text, from 0 in --json
+    /// Objects, faces, vertices and lights count from 0
     #[arg(long, value_name = "X,Y", value_parser = values::pixel, allow_hyphen_values = true, conflicts_with_all = ["show", "overlay"])]
     pub probe: Option<[u32; 2]>,
 }
@@ -121,7 +117,7 @@ pub struct PictureArgs {
 #[derive(Args)]
 #[command(next_help_heading = "Shading")]
 pub struct ShadingArgs {
-    /// Shading: where colours are computed [default: phong]
+    /// Where colours are computed [default: phong]
     #[arg(long, value_name = "HOW", value_parser = one_of::<Shading>())]
     pub shading: Option<Shading>,
 
@@ -142,9 +138,10 @@ pub struct ShadingArgs {
     #[arg(long, value_name = "WHERE", value_parser = one_of::<FlatSample>())]
     pub flat_sample: Option<FlatSample>,
 
-    /// Show, in place of light: `normals` (n + 1)/2; `facing` front light blue, back dark red; `depth` white near, black far;
-    /// `face-id` a colour for each face; `deviation[=DEG]` the angle between the interpolated normal and that of the analytic
-    /// surface that an object stands for, else of the face: from black over red and yellow to white at 15° or the angle given
+    /// Draw normals, facing, depth, face-id or deviation in place of light. `normals`: (n + 1)/2; `facing`: front light blue,
+    /// back dark red; `depth`: white near, black far; `face-id`: a colour for each face; `deviation[=DEG]`: the angle between
+    /// the interpolated normal and that of the analytic surface of the object, else of the face, from black over red and
+    /// yellow to white at 15° or the given angle
     #[arg(long, value_name = "WHAT", value_parser = values::show)]
     pub show: Option<Show>,
 
@@ -176,6 +173,10 @@ pub struct SceneArgs {
     #[arg(long, value_name = "LIGHT", value_parser = fields::light)]
     pub light: Vec<Light>,
 
+    /// Print the keys of scene files and exit
+    #[arg(long, exclusive = true)]
+    pub scene_help: bool,
+
     /// Ambient light, in place of that of the scene
     #[arg(long, value_name = "COLOUR", value_parser = colour, allow_hyphen_values = true)]
     pub ambient: Option<LinearRgb>,
@@ -195,7 +196,7 @@ pub struct SceneArgs {
 }
 
 #[derive(Args)]
-#[command(next_help_heading = "Normals (as `crease normals` has them)")]
+#[command(next_help_heading = "Normals (as for `crease normals`)")]
 pub struct NormalArgs {
     /// Weight of each face at a corner [default: angle]
     #[arg(long, value_name = "WEIGHT", value_parser = one_of::<Weight>())]

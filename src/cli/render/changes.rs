@@ -95,8 +95,8 @@ fn change_materials(args: &RenderArgs, file: &mut SceneFile) -> Result<(), Strin
     let wants_given = shading.reflection == Some(ReflectionChoice::Given);
     let lacks = |object| file.mesh_of(object).is_none_or(|mesh| mesh.colours.is_none());
     if let Some(object) = (0..file.objects.len()).find(|&object| wants_given && lacks(object)) {
-        let lack = "its vertices have no colours, which --reflection given shows; give it another, or the file colours";
-        return Err(format!("object {}: {lack}", object + 1));
+        let lack = "no vertex colours for --reflection given\nhelp: choose another --reflection, or add colours to the file";
+        return Err(format!("object {object}: {lack}"));
     }
     for object in &mut file.objects {
         object.material = args.scene.material.unwrap_or(object.material);

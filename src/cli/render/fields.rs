@@ -26,7 +26,7 @@ impl<'a> Fields<'a> {
         Ok(Self { pairs, known: Vec::new() })
     }
 
-    /// The fields of a text that has some; an empty one is hardly meant.
+    /// The fields of a text that has some; an empty one is an error.
     fn some(text: &'a str, such_as: &str) -> Result<Self, String> {
         match text.trim() {
             "" => Err(format!("words KEY=VALUE were expected, such as {such_as}")),
@@ -70,7 +70,7 @@ impl<'a> Fields<'a> {
     fn finish(self) -> Result<(), String> {
         match self.pairs.first() {
             None => Ok(()),
-            Some((key, _)) => Err(format!("there is no {key}; there are {}", self.known.join(", "))),
+            Some((key, _)) => Err(format!("unknown key {key}; the keys are {}", self.known.join(", "))),
         }
     }
 }
@@ -180,9 +180,10 @@ pub fn light(text: &str) -> Result<Light, String> {
             colour: fields.colour()?,
         },
         _ => {
-            return Err("directional, point, spot, rectangle or disc was expected first; ambient light has an option \
-                        of its own"
-                .into());
+            return Err(
+                "expected directional, point, spot, rectangle or disc first; for ambient light use --ambient"
+                    .into(),
+            );
         }
     };
     fields.finish()?;
@@ -266,7 +267,10 @@ mod tests {
             ("point position=1,2", "three numbers"),
             ("point position=1,2,3 colour", "KEY=VALUE"),
             ("point position=1,2,3 position=1,2,3", "twice"),
-            ("point position=1,2,3 radius=1", "there is no radius; there are position, colour, attenuation"),
+            (
+                "point position=1,2,3 radius=1",
+                "unknown key radius; the keys are position, colour, attenuation",
+            ),
             ("point position=1,2,3 attenuation=some", "inverse-square:RANGE"),
             ("disc centre=0,0,0 normal=0,1,0 radius=0", "radius is 0; it must be"),
             ("directional towards=0,0,0", "direction is"),

@@ -46,18 +46,22 @@ const MOST_PIXELS: u64 = 1 << 28;
 impl<'a> Request<'a> {
     /// Checks the options against each other.
     pub fn resolve(args: &'a RenderArgs) -> Result<Self, String> {
-        let source = Source::of(&args.input);
-        if source != Source::Stdin && args.input.is_dir() {
-            return usage(format!("{} is a folder; render draws one file", args.input.display()));
+        let input = args.input.as_deref().unwrap_or(Path::new("-"));
+        let source = Source::of(input);
+        if source != Source::Stdin && input.is_dir() {
+            return usage(format!("{} is a folder\nhelp: name one file to draw", input.display()));
         }
         let (target, file) = target(args)?;
         if let (Source::File(input), Some(Target::File(output))) = (&source, &target)
             && is_same_file(input, output)
         {
-            return usage(format!("this would overwrite the input {}; name another output", input.display()));
+            return usage(format!(
+                "this would overwrite the input {}\nhelp: name another output",
+                input.display()
+            ));
         }
         if target.is_none() && args.output.probe.is_none() && !args.run.json {
-            return usage("--output is needed; --probe and --json go without");
+            return usage("--output is required\nhelp: --probe and --json need none");
         }
         let subject = match (args.output.turntable, &args.output.compare[..]) {
             (Some(frames), _) => Subject::Turntable(frames),
@@ -94,7 +98,7 @@ impl<'a> Request<'a> {
     fn check_combinations(&self) -> Result<(), String> {
         let args = self.args;
         if args.output.bits == Some(Bits::Sixteen) && self.file == FileKind::Gif {
-            return usage("GIF has 8 bits a component; --bits 16 needs a PNG output");
+            return usage("--bits 16 needs a PNG output: GIF has 8 bits per component");
         }
         let compares = |wanted: fn(&Variant) -> bool| args.output.compare.iter().any(wanted);
         if args.shading.shading.is_some() && compares(|it| matches!(it, Variant::Shading(_))) {
@@ -147,7 +151,7 @@ impl<'a> Request<'a> {
         let pixels = width * height * count as u64;
         match pixels > MOST_PIXELS {
             true => Err(format!(
-                "{count} {what} of {width}x{height} pixels have {pixels}; {MOST_PIXELS} is the most: take fewer or smaller ones"
+                "{count} {what} of {width}x{height} pixels have {pixels} (limit {MOST_PIXELS})\nhelp: draw fewer or smaller {what}"
             )),
             false => Ok(()),
         }
@@ -159,14 +163,12 @@ impl<'a> Request<'a> {
         if x >= width || y >= height {
             let last = [width, height].map(|side| side - 1);
             return usage(format!(
-                "--probe {x},{y} is outside the picture of {width}x{height} pixels, whose last one is {},{}",
+                "--probe {x},{y} is outside the picture of {width}x{height} pixels (last pixel {},{})",
                 last[0], last[1]
             ));
         }
         if settings.shading == Shading::Wireframe {
-            return usage(
-                "--probe tells how colours come about, and a wireframe has none: give another --shading",
-            );
+            return usage("--probe needs shaded pixels; it does not work with --shading wireframe");
         }
         Ok(())
     }
@@ -181,16 +183,16 @@ fn target(args: &RenderArgs) -> Result<(Option<Target>, FileKind), String> {
         return Ok((Some(target), by_subject));
     }
     if path.is_dir() {
-        return usage(format!("{} is a folder; give a file", path.display()));
+        return usage(format!("{} is a folder\nhelp: name a file", path.display()));
     }
     let extension = path.extension().and_then(|name| name.to_str()).map(str::to_ascii_lowercase);
     let file = match extension.as_deref() {
         Some("png") if wants_gif => {
-            return usage("--turntable makes a GIF; give an output that ends in .gif");
+            return usage("--turntable makes a GIF\nhelp: name an output that ends in .gif");
         }
         Some("png") => FileKind::Png,
         Some("gif") => FileKind::Gif,
-        _ => return usage(format!("{} ends neither in .png nor in .gif", path.display())),
+        _ => return usage(format!("unknown picture format ({})\nhelp: use .png or .gif", path.display())),
     };
     Ok((Some(target), file))
 }

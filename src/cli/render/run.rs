@@ -7,20 +7,26 @@ use super::json::{PictureReport, Report, SceneReport, Settings};
 use super::request::{Request, Subject};
 use super::{text, warnings};
 use crate::cli::args::usage_error;
-use crate::cli::common::console::{Console, escaped};
+use crate::cli::common::console::{Console, HELP, escaped};
 use crate::cli::common::failure::{Exit, Failure, FailureKind, exit_code, guarded};
 use crate::cli::common::input::Source;
 use crate::cli::common::notes;
 use crate::cli::common::options::Color;
 use crate::cli::common::progress::Progress;
 use crease::io::{Note, Place, ReadError};
-use crease::raster::{Image, Object, SceneFile, Shading, Shape, Unseen, load};
+use crease::num::{Degrees, three_digits};
+use crease::raster::{Image, Object, Projection, SceneFile, Shading, Shape, Unseen, load};
 use crease::report::{PixelReport, probe_pixel};
+use glam::DVec3;
 use std::time::Instant;
 
 /// Runs the verb.
 pub fn main(args: &RenderArgs, color: Color) -> Exit {
     let console = Console::new(&args.run, color, args.output.output.as_deref());
+    if args.scene.scene_help {
+        console.report(include_str!("../../../docs/scenes.md"));
+        return exit_code(Ok(Exit::Done), &console);
+    }
     let request = Request::resolve(args).unwrap_or_else(|message| usage_error("render", message));
     args.run.use_threads();
     let mut report = Report::new(&request);
@@ -31,7 +37,7 @@ pub fn main(args: &RenderArgs, color: Color) -> Exit {
     if result.is_err() {
         report.output = None;
     }
-    print(&report, &console);
+    print(&report, &request, &console);
     exit_code(result, &console)
 }
 
@@ -95,23 +101,47 @@ fn unseen(file: &SceneFile, drawings: &[Drawing], request: &Request) -> Option<N
     let wants_edges = file.settings.shading == Shading::Wireframe || !request.args.shading.overlay.is_empty();
     let text = match scene.unseen(&file.settings) {
         Some(cause) if is_empty || cause == Unseen::NoEdges => {
-            format!("nothing is seen: {cause}{}", advice(cause))
+            format!("nothing is visible: {cause}{}", advice(cause))
         }
         _ if wants_edges && scene.objects.iter().any(is_solid) => {
             format!("lines of some objects are missing: {}", Unseen::NoEdges)
         }
-        _ => return None,
+        _ => small(file, drawings)?,
     };
     Some(Note::warning(Place::File, text))
+}
+
+/// The share of the picture below which objects are easily overlooked.
+const SMALL: f64 = 0.01;
+
+/// A warning if objects cover hardly anything of any drawing, with a camera that frames them.
+fn small(file: &SceneFile, drawings: &[Drawing]) -> Option<String> {
+    let [width, height] = file.settings.size.map(f64::from);
+    let largest = drawings.iter().map(|drawing| drawing.statistics.covered_pixels).max()?;
+    let share = largest as f64 / (width * height);
+    if share >= SMALL || file.settings.shading == Shading::Wireframe {
+        return None;
+    }
+    let camera = file.scene().framing(width / height)?;
+    let vector = |at: DVec3| at.to_array().map(three_digits).join(",");
+    let (eye, target) = (vector(camera.eye), vector(camera.target));
+    let angle = match camera.projection {
+        Projection::Perspective(angle) => format!(" angle={}", three_digits(Degrees::from(angle).0)),
+        Projection::Orthographic(_) => String::new(),
+    };
+    let percent = three_digits(100.0 * share);
+    Some(format!(
+        "the objects cover only {percent} % of the picture; --camera 'eye={eye} target={target}{angle}' frames them"
+    ))
 }
 
 /// What brings something into the picture, if the cause does not say so itself.
 fn advice(cause: Unseen) -> &'static str {
     match cause {
         Unseen::NoEdges => "",
-        Unseen::Behind | Unseen::Beside | Unseen::Small => "; --camera looks elsewhere",
-        Unseen::Culled => "; --cull none leaves out nothing",
-        Unseen::NoArea => "; `crease inspect` tells what is wrong with them",
+        Unseen::Behind | Unseen::Beside | Unseen::Small => "; move it with --camera",
+        Unseen::Culled => "; --cull none draws all faces",
+        Unseen::NoArea => "; `crease inspect` reports what is wrong with them",
     }
 }
 
@@ -132,12 +162,21 @@ fn probe(file: &SceneFile, image: &Image, pixel: [u32; 2]) -> Result<PixelReport
     Ok(report)
 }
 
-fn print(report: &Report, console: &Console) {
+fn print(report: &Report, request: &Request, console: &Console) {
     if let Some(error) = &report.head.error {
+        let path = escaped(&report.input.path);
+        let help = match error.message.contains(HELP) {
+            true => "; ",
+            false => HELP,
+        };
         match error.kind {
             // Not a fault of the file.
             FailureKind::Usage => console.error(&error.message),
-            _ => console.error(&format!("{}: {}", escaped(&report.input.path), error.message)),
+            _ if request.has_settings() => {
+                let keys = "`crease render --scene-help` lists the keys of scene files";
+                console.error(&format!("{path}: {}{help}{keys}", error.message));
+            }
+            _ => console.error(&format!("{path}: {}", error.message)),
         }
     }
     console.print(report, || {

@@ -63,5 +63,5 @@ fn of_drawing(drawing: &Drawing) -> String {
     let triangles = count(statistics.triangles_drawn as usize, "triangle");
     let pixels = count(statistics.covered_pixels as usize, "pixel");
     let (clipped, culled) = (statistics.triangles_clipped, statistics.triangles_culled);
-    format!("{name}{triangles} ({clipped} clipped), {culled} left out; {pixels} covered")
+    format!("{name}{triangles} ({clipped} clipped), {culled} culled; {pixels} covered")
 }

@@ -113,13 +113,13 @@ choices! { Shading {
     "gouraud" => Gouraud: "at the corners; colours are interpolated (Gouraud 1971)",
     "phong" => Phong: "at every sample; normals are interpolated (Phong 1973)",
     "wireframe" => Wireframe: "nowhere: edges are drawn",
-    "exact" => Exact: "at every sample, on the analytic surface that an object stands for",
+    "exact" => Exact: "at every sample, on the analytic surface of the object",
 } }
 
 choices! { Interpolation {
-    "scanline" => Scanline: "along the polygon's edges, then along the scanline: turns with the face",
+    "scanline" => Scanline: "along the polygon's edges, then along the scanline; depends on the rotation of the face",
     "affine" => Affine: "barycentric on triangles of the picture: ignores perspective",
-    "perspective" => Perspective: "barycentric on triangles of the scene: right under perspective",
+    "perspective" => Perspective: "barycentric on triangles of the scene; correct under perspective",
 } }
 
 choices! { Variant {
@@ -141,7 +141,7 @@ choices! { ReflectionChoice {
 
 choices! { FlatSample {
     "centroid" => Centroid: "at the mean of the corners",
-    "vertex-mean" => VertexMean: "at every corner; the face gets the mean of the colours",
+    "vertex-mean" => VertexMean: "at every corner; the face has the mean of the colours",
 } }
 
 choices! { Overlay {
@@ -152,7 +152,7 @@ choices! { Overlay {
 } }
 
 choices! { HiddenLines {
-    "remove" => Remove: "they are left out",
+    "remove" => Remove: "they are omitted",
     "show" => Show: "they are drawn like all others",
 } }
 
@@ -165,7 +165,7 @@ choices! { Cull {
 choices! { Samples {
     "1" => One: "the centre",
     "4" => Four: "a rotated square",
-    "8" => Eight: "eight places, no two in a row or column",
+    "8" => Eight: "eight positions, no two in a row or column",
     "16" => Sixteen: "sixteen, likewise",
 } }
 
@@ -175,9 +175,9 @@ choices! { Bits {
 } }
 
 choices! { Terminator {
-    "smooth" => Smooth: "it stays: only the interpolated normal counts",
-    "hard" => Hard: "it goes, as in the face's own shadow: along the edges of faces",
-    "soft" => Soft: "it goes gradually (Chiang, Li and Burley 2019)",
+    "smooth" => Smooth: "kept: only the interpolated normal counts",
+    "hard" => Hard: "removed, as in the face's own shadow: along the edges of faces",
+    "soft" => Soft: "removed gradually (Chiang, Li and Burley 2019)",
 } }
 
 choices! { ToneRule {
@@ -187,7 +187,7 @@ choices! { ToneRule {
 
 choices! { Transfer {
     "srgb" => Srgb: "the curve of sRGB",
-    "direct" => Direct: "the number itself, as the lectures have it",
+    "direct" => Direct: "the number itself, as in the lectures",
 } }
 
 #[cfg(test)]

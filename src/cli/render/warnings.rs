@@ -30,12 +30,12 @@ pub fn notes(request: &Request, file: &SceneFile) -> Vec<Note> {
             true => "--reflection given shows them",
             false => "a scene in TOML can give each object `reflection = \"given\"`",
         };
-        texts.push(format!("vertices have colours, which light on materials does not show; {advice}"));
+        texts.push(format!("the vertex colours are not drawn: lit materials replace them; {advice}"));
     }
     let gains =
         numbers.zip(&file.objects).filter(|(_, object)| is_lit(object)).filter_map(|(number, object)| {
             let gain = object.material.gain()?;
-            Some(Note::warning(Place::File, format!("object {}: {gain}", number + 1)))
+            Some(Note::warning(Place::File, format!("object {number}: {gain}")))
         });
     texts.into_iter().map(Note::remark).chain(gains).collect()
 }
@@ -50,7 +50,7 @@ fn unlit(file: &SceneFile, panels: &[RenderSettings]) -> Option<&'static str> {
             Some("the colours of vertices are shown unlit")
         }
         Show::Shaded => None,
-        _ => Some("--show shows something in place of light"),
+        _ => Some("--show draws something else in place of light"),
     }
 }
 
@@ -95,9 +95,9 @@ fn without_effect(args: &RenderArgs, file: &SceneFile, panels: &[RenderSettings]
         shading.overlay.iter().any(|it| matches!(it, Overlay::VertexNormals | Overlay::Creases));
     let has_means = file.settings.flat_sample == FlatSample::VertexMean && has(&[Shading::Flat]);
     if file.objects.iter().all(is_solid) {
-        warn(&of_normals, "there are no meshes, whose normals would change");
+        warn(&of_normals, "the scene has no meshes");
     } else if !interpolates && !draws_normals && !has_means {
-        warn(&of_normals, "only Gouraud and Phong shading take the normals of corners");
+        warn(&of_normals, "only Gouraud and Phong shading use the normals of corners");
     }
     if !interpolates {
         let is_typed = shading.interpolation.is_some();
@@ -117,9 +117,10 @@ fn analytic(args: &RenderArgs, file: &SceneFile, panels: &[RenderSettings]) -> O
     };
     let which = match file.objects.iter().all(is_solid) {
         true => "the objects are analytic surfaces".into(),
-        false => format!("object {} is an analytic surface", number + 1),
+        false => format!("object {number} is an analytic surface"),
     };
-    panels.iter().any(is_other).then(|| {
-        format!("{which} without a tessellation: whatever the shading, drawn exactly, by casting rays")
-    })
+    panels
+        .iter()
+        .any(is_other)
+        .then(|| format!("{which} without a tessellation, drawn exactly by ray casting with any shading"))
 }

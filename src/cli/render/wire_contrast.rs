@@ -22,7 +22,7 @@ pub fn faint_wireframe(file: &SceneFile, panels: &[RenderSettings]) -> Option<St
     let what = match code(wire, transfer) == code(background, transfer) {
         true => "has the colour of the background".into(),
         false => format!(
-            "is hard to tell from the background: their contrast is {reported:.2}:1, and WCAG 2.1 asks for {LEAST_CONTRAST}:1"
+            "is hardly visible on the background: contrast {reported:.2}:1 (WCAG 2.1 requires {LEAST_CONTRAST}:1)"
         ),
     };
     Some(format!("the wireframe {what}; choose another --background"))

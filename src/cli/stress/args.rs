@@ -1,13 +1,12 @@
 //! The options of `crease stress`.
 
-use crate::cli::common::choice::{Choice, Choose, one_of};
 use crate::cli::common::options::{EXIT_CODES, RunArgs};
 use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use crease::trade::stress::Group;
 
 const EXAMPLES: &str = "\
 Examples:
-  crease stress
   crease stress --only needle,offset -v
   crease stress --list
   crease stress --json > stress.json";
@@ -22,7 +21,7 @@ Examples:
 #[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"))]
 pub struct StressArgs {
     /// Run only these groups of cases; repeatable
-    #[arg(long, value_name = "GROUP", value_parser = one_of::<Group>(), value_delimiter = ',')]
+    #[arg(long, value_name = "GROUP", value_parser = groups(), value_delimiter = ',')]
     pub only: Vec<Group>,
 
     /// List the cases without running them
@@ -33,18 +32,8 @@ pub struct StressArgs {
     pub run: RunArgs,
 }
 
-const fn choice(group: Group) -> Choice<Group> {
-    (group.name(), group, group.about())
-}
-
-impl Choose for Group {
-    const CHOICES: &'static [Choice<Self>] = &{
-        let mut choices = [choice(Group::ALL[0]); Group::ALL.len()];
-        let mut at = 1;
-        while at < choices.len() {
-            choices[at] = choice(Group::ALL[at]);
-            at += 1;
-        }
-        choices
-    };
+fn groups() -> impl TypedValueParser<Value = Group> {
+    let values = Group::ALL.map(|group| PossibleValue::new(group.name()).help(group.about()));
+    let group = |name: String| Group::ALL.into_iter().find(|group| group.name() == name);
+    PossibleValuesParser::new(values).map(move |name| group(name).expect("clap has checked the name"))
 }

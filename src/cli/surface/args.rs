@@ -13,17 +13,14 @@ const EXAMPLES: &str = "\
 Examples:
   crease surface torus --segments 64x32 --jitter 0.5 -o torus.ply
   crease surface sphere --pattern icosphere --level 4 -o sphere.glb
-  crease surface teapot --segments 16 --uv -o teapot.obj
-  crease surface superquadric --roundness 0.3,0.3 --pattern marching --segments 48 -o box.ply
-  crease surface wave --pattern scattered --noise 0.02 --seed 7 -o ground.ply
-  crease surface cylinder --radius 0.5 --scale 1000 --offset 1e6,0,0 --json -o far.ply";
+  crease surface teapot --segments 16 --uv -o teapot.obj";
 
 /// Write an analytic surface as a mesh with its exact normals
 ///
-/// Positions lie on the surface to the last digits of a double, and normals are those of the surface there, not of the
-/// mesh. OBJ and PLY keep positions as doubles, and PLY normals too;
-/// OBJ and glTF have normals in single precision, up to 3e-6 degrees off; STL has the normals of facets instead. What turns, turns about the y
-/// axis; planes, waves and saddles lie in x and y and face +z.
+/// Positions lie on the surface to the last digits of a double. Normals are those of the surface, not of the mesh. OBJ
+/// and PLY store positions as doubles, PLY also normals. OBJ and glTF store normals in single precision, with an error of
+/// up to 3e-6 degrees. STL stores facet normals instead. Surfaces of revolution have the y axis; planes, waves and saddles
+/// lie in x and y and face +z.
 #[derive(Args)]
 #[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"))]
 pub struct SurfaceArgs {
@@ -103,7 +100,7 @@ pub struct PatternArgs {
     #[arg(long, value_name = "PATTERN", default_value = "triangles", value_parser = one_of::<Pattern>())]
     pub pattern: Pattern,
 
-    /// Cells one way and the other, or both; of each patch for the teapot [default: 64x32; bezier 32x32; teapot 8x8]
+    /// Cells in both directions, of each patch for the teapot [default: 64x32; bezier 32x32; teapot 8x8]
     #[arg(long, value_name = "U[xV]", value_parser = segments)]
     pub segments: Option<[u32; 2]>,
 
@@ -167,7 +164,7 @@ choices! { Kind {
 
 choices! { Pattern {
     "triangles" => Triangles: "a grid of the parameters, its cells cut in two",
-    "stretched" => Stretched(10.0): "the same, with cells --ratio times as long one way",
+    "stretched" => Stretched(10.0): "the same, with cells stretched by --ratio in one direction",
     "slivers" => Slivers(1000.0): "every other row --ratio times as close to the next",
     "quads" => Quads: "the cells themselves",
     "polygons" => Polygons: "the dual of the triangles: mostly hexagons; the tip of a cone is cut off",

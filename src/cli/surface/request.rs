@@ -25,7 +25,7 @@ impl Request {
     pub fn resolve(args: &SurfaceArgs) -> Result<Self, String> {
         let surface = surface(args.kind, &args.shape)?;
         let (target, format) = file_target(&args.output, args.to)?;
-        let format = format.ok_or("standard output needs --to, to know the format")?;
+        let format = format.ok_or("unknown output format of standard output\nhelp: choose it with --to")?;
         Ok(Self {
             surface,
             tessellation: tessellation(args.kind, &args.mesh)?,
@@ -74,14 +74,14 @@ fn surface(kind: Kind, shape: &ShapeArgs) -> Result<Surface, String> {
     ];
     let (name, has) = (kind.choice(), &taken.names);
     if matches!(kind, Kind::Wave | Kind::MonkeySaddle) && shape.size.is_some_and(|[w, h]| w != h) {
-        return Err(format!("{name} has one --size only"));
+        return Err(format!("{name} has only one --size"));
     }
     match typed.iter().find(|(option, typed)| *typed && !has.contains(option)) {
         None => surface.map_err(|error| error.to_string()),
         Some((option, _)) if has.is_empty() => {
-            Err(format!("{name} has no {option}; --scale makes it larger"))
+            Err(format!("{name} has no {option}\nhelp: --scale changes its size"))
         }
-        Some((option, _)) => Err(format!("{name} has no {option}; it has {}", has.join(" and "))),
+        Some((option, _)) => Err(format!("{name} has no {option}\nhelp: it has {}", has.join(" and "))),
     }
 }
 

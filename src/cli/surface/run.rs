@@ -44,10 +44,10 @@ fn run(args: &SurfaceArgs, request: &Request, report: &mut SurfaceReport) -> Res
     let mesh = request.surface.tessellate(&request.tessellation);
     let shape = mesh.unwrap_or_else(|error| usage_error("surface", error));
     let mesh = shape.transformed(request.placement).unwrap_or_else(|TransformFault::Overflow| {
-        usage_error("surface", "--scale and --offset take a position beyond the range of numbers")
+        usage_error("surface", "--scale and --offset move a position beyond the range of numbers")
     });
     if mesh.face_count() == 0 {
-        usage_error("surface", "so coarsely cut it has no faces; give more --segments");
+        usage_error("surface", "no faces at this resolution\nhelp: use more --segments");
     }
     report.mesh = Some(MeshReport::new(&mesh));
     report.notes.extend(placement_note(&shape, &mesh, args));
@@ -72,15 +72,15 @@ fn placement_note(shape: &Mesh, placed: &Mesh, args: &SurfaceArgs) -> Option<Not
     let size = shape.bounds().map_or(0.0, |(low, high)| ((high - low) * scale).length());
     if size < SMALLEST {
         let text = format!(
-            "the surface is {size:e} wide: so near to zero doubles have few digits or none; take a larger --scale"
+            "the surface is {size:e} wide: doubles near zero have few digits or none; use a larger --scale"
         );
         return Some(Note::warning(Place::File, text));
     }
     // As where positions are rounded to 32 bits.
     (largest > size / f64::from(1 << 20)).then(|| {
         let text = format!(
-            "so far out positions are rounded by up to {largest:.3e}, {:.1e} of the surface's size; take a smaller --offset, or \
-             a larger --scale",
+            "far from the origin, positions are rounded by up to {largest:.3e}, {:.1e} of the surface's size; use a smaller \
+             --offset or a larger --scale",
             largest / size
         );
         Note::warning(Place::File, text)

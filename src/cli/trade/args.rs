@@ -10,11 +10,8 @@ use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
 Examples:
-  crease trade
   crease trade --quick
   crease trade -o trade
-  crease trade --json > trade.json
-  crease trade bunny.obj
   crease trade part.stl --crease 30 -o part-trade";
 
 /// Measure accuracy against speed

@@ -24,7 +24,7 @@ const PAGE: &str = "index.html";
 pub fn main(args: &TradeArgs, color: Color) -> Exit {
     // clap does not ask for an input where --quick or --full exclude one.
     if args.input.is_none() && (args.crease.is_some() || args.format.is_some()) {
-        usage_error("trade", "--crease and --format are about an input, and none is given");
+        usage_error("trade", "--crease and --format need an input");
     }
     let console = Console::new(&args.run, color, None);
     args.run.use_threads();
@@ -63,8 +63,7 @@ fn measure(
         let loaded = input.read(args.format, &ReadOptions::default(), |_| ())?;
         let meshes: Vec<&Mesh> = loaded.parts.iter().map(|part| &part.mesh).collect();
         if meshes.iter().all(|mesh| mesh.face_count() == 0) {
-            let advice = "there is nothing to measure: give a mesh with faces";
-            return Err(Failure::input(format!("the mesh has no faces; {advice}")));
+            return Err(Failure::input("the mesh has no faces to measure"));
         }
         let crease = args.crease.map_or(Crease::Default, Crease::Angle);
         let recipe = NormalRecipe { crease, ..NormalRecipe::default() };

@@ -39,6 +39,15 @@ impl EdgeSample {
     }
 }
 
+/// The lowest and the highest angle that put the same edges on the same side as this one.
+pub(crate) fn equal_angles<'a>(edges: impl Iterator<Item = &'a EdgeSample>, crease: Degrees) -> [Degrees; 2] {
+    let widest = [Degrees(0.0), Degrees(180.0)];
+    edges.fold(widest, |[low, high], edge| match edge.degrees <= crease.0 {
+        true => [Degrees(low.0.max(edge.degrees)), high],
+        false => [low, Degrees(high.0.min(edge.degrees))],
+    })
+}
+
 /// The angle of [`separating_angle`], more precisely: rounding puts edges of equal angles on both sides of a crease angle. To a
 /// hundredth of a degree, if that separates them as well.
 pub(crate) fn exact_separating_angle(edges: &[EdgeSample], weight: usize) -> Degrees {

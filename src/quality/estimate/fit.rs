@@ -3,7 +3,9 @@
 use crate::normals::{Crease, Weight};
 use crate::num::Degrees;
 use crate::quality::angles::{SAME, degrees_between};
-use crate::quality::estimate::crease_angle::{EdgeSample, exact_separating_angle, separating_angle};
+use crate::quality::estimate::crease_angle::{
+    EdgeSample, equal_angles, exact_separating_angle, separating_angle,
+};
 use crate::quality::estimate::means::{MEANS, Smoothness, Sums, sums};
 use crate::quality::estimate::pole_cache::PoleCache;
 use crate::quality::estimate::quadrics::Patch;
@@ -143,7 +145,10 @@ impl<'a> Sample<'a> {
             .fold(0, |best, i| if costs[i] < costs[best] * (1.0 - 1e-3) - 1e-9 { i } else { best });
         let turn = turn(best);
         let errors = self.errors(&sums, best, turn);
-        self.fit(MEANS[best], rule, errors, turn)
+        let mut fit = self.fit(MEANS[best], rule, errors, turn);
+        let bound = fit.cost.max(costs[best]) * (1.0 + 1e-3) + FINE * self.corners.len() as f64;
+        fit.estimate.ties = std::array::from_fn(|i| costs[i] <= bound);
+        fit
     }
 
     /// The fit with these errors in degrees at the corners.
@@ -171,6 +176,11 @@ impl<'a> Sample<'a> {
                 (Some(_), _) => reproduced,
             },
             median: Degrees(median(&errors)),
+            creases: equal_angles(
+                self.edges.iter().filter(|edge| rule.groups.is_none() || edge.in_one_group),
+                crease,
+            ),
+            ties: [false; MEANS.len()],
         };
         Fit { estimate, cost, errors, turn }
     }

@@ -1,7 +1,8 @@
 //! How stored normals were made: the weighting and the crease angle that reproduce them best.
 
 use crate::normals::{Crease, Groups, NormalRecipe, Weight};
-use crate::num::Degrees;
+use crate::num::{Degrees, three_digits};
+use crate::quality::estimate::means::MEANS;
 
 /// The most corners that are sampled.
 pub const SAMPLE: usize = 100_000;
@@ -53,6 +54,12 @@ pub struct Estimate {
     pub separated: f64,
     /// The median angle between stored and reproduced normals.
     pub median: Degrees,
+    /// The lowest and the highest crease angle that make the same edges sharp.
+    #[serde(skip)]
+    pub creases: [Degrees; 2],
+    /// Whether each of the averages fits equally well.
+    #[serde(skip)]
+    pub ties: [bool; MEANS.len()],
 }
 
 impl Estimate {
@@ -64,6 +71,27 @@ impl Estimate {
             groups: if self.groups { Groups::Honour } else { Groups::Ignore },
             ..NormalRecipe::default()
         }
+    }
+
+    /// The recipe in words, with everything that fits equally well: `crease 28° to 60°, angle or max weights`.
+    pub fn in_words(&self) -> String {
+        let [low, high] = self.creases.map(|angle| angle.0);
+        let whole = [low.ceil(), high.floor()];
+        let [low, high] = if whole[0] <= whole[1] { whole } else { [self.crease.0; 2] };
+        let crease = match (low, high) {
+            (0.0, 180.0..) => "any crease angle".to_owned(),
+            (low, 180.0..) => format!("crease {low}° or more"),
+            (low, high) if low == high => format!("crease {}°", three_digits(low)),
+            (low, high) => format!("crease {low}° to {high}°"),
+        };
+        let groups = if self.groups { " and smoothing groups" } else { "" };
+        if self.ties == [true; MEANS.len()] {
+            return format!("{crease}{groups}, any weights");
+        }
+        let ties = MEANS.into_iter().zip(self.ties).filter(|&(weight, fits)| fits && weight != self.weight);
+        let weights = ties
+            .fold(self.weight.name().to_owned(), |text, (weight, _)| format!("{text} or {}", weight.name()));
+        format!("{crease}{groups}, {weights} weights")
     }
 
     /// The recipe as options of `crease normals`.

@@ -268,8 +268,8 @@ mod tests {
         let refused =
             |scene: &Scene, path: LinePath| LineEnds::new(scene, 3, &path).err().unwrap().to_string();
         let along = |object| LinePath::FaceNormals { object, length: 1.0 };
-        assert_eq!(refused(&scene, along(1)), "lines 4 run along object 2, which has no vertices");
-        assert_eq!(refused(&solid, along(0)), "lines 4 run along object 1, which has no vertices");
+        assert_eq!(refused(&scene, along(1)), "lines 3 run along object 1, which has no vertices");
+        assert_eq!(refused(&solid, along(0)), "lines 3 run along object 0, which has no vertices");
         let edges = LinePath::Edges { object: 0, edges: vec![[0, 1], [5, 6]] };
         assert_eq!(refused(&scene, edges), "line 1 refers to point 6, but there are only 6");
         let beyond = LinePath::VertexNormals { object: 0, normals: vec![[0, 6]], length: 1.0 };

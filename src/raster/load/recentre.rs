@@ -84,7 +84,7 @@ impl SceneFile {
         let larger =
             if scale == 1.0 { String::new() } else { format!(" and 2^{} times as large", libm::log2(scale)) };
         Some(Note::remark(format!(
-            "so that it can be seen it is drawn with ({x:e}, {y:e}, {z:e}) as its origin{larger}: places and lengths that are told are those of the drawing"
+            "drawn with ({x:e}, {y:e}, {z:e}) as its origin{larger}, to be visible: reported positions and lengths are those of the drawing"
         )))
     }
 }

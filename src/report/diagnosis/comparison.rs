@@ -79,10 +79,13 @@ fn words(name: &str, comparison: &Comparison) -> String {
     let [mean_steps, largest_steps] = comparison.steps().map(three_digits);
     let Comparison { corners, changed, visible, gained, lost, turned, unmatched: [here, there], .. } =
         comparison;
+    let added = match (here, there) {
+        (0, 0) => "no faces were added or removed".to_owned(),
+        _ => format!("{here} faces were removed, {there} added"),
+    };
     format!(
         "In {name}, {changed} of {corners} corners have another direction, {visible} of them visibly: by {largest}° at most \
          ({largest_steps} of 255 grey steps under a key light) and {mean}° in the mean ({mean_steps} steps). {gained} corners \
-         gained a normal and {lost} lost one; {turned} faces go round the other way; {here} faces stand before only, {there} \
-         after only."
+         gained a normal and {lost} lost one. {turned} faces have reversed winding, and {added}."
     )
 }

@@ -133,7 +133,7 @@ fn caption(marks: Marks, diagnosis: &Diagnosis) -> String {
 /// The estimated weighting and crease angle of each part.
 fn weightings(page: &mut Page, diagnosis: &Diagnosis) {
     let columns = ["part", "faces", "weight", "crease angle", "within 5°", "median"];
-    let mut table = Table::new("How the stored normals were made, as far as they tell", &columns);
+    let mut table = Table::new("Recipes that reproduce the stored normals best", &columns);
     for (number, part) in diagnosis.parts.iter().enumerate() {
         let Some(estimate) = part.estimate else { continue };
         let name = if part.name.is_empty() { format!("part {number}") } else { part.name.clone() };

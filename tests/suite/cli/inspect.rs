@@ -214,9 +214,14 @@ fn severity_hides_findings_from_the_gate() {
     assert_eq!(code(&inspect(&["--fail-on", "note", &good])), 1);
     assert_eq!(code(&inspect(&["--fail-on", "note", "--severity", "error", &good])), 0);
     let said = |options: &[&str]| text(&inspect(&[options, &[&good]].concat()).stdout).to_owned();
-    let hidden = "good.obj: nothing of what was asked for; not told: 1 note\n";
-    assert!(said(&["--severity", "error"]).contains(hidden), "{}", said(&["--severity", "error"]));
-    assert!(said(&["--ignore", "no-normals"]).contains(hidden));
+    let hidden = "good.obj: no errors or warnings; 1 note hidden (--severity note shows them)\n";
+    for options in [&["--severity", "error"][..], &[]] {
+        assert!(said(options).contains(hidden) && !said(options).contains("no-normals"), "{}", said(options));
+    }
+    for options in [&["--severity", "note"][..], &["-v"]] {
+        assert!(said(options).contains("good.obj: 1 note\n  note no-normals"), "{}", said(options));
+    }
+    assert!(said(&["--ignore", "no-normals"]).contains("good.obj: no selected findings; 1 note hidden\n"));
     let report: Report = serde_json::from_str(&said(&["--json", "--severity", "error"])).unwrap();
     assert_eq!((report.counts.note, report.hidden), (0, Counts { error: 0, warning: 0, note: 1 }));
     let help = inspect(&["--help"]);
@@ -252,9 +257,11 @@ fn every_finding_is_explained() {
 
 #[test]
 fn text_begins_with_a_verdict() {
-    let output = inspect(&[&path(data("gear.obj"))]);
+    let output = inspect(&["--severity", "note", &path(data("gear.obj"))]);
     let said = text(&output.stdout);
     assert!(said.lines().next().unwrap().contains("gear.obj: ") && said.contains("no-normals"), "{said}");
+    let clean = inspect(&[&path(data("part.stl"))]);
+    assert!(text(&clean.stdout).contains("part.stl: No problems found.\n"), "{}", text(&clean.stdout));
     let quiet = inspect(&["-q", &path(data("gear.obj"))]);
     assert!(quiet.stdout.is_empty());
 }
@@ -407,7 +414,7 @@ fn a_heat_map_is_a_png() {
     let [own, map] = ["own.obj", "map.jpg"].map(|name| path(files.path().join(name)));
     let output = inspect(&["--heatmap", &map, &own]);
     assert_eq!(code(&output), 2, "{}", text(&output.stderr));
-    assert!(text(&output.stderr).contains("map.jpg does not end in .png"), "{}", text(&output.stderr));
+    assert!(text(&output.stderr).contains("help: use a name that ends in .png"), "{}", text(&output.stderr));
     assert!(!files.path().join("map.jpg").exists());
 }
 

@@ -28,8 +28,11 @@ fn a_bad_file_does_not_stop_a_batch_and_leaves_nothing() {
     let output = normals(inputs.iter().cloned().chain(["--out-dir".into(), path(&out)]));
     assert_eq!(code(&output), 5);
     assert_eq!(names(&out), ["a.obj", "c.obj"]);
-    assert!(text(&output.stdout).contains("2 of 3 files done, 1 failed"));
-    assert_eq!(text(&output.stderr).lines().count(), 1);
+    let failed = format!("2 of 3 files done, 1 failed:\n  {}: line 2: ", inputs[1]);
+    assert!(text(&output.stdout).contains(&failed), "{}", text(&output.stdout));
+    let said = text(&output.stderr);
+    assert!(said.starts_with("error: ") && said.lines().nth(1).unwrap().starts_with("help: "), "{said}");
+    assert_eq!(said.lines().count(), 2);
 }
 
 #[test]

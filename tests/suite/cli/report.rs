@@ -254,14 +254,14 @@ fn all_places_of_a_note_are_printed_if_asked_for() {
 }
 
 #[test]
-fn reports_tell_what_was_done_and_no_more() {
+fn reports_have_what_was_done_and_no_more() {
     let gear = path(data("gear.obj"));
     let reported = |args: &[&str]| {
         text(&succeed([&[&*gear, "--dry-run", "--to", "ply"], args].concat()).stdout).to_owned()
     };
     assert!(reported(&["--crease", "off"]).contains("fan rule, crease off"));
     let faces = reported(&["--emit", "face"]);
-    assert!(faces.contains("normals  1260, one a face\n") && !faces.contains("split"), "{faces}");
+    assert!(faces.contains("normals  1260, one per face\n") && !faces.contains("split"), "{faces}");
     let vertices = reported(&["--emit", "vertex"]);
     assert!(vertices.contains("edges    2520: 2520 smooth\n"), "{vertices}");
 }

@@ -193,12 +193,12 @@ fn bad_scenes_are_distinguished() {
     fails(&with(&|s| s.camera.near = f64::NAN), &settings, "not finite");
     fails(&with(&|s| s.background = LinearRgb::new(0.0, f64::NAN, 0.0)), &settings, "background");
     let flat = DMat4::from_scale(DVec3::new(1.0, 1.0, 0.0));
-    fails(&with(&|s| s.objects[0].transform = flat), &settings, "object 1: its transform flattens");
-    fails(&with(&|s| s.objects[0].transform = DMat4::NAN), &settings, "object 1: its transform");
+    fails(&with(&|s| s.objects[0].transform = flat), &settings, "object 0: its transform flattens");
+    fails(&with(&|s| s.objects[0].transform = DMat4::NAN), &settings, "object 0: its transform");
     let huge = DMat4::from_scale(DVec3::splat(1e308)) * DMat4::from_translation(DVec3::splat(20.0));
-    fails(&with(&|s| s.objects[0].transform = huge), &settings, "object 1");
+    fails(&with(&|s| s.objects[0].transform = huge), &settings, "object 0");
     let exact = RenderSettings { shading: Shading::Exact, ..settings };
-    fails(&good(), &exact, "object 1: exact shading needs an analytic surface");
+    fails(&good(), &exact, "object 0: exact shading needs an analytic surface");
     fails(
         &with(&|s| s.objects[0].paint = Paint::Given(vec![].into())),
         &settings,
@@ -207,7 +207,7 @@ fn bad_scenes_are_distinguished() {
     // Rays meet no vertex that could have a colour.
     let ball = || Object::new(Shape::Surface(Sphere::default().into()), Material::default());
     let coloured = Object { paint: Paint::Given(vec![LinearRgb::WHITE; 3].into()), ..ball() };
-    fails(&scene(vec![ball(), coloured.clone()]), &settings, "object 2: rays are cast at it");
+    fails(&scene(vec![ball(), coloured.clone()]), &settings, "object 1: rays are cast at it");
     let shown = RenderSettings { show: Show::Normals, ..settings };
     assert!(render(&scene(vec![coloured]), &shown).is_ok(), "no colour is asked for");
     let negative = Material { exponent: -2.0, ..Material::default() };

@@ -25,7 +25,7 @@ fn a_picture_goes_to_a_file_and_the_report_to_standard_output() {
     }
     // Its vertices have colours, which light does not show.
     let said = text(&output.stderr);
-    assert!(said.lines().count() == 1 && said.contains("vertices have colours"), "{said}");
+    assert!(said.lines().count() == 1 && said.contains("the vertex colours are not drawn"), "{said}");
     let decoded = image::open(&out).unwrap();
     assert_eq!((decoded.width(), decoded.height()), (64, 48));
     assert_eq!(fs::read(&out).unwrap(), bytes(&[square.as_str(), "--size", "64x48"]));

@@ -18,7 +18,7 @@ fn a_student_can_follow_the_formula() {
     let reported = text(&output.stdout);
     for part in [
         "pixel        (20, 20)",
-        "face 1",
+        "object 0, face 0",
         "weight 0.",
         "N            (0.000000000, 0.000000000, 1.000000000)",
     ] {
@@ -115,5 +115,5 @@ fn a_pixel_without_a_number_is_an_error() {
     let output = render([path.to_str().unwrap(), "--probe", "1,1"]);
     assert_eq!(code(&output), 3, "{}", text(&output.stdout));
     let said = text(&output.stderr);
-    assert!(said.contains("object 1: no finite colour at (0, 0, 0)") && said.contains("light 1"), "{said}");
+    assert!(said.contains("object 0: no finite colour at (0, 0, 0)") && said.contains("light 0"), "{said}");
 }

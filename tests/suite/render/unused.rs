@@ -54,20 +54,20 @@ impl Quoted for Vec<&str> {
 
 /// What was drawn, options that change nothing there, and why they do not.
 const UNREAD: &[(&str, &[&str], &str)] = &[
-    ("strip.obj --show depth", LIGHT, "change nothing: --show shows something in place of light"),
-    ("strip.obj --show normals", LIGHT, "change nothing: --show shows something in place of light"),
+    ("strip.obj --show depth", LIGHT, "change nothing: --show draws something else in place of light"),
+    ("strip.obj --show normals", LIGHT, "change nothing: --show draws something else in place of light"),
     ("strip.obj --shading wireframe", LIGHT, "change nothing: a wireframe is not lit"),
     ("strip.obj --reflection given", LIGHT_ALONE, "change nothing: the colours of vertices are shown unlit"),
     ("given.toml", LIGHT_ALONE, "change nothing: the colours of vertices are shown unlit"),
-    ("strip.obj --show face-id", &["--reflection", "given"], "changes nothing: --show shows"),
+    ("strip.obj --show face-id", &["--reflection", "given"], "changes nothing: --show draws"),
     ("strip.obj --shading gouraud", &["--terminator", "hard"], "--terminator changes nothing: only Phong"),
     ("strip.obj --shading flat", &["--terminator", "soft"], "--terminator changes nothing: only Phong"),
     ("exact.toml", &["--terminator", "hard"], "--terminator changes nothing: only Phong"),
-    ("strip.obj --shading flat", NORMALS, "change nothing: only Gouraud and Phong shading take the normals"),
-    ("strip.obj --shading wireframe", NORMALS, "change nothing: only Gouraud and Phong shading take"),
+    ("strip.obj --shading flat", NORMALS, "change nothing: only Gouraud and Phong shading use the normals"),
+    ("strip.obj --shading wireframe", NORMALS, "change nothing: only Gouraud and Phong shading use"),
     ("strip.obj --shading flat --show normals", NORMALS, "change nothing: only Gouraud and Phong"),
     ("exact.toml", NORMALS, "change nothing: only Gouraud and Phong"),
-    ("ball.toml", NORMALS, "change nothing: there are no meshes"),
+    ("ball.toml", NORMALS, "change nothing: the scene has no meshes"),
     ("strip.obj --shading flat", AFFINE, "--interpolation changes nothing: only"),
     ("strip.obj --shading wireframe", AFFINE, "--interpolation changes nothing: only"),
     ("exact.toml", AFFINE, "--interpolation changes nothing: only"),
@@ -197,9 +197,8 @@ fn colours_of_vertices_are_reported_where_they_are_lost() {
             (" --show depth", false),
         ] {
             let found = notes(&stage.args(&format!("{file}{more}")));
-            let said = found.contains(
-                "vertices have colours, which light on materials does not show; --reflection given",
-            );
+            let said = found
+                .contains("the vertex colours are not drawn: lit materials replace them; --reflection given");
             assert_eq!(said, is_reported, "{file}{more}: {found}");
         }
     }
@@ -253,9 +252,9 @@ fn materials_are_judged_where_they_are_lit() {
     let stage = Stage::new();
     let bright = ["--material", "kd=0.9 ks=0.9"];
     let found = |words: &str| notes(&with(&stage.args(words), &bright));
-    assert!(found("strip.obj").contains("object 1: "), "{}", found("strip.obj"));
+    assert!(found("strip.obj").contains("object 0: "), "{}", found("strip.obj"));
     for words in ["strip.obj --show depth", "strip.obj --shading wireframe", "strip.obj --reflection given"] {
-        assert!(!found(words).contains("object 1: "), "{words}: {}", found(words));
+        assert!(!found(words).contains("object 0: "), "{words}: {}", found(words));
     }
 }
 
@@ -271,15 +270,13 @@ fn wireframes_of_little_contrast_are_reported() {
     };
     assert!(on("1", "1", "").contains("has the colour of the background; choose another"));
     // (1 + 0.05)/(0.9 + 0.05), about.
-    assert!(on("1", "0.9", "").contains("contrast is 1.10:1"), "{}", on("1", "0.9", ""));
+    assert!(on("1", "0.9", "").contains("contrast 1.10:1"), "{}", on("1", "0.9", ""));
     // Red on green of the same luminance, which eyes that do not tell hues do not tell at all.
-    assert!(on("[1, 0, 0]", "[0, 0.297, 0]", "").contains("contrast is 1.00:1"));
+    assert!(on("[1, 0, 0]", "[0, 0.297, 0]", "").contains("contrast 1.00:1"));
     // Either side of 3:1, which is light of 0.3 on white, and as a code of its own 0.586.
-    assert!(on("0.31", "1", "").contains("contrast is") && !on("0.29", "1", "").contains("background"));
+    assert!(on("0.31", "1", "").contains("contrast ") && !on("0.29", "1", "").contains("background"));
     let direct = "transfer = \"direct\"\n";
-    assert!(
-        on("0.6", "1", direct).contains("contrast is") && !on("0.57", "1", direct).contains("background")
-    );
+    assert!(on("0.6", "1", direct).contains("contrast ") && !on("0.57", "1", direct).contains("background"));
     let ball = folder(&[("a.toml", &format!("[settings]\nshading = \"wireframe\"\nbackground = 1\n{BALL}"))]);
     let found = notes(&[path(ball.path().join("a.toml")), "--size".into(), "40x30".into()]);
     assert!(!found.contains("choose another"), "no line is drawn: {found}");

@@ -52,7 +52,12 @@ fn every_fault_is_reported_with_its_line_and_key() {
         ),
         (
             "[settings]\nshading = \"exact\"\n[[object]]\nname = \"leaf\"\npolygons = { vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]], faces = [[0, 1, 2]] }\n",
-            &["line 4: `settings.shading`", "object 2 (`leaf`)", "no analytic surface", "another shading"],
+            &[
+                "line 4: `settings.shading`",
+                "object 1 (`leaf`)",
+                "not an analytic surface",
+                "another shading",
+            ],
         ),
         ("[settings]\ninterpolation = \"cubic\"\n", &["line 4: `settings.interpolation`"]),
         (

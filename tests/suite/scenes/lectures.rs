@@ -206,7 +206,7 @@ fn exercise_1_6_29() {
     assert!(light.n_dot_l > 0.0 && light.half.is_some() && light.v_dot_r.is_finite(), "{light:?}");
     assert_eq!((light.diffuse.guarded, light.specular.guarded), ([0.0; 3], [0.0; 3]));
     let text = report.to_string();
-    for word in ["light 1, ", "N·L ", "R  ", "H  ", "diffuse    (0.000000000, 0.000000000, 0.000000000)"] {
+    for word in ["light 0, ", "N·L ", "R  ", "H  ", "diffuse    (0.000000000, 0.000000000, 0.000000000)"] {
         assert!(text.contains(word), "no {word:?} in\n{text}");
     }
 }

@@ -23,7 +23,7 @@ fn refused(lights: &[Light], material: Material, settings: ShadeSettings) -> Str
 #[track_caller]
 fn light(light: Light, expected: &str) {
     let text = refused(&[sun(0.0, 0.0, 1.0), light], Material::default(), ShadeSettings::default());
-    assert_eq!(text, format!("light 2: {expected}"));
+    assert_eq!(text, format!("light 1: {expected}"));
 }
 
 fn point(attenuation: Attenuation) -> Light {

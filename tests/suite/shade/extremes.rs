@@ -95,7 +95,7 @@ fn a_light_at_the_point_itself_is_an_error_that_names_it() {
     let error = shader.shade(&SurfacePoint { position: [1.0; 3], normal: [0.0, 0.0, 1.0] }).unwrap_err();
     assert_eq!((error.light, error.position), (Some(1), [1.0; 3]));
     let text = error.to_string();
-    assert!(text.contains("(1, 1, 1)") && text.contains("light 2"), "{text}");
+    assert!(text.contains("(1, 1, 1)") && text.contains("light 1"), "{text}");
 
     let mut positions = [[0.0_f32; 200]; 3];
     positions.iter_mut().for_each(|row| row[150] = 1.0);

@@ -109,7 +109,7 @@ impl SettingsTable {
                 "" => String::new(),
                 name => format!(" (`{name}`)"),
             };
-            let found = format!("exact shading, but object {}{name} is no analytic surface", number + 1);
+            let found = format!("exact shading, but object {number}{name} is not an analytic surface");
             let advice = "choose another shading, or give the object a `surface`";
             return Err(source.error(&shading.span(), &found, advice));
         }
