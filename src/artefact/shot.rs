@@ -169,7 +169,7 @@ mod tests {
                 [Role::Bad, Role::Attempt],
                 [
                     "A box. It shows (size of it: 3 px).",
-                    "A box. It does too little here, 3 px without it (size of it: 1 px).",
+                    "A box. The cure does too little here: 3 px without it (size of it: 1 px).",
                 ],
             ),
             (
@@ -178,8 +178,8 @@ mod tests {
                 0.4,
                 [Role::Absent; 2],
                 [
-                    "A box. Nothing of the artefact is measured here (size of it: 0.4 px).",
-                    "A box. There was nothing to cure here, 0.4 px without it (size of it: 0.4 px).",
+                    "A box. No artefact is measured here (size of it: 0.4 px).",
+                    "A box. There is no artefact to cure here: 0.4 px without the cure (size of it: 0.4 px).",
                 ],
             ),
             (

@@ -91,10 +91,10 @@ fn no_legal_parameter_contradicts_a_closed_form() {
 
 /// What captions say where nothing of the artefact is seen, or the cure does too little, in both languages.
 const NOTHING: [[&str; 3]; 2] = [
-    ["Nothing of the artefact is measured here", "Nothing is lit here", "There was nothing to cure here"],
-    ["Nada do artefato se mede aqui", "Nada está iluminado aqui", "Não havia o que curar aqui"],
+    ["No artefact is measured here", "Nothing is lit here", "There is no artefact to cure here"],
+    ["Nenhum artefato é medido aqui", "Nada está iluminado aqui", "Não há artefato a curar aqui"],
 ];
-const TOO_LITTLE: [&str; 2] = ["It does too little here", "Aqui isso não basta"];
+const TOO_LITTLE: [&str; 2] = ["The cure does too little here", "A cura não basta aqui"];
 
 /// A picture's role, its number and its caption say the same.
 fn disagreement(shot: &Shot) -> Option<String> {
@@ -180,11 +180,11 @@ fn pictures_are_reported_as_they_are() {
             &[("gear-split", Role::Attempt, "flat"), ("cube-split", Role::Attempt, "one luminance")],
         ),
         ("false-smoothing", |p| p.crease = Degrees(0.0), &[("gear-split", Role::Cured, "stays round")]),
-        ("false-smoothing", |p| p.light = Degrees(180.0), &[("zigzag", Role::Absent, "outline")]),
+        ("false-smoothing", |p| p.light = Degrees(180.0), &[("zigzag", Role::Absent, "silhouette")]),
         (
             "reflection-models",
             |p| p.exponent = 1.0,
-            &[("blinn-4n", Role::Attempt, "much closer"), ("phong-grazing", Role::Absent, "drawn out")],
+            &[("blinn-4n", Role::Attempt, "much closer"), ("phong-grazing", Role::Absent, "stretched")],
         ),
         ("reflection-models", |p| p.exponent = 3.0, &[("blinn-4n", Role::Cured, "not to be told")]),
         (
@@ -196,7 +196,7 @@ fn pictures_are_reported_as_they_are() {
         (
             "lost-highlight",
             |p| p.exponent = 1e6,
-            &[("plate-phong", Role::Absent, "is there"), ("sphere-phong", Role::Absent, "in its place")],
+            &[("plate-phong", Role::Absent, "is visible"), ("sphere-phong", Role::Absent, "right position")],
         ),
         (
             "mach-bands",
@@ -207,7 +207,7 @@ fn pictures_are_reported_as_they_are() {
         (
             "silhouette",
             |p| p.segments = 200,
-            &[("ball", Role::Absent, "polygon."), ("ball-fine", Role::Absent, "round to the eye")],
+            &[("ball", Role::Absent, "polygon."), ("ball-fine", Role::Absent, "looks round")],
         ),
         ("triangulation", |p| p.light = Degrees(180.0), &[("waves-rising", Role::Absent, "beads")]),
         ("shared-vertices", |p| p.light = Degrees(0.0), &[("seam", Role::Absent, "line down")]),
@@ -235,7 +235,7 @@ fn outlines_are_cured_by_more_segments() {
         let outcome = experiment.run(&Setup { parameters, mesh: None }).unwrap();
         let label = outcome.shots.iter().find(|shot| shot.name == "ball-fine").unwrap();
         let label = label.label.get(Language::English);
-        let fine: u32 = label.trim_start_matches("ball, ").trim_end_matches(" segments").parse().unwrap();
+        let fine: u32 = label.trim_start_matches("sphere, ").trim_end_matches(" segments").parse().unwrap();
         assert!(fine >= 2 * segments, "{label}");
     }
 }

@@ -207,7 +207,9 @@ mod tests {
             assert_eq!(outcome.effect.cured, 0.0);
             // Clamping makes orange yellow, division keeps it; the lectures' [0.9, 1.1, 0.3] keeps its 0.9 or gets 0.818.
             assert_eq!(outcome.measured("clamped: green over red"), 1.0);
-            assert!((outcome.measured("divided by the largest: green over red") - 0.6).abs() < 0.005);
+            assert!(
+                (outcome.measured("divided by the largest component: green over red") - 0.6).abs() < 0.005
+            );
             assert!((outcome.measured("exercise 1.6.17: red after division") - 0.818).abs() < 5e-4);
         }
     }

@@ -151,7 +151,7 @@ mod tests {
             let outcome = EXPERIMENT.run(&Setup { parameters, mesh: None }).unwrap();
             outcome.prove();
             // At two circumradii an edge's ends are seen from the lamp at up to 30°: no more than 2 sin 15°.
-            let near = outcome.measured("lamp at 2 circumradii: largest");
+            let near = outcome.measured("point light at 2 circumradii: largest");
             assert!(near == outcome.effect.bad && near < 0.5177, "{near}");
             // Present: ten steps of 8 bits at least. Cured: each face is a segments-th as wide.
             assert!(outcome.effect.bad > 10.0 / 255.0, "{:?}", outcome.effect);

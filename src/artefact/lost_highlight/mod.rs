@@ -270,7 +270,7 @@ mod tests {
             assert!((found - flicker).abs() < 0.05, "{found}");
             // Of that, 0.4 parts of diffuse light fall by 1 − cos(Δ/2) on their own.
             let alone = 0.4 * (1.0 - libm::cos(PI / f64::from(segments)));
-            let beyond = outcome.measured("Gouraud: the same");
+            let beyond = outcome.measured("Gouraud: flicker of the peak beyond");
             assert!((found - beyond - alone).abs() < 1e-12, "{beyond} of {found}");
             assert!(outcome.effect.bad > 0.1 && outcome.effect.reduction() > 10.0, "{:?}", outcome.effect);
             let peak = |name: &str| {

@@ -298,8 +298,8 @@ mod tests {
             let outcome = EXPERIMENT.run(&Setup { mesh, ..setup(65) }).unwrap();
             let second = outcome.shots.iter().find(|shot| shot.name == "diagonal-24").unwrap();
             let caption = second.caption.get(crate::artefact::Language::English);
-            assert_eq!(caption.starts_with("No other cut"), has_one_cut, "{caption}");
-            assert_eq!(caption.starts_with("Cut another way"), !has_one_cut, "{caption}");
+            assert_eq!(caption.starts_with("No other triangulation"), has_one_cut, "{caption}");
+            assert_eq!(caption.starts_with("Another triangulation"), !has_one_cut, "{caption}");
             // Of one cut only there is no difference to show.
             assert_eq!(outcome.shots.iter().any(|shot| shot.name == "diagonals"), !has_one_cut);
             for shot in &outcome.shots {

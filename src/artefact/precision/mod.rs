@@ -204,11 +204,11 @@ mod tests {
             let outcome = EXPERIMENT.run(&Setup { parameters, mesh: None }).unwrap();
             outcome.prove();
             // Errors of directions near an axis: (√2 + ln(1 + √2))/6 of a step of 1/127; a grid of 25 by 25 is no random sample.
-            let mean = outcome.measured("three times 8 bits: mean");
+            let mean = outcome.measured("3 × 8 bits: mean");
             assert!((mean - 0.1726).abs() < 0.1 * 0.1726, "{mean}");
             // A highlight changes more than diffuse light, by up to √(n/e).
-            let [diffuse, highlight] = ["diffuse light", "Blinn's highlight"]
-                .map(|of| outcome.measured(&format!("8 bits: largest change of {of} alone")));
+            let [diffuse, highlight] = ["diffuse light", "the Blinn highlight"]
+                .map(|of| outcome.measured(&format!("3 × 8 bits: largest change of {of} alone")));
             assert!(highlight > 3.0 * diffuse && highlight < 1.1 * 0.607 * exponent.sqrt() * 0.005_57);
             // Present: several steps of 8 bits. Cured: codes are a hundred times as fine; twenty at least.
             assert!(

@@ -124,7 +124,7 @@ mod tests {
         assert!(halved.contains("2,5 vezes menos. Há artefato acima de 0,112 ("), "{halved}");
         let rounded = Effect { cured: 1e-6, ..vanished };
         let [en, pt] = said(&rounded);
-        assert!(en.contains("0 after the cure (x): gone, but for rounding."), "{en}");
+        assert!(en.contains("0 after the cure (x): gone, except for rounding."), "{en}");
         assert!(pt.contains("0 depois da cura (x): sumiu, salvo arredondamento."), "{pt}");
     }
 
