@@ -127,6 +127,17 @@ pub enum Precision {
     Fast,
 }
 
+/// How the normals of faces become one, for callers with slices of their own.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Averaging {
+    /// How much each face counts.
+    pub weight: Weight,
+    /// What slivers count.
+    pub slivers: Slivers,
+    /// How carefully to compute.
+    pub precision: Precision,
+}
+
 /// Whether hard edges give a vertex several normals.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Scope {
