@@ -6,7 +6,7 @@
 
 mod meshes;
 
-use crease::normals::{Scratch, Slivers, Weight, corner_normals, vertex_normals};
+use crease::normals::{Averaging, Precision, Scratch, Weight, corner_normals, vertex_normals};
 use crease::num::Degrees;
 use crease::trade::plain_vertex_normals;
 use meshes::{Mesh, grid, icosphere, shuffled};
@@ -51,17 +51,21 @@ fn measure(mesh: &Mesh, pools: &[rayon::ThreadPool; 2], rounds: usize) -> Vec<(&
         ("memory copy", Box::new(move || black_box(&mut target).copy_from_slice(black_box(&source)))),
     ];
     let ours = [
-        ("area, 1 thread", Weight::Area, &pools[0]),
-        ("area, 2 threads", Weight::Area, &pools[1]),
-        ("angle, 1 thread", Weight::Angle, &pools[0]),
-        ("angle, 2 threads", Weight::Angle, &pools[1]),
+        ("area, 1 thread", Weight::Area, Precision::Faithful, &pools[0]),
+        ("area, 2 threads", Weight::Area, Precision::Faithful, &pools[1]),
+        ("area, fast, 1 thread", Weight::Area, Precision::Fast, &pools[0]),
+        ("area, fast, 2 threads", Weight::Area, Precision::Fast, &pools[1]),
+        ("angle, 1 thread", Weight::Angle, Precision::Faithful, &pools[0]),
+        ("angle, 2 threads", Weight::Angle, Precision::Faithful, &pools[1]),
+        ("angle, fast, 1 thread", Weight::Angle, Precision::Fast, &pools[0]),
+        ("angle, fast, 2 threads", Weight::Angle, Precision::Fast, &pools[1]),
     ];
-    for (name, weight, pool) in ours {
+    for (name, weight, precision, pool) in ours {
+        let averaging = Averaging { weight, precision, ..Averaging::default() };
         let (mut scratch, mut normals) = (Scratch::new(), vec![[0.0_f32; 3]; positions.len()]);
         let work = move || {
-            let result = pool.install(|| {
-                vertex_normals(positions, triangles, weight, Slivers::Exclude, &mut scratch, &mut normals)
-            });
+            let result =
+                pool.install(|| vertex_normals(positions, triangles, averaging, &mut scratch, &mut normals));
             black_box(result.expect("the mesh is sound"));
         };
         candidates.push((name, Box::new(work)));
@@ -73,9 +77,8 @@ fn measure(mesh: &Mesh, pools: &[rayon::ThreadPool; 2], rounds: usize) -> Vec<(&
             corner_normals(
                 positions,
                 triangles,
-                Weight::Angle,
+                Averaging::default(),
                 Degrees(40.0),
-                Slivers::Exclude,
                 &mut scratch,
                 &mut corner_entries,
                 &mut index,

@@ -60,3 +60,4 @@ pub use triangulate::{Triangulation, triangulate};
 pub(crate) use vertex_merge::place_key;
 pub use vertex_split::{VertexSplit, split_vertices};
 pub use weld::Weld;
+pub(crate) use weld::joins_no_edges;

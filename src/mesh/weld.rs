@@ -74,6 +74,20 @@ impl Topology {
     }
 }
 
+/// Whether joining boundary edges with these ends at equal positions would change nothing.
+pub(crate) fn joins_no_edges(mesh: &Mesh, ends: &[[u32; 2]]) -> bool {
+    // A mesh of separate triangles.
+    if ends.len() == mesh.faces().corner_count() && ends.len() > 3 {
+        return false;
+    }
+    let mut rim = ends.as_flattened().to_vec();
+    rim.sort_unstable();
+    rim.dedup();
+    let classes = exact_classes(&rim, mesh).of_rim;
+    // Classes are numbered as they are met.
+    (0..).zip(&classes).all(|(number, &class)| class == number)
+}
+
 /// The result of welding.
 struct Joined {
     /// New links of half-edges that were boundary.

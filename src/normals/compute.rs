@@ -1,7 +1,6 @@
 //! From a mesh and a recipe to a field of normals.
 
 use crate::mesh::{Column, Mesh, Storage, Topology};
-use crate::normals::creases::coordinate_rounding::turns_by_rounding;
 use crate::normals::creases::dihedral_test::CreaseTest;
 use crate::normals::creases::edge_counts::edge_counts;
 use crate::normals::creases::fans::{FanWalker, MeshFans};
@@ -13,13 +12,14 @@ use crate::normals::faces::field::FaceField;
 use crate::normals::faces::positions::Positions;
 use crate::normals::fallback::fallback_normals::{FallbackNormals, face_faults};
 use crate::normals::fault::{Fault, FaultReason, Faults};
-use crate::normals::field::{NormalField, Summary};
+use crate::normals::field::{Extras, NormalField, Summary};
 use crate::normals::fits::quadric::{QuadricRequest, quadric_normals};
 use crate::normals::recipe::{CreaseRule, Groups, NormalRecipe, Precision, Scope, Weight};
 use crate::normals::sums::corner_sums::TermTable;
-use crate::normals::sums::f32_path::Single;
 use crate::normals::sums::request::{SlotState, SumRequest, Sums};
+use crate::normals::sums::single_precision::single_sums;
 use crate::normals::sums::weighted_sums::weighted_sums;
+use crate::normals::triangle_field::{count_runs, triangle_field, turns, unreferenced};
 use crate::num::Degrees;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -46,44 +46,49 @@ use rayon::prelude::*;
 /// # Ok::<(), crease::mesh::MeshError>(())
 /// ```
 pub fn compute(mesh: &Mesh, recipe: &NormalRecipe) -> NormalField {
-    compute_on(mesh, &Topology::build(mesh, recipe.weld), recipe)
+    compute_with(mesh, recipe, Extras::ALL)
+}
+
+/// As [`compute`], with only some of the extras.
+pub fn compute_with(mesh: &Mesh, recipe: &NormalRecipe, extras: Extras) -> NormalField {
+    let faces = match triangle_field(mesh, recipe, extras) {
+        Ok(field) => return field,
+        Err(faces) => faces,
+    };
+    let topology = Topology::build(mesh, recipe.weld);
+    let faces = faces.map_or_else(
+        || Shape::new(mesh.positions(), mesh, mesh.storage()),
+        |faces| Shape::of(mesh.positions(), mesh.storage(), faces),
+    );
+    on_topology(mesh, &topology, recipe, faces, extras)
 }
 
 /// As [`compute`], on a topology built before, with the welding that it was built with.
 pub fn compute_on(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe) -> NormalField {
-    let fast = recipe.precision == Precision::Fast;
-    let shape = || Shape::fast(mesh, mesh.positions());
-    if let Some(field) = fast.then(|| try_compute(mesh, topology, recipe, shape()?)).flatten() {
-        return field;
-    }
-    let mut field = faithful(mesh, topology, recipe, Shape::faithful(mesh, mesh.positions(), mesh.storage()));
-    field.summary.fast_declined = fast;
-    field
+    let shape = Shape::new(mesh.positions(), mesh, mesh.storage());
+    on_topology(mesh, topology, recipe, shape, Extras::ALL)
 }
 
-/// As [`compute_on`], faithful, with the normals of faces that are there already.
+/// As [`compute_on`], with the normals of faces that are there already.
 pub(crate) fn compute_from(
     mesh: &Mesh,
     topology: &Topology,
     recipe: &NormalRecipe,
     faces: FaceField,
 ) -> NormalField {
-    faithful(mesh, topology, recipe, Shape::of(mesh.positions(), mesh.storage(), faces.into_computed()))
+    let shape = Shape::of(mesh.positions(), mesh.storage(), faces.into_computed());
+    on_topology(mesh, topology, recipe, shape, Extras::ALL)
 }
 
-fn faithful(mesh: &Mesh, topology: &Topology, recipe: &NormalRecipe, shape: Shape<'_>) -> NormalField {
-    try_compute(mesh, topology, recipe, shape).expect("the faithful way is open to every mesh")
-}
-
-/// The field, as `fast` or faithful as the shape; `None` if the mesh is out of the range of `fast`.
-fn try_compute(
+fn on_topology(
     mesh: &Mesh,
     topology: &Topology,
     recipe: &NormalRecipe,
     shape: Shape<'_>,
-) -> Option<NormalField> {
+    extras: Extras,
+) -> NormalField {
     let angle = applied_angle(mesh, recipe);
-    let marks = Marks::new(mesh, topology, recipe);
+    let marks = Marks::new(mesh, recipe);
     let walker = FanWalker {
         fans: MeshFans { faces: mesh.faces().view(), topology, marks: &marks },
         normals: &shape.faces,
@@ -96,8 +101,9 @@ fn try_compute(
         faces_before_groups: faces_before_groups(mesh, recipe),
         ..Summary::default()
     };
-    let turns = matches!(walker.crease, CreaseTest::Over { .. }).then(|| turns_by_rounding(mesh)).flatten();
-    (summary.edges, summary.near_crease) = edge_counts(&walker, turns.as_deref());
+    if extras.edge_counts {
+        (summary.edges, summary.near_crease) = edge_counts(&walker, turns(mesh, &walker.crease).as_deref());
+    }
     let groups = match (recipe.scope, recipe.rule) {
         (Scope::Vertex, _) => SmoothGroups::per_vertex(mesh.faces().view(), topology, mesh.vertex_count()),
         (Scope::Corner, CreaseRule::Fan) => SmoothGroups::by_fan(&walker, mesh.vertex_count()),
@@ -110,17 +116,14 @@ fn try_compute(
     summary.referenced_vertices = count_runs(&groups.entry_vertex);
     summary.splits = groups.entry_vertex.len() - summary.referenced_vertices;
 
-    let filled = shape.entries(mesh, topology, recipe, &groups)?;
+    let filled = shape.entries(mesh, topology, recipe, &groups);
     summary.quadric_fallbacks = filled.quadric_fallbacks;
+    summary.fast_declined = filled.fast_declined;
     let mut morph_normals = Vec::new();
     for target in &mesh.columns().morph_targets {
         let moved: Vec<DVec3> = mesh.positions().iter().zip(target).map(|(&p, &by)| p + by).collect();
-        let moved = match shape.single {
-            Some(_) => Shape::fast(mesh, &moved)?,
-            // The sum of two f32 values need not be one.
-            None => Shape::faithful(mesh, &moved, Storage::F64),
-        };
-        let mut normals = moved.entries(mesh, topology, recipe, &groups)?;
+        // The sum of two f32 values need not be one.
+        let mut normals = Shape::new(&moved, mesh, Storage::F64).entries(mesh, topology, recipe, &groups);
         // A shape that loses a normal keeps that of the base: no displacement rather than an arbitrary one.
         summary.morph_fallbacks += normals.fallbacks.len();
         for &(entry, _) in &normals.fallbacks {
@@ -134,39 +137,33 @@ fn try_compute(
         corners: corner_faults(&groups.corner_entry, &filled.fallbacks),
         vertices: unreferenced(&groups.entry_vertex, mesh.vertex_count()),
     };
-    Some(NormalField {
+    NormalField {
         normals: Column::per_corner(filled.values, groups.corner_entry),
         entry_vertex: groups.entry_vertex,
-        face_normals: FaceField::with_fallbacks(mesh, topology, shape.faces).into_units(),
+        face_normals: match extras.face_normals {
+            true => FaceField::with_fallbacks(mesh, topology, shape.faces).into_units(),
+            false => Vec::new(),
+        },
         morph_normals,
         faults,
         summary,
-    })
+    }
 }
 
 /// A mesh in one of its shapes: its own, or a morph target's.
 struct Shape<'a> {
     points: &'a [DVec3],
     positions: Positions<'a>,
-    single: Option<Single<'a>>,
     faces: FaceNormals,
 }
 
 impl<'a> Shape<'a> {
-    /// `None` if the mesh is out of the range of `fast`.
-    fn fast(mesh: &'a Mesh, points: &'a [DVec3]) -> Option<Self> {
-        let single = Single::new(mesh.faces().view(), points)?;
-        let faces = single.face_normals();
-        Some(Self { single: Some(single), ..Self::of(points, mesh.storage(), faces) })
-    }
-
-    fn faithful(mesh: &'a Mesh, points: &'a [DVec3], storage: Storage) -> Self {
-        let positions = Positions::F64(points, storage);
-        Self::of(points, storage, face_normals(mesh.faces().view(), positions))
+    fn new(points: &'a [DVec3], mesh: &Mesh, storage: Storage) -> Self {
+        Self::of(points, storage, face_normals(mesh.faces().view(), Positions::F64(points, storage)))
     }
 
     fn of(points: &'a [DVec3], storage: Storage, faces: FaceNormals) -> Self {
-        Self { points, positions: Positions::F64(points, storage), single: None, faces }
+        Self { points, positions: Positions::F64(points, storage), faces }
     }
 
     /// The normal of every entry.
@@ -176,7 +173,7 @@ impl<'a> Shape<'a> {
         topology: &Topology,
         recipe: &NormalRecipe,
         groups: &SmoothGroups,
-    ) -> Option<Entries> {
+    ) -> Entries {
         let target = groups.corner_slots();
         let request = SumRequest {
             faces: mesh.faces().view(),
@@ -187,13 +184,13 @@ impl<'a> Shape<'a> {
             slivers: recipe.slivers,
         };
         let members = groups.members.as_ref();
-        let mut sums = match (&self.single, members) {
-            (Some(single), members) => {
-                single.sums(recipe.weight, &target, request.slots, members, topology)?
-            }
-            (None, None) => weighted_sums(&request),
-            (None, Some(members)) => gather_sums(&request, members),
-        };
+        let fast = recipe.precision == Precision::Fast;
+        let single = (fast && members.is_none()).then(|| single_sums(&request)).flatten();
+        let fast_declined = fast && single.is_none();
+        let mut sums = single.unwrap_or_else(|| match members {
+            None => weighted_sums(&request),
+            Some(members) => gather_sums(&request, members),
+        });
         let quadric_fallbacks = if recipe.weight == Weight::Quadric {
             self.fit_quadrics(mesh, topology, &target, groups, &mut sums)
         } else {
@@ -209,7 +206,7 @@ impl<'a> Shape<'a> {
             |slot: u32| fallbacks.binary_search_by_key(&slot, |&(s, _)| s).ok().map(|i| fallbacks[i].1);
         let entries = (0..values.len() as u32).filter(|_| !fallbacks.is_empty());
         let fallbacks = entries.filter_map(|e| reason(groups.slot(e)).map(|reason| (e, reason))).collect();
-        Some(Entries { values, fallbacks, quadric_fallbacks })
+        Entries { values, fallbacks, quadric_fallbacks, fast_declined }
     }
 
     /// Replaces means by the normals of quadrics where there is a fit. Gives the number of slots without one.
@@ -259,11 +256,7 @@ struct Entries {
     /// Entries with a fallback normal, ascending, with the reason.
     fallbacks: Vec<(u32, FaultReason)>,
     quadric_fallbacks: usize,
-}
-
-/// How many different values an ascending list has.
-fn count_runs(ascending: &[u32]) -> usize {
-    ascending.chunk_by(|a, b| a == b).count()
+    fast_declined: bool,
 }
 
 fn faces_before_groups(mesh: &Mesh, recipe: &NormalRecipe) -> usize {
@@ -280,22 +273,6 @@ fn corner_faults(corner_entry: &[u32], fallbacks: &[(u32, FaultReason)]) -> Vec<
         |entry: u32| fallbacks.binary_search_by_key(&entry, |&(e, _)| e).ok().map(|i| fallbacks[i].1);
     let corners = corner_entry.iter().enumerate();
     corners.filter_map(|(c, &entry)| reason(entry).map(|reason| Fault { index: c as u32, reason })).collect()
-}
-
-/// The vertices that no entry belongs to.
-fn unreferenced(entry_vertex: &[u32], vertex_count: usize) -> Vec<Fault> {
-    let mut entries = entry_vertex.iter().copied().peekable();
-    let vertices = 0..vertex_count as u32;
-    vertices
-        .filter(|&vertex| {
-            let mut used = false;
-            while entries.next_if_eq(&vertex).is_some() {
-                used = true;
-            }
-            !used
-        })
-        .map(|index| Fault { index, reason: FaultReason::Unreferenced })
-        .collect()
 }
 
 #[cfg(test)]

@@ -24,6 +24,23 @@ pub struct NormalField {
     pub summary: Summary,
 }
 
+/// What to compute in addition to the normals of corners. What is not asked for stays empty in the [`NormalField`], and
+/// costs neither time nor memory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Extras {
+    /// [`NormalField::face_normals`].
+    pub face_normals: bool,
+    /// [`Summary::edges`] and [`Summary::near_crease`].
+    pub edge_counts: bool,
+}
+
+impl Extras {
+    /// Everything.
+    pub const ALL: Self = Self { face_normals: true, edge_counts: true };
+    /// Only the normals of corners.
+    pub const NONE: Self = Self { face_normals: false, edge_counts: false };
+}
+
 /// Counts of a computation, for reports.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Summary {

@@ -2,6 +2,8 @@
 
 // From a mesh and a recipe to a field of normals.
 mod compute;
+// The same for plain triangles, without a topology.
+mod triangle_field;
 // What determines a normal.
 mod recipe;
 // Why a corner has a fallback normal.
@@ -31,13 +33,15 @@ mod slices;
 
 pub use crate::mesh::Weld;
 pub(crate) use compute::compute_from;
-pub use compute::{compute, compute_on};
+pub use compute::{compute, compute_on, compute_with};
 pub(crate) use creases::dihedral_test::CreaseTest;
 pub(crate) use faces::field::FaceField;
 pub use fallback::replace::{Broken, LENGTH_TOLERANCE, Replacement, When, replace};
 pub use fallback::select::{Selection, select};
 pub use fault::{Fault, FaultReason, Faults};
-pub use field::{EdgeCounts, NormalField, Summary};
-pub use recipe::{Crease, CreaseRule, Groups, HardEdges, NormalRecipe, Precision, Scope, Slivers, Weight};
+pub use field::{EdgeCounts, Extras, NormalField, Summary};
+pub use recipe::{
+    Averaging, Crease, CreaseRule, Groups, HardEdges, NormalRecipe, Precision, Scope, Slivers, Weight,
+};
 pub use slices::corner_normals::corner_normals;
 pub use slices::vertex_normals::{Coordinate, Scratch, SliceError, face_normals, vertex_normals};

@@ -123,8 +123,20 @@ pub enum Precision {
     /// Right to the last bit of the output at any magnitude, offset or thinness.
     #[default]
     Faithful,
-    /// `f32` arithmetic, for edges of 1e-6 to 1e6, faces of height/length ≥ 1e-3 and valence ≤ 1000.
+    /// Sums in `f32`, for triangles with edges of 1e-6 to 1e6 and height/length ≥ 1e-3, valence ≤ 1000. Sharp edges are those
+    /// of `Faithful`.
     Fast,
+}
+
+/// How the normals of faces become one, for callers with slices of their own.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Averaging {
+    /// How much each face counts.
+    pub weight: Weight,
+    /// What slivers count.
+    pub slivers: Slivers,
+    /// How carefully to compute.
+    pub precision: Precision,
 }
 
 /// Whether hard edges give a vertex several normals.

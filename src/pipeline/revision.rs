@@ -5,7 +5,7 @@ use super::outcome::{FaultCounts, PartOutcome, replaced};
 use super::task::{Degenerate, Task};
 use crate::io::{Emit, Format, Loaded, Part, PartEdit};
 use crate::mesh::{FaceEdit, Mesh, Orient, Orientation, Orientations, Placed, Topology, cavities, orient};
-use crate::normals::{self, FaultReason, When, select};
+use crate::normals::{Extras, FaultReason, When, compute_with, select};
 use glam::DVec3;
 use rayon::prelude::*;
 use std::borrow::Cow;
@@ -33,8 +33,8 @@ pub fn revise(
         .par_iter()
         .zip(find_orientations(loaded, task))
         .map(|(part, orientation)| {
-            let (mut edit, outcome, facets) = revise_part(part, orientation, task);
             let wants_facets = task.emit == Emit::Face || target == Some(Format::Stl);
+            let (mut edit, outcome, facets) = revise_part(part, orientation, task, wants_facets);
             let same_facets = target == Some(Format::Stl) && loaded.format == Format::Stl && edit.is_empty();
             edit.face_normals = facets.filter(|_| wants_facets && !same_facets);
             if task.emit == Emit::Face {
@@ -52,13 +52,18 @@ fn revise_part(
     part: &Part,
     orientation: Option<Orientation>,
     task: &Task,
+    wants_facets: bool,
 ) -> (PartEdit, PartOutcome, Option<Vec<DVec3>>) {
     let mut outcome = PartOutcome::new(part);
     if part.mesh.face_count() == 0 {
         return (PartEdit::default(), outcome, None);
     }
     let mut edited = EditedPart::new(part, orientation, task);
-    let mut field = normals::compute(&edited.mesh, &task.recipe);
+    // Stored normals are compared with those of their faces.
+    let face_normals = wants_facets || task.when != When::Always;
+    let edge_counts = task.edge_counts || task.recipe.can_split(&edited.mesh);
+    let extras = Extras { face_normals, edge_counts };
+    let mut field = compute_with(&edited.mesh, &task.recipe, extras);
     outcome.orientation = edited.orientation.take();
     outcome.faults = FaultCounts::of(&field.faults);
     outcome.fault_places = edited.fault_places(&field.faults);
@@ -67,7 +72,7 @@ fn revise_part(
         let dropped: Vec<u32> = zero_area.map(|fault| fault.index).collect();
         if !dropped.is_empty() {
             edited.drop_faces(dropped);
-            field = normals::compute(&edited.mesh, &task.recipe);
+            field = compute_with(&edited.mesh, &task.recipe, extras);
         }
     }
     outcome.entries = field.normals.values.len();
@@ -96,7 +101,7 @@ fn revise_part(
         fast_declined: summary.fast_declined,
         ..outcome
     };
-    (edit, outcome, Some(facets))
+    (edit, outcome, face_normals.then_some(facets))
 }
 
 /// What a task finds in each part; `None` if it asks for nothing. Faces are numbered without those that have no

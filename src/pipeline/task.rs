@@ -23,6 +23,8 @@ pub struct Task {
     pub flip: bool,
     /// What happens to faces without area.
     pub degenerate: Degenerate,
+    /// Whether to count edges even where none can be sharp; otherwise their counts are 0 there.
+    pub edge_counts: bool,
 }
 
 /// What happens to faces whose area is exactly zero.

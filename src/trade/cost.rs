@@ -4,7 +4,7 @@ use super::cases::{NamedSurface, SampleMesh, Tiling};
 use super::effort::{Candidate, Effort, Observer, Progress, fewest_seconds};
 use super::vertex::{recipe, weight_name};
 use crate::mesh::{Faces, Mesh, MeshBuilder, Storage, Topology};
-use crate::normals::{NormalRecipe, Precision, Scratch, Slivers, Weight, compute_on, vertex_normals};
+use crate::normals::{Averaging, NormalRecipe, Precision, Scratch, Weight, compute_on, vertex_normals};
 use glam::DVec3;
 use serde::Serialize;
 use std::hint::black_box;
@@ -76,8 +76,13 @@ impl Costs {
             if weight != Weight::Quadric {
                 let (mut scratch, mut normals) = (Scratch::new(), vec![[0.0; 3]; positions.len()]);
                 candidates.push(Box::new(move || {
-                    let faults =
-                        vertex_normals(points, list, weight, Slivers::Exclude, &mut scratch, &mut normals);
+                    let faults = vertex_normals(
+                        points,
+                        list,
+                        Averaging { weight, ..Averaging::default() },
+                        &mut scratch,
+                        &mut normals,
+                    );
                     drop(black_box(faults));
                 }));
                 ways.push((Way::Slices, weight));

@@ -11,7 +11,8 @@ mod peers;
 
 use crease::mesh::{Faces, MeshBuilder};
 use crease::normals::{
-    Crease, NormalRecipe, Scratch, Slivers, Weight, compute, corner_normals, vertex_normals,
+    Averaging, Crease, Extras, NormalRecipe, Precision, Scratch, Weight, compute_with, corner_normals,
+    vertex_normals,
 };
 use crease::num::Degrees;
 use meshes::{Mesh, grid, shuffled};
@@ -65,19 +66,26 @@ fn angle<'a>(mesh: &'a Mesh, pools: &'a [ThreadPool; 2]) -> Vec<Candidate<'a>> {
     candidates
 }
 
-/// `vertex_normals` on slices, and `compute` on a mesh without creases.
+/// `vertex_normals` on slices, and `compute_with` on a mesh without creases.
 fn ours<'a>(mesh: &'a Mesh, pools: &'a [ThreadPool; 2], weight: Weight) -> Vec<Candidate<'a>> {
     let mut candidates: Vec<Candidate> = Vec::new();
-    for (pool, threads) in pools.iter().zip(["1 thread", "2 threads"]) {
+    let kinds = [
+        (&pools[0], Precision::Faithful, "1 thread"),
+        (&pools[1], Precision::Faithful, "2 threads"),
+        (&pools[0], Precision::Fast, "fast, 1 thread"),
+        (&pools[1], Precision::Fast, "fast, 2 threads"),
+    ];
+    for (pool, precision, kind) in kinds {
+        let averaging = Averaging { weight, precision, ..Averaging::default() };
         let (mut scratch, mut normals) = (Scratch::new(), vec![[0.0_f32; 3]; mesh.positions.len()]);
         let work = move || {
             let result = pool.install(|| {
                 let Mesh { positions, triangles, .. } = mesh;
-                vertex_normals(positions, triangles, weight, Slivers::Exclude, &mut scratch, &mut normals)
+                vertex_normals(positions, triangles, averaging, &mut scratch, &mut normals)
             });
             black_box(result.expect("the mesh is sound"));
         };
-        candidates.push((format!("crease, {threads}"), Box::new(work)));
+        candidates.push((format!("crease, {kind}"), Box::new(work)));
     }
     candidates.push(on_mesh(
         mesh,
@@ -95,7 +103,7 @@ fn on_mesh<'a>(mesh: &Mesh, pool: &'a ThreadPool, recipe: NormalRecipe) -> Candi
         ..MeshBuilder::default()
     };
     let built = built.build().expect("the mesh is sound");
-    let work = move || drop(black_box(pool.install(|| compute(&built, &recipe))));
+    let work = move || drop(black_box(pool.install(|| compute_with(&built, &recipe, Extras::NONE))));
     ("crease on a Mesh, 2 threads".into(), Box::new(work))
 }
 
@@ -105,15 +113,13 @@ fn crease<'a>(mesh: &'a Mesh, pools: &'a [ThreadPool; 2]) -> Vec<Candidate<'a>> 
         let (mut scratch, mut normals) = (Scratch::new(), Vec::new());
         let mut index = vec![0; 3 * mesh.triangles.len()];
         let work = move || {
-            let (angle, slivers) = (Degrees(40.0), Slivers::Exclude);
             let result = pool.install(|| {
                 let Mesh { positions, triangles, .. } = mesh;
                 corner_normals(
                     positions,
                     triangles,
-                    Weight::Angle,
-                    angle,
-                    slivers,
+                    Averaging::default(),
+                    Degrees(40.0),
                     &mut scratch,
                     &mut normals,
                     &mut index,

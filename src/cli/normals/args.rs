@@ -215,7 +215,7 @@ choices! { Slivers {
 
 choices! { Precision {
     "faithful" => Faithful: "correct to the last bit, at any magnitude, offset or thinness",
-    "fast" => Fast: "f32 arithmetic for well-shaped faces with edges of 1e-6 to 1e6, else as faithful; on a mesh no faster (see `crease trade`)",
+    "fast" => Fast: "f32 arithmetic for well-shaped faces with edges of 1e-6 to 1e6, else as faithful; cheaper (see `crease trade`)",
 } }
 
 choices! { Degenerate {

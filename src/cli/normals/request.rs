@@ -102,6 +102,7 @@ fn task(args: &NormalsArgs) -> Task {
         confidence: args.mesh.confidence,
         flip: args.mesh.flip,
         degenerate: args.mesh.degenerate,
+        edge_counts: args.run.json || args.run.verbose,
     }
 }
 

@@ -47,8 +47,9 @@ pub fn block(report: &Report, dry_run: bool, console: &Console) -> String {
         }
     }
     if sum(parts, |part| part.faces) > 0 {
-        // Edges do not matter to the normals of faces.
-        if report.recipe.emit != Emit::Face {
+        // Edges do not matter to the normals of faces. They are not counted where no edge can be sharp.
+        let counted = parts.iter().any(|part| part.outcome.edges != EdgeCounts::default());
+        if counted && report.recipe.emit != Emit::Face {
             row(&mut out, "edges", &edges(parts, report.recipe.emit == Emit::Vertex));
         }
         row(&mut out, "normals", &normals(report));

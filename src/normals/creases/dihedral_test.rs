@@ -59,6 +59,24 @@ impl AngleLimit {
     }
 }
 
+/// Shows of most edges, by a dot product alone, that they are smooth.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct AngleFilter {
+    surely_under: f64,
+    /// As above, for edges that are not near the crease angle either, whatever rounding does.
+    cosine: f64,
+}
+
+impl AngleFilter {
+    /// Whether the angle between two unit normals is surely under the limit; and, if edges near the limit matter, under what
+    /// counts as near. `turn`: by how many radians rounding may have turned the two: the cosine changes by no more.
+    #[inline(always)]
+    pub(crate) fn is_surely_within(&self, a: DVec3, b: DVec3, turn: f64) -> bool {
+        let dot = a.dot(b);
+        dot > self.surely_under && (turn == 0.0 || dot > self.cosine + turn)
+    }
+}
+
 /// A crease angle between 0° (every edge is hard) and 180° (none is).
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum CreaseTest {
@@ -90,6 +108,13 @@ impl CreaseTest {
                 radians: angle.to_radians(),
             },
         }
+    }
+
+    /// The filter of the test; `None` where no edge is hard for its angle.
+    pub(crate) fn filter(&self, with_near: bool) -> Option<AngleFilter> {
+        let Self::Over { limit, near: [low, _], radians } = self else { return None };
+        let lower = if with_near { low } else { limit };
+        Some(AngleFilter { surely_under: lower.surely_under, cosine: libm::cos(*radians) + DOT_ERROR })
     }
 
     /// Whether an edge between faces of these unit normals is over the crease angle.

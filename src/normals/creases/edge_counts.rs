@@ -3,6 +3,7 @@
 use crate::mesh::Link;
 use crate::normals::creases::dihedral_test::CreaseTest;
 use crate::normals::creases::fans::{Fans, MeshWalker, Sector};
+use crate::normals::faces::face_normals::FaceNormals;
 use crate::normals::field::EdgeCounts;
 use rayon::prelude::*;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -68,7 +69,7 @@ impl Tally {
         if half_edge > across {
             return;
         }
-        if walker.fans.marks.is_marked(half_edge, across) {
+        if walker.fans.marks.is_marked(walker.fans.topology, half_edge, across) {
             counts.marked += 1;
             return;
         }
@@ -90,11 +91,73 @@ impl Tally {
 
 /// Whether the angle between the faces of two corners is near the crease angle.
 fn is_near(walker: &MeshWalker, turns: Option<&[f64]>, a: u32, b: u32) -> bool {
-    let (normal, other) = (walker.normal(a), walker.normal(b));
-    let turn = |turns: &[f64], corner| turns[walker.fans.face_of(corner) as usize];
+    let faces = [a, b].map(|corner| walker.fans.face_of(corner) as usize);
+    are_near(&walker.crease, walker.normals, turns, faces)
+}
+
+fn are_near(crease: &CreaseTest, normals: &FaceNormals, turns: Option<&[f64]>, [a, b]: [usize; 2]) -> bool {
+    let (normal, other) = (normals.unit[a], normals.unit[b]);
     match turns {
-        None => walker.crease.is_near(normal, other),
-        Some(turns) => walker.crease.is_near_if_turned(normal, other, turn(turns, a) + turn(turns, b)),
+        None => crease.is_near(normal, other),
+        Some(turns) => crease.is_near_if_turned(normal, other, turns[a] + turns[b]),
+    }
+}
+
+/// Edges of triangles counted vertex by vertex: an edge that two ends see, at the lower one. Every face adds to sums.
+#[derive(Default)]
+pub(crate) struct RingCounts {
+    pub(crate) counts: EdgeCounts,
+    pub(crate) near: usize,
+    /// The ends of edges with one face.
+    pub(crate) open: Vec<[u32; 2]>,
+    /// The ends of edges with more than two, lower one first, as often as they are met.
+    non_manifold: Vec<[u32; 2]>,
+}
+
+impl RingCounts {
+    pub(crate) fn join(mut self, mut other: Self) -> Self {
+        self.open.append(&mut other.open);
+        self.non_manifold.append(&mut other.non_manifold);
+        Self { counts: self.counts + other.counts, near: self.near + other.near, ..self }
+    }
+
+    /// Takes the edge that leaves a corner into account.
+    pub(crate) fn add(
+        &mut self,
+        crease: &CreaseTest,
+        normals: &FaceNormals,
+        turns: Option<&[f64]>,
+        [from, to]: [u32; 2],
+        corner: u32,
+        link: Link,
+    ) {
+        let counts = &mut self.counts;
+        match link {
+            Link::Twin(across) if from < to => {
+                let faces = [corner, across].map(|corner| corner as usize / 3);
+                let is_crease = match crease {
+                    CreaseTest::Every => true,
+                    CreaseTest::None => false,
+                    CreaseTest::Over { limit, .. } => {
+                        self.near += usize::from(are_near(crease, normals, turns, faces));
+                        limit.exceeded(normals.unit[faces[0]], normals.unit[faces[1]])
+                    }
+                };
+                if is_crease { counts.crease += 1 } else { counts.smooth += 1 }
+            }
+            Link::Inconsistent(across) => counts.inconsistent += usize::from(corner < across),
+            Link::Boundary => counts.boundary += 1,
+            Link::NonManifold => self.non_manifold.push([from.min(to), from.max(to)]),
+            Link::Twin(_) | Link::Welded(_) | Link::Ambiguous | Link::Collapsed => {}
+        }
+    }
+
+    /// The counts, with those near the crease angle.
+    pub(crate) fn finish(mut self) -> (EdgeCounts, usize) {
+        self.non_manifold.sort_unstable();
+        self.non_manifold.dedup();
+        self.counts.non_manifold = self.non_manifold.len();
+        (self.counts, self.near)
     }
 }
 

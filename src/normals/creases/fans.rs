@@ -44,7 +44,7 @@ impl Fans for MeshFans<'_> {
     #[inline]
     fn forward(&self, corner: u32) -> Option<u32> {
         if let Some(across) = self.topology.across(corner) {
-            let crossing = !self.marks.is_marked(corner, across);
+            let crossing = !self.marks.is_marked(self.topology, corner, across);
             return crossing.then(|| self.topology.next(across));
         }
         // A polygon that repeats a vertex goes on within itself.
@@ -57,7 +57,7 @@ impl Fans for MeshFans<'_> {
     fn backward(&self, corner: u32) -> Option<u32> {
         let arriving = self.topology.previous(corner);
         if let Some(across) = self.topology.across(arriving) {
-            return (!self.marks.is_marked(arriving, across)).then_some(across);
+            return (!self.marks.is_marked(self.topology, arriving, across)).then_some(across);
         }
         (self.topology.link(arriving) == Link::Collapsed
             && self.faces.corners()[arriving as usize] == self.faces.corners()[corner as usize])

@@ -14,7 +14,6 @@ const AUTHORED_DEGREES: f64 = 0.1;
 /// The edges that are hard for other reasons than their angle.
 pub(crate) struct Marks<'a> {
     mesh: &'a Mesh,
-    topology: &'a Topology,
     groups: Option<&'a [u32]>,
     materials: Option<&'a [u32]>,
     uvs: Option<&'a Column<DVec2>>,
@@ -24,12 +23,11 @@ pub(crate) struct Marks<'a> {
 
 impl<'a> Marks<'a> {
     /// The marks that a recipe asks for and a mesh has.
-    pub(crate) fn new(mesh: &'a Mesh, topology: &'a Topology, recipe: &NormalRecipe) -> Self {
+    pub(crate) fn new(mesh: &'a Mesh, recipe: &NormalRecipe) -> Self {
         let columns = mesh.columns();
         let hard = recipe.hard_edges;
         Self {
             mesh,
-            topology,
             groups: honoured_groups(mesh, recipe),
             materials: columns.materials.as_ref().filter(|_| hard.material).map(|m| m.of_face.as_slice()),
             uvs: columns.uvs.as_ref().filter(|_| hard.uv),
@@ -52,12 +50,12 @@ impl<'a> Marks<'a> {
     }
 
     /// Whether the edge between a half-edge and the one across it is marked. Both sides give the same answer.
-    pub(crate) fn is_marked(&self, half_edge: u32, across: u32) -> bool {
+    pub(crate) fn is_marked(&self, topology: &Topology, half_edge: u32, across: u32) -> bool {
         if self.is_empty() {
             return false;
         }
         let mesh = self.mesh;
-        let (face, other) = (self.topology.face_of(half_edge), self.topology.face_of(across));
+        let (face, other) = (topology.face_of(half_edge), topology.face_of(across));
         let labels_differ = |labels: &[u32]| labels[face as usize] != labels[other as usize];
         if let Some(groups) = self.groups
             && (labels_differ(groups) || groups[face as usize] == 0)
@@ -69,7 +67,7 @@ impl<'a> Marks<'a> {
         }
         let faces = mesh.faces();
         // The corners of the two sides at each end of the edge.
-        let ends = [(half_edge, self.topology.next(across)), (self.topology.next(half_edge), across)];
+        let ends = [(half_edge, topology.next(across)), (topology.next(half_edge), across)];
         if let Some(uvs) = self.uvs
             && ends.iter().any(|&(a, b)| at(uvs, mesh, a) != at(uvs, mesh, b))
         {
@@ -85,7 +83,7 @@ impl<'a> Marks<'a> {
         }
         !self.listed.is_empty()
             && [half_edge, across].iter().any(|&h| {
-                let (a, b) = self.topology.ends(faces.corners(), h);
+                let (a, b) = topology.ends(faces.corners(), h);
                 self.listed.contains(&[a.min(b), a.max(b)])
             })
     }
@@ -99,6 +97,14 @@ fn at<'a, T>(column: &'a Column<T>, mesh: &Mesh, corner: u32) -> Option<&'a T> {
 fn honoured_groups<'a>(mesh: &'a Mesh, recipe: &NormalRecipe) -> Option<&'a [u32]> {
     let smoothing = mesh.columns().smoothing.as_ref()?;
     (recipe.groups == Groups::Honour).then_some(smoothing.of_face.as_slice())
+}
+
+impl NormalRecipe {
+    /// Whether an edge of a mesh may be hard for its angle or for another reason that the recipe names.
+    pub(crate) fn can_split(&self, mesh: &Mesh) -> bool {
+        !Marks::new(mesh, self).is_empty()
+            || applied_angle(mesh, self).is_some_and(|Degrees(angle)| angle < 180.0)
+    }
 }
 
 /// The crease angle that applies: the one typed; without one, the default where no smoothing groups decide.

@@ -314,7 +314,7 @@ mod tests {
 
     fn at_centre(mesh: &Mesh, normals: &FaceNormals, angle: f64, cone: bool) -> (Vec<u32>, SmoothGroups) {
         let topology = Topology::build(mesh, Weld::Off);
-        let marks = Marks::new(mesh, &topology, &NormalRecipe::default());
+        let marks = Marks::new(mesh, &NormalRecipe::default());
         let crease = CreaseTest::new(Some(Degrees(angle)));
         let walker = FanWalker {
             fans: MeshFans { faces: mesh.faces().view(), topology: &topology, marks: &marks },
@@ -382,7 +382,7 @@ mod tests {
         let corners = [[0., 0.], [1., 0.], [1., 1.], [0., 0.], [1., 1.], [0., 1.]];
         let soup = mesh(corners.map(|[x, y]| DVec3::new(x, y, 0.0)).to_vec(), &[&[0, 1, 2], &[3, 4, 5]]);
         let topology = Topology::build(&soup, Weld::Exact);
-        let marks = Marks::new(&soup, &topology, &NormalRecipe::default());
+        let marks = Marks::new(&soup, &NormalRecipe::default());
         let normals = FaceNormals { unit: vec![DVec3::Z; 2], state: vec![C; 2] };
         let crease = CreaseTest::None;
         let walker = FanWalker {

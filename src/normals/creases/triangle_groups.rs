@@ -8,7 +8,8 @@
 use crate::mesh::{
     EdgeMatcher, FacesRef, Link, NONE, Rings, Scatter, next_in_triangle, previous_in_triangle,
 };
-use crate::normals::creases::dihedral_test::{AngleLimit, CreaseTest};
+use crate::normals::creases::dihedral_test::{AngleFilter, CreaseTest};
+use crate::normals::creases::edge_counts::RingCounts;
 use crate::normals::creases::fans::{FanWalker, Fans};
 use crate::normals::creases::smooth_groups::{FanScratch, label_ring};
 use crate::normals::faces::face_normals::FaceNormals;
@@ -40,15 +41,24 @@ const BLOCK: usize = 16;
 #[derive(Clone, Copy)]
 pub(crate) struct TriangleCreases<'a> {
     pub(crate) faces: FacesRef<'a>,
+    /// May be empty if no edge is hard for its angle.
     pub(crate) normals: &'a FaceNormals,
     pub(crate) crease: CreaseTest,
     pub(crate) slivers: Slivers,
+    /// Whether to count the edges, and by how many radians rounding may turn the normal of each face. Every face must add to
+    /// sums.
+    pub(crate) counts: Option<Option<&'a [f64]>>,
 }
 
 impl TriangleCreases<'_> {
     /// Writes the entry of each corner, as [`SmoothGroups::by_fan`](crate::normals::creases::smooth_groups::SmoothGroups::by_fan) numbers them, and
-    /// gives how many there are.
-    pub(crate) fn entries(self, vertex_count: usize, memory: &mut GroupMemory, entries: &mut [u32]) -> usize {
+    /// gives how many there are. With [`counts`](Self::counts), counts edges too; open edges are always collected.
+    pub(crate) fn entries(
+        self,
+        vertex_count: usize,
+        memory: &mut GroupMemory,
+        entries: &mut [u32],
+    ) -> (usize, RingCounts) {
         let GroupMemory { rings, firsts, labels } = memory;
         let vertices = self.faces.corners();
         rings.fill(vertices, vertex_count);
@@ -63,10 +73,15 @@ impl TriangleCreases<'_> {
             labels,
             all_counted,
         };
-        firsts.par_chunks_mut(TASK).enumerate().for_each_init(
+        let tasks = firsts.par_chunks_mut(TASK).enumerate();
+        let found = tasks.map_init(
             || Walk::new(context),
-            |walk, (task, counts)| num::dispatch(CountGroups { walk, first: task * TASK, counts }),
+            |walk, (task, counts)| {
+                num::dispatch(CountGroups { walk, first: task * TASK, counts });
+                std::mem::take(&mut walk.found)
+            },
         );
+        let found = found.reduce(RingCounts::default, RingCounts::join);
         let mut total = 0;
         for first in firsts.iter_mut() {
             let count = *first & !SPLIT;
@@ -83,7 +98,19 @@ impl TriangleCreases<'_> {
                 *to = entry(task * 3 * TASK + i, vertex);
             }
         });
-        total as usize
+        (total as usize, found)
+    }
+}
+
+impl GroupMemory {
+    /// The vertex of each entry.
+    pub(crate) fn entry_vertices(&self, entries: usize) -> Vec<u32> {
+        let mut vertices = Vec::with_capacity(entries);
+        let ends = self.firsts.iter().skip(1).map(|first| first & !SPLIT).chain([entries as u32]);
+        for (vertex, end) in (0..).zip(ends) {
+            vertices.resize(end as usize, vertex);
+        }
+        vertices
     }
 }
 
@@ -113,19 +140,20 @@ impl Kernel for CountGroups<'_, '_> {
     fn run<A: Lanes>(self, arch: A) {
         let Self { walk, first, counts } = self;
         let context = walk.context;
-        let limit = match context.creases.crease {
-            CreaseTest::Over { limit, .. } => Some(limit),
-            CreaseTest::None | CreaseTest::Every => None,
-        };
-        let every = matches!(context.creases.crease, CreaseTest::Every);
+        let TriangleCreases { crease, counts: counted, .. } = context.creases;
+        let filter = crease.filter(counted.is_some());
+        let every = matches!(crease, CreaseTest::Every);
         let mut block = [const { Spokes::NONE }; BLOCK];
         for (first, counts) in (first..).step_by(BLOCK).zip(counts.chunks_mut(BLOCK)) {
             for (vertex, spokes) in (first..first + counts.len()).zip(&mut block) {
                 spokes.lay_out(context.creases.faces.corners(), context.rings.at(vertex));
             }
             for ((vertex, count), spokes) in (first..).zip(counts).zip(&block) {
-                let is_smooth = !every && spokes.are_one_smooth_fan(arch, &context, limit);
+                let is_smooth = !every && spokes.are_one_smooth_fan(arch, &context, filter);
                 *count = if is_smooth { 1 } else { walk.count_groups(vertex) };
+                if is_smooth && counted.is_some() {
+                    walk.found.counts.smooth += spokes.edges_to_higher(vertex as u32);
+                }
             }
         }
     }
@@ -157,25 +185,34 @@ impl Spokes {
         }
     }
 
+    /// How many edges lead to a vertex of a higher number.
+    #[inline(always)]
+    fn edges_to_higher(&self, vertex: u32) -> usize {
+        self.to[..self.count].iter().filter(|&&to| to > vertex).count()
+    }
+
     /// Whether the triangles follow each other once around the vertex, each across an edge of just the two, all add to
     /// sums, and no edge is over the limit, nor so near to it that it needs a closer look. (A triangle that has two corners
     /// here adds to no sum.)
     #[inline(always)]
-    fn are_one_smooth_fan<A: Lanes>(&self, arch: A, context: &Context, limit: Option<AngleLimit>) -> bool {
+    fn are_one_smooth_fan<A: Lanes>(&self, arch: A, context: &Context, filter: Option<AngleFilter>) -> bool {
         let FaceNormals { unit, state } = context.creases.normals;
+        let turns = context.creases.counts.flatten();
         if self.count == 0 {
             return false;
         }
         let mut at = 0;
-        let mut normal = unit[self.faces[0] as usize];
+        let mut face = self.faces[0] as usize;
         for step in 1..=self.count {
             // The triangle that arrives from where this one leaves to. Were there another that leaves the same way, both
             // would lead to one triangle, and the walk would not come back after as many steps as there are triangles.
             let met = arch.equal_bits(&self.from, self.to[at]);
             at = met.trailing_zeros() as usize % LANES;
-            let face = self.faces[at] as usize;
-            let before = std::mem::replace(&mut normal, unit[face]);
-            let is_smooth = limit.is_none_or(|limit| limit.surely_within(before, normal));
+            let before = std::mem::replace(&mut face, self.faces[at] as usize);
+            let is_smooth = filter.is_none_or(|filter| {
+                let turn = turns.map_or(0.0, |turns| turns[before] + turns[face]);
+                filter.is_surely_within(unit[before], unit[face], turn)
+            });
             let is_counted = context.all_counted || state[face] == FaceState::Counted;
             if !(met.is_power_of_two() && is_smooth && is_counted) {
                 return false;
@@ -193,21 +230,30 @@ struct Walk<'a> {
     context: Context<'a>,
     walker: FanWalker<'a, RingFans>,
     scratch: FanScratch,
+    found: RingCounts,
 }
 
 impl<'a> Walk<'a> {
     fn new(context: Context<'a>) -> Self {
         let TriangleCreases { normals, crease, slivers, .. } = context.creases;
         let walker = FanWalker { fans: RingFans::default(), normals, crease, slivers };
-        Self { context, walker, scratch: FanScratch::default() }
+        Self { context, walker, scratch: FanScratch::default(), found: RingCounts::default() }
     }
 
     /// How many groups there are at a vertex, with [`SPLIT`] if they are several; then its corners are labelled.
     #[inline(never)]
     fn count_groups(&mut self, vertex: usize) -> u32 {
-        let Context { matcher, rings, labels, .. } = self.context;
+        let Context { matcher, rings, labels, creases, .. } = self.context;
         let ring = rings.at(vertex);
-        self.walker.fans.find(matcher, vertex as u32, ring);
+        let Self { walker, found, .. } = self;
+        let vertices = creases.faces.corners();
+        walker.fans.find(matcher, vertex as u32, ring, |corner, link| {
+            let to = vertices[next_in_triangle(corner) as usize];
+            found.open.extend((link == Link::Boundary).then_some([vertex as u32, to]));
+            if let Some(turns) = creases.counts {
+                found.add(&creases.crease, creases.normals, turns, [vertex as u32, to], corner, link);
+            }
+        });
         ring.iter().for_each(|&corner| labels.set(corner, NONE));
         let count = label_ring(&self.walker, ring, labels, &mut self.scratch);
         if count > 1 { count | SPLIT } else { count }
@@ -226,7 +272,7 @@ struct RingFans {
 
 impl RingFans {
     /// Matches the edges at a vertex.
-    fn find(&mut self, matcher: &EdgeMatcher, vertex: u32, ring: &[u32]) {
+    fn find(&mut self, matcher: &EdgeMatcher, vertex: u32, ring: &[u32], mut visit: impl FnMut(u32, Link)) {
         self.corners.clear();
         self.corners.extend_from_slice(ring);
         self.neighbours.clear();
@@ -234,6 +280,7 @@ impl RingFans {
         self.outliers.clear();
         self.outliers.resize(ring.len(), false);
         matcher.match_ring(vertex, ring, |corner, link| {
+            visit(corner, link);
             let place = self.place(corner);
             match link {
                 Link::Twin(across) => {
@@ -275,6 +322,7 @@ impl Fans for RingFans {
 mod tests {
     use super::*;
     use crate::mesh::{Faces, MeshBuilder, Topology};
+    use crate::normals::creases::edge_counts::edge_counts;
     use crate::normals::creases::fans::MeshFans;
     use crate::normals::creases::hard_edges::Marks;
     use crate::normals::creases::smooth_groups::SmoothGroups;
@@ -308,6 +356,7 @@ mod tests {
     fn groups_are_those_that_the_whole_topology_gives() {
         let mut numbers = Numbers::new(5);
         let mut memory = GroupMemory::default();
+        let (mut sharp_and_smooth, mut near) = (0, 0);
         for round in 0..20_000 {
             let (positions, triangles) = soup(&mut numbers);
             let faces = FacesRef::triangles(&triangles);
@@ -322,16 +371,35 @@ mod tests {
             };
             let mesh = mesh.build().unwrap();
             let topology = Topology::by_index(mesh.faces(), positions.len());
-            let marks = Marks::new(&mesh, &topology, &NormalRecipe::default());
+            let marks = Marks::new(&mesh, &NormalRecipe::default());
             let fans = MeshFans { faces, topology: &topology, marks: &marks };
             let walker = FanWalker { fans, normals: &normals, crease, slivers };
             let expected = SmoothGroups::by_fan(&walker, positions.len());
 
-            let creases = TriangleCreases { faces, normals: &normals, crease, slivers };
+            // Edges are counted only where every face adds to sums; some with normals that rounding may have turned.
+            let all_counted = normals.state.iter().all(|&state| state == FaceState::Counted);
+            let turns = vec![0.02; triangles.len()];
+            let turns = (round % 3 == 0).then_some(turns.as_slice());
+            let counts = all_counted.then_some(turns);
+            let creases = TriangleCreases { faces, normals: &normals, crease, slivers, counts };
             let mut entries = vec![0; 3 * triangles.len()];
-            let count = creases.entries(positions.len(), &mut memory, &mut entries);
+            let (count, found) = creases.entries(positions.len(), &mut memory, &mut entries);
             assert_eq!(entries, expected.corner_entry, "{triangles:?} {positions:?} {crease:?}");
-            assert_eq!(count, expected.entry_vertex.len());
+            assert_eq!(memory.entry_vertices(count), expected.entry_vertex);
+            let open = (0..entries.len() as u32).filter(|&h| topology.link(h) == Link::Boundary);
+            let mut open: Vec<_> =
+                open.map(|h| <[u32; 2]>::from(topology.ends(faces.corners(), h))).collect();
+            open.sort_unstable();
+            let mut found_open = found.open.clone();
+            found_open.sort_unstable();
+            assert_eq!(found_open, open);
+            if all_counted {
+                let expected = edge_counts(&walker, turns);
+                assert_eq!(found.finish(), expected, "{triangles:?} {positions:?} {crease:?}");
+                sharp_and_smooth += usize::from(expected.0.smooth > 0 && expected.0.crease > 0);
+                near += usize::from(expected.1 > 0);
+            }
         }
+        assert!(sharp_and_smooth > 100 && near > 20, "too few meshes: {sharp_and_smooth} {near}");
     }
 }

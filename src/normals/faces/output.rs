@@ -10,6 +10,18 @@ pub(crate) trait Emit: Copy + Send + Sync {
 
     /// A row's first three numbers times a factor, rounded to the type.
     fn emit_row<A: Lanes>(arch: A, row: &[f64; 4], factor: f64) -> Self;
+
+    /// A vector that is unit but for the rounding of single precision. Where doubles are wanted it is made unit in doubles.
+    fn emit_single(unit: [f32; 3]) -> Self;
+}
+
+/// A vector of length 1 but for the rounding of single precision, made unit in doubles. The square is off by e < 10⁻⁶, so three
+/// terms of the series of 1/√(1 + e) leave 10⁻¹⁸.
+#[inline(always)]
+fn widened(unit: [f32; 3]) -> DVec3 {
+    let unit = DVec3::from(unit.map(f64::from));
+    let e = unit.length_squared() - 1.0;
+    unit * (1.0 - e * (0.5 - 0.375 * e))
 }
 
 impl Emit for DVec3 {
@@ -23,18 +35,10 @@ impl Emit for DVec3 {
         let [x, y, z, _] = arch.scaled_row(row, factor);
         DVec3::new(x, y, z)
     }
-}
-
-impl Emit for [f64; 3] {
-    #[inline(always)]
-    fn emit(unit: DVec3) -> Self {
-        unit.to_array()
-    }
 
     #[inline(always)]
-    fn emit_row<A: Lanes>(arch: A, row: &[f64; 4], factor: f64) -> Self {
-        let [x, y, z, _] = arch.scaled_row(row, factor);
-        [x, y, z]
+    fn emit_single(unit: [f32; 3]) -> Self {
+        widened(unit)
     }
 }
 
@@ -48,5 +52,10 @@ impl Emit for [f32; 3] {
     fn emit_row<A: Lanes>(arch: A, row: &[f64; 4], factor: f64) -> Self {
         let [x, y, z, _] = arch.scaled_row_of_singles(row, factor);
         [x, y, z]
+    }
+
+    #[inline(always)]
+    fn emit_single(unit: [f32; 3]) -> Self {
+        unit
     }
 }

@@ -92,7 +92,8 @@ impl Replacement {
 /// by their length where nothing else is wrong.
 ///
 /// The computed ones are those of the whole mesh: all faces contribute to them, whether or not their corners
-/// have good normals. Replacing twice gives the same as replacing once.
+/// have good normals. Replacing twice gives the same as replacing once. Without the field's
+/// [`face_normals`](NormalField::face_normals), no normal counts as turned against its face.
 pub fn replace(mesh: &Mesh, field: &NormalField, when: When) -> Replacement {
     let corners = mesh.faces().corners();
     let stored = mesh.columns().normals.as_ref().filter(|_| when != When::Always);
@@ -109,7 +110,7 @@ pub fn replace(mesh: &Mesh, field: &NormalField, when: When) -> Replacement {
     let mut index = Vec::with_capacity(corners.len());
     for (face, range) in mesh.faces().ranges().enumerate() {
         let is_silent = silent.next_if_eq(&(face as u32)).is_some();
-        let own = (!is_silent).then(|| field.face_normals[face]);
+        let own = field.face_normals.get(face).copied().filter(|_| !is_silent);
         for corner in range {
             let slot = stored.and_then(|stored| stored.slot(corner, corners[corner]));
             let entry = entry_of[corner];

@@ -4,13 +4,16 @@ use crate::mesh::{FacesRef, MAX_CORNERS, Topology};
 use crate::normals::creases::dihedral_test::CreaseTest;
 use crate::normals::creases::triangle_groups::TriangleCreases;
 use crate::normals::faces::output::Emit;
+use crate::normals::faces::shape::FaceState;
 use crate::normals::fallback::fallback_normals::{FallbackNormals, face_faults};
 use crate::normals::fault::{Fault, Faults};
-use crate::normals::recipe::{Slivers, Weight};
+use crate::normals::recipe::{Averaging, Precision, Weight};
 use crate::normals::slices::vertex_normals::{Coordinate, Scratch, SliceError, check};
 use crate::normals::sums::request::{SlotState, SumRequest};
+use crate::normals::sums::single_precision::single_sums_into;
 use crate::normals::sums::weighted_sums::weighted_sums_into;
 use crate::num::Degrees;
+use rayon::prelude::*;
 
 /// Computes indexed corner normals: one normal per vertex and smooth group, and one index a corner.
 ///
@@ -25,7 +28,7 @@ use crate::num::Degrees;
 /// vertex: time is linear in triangles, memory some 70 bytes a triangle, which `scratch` keeps for the next call.
 ///
 /// ```
-/// use crease::normals::{Scratch, Slivers, Weight, corner_normals};
+/// use crease::normals::{Averaging, Scratch, corner_normals};
 /// use crease::num::Degrees;
 ///
 /// // A ridge of 90°: each slope keeps its own normal.
@@ -35,9 +38,8 @@ use crate::num::Degrees;
 /// corner_normals(
 ///     &positions,
 ///     &triangles,
-///     Weight::Angle,
+///     Averaging::default(),
 ///     Degrees(40.0),
-///     Slivers::Exclude,
 ///     &mut Scratch::new(),
 ///     &mut normals,
 ///     &mut index,
@@ -53,13 +55,13 @@ use crate::num::Degrees;
 pub fn corner_normals<T: Coordinate>(
     positions: &[[T; 3]],
     triangles: &[[u32; 3]],
-    weight: Weight,
+    averaging: Averaging,
     crease: Degrees,
-    slivers: Slivers,
     scratch: &mut Scratch,
     normals: &mut Vec<[T; 3]>,
     index: &mut [u32],
 ) -> Result<Faults, SliceError> {
+    let Averaging { weight, slivers, precision } = averaging;
     if weight == Weight::Quadric {
         return Err(SliceError::QuadricNeedsMesh);
     }
@@ -72,12 +74,18 @@ pub fn corner_normals<T: Coordinate>(
     let Scratch { sums, slots: states, faces: face_normals, groups } = scratch;
     face_normals.fill(faces, points);
     let crease = CreaseTest::new(Some(crease));
-    let creases = TriangleCreases { faces, normals: face_normals, crease, slivers };
-    let slots = creases.entries(positions.len(), groups, index);
+    let creases = TriangleCreases { faces, normals: face_normals, crease, slivers, counts: None };
+    let (slots, _) = creases.entries(positions.len(), groups, index);
     let request = SumRequest { faces, positions: points, target: index, slots, weight, slivers };
     states.resize(slots, SlotState::Empty);
     normals.resize(slots, T::NOTHING);
     let normals = T::normals(normals);
+    if precision == Precision::Fast
+        && face_normals.state.par_iter().all(|&state| state == FaceState::Counted)
+        && single_sums_into(&request, sums, normals, states)
+    {
+        return Ok(Faults::default());
+    }
     let outcome = weighted_sums_into(&request, sums, normals, states);
 
     let set = |slot: usize, normal| normals[slot] = Emit::emit(normal);

@@ -9,8 +9,9 @@ use crate::normals::faces::positions::Positions;
 use crate::normals::faces::shape::FaceState;
 use crate::normals::fallback::neighbours::{neighbour_normals, vertex_fallbacks};
 use crate::normals::fault::{Fault, FaultReason, Faults};
-use crate::normals::recipe::{Slivers, Weight};
+use crate::normals::recipe::{Averaging, Precision, Slivers, Weight};
 use crate::normals::sums::request::{SlotState, SumRequest};
+use crate::normals::sums::single_precision::single_sums_into;
 use crate::normals::sums::weighted_sums::{SumScratch, weighted_sums_into};
 use crate::num::{self, Kernel, Lanes};
 use glam::DVec3;
@@ -177,7 +178,8 @@ pub fn face_normals<T: Coordinate>(
 /// Computes a unit normal for every vertex: the mean of the normals of its triangles by a weight. No edge is hard, and
 /// vertices that have the same position stay separate.
 ///
-/// With `f32` positions everything is computed in double precision and rounded once. Triangles of zero area add
+/// With `f32` positions everything is computed in double precision and rounded once; with [`Precision::Fast`] in `f32`, with
+/// the range and the error that it names, and everything else falls back to double precision. Triangles of zero area add
 /// nothing; nor do slivers with [`Slivers::Exclude`], unless a vertex has no other triangle. A vertex with one triangle gets
 /// its normal to the bit. Where a sum cancels (κ = Σ|w|/|Σ w n̂| > 10⁶) or nothing adds to it, the vertex gets the unit
 /// sum of the defined normals at it, else the first of them by lexicographic value, else +Z. Every normal is finite
@@ -191,15 +193,14 @@ pub fn face_normals<T: Coordinate>(
 /// added nothing.
 ///
 /// ```
-/// use crease::normals::{FaultReason, Scratch, Slivers, Weight, vertex_normals};
+/// use crease::normals::{Averaging, FaultReason, Scratch, vertex_normals};
 ///
 /// // A roof of two slopes, and a vertex that nothing uses.
 /// let positions = [[0.0_f32, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, -1.0], [-1.0, 0.0, -1.0], [9.0, 9.0, 9.0]];
 /// let triangles = [[0, 2, 1], [0, 1, 3]];
 /// let mut normals = [[0.0; 3]; 5];
 /// let mut scratch = Scratch::new();
-/// let faults =
-///     vertex_normals(&positions, &triangles, Weight::Angle, Slivers::Exclude, &mut scratch, &mut normals)?;
+/// let faults = vertex_normals(&positions, &triangles, Averaging::default(), &mut scratch, &mut normals)?;
 /// assert_eq!(normals[0], [0.0, 0.0, 1.0]);
 /// assert_eq!(faults.vertices.len(), 1);
 /// assert_eq!(faults.vertices[0].reason, FaultReason::Unreferenced);
@@ -211,11 +212,11 @@ pub fn face_normals<T: Coordinate>(
 pub fn vertex_normals<T: Coordinate>(
     positions: &[[T; 3]],
     triangles: &[[u32; 3]],
-    weight: Weight,
-    slivers: Slivers,
+    averaging: Averaging,
     scratch: &mut Scratch,
     normals: &mut [[T; 3]],
 ) -> Result<Faults, SliceError> {
+    let Averaging { weight, slivers, precision } = averaging;
     if weight == Weight::Quadric {
         return Err(SliceError::QuadricNeedsMesh);
     }
@@ -232,6 +233,9 @@ pub fn vertex_normals<T: Coordinate>(
     let states = &mut scratch.slots;
     states.resize(positions.len(), SlotState::Empty);
     let normals = T::normals(normals);
+    if precision == Precision::Fast && single_sums_into(&request, &mut scratch.sums, normals, states) {
+        return Ok(Faults { vertices: unreferenced(states), ..Faults::default() });
+    }
     let outcome = weighted_sums_into(&request, &mut scratch.sums, normals, states);
     if outcome.vertex_missing {
         return Err(no_such_vertex(positions.len(), triangles));
@@ -259,6 +263,12 @@ pub fn vertex_normals<T: Coordinate>(
         faults.vertices.push(Fault { index: fallback.vertex, reason });
     }
     Ok(faults)
+}
+
+/// The vertices that no triangle uses.
+fn unreferenced(states: &[SlotState]) -> Vec<Fault> {
+    let empty = (0..).zip(states).filter(|&(_, &state)| state == SlotState::Empty);
+    empty.map(|(index, _)| Fault { index, reason: FaultReason::Unreferenced }).collect()
 }
 
 /// What a face's state is called in reports.

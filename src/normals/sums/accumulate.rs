@@ -14,10 +14,10 @@ use std::ops::Range;
 /// A face that is not simply counted.
 pub(crate) type UnusualFace = (u32, FaceState);
 
-/// Memory of one part.
+/// Memory of one part, whose sums are of double or of single precision.
 #[derive(Default)]
-pub(crate) struct Part {
-    pub(crate) sums: SumArray,
+pub(crate) struct Part<T> {
+    pub(crate) sums: SumArray<T>,
     /// The slots that its share touches.
     pub(crate) touched: Touched,
     /// Faces of its share that are not simply counted.
@@ -25,7 +25,7 @@ pub(crate) struct Part {
     pub(crate) uncertain: UncertainSlots,
 }
 
-impl Part {
+impl<T: Number> Part<T> {
     /// Discards what a share has added to the slots below `own`, and returns the faces that added it, ascending: they are to
     /// be added to the sums of those slots' owners.
     pub(crate) fn hand_over(&mut self, request: &SumRequest, share: Range<usize>, own: usize) -> Vec<u32> {
@@ -35,7 +35,7 @@ impl Part {
         for &face in &outside_range {
             for &slot in &target[faces.range(face as usize)] {
                 if let Some(sum) = sums.get_mut(slot as usize) {
-                    *sum = [0.0; 4];
+                    *sum = bytemuck::Zeroable::zeroed();
                 }
             }
         }
@@ -43,13 +43,19 @@ impl Part {
     }
 }
 
+/// The type of the numbers of a sum.
+pub(crate) trait Number: bytemuck::Pod + Send + Sync {}
+
+impl Number for f32 {}
+impl Number for f64 {}
+
 /// A sum for every slot, all zero between calls. Pages that no face touches are never given memory.
 #[derive(Default)]
-pub(crate) struct SumArray(Vec<f64>);
+pub(crate) struct SumArray<T>(Vec<T>);
 
-impl SumArray {
+impl<T: Number> SumArray<T> {
     /// Numbers in a cache line, within which sums are aligned: none lies across two.
-    const LINE: usize = 8;
+    const LINE: usize = 64 / size_of::<T>();
 
     /// Makes room for so many.
     pub(crate) fn reserve(&mut self, slots: usize) {
@@ -59,8 +65,8 @@ impl SumArray {
         }
     }
 
-    pub(crate) fn get(&mut self, slots: usize) -> &mut [Sum] {
-        let start = self.0.as_ptr().align_offset(Self::LINE * size_of::<f64>());
+    pub(crate) fn get(&mut self, slots: usize) -> &mut [[T; 4]] {
+        let start = self.0.as_ptr().align_offset(64);
         &mut self.0[start..].as_chunks_mut().0[..slots]
     }
 }

@@ -22,5 +22,5 @@ pub(super) mod recheck;
 pub(super) mod weighted_sums;
 // Sums in which each corner selects its own faces.
 pub(super) mod corner_sums;
-// The `fast` path, entirely in f32.
-pub(super) mod f32_path;
+// The same sums in single precision.
+pub(super) mod single_precision;

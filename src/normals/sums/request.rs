@@ -46,6 +46,13 @@ pub(crate) enum SlotState {
     Empty,
 }
 
+impl Sums {
+    /// Without any direction yet.
+    pub(crate) fn new(slots: usize) -> Self {
+        Self { unit: bytemuck::zeroed_vec(slots), state: vec![SlotState::Empty; slots] }
+    }
+}
+
 /// One direction for each slot.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Sums {

@@ -2,7 +2,7 @@
 
 use crate::normals::faces::output::Emit;
 use crate::normals::faces::positions::Source;
-use crate::normals::sums::accumulate::{Accumulate, Part, UnusualFace, Walk};
+use crate::normals::sums::accumulate::{Accumulate, Number, Part, UnusualFace, Walk};
 use crate::normals::sums::finish::{Finish, UncertainSlots};
 use crate::normals::sums::partition::Partition;
 use crate::normals::sums::recheck::Recheck;
@@ -11,11 +11,12 @@ use crate::num;
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// Memory that the next call reuses.
+/// Memory that the next call reuses. Sums are zero between calls.
 #[derive(Default)]
 pub(crate) struct SumScratch {
-    /// Their sums are zero between calls.
-    parts: Vec<Part>,
+    parts: Vec<Part<f64>>,
+    pub(crate) single_parts: Vec<Part<f32>>,
+    pub(crate) single_positions: Vec<[f32; 3]>,
 }
 
 /// What is known in addition to the sums themselves.
@@ -35,8 +36,7 @@ pub(crate) struct Outcome {
 /// a slot has no other face. If all weights of a slot vanish, its faces count the same. A slot with one face gets that
 /// face's normal to the bit.
 pub(crate) fn weighted_sums(request: &SumRequest) -> Sums {
-    let mut sums =
-        Sums { unit: bytemuck::zeroed_vec(request.slots), state: vec![SlotState::Empty; request.slots] };
+    let mut sums = Sums::new(request.slots);
     weighted_sums_into(request, &mut SumScratch::default(), &mut sums.unit, &mut sums.state);
     sums
 }
@@ -54,10 +54,20 @@ pub(crate) fn weighted_sums_into<O: Emit>(
     let mut memory = std::mem::take(&mut scratch.parts);
     memory.resize_with(partition.parts().max(memory.len()), Part::default);
     let parts = &mut memory[..partition.parts()];
-    let Some(owned) = accumulate(request, source, partition, parts) else {
+    let add = |walk: Walk, sums: &mut [Sum], unusual: &mut Vec<UnusualFace>| {
+        num::dispatch(Accumulate { request, source, walk, sums, unusual })
+    };
+    let Some(owned) = accumulate(request, partition, parts, &add) else {
         return Outcome { vertex_missing: true, ..Outcome::default() };
     };
-    finish(request, parts, owned, unit, state);
+    let areas = request.sums_area_vectors();
+    finish(request.slots, parts, &owned, unit, state, &|part, owned, unit, state| {
+        part.uncertain.clear();
+        let first = owned.start as u32;
+        let (sums, uncertain) = (&mut part.sums.get(request.slots)[owned], &mut part.uncertain);
+        num::dispatch(Finish { sums, first, unit, state, uncertain, areas });
+        true
+    });
 
     // Shares ascend, and so do the faces in them; slots do too.
     let unusual: Vec<UnusualFace> = parts.iter().flat_map(|part| part.unusual.iter().copied()).collect();
@@ -72,19 +82,19 @@ pub(crate) fn weighted_sums_into<O: Emit>(
     Outcome { unusual, all_good: !uncertain.not_all_good, vertex_missing: false }
 }
 
-/// Sums of all parts, and the slots that each owns; `None` if a vertex does not exist.
-fn accumulate(
+/// Adds the faces of a walk to sums; false if that cannot be done.
+pub(crate) type Add<'a, T> = dyn Fn(Walk, &mut [[T; 4]], &mut Vec<UnusualFace>) -> bool + Sync + 'a;
+
+/// Sums of all parts, and the slots that each owns; `None` if some faces cannot be added.
+pub(crate) fn accumulate<T: Number>(
     request: &SumRequest,
-    source: &Source,
     partition: Partition,
-    parts: &mut [Part],
+    parts: &mut [Part<T>],
+    add: &Add<T>,
 ) -> Option<Vec<Range<usize>>> {
     let slots = request.slots;
     let alone = parts.len() == 1;
-    let add = |walk: Walk, sums: &mut [Sum], unusual: &mut Vec<UnusualFace>| {
-        num::dispatch(Accumulate { request, source, walk, sums, unusual })
-    };
-    let add_share = |(number, part): (usize, &mut Part)| {
+    let add_share = |(number, part): (usize, &mut Part<T>)| {
         let Part { sums, touched, unusual, .. } = part;
         sums.reserve(slots);
         touched.clear();
@@ -111,31 +121,30 @@ fn accumulate(
     Some(owned)
 }
 
-/// Unit vectors from the sums of all parts.
-fn finish<O: Emit>(
-    request: &SumRequest,
-    parts: &mut [Part],
-    owned: Vec<Range<usize>>,
+/// Does the same to the sums that each part owns and to the entries of two slices that belong to them; returns whether all
+/// went well.
+pub(crate) fn finish<T: Number, O: Send, S: Send>(
+    slots: usize,
+    parts: &mut [Part<T>],
+    owned: &[Range<usize>],
     mut unit: &mut [O],
-    mut state: &mut [SlotState],
-) {
-    let areas = request.sums_area_vectors();
-    let mut work = Vec::new();
+    mut state: &mut [S],
+    work: &(dyn Fn(&mut Part<T>, Range<usize>, &mut [O], &mut [S]) -> bool + Sync),
+) -> bool {
+    debug_assert_eq!((unit.len(), state.len()), (slots, slots));
+    let mut shares = Vec::new();
     for (part, owned) in parts.iter_mut().zip(owned) {
         let unit = unit.split_off_mut(..owned.len()).expect("one for each slot");
         let state = state.split_off_mut(..owned.len()).expect("one for each slot");
-        work.push((part, owned, unit, state));
+        shares.push((part, owned.clone(), unit, state));
     }
-    for_each_part(&mut work, |(_, (part, owned, unit, state))| {
-        let Part { sums, uncertain, .. } = &mut **part;
-        uncertain.clear();
-        let (sums, first) = (&mut sums.get(request.slots)[owned.clone()], owned.start as u32);
-        num::dispatch(Finish { sums, first, unit, state, uncertain, areas });
-    });
+    let done =
+        for_each_part(&mut shares, |(_, (part, owned, unit, state))| work(part, owned.clone(), unit, state));
+    done.into_iter().all(|done| done)
 }
 
 /// The slots that each part owns: from where earlier parts end up to the highest that it touches; the last one the rest.
-fn owned_slots(parts: &[Part], slots: usize) -> Vec<Range<usize>> {
+fn owned_slots<T>(parts: &[Part<T>], slots: usize) -> Vec<Range<usize>> {
     let mut start = 0;
     let owned = parts.iter().enumerate().map(|(number, part)| {
         let end = if number + 1 == parts.len() { slots } else { part.touched.end().clamp(start, slots) };

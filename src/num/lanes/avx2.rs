@@ -1,5 +1,6 @@
 //! Eight lanes in two registers of AVX.
 
+use super::singles::AvxSingles;
 use super::{Arithmetic, LANES, Lanes, Rows};
 use crate::num::product::{Fused, Product};
 use pulp::x86::V3;
@@ -151,6 +152,13 @@ impl Arithmetic for Avx2 {
 }
 
 impl Lanes for Avx2 {
+    type Singles = AvxSingles;
+
+    #[inline(always)]
+    fn singles(self) -> AvxSingles {
+        AvxSingles(self.token)
+    }
+
     #[inline(always)]
     fn lane(row: usize) -> usize {
         row

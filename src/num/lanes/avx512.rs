@@ -1,5 +1,6 @@
 //! Eight lanes in one register of AVX-512.
 
+use super::singles::AvxSingles;
 use super::{Arithmetic, Avx2, LANES, Lanes, Rows};
 use crate::num::product::{Fused, Product};
 use pulp::x86::V4;
@@ -129,6 +130,13 @@ impl Arithmetic for Avx512 {
 }
 
 impl Lanes for Avx512 {
+    type Singles = AvxSingles;
+
+    #[inline(always)]
+    fn singles(self) -> AvxSingles {
+        self.narrower.singles()
+    }
+
     /// Rows 0, 2, 4, 6 and then 1, 3, 5, 7: so transposed registers hold rows that are neighbours in memory.
     #[inline(always)]
     fn lane(row: usize) -> usize {

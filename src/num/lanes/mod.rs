@@ -14,6 +14,8 @@ mod avx512;
 mod plain;
 // Numbers and vectors for formulas, for any number of lanes.
 mod scalars;
+// Eight numbers of single precision.
+mod singles;
 
 #[cfg(target_arch = "x86_64")]
 pub(super) use avx2::Avx2;
@@ -22,6 +24,7 @@ pub(super) use avx512::Avx512;
 pub(crate) use plain::OneLane;
 pub(super) use plain::Plain;
 pub(crate) use scalars::{Scalars, Truth, Vectors};
+pub(crate) use singles::SingleLanes;
 
 use super::product::Product;
 
@@ -66,6 +69,11 @@ impl Rows {
 
 /// Eight lanes, and the way between them and rows in memory.
 pub(crate) trait Lanes: Arithmetic + Product {
+    /// Eight lanes of single precision.
+    type Singles: SingleLanes;
+
+    /// Those that the same CPU has.
+    fn singles(self) -> Self::Singles;
     /// The lane that a row becomes: where columns come from rows, any order serves as long as it is kept.
     fn lane(row: usize) -> usize;
     /// The numbers of all lanes, by lane.

@@ -1,5 +1,6 @@
 //! Arithmetic without any particular instructions.
 
+use super::singles::PlainSingles;
 use super::{Arithmetic, LANES, Lanes, Rows};
 use crate::num::product::Product;
 use std::marker::PhantomData;
@@ -162,6 +163,13 @@ impl<P: Product> Arithmetic for Plain<P> {
 }
 
 impl<P: Product> Lanes for Plain<P> {
+    type Singles = PlainSingles;
+
+    #[inline(always)]
+    fn singles(self) -> PlainSingles {
+        PlainSingles
+    }
+
     #[inline(always)]
     fn lane(row: usize) -> usize {
         row

@@ -115,6 +115,11 @@ pub(crate) struct Truth<A: Arithmetic> {
 }
 
 impl<A: Arithmetic> Truth<A> {
+    #[inline(always)]
+    pub(crate) fn mask(self) -> A::Mask {
+        self.mask
+    }
+
     /// `yes` where it is true, elsewhere `no`.
     #[inline(always)]
     pub(crate) fn select(self, yes: Scalars<A>, no: Scalars<A>) -> Scalars<A> {

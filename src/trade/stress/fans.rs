@@ -6,7 +6,8 @@ use super::group::Group;
 use super::plain;
 use crate::mesh::Mesh;
 use crate::normals::{
-    Crease, NormalField, NormalRecipe, Precision, Scope, Scratch, Slivers, Weight, compute, vertex_normals,
+    Averaging, Crease, NormalField, NormalRecipe, Precision, Scope, Scratch, Slivers, Weight, compute,
+    vertex_normals,
 };
 use crate::trade::exact;
 use glam::{DVec3, Vec3};
@@ -134,7 +135,13 @@ pub(super) fn faithful(
 ) -> Vec<DVec3> {
     let positions: Vec<[f32; 3]> = positions.iter().map(Vec3::to_array).collect();
     let mut normals = vec![[0.0; 3]; positions.len()];
-    vertex_normals(&positions, triangles, weight, slivers, &mut Scratch::new(), &mut normals)
-        .expect("slices of matching lengths");
+    vertex_normals(
+        &positions,
+        triangles,
+        Averaging { weight, slivers, ..Averaging::default() },
+        &mut Scratch::new(),
+        &mut normals,
+    )
+    .expect("slices of matching lengths");
     normals.into_iter().map(|normal| Vec3::from(normal).as_dvec3()).collect()
 }

@@ -3,7 +3,7 @@
 use crate::random::Random;
 use crate::shade::{direction, uniform};
 use crate::theory::angle;
-use crease::normals::{Scratch, Slivers, Weight, vertex_normals};
+use crease::normals::{Averaging, Scratch, Slivers, Weight, vertex_normals};
 use glam::DVec3;
 use std::f64::consts::TAU;
 
@@ -11,7 +11,14 @@ use std::f64::consts::TAU;
 fn normal(positions: &[DVec3], triangles: &[[u32; 3]], weight: Weight) -> DVec3 {
     let positions: Vec<[f64; 3]> = positions.iter().map(DVec3::to_array).collect();
     let mut normals = vec![[0.0; 3]; positions.len()];
-    vertex_normals(&positions, triangles, weight, Slivers::Keep, &mut Scratch::new(), &mut normals).unwrap();
+    vertex_normals(
+        &positions,
+        triangles,
+        Averaging { weight, slivers: Slivers::Keep, ..Averaging::default() },
+        &mut Scratch::new(),
+        &mut normals,
+    )
+    .unwrap();
     DVec3::from(normals[0])
 }
 

@@ -1,0 +1,470 @@
+//! Weighted sums in single precision: the fast end of the trade.
+//!
+//! Positions, terms and sums are `f32`, eight triangles at a time. Within the range that is checked in the same pass a face
+//! normal is off by at most 3e-7 rad times length over height, so 3e-4 rad (0.017°) for the thinnest face allowed; a mean
+//! whose sum shrinks by k, by no more than k times that of its worst face, where k is near 1 on smooth surfaces and at most
+//! 1000. Whatever lies outside the range is left to double precision.
+
+use crate::normals::faces::output::Emit;
+use crate::normals::faces::positions::Positions;
+use crate::normals::recipe::Weight;
+use crate::normals::sums::accumulate::Walk;
+use crate::normals::sums::partition::{BLOCK, Partition};
+use crate::normals::sums::request::{SlotState, SumRequest, Sums};
+use crate::normals::sums::weight::TriangleMeasures;
+use crate::normals::sums::weighted_sums::{SumScratch, accumulate, finish};
+use crate::num::{self, Kernel, LANES, Lanes, Scalars, SingleLanes, Vectors};
+use rayon::prelude::*;
+
+/// Squares of the shortest and the longest edge: 1e-6 and 1e6 in units of the caller, but for rounding.
+const SQUARED_EDGES: (f64, f64) = (0.999_999e-12, 1.000_001e12);
+/// Least height of a face, as a share of its longest edge.
+const LEAST_HEIGHT: f64 = 1e-3;
+/// Height under which the direction of a face is rounding, as a share of its largest coordinate: 4 ulp.
+const LEAST_RELATIVE_HEIGHT: f64 = 4.0 * f32::EPSILON as f64;
+/// Most faces in one sum.
+const MOST_FACES: u32 = 1000;
+/// Sums that shrink to less than this share of their weights lose three of the seven digits of an `f32`.
+const LEAST_SUM: f64 = 1e-3;
+
+/// Weighted sums in single precision; `None` if something is out of range.
+pub(crate) fn single_sums(request: &SumRequest) -> Option<Sums> {
+    let mut sums = Sums::new(request.slots);
+    let Sums { unit, state } = &mut sums;
+    single_sums_into(request, &mut SumScratch::default(), unit, state).then_some(sums)
+}
+
+/// The same into the caller's slices: a slot without faces gets +Z and [`SlotState::Empty`]. Returns `false`, with unspecified
+/// output, if anything is out of range, or if faces are not triangles.
+pub(crate) fn single_sums_into<O: Emit>(
+    request: &SumRequest,
+    scratch: &mut SumScratch,
+    unit: &mut [O],
+    state: &mut [SlotState],
+) -> bool {
+    let SumRequest { faces, target, slots, .. } = *request;
+    if !faces.is_triangles() || request.weight == Weight::Quadric || !valences_are_in_range(target, slots) {
+        return false;
+    }
+    let mut copied = std::mem::take(&mut scratch.single_positions);
+    let points: &[[f32; 3]] = match request.positions {
+        Positions::F32(points) => points,
+        Positions::F64(points, _) => {
+            points.par_iter().map(|point| point.as_vec3().to_array()).collect_into_vec(&mut copied);
+            &copied
+        }
+    };
+    let partition = Partition::new(faces, target);
+    let mut memory = std::mem::take(&mut scratch.single_parts);
+    memory.resize_with(partition.parts().max(memory.len()), Default::default);
+    let parts = &mut memory[..partition.parts()];
+    let owned = accumulate(request, partition, parts, &|walk, sums, _| {
+        num::dispatch(AddSingles { request, points, walk, sums })
+    });
+    let is_in_range = owned.is_some_and(|owned| {
+        finish(slots, parts, &owned, unit, state, &|part, owned, unit, state| {
+            num::dispatch(FinishSingles { sums: &mut part.sums.get(slots)[owned], unit, state })
+        })
+    });
+    // Otherwise some sums are not zero.
+    if is_in_range {
+        scratch.single_parts = memory;
+    }
+    scratch.single_positions = copied;
+    is_in_range
+}
+
+/// Whether no slot has more corners than [`MOST_FACES`].
+fn valences_are_in_range(target: &[u32], slots: usize) -> bool {
+    /// Slots are first counted together with others, in a table that fits a cache.
+    const TABLE: usize = 1 << 16;
+    if target.len() <= MOST_FACES as usize {
+        return true;
+    }
+    let count = |slots: &[u32]| {
+        let mut counts = vec![0_u32; TABLE];
+        slots.iter().for_each(|&slot| counts[slot as usize % TABLE] += 1);
+        counts
+    };
+    let join = |mut a: Vec<u32>, b: Vec<u32>| {
+        a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
+        a
+    };
+    let share = target.len().div_ceil(rayon::current_num_threads()).max(TABLE);
+    let counts = target.par_chunks(share).map(count).reduce_with(join).unwrap_or_default();
+    if counts.iter().all(|&count| count <= MOST_FACES) {
+        return true;
+    }
+    let mut counts = vec![0_u32; slots];
+    target.iter().filter(|&&slot| (slot as usize) < slots).for_each(|&slot| counts[slot as usize] += 1);
+    counts.iter().all(|&count| count <= MOST_FACES)
+}
+
+/// Adds triangles to sums; false if one of them is out of range or has a vertex that does not exist.
+struct AddSingles<'a> {
+    request: &'a SumRequest<'a>,
+    points: &'a [[f32; 3]],
+    walk: Walk<'a>,
+    sums: &'a mut [[f32; 4]],
+}
+
+impl Kernel for AddSingles<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run<A: Lanes>(self, arch: A) -> bool {
+        let Self { request: &SumRequest { faces, target, weight, .. }, points, walk, sums } = self;
+        let arch = arch.singles();
+        let (triangles, slots) = (faces.corners().as_chunks::<3>().0, target.as_chunks::<3>().0);
+        let mut last = [0.0; 4];
+        last[..3].copy_from_slice(points.last().unwrap_or(&[0.0; 3]));
+        let points = Points { coordinates: points.as_flattened(), last: &last };
+        let mut block = Block::new(arch, points, weight);
+        match walk {
+            Walk::Share(share, mut touched) => {
+                for first in share.clone().step_by(BLOCK) {
+                    let faces = first..(first + BLOCK).min(share.end);
+                    let slots = &slots[faces.clone()];
+                    if let Some(touched) = &mut touched {
+                        touched.note(slots.as_flattened());
+                    }
+                    if !block.fill(&triangles[faces]) {
+                        return false;
+                    }
+                    block.scatter(sums, slots, 0);
+                }
+            }
+            Walk::Listed(faces, first_slot) => {
+                for faces in faces.chunks(BLOCK) {
+                    let (mut some_triangles, mut some_slots) = ([[0; 3]; BLOCK], [[0; 3]; BLOCK]);
+                    for (at, &face) in faces.iter().enumerate() {
+                        some_triangles[at] = triangles[face as usize];
+                        some_slots[at] = slots[face as usize];
+                    }
+                    if !block.fill(&some_triangles[..faces.len()]) {
+                        return false;
+                    }
+                    block.scatter(sums, &some_slots[..faces.len()], first_slot as u32);
+                }
+            }
+        }
+        true
+    }
+}
+
+/// What some triangles add to sums: all of it is computed before any is added, so that one does not wait for the other.
+struct Block<'a, A> {
+    arch: A,
+    points: Points<'a>,
+    weight: Weight,
+    /// The vector of each triangle with its length.
+    rows: [[[f32; 4]; LANES]; BLOCK / LANES],
+    /// The weights of its corners, unless they are equal.
+    weights: [[[f32; 4]; LANES]; BLOCK / LANES],
+}
+
+impl<'a, A: SingleLanes> Block<'a, A> {
+    fn new(arch: A, points: Points<'a>, weight: Weight) -> Self {
+        let rows = [[[0.0; 4]; LANES]; BLOCK / LANES];
+        Self { arch, points, weight, rows, weights: rows }
+    }
+
+    /// Computes the terms of up to [`BLOCK`] triangles; false if one is out of range.
+    #[inline(always)]
+    fn fill(&mut self, triangles: &[[u32; 3]]) -> bool {
+        let (groups, rest) = triangles.as_chunks::<LANES>();
+        for (at, group) in groups.iter().enumerate() {
+            if !self.fill_group(at, group) {
+                return false;
+            }
+        }
+        let Some(&last) = rest.last() else { return true };
+        let mut group = [last; LANES];
+        group[..rest.len()].copy_from_slice(rest);
+        self.fill_group(groups.len(), &group)
+    }
+
+    #[inline(always)]
+    fn fill_group(&mut self, at: usize, triangles: &[[u32; 3]; LANES]) -> bool {
+        let Self { arch, points, weight, .. } = *self;
+        terms(arch, triangles, points, weight, &mut self.rows[at], &mut self.weights[at]).is_some()
+    }
+
+    /// Adds the terms to the sums of slots from the first one on. Slots beyond the end are skipped.
+    #[inline(always)]
+    fn scatter(&self, sums: &mut [[f32; 4]], slots: &[[u32; 3]], first_slot: u32) {
+        let is_equal = self.weight.is_equal_at_corners();
+        let terms = self.rows.as_flattened().iter().zip(self.weights.as_flattened());
+        for (slots, (row, weights)) in slots.iter().zip(terms) {
+            for (&slot, weight) in slots.iter().zip(weights) {
+                let Some(sum) = sums.get_mut(slot as usize) else { continue };
+                if slot < first_slot {
+                    continue;
+                }
+                for (sum, row) in sum.iter_mut().zip(row) {
+                    *sum += if is_equal { *row } else { row * weight };
+                }
+            }
+        }
+    }
+}
+
+/// What eight triangles add to sums; `None` if one is out of range.
+#[inline(always)]
+fn terms<A: SingleLanes>(
+    arch: A,
+    triangles: &[[u32; 3]; LANES],
+    points: Points,
+    weight: Weight,
+    rows: &mut [[f32; 4]; LANES],
+    weights: &mut [[f32; 4]; LANES],
+) -> Option<()> {
+    let p0 = Vectors::new(arch, arch.columns(points.rows(triangles, 0)?));
+    let p1 = Vectors::new(arch, arch.columns(points.rows(triangles, 1)?));
+    let p2 = Vectors::new(arch, arch.columns(points.rows(triangles, 2)?));
+    let (e1, e2, e3) = (p1 - p0, p2 - p0, p2 - p1);
+    let vector = e1.cross(e2);
+    let squared = vector.squared_length();
+    let (a, b, c) = (e1.squared_length(), e2.squared_length(), e3.squared_length());
+    let (shortest, longest) = (a.min(b).min(c), a.max(b).max(c));
+    let largest = largest(p0).max(largest(p1)).max(largest(p2));
+    let least = Scalars::splat(arch, LEAST_HEIGHT) * longest;
+    let relative = Scalars::splat(arch, LEAST_RELATIVE_HEIGHT) * largest;
+    // No comparison holds for NaN.
+    let in_range = Scalars::splat(arch, SQUARED_EDGES.0).less(shortest)
+        & longest.less(Scalars::splat(arch, SQUARED_EDGES.1))
+        & (least * least).less(squared)
+        & (relative * relative * longest).less(squared);
+    if !arch.all(in_range.mask()) {
+        return None;
+    }
+    let one = Scalars::splat(arch, 1.0);
+    let length = squared.sqrt();
+    let (face, length_column) =
+        if weight.has_area_factor() { (vector, length) } else { (vector.scaled(one / length), one) };
+    *rows = arch.rows([face.x.value, face.y.value, face.z.value, length_column.value]);
+    if !weight.is_equal_at_corners() {
+        let [a, b, c] = TriangleMeasures::new(length, e1, e2, e3).corner_factors(weight);
+        *weights = arch.rows([a.value, b.value, c.value, c.value]);
+    }
+    Some(())
+}
+
+/// The largest magnitude of three coordinates.
+#[inline(always)]
+fn largest<A: SingleLanes>(point: Vectors<A>) -> Scalars<A> {
+    point.x.abs().max(point.y.abs()).max(point.z.abs())
+}
+
+/// Positions as rows of four numbers: three coordinates and whatever comes next.
+#[derive(Clone, Copy)]
+struct Points<'a> {
+    coordinates: &'a [f32],
+    /// The last position has nothing after it.
+    last: &'a [f32; 4],
+}
+
+impl<'a> Points<'a> {
+    /// The position of a vertex; `None` if it does not exist.
+    #[inline(always)]
+    fn row(self, vertex: u32) -> Option<&'a [f32; 4]> {
+        let rest = self.coordinates.get(3 * vertex as usize..)?;
+        match rest.first_chunk::<4>() {
+            Some(row) => Some(row),
+            None if rest.len() == 3 => Some(self.last),
+            None => None,
+        }
+    }
+
+    /// One corner of eight triangles.
+    #[inline(always)]
+    fn rows(
+        self,
+        [a, b, c, d, e, f, g, h]: &[[u32; 3]; LANES],
+        corner: usize,
+    ) -> Option<[&'a [f32; 4]; LANES]> {
+        Some([
+            self.row(a[corner])?,
+            self.row(b[corner])?,
+            self.row(c[corner])?,
+            self.row(d[corner])?,
+            self.row(e[corner])?,
+            self.row(f[corner])?,
+            self.row(g[corner])?,
+            self.row(h[corner])?,
+        ])
+    }
+}
+
+/// Turns sums into unit vectors; false if one is out of range.
+struct FinishSingles<'a, O> {
+    /// Set to zero on the way, for the next call.
+    sums: &'a mut [[f32; 4]],
+    unit: &'a mut [O],
+    state: &'a mut [SlotState],
+}
+
+impl<O: Emit> Kernel for FinishSingles<'_, O> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run<A: Lanes>(self, arch: A) -> bool {
+        let Self { sums, unit, state } = self;
+        let arch = arch.singles();
+        state.fill(SlotState::Good);
+        let mut all_in_range = true;
+        let groups = sums.chunks_mut(LANES).zip(unit.chunks_mut(LANES)).zip(state.chunks_mut(LANES));
+        for ((sums, unit), state) in groups {
+            if !finish_group(arch, sums, unit) {
+                for ((sum, unit), state) in sums.iter().zip(unit).zip(state) {
+                    let [x, y, z, weights] = *sum;
+                    let length = (x * x + y * y + z * z).sqrt();
+                    if weights == 0.0 {
+                        (*unit, *state) = (O::emit_single([0.0, 0.0, 1.0]), SlotState::Empty);
+                    } else if weights.is_normal() && length >= LEAST_SUM as f32 * weights {
+                        let reciprocal = 1.0 / length;
+                        *unit = O::emit_single([x * reciprocal, y * reciprocal, z * reciprocal]);
+                    } else {
+                        all_in_range = false;
+                    }
+                }
+            }
+            sums.fill([0.0; 4]);
+        }
+        all_in_range
+    }
+}
+
+/// Eight sums at once; false if one of them needs a closer look.
+#[inline(always)]
+fn finish_group<A: SingleLanes, O: Emit>(arch: A, sums: &[[f32; 4]], unit: &mut [O]) -> bool {
+    let Ok(sums) = <&[[f32; 4]; LANES]>::try_from(sums) else { return false };
+    let vector = Vectors::new(arch, arch.columns(sums.each_ref()));
+    let weights = Scalars::new(arch, arch.last_column(sums.each_ref()));
+    let length = vector.squared_length().sqrt();
+    let (smallest, largest) = (f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX));
+    let in_range = (Scalars::splat(arch, LEAST_SUM) * weights).less(length)
+        & Scalars::splat(arch, smallest).less(weights)
+        & weights.less(Scalars::splat(arch, largest));
+    if !arch.all(in_range.mask()) {
+        return false;
+    }
+    let reciprocal = arch.to_array((Scalars::splat(arch, 1.0) / length).value);
+    for ((unit, &[x, y, z, _]), reciprocal) in unit.iter_mut().zip(sums).zip(reciprocal) {
+        *unit = O::emit_single([x * reciprocal, y * reciprocal, z * reciprocal]);
+    }
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::mesh::{Faces, Mesh, MeshBuilder};
+    use crate::normals::compute::compute;
+    use crate::normals::recipe::{Averaging, NormalRecipe, Precision, Weight};
+    use crate::normals::slices::vertex_normals::{Scratch, vertex_normals};
+    use crate::normals::test_meshes::{bumpy, with_threads};
+    use crate::num::test_numbers::Numbers;
+    use glam::DVec3;
+
+    fn mesh(scale: f64, flatten: f64) -> Mesh {
+        let (faces, positions) = bumpy(24, 7);
+        let positions = positions.iter().map(|&p| p * DVec3::new(scale, scale, scale * flatten)).collect();
+        let faces = Faces::triangles(faces.as_flattened().to_vec());
+        MeshBuilder { positions, faces, ..MeshBuilder::default() }.build().unwrap()
+    }
+
+    fn fast(weight: Weight) -> NormalRecipe {
+        NormalRecipe { weight, precision: Precision::Fast, ..NormalRecipe::default() }
+    }
+
+    /// In range, single precision stays within its stated error: on this mesh no face is thinner than a hundredth of its
+    /// length, so 3e-5 rad. It must differ from double precision, or it would not be single.
+    #[test]
+    fn in_range_it_is_close_and_not_the_same() {
+        for weight in Weight::ALL.into_iter().filter(|&weight| weight != Weight::Quadric) {
+            let faithful = compute(&mesh(1.0, 1.0), &NormalRecipe { weight, ..NormalRecipe::default() });
+            let fast = compute(&mesh(1.0, 1.0), &fast(weight));
+            assert!(!fast.summary.fast_declined, "{weight:?}");
+            assert_eq!(fast.normals.index, faithful.normals.index);
+            let off = faithful.normals.values.iter().zip(&fast.normals.values);
+            let worst = off.map(|(a, b)| libm::atan2(a.cross(*b).length(), a.dot(*b))).fold(0.0, f64::max);
+            assert!(worst > 0.0 && worst < 3e-5, "{weight:?}: {worst:e}");
+        }
+    }
+
+    #[test]
+    fn normals_are_unit_in_doubles() {
+        let field = compute(&mesh(1.0, 1.0), &fast(Weight::Angle));
+        for normal in field.face_normals.iter().chain(&field.normals.values) {
+            // Three roundings of the squared length, one of the factor and one of each component.
+            assert!((normal.length() - 1.0).abs() <= 4.0 * f64::EPSILON, "{normal}");
+        }
+    }
+
+    #[test]
+    fn out_of_range_double_precision_is_used_and_reported() {
+        for (scale, flatten) in [(1e-9, 1.0), (1e9, 1.0), (1.0, 1e-7)] {
+            let mut mesh = mesh(scale, flatten);
+            if flatten < 1.0 {
+                // Slivers: one direction shrunk so far that faces are thinner than a thousandth of their length.
+                let thin = mesh.positions().iter().map(|p| p.with_y(p.y * 1e-6)).collect();
+                let faces = mesh.faces().clone();
+                mesh = MeshBuilder { positions: thin, faces, ..MeshBuilder::default() }.build().unwrap();
+            }
+            let faithful = compute(&mesh, &NormalRecipe::default());
+            let fast = compute(&mesh, &fast(Weight::Angle));
+            assert!(fast.summary.fast_declined, "{scale:e}");
+            assert_eq!(fast.normals, faithful.normals);
+        }
+    }
+
+    /// A fan of more faces than one sum may have.
+    #[test]
+    fn the_valence_has_a_limit() {
+        for (valence, is_declined) in [(1000_u32, false), (1001, true)] {
+            let rim = (0..valence).map(|i| f64::from(i) * std::f64::consts::TAU / f64::from(valence));
+            let rim = rim.map(|angle| DVec3::new(libm::cos(angle), libm::sin(angle), -0.5));
+            let corners = (0..valence).flat_map(|i| [0, 1 + i, 1 + (i + 1) % valence]).collect();
+            let mesh = MeshBuilder {
+                positions: std::iter::once(DVec3::ZERO).chain(rim).collect(),
+                faces: Faces::triangles(corners),
+                ..MeshBuilder::default()
+            };
+            let field = compute(&mesh.build().unwrap(), &fast(Weight::Area));
+            assert_eq!(field.summary.fast_declined, is_declined, "{valence}");
+        }
+    }
+
+    /// In the callers' slices: the same bits with any number of threads, in order, mixed and shuffled, and again after a mesh
+    /// out of range has left its traces in memory.
+    #[test]
+    fn any_number_of_threads_gives_the_same_bits() {
+        let (faces, points) = bumpy(200, 11);
+        let points: Vec<[f32; 3]> = points.iter().map(|p| p.as_vec3().to_array()).collect();
+        let mut numbers = Numbers::new(9);
+        let mut shuffled = faces.clone();
+        numbers.shuffle(&mut shuffled);
+        let mut mixed = faces.clone();
+        mixed.swap(300, faces.len() - 1);
+        let mut far = points.clone();
+        far[points.len() / 2] = [1e9; 3];
+        for faces in [&faces, &mixed, &shuffled] {
+            for weight in Weight::ALL.into_iter().filter(|&weight| weight != Weight::Quadric) {
+                let averaging = Averaging { weight, precision: Precision::Fast, ..Averaging::default() };
+                let mut scratch = Scratch::new();
+                let mut run = |points: &[[f32; 3]], threads| {
+                    let mut normals = vec![[0.0_f32; 3]; points.len()];
+                    with_threads(threads, || {
+                        vertex_normals(points, faces, averaging, &mut scratch, &mut normals).unwrap()
+                    });
+                    normals
+                };
+                let alone = run(&points, 1);
+                for threads in [2, 3, 8] {
+                    assert_eq!(run(&points, threads), alone, "{weight:?}");
+                    run(&far, threads);
+                }
+            }
+        }
+    }
+}
