@@ -3,8 +3,7 @@
 use crate::io::{FileNode, Loaded};
 use crate::quality::angles::Limit;
 use crate::quality::catalogue::{Entry, Kind, entries};
-use crate::quality::counts::Tallies;
-use crate::quality::definition::Found;
+use crate::quality::counts::{Found, Tallies};
 use crate::quality::element::{Element, Severity};
 use crate::quality::estimate::recipe::Estimate;
 use crate::quality::facts::Facts;
@@ -100,7 +99,7 @@ pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) 
     if diagnosis.parts.iter().all(|part| part.faces == 0) {
         let first_part = diagnosis.parts.first().map(|_| Spot::mesh());
         totals.elements[Element::Mesh as usize] = 1;
-        totals.found.add_mesh(&nodes::NO_FACES, 0.0, first_part.into_iter().collect());
+        totals.found.add_mesh(Kind::NoFaces, 0.0, first_part.into_iter().collect());
     }
     diagnosis.findings = entries().filter_map(|entry| totals.finding(entry, loaded)).collect();
     locate(diagnosis.findings.iter_mut().flat_map(|finding| &mut finding.places), loaded);
@@ -182,24 +181,34 @@ fn refine_remedies(facts: &Facts<'_>, found: &mut Found) {
     let is_usual = |it: &Estimate| it.is_default() && facts.mesh.columns().smoothing.is_none();
     let Some(estimate) = facts.estimate.filter(|it| it.fits_most() && !is_usual(it)) else { return };
     let replaced = [
-        &values::MISSING_NORMALS,
-        &values::NOT_FINITE,
-        &values::ZERO_NORMALS,
-        &values::NOT_UNIT,
-        &deviations::FLIPPED,
-        &deviations::AGAINST_FACE,
+        Kind::MissingNormals,
+        Kind::NotFinite,
+        Kind::ZeroNormals,
+        Kind::NotUnit,
+        Kind::Flipped,
+        Kind::AgainstFace,
     ];
-    for finding in replaced {
-        let own = finding.remedy.unwrap_or_default();
-        found.tally(finding).remedy = Some(format!("{own} {}", estimate.options()));
+    for kind in replaced {
+        let own = kind.entry().remedy.unwrap_or_default();
+        found.tally(kind).remedy = Some(format!("{own} {}", estimate.options()));
     }
 }
 
 /// Adds an option that every command needs.
 fn add_to_remedies(found: &mut Found, option: &str) {
-    for (finding, tally) in found.iter_mut() {
-        let own = tally.remedy.take().or_else(|| finding.remedy.map(str::to_owned));
+    for (kind, tally) in found.iter_mut() {
+        let own = tally.remedy.take().or_else(|| kind.entry().remedy.map(str::to_owned));
         tally.remedy = own.map(|own| format!("{own} {option}").trim_start().to_owned());
+    }
+}
+
+/// The angle at an occurrence in degrees, where the search measures something else.
+fn angle(facts: &Facts<'_>, kind: Kind, spot: &Spot) -> Option<f64> {
+    match kind {
+        Kind::Needles => Some(slivers::rounding_angle(facts, spot.face as usize)),
+        Kind::NonManifold => Some(edges::largest_dihedral_angle(facts, spot.corner)),
+        Kind::HighValence => Some(vertices::largest_leaning(facts, spot.vertex)),
+        _ => None,
     }
 }
 
@@ -228,20 +237,20 @@ impl Totals {
         counts.into_iter().for_each(|(element, count)| self.elements[element as usize] += count);
         let unscaled = |area: f64| area / (facts.scale * facts.scale);
         self.area += unscaled(facts.total_area);
-        for (finding, tally) in found.iter_mut() {
+        for (kind, tally) in found.iter_mut() {
             let mut tally = std::mem::take(tally);
             tally.area = unscaled(tally.area);
             for spot in &mut tally.worst {
                 spot.part = facts.number as u32;
-                spot.degrees = spot.degrees.or_else(|| finding.angle.map(|angle| angle(facts, spot)));
+                spot.degrees = spot.degrees.or_else(|| angle(facts, kind, spot));
             }
-            self.found.add_part(finding, tally, finding.severity);
+            self.found.add_part(kind, tally, kind.entry().severity);
         }
     }
 
     /// The finding of an entry, if there is one.
     fn finding(&mut self, entry: &Entry, loaded: &Loaded) -> Option<Finding> {
-        let tally = self.found.take(entry.definition);
+        let tally = self.found.take(entry.kind);
         let places = tally.worst.iter().map(|spot| site(loaded, spot)).collect();
         let of = self.elements[entry.element as usize];
         (tally.count > 0).then(|| Finding::new(entry, tally, of, self.area, places))

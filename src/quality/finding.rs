@@ -131,7 +131,7 @@ impl Finding {
 
 /// The title with the remark or the sum, and with what was not counted.
 fn cause(entry: &Entry, tally: &Tally) -> String {
-    let sum = entry.definition.say_sum.filter(|_| tally.sum > 0).map(|say| say(tally.sum));
+    let sum = (tally.sum > 0).then(|| sum_in_words(entry.kind, tally.sum));
     let sum = sum.map(|sum| match tally.milder {
         Milder { components: 0, .. } => sum,
         Milder { components, count } => {
@@ -152,4 +152,18 @@ fn cause(entry: &Entry, tally: &Tally) -> String {
     let details: Vec<String> = remark.into_iter().chain(others).collect();
     let title = entry.title();
     if details.is_empty() { title } else { format!("{title}: {}", details.join("; ")) }
+}
+
+/// The sum over all parts ([`Tally::sum`]) in words.
+fn sum_in_words(kind: Kind, sum: u64) -> String {
+    let is_one = sum == 1;
+    match kind {
+        Kind::NeedlessSeam => {
+            format!("{sum} {} could be merged away", if is_one { "vertex" } else { "vertices" })
+        }
+        _ => {
+            let closed = if kind == Kind::OpenInsideOut { "open" } else { "closed" };
+            format!("in {sum} {closed} component{}", if is_one { "" } else { "s" })
+        }
+    }
 }

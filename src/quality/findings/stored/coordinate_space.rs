@@ -4,18 +4,15 @@ use crate::io::{FileNode, Loaded, NodeTree};
 use crate::mesh::{Mesh, normal_matrix};
 use crate::num::UnitVec3;
 use crate::quality::angles::degrees_between;
+use crate::quality::catalogue::Kind;
+use crate::quality::counts::Found;
 use crate::quality::counts::Remark;
-use crate::quality::definition::{Definition, Found};
-use crate::quality::element::Element;
 use crate::quality::estimate::recipe::Estimate;
 use crate::quality::facts::Facts;
 use crate::quality::findings::stored::rotated::{ALIKE, explains, least, worst};
 use glam::{DMat3, DVec3};
 use std::cell::OnceCell;
 use std::ops::Range;
-
-pub(crate) static UNTRANSFORMED: Definition =
-    Definition::error("untransformed-normals", Element::Mesh, Some(""));
 
 /// The most nodes that are tried for one mesh.
 const NODES: usize = 32;
@@ -98,8 +95,8 @@ impl Mistake {
 
     /// Reports it, with the worst positions of the normals as stored.
     pub(crate) fn report(&self, stored: &Facts<'_>, found: &mut Found) {
-        found.add_mesh(&UNTRANSFORMED, stored.total_area, worst(stored));
-        let tally = found.tally(&UNTRANSFORMED);
+        found.add_mesh(Kind::Untransformed, stored.total_area, worst(stored));
+        let tally = found.tally(Kind::Untransformed);
         tally.turn = Some(self.turn);
         tally.remark = self.description.clone().map(|text| Remark { weight: self.turn, text });
     }

@@ -2,9 +2,9 @@
 
 use crate::mesh::are_same;
 use crate::num::Radians;
+use crate::quality::catalogue::Kind;
+use crate::quality::counts::Found;
 use crate::quality::counts::Remark;
-use crate::quality::definition::{Definition, Found};
-use crate::quality::element::Element;
 use crate::quality::estimate::rotation::{are_spread, closest_turn, outer, rotation_angle};
 use crate::quality::facts::Facts;
 use crate::quality::spot::Spot;
@@ -12,10 +12,6 @@ use crate::quality::thresholds::Thresholds;
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 use std::ops::Range;
-
-pub(crate) static CONSTANT: Definition = Definition::warning("constant-normals", Element::Mesh, Some(""));
-pub(crate) static SWAPPED_AXES: Definition = Definition::error("swapped-axes", Element::Mesh, Some(""));
-pub(crate) static ROTATED: Definition = Definition::error("rotated-normals", Element::Mesh, Some(""));
 
 /// The mean cosine from which a rotation explains the normals.
 const AGREES: f64 = 0.9;
@@ -37,7 +33,7 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) -> bool {
         // A flat mesh has one normal, and so has one for which none could be computed.
         let is_fault = [sums.faces, sums.expected].iter().all(|sum| (*sum / sums.weight).length() < 0.9);
         if is_fault {
-            found.add_mesh(&CONSTANT, area, worst(facts));
+            found.add_mesh(Kind::Constant, area, worst(facts));
         }
         return is_fault;
     }
@@ -58,8 +54,8 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) -> bool {
         between.determinant() > 0.0 && rotation_angle(between) <= facts.thresholds.rotation.0
     };
     if let Some(text) = smallest_of_the_best(&changes, is_closest) {
-        found.add_mesh(&SWAPPED_AXES, area, worst(facts));
-        found.tally(&SWAPPED_AXES).remark = Some(Remark { weight: facts.mesh.face_count() as f64, text });
+        found.add_mesh(Kind::SwappedAxes, area, worst(facts));
+        found.tally(Kind::SwappedAxes).remark = Some(Remark { weight: facts.mesh.face_count() as f64, text });
         return true;
     }
     let angle = rotation_angle(closest);
@@ -67,8 +63,8 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) -> bool {
     let is_rotated = fits && angle > facts.thresholds.rotation.0;
     if is_rotated {
         let reversed = if closest.determinant() < 0.0 { ", and reversed" } else { "" };
-        found.add_mesh(&ROTATED, area, worst(facts));
-        let tally = found.tally(&ROTATED);
+        found.add_mesh(Kind::Rotated, area, worst(facts));
+        let tally = found.tally(Kind::Rotated);
         tally.turn = Some(angle);
         tally.remark = Some(Remark { weight: angle, text: format!("by {angle:.1}°{reversed}") });
     }

@@ -1,33 +1,17 @@
 //! Components that face inwards: closed ones by their volume, those with a rim by what is visible of them.
 
-use crate::quality::definition::{Definition, Found};
-use crate::quality::element::{Element, Severity};
+use crate::quality::catalogue::Kind;
+use crate::quality::counts::Found;
+use crate::quality::element::Severity;
 use crate::quality::facts::Facts;
 use crate::quality::input::winding::InsideOut;
 use crate::quality::spot::Spot;
 
-pub(crate) static INSIDE_OUT: Definition = Definition {
-    say_sum: Some(|components| in_components(components, "closed")),
-    ..Definition::error("inside-out", Element::Face, Some("--orient outward"))
-};
-pub(crate) static OPEN_INSIDE_OUT: Definition = Definition {
-    say_sum: Some(|components| in_components(components, "open")),
-    ..Definition::warning("open-inside-out", Element::Face, Some("--orient outward"))
-};
-pub(crate) static ROOM: Definition = Definition {
-    say_sum: Some(|components| in_components(components, "closed")),
-    ..Definition::note("room", Element::Face, None)
-};
-
-fn in_components(count: u64, kind: &str) -> String {
-    format!("in {count} {kind} component{}", if count == 1 { "" } else { "s" })
-}
-
 /// The severity of a component that is inside out: lower if no stored normals contradict its faces.
 fn severity(component: &InsideOut) -> Severity {
     match (component.is_open, component.is_opposed == Some(true)) {
-        (false, true) => INSIDE_OUT.severity,
-        (true, true) => OPEN_INSIDE_OUT.severity,
+        (false, true) => Severity::Error,
+        (true, true) => Severity::Warning,
         (false, false) => Severity::Warning,
         (true, false) => Severity::Note,
     }
@@ -36,7 +20,7 @@ fn severity(component: &InsideOut) -> Severity {
 /// Finds components that are inside out, and rooms. Only those of the highest severity are counted.
 pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
     let winding = &facts.winding;
-    for (finding, is_open) in [(&INSIDE_OUT, false), (&OPEN_INSIDE_OUT, true)] {
+    for (finding, is_open) in [(Kind::InsideOut, false), (Kind::OpenInsideOut, true)] {
         let alike = || winding.inside_out.iter().filter(|component| component.is_open == is_open);
         let Some(highest) = alike().map(severity).max() else { continue };
         for component in alike() {
@@ -58,9 +42,9 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
         }
     }
     for face in winding.outward.room_faces.iter().map(|&face| face as usize) {
-        found.add(&ROOM, Spot::face(face), facts.area[face]);
+        found.add(Kind::Room, Spot::face(face), facts.area[face]);
     }
     if winding.outward.rooms > 0 {
-        found.tally(&ROOM).sum = winding.outward.rooms as u64;
+        found.tally(Kind::Room).sum = winding.outward.rooms as u64;
     }
 }

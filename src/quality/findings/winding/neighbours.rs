@@ -1,14 +1,11 @@
 //! Faces that run against their neighbours, and surfaces on which all faces cannot agree.
 
 use crate::mesh::Link;
-use crate::quality::definition::{Definition, Found};
-use crate::quality::element::{Element, Severity};
+use crate::quality::catalogue::Kind;
+use crate::quality::counts::Found;
+use crate::quality::element::Severity;
 use crate::quality::facts::Facts;
 use crate::quality::spot::Spot;
-
-pub(crate) static INCONSISTENT_WINDING: Definition =
-    Definition::error("inconsistent-winding", Element::Face, Some("--orient consistent"));
-pub(crate) static NON_ORIENTABLE: Definition = Definition::warning("non-orientable", Element::Face, None);
 
 /// Finds faces that run against their neighbours. A duplicate face and one without a direction are findings of their own.
 pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
@@ -26,11 +23,11 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
         let number = face as usize;
         if !facts.duplicates.is_doubled(face) && facts.has_direction(number) {
             is_certain |= facts.corners_of(number).any(is_by_index);
-            found.add(&INCONSISTENT_WINDING, Spot::face(number).by(180.0), facts.area[number]);
+            found.add(Kind::InconsistentWinding, Spot::face(number).by(180.0), facts.area[number]);
         }
     }
     if !is_certain {
-        found.tally(&INCONSISTENT_WINDING).severity = Some(Severity::Warning);
+        found.tally(Kind::InconsistentWinding).severity = Some(Severity::Warning);
     }
     if facts.winding.outward.non_orientable > 0 {
         for half_edge in 0..facts.mesh.faces().corner_count() as u32 {
@@ -39,7 +36,7 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
                 && facts.winding.minority.binary_search(&face).is_err()
             {
                 let spot = Spot::face(face as usize).by(180.0);
-                found.add(&NON_ORIENTABLE, spot, facts.area[face as usize]);
+                found.add(Kind::NonOrientable, spot, facts.area[face as usize]);
             }
         }
     }
