@@ -137,15 +137,15 @@ fn cause(entry: &Entry, tally: &Tally) -> String {
         Milder { components, count } => {
             let plural = if components == 1 { "" } else { "s" };
             format!(
-                "{sum}, against the stored normals; not counted: {components} other{plural} of {count} faces, which no stored \
-                 normals contradict"
+                "{sum}, contradicted by the stored normals; not counted: {components} other{plural} of {count} faces, which no \
+                 stored normals contradict"
             )
         }
     });
     let remark = tally.remark.as_ref().map(|remark| remark.text.clone()).or(sum);
     let others = match tally.milder {
         Milder { components: 0, count: count @ 1.. } => {
-            Some(format!("not counted: {count} in other parts, where it matters less"))
+            Some(format!("not counted: {count} of lower severity in other parts"))
         }
         _ => None,
     };
@@ -159,7 +159,7 @@ fn sum_in_words(kind: Kind, sum: u64) -> String {
     let is_one = sum == 1;
     match kind {
         Kind::NeedlessSeam => {
-            format!("{sum} {} could be merged away", if is_one { "vertex" } else { "vertices" })
+            format!("{sum} {} could be merged", if is_one { "vertex" } else { "vertices" })
         }
         _ => {
             let closed = if kind == Kind::OpenInsideOut { "open" } else { "closed" };

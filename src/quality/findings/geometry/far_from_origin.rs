@@ -39,8 +39,8 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
         let bits = libm::floor(libm::log2(height / rounding)).max(0.0);
         let expected = Degrees::from(Radians(libm::atan(tilt))).0;
         let text = format!(
-            "{bits} bits are left for the height of a usual face, whose normal may be off by {error:.2}°; over all faces, slender \
-             ones too, {expected:.2}° are expected in the mean"
+            "{bits} bits remain for the height of a typical face, and rounding rotates its normal by up to {error:.2}°; the \
+             expected mean over all faces, including slender ones, is {expected:.2}°"
         );
         found.tally(Kind::FarFromOrigin).remark = Some(Remark { weight: error, text });
     }

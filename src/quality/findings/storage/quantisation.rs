@@ -67,8 +67,8 @@ fn report(facts: &Facts<'_>, precision: &Precision, exponent: f64, found: &mut F
     };
     found.add_mesh(Kind::Quantised, facts.total_area, worst);
     let serves = match precision.exponent {
-        Some(exponent) => format!("good for exponents up to {exponent}"),
-        None => "which even a matte surface may show by more than half a step of 8 bits".into(),
+        Some(exponent) => format!("enough for exponents up to {exponent}"),
+        None => "which even a matte surface may show by more than half an 8-bit step".into(),
     };
     let text = format!(
         "{}, {deviation}rounding to the nearest makes at most {}°, {serves}; the material's exponent of {} needs {} bits a component",
@@ -123,7 +123,7 @@ impl Measured {
             }
         };
         let [largest, rms] = [self.largest, self.rms].map(three_digits);
-        format!("off what their rule gives by up to {largest}°, {rms}° in the root mean square{which}; ")
+        format!("off their recipe by up to {largest}°, {rms}° in the root mean square{which}; ")
     }
 }
 

@@ -62,7 +62,7 @@ impl<'a> Spaces<'a> {
         if !is_certain && with <= mean(&|stored, expected| stored.dot(expected)) {
             return None;
         }
-        let or = if is_only { "" } else { ", or something else that these matrices do not tell from it" };
+        let or = if is_only { "" } else { ", or another mistake with the same effect" };
         let description = best.describe(|node| self.tree().map(|tree| tree.name(node)));
         Some(Mistake {
             taken_back: taken_back(facts.mesh, best.map),
@@ -185,12 +185,11 @@ impl Candidate {
         } else {
             (["the matrices", "are", "apply"], format!("of nodes `{}` to `{}`", name(first)?, name(last)?))
         };
-        let elsewhere = "is in them, in a space that it is not for";
         Some(match self.how {
-            How::Twice => format!("{matrices} {nodes} {is} in them already and {applies} twice"),
-            How::Missing => format!("{matrices} {nodes} {is} undone in them, as if there were none"),
-            How::Within => format!("the product of {matrices} {nodes} {elsewhere}"),
-            How::WithinInverse => format!("the inverse of {matrices} {nodes} {elsewhere}"),
+            How::Twice => format!("{matrices} {nodes} {is} already applied to them and {applies} twice"),
+            How::Missing => format!("{matrices} {nodes} {is} undone in them"),
+            How::Within => format!("{matrices} {nodes} {is} applied to them in the wrong space"),
+            How::WithinInverse => format!("{matrices} {nodes} {is} undone in them in the wrong space"),
         })
     }
 }

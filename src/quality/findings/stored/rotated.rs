@@ -96,8 +96,8 @@ fn smallest_of_the_best(changes: &[(DMat3, f64)], is_closest: impl Fn(DMat3) -> 
     let smallest = describe(*alike.iter().min_by_key(changed)?);
     Some(match alike.len() - 1 {
         0 => smallest,
-        1 => format!("{smallest} (or another change that this shape does not tell from it)"),
-        others => format!("{smallest} (or one of {others} changes that this shape does not tell from it)"),
+        1 => format!("{smallest} (or another change with the same effect on this shape)"),
+        others => format!("{smallest} (or one of {others} changes with the same effect on this shape)"),
     })
 }
 
@@ -197,5 +197,5 @@ fn describe(axes: DMat3) -> String {
     };
     let changes = ["x", "y", "z"].into_iter().zip([axes.x_axis, axes.y_axis, axes.z_axis]);
     let changed = changes.map(|(from, to)| (from, name(to))).filter(|(from, to)| from != to);
-    changed.map(|(from, to)| format!("{from} stands as {to}")).collect::<Vec<_>>().join(", ")
+    changed.map(|(from, to)| format!("{from} is stored as {to}")).collect::<Vec<_>>().join(", ")
 }
