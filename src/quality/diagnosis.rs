@@ -11,12 +11,12 @@ use crate::quality::finding::Finding;
 use crate::quality::findings::geometry::{
     duplicates, edges, far_from_origin, nodes, polygons, slivers, vertices,
 };
-use crate::quality::findings::shading::interpolation;
+use crate::quality::findings::shading;
 use crate::quality::findings::smoothing::{facets, seams, soft};
 use crate::quality::findings::storage::quantisation::{self, Precision};
 use crate::quality::findings::stored::coordinate_space::Spaces;
 use crate::quality::findings::stored::{attributes, deviations, values};
-use crate::quality::findings::winding::{components, neighbours};
+use crate::quality::findings::winding;
 use crate::quality::input::file::FileContext;
 use crate::quality::sites::{locate, nodes_of_parts, site};
 use crate::quality::spot::Spot;
@@ -154,8 +154,8 @@ fn search(facts: &Facts<'_>, nodes: &[&FileNode], found: &mut Found) -> Option<P
     seams::search(facts, found);
     duplicates::search_faces(facts, found);
     duplicates::search_vertices(facts, found);
-    neighbours::search(facts, found);
-    components::search(facts, found);
+    winding::search(facts, found);
+    winding::search_components(facts, found);
     slivers::search(facts, found);
     let folded = Limit::new(facts.thresholds.fold.0);
     found.merge(facts.scan_faces(|face, found| {
@@ -167,7 +167,7 @@ fn search(facts: &Facts<'_>, nodes: &[&FileNode], found: &mut Found) -> Option<P
     vertices::search(facts, found);
     vertices::search_cancelling(facts, found);
     far_from_origin::search(facts, found);
-    interpolation::search(facts, found);
+    shading::search(facts, found);
     nodes::search(nodes, found);
     if facts.has_near_edges {
         add_to_remedies(found, &format!("--weld {:e}", facts.thresholds.weld));
