@@ -1,6 +1,6 @@
 //! From a file to its findings.
 
-use crate::io::{FileNode, Loaded};
+use crate::io::{FileNode, Loaded, NodeTree};
 use crate::quality::angles::Limit;
 use crate::quality::catalogue::{Entry, Kind, entries};
 use crate::quality::counts::{Found, Tallies};
@@ -14,13 +14,14 @@ use crate::quality::findings::geometry::{
 use crate::quality::findings::shading;
 use crate::quality::findings::smoothing::{facets, seams, soft};
 use crate::quality::findings::storage::quantisation::{self, Precision};
-use crate::quality::findings::stored::coordinate_space::Spaces;
+use crate::quality::findings::stored::coordinate_space::find_mistake;
 use crate::quality::findings::stored::{attributes, deviations, values};
 use crate::quality::findings::winding;
 use crate::quality::input::file::FileContext;
 use crate::quality::sites::{locate, nodes_of_parts, site};
 use crate::quality::spot::Spot;
 use crate::quality::thresholds::Thresholds;
+use std::cell::OnceCell;
 
 /// The diagnosis of a file.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -83,7 +84,8 @@ impl Diagnosis {
 /// ```
 pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) -> Diagnosis {
     let file = FileContext::new(loaded, thresholds);
-    let spaces = Spaces::new(loaded);
+    let tree = OnceCell::new();
+    let tree = || tree.get_or_init(|| loaded.node_tree()).as_ref();
     let nodes = nodes_of_parts(loaded);
     let mut diagnosis = Diagnosis::default();
     let mut totals =
@@ -91,7 +93,7 @@ pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) 
     for (number, part) in loaded.parts.iter().enumerate() {
         let mut own = PartDiagnosis { name: part.name.clone(), ..PartDiagnosis::default() };
         if part.mesh.face_count() > 0 {
-            diagnose_part(&file, &spaces, number, &nodes[number], &mut own, &mut totals);
+            diagnose_part(&file, number, &nodes[number], &tree, &mut own, &mut totals);
         }
         done(part.mesh.face_count());
         diagnosis.parts.push(own);
@@ -109,16 +111,16 @@ pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) 
 
 fn diagnose_part<'a>(
     file: &'a FileContext<'a>,
-    spaces: &Spaces<'_>,
     number: usize,
     nodes: &[&FileNode],
+    tree: &dyn Fn() -> Option<&'a NodeTree<'a>>,
     own: &mut PartDiagnosis,
     totals: &mut Totals,
 ) {
     let mut found = Tallies::new(file.thresholds.places);
     let mut facts = Facts::new(file, number);
     // Normals in another space are judged as they are in the space of the mesh.
-    let mistake = spaces.mistake(&facts, nodes);
+    let mistake = find_mistake(&facts, nodes, tree);
     if let Some(mistake) = &mistake {
         let taken_back = Facts::of_transformed(&facts, &mistake.taken_back);
         if mistake.is_proved(facts.estimate, taken_back.estimate) {

@@ -1,6 +1,6 @@
 //! Stored normals in another space of the node tree than their positions.
 
-use crate::io::{FileNode, Loaded, NodeTree};
+use crate::io::{FileNode, NodeTree};
 use crate::mesh::{Mesh, normal_matrix};
 use crate::num::UnitVec3;
 use crate::quality::angles::degrees_between;
@@ -11,7 +11,6 @@ use crate::quality::estimate::recipe::Estimate;
 use crate::quality::facts::Facts;
 use crate::quality::findings::stored::rotated::{ALIKE, explains, least, worst};
 use glam::{DMat3, DVec3};
-use std::cell::OnceCell;
 use std::ops::Range;
 
 /// The most nodes that are tried for one mesh.
@@ -23,54 +22,43 @@ const ROUNDING: f64 = 1e-6;
 /// About how many faces are sampled to compare mistakes.
 const SAMPLE: usize = 1 << 11;
 
-/// The node tree of a file, read when a part first needs it.
-pub(crate) struct Spaces<'a> {
-    loaded: &'a Loaded,
-    tree: OnceCell<Option<NodeTree<'a>>>,
-}
-
-impl<'a> Spaces<'a> {
-    pub(crate) fn new(loaded: &'a Loaded) -> Self {
-        Self { loaded, tree: OnceCell::new() }
+/// The most likely mistake with the matrices of the nodes that place a mesh, if there may be one. The node tree is read only if it is
+/// needed.
+pub(crate) fn find_mistake<'a>(
+    facts: &Facts<'_>,
+    nodes: &[&FileNode],
+    tree: &dyn Fn() -> Option<&'a NodeTree<'a>>,
+) -> Option<Mistake> {
+    facts.stored?;
+    let thresholds = facts.thresholds;
+    let of_node = |node: &&FileNode| Chain::new(node, tree()).mistakes(thresholds.rotation.0);
+    let possible: Vec<Vec<Candidate>> = nodes.iter().take(NODES).map(of_node).collect();
+    if possible.iter().all(Vec::is_empty) {
+        return None;
     }
-
-    fn tree(&self) -> Option<&NodeTree<'a>> {
-        self.tree.get_or_init(|| self.loaded.node_tree()).as_ref()
+    let mean = |agreement: &dyn Fn(DVec3, DVec3) -> f64| mean(facts, 1, agreement);
+    let either_way = mean(&|stored, expected| stored.dot(expected).abs());
+    // No matrix explains what is not wrong.
+    if 1.0 - either_way <= least(thresholds) {
+        return None;
     }
-
-    /// The most likely mistake with the matrices of the nodes that place a mesh, if there may be one.
-    pub(crate) fn mistake(&self, facts: &Facts<'_>, nodes: &[&FileNode]) -> Option<Mistake> {
-        facts.stored?;
-        let thresholds = facts.thresholds;
-        let of_node = |node: &&FileNode| Chain::new(node, self.tree()).mistakes(thresholds.rotation.0);
-        let possible: Vec<Vec<Candidate>> = nodes.iter().take(NODES).map(of_node).collect();
-        if possible.iter().all(Vec::is_empty) {
-            return None;
-        }
-        let mean = |agreement: &dyn Fn(DVec3, DVec3) -> f64| mean(facts, 1, agreement);
-        let either_way = mean(&|stored, expected| stored.dot(expected).abs());
-        // No matrix explains what is not wrong.
-        if 1.0 - either_way <= least(thresholds) {
-            return None;
-        }
-        let (best, is_only) = best_of(facts, &possible)?;
-        let matrix = normal_matrix(best.map)?;
-        let with = mean(&|stored, expected| stored.dot(matrix.apply(expected).unwrap_or(expected)));
-        let turn = facts.turn.unwrap_or_default();
-        let by_turn = || mean(&|stored, expected| stored.dot(turn * expected));
-        let is_certain = explains(with, either_way, thresholds) && by_turn() - with <= least(thresholds);
-        if !is_certain && with <= mean(&|stored, expected| stored.dot(expected)) {
-            return None;
-        }
-        let or = if is_only { "" } else { ", or another mistake with the same effect" };
-        let description = best.describe(|node| self.tree().map(|tree| tree.name(node)));
-        Some(Mistake {
-            taken_back: taken_back(facts.mesh, best.map),
-            turn: best.turn,
-            description: description.map(|description| description + or),
-            is_certain,
-        })
+    let (best, is_only) = best_of(facts, &possible)?;
+    let matrix = normal_matrix(best.map)?;
+    let with = mean(&|stored, expected| stored.dot(matrix.apply(expected).unwrap_or(expected)));
+    let turn = facts.turn.unwrap_or_default();
+    let by_turn = || mean(&|stored, expected| stored.dot(turn * expected));
+    let is_certain = explains(with, either_way, thresholds) && by_turn() - with <= least(thresholds);
+    if !is_certain && with <= mean(&|stored, expected| stored.dot(expected)) {
+        return None;
     }
+    let or = if is_only { "" } else { ", or another mistake with the same effect" };
+    let description = best.describe(|node| tree().map(|tree| tree.name(node)));
+    Some(Mistake {
+        taken_back: taken_back(facts.mesh, best.map),
+        turn: best.turn,
+        description: description.map(|description| description + or),
+        is_certain,
+    })
 }
 
 /// Stored normals that matrices of nodes seem to have transformed.
