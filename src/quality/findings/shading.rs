@@ -3,8 +3,7 @@
 use crate::num::{angle_between, three_digits};
 use crate::quality::angles::Limit;
 use crate::quality::catalogue::Kind;
-use crate::quality::counts::Found;
-use crate::quality::counts::Remark;
+use crate::quality::counts::{Found, Remark};
 use crate::quality::effect::highlight::Highlights;
 use crate::quality::effect::lost_light::slope_jump;
 use crate::quality::facts::Facts;

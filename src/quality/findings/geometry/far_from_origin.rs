@@ -2,8 +2,7 @@
 
 use crate::num::{Degrees, Radians};
 use crate::quality::catalogue::Kind;
-use crate::quality::counts::Found;
-use crate::quality::counts::Remark;
+use crate::quality::counts::{Found, Remark};
 use crate::quality::facts::Facts;
 use crate::quality::spot::Spot;
 use glam::DVec3;

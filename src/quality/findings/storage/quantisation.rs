@@ -2,8 +2,7 @@
 
 use crate::num::{Degrees, largest_exponent, three_digits};
 use crate::quality::catalogue::Kind;
-use crate::quality::counts::Found;
-use crate::quality::counts::{Remark, scan};
+use crate::quality::counts::{Found, Remark, scan};
 use crate::quality::effect::highlight::Highlights;
 use crate::quality::facts::Facts;
 use crate::quality::findings::storage::grid::Grid;

@@ -2,8 +2,7 @@
 
 use crate::quality::angles::{Limit, SAME, degrees_between};
 use crate::quality::catalogue::Kind;
-use crate::quality::counts::Found;
-use crate::quality::counts::{Tallies, Tally};
+use crate::quality::counts::{Found, Tallies, Tally};
 use crate::quality::element::Severity;
 use crate::quality::estimate::recipe::{EXACT, REPRODUCED};
 use crate::quality::facts::Facts;

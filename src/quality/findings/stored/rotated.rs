@@ -3,8 +3,7 @@
 use crate::mesh::are_same;
 use crate::num::Radians;
 use crate::quality::catalogue::Kind;
-use crate::quality::counts::Found;
-use crate::quality::counts::Remark;
+use crate::quality::counts::{Found, Remark};
 use crate::quality::estimate::rotation::{are_spread, closest_turn, outer, rotation_angle};
 use crate::quality::facts::Facts;
 use crate::quality::spot::Spot;
