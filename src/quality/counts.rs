@@ -50,7 +50,7 @@ pub(crate) struct Tally {
     /// The least confidence, if there is a choice.
     pub(crate) confidence: Option<f64>,
     /// The angle of one rotation of all normals in degrees, reported in place of that of the worst occurrence.
-    pub(crate) turn: Option<f64>,
+    pub(crate) rotation_degrees: Option<f64>,
 }
 
 impl Tally {
@@ -81,7 +81,8 @@ impl Tally {
         self.remedy = self.remedy.take().or(other.remedy);
         self.may_be_meant |= other.may_be_meant;
         self.confidence = self.confidence.into_iter().chain(other.confidence).reduce(f64::min);
-        self.turn = self.turn.into_iter().chain(other.turn).reduce(f64::max);
+        self.rotation_degrees =
+            self.rotation_degrees.into_iter().chain(other.rotation_degrees).reduce(f64::max);
     }
 
     /// Adds what another part has, of at most this severity. Only the highest severity is counted. The remedy is that of the

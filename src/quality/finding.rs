@@ -82,7 +82,7 @@ impl Finding {
         let largest = places.iter().filter_map(|site| site.degrees).reduce(f64::max);
         let steps = tally.worst.iter().filter_map(|spot| match spot.measure {
             Measure::Steps => Some(spot.weight),
-            _ => spot.degrees.map(|degrees| key_light_steps(tally.turn.unwrap_or(degrees))),
+            _ => spot.degrees.map(|degrees| key_light_steps(tally.rotation_degrees.unwrap_or(degrees))),
         });
         let amount = tally.worst.first().filter(|spot| spot.measure == Measure::Amount);
         let share = || if area > 0.0 { (tally.area / area).min(1.0) } else { 0.0 };
@@ -94,7 +94,7 @@ impl Finding {
             count: tally.count,
             of,
             area_share: entry.element.has_area().then(share),
-            degrees: tally.turn.or(largest),
+            degrees: tally.rotation_degrees.or(largest),
             steps: steps.reduce(f64::max),
             amount: amount.map(|spot| spot.weight.abs()),
             confidence: tally.confidence,

@@ -44,9 +44,9 @@ pub(crate) fn find_mistake<'a>(
     let (best, is_only) = best_of(facts, &possible)?;
     let matrix = normal_matrix(best.map)?;
     let with = mean(&|stored, expected| stored.dot(matrix.apply(expected).unwrap_or(expected)));
-    let turn = facts.turn.unwrap_or_default();
-    let by_turn = || mean(&|stored, expected| stored.dot(turn * expected));
-    let is_certain = explains(with, either_way, thresholds) && by_turn() - with <= least(thresholds);
+    let rotation = facts.rotation.unwrap_or_default();
+    let by_rotation = || mean(&|stored, expected| stored.dot(rotation * expected));
+    let is_certain = explains(with, either_way, thresholds) && by_rotation() - with <= least(thresholds);
     if !is_certain && with <= mean(&|stored, expected| stored.dot(expected)) {
         return None;
     }
@@ -54,7 +54,7 @@ pub(crate) fn find_mistake<'a>(
     let description = best.describe(|node| tree().map(|tree| tree.name(node)));
     Some(Mistake {
         taken_back: taken_back(facts.mesh, best.map),
-        turn: best.turn,
+        degrees: best.degrees,
         description: description.map(|description| description + or),
         is_certain,
     })
@@ -65,7 +65,7 @@ pub(crate) struct Mistake {
     /// The mesh with its stored normals in its own space.
     pub(crate) taken_back: Mesh,
     /// The largest angle by which the matrices turn normals, in degrees.
-    turn: f64,
+    degrees: f64,
     /// Which nodes' matrices were mistaken, and how.
     description: Option<String>,
     /// Whether the normals then agree so well with the faces that no other proof is needed.
@@ -84,8 +84,8 @@ impl Mistake {
     pub(crate) fn report(&self, stored: &Facts<'_>, found: &mut Found) {
         found.add_mesh(Kind::Untransformed, stored.total_area, worst(stored));
         let tally = found.tally(Kind::Untransformed);
-        tally.turn = Some(self.turn);
-        tally.remark = self.description.clone().map(|text| Remark { weight: self.turn, text });
+        tally.rotation_degrees = Some(self.degrees);
+        tally.remark = self.description.clone().map(|text| Remark { weight: self.degrees, text });
     }
 }
 
@@ -102,7 +102,7 @@ impl Chain {
         let links = matrices.map(|links| links.map(|(node, map)| (node, DMat3::from_mat4(map))).collect());
         let mut links: Vec<(usize, DMat3)> = links.unwrap_or_else(|| vec![(node.number, whole)]);
         // A mesh that is flattened has no normals.
-        links.retain(|&(_, map)| largest_turn(map) > ROUNDING && normal_matrix(whole).is_some());
+        links.retain(|&(_, map)| largest_rotation(map) > ROUNDING && normal_matrix(whole).is_some());
         Self { links, whole }
     }
 
@@ -112,7 +112,7 @@ impl Chain {
 
     /// All mistakes with the matrix of one node, or of those from the root to one or from one to the mesh, that turn normals by
     /// more than so many degrees; the likely ones first.
-    fn mistakes(&self, least_turn: f64) -> Vec<Candidate> {
+    fn mistakes(&self, least_rotation: f64) -> Vec<Candidate> {
         let count = self.links.len();
         let to_mesh = (0..count).map(|from| from..count);
         let from_root = (1..count).map(|to| 0..to);
@@ -129,9 +129,9 @@ impl Chain {
                 .into_iter()
                 .chain(within.into_iter().filter(|_| range.end < count));
             for (how, map, forward) in all {
-                let turn = largest_turn(forward);
-                if turn > least_turn && map.is_finite() {
-                    mistakes.push(Candidate { map, turn, ends, how });
+                let degrees = largest_rotation(forward);
+                if degrees > least_rotation && map.is_finite() {
+                    mistakes.push(Candidate { map, degrees, ends, how });
                 }
             }
         }
@@ -157,7 +157,7 @@ struct Candidate {
     /// The map of points whose normal matrix was applied to the normals.
     map: DMat3,
     /// The largest angle by which the matrices turn normals, in degrees.
-    turn: f64,
+    degrees: f64,
     /// The first and the last of the nodes.
     ends: [usize; 2],
     how: How,
@@ -225,7 +225,7 @@ fn taken_back(mesh: &Mesh, map: DMat3) -> Mesh {
 }
 
 /// The largest angle by which a linear map turns normals, over the axes and the diagonals, in degrees.
-fn largest_turn(map: DMat3) -> f64 {
+fn largest_rotation(map: DMat3) -> f64 {
     let [across, up] = [DVec3::new(1.0, -1.0, 1.0), DVec3::new(1.0, 1.0, -1.0)];
     let directions = [DVec3::X, DVec3::Y, DVec3::Z, DVec3::ONE, across, up];
     let Some(matrix) = normal_matrix(map) else { return 0.0 };

@@ -2,7 +2,7 @@
 
 use crate::quality::angles::{SAME, degrees_between};
 use crate::quality::estimate::recipe::REPRODUCED;
-use crate::quality::estimate::rotation::{are_spread, steady_turn};
+use crate::quality::estimate::rotation::{are_spread, robust_rotation};
 use crate::quality::facts::Facts;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -198,8 +198,9 @@ fn relation(facts: &Facts<'_>, faces: &[u32], near: f64) -> (Relation, usize) {
 fn is_rotated(facts: &Facts<'_>, faces: &[u32]) -> bool {
     let pairs: Vec<(DVec3, DVec3)> = pairs(facts, faces).collect();
     are_spread(pairs.iter().map(|pair| pair.1))
-        && steady_turn(&pairs).is_some_and(|turn| {
-            let follow = pairs.iter().map(|&(stored, it)| degrees_between(stored, turn * it) <= REPRODUCED);
+        && robust_rotation(&pairs).is_some_and(|rotation| {
+            let follow =
+                pairs.iter().map(|&(stored, it)| degrees_between(stored, rotation * it) <= REPRODUCED);
             are_enough(follow, pairs.len())
         })
 }

@@ -4,7 +4,7 @@ use crate::mesh::are_same;
 use crate::num::Radians;
 use crate::quality::catalogue::Kind;
 use crate::quality::counts::{Found, Remark};
-use crate::quality::estimate::rotation::{are_spread, closest_turn, outer, rotation_angle};
+use crate::quality::estimate::rotation::{are_spread, closest_rotation, outer, rotation_angle};
 use crate::quality::facts::Facts;
 use crate::quality::spot::Spot;
 use crate::quality::thresholds::Thresholds;
@@ -40,8 +40,8 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) -> bool {
     if !are_spread((0..facts.mesh.faces().corner_count()).filter_map(|corner| facts.stored_unit(corner))) {
         return false;
     }
-    let closest = closest_turn(sums.correlation * (1.0 / sums.weight));
-    let Some(closest) = facts.turn.or(closest) else { return false };
+    let closest = closest_rotation(sums.correlation * (1.0 / sums.weight));
+    let Some(closest) = facts.rotation.or(closest) else { return false };
     let either_way = sums.either_way / sums.weight;
     let explains = |agreement: f64| explains(agreement, either_way, facts.thresholds);
     let changes: Vec<(DMat3, f64)> = axis_changes()
@@ -58,13 +58,13 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) -> bool {
         return true;
     }
     let angle = rotation_angle(closest);
-    let fits = facts.turn.is_some() || explains(sums.agreement(closest));
+    let fits = facts.rotation.is_some() || explains(sums.agreement(closest));
     let is_rotated = fits && angle > facts.thresholds.rotation.0;
     if is_rotated {
         let reversed = if closest.determinant() < 0.0 { ", and reversed" } else { "" };
         found.add_mesh(Kind::Rotated, area, worst(facts));
         let tally = found.tally(Kind::Rotated);
-        tally.turn = Some(angle);
+        tally.rotation_degrees = Some(angle);
         tally.remark = Some(Remark { weight: angle, text: format!("by {angle:.1}°{reversed}") });
     }
     is_rotated
@@ -172,8 +172,8 @@ impl Sums {
     }
 
     /// The mean cosine between the stored normals and the expected ones, rotated.
-    fn agreement(&self, turn: DMat3) -> f64 {
-        let sum = |i: usize| turn.col(i).dot(self.correlation.col(i));
+    fn agreement(&self, rotation: DMat3) -> f64 {
+        let sum = |i: usize| rotation.col(i).dot(self.correlation.col(i));
         (sum(0) + sum(1) + sum(2)) / self.weight
     }
 }
