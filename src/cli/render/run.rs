@@ -109,7 +109,7 @@ fn unseen(file: &SceneFile, drawings: &[Drawing], request: &Request) -> Option<N
 fn advice(cause: Unseen) -> &'static str {
     match cause {
         Unseen::NoEdges => "",
-        Unseen::Behind | Unseen::Beside | Unseen::Small => "; --camera looks elsewhere",
+        Unseen::Behind | Unseen::OutsidePicture | Unseen::Small => "; --camera looks elsewhere",
         Unseen::Culled => "; --cull none leaves out nothing",
         Unseen::NoArea => "; `crease inspect` tells what is wrong with them",
     }
