@@ -11,7 +11,7 @@ missing-normals-meaning =
     single faces look faceted or black among smooth ones.
 missing-normals-advice = Compute the missing normals. The others stay unchanged.
 
-not-finite-normals-title = normals that are not a number, or infinite
+not-finite-normals-title = normals that are infinite or not a number
 not-finite-normals-meaning =
     Light on such a corner is not a number either. Pixels turn black or white, and bloom or denoising spreads them
     over the picture as blocks.
@@ -45,7 +45,7 @@ inverted-normals-advice =
     If the faces have the right side outside, compute the normals anew. If not, reverse the faces with `--orient
     outward` or `--flip`, and compute the normals anew.
 
-flipped-normals-title = normals turned round
+flipped-normals-title = normals that point opposite to the expected direction
 flipped-normals-meaning =
     The normal is nearly the opposite of what the faces around its vertex give, while its faces agree with their
     neighbours. The surface is dark there in the light, with bright fringes where interpolation passes through zero.
@@ -58,20 +58,20 @@ normals-against-face-meaning =
     corners are neighbours: foliage and cloth are authored that way.
 normals-against-face-advice = Replace them by computed ones, unless they are authored.
 
-constant-normals-title = all normals are the same, though the shape bends
+constant-normals-title = all normals are equal, although the shape is curved
 constant-normals-meaning =
     The whole mesh is lit like a flat card: only its outline shows the shape. Usually this is the default value of
     an exporter. It may be intended for grass or signs.
 constant-normals-advice = Compute them from the faces.
 
-swapped-axes-title = all normals have axes exchanged or reversed
+swapped-axes-title = all normals have exchanged or reversed axes
 swapped-axes-meaning =
     One permutation or change of sign of the axes brings all normals into agreement with the faces. The positions
     were converted (y up to z up, left- to right-handed) and the normals were not. Light seems to come from another
     side than on other objects.
 swapped-axes-advice = Compute them, or convert the normals like the positions.
 
-rotated-normals-title = all normals are turned by one rotation
+rotated-normals-title = all normals are rotated by the same rotation
 rotated-normals-meaning =
     One rotation brings all normals into agreement with the faces: the positions were rotated and the normals were
     not. Light seems to come from another side than on other objects. It is reported if the normals lie on at least
@@ -79,7 +79,7 @@ rotated-normals-meaning =
     authored normals the rotation is ambiguous; deviations are then reported corner by corner or as custom.
 rotated-normals-advice = Compute them, or rotate the normals like the positions.
 
-untransformed-normals-title = the normals are in another space than the positions
+untransformed-normals-title = the normals are in another coordinate space than the positions
 untransformed-normals-meaning =
     The matrix of a node that places the mesh, or its inverse, brings all normals into agreement with the faces:
     they are stored in world space or in the space of another node, and a viewer transforms them once more. Light
@@ -87,7 +87,7 @@ untransformed-normals-meaning =
     these normals refer to the mesh's own space.
 untransformed-normals-advice = Compute them: they are then in the space of the mesh.
 
-stray-normals-title = single normals disagree with all the others
+stray-normals-title = single normals deviate from all others
 stray-normals-meaning =
     They deviate from the recipe that fits the mesh best by more than the threshold. Either the other normals follow
     that recipe, or nothing at the vertex explains them: no sector of its faces has such a mean, and no other corner
@@ -96,14 +96,14 @@ stray-normals-advice =
     Compute them with the weight and the crease angle of the other normals. If these follow no recipe, fix the
     outliers one by one: computing all normals would change the others.
 
-custom-normals-title = normals that no rule derives from the faces
+custom-normals-title = normals that no weighting reproduces
 custom-normals-meaning =
     No weight and crease angle reproduces them. They were transferred from a finer mesh, edited by hand, or made
     from marked edges. In a mesh that otherwise follows a recipe they may belong to components that were made in
     another way, such as leaves next to a trunk. They are not wrong; computing them anew would change the picture.
 custom-normals-advice = Keep them: `--when missing` and `--when broken` leave them unchanged.
 
-faceted-normals-title = flat normals on a shape that bends smoothly
+faceted-normals-title = flat normals on a smooth shape
 faceted-normals-meaning =
     Every face has its own normal, although the dihedral angles of most edges are small. Each facet shows, and each
     vertex is stored once for every face.
@@ -111,13 +111,13 @@ faceted-normals-advice = Compute smooth normals, unless the facets are intended.
 
 soft-normals-title = smooth normals on a shape with sharp edges
 soft-normals-meaning =
-    All edges with a dihedral angle above 50° have one normal on both sides, and few edges are between gentle and
-    sharp: the shape consists of flat or gently curved sides. Its sides show gradients towards their edges and look
-    inflated. It is a note if smoothing groups ask for it, if the normals follow no recipe, or if the sharp edges
-    border no flat side, as at the rim of a lens.
+    Nearly all edges with a dihedral angle above 50° have one normal on both sides, although the shape has sharp
+    edges: few others have 30° to 50°, or most sharp edges border a broad flat side. Its sides show gradients
+    towards their edges and look inflated. It is a note if the mesh has smoothing groups, if the normals follow
+    no recipe, or if most edges are gentle and the sharp ones border no flat side, as at the rim of a lens.
 soft-normals-advice = Compute normals with a crease angle, unless the mesh is meant to look soft.
 
-coarse-normals-title = normals stored with few bits
+coarse-normals-title = normals stored with low precision
 coarse-normals-meaning =
     All of them lie on one grid: components of few decimals or bits, or octahedral codes. A broad highlight does not
     show it. A narrow one moves in steps over smooth surfaces, and reflections look like hammered metal.
@@ -125,7 +125,7 @@ coarse-normals-advice =
     Compute them anew if the material is glossy. In glTF, store them as floats or 16-bit integers with
     `--normal-format`.
 
-tangents-off-normals-title = tangents that do not fit the normals
+tangents-off-normals-title = tangents that do not match the normals
 tangents-off-normals-meaning =
     A tangent is perpendicular to its normal, has length 1, and its handedness is 1 or −1. These are not. Normal
     maps are evaluated in a skewed frame: bumps are lit from the wrong side, and seams show where neighbours differ.
@@ -141,27 +141,27 @@ wrong-morph-normals-advice = Compute them: normals of morph targets are computed
 
 averaged-crease-title = sharp edges with one normal on both sides
 averaged-crease-meaning =
-    Edges with as large a dihedral angle as those that the mesh keeps sharp have one normal on both sides. Flat
-    faces show a gradient towards the edge, and the corner looks inflated. It is a note if the normals follow no
-    recipe, if the dihedral angle does not separate sharp from smooth edges in more than one case in fifty, or if
-    there are fewer than eight such edges and no other edge is sharp.
+    The dihedral angle of these edges exceeds the crease angle of the mesh by more than 10°, yet both sides have
+    the same normal. Flat faces show a gradient towards the edge, and the corner looks inflated. It is a note if
+    the normals follow no recipe, if the crease angle does not separate sharp from smooth edges in more than one
+    case in fifty, or if there are fewer than eight such edges and no other edge is sharp.
 averaged-crease-advice = Compute normals with a crease angle below the dihedral angle of these edges.
 
-split-seam-title = smooth edges with different normals on their two sides
+split-seam-title = smooth edges with different normals on both sides
 split-seam-meaning =
-    The dihedral angle is smaller than at edges that the mesh keeps smooth, yet the two sides have different normals
-    at both ends, by more than `--seam` allows. Such edges lie at a texture seam, between two primitives, or where
-    meshes were joined. A line shows where the surface has none. It is a note if the normals follow no recipe, or if
-    the dihedral angle does not separate sharp from smooth edges.
+    The recipe of the mesh is smooth at these edges, but the normals on the two sides differ at both ends by
+    more than `--seam` allows. Such edges lie at a texture seam, between two primitives, or where meshes were
+    joined. A line shows where the surface has none. It is a note if the normals follow no recipe, or if the
+    crease angle does not separate sharp from smooth edges and the edges are not a cut through a smooth surface.
 split-seam-advice = Compute normals: coincident edges are joined for smoothing, and vertices stay separate.
 
-needless-seam-title = seams whose two sides have the same normal
+needless-seam-title = seams with equal normals on both sides
 needless-seam-meaning =
     Position, normal and texture coordinates are equal on both sides, but there are two vertices. No picture shows
     it, so its angle is 0. It costs memory, and tools that use indices see a boundary and do not smooth across it.
 needless-seam-advice = Merge the vertices with a tool for that. Normals need no action.
 
-cracked-seam-title = edges that miss each other by the rounding of their vertices
+cracked-seam-title = edges that are separated by the rounding of their vertices
 cracked-seam-meaning =
     Two open edges are closer to each other at both ends than a millionth of the bounding box's diagonal, but not
     equal: positions were printed with few digits, or submeshes were moved by different matrices. Tools that compare
@@ -181,29 +181,29 @@ no-faces-meaning =
     checked.
 no-faces-advice = Check the source of the export: the faces may have been omitted, or be of a kind that is not read.
 
-inconsistent-winding-title = faces that run against their neighbours
+inconsistent-winding-title = faces with opposite winding to their neighbours
 inconsistent-winding-meaning =
     Their corners have the opposite order to those of the neighbouring faces. With back-face culling there are
     holes; without it they are lit from behind, and averaged normals cancel. It is a warning if none of them shares
     a vertex with its neighbours.
 inconsistent-winding-advice = Reverse them so that neighbours agree.
 
-non-orientable-title = a surface with one side only
+non-orientable-title = surfaces with only one side
 non-orientable-meaning =
     Its faces cannot all agree, as on a Möbius strip. Where the two windings meet, shading jumps from one side to
     the other.
 non-orientable-advice = Cut it open along a line, or draw it two-sided and with flat normals.
 
-inside-out-title = closed surfaces that face the wrong way
+inside-out-title = closed surfaces with reversed winding
 inside-out-meaning =
     The signed volume of the component has the wrong sign: negative for a solid, positive for a cavity in one. With
     back-face culling one sees its far side from inside; lit, it is dark on the side of the light. It is an error if
     most stored normals of the component contradict the faces. It is a warning if they agree or if none are stored:
     empty rooms and skies are made that way on purpose. A closed surface around other objects may be reported as
     `room`.
-inside-out-advice = Turn its faces outward, unless it is meant to be seen from inside.
+inside-out-advice = Reverse its faces, unless it is meant to be seen from inside.
 
-open-inside-out-title = surfaces with a rim that face the side from which less is seen
+open-inside-out-title = open surfaces with the less visible side in front
 open-inside-out-meaning =
     An open surface has no inside, but usually an outer side. crease casts rays from both sides of sample points and
     counts how many escape; the side with more escaping rays is the outer one, with a confidence. For nearly flat
@@ -212,7 +212,7 @@ open-inside-out-meaning =
     above.
 open-inside-out-advice = Reverse its faces, unless it is meant to be seen from this side.
 
-room-title = closed surfaces that face inwards, round what stands in them
+room-title = closed surfaces that face inwards, around other surfaces
 room-meaning =
     Most stored normals of the component point inward, as its faces do, and at least half of the normals of the
     objects directly inside it, in the same mesh, point outward. So it is taken for a room and is right when seen
@@ -234,27 +234,27 @@ faces-below-storage-meaning =
     normals of single corners have random directions.
 faces-below-storage-advice = No action needed for crease: it ignores these faces when averaging. Other tools may not.
 
-needle-faces-title = long and thin faces
+needle-faces-title = long, thin faces
 needle-faces-meaning =
     They are less than a thousandth as wide as long. Rounding rotates their normals far, interpolation across them
     is a jump, and in motion they flicker. The angle is the largest rotation of a normal if the corners are rounded
     to single precision.
 needle-faces-advice = Mesh the surface with better-shaped faces at the source.
 
-duplicate-faces-title = faces that stand twice at one place
+duplicate-faces-title = duplicate faces
 duplicate-faces-meaning =
     They have the same corners in the same order. The two compete for each pixel where their shading differs. Each
     edge has more than two faces, so smoothing stops there. The angle is the change of the averaged normal by the
     copy.
 duplicate-faces-advice = Remove the copies at the source.
 
-back-to-back-faces-title = two faces back to back
+back-to-back-faces-title = faces back to back with another face
 back-to-back-faces-meaning =
     They have the same corners in the opposite order: a sheet with two sides. Without culling the two compete for
     each pixel. Smoothed together, their normals cancel.
 back-to-back-faces-advice = Keep one of them and draw it two-sided, if the renderer can.
 
-duplicate-vertices-title = vertices at one place that nothing tells apart
+duplicate-vertices-title = vertices with equal positions and attributes
 duplicate-vertices-meaning =
     Texture coordinates, colours, material and object are equal as well as the position, and no normals are stored.
     crease smooths across such edges. Programs that use indices see a boundary, shade the edge as a sharp one, and
@@ -263,30 +263,30 @@ duplicate-vertices-meaning =
 duplicate-vertices-advice =
     Merge the vertices with a tool for that, unless they mark sharp edges. Computing normals needs no action.
 
-non-planar-polygons-title = polygons whose corners are in no plane
+non-planar-polygons-title = non-planar polygons
 non-planar-polygons-meaning =
     The choice of two triangles for a quad changes its shape and its shading, and programs choose differently.
 non-planar-polygons-advice = Triangulate them at the source, so that all programs agree.
 
-concave-polygons-title = polygons with a corner that bends inwards
+concave-polygons-title = concave polygons
 concave-polygons-meaning =
     Programs that cut polygons into fans put triangles outside of them: dark wedges and overlaps. The angle is
     between the polygon and the worst triangle of the fan from its first corner.
 concave-polygons-advice = Triangulate them at the source.
 
-crossed-polygons-title = polygons that cross themselves
+crossed-polygons-title = polygons with crossing edges
 crossed-polygons-meaning =
     One part faces up and the other down. There is no right normal for the whole, and a part of it is lit from
     behind. Polygons of up to 64 corners are checked.
 crossed-polygons-advice = Correct the order of their corners.
 
-non-manifold-edges-title = edges of more than two faces
+non-manifold-edges-title = edges with more than two faces
 non-manifold-edges-meaning =
     It is ambiguous which of the faces continue each other, so nothing is smoothed across: a crease shows there,
     with a dihedral angle of up to that value.
 non-manifold-edges-advice = Separate the sheets at the source, if the line disturbs.
 
-pinched-vertices-title = vertices where surfaces touch in a point
+pinched-vertices-title = vertices where separate fans of faces touch
 pinched-vertices-meaning =
     Several fans of faces share the vertex. A program that gives it one normal mixes unrelated surfaces. The angle
     is between that normal and the one of a corner's own fan.
@@ -294,7 +294,7 @@ pinched-vertices-advice =
     No action needed for `crease normals`, which gives each fan its own normal. For other programs, separate the
     vertices.
 
-folded-edges-title = edges where the surface turns back onto itself
+folded-edges-title = edges where the surface folds back onto itself
 folded-edges-meaning =
     The two faces lie on top of each other. A normal smoothed over the fold fits neither, and shading breaks up
     along it.
@@ -313,7 +313,7 @@ high-valence-poles-meaning =
     the normal of the pole and the face there that deviates most.
 high-valence-poles-advice = Mesh the cap in another way, for example as a grid.
 
-far-from-origin-title = far from the origin for its detail
+far-from-origin-title = the mesh is far from the origin for its detail
 far-from-origin-meaning =
     Viewers store positions in 32 bits. At this distance from the origin few bits remain for the size of a face, so
     a normal that is computed there is wrong: by the stated angle on average, and by more on slender faces. Shading
@@ -345,7 +345,7 @@ mach-bands-meaning =
     steps a pixel, with the mesh 512 pixels wide.
 mach-bands-advice = Use more faces where the surface curves, or Phong shading instead of Gouraud.
 
-coarse-outline-title = an outline with visible corners
+coarse-outline-title = edges that make the outline look polygonal
 coarse-outline-meaning =
     Where such an edge is seen against the background, its two faces deviate from the curve of the normals by more
     than the threshold, in pixels. The shading looks round and the outline polygonal.

@@ -3,16 +3,7 @@
 //! `crease inspect --explain` and the pages of reports read from here.
 
 use crate::num::three_digits;
-use crate::quality::definition::Definition;
 use crate::quality::element::{Element, Severity};
-use crate::quality::findings::geometry::{
-    duplicates, edges, far_from_origin, nodes, polygons, slivers, vertices,
-};
-use crate::quality::findings::shading::interpolation;
-use crate::quality::findings::smoothing::{facets, seams, soft};
-use crate::quality::findings::storage::quantisation;
-use crate::quality::findings::stored::{attributes, coordinate_space, deviations, rotated, values};
-use crate::quality::findings::winding::{components, neighbours};
 use crate::text::{Catalogue, Language, catalogue};
 
 static TEXTS: Catalogue = catalogue!("catalogue", en);
@@ -57,83 +48,88 @@ pub struct Entry {
     pub element: Element,
     /// Options of `crease normals` that fix it; `None` if none does. A finding may have better ones.
     pub remedy: Option<&'static str>,
-    pub(crate) definition: &'static Definition,
 }
 
-/// Makes [`Kind`] and [`ENTRIES`] from one line for each finding: its kind and its definition, by family.
+/// Makes [`Kind`] and [`ENTRIES`] from one row for each finding: its kind, id, highest severity, element and remedy.
 macro_rules! findings {
-    ($($family:ident { $($kind:ident: $definition:path,)* })*) => {
+    ($($family:ident { $($kind:ident: $id:literal, $severity:ident, $element:ident, $remedy:expr;)* })*) => {
         /// A kind of finding.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[allow(missing_docs, reason = "the catalogue has an entry for each: `Kind::entry`")]
         pub enum Kind { $($($kind,)*)* }
 
         /// All entries, in the order of [`Kind`].
-        static ENTRIES: &[Entry] =
-            &[$($(Entry::new(Kind::$kind, Family::$family, &$definition),)*)*];
+        static ENTRIES: &[Entry] = &[$($(Entry {
+            kind: Kind::$kind,
+            family: Family::$family,
+            id: $id,
+            severity: Severity::$severity,
+            element: Element::$element,
+            remedy: $remedy,
+        },)*)*];
     };
 }
 
 findings! {
     Stored {
-        NoNormals: values::NO_NORMALS,
-        MissingNormals: values::MISSING_NORMALS,
-        NotFinite: values::NOT_FINITE,
-        ZeroNormals: values::ZERO_NORMALS,
-        NotUnit: values::NOT_UNIT,
-        LooseLength: values::LOOSE_LENGTH,
-        Inverted: deviations::INVERTED,
-        Flipped: deviations::FLIPPED,
-        AgainstFace: deviations::AGAINST_FACE,
-        Constant: rotated::CONSTANT,
-        SwappedAxes: rotated::SWAPPED_AXES,
-        Rotated: rotated::ROTATED,
-        Untransformed: coordinate_space::UNTRANSFORMED,
-        Stray: deviations::OUTLIERS,
-        Custom: deviations::CUSTOM,
-        Faceted: facets::FACETED,
-        Soft: soft::SOFT,
-        Quantised: quantisation::QUANTISED,
-        Tangents: attributes::TANGENTS,
-        MorphNormals: attributes::MORPH_NORMALS,
+        NoNormals: "no-normals", Note, Mesh, Some("");
+        MissingNormals: "missing-normals", Warning, Corner, Some("--when missing");
+        NotFinite: "not-finite-normals", Error, Corner, Some("--when broken");
+        ZeroNormals: "zero-normals", Error, Corner, Some("--when broken");
+        NotUnit: "not-unit-normals", Warning, Corner, Some("--when broken");
+        LooseLength: "loose-length", Note, Corner, Some("");
+        Inverted: "inverted-normals", Error, Corner, Some("");
+        Flipped: "flipped-normals", Error, Corner, Some("--when broken");
+        AgainstFace: "normals-against-face", Warning, Corner, Some("--when broken");
+        Constant: "constant-normals", Warning, Mesh, Some("");
+        SwappedAxes: "swapped-axes", Error, Mesh, Some("");
+        Rotated: "rotated-normals", Error, Mesh, Some("");
+        Untransformed: "untransformed-normals", Error, Mesh, Some("");
+        Outlier: "stray-normals", Warning, Corner, Some("");
+        Custom: "custom-normals", Note, Corner, None;
+        Faceted: "faceted-normals", Note, Mesh, Some("");
+        Soft: "soft-normals", Warning, Edge, Some("--crease 40");
+        Quantised: "coarse-normals", Note, Mesh, Some("");
+        Tangents: "tangents-off-normals", Warning, Corner, Some("--tangents regenerate");
+        MorphNormals: "wrong-morph-normals", Warning, Corner, Some("");
     }
     Smoothing {
-        AveragedCrease: seams::AVERAGED_CREASE,
-        SplitSeam: seams::SPLIT_SEAM,
-        NeedlessSeam: seams::NEEDLESS_SEAM,
-        CrackedSeam: seams::CRACKED_SEAM,
-        GroupMismatch: seams::GROUP_MISMATCH,
+        AveragedCrease: "averaged-crease", Warning, Edge, Some("");
+        SplitSeam: "split-seam", Warning, Edge, Some("");
+        NeedlessSeam: "needless-seam", Note, Edge, None;
+        CrackedSeam: "cracked-seam", Warning, Edge, Some("");
+        GroupMismatch: "group-mismatch", Note, Edge, Some("--groups honour");
     }
     Geometry {
-        NoFaces: nodes::NO_FACES,
-        InconsistentWinding: neighbours::INCONSISTENT_WINDING,
-        NonOrientable: neighbours::NON_ORIENTABLE,
-        InsideOut: components::INSIDE_OUT,
-        OpenInsideOut: components::OPEN_INSIDE_OUT,
-        Room: components::ROOM,
-        ZeroArea: slivers::ZERO_AREA,
-        BelowStorage: slivers::BELOW_STORAGE,
-        Needles: slivers::NEEDLES,
-        DuplicateFaces: duplicates::DUPLICATE_FACES,
-        BackToBack: duplicates::BACK_TO_BACK,
-        DuplicateVertices: duplicates::DUPLICATE_VERTICES,
-        NonPlanar: polygons::NON_PLANAR,
-        Concave: polygons::CONCAVE,
-        Crossed: polygons::CROSSED,
-        NonManifold: edges::NON_MANIFOLD,
-        PinchedVertices: vertices::PINCHED_VERTICES,
-        Folded: edges::FOLDED,
-        Cancelling: vertices::CANCELLING,
-        HighValence: vertices::HIGH_VALENCE,
-        FarFromOrigin: far_from_origin::FAR_FROM_ORIGIN,
-        MirroredNode: nodes::MIRRORED_NODE,
-        SingularNode: nodes::SINGULAR_NODE,
+        NoFaces: "no-faces", Warning, Mesh, None;
+        InconsistentWinding: "inconsistent-winding", Error, Face, Some("--orient consistent");
+        NonOrientable: "non-orientable", Warning, Face, None;
+        InsideOut: "inside-out", Error, Face, Some("--orient outward");
+        OpenInsideOut: "open-inside-out", Warning, Face, Some("--orient outward");
+        Room: "room", Note, Face, None;
+        ZeroArea: "zero-area-faces", Note, Face, Some("--degenerate drop");
+        BelowStorage: "faces-below-storage", Note, Face, None;
+        Needles: "needle-faces", Note, Face, None;
+        DuplicateFaces: "duplicate-faces", Warning, Face, None;
+        BackToBack: "back-to-back-faces", Note, Face, None;
+        DuplicateVertices: "duplicate-vertices", Note, Vertex, None;
+        NonPlanar: "non-planar-polygons", Note, Face, None;
+        Concave: "concave-polygons", Note, Face, None;
+        Crossed: "crossed-polygons", Warning, Face, None;
+        NonManifold: "non-manifold-edges", Note, Edge, None;
+        PinchedVertices: "pinched-vertices", Note, Vertex, None;
+        Folded: "folded-edges", Note, Edge, None;
+        Cancelling: "cancelling-fans", Warning, Corner, None;
+        HighValence: "high-valence-poles", Note, Vertex, None;
+        FarFromOrigin: "far-from-origin", Warning, Mesh, None;
+        MirroredNode: "mirrored-node", Note, Node, None;
+        SingularNode: "singular-node", Warning, Node, None;
     }
     Shading {
-        Terminator: interpolation::TERMINATOR,
-        MachBands: interpolation::MACH_BANDS,
-        CoarseOutline: interpolation::COARSE_OUTLINE,
-        LostHighlight: interpolation::LOST_HIGHLIGHT,
+        Terminator: "shading-terminator", Note, Corner, None;
+        MachBands: "mach-bands", Note, Edge, None;
+        CoarseOutline: "coarse-outline", Note, Edge, None;
+        LostHighlight: "lost-highlight", Note, Face, None;
     }
 }
 
@@ -143,11 +139,6 @@ pub fn entries() -> impl Iterator<Item = &'static Entry> {
 }
 
 impl Entry {
-    const fn new(kind: Kind, family: Family, definition: &'static Definition) -> Self {
-        let Definition { id, severity, element, remedy, .. } = *definition;
-        Self { kind, family, id, severity, element, remedy, definition }
-    }
-
     /// The cause in a few words.
     pub fn title(&self) -> String {
         self.text("title")
@@ -171,7 +162,14 @@ impl Entry {
 impl Kind {
     /// The unit of the amount at the worst position, if it is not an angle; of needles less is worse.
     pub fn unit(self) -> Option<&'static str> {
-        self.entry().definition.unit
+        Some(match self {
+            Kind::Needles => "times as wide as long",
+            Kind::NonManifold => "faces at an edge",
+            Kind::HighValence => "faces at a vertex",
+            Kind::MachBands => "grey steps a pixel",
+            Kind::CoarseOutline => "pixels",
+            _ => return None,
+        })
     }
 
     /// That amount in words: whole if it counts, with three digits if it measures.

@@ -1,5 +1,6 @@
 //! Counting occurrences, in parallel and with the same result at any number of threads.
 
+use crate::quality::catalogue::Kind;
 use crate::quality::element::Severity;
 use crate::quality::spot::Spot;
 use rayon::prelude::*;
@@ -35,12 +36,12 @@ pub(crate) struct Tally {
     /// No more than were asked for, worst first.
     pub(crate) worst: Vec<Spot>,
     pub(crate) remark: Option<Remark>,
-    /// Components or vertices, which the definition puts into words where there is no remark.
+    /// Components or vertices, which the cause puts into words where there is no remark.
     pub(crate) sum: u64,
     pub(crate) milder: Milder,
-    /// Where it differs from that of the definition.
+    /// Where it differs from that of the catalogue.
     pub(crate) severity: Option<Severity>,
-    /// Where it differs from that of the definition.
+    /// Where it differs from that of the catalogue.
     pub(crate) remedy: Option<String>,
     /// The count of the part that the remedy is from.
     remedy_count: u64,
@@ -49,7 +50,7 @@ pub(crate) struct Tally {
     /// The least confidence, if there is a choice.
     pub(crate) confidence: Option<f64>,
     /// The angle of one rotation of all normals in degrees, reported in place of that of the worst occurrence.
-    pub(crate) turn: Option<f64>,
+    pub(crate) rotation_degrees: Option<f64>,
 }
 
 impl Tally {
@@ -80,7 +81,8 @@ impl Tally {
         self.remedy = self.remedy.take().or(other.remedy);
         self.may_be_meant |= other.may_be_meant;
         self.confidence = self.confidence.into_iter().chain(other.confidence).reduce(f64::min);
-        self.turn = self.turn.into_iter().chain(other.turn).reduce(f64::max);
+        self.rotation_degrees =
+            self.rotation_degrees.into_iter().chain(other.rotation_degrees).reduce(f64::max);
     }
 
     /// Adds what another part has, of at most this severity. Only the highest severity is counted. The remedy is that of the
@@ -105,7 +107,10 @@ impl Tally {
     }
 }
 
-/// Tallies by key, usually the definition of a finding. There are few, so a search is faster than a map.
+/// What was found.
+pub(crate) type Found = Tallies<Kind>;
+
+/// Tallies by key, usually the kind of a finding. There are few, so a search is faster than a map.
 #[derive(Clone, Debug)]
 pub(crate) struct Tallies<K> {
     tallies: Vec<(K, Tally)>,

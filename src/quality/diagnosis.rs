@@ -1,10 +1,9 @@
 //! From a file to its findings.
 
-use crate::io::{FileNode, Loaded};
+use crate::io::{FileNode, Loaded, NodeTree};
 use crate::quality::angles::Limit;
 use crate::quality::catalogue::{Entry, Kind, entries};
-use crate::quality::counts::Tallies;
-use crate::quality::definition::Found;
+use crate::quality::counts::{Found, Tallies};
 use crate::quality::element::{Element, Severity};
 use crate::quality::estimate::recipe::Estimate;
 use crate::quality::facts::Facts;
@@ -12,16 +11,17 @@ use crate::quality::finding::Finding;
 use crate::quality::findings::geometry::{
     duplicates, edges, far_from_origin, nodes, polygons, slivers, vertices,
 };
-use crate::quality::findings::shading::interpolation;
+use crate::quality::findings::shading;
 use crate::quality::findings::smoothing::{facets, seams, soft};
 use crate::quality::findings::storage::quantisation::{self, Precision};
-use crate::quality::findings::stored::coordinate_space::Spaces;
+use crate::quality::findings::stored::coordinate_space::find_mistake;
 use crate::quality::findings::stored::{attributes, deviations, values};
-use crate::quality::findings::winding::{components, neighbours};
+use crate::quality::findings::winding;
 use crate::quality::input::file::FileContext;
 use crate::quality::sites::{locate, nodes_of_parts, site};
 use crate::quality::spot::Spot;
 use crate::quality::thresholds::Thresholds;
+use std::cell::OnceCell;
 
 /// The diagnosis of a file.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -84,7 +84,8 @@ impl Diagnosis {
 /// ```
 pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) -> Diagnosis {
     let file = FileContext::new(loaded, thresholds);
-    let spaces = Spaces::new(loaded);
+    let tree = OnceCell::new();
+    let tree = || tree.get_or_init(|| loaded.node_tree()).as_ref();
     let nodes = nodes_of_parts(loaded);
     let mut diagnosis = Diagnosis::default();
     let mut totals =
@@ -92,7 +93,7 @@ pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) 
     for (number, part) in loaded.parts.iter().enumerate() {
         let mut own = PartDiagnosis { name: part.name.clone(), ..PartDiagnosis::default() };
         if part.mesh.face_count() > 0 {
-            diagnose_part(&file, &spaces, number, &nodes[number], &mut own, &mut totals);
+            diagnose_part(&file, number, &nodes[number], &tree, &mut own, &mut totals);
         }
         done(part.mesh.face_count());
         diagnosis.parts.push(own);
@@ -100,7 +101,7 @@ pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) 
     if diagnosis.parts.iter().all(|part| part.faces == 0) {
         let first_part = diagnosis.parts.first().map(|_| Spot::mesh());
         totals.elements[Element::Mesh as usize] = 1;
-        totals.found.add_mesh(&nodes::NO_FACES, 0.0, first_part.into_iter().collect());
+        totals.found.add_mesh(Kind::NoFaces, 0.0, first_part.into_iter().collect());
     }
     diagnosis.findings = entries().filter_map(|entry| totals.finding(entry, loaded)).collect();
     locate(diagnosis.findings.iter_mut().flat_map(|finding| &mut finding.places), loaded);
@@ -110,16 +111,16 @@ pub fn diagnose(loaded: &Loaded, thresholds: &Thresholds, done: &dyn Fn(usize)) 
 
 fn diagnose_part<'a>(
     file: &'a FileContext<'a>,
-    spaces: &Spaces<'_>,
     number: usize,
     nodes: &[&FileNode],
+    tree: &dyn Fn() -> Option<&'a NodeTree<'a>>,
     own: &mut PartDiagnosis,
     totals: &mut Totals,
 ) {
     let mut found = Tallies::new(file.thresholds.places);
     let mut facts = Facts::new(file, number);
     // Normals in another space are judged as they are in the space of the mesh.
-    let mistake = spaces.mistake(&facts, nodes);
+    let mistake = find_mistake(&facts, nodes, tree);
     if let Some(mistake) = &mistake {
         let taken_back = Facts::of_transformed(&facts, &mistake.taken_back);
         if mistake.is_proved(facts.estimate, taken_back.estimate) {
@@ -155,8 +156,8 @@ fn search(facts: &Facts<'_>, nodes: &[&FileNode], found: &mut Found) -> Option<P
     seams::search(facts, found);
     duplicates::search_faces(facts, found);
     duplicates::search_vertices(facts, found);
-    neighbours::search(facts, found);
-    components::search(facts, found);
+    winding::search(facts, found);
+    winding::search_components(facts, found);
     slivers::search(facts, found);
     let folded = Limit::new(facts.thresholds.fold.0);
     found.merge(facts.scan_faces(|face, found| {
@@ -168,7 +169,7 @@ fn search(facts: &Facts<'_>, nodes: &[&FileNode], found: &mut Found) -> Option<P
     vertices::search(facts, found);
     vertices::search_cancelling(facts, found);
     far_from_origin::search(facts, found);
-    interpolation::search(facts, found);
+    shading::search(facts, found);
     nodes::search(nodes, found);
     if facts.has_near_edges {
         add_to_remedies(found, &format!("--weld {:e}", facts.thresholds.weld));
@@ -182,24 +183,34 @@ fn refine_remedies(facts: &Facts<'_>, found: &mut Found) {
     let is_usual = |it: &Estimate| it.is_default() && facts.mesh.columns().smoothing.is_none();
     let Some(estimate) = facts.estimate.filter(|it| it.fits_most() && !is_usual(it)) else { return };
     let replaced = [
-        &values::MISSING_NORMALS,
-        &values::NOT_FINITE,
-        &values::ZERO_NORMALS,
-        &values::NOT_UNIT,
-        &deviations::FLIPPED,
-        &deviations::AGAINST_FACE,
+        Kind::MissingNormals,
+        Kind::NotFinite,
+        Kind::ZeroNormals,
+        Kind::NotUnit,
+        Kind::Flipped,
+        Kind::AgainstFace,
     ];
-    for finding in replaced {
-        let own = finding.remedy.unwrap_or_default();
-        found.tally(finding).remedy = Some(format!("{own} {}", estimate.options()));
+    for kind in replaced {
+        let own = kind.entry().remedy.unwrap_or_default();
+        found.tally(kind).remedy = Some(format!("{own} {}", estimate.options()));
     }
 }
 
 /// Adds an option that every command needs.
 fn add_to_remedies(found: &mut Found, option: &str) {
-    for (finding, tally) in found.iter_mut() {
-        let own = tally.remedy.take().or_else(|| finding.remedy.map(str::to_owned));
+    for (kind, tally) in found.iter_mut() {
+        let own = tally.remedy.take().or_else(|| kind.entry().remedy.map(str::to_owned));
         tally.remedy = own.map(|own| format!("{own} {option}").trim_start().to_owned());
+    }
+}
+
+/// The angle at an occurrence in degrees, where the search measures something else.
+fn angle(facts: &Facts<'_>, kind: Kind, spot: &Spot) -> Option<f64> {
+    match kind {
+        Kind::Needles => Some(slivers::rounding_angle(facts, spot.face as usize)),
+        Kind::NonManifold => Some(edges::largest_dihedral_angle(facts, spot.corner)),
+        Kind::HighValence => Some(vertices::largest_leaning(facts, spot.vertex)),
+        _ => None,
     }
 }
 
@@ -228,20 +239,20 @@ impl Totals {
         counts.into_iter().for_each(|(element, count)| self.elements[element as usize] += count);
         let unscaled = |area: f64| area / (facts.scale * facts.scale);
         self.area += unscaled(facts.total_area);
-        for (finding, tally) in found.iter_mut() {
+        for (kind, tally) in found.iter_mut() {
             let mut tally = std::mem::take(tally);
             tally.area = unscaled(tally.area);
             for spot in &mut tally.worst {
                 spot.part = facts.number as u32;
-                spot.degrees = spot.degrees.or_else(|| finding.angle.map(|angle| angle(facts, spot)));
+                spot.degrees = spot.degrees.or_else(|| angle(facts, kind, spot));
             }
-            self.found.add_part(finding, tally, finding.severity);
+            self.found.add_part(kind, tally, kind.entry().severity);
         }
     }
 
     /// The finding of an entry, if there is one.
     fn finding(&mut self, entry: &Entry, loaded: &Loaded) -> Option<Finding> {
-        let tally = self.found.take(entry.definition);
+        let tally = self.found.take(entry.kind);
         let places = tally.worst.iter().map(|spot| site(loaded, spot)).collect();
         let of = self.elements[entry.element as usize];
         (tally.count > 0).then(|| Finding::new(entry, tally, of, self.area, places))

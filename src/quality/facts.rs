@@ -17,7 +17,7 @@ pub(crate) struct Facts<'a> {
     /// How the stored normals were made; `None` if there are none with a direction.
     pub(crate) estimate: Option<Estimate>,
     /// The rotation or reflection of all stored normals, if the estimate is of them rotated back.
-    pub(crate) turn: Option<DMat3>,
+    pub(crate) rotation: Option<DMat3>,
     /// The normals by the estimated recipe, or by the default one.
     pub(crate) field: NormalField,
     /// The corners whose faces cancel, ascending: the normal that they should have is unknown.
@@ -49,8 +49,8 @@ impl<'a> Facts<'a> {
     }
 
     fn of(mut part: Part<'a>) -> Self {
-        let (estimate, turn) =
-            estimate(&part).map_or((None, None), |(estimate, turn)| (Some(estimate), turn));
+        let (estimate, rotation) =
+            estimate(&part).map_or((None, None), |(estimate, rotation)| (Some(estimate), rotation));
         let has_groups = part.mesh.columns().smoothing.is_some();
         let recipe = match (estimate, part.stored) {
             (Some(estimate), _) if has_groups || !estimate.is_default() => estimate.recipe(),
@@ -64,7 +64,7 @@ impl<'a> Facts<'a> {
         let cancelling = faults.filter(|fault| fault.reason == FaultReason::CancellingFan);
         let mut cancelling: Vec<u32> = cancelling.map(|fault| fault.index).collect();
         cancelling.sort_unstable();
-        Self { part, estimate, turn, field, cancelling, written: None }
+        Self { part, estimate, rotation, field, cancelling, written: None }
     }
 
     /// Whether the faces at the vertex of a corner agree, so that their mean has a meaning.
@@ -99,7 +99,7 @@ impl<'a> Facts<'a> {
 
     /// The stored normal of a corner and the expected one, rotated as all stored ones are.
     pub(crate) fn stored_and_expected(&self, corner: usize) -> Option<(DVec3, DVec3)> {
-        Some((self.stored_unit(corner)?, self.turn.unwrap_or_default() * self.expected(corner)))
+        Some((self.stored_unit(corner)?, self.rotation.unwrap_or_default() * self.expected(corner)))
     }
 
     /// The angle between the stored normal of a corner and the expected one, in degrees.

@@ -82,7 +82,7 @@ impl Finding {
         let largest = places.iter().filter_map(|site| site.degrees).reduce(f64::max);
         let steps = tally.worst.iter().filter_map(|spot| match spot.measure {
             Measure::Steps => Some(spot.weight),
-            _ => spot.degrees.map(|degrees| key_light_steps(tally.turn.unwrap_or(degrees))),
+            _ => spot.degrees.map(|degrees| key_light_steps(tally.rotation_degrees.unwrap_or(degrees))),
         });
         let amount = tally.worst.first().filter(|spot| spot.measure == Measure::Amount);
         let share = || if area > 0.0 { (tally.area / area).min(1.0) } else { 0.0 };
@@ -94,7 +94,7 @@ impl Finding {
             count: tally.count,
             of,
             area_share: entry.element.has_area().then(share),
-            degrees: tally.turn.or(largest),
+            degrees: tally.rotation_degrees.or(largest),
             steps: steps.reduce(f64::max),
             amount: amount.map(|spot| spot.weight.abs()),
             confidence: tally.confidence,
@@ -131,25 +131,39 @@ impl Finding {
 
 /// The title with the remark or the sum, and with what was not counted.
 fn cause(entry: &Entry, tally: &Tally) -> String {
-    let sum = entry.definition.say_sum.filter(|_| tally.sum > 0).map(|say| say(tally.sum));
+    let sum = (tally.sum > 0).then(|| sum_in_words(entry.kind, tally.sum));
     let sum = sum.map(|sum| match tally.milder {
         Milder { components: 0, .. } => sum,
         Milder { components, count } => {
             let plural = if components == 1 { "" } else { "s" };
             format!(
-                "{sum}, against the stored normals; not counted: {components} other{plural} of {count} faces, which no stored \
-                 normals contradict"
+                "{sum}, contradicted by the stored normals; not counted: {components} other{plural} of {count} faces, which no \
+                 stored normals contradict"
             )
         }
     });
     let remark = tally.remark.as_ref().map(|remark| remark.text.clone()).or(sum);
     let others = match tally.milder {
         Milder { components: 0, count: count @ 1.. } => {
-            Some(format!("not counted: {count} in other parts, where it matters less"))
+            Some(format!("not counted: {count} of lower severity in other parts"))
         }
         _ => None,
     };
     let details: Vec<String> = remark.into_iter().chain(others).collect();
     let title = entry.title();
     if details.is_empty() { title } else { format!("{title}: {}", details.join("; ")) }
+}
+
+/// The sum over all parts ([`Tally::sum`]) in words.
+fn sum_in_words(kind: Kind, sum: u64) -> String {
+    let is_one = sum == 1;
+    match kind {
+        Kind::NeedlessSeam => {
+            format!("{sum} {} could be merged", if is_one { "vertex" } else { "vertices" })
+        }
+        _ => {
+            let closed = if kind == Kind::OpenInsideOut { "open" } else { "closed" };
+            format!("in {sum} {closed} component{}", if is_one { "" } else { "s" })
+        }
+    }
 }

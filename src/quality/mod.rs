@@ -64,6 +64,8 @@ mod thresholds;
 mod angles;
 // How much a finding matters, and what it counts.
 mod element;
+// The list of all findings, with their texts.
+pub mod catalogue;
 // One occurrence of a finding.
 mod spot;
 // Occurrences, counted in parallel.
@@ -76,12 +78,8 @@ mod estimate;
 mod facts;
 // What a wrong normal does to a picture.
 mod effect;
-// Id, severity, element and remedy of a finding.
-mod definition;
 // The findings, one file for each or for a close family.
 mod findings;
-// The list of all findings, with their texts.
-pub mod catalogue;
 // A finding in a file.
 mod finding;
 // Where an occurrence is in its file.

@@ -139,7 +139,7 @@ fn small(file: &SceneFile, drawings: &[Drawing]) -> Option<String> {
 fn advice(cause: Unseen) -> &'static str {
     match cause {
         Unseen::NoEdges => "",
-        Unseen::Behind | Unseen::Beside | Unseen::Small => "; move it with --camera",
+        Unseen::Behind | Unseen::OutsidePicture | Unseen::Small => "; move it with --camera",
         Unseen::Culled => "; --cull none draws all faces",
         Unseen::NoArea => "; `crease inspect` reports what is wrong with them",
     }

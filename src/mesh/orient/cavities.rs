@@ -11,9 +11,8 @@
 //! A cavity of this kind contains air, like a [room](super::rooms): shells in it in the same mesh are deeper by one than
 //! their own mesh says.
 
-use super::nesting::{Place, Walls};
+use super::nesting::{Place, Probe, Walls, probes};
 use super::policy::Orientations;
-use super::probe::{Probe, probes};
 use super::rooms::{Role, Shell, roles};
 use crate::mesh::box_tree::{Bounds, BoxTree};
 use crate::mesh::polygon_mesh::Mesh;

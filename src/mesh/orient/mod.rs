@@ -4,9 +4,7 @@
 mod components;
 // The sign of a closed surface's volume.
 mod volume;
-// Points of a surface, and the triangles above them.
-mod probe;
-// How deep closed surfaces lie inside each other.
+// How deep closed surfaces lie inside each other, by rays from points of them.
 mod nesting;
 // Closed surfaces that face inwards: rooms and cavities.
 mod rooms;

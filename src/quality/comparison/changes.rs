@@ -132,7 +132,7 @@ pub fn compare(
     let mut comparison = Comparison {
         faces: sides.each_ref().map(Side::faces),
         unmatched: matching.unmatched,
-        turned: matching.turned,
+        turned: matching.reversed,
         corners: matching.pairs.len(),
         change: meshes[1].iter().map(|mesh| vec![0.0; mesh.faces().corner_count()]).collect(),
         findings: changed_findings(diagnoses),

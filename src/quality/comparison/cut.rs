@@ -23,7 +23,7 @@ pub(crate) struct Cut {
     /// Corners of the polygon and of triangles at the same position.
     pub(crate) pairs: Vec<[u32; 2]>,
     /// The number of triangles that run the other way.
-    pub(crate) turned: usize,
+    pub(crate) reversed: usize,
 }
 
 /// Finds marked polygons of one file that marked triangles of another fill: all corners of each triangle are at corners of the
@@ -99,7 +99,7 @@ fn cut(faces: [&Faces; 2], face: u32, pieces: &[Piece]) -> Cut {
         face,
         triangles: pieces.iter().map(|piece| piece.triangle).collect(),
         pairs: pairs.collect(),
-        turned: pieces.iter().filter(|piece| falls(piece) > 1).count(),
+        reversed: pieces.iter().filter(|piece| falls(piece) > 1).count(),
     }
 }
 

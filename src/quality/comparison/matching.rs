@@ -21,7 +21,7 @@ pub(crate) struct Matching {
     /// The number of faces of each file without a counterpart, or with a triangle without one.
     pub(crate) unmatched: [usize; 2],
     /// The number of faces, or of their triangles, that run the other way.
-    pub(crate) turned: usize,
+    pub(crate) reversed: usize,
 }
 
 impl Matching {
@@ -66,7 +66,7 @@ impl Matching {
                 if polygons == 0 { [polygon, triangle] } else { [triangle, polygon] }
             };
             self.pairs.extend(cut.pairs.into_iter().map(in_order));
-            self.turned += cut.turned;
+            self.reversed += cut.reversed;
             missing[polygons][cut.face as usize] = false;
             cut.triangles.into_iter().for_each(|triangle| missing[triangles][triangle as usize] = false);
         }
@@ -95,7 +95,7 @@ impl Matching {
                 let second = faces[1].face(after as usize);
                 let pair = |i: usize| [first[i], second[alignment.at(i, second.len())]];
                 self.pairs.extend((0..first.len()).map(pair));
-                self.turned += usize::from(alignment.is_reversed);
+                self.reversed += usize::from(alignment.is_reversed);
                 missing[0][before as usize] = false;
                 missing[1][after as usize] = false;
             }

@@ -10,7 +10,7 @@ use crate::quality::estimate::means::{MEANS, Smoothness, Sums, sums};
 use crate::quality::estimate::pole_cache::PoleCache;
 use crate::quality::estimate::quadrics::Patch;
 use crate::quality::estimate::recipe::{EXACT, Estimate, LEFT, NEARLY_ALL, REPRODUCED, SAMPLE};
-use crate::quality::estimate::rotation::{are_spread, rotation_angle, steady_turn};
+use crate::quality::estimate::rotation::{are_spread, robust_rotation, rotation_angle};
 use crate::quality::input::part::Part;
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
@@ -42,7 +42,7 @@ pub(crate) struct Fit {
     /// The error at each corner in degrees, ascending.
     errors: Vec<f64>,
     /// The rotation of all normals, if that is part of the fit.
-    pub(crate) turn: Option<DMat3>,
+    pub(crate) rotation: Option<DMat3>,
 }
 
 impl Fit {
@@ -53,7 +53,7 @@ impl Fit {
         let mut either_way: Vec<f64> =
             as_stored.errors.iter().map(|error| error.min(180.0 - error)).collect();
         either_way.sort_unstable_by(f64::total_cmp);
-        self.turn.is_some_and(|turn| rotation_angle(turn) > SAME)
+        self.rotation.is_some_and(|rotation| rotation_angle(rotation) > SAME)
             && self.estimate.fits_most()
             && (self.cost < LEFT * cost(&either_way) || median(&self.errors) < LEFT * median(&either_way))
     }
@@ -65,9 +65,9 @@ pub(crate) fn estimate(part: &Part<'_>) -> Option<(Estimate, Option<DMat3>)> {
     let sample = Sample::of(part)?;
     let as_stored = sample.best();
     let is_rule = as_stored.estimate.is_rule();
-    let turned_back = if is_rule { None } else { sample.best_turned_back(&as_stored) };
-    let best = turned_back.unwrap_or(as_stored);
-    Some((best.estimate, best.turn))
+    let rotated_back = if is_rule { None } else { sample.best_rotated_back(&as_stored) };
+    let best = rotated_back.unwrap_or(as_stored);
+    Some((best.estimate, best.rotation))
 }
 
 /// The sum of errors. Corners far off are faults, not evidence: all beyond the bound count alike.
@@ -97,24 +97,24 @@ impl<'a> Sample<'a> {
     }
 
     /// The best fit to all normals rotated back, if that explains the errors of the normals as stored.
-    pub(crate) fn best_turned_back(&self, as_stored: &Fit) -> Option<Fit> {
-        let turned_back = self.best_mean(true);
-        let explains = are_spread(self.normals.iter().copied()) && turned_back.explains(as_stored);
-        explains.then_some(turned_back)
+    pub(crate) fn best_rotated_back(&self, as_stored: &Fit) -> Option<Fit> {
+        let rotated_back = self.best_mean(true);
+        let explains = are_spread(self.normals.iter().copied()) && rotated_back.explains(as_stored);
+        explains.then_some(rotated_back)
     }
 
     /// The rule about edges and the mean that fit best, to the normals as stored or rotated back.
-    fn best_mean(&self, turned_back: bool) -> Fit {
+    fn best_mean(&self, rotated_back: bool) -> Fit {
         let sharp_from = |crease| Smoothness::new(crease, None);
         let separating = separating_angle(&self.edges, 1);
-        let mut plain = self.by_rule(sharp_from(separating), turned_back);
+        let mut plain = self.by_rule(sharp_from(separating), rotated_back);
         // A sharp edge that is the only one at its vertex splits nothing and looks smooth, so the angle that separates best need
         // not be that of the recipe. Edges that look sharp are sharp.
         if plain.estimate.reproduced < 1.0 {
             let known = [separating];
             // Many single faults at the ends of edges shift the best angle.
             for other in candidates(&self.edges, &known).into_iter().chain(next_to(separating)) {
-                let other = self.by_rule(sharp_from(other), turned_back);
+                let other = self.by_rule(sharp_from(other), rotated_back);
                 plain = if other.cost < plain.cost { other } else { plain };
             }
         }
@@ -124,35 +124,41 @@ impl<'a> Sample<'a> {
             let separating = separating_angle(&left, 1);
             let known = [Crease::DEFAULT_ANGLE, plain.estimate.crease, separating, Degrees(180.0)];
             for crease in known.into_iter().chain(candidates(&left, &known)) {
-                let other = self.by_rule(Smoothness::new(crease, Some(&groups.of_face)), turned_back);
+                let other = self.by_rule(Smoothness::new(crease, Some(&groups.of_face)), rotated_back);
                 plain = if other.estimate.reproduced > plain.estimate.reproduced { other } else { plain };
             }
         }
         plain
     }
 
-    fn by_rule(&self, rule: Smoothness<'_>, turned_back: bool) -> Fit {
+    fn by_rule(&self, rule: Smoothness<'_>, rotated_back: bool) -> Fit {
         let poles = PoleCache::default();
         let sums = |&corner: &u32| sums(self.part, corner, rule, &poles);
         let sums: Vec<Sums> = self.corners.par_iter().map(sums).collect();
-        let turn = |weight| if turned_back { steady_turn(&self.pairs(&sums, weight)) } else { None };
+        let rotation = |weight| if rotated_back { robust_rotation(&self.pairs(&sums, weight)) } else { None };
         // Weightings differ by little and in all directions: any of them gives the rotation.
-        let about = turn(0);
+        let about = rotation(0);
         let costs: Vec<f64> =
             (0..MEANS.len()).map(|weight| cost(&self.errors(&sums, weight, about))).collect();
         // If all are as good, as on flat shapes, the first.
         let best = (1..MEANS.len())
             .fold(0, |best, i| if costs[i] < costs[best] * (1.0 - 1e-3) - 1e-9 { i } else { best });
-        let turn = turn(best);
-        let errors = self.errors(&sums, best, turn);
-        let mut fit = self.fit(MEANS[best], rule, errors, turn);
+        let rotation = rotation(best);
+        let errors = self.errors(&sums, best, rotation);
+        let mut fit = self.fit(MEANS[best], rule, errors, rotation);
         let bound = fit.cost.max(costs[best]) * (1.0 + 1e-3) + FINE * self.corners.len() as f64;
         fit.estimate.ties = std::array::from_fn(|i| costs[i] <= bound);
         fit
     }
 
     /// The fit with these errors in degrees at the corners.
-    fn fit(&self, weight: Weight, rule: Smoothness<'_>, mut errors: Vec<f64>, turn: Option<DMat3>) -> Fit {
+    fn fit(
+        &self,
+        weight: Weight,
+        rule: Smoothness<'_>,
+        mut errors: Vec<f64>,
+        rotation: Option<DMat3>,
+    ) -> Fit {
         let crease = rule.crease;
         let cost = cost(&errors);
         errors.sort_unstable_by(f64::total_cmp);
@@ -164,7 +170,7 @@ impl<'a> Sample<'a> {
             weight,
             crease,
             groups: rule.groups.is_some(),
-            turned: turn.is_some(),
+            turned: rotation.is_some(),
             sample: errors.len(),
             reproduced,
             closely: within(SAME),
@@ -182,7 +188,7 @@ impl<'a> Sample<'a> {
             ),
             ties: [false; MEANS.len()],
         };
-        Fit { estimate, cost, errors, turn }
+        Fit { estimate, cost, errors, rotation }
     }
 
     /// The best fit by quadrics, if the normals were made by these rather than by means.
@@ -248,8 +254,8 @@ impl<'a> Sample<'a> {
     }
 
     /// The angle in degrees between each stored normal and the mean by a weighting, rotated.
-    fn errors(&self, sums: &[Sums], weight: usize, turn: Option<DMat3>) -> Vec<f64> {
-        let mean = |sums: &Sums| turn.map_or(sums[weight], |turn| turn * sums[weight]);
+    fn errors(&self, sums: &[Sums], weight: usize, rotation: Option<DMat3>) -> Vec<f64> {
+        let mean = |sums: &Sums| rotation.map_or(sums[weight], |rotation| rotation * sums[weight]);
         // A sum that cancels has no direction, and reproduces nothing.
         let error = |(&normal, sums): (&DVec3, &Sums)| match mean(sums) {
             DVec3::ZERO => 180.0,

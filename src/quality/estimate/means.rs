@@ -122,8 +122,8 @@ impl CornerTerm {
                 Weight::AngleArea => angle() * self.area,
                 Weight::Max => libm::sin(angle()) / edges(),
                 Weight::Edge => 1.0 / edges(),
-                // No other is among the means.
-                _ => angle(),
+                // The quadric is a fit; the weighting by angles is the mean that is closest to it.
+                Weight::Angle | Weight::Quadric => angle(),
             }
     }
 }

@@ -18,7 +18,7 @@ pub(crate) fn outer(a: DVec3, b: DVec3) -> DMat3 {
 /// The rotation or reflection that brings each b closest to its a, from the mean of a · bᵀ: its orthogonal factor, by Newton's
 /// iteration (N. Higham, *Computing the polar decomposition*, 1986). The rotation if all are coplanar, which a reflection in
 /// their plane leaves unchanged; `None` if all are collinear.
-pub(crate) fn closest_turn(mean: DMat3) -> Option<DMat3> {
+pub(crate) fn closest_rotation(mean: DMat3) -> Option<DMat3> {
     let [a, b, c] = [mean.x_axis, mean.y_axis, mean.z_axis];
     // With singular values s and t in the plane, the cofactors have s·t across it, and the sign that makes a rotation.
     let cofactors = DMat3::from_cols(b.cross(c), c.cross(a), a.cross(b));
@@ -39,31 +39,32 @@ pub(crate) fn closest_turn(mean: DMat3) -> Option<DMat3> {
 
 /// The same from pairs of unit vectors a and b of which up to half may be outliers: pairs that are farther off than most are
 /// omitted, until that changes nothing.
-pub(crate) fn steady_turn(pairs: &[(DVec3, DVec3)]) -> Option<DMat3> {
+pub(crate) fn robust_rotation(pairs: &[(DVec3, DVec3)]) -> Option<DMat3> {
     /// The squared distance of unit vectors 1° from each other: nearer pairs always stay.
     const NEAR: f64 = 3e-4;
     const ROUNDS: usize = 20;
     let mut bound = f64::INFINITY;
-    let mut turn: Option<DMat3> = None;
+    let mut rotation: Option<DMat3> = None;
     for _ in 0..ROUNDS {
-        let distance = |&(a, b): &(DVec3, DVec3)| turn.map_or(0.0, |turn| (a - turn * b).length_squared());
+        let distance =
+            |&(a, b): &(DVec3, DVec3)| rotation.map_or(0.0, |rotation| (a - rotation * b).length_squared());
         let (mut sum, mut count) = (DMat3::ZERO, 0);
         for &(a, b) in pairs.iter().filter(|pair| distance(pair) <= bound) {
             sum += outer(a, b);
             count += 1;
         }
-        let next = closest_turn(sum * (1.0 / f64::from(count.max(1))))?;
+        let next = closest_rotation(sum * (1.0 / f64::from(count.max(1))))?;
         let mut distances: Vec<f64> = pairs.iter().map(|&(a, b)| (a - next * b).length_squared()).collect();
-        if turn.is_some_and(|turn| turn == next) || distances.is_empty() {
+        if rotation.is_some_and(|rotation| rotation == next) || distances.is_empty() {
             break;
         }
         let middle = distances.len() / 2;
         let (_, median, _) = distances.select_nth_unstable_by(middle, f64::total_cmp);
         // Twice the median angle.
         bound = (4.0 * *median).max(NEAR);
-        turn = Some(next);
+        rotation = Some(next);
     }
-    turn
+    rotation
 }
 
 /// Whether directions lie on at least three lines: fewer leave the rotation open.
@@ -83,14 +84,14 @@ pub(crate) fn are_spread(directions: impl IntoIterator<Item = DVec3>) -> bool {
 }
 
 /// The angle of a rotation, in degrees; for a reflection, the angle of its negative.
-pub(crate) fn rotation_angle(turn: DMat3) -> f64 {
-    let turn = if turn.determinant() < 0.0 { -turn } else { turn };
+pub(crate) fn rotation_angle(rotation: DMat3) -> f64 {
+    let rotation = if rotation.determinant() < 0.0 { -rotation } else { rotation };
     let axis = DVec3::new(
-        turn.y_axis.z - turn.z_axis.y,
-        turn.z_axis.x - turn.x_axis.z,
-        turn.x_axis.y - turn.y_axis.x,
+        rotation.y_axis.z - rotation.z_axis.y,
+        rotation.z_axis.x - rotation.x_axis.z,
+        rotation.x_axis.y - rotation.y_axis.x,
     );
-    let trace = turn.x_axis.x + turn.y_axis.y + turn.z_axis.z;
+    let trace = rotation.x_axis.x + rotation.y_axis.y + rotation.z_axis.z;
     Degrees::from(Radians(libm::atan2(axis.length(), trace - 1.0))).0
 }
 
@@ -98,7 +99,7 @@ pub(crate) fn rotation_angle(turn: DMat3) -> f64 {
 mod tests {
     use super::*;
 
-    fn turn() -> DMat3 {
+    fn rotation() -> DMat3 {
         DMat3::from_axis_angle(DVec3::new(2.0, -1.0, 3.0).normalize(), 0.4)
     }
 
@@ -119,19 +120,22 @@ mod tests {
 
     #[test]
     fn rotations_and_reflections_are_found() {
-        for turn in [turn(), -turn(), DMat3::from_diagonal(DVec3::new(1.0, -1.0, 1.0))] {
-            let pairs: Vec<_> = directions(50).into_iter().map(|b| (turn * b, b)).collect();
-            let found = closest_turn(mean(&pairs)).unwrap();
-            assert!((found - turn).to_cols_array().iter().all(|off| off.abs() < 1e-12), "{found} for {turn}");
+        for rotation in [rotation(), -rotation(), DMat3::from_diagonal(DVec3::new(1.0, -1.0, 1.0))] {
+            let pairs: Vec<_> = directions(50).into_iter().map(|b| (rotation * b, b)).collect();
+            let found = closest_rotation(mean(&pairs)).unwrap();
+            assert!(
+                (found - rotation).to_cols_array().iter().all(|off| off.abs() < 1e-12),
+                "{found} for {rotation}"
+            );
         }
     }
 
     #[test]
     fn in_a_plane_it_is_a_rotation_and_on_a_line_none() {
-        let flat = [DVec3::X, DVec3::Y, DVec3::new(0.6, 0.8, 0.0)].map(|b| (turn() * b, b));
-        let found = closest_turn(mean(&flat)).unwrap();
-        assert!((found - turn()).to_cols_array().iter().all(|off| off.abs() < 1e-12), "{found}");
-        assert_eq!(closest_turn(mean(&[(DVec3::X, DVec3::Y), (DVec3::NEG_X, DVec3::NEG_Y)])), None);
+        let flat = [DVec3::X, DVec3::Y, DVec3::new(0.6, 0.8, 0.0)].map(|b| (rotation() * b, b));
+        let found = closest_rotation(mean(&flat)).unwrap();
+        assert!((found - rotation()).to_cols_array().iter().all(|off| off.abs() < 1e-12), "{found}");
+        assert_eq!(closest_rotation(mean(&[(DVec3::X, DVec3::Y), (DVec3::NEG_X, DVec3::NEG_Y)])), None);
     }
 
     #[test]
@@ -139,11 +143,11 @@ mod tests {
         let aside = DMat3::from_axis_angle(DVec3::X, 1.5);
         let pairs = directions(100).into_iter().enumerate();
         let pairs: Vec<_> =
-            pairs.map(|(i, b)| (if i % 3 == 0 { aside * b } else { turn() * b }, b)).collect();
-        let pulled = closest_turn(mean(&pairs)).unwrap();
-        assert!((rotation_angle(pulled) - rotation_angle(turn())).abs() > 1.0);
-        let steady = steady_turn(&pairs).unwrap();
-        assert!((steady - turn()).to_cols_array().iter().all(|off| off.abs() < 1e-9), "{steady}");
+            pairs.map(|(i, b)| (if i % 3 == 0 { aside * b } else { rotation() * b }, b)).collect();
+        let pulled = closest_rotation(mean(&pairs)).unwrap();
+        assert!((rotation_angle(pulled) - rotation_angle(rotation())).abs() > 1.0);
+        let steady = robust_rotation(&pairs).unwrap();
+        assert!((steady - rotation()).to_cols_array().iter().all(|off| off.abs() < 1e-9), "{steady}");
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! All findings, one file for each or for a close family: definition, limits and search.
+//! All findings, one file for each or for a close family: limits and search.
 
 // Geometry: faces, edges and vertices that spoil normals.
 pub(crate) mod geometry;

@@ -14,7 +14,7 @@ pub enum Unseen {
     /// Everything is behind the camera, or nearer than its near distance.
     Behind,
     /// Everything in front of the camera is outside the picture.
-    Beside,
+    OutsidePicture,
     /// All of it would fit between two samples.
     Small,
     /// All faces show the side that is culled.
@@ -28,7 +28,7 @@ impl fmt::Display for Unseen {
         f.write_str(match self {
             Self::NoEdges => "analytic surfaces have no edges to draw; give them a tessellation",
             Self::Behind => "everything is behind the camera, or nearer than its near distance",
-            Self::Beside => "the camera looks past everything",
+            Self::OutsidePicture => "the camera looks past everything",
             Self::Small => "everything is smaller than the distance of two samples",
             Self::Culled => "all faces show the side that is left out",
             Self::NoArea => "no face has an area to be seen",
@@ -65,17 +65,17 @@ impl Scene<'_> {
         if !any {
             return None;
         }
-        let is_beside = (0..2).any(|axis| high[axis] < 0.0 || low[axis] > size[axis]);
+        let is_outside = (0..2).any(|axis| high[axis] < 0.0 || low[axis] > size[axis]);
         Some(if low[0] > high[0] {
             Unseen::Behind
-        } else if is_beside && !is_clipped {
-            Unseen::Beside
+        } else if is_outside && !is_clipped {
+            Unseen::OutsidePicture
         } else if !is_clipped && (0..2).all(|axis| high[axis] - low[axis] < 1.0) {
             Unseen::Small
         } else if settings.cull != Cull::None {
             Unseen::Culled
         } else if is_clipped {
-            Unseen::Beside
+            Unseen::OutsidePicture
         } else {
             Unseen::NoArea
         })

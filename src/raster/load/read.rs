@@ -19,53 +19,9 @@ use std::path::Path;
 /// ```
 ///
 /// # Scene files
-/// All that a picture is made of, in TOML; `data/scenes` of the repository has annotated examples. Only objects are
-/// needed: `[[object]]` and one of `mesh`, `polygons`, `surface`. Where there is no camera all is framed by itself, where
-/// there is no light it is lit by [`default_lights`](crate::raster::default_lights). Angles are in degrees; faces and vertices are counted from 0.
-///
-/// A colour is linear, `[r, g, b]` or one number for a grey, or `"#rrggbb"` as screens have it, which is made linear: with
-/// `transfer = "direct"`, which writes linear numbers as they are, `"#808080"` comes out as 55, and 0.502 as 128. `color` may be
-/// written for `colour`. A reflectance is a coefficient k that goes with the material's colour, K = k·O as a colour, or
-/// `{ k = …, colour = … }`. An attenuation is `"none"`, `"inverse-square"`, `{ inverse-square-within = range }`,
-/// `{ offset = k }` for 1/(d + k), or `{ quadratic = [kc, kl, kq] }`.
-///
-/// | table | key | |
-/// |---|---|---|
-/// | `[settings]` | `size` | width and height in pixels, 1 to 16384; `[640, 480]` |
-/// | | `samples` | samples per pixel: 1, 4, 8 or 16 |
-/// | | `bits` | of each component of the picture: 8 or 16 |
-/// | | `shading` | `"flat"`, `"gouraud"`, `"phong"`, `"wireframe"`, `"exact"` |
-/// | | `interpolation` | `"scanline"`, `"affine"`, `"perspective"` |
-/// | | `flat-sample` | `"centroid"`, `"vertex-mean"` |
-/// | | `cull` | `"none"`, `"back"`, `"front"` |
-/// | | `two-sided`, `infinite-viewer` | `true` or `false` |
-/// | | `reflection` | as of materials, for objects that have none of their own |
-/// | | `literal` | `true` switches all guards off |
-/// | | `guards` | single ones on or off: `{ highlight = false }`; see [`Guards`](crate::shade::Guards) |
-/// | | `terminator` | `"smooth"`, `"hard"`, `"soft"`; see [`Terminator`](crate::shade::Terminator) |
-/// | | `depth-cue` | k of 1/(d + k), d the distance to the viewer |
-/// | | `tone` | `"clamp"`, `"max"` |
-/// | | `transfer` | `"srgb"`, `"direct"` |
-/// | | `background` | colour |
-/// | | `wire` | `{ colour, width, hide }`: the lines of wireframes |
-/// | `[camera]` | `eye`, `target` | points, both needed |
-/// | | `up` | `[0, 1, 0]` |
-/// | | `angle` or `height` | perspective, from bottom to top, 30 where neither is given; or orthographic |
-/// | | `near` | a thousandth of the distance to the target; 0 if orthographic |
-/// | `[[light.ambient]]` | `colour` | |
-/// | `[[light.directional]]` | `towards`, `colour` | the way to the light; colours of lights are white unless given |
-/// | `[[light.point]]` | `position`, `colour`, `attenuation` | with a fourth coordinate w = 0: infinitely far away |
-/// | `[[light.spot]]` | the same, `axis`, `cut-off`, `soft-edge`, `exponent` | without a cut-off: the lectures' cosine |
-/// | `[[light.rectangle]]` | `centre`, `u`, `v`, `colour` | to the middles of two sides; u × v shines |
-/// | `[[light.disc]]` | `centre`, `normal`, `radius`, `colour` | |
-/// | `[[object]]` | `name` | |
-/// | | `mesh` | a mesh or glTF file in the scene's folder or below it, or below [`ReadOptions::root`](crate::io::ReadOptions::root) |
-/// | | `polygons` | `{ vertices, faces, normals, colours }`, the last two one a vertex, if at all |
-/// | | `surface` | `plane` and `cone`, `cylinder`, `sphere`, `ellipsoid`, `torus`: `{ sphere = { radius = 1 } }`; with a tessellation also `catenoid`, `wave`, `monkey-saddle`, `superquadric`, `teapot` |
-/// | | `tessellation` | `{ pattern, segments, jitter, noise, seed }`, see [`Tessellation`](crate::surface::Tessellation) |
-/// | | `normals` | `"given"` keeps what a mesh has, `"computed"` replaces it; see [`LoadOptions::when`] for what is done else |
-/// | | `transform` | steps, the first one first: `scale`, `rotate` (about x, then y, then z), `translate`, `matrix` (three rows of four) |
-/// | | `material` | `{ colour, ambient, diffuse, specular, exponent, reflection }`; `reflection` is `"phong"`, `"blinn"`, or `"given"` for colours of vertices, unlit |
+/// A scene in TOML; `docs/scenes.md` of the repository describes every key, `data/scenes` has annotated examples. Only objects are
+/// needed: `[[object]]` and one of `mesh`, `polygons`, `surface`. Without a camera all is framed by itself, without a light it is
+/// lit by [`default_lights`](crate::raster::default_lights). Angles are in degrees; faces and vertices are counted from 0.
 ///
 /// # Errors
 /// What [`io::read`] says, and files without any face. In scene files, with the line and the key: unknown keys, values of

@@ -44,7 +44,7 @@ fn leaves_lit_like_a_ball_may_be_meant() {
             let diagnosis = inspect(&leaves(300, up, have_backs), 10);
             let reported = format!("{up}, {have_backs}: {:?}", grave(&diagnosis));
             assert!(diagnosis.worst() < Some(Severity::Error), "{reported}");
-            for kind in [Kind::Flipped, Kind::Stray, Kind::Inverted, Kind::InsideOut] {
+            for kind in [Kind::Flipped, Kind::Outlier, Kind::Inverted, Kind::InsideOut] {
                 assert!(diagnosis.get(kind).is_none(), "{kind:?}, {reported}");
             }
             let against = diagnosis.get(Kind::AgainstFace);
@@ -84,12 +84,12 @@ fn leaves_next_to_a_trunk_may_be_meant() {
         for up in [0.0, 0.5, 2.0, 1e6] {
             let leaves = leaves(count, up, false);
             let of_trunk = trunk(0, |_| unreachable!()).face_count() as u32;
-            for (faults, kind) in [(0, None), (20, Some(Kind::Flipped)), (20, Some(Kind::Stray))] {
+            for (faults, kind) in [(0, None), (20, Some(Kind::Flipped)), (20, Some(Kind::Outlier))] {
                 let fault =
                     |normal: DVec3| if kind == Some(Kind::Flipped) { -normal } else { turned(normal, 40.0) };
                 let diagnosis = inspect(&together(&trunk(faults, fault), &leaves), 20);
                 let reported = format!("{count}, {up}, {kind:?}: {:?}", grave(&diagnosis));
-                for blamed in [Kind::Flipped, Kind::Stray] {
+                for blamed in [Kind::Flipped, Kind::Outlier] {
                     let finding = diagnosis.get(blamed);
                     let wanted = if Some(blamed) == kind { faults } else { 0 };
                     assert_eq!(finding.map_or(0, |finding| finding.count), wanted as u64, "{reported}");
@@ -115,7 +115,7 @@ fn what_happened_to_a_whole_piece_is_a_fault() {
     };
     let by_40 = DMat3::from_axis_angle(DVec3::new(1.0, 2.0, 3.0).normalize(), 0.7);
     for (piece, kind) in
-        [(changed(&|normal| -normal), Kind::Flipped), (changed(&|normal| by_40 * normal), Kind::Stray)]
+        [(changed(&|normal| -normal), Kind::Flipped), (changed(&|normal| by_40 * normal), Kind::Outlier)]
     {
         let diagnosis = inspect(&together(&trunk(0, |_| unreachable!()), &piece), 1);
         assert_eq!(grave(&diagnosis), [kind.id()]);
@@ -187,7 +187,7 @@ fn what_is_curved_in_one_place_may_be_meant() {
 #[test]
 fn what_is_wrong_all_over_a_region_is_a_fault() {
     let filled = ball_changed(|place, normal| if place.x > 0.3 { DVec3::Z } else { normal });
-    assert!(grave(&inspect(&filled, 1)).contains(&Kind::Stray.id()));
+    assert!(grave(&inspect(&filled, 1)).contains(&Kind::Outlier.id()));
     let negated = ball_changed(|place, normal| if place.x > 0.3 { -normal } else { normal });
     assert_eq!(grave(&inspect(&negated, 1)), [Kind::Flipped.id()]);
 }

@@ -44,7 +44,7 @@ fn outliers(parts: [(Mesh, DMat4); 2]) -> u64 {
         document: Document::None,
     };
     let diagnosis = diagnose(&loaded, &Thresholds::default(), &|_| {});
-    diagnosis.get(Kind::Stray).map_or(0, |finding| finding.count)
+    diagnosis.get(Kind::Outlier).map_or(0, |finding| finding.count)
 }
 
 #[test]

@@ -138,7 +138,7 @@ fn averaged_creases_explain_as_much_where_no_vertex_is_shared() {
         let (averaged, _) = averaged_beyond(&clean.mesh, 0.8);
         let outliers = |mesh: &Mesh| {
             let diagnosis = inspect(mesh, 1);
-            [Kind::AveragedCrease, Kind::Stray, Kind::Custom]
+            [Kind::AveragedCrease, Kind::Outlier, Kind::Custom]
                 .map(|kind| diagnosis.get(kind).map(|finding| finding.count))
         };
         assert_eq!(outliers(&with_own_vertices(&averaged)), outliers(&averaged), "{}", clean.name);

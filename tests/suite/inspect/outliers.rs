@@ -81,7 +81,7 @@ fn reported(mesh: &Mesh, diagnosis: &Diagnosis) -> [BTreeSet<u32>; 2] {
         let grave = found.filter(|it| it.severity > Severity::Note).flat_map(|it| &it.places);
         grave.map(|site| start(site.face.unwrap()) + site.corner.unwrap()).collect()
     };
-    [places(&[Kind::Stray]), places(&[Kind::Stray, Kind::AgainstFace, Kind::Flipped])]
+    [places(&[Kind::Outlier]), places(&[Kind::Outlier, Kind::AgainstFace, Kind::Flipped])]
 }
 
 #[test]
@@ -197,7 +197,7 @@ fn normals_of_good_files_do_not_stray() {
             continue;
         }
         let found = diagnose(&file, &Thresholds::default(), &|_| {});
-        let stray = found.get(Kind::Stray);
+        let stray = found.get(Kind::Outlier);
         assert!(stray.is_none(), "{}: {stray:?}", row.name());
         let against = found.get(Kind::AgainstFace).filter(|it| it.severity > Severity::Note);
         assert!(against.is_none(), "{}: {against:?}", row.name());
@@ -209,8 +209,8 @@ fn normals_of_good_files_do_not_stray() {
 fn outliers_that_are_not_asked_for_are_no_seams() {
     for (name, mesh) in by_rule() {
         let (mesh, places) = tilted(&mesh, 0.01, 30.0);
-        assert!(diagnosis(&mesh, 15.0).get(Kind::Stray).is_some(), "{name}, {}", places.len());
+        assert!(diagnosis(&mesh, 15.0).get(Kind::Outlier).is_some(), "{name}, {}", places.len());
         let left = diagnosis(&mesh, 60.0);
-        assert!(left.get(Kind::Stray).is_none() && left.get(Kind::SplitSeam).is_none(), "{name}");
+        assert!(left.get(Kind::Outlier).is_none() && left.get(Kind::SplitSeam).is_none(), "{name}");
     }
 }

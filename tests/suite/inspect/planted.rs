@@ -269,7 +269,7 @@ pub(super) fn faults(clean: &Clean) -> Vec<Planted> {
         at_corners(clean, "1 corner in 111 zero", Kind::ZeroNormals, |_| DVec3::ZERO),
         at_corners(clean, "1 corner in 111 2 % too long", Kind::NotUnit, |n| n * 1.02),
         at_corners(clean, "1 corner in 111 0.3 % too long", Kind::LooseLength, |n| n * 1.003),
-        at_corners(clean, "1 corner in 111 tilted by 30°", Kind::Stray, |n| turned(n, 30.0)),
+        at_corners(clean, "1 corner in 111 tilted by 30°", Kind::Outlier, |n| turned(n, 30.0)),
         at_corners(clean, "1 corner in 111 tilted by 118°", Kind::AgainstFace, |n| turned(n, 118.0)),
         everywhere(clean, "all negated", Kind::Inverted, |n| -n),
         everywhere(clean, "y and z exchanged", Kind::SwappedAxes, swap),
@@ -290,7 +290,7 @@ pub(super) fn faults(clean: &Clean) -> Vec<Planted> {
     let neg = |n: DVec3, _: &mut Random| -n;
     let tilt = |n, random: &mut Random| turned_any_way(n, 30.0, random);
     all.push(by_chance(clean, ("1 % of corners negated, by chance", Kind::Flipped, 0.01), neg));
-    all.push(by_chance(clean, ("10 % of corners tilted by 30°, by chance", Kind::Stray, 0.1), tilt));
+    all.push(by_chance(clean, ("10 % of corners tilted by 30°, by chance", Kind::Outlier, 0.1), tilt));
     all.extend(whole_meshes::faults(clean));
     // A room whose normals or faces are all turned round is a solid with one or the other turned.
     all.retain(|it| !clean.is_room || ![Kind::Inverted, Kind::InsideOut].contains(&it.expected));

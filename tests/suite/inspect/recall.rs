@@ -156,8 +156,8 @@ type Sized = (&'static str, Kind, fn(&Clean, f64) -> Option<Planted>);
 
 /// Faults with a threshold, by multiples of it.
 const SIZED: [Sized; 5] = [
-    ("tilted corners, of 15°", Kind::Stray, |clean, size| {
-        Some(at_corners(clean, "", Kind::Stray, |n| turned(n, 15.0 * size)))
+    ("tilted corners, of 15°", Kind::Outlier, |clean, size| {
+        Some(at_corners(clean, "", Kind::Outlier, |n| turned(n, 15.0 * size)))
     }),
     ("too long, of 0.674 %", Kind::NotUnit, |clean, size| {
         Some(at_corners(clean, "", Kind::NotUnit, |n| n * (1.0 + 0.00674 * size)))
@@ -207,8 +207,8 @@ fn recall_by_the_size_of_faults() {
         })
     };
     shares.row("negated", Kind::Flipped, by_share(Kind::Flipped, |n, _| -n));
-    let tilted = by_share(Kind::Stray, |n, random| turned_any_way(n, 30.0, random));
-    shares.row("tilted by 30° any way", Kind::Stray, tilted);
+    let tilted = by_share(Kind::Outlier, |n, random| turned_any_way(n, 30.0, random));
+    shares.row("tilted by 30° any way", Kind::Outlier, tilted);
 
     let mut bits = Curve::new("bits of a component", BITS.map(|bits| bits.to_string()));
     let rounded = BITS.map(|bits| {

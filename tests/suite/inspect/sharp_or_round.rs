@@ -83,7 +83,7 @@ fn outliers_do_not_hide_that_all_is_smooth() {
     for (wrong, kind) in [
         ((|_| DVec3::ZERO) as fn(DVec3) -> DVec3, Kind::ZeroNormals),
         (|normal| -normal, Kind::Flipped),
-        (|normal| (normal + 0.5 * normal.any_orthonormal_vector()).normalize(), Kind::Stray),
+        (|normal| (normal + 0.5 * normal.any_orthonormal_vector()).normalize(), Kind::Outlier),
     ] {
         let diagnosis = spoilt(wrong);
         assert!(diagnosis.get(kind).is_some(), "{kind:?}");

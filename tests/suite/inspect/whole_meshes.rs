@@ -46,7 +46,7 @@ fn perturbed(clean: &Clean) -> Planted {
         }
     }
     let mesh = per_corner(&clean.mesh, normals);
-    Planted::new("every second corner perturbed by 30° to 60°", Kind::Stray, mesh, places)
+    Planted::new("every second corner perturbed by 30° to 60°", Kind::Outlier, mesh, places)
 }
 
 /// All normals turned any way by 30° to 60°, each for all corners that have it: no rule is left. On a shape with edges

@@ -3,8 +3,8 @@
 use crate::mesh::{ColumnIndex, FaceLabels, place_key};
 use crate::normals::Weight;
 use crate::quality::angles::degrees_between;
-use crate::quality::definition::{Definition, Found};
-use crate::quality::element::Element;
+use crate::quality::catalogue::Kind;
+use crate::quality::counts::Found;
 use crate::quality::estimate::means::term;
 use crate::quality::facts::Facts;
 use crate::quality::findings::geometry::vertices::{index_mean, index_mean_error};
@@ -13,18 +13,13 @@ use glam::DVec3;
 use rayon::prelude::*;
 use rustc_hash::FxHashSet;
 
-pub(crate) static DUPLICATE_FACES: Definition = Definition::warning("duplicate-faces", Element::Face, None);
-pub(crate) static BACK_TO_BACK: Definition = Definition::note("back-to-back-faces", Element::Face, None);
-pub(crate) static DUPLICATE_VERTICES: Definition =
-    Definition::note("duplicate-vertices", Element::Vertex, None);
-
 /// Finds duplicate faces.
 pub(crate) fn search_faces(facts: &Facts<'_>, found: &mut Found) {
     for face in facts.duplicates.same_way.iter().map(|&face| face as usize) {
-        found.add(&DUPLICATE_FACES, Spot::face(face).by(counted_twice(facts, face)), facts.area[face]);
+        found.add(Kind::DuplicateFaces, Spot::face(face).by(counted_twice(facts, face)), facts.area[face]);
     }
     for face in facts.duplicates.back_to_back.iter().map(|&face| face as usize) {
-        found.add(&BACK_TO_BACK, Spot::face(face).by(180.0), facts.area[face]);
+        found.add(Kind::BackToBack, Spot::face(face).by(180.0), facts.area[face]);
     }
 }
 
@@ -54,7 +49,7 @@ pub(crate) fn search_vertices(facts: &Facts<'_>, found: &mut Found) {
         for &(_, vertex) in at_one_position {
             if !different.insert(attributes(facts, vertex)) {
                 let spot = Spot::vertex(vertex as usize).by(index_mean_error(facts, vertex));
-                found.add(&DUPLICATE_VERTICES, spot, 0.0);
+                found.add(Kind::DuplicateVertices, spot, 0.0);
             }
         }
     }

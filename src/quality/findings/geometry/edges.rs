@@ -2,19 +2,12 @@
 
 use crate::mesh::{Link, place_key};
 use crate::quality::angles::{Limit, degrees_between};
-use crate::quality::definition::{Definition, Found};
-use crate::quality::element::Element;
+use crate::quality::catalogue::Kind;
+use crate::quality::counts::Found;
 use crate::quality::facts::Facts;
 use crate::quality::spot::{Measure, Spot};
 use glam::DVec3;
 use rayon::prelude::*;
-
-pub(crate) static NON_MANIFOLD: Definition = Definition {
-    unit: Some("faces at an edge"),
-    angle: Some(largest_dihedral_angle),
-    ..Definition::note("non-manifold-edges", Element::Edge, None)
-};
-pub(crate) static FOLDED: Definition = Definition::note("folded-edges", Element::Edge, None);
 
 /// Checks whether the surface folds back at the edges of a face.
 pub(crate) fn check_folds(facts: &Facts<'_>, face: usize, folded: Limit, found: &mut Found) {
@@ -25,7 +18,7 @@ pub(crate) fn check_folds(facts: &Facts<'_>, face: usize, folded: Limit, found: 
             && facts.area[other] > 0.0
             && let Some(angle) = folded.exceeded(facts.face_normal(face), facts.face_normal(other))
         {
-            found.add(&FOLDED, Spot::corner(face, half_edge, angle), 0.0);
+            found.add(Kind::Folded, Spot::corner(face, half_edge, angle), 0.0);
         }
     }
 }
@@ -50,18 +43,18 @@ pub(crate) fn search_non_manifold(facts: &Facts<'_>, found: &mut Found) {
     for edge in edges.chunk_by(|a, b| a.0 == b.0) {
         let half_edge = edge[0].1 as usize;
         let spot = Spot::corner(facts.face_of(half_edge), half_edge, 0.0);
-        found.add(&NON_MANIFOLD, spot.of(Measure::Amount, edge.len() as f64), 0.0);
+        found.add(Kind::NonManifold, spot.of(Measure::Amount, edge.len() as f64), 0.0);
     }
 }
 
 /// The largest dihedral angle in degrees between two of the faces at an edge, whichever way they run.
-fn largest_dihedral_angle(facts: &Facts<'_>, spot: &Spot) -> f64 {
+pub(crate) fn largest_dihedral_angle(facts: &Facts<'_>, half_edge: u32) -> f64 {
     let vertices = facts.mesh.faces().corners();
     let ends = |half_edge: u32| {
         let (tail, head) = facts.topology.ends(vertices, half_edge);
         [tail, head].map(|vertex| place_key(facts.mesh.positions()[vertex as usize]))
     };
-    let [tail, head] = ends(spot.corner);
+    let [tail, head] = ends(half_edge);
     let normals: Vec<DVec3> = (0..vertices.len() as u32)
         .into_par_iter()
         .filter_map(|other| {

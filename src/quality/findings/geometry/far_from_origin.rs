@@ -1,14 +1,11 @@
 //! Positions so far from the origin that rounding to 32 bits turns the normals of faces.
 
 use crate::num::{Degrees, Radians};
-use crate::quality::counts::Remark;
-use crate::quality::definition::{Definition, Found};
-use crate::quality::element::Element;
+use crate::quality::catalogue::Kind;
+use crate::quality::counts::{Found, Remark};
 use crate::quality::facts::Facts;
 use crate::quality::spot::Spot;
 use glam::DVec3;
-
-pub(crate) static FAR_FROM_ORIGIN: Definition = Definition::warning("far-from-origin", Element::Mesh, None);
 
 /// The most faces that are sampled.
 const SAMPLE: usize = 10_000;
@@ -37,14 +34,14 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
     let rounding = farthest * f64::from(f32::EPSILON) / 2.0;
     let error = Degrees::from(Radians(libm::atan2(2.0 * rounding, height))).0;
     if error > facts.thresholds.rounding.0 {
-        found.add(&FAR_FROM_ORIGIN, Spot::mesh().by(error), facts.total_area);
+        found.add(Kind::FarFromOrigin, Spot::mesh().by(error), facts.total_area);
         let bits = libm::floor(libm::log2(height / rounding)).max(0.0);
         let expected = Degrees::from(Radians(libm::atan(tilt))).0;
         let text = format!(
-            "{bits} bits are left for the height of a usual face, whose normal may be off by {error:.2}°; over all faces, slender \
-             ones too, {expected:.2}° are expected in the mean"
+            "{bits} bits remain for the height of a typical face, and rounding rotates its normal by up to {error:.2}°; the \
+             expected mean over all faces, including slender ones, is {expected:.2}°"
         );
-        found.tally(&FAR_FROM_ORIGIN).remark = Some(Remark { weight: error, text });
+        found.tally(Kind::FarFromOrigin).remark = Some(Remark { weight: error, text });
     }
 }
 

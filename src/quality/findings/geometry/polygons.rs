@@ -1,15 +1,11 @@
 //! Polygons of four corners and more that are not plane, not convex or not simple.
 
 use crate::quality::angles::degrees_between;
-use crate::quality::definition::{Definition, Found};
-use crate::quality::element::Element;
+use crate::quality::catalogue::Kind;
+use crate::quality::counts::Found;
 use crate::quality::facts::Facts;
 use crate::quality::spot::Spot;
 use glam::{DVec2, DVec3};
-
-pub(crate) static NON_PLANAR: Definition = Definition::note("non-planar-polygons", Element::Face, None);
-pub(crate) static CONCAVE: Definition = Definition::note("concave-polygons", Element::Face, None);
-pub(crate) static CROSSED: Definition = Definition::warning("crossed-polygons", Element::Face, None);
 
 /// The longest polygon of which all pairs of edges are compared.
 const LONGEST: usize = 64;
@@ -25,7 +21,7 @@ pub(crate) fn check(facts: &Facts<'_>, face: usize, found: &mut Found) {
     let area = facts.area[face];
     if area == 0.0 {
         if is_balanced(facts, face) {
-            found.add(&CROSSED, Spot::face(face).by(180.0), 0.0);
+            found.add(Kind::Crossed, Spot::face(face).by(180.0), 0.0);
         }
         return;
     }
@@ -33,15 +29,15 @@ pub(crate) fn check(facts: &Facts<'_>, face: usize, found: &mut Found) {
     let normal = facts.face_normal(face);
     let flat = flattened(&positions, normal);
     if crosses_itself(&flat) {
-        found.add(&CROSSED, Spot::face(face).by(180.0), area);
+        found.add(Kind::Crossed, Spot::face(face).by(180.0), area);
         return;
     }
     let twist = twist(&positions, normal);
     if twist > facts.thresholds.planarity.0 {
-        found.add(&NON_PLANAR, Spot::face(face).by(twist), area);
+        found.add(Kind::NonPlanar, Spot::face(face).by(twist), area);
     }
     if turns(&flat).iter().any(|&turn| turn < -INWARD) {
-        found.add(&CONCAVE, Spot::face(face).by(fan_error(&positions, normal)), area);
+        found.add(Kind::Concave, Spot::face(face).by(fan_error(&positions, normal)), area);
     }
 }
 

@@ -2,21 +2,12 @@
 
 use crate::normals::FaultReason;
 use crate::num::{Degrees, Radians};
-use crate::quality::definition::{Definition, Found};
-use crate::quality::element::Element;
+use crate::quality::catalogue::Kind;
+use crate::quality::counts::Found;
 use crate::quality::facts::Facts;
 use crate::quality::findings::geometry::polygons::{is_balanced, positions};
 use crate::quality::spot::{Measure, Spot};
 use glam::DVec3;
-
-pub(crate) static ZERO_AREA: Definition =
-    Definition::note("zero-area-faces", Element::Face, Some("--degenerate drop"));
-pub(crate) static BELOW_STORAGE: Definition = Definition::note("faces-below-storage", Element::Face, None);
-pub(crate) static NEEDLES: Definition = Definition {
-    unit: Some("times as wide as long"),
-    angle: Some(rounding_angle),
-    ..Definition::note("needle-faces", Element::Face, None)
-};
 
 /// Checks the shape of one face.
 pub(crate) fn check(facts: &Facts<'_>, face: usize, found: &mut Found) {
@@ -26,7 +17,7 @@ pub(crate) fn check(facts: &Facts<'_>, face: usize, found: &mut Found) {
     let [length, width] = extents(facts, face);
     let shape = width / length;
     if shape < facts.thresholds.needle {
-        found.add(&NEEDLES, Spot::face(face).of(Measure::Amount, -shape), facts.area[face]);
+        found.add(Kind::Needles, Spot::face(face).of(Measure::Amount, -shape), facts.area[face]);
     }
 }
 
@@ -36,8 +27,8 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
         let face = fault.index as usize;
         let (finding, degrees) = match fault.reason {
             FaultReason::ZeroArea if is_balanced(facts, face) => continue,
-            FaultReason::ZeroArea => (&ZERO_AREA, None),
-            FaultReason::BelowStorage => (&BELOW_STORAGE, Some(90.0)),
+            FaultReason::ZeroArea => (Kind::ZeroArea, None),
+            FaultReason::BelowStorage => (Kind::BelowStorage, Some(90.0)),
             _ => continue,
         };
         let spot = Spot::face(face);
@@ -47,8 +38,7 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
 
 /// The largest angle in degrees by which single precision turns a face: half a unit in the last place at both ends of its
 /// width.
-fn rounding_angle(facts: &Facts<'_>, spot: &Spot) -> f64 {
-    let face = spot.face as usize;
+pub(crate) fn rounding_angle(facts: &Facts<'_>, face: usize) -> f64 {
     let corners = facts.corners_of(face).map(|corner| facts.position(corner));
     let farthest = corners.map(|corner| corner.abs().max_element()).fold(0.0, f64::max);
     let rounding = farthest * f64::from(f32::EPSILON) / 2.0;

@@ -3,22 +3,13 @@
 use crate::mesh::Link;
 use crate::normals::{FaultReason, Weight};
 use crate::quality::angles::degrees_between;
-use crate::quality::counts::scan;
-use crate::quality::definition::{Definition, Found};
+use crate::quality::catalogue::Kind;
+use crate::quality::counts::{Found, scan};
 use crate::quality::effect::lost_light::key_light_lost;
-use crate::quality::element::Element;
 use crate::quality::estimate::means::term;
 use crate::quality::facts::Facts;
 use crate::quality::spot::{Measure, Spot};
 use glam::DVec3;
-
-pub(crate) static PINCHED_VERTICES: Definition = Definition::note("pinched-vertices", Element::Vertex, None);
-pub(crate) static HIGH_VALENCE: Definition = Definition {
-    unit: Some("faces at a vertex"),
-    angle: Some(largest_leaning),
-    ..Definition::note("high-valence-poles", Element::Vertex, None)
-};
-pub(crate) static CANCELLING: Definition = Definition::warning("cancelling-fans", Element::Corner, None);
 
 /// Finds pinched vertices and poles.
 pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
@@ -26,11 +17,11 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
         for vertex in vertices {
             let valence = facts.topology.corners_at(vertex as u32).len();
             if valence as u64 > u64::from(facts.thresholds.valence) {
-                found.add(&HIGH_VALENCE, Spot::vertex(vertex).of(Measure::Amount, valence as f64), 0.0);
+                found.add(Kind::HighValence, Spot::vertex(vertex).of(Measure::Amount, valence as f64), 0.0);
             }
             if is_pinched(facts, vertex as u32) {
                 let spot = Spot::vertex(vertex).by(index_mean_error(facts, vertex as u32));
-                found.add(&PINCHED_VERTICES, spot, 0.0);
+                found.add(Kind::PinchedVertices, spot, 0.0);
             }
         }
     }));
@@ -42,7 +33,7 @@ pub(crate) fn search_cancelling(facts: &Facts<'_>, found: &mut Found) {
     for fault in faults.filter(|fault| fault.reason == FaultReason::CancellingFan) {
         let face = facts.topology.face_of(fault.index) as usize;
         let spot = Spot::corner(face, fault.index as usize, 0.0).of(Measure::Steps, key_light_lost());
-        found.add(&CANCELLING, spot, facts.corner_area(face));
+        found.add(Kind::Cancelling, spot, facts.corner_area(face));
     }
 }
 
@@ -98,8 +89,8 @@ pub(crate) fn index_mean_error(facts: &Facts<'_>, vertex: u32) -> f64 {
 }
 
 /// The largest angle in degrees between a face at a vertex and the normal of its corner there.
-fn largest_leaning(facts: &Facts<'_>, spot: &Spot) -> f64 {
-    let corners = facts.topology.corners_at(spot.vertex).iter().map(|&corner| corner as usize);
+pub(crate) fn largest_leaning(facts: &Facts<'_>, vertex: u32) -> f64 {
+    let corners = facts.topology.corners_at(vertex).iter().map(|&corner| corner as usize);
     let leaning =
         |corner: usize| degrees_between(facts.face_normal(facts.face_of(corner)), facts.expected(corner));
     corners.map(leaning).fold(0.0, f64::max)

@@ -1,13 +1,11 @@
 //! Flat normals on a shape that is smooth.
 
 use crate::quality::angles::Limit;
-use crate::quality::definition::{Definition, Found};
-use crate::quality::element::Element;
+use crate::quality::catalogue::Kind;
+use crate::quality::counts::Found;
 use crate::quality::facts::Facts;
 use crate::quality::spot::Spot;
 use rayon::prelude::*;
-
-pub(crate) static FACETED: Definition = Definition::note("faceted-normals", Element::Mesh, Some(""));
 
 /// Edges of a smaller dihedral angle, in degrees, do not count.
 pub(crate) const FLAT: f64 = 1.0;
@@ -33,7 +31,7 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
                 found.add((), Spot::corner(face, corner, angle), 0.0);
             }
         });
-        found.add_mesh(&FACETED, facts.total_area, gentle.take(()).worst);
+        found.add_mesh(Kind::Faceted, facts.total_area, gentle.take(()).worst);
     }
 }
 

@@ -3,26 +3,13 @@
 use crate::mesh::DisjointSets;
 use crate::normals::Crease;
 use crate::quality::angles::{SAME, degrees_between};
-use crate::quality::definition::{Definition, Found};
-use crate::quality::element::{Element, Severity};
+use crate::quality::catalogue::Kind;
+use crate::quality::counts::Found;
+use crate::quality::element::Severity;
 use crate::quality::facts::Facts;
 use crate::quality::findings::smoothing::edge::Edge;
 use crate::quality::spot::Spot;
 use rayon::prelude::*;
-
-pub(crate) static AVERAGED_CREASE: Definition =
-    Definition::warning("averaged-crease", Element::Edge, Some(""));
-pub(crate) static SPLIT_SEAM: Definition = Definition::warning("split-seam", Element::Edge, Some(""));
-pub(crate) static NEEDLESS_SEAM: Definition = Definition {
-    say_sum: Some(|vertices| {
-        let noun = if vertices == 1 { "vertex" } else { "vertices" };
-        format!("{vertices} {noun} could be merged away")
-    }),
-    ..Definition::note("needless-seam", Element::Edge, None)
-};
-pub(crate) static CRACKED_SEAM: Definition = Definition::warning("cracked-seam", Element::Edge, Some(""));
-pub(crate) static GROUP_MISMATCH: Definition =
-    Definition::note("group-mismatch", Element::Edge, Some("--groups honour"));
 
 /// The share of edges that the crease angle has to put on the right side before the others are faults.
 const RULE: f64 = 0.98;
@@ -52,8 +39,8 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
     // Computing all normals leaves the others unchanged only if these follow a recipe. So high an angle smooths other sharp edges.
     let is_soft = !estimate.groups && estimate.crease.0 > Crease::DEFAULT_ANGLE.0 + facts.thresholds.crease.0;
     let restores = estimate.is_rule() || (estimate.is_departed_from() && !is_soft);
-    for finding in [&AVERAGED_CREASE, &SPLIT_SEAM, &CRACKED_SEAM] {
-        let is_crease = finding == &AVERAGED_CREASE;
+    for finding in [Kind::AveragedCrease, Kind::SplitSeam, Kind::CrackedSeam] {
+        let is_crease = finding == Kind::AveragedCrease;
         let count = edges.count(finding);
         let is_certain = || {
             let is_few = is_crease && count < FEWEST_SHARP as u64;
@@ -66,8 +53,8 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
         tally.may_be_meant = !restores;
         tally.severity = severity;
     }
-    if edges.count(&NEEDLESS_SEAM) > 0 {
-        edges.tally(&NEEDLESS_SEAM).sum = mergeable_vertices(facts);
+    if edges.count(Kind::NeedlessSeam) > 0 {
+        edges.tally(Kind::NeedlessSeam).sum = mergeable_vertices(facts);
     }
     found.merge(edges);
 }
@@ -80,12 +67,12 @@ fn check(facts: &Facts<'_>, edge: &Edge, averaged_from: f64, found: &mut Found) 
     // Two groups meet where the surface was meant to be sharp.
     let is_border = groups.is_some_and(|[a, b]| a != b && a != 0 && b != 0);
     if edge.is_averaged(facts, averaged_from) {
-        found.add(&AVERAGED_CREASE, spot.by(edge.leaning(facts)), 0.0);
+        found.add(Kind::AveragedCrease, spot.by(edge.leaning(facts)), 0.0);
     } else if low > facts.thresholds.seam.0 && !is_border && edge.is_seam(facts) {
         let is_cracked = facts.is_cracked(edge.half_edge);
-        found.add(if is_cracked { &CRACKED_SEAM } else { &SPLIT_SEAM }, spot.by(high), 0.0);
+        found.add(if is_cracked { Kind::CrackedSeam } else { Kind::SplitSeam }, spot.by(high), 0.0);
     } else if high == 0.0 && edge.is_needless(facts) {
-        found.add(&NEEDLESS_SEAM, spot, 0.0);
+        found.add(Kind::NeedlessSeam, spot, 0.0);
     }
     if let Some([a, b]) = groups {
         let is_smooth = a == b && a != 0;
@@ -95,7 +82,7 @@ fn check(facts: &Facts<'_>, edge: &Edge, averaged_from: f64, found: &mut Found) 
             false => high <= SAME && edge.dihedral_angle(facts) > SAME,
         };
         if is_mismatch {
-            found.add(&GROUP_MISMATCH, spot.by(edge.dihedral_angle(facts)), 0.0);
+            found.add(Kind::GroupMismatch, spot.by(edge.dihedral_angle(facts)), 0.0);
         }
     }
 }
@@ -113,10 +100,10 @@ fn search_cracks(facts: &Facts<'_>, found: &mut Found) {
         if normals.iter().all(|[a, b]| a == b) {
             let faces = [half_edge, across].map(|corner| topology.face_of(corner) as usize);
             let angle = degrees_between(facts.face_normal(faces[0]), facts.face_normal(faces[1]));
-            found.add(&CRACKED_SEAM, Spot::corner(faces[0], half_edge as usize, angle), 0.0);
+            found.add(Kind::CrackedSeam, Spot::corner(faces[0], half_edge as usize, angle), 0.0);
         }
     }
-    found.tally(&CRACKED_SEAM).severity = Some(Severity::Note);
+    found.tally(Kind::CrackedSeam).severity = Some(Severity::Note);
 }
 
 /// Whether normals differ on the two sides of any edge that is not flat.

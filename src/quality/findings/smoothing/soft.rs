@@ -2,8 +2,9 @@
 
 use crate::normals::Crease;
 use crate::quality::angles::{Limit, degrees_between};
-use crate::quality::definition::{Definition, Found};
-use crate::quality::element::{Element, Severity};
+use crate::quality::catalogue::Kind;
+use crate::quality::counts::Found;
+use crate::quality::element::Severity;
 use crate::quality::estimate::recipe::REPRODUCED;
 use crate::quality::facts::Facts;
 use crate::quality::findings::geometry::polygons::bow;
@@ -12,8 +13,6 @@ use crate::quality::findings::smoothing::facets::{FLAT, GENTLE, angle_over, coun
 use crate::quality::findings::smoothing::seams::FEWEST_SHARP;
 use crate::quality::spot::Spot;
 use rayon::prelude::*;
-
-pub(crate) static SOFT: Definition = Definition::warning("soft-normals", Element::Edge, Some("--crease 40"));
 
 /// The largest number of edges between gentle and sharp ones for each sharp one on a sharp shape: a machined part has 0.05, a gear
 /// with bevels 0.29. Round shapes, however coarse, have edges of all angles: the cage of a cow 0.34, a head 0.6, a person 0.8. So
@@ -49,12 +48,12 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
         return;
     }
     let mut soft = smooth_sharp_edges(facts, sharp_from);
-    let count = soft.count(&SOFT) as f64;
+    let count = soft.count(Kind::Soft) as f64;
     // If some edges are kept sharp, those that are not are findings of their own.
     let kept = count_kept_sharp(facts, sharp_from, estimate.is_rule()) as f64;
     if count >= 0.5 * sharp as f64 && count >= ALL * (count + kept) {
         let has_groups = facts.mesh.columns().smoothing.is_some();
-        let tally = soft.tally(&SOFT);
+        let tally = soft.tally(Kind::Soft);
         let may_be_meant = has_groups || may_be_round || !estimate.is_rule();
         tally.severity = may_be_meant.then_some(Severity::Note);
         tally.remedy = has_groups.then(|| format!("--crease {} --groups ignore", Crease::DEFAULT_ANGLE.0));
@@ -120,7 +119,7 @@ fn smooth_sharp_edges(facts: &Facts<'_>, sharp_from: f64) -> Found {
         if angle_over(facts, corner as u32, sharp).is_some()
             && let Some(edge) = Edge::once(facts, corner as u32).filter(Edge::is_shared)
         {
-            found.add(&SOFT, Spot::corner(face, corner, edge.leaning(facts)), 0.0);
+            found.add(Kind::Soft, Spot::corner(face, corner, edge.leaning(facts)), 0.0);
         }
     })
 }

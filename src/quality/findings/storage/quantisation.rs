@@ -1,17 +1,13 @@
 //! The precision of stored normals: the grid that all of them are on, and the highlights that it is good for.
 
 use crate::num::{Degrees, largest_exponent, three_digits};
-use crate::quality::counts::{Remark, scan};
-use crate::quality::definition::{Definition, Found};
+use crate::quality::catalogue::Kind;
+use crate::quality::counts::{Found, Remark, scan};
 use crate::quality::effect::highlight::Highlights;
-use crate::quality::element::Element;
 use crate::quality::facts::Facts;
 use crate::quality::findings::storage::grid::Grid;
-use crate::quality::findings::stored::values::LOOSE_LENGTH;
 use crate::quality::spot::Spot;
 use glam::DVec3;
-
-pub(crate) static QUANTISED: Definition = Definition::note("coarse-normals", Element::Mesh, Some(""));
 
 /// The largest share of corners that may deviate by more than rounding explains.
 const FEW: f64 = 0.15;
@@ -50,14 +46,14 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) -> Option<Precision> 
         grid: grid.name.clone(),
     };
     let remedy = facts.file.has_normal_formats().then(|| FINER.to_owned());
-    if remedy.is_some() && grid.spoils_lengths() && found.count(&LOOSE_LENGTH) > 0 {
-        found.tally(&LOOSE_LENGTH).remedy = remedy.clone();
+    if remedy.is_some() && grid.spoils_lengths() && found.count(Kind::LooseLength) > 0 {
+        found.tally(Kind::LooseLength).remedy = remedy.clone();
     }
     let exponent = Highlights::new(facts).largest_exponent(facts.mesh);
     let serves_material = precision.exponent.is_some_and(|largest| largest as f64 >= exponent);
     if precision.error > facts.thresholds.quantisation || !serves_material {
         report(facts, &precision, exponent, found);
-        found.tally(&QUANTISED).remedy = remedy;
+        found.tally(Kind::Quantised).remedy = remedy;
     }
     Some(precision)
 }
@@ -68,10 +64,10 @@ fn report(facts: &Facts<'_>, precision: &Precision, exponent: f64, found: &mut F
         Some(measured) => (measured.largest, measured.worst.clone(), measured.describe()),
         None => (precision.error.0, vec![Spot::mesh()], String::new()),
     };
-    found.add_mesh(&QUANTISED, facts.total_area, worst);
+    found.add_mesh(Kind::Quantised, facts.total_area, worst);
     let serves = match precision.exponent {
-        Some(exponent) => format!("good for exponents up to {exponent}"),
-        None => "which even a matte surface may show by more than half a step of 8 bits".into(),
+        Some(exponent) => format!("enough for exponents up to {exponent}"),
+        None => "which even a matte surface may show by more than half an 8-bit step".into(),
     };
     let text = format!(
         "{}, {deviation}rounding to the nearest makes at most {}°, {serves}; the material's exponent of {} needs {} bits a component",
@@ -80,7 +76,7 @@ fn report(facts: &Facts<'_>, precision: &Precision, exponent: f64, found: &mut F
         three_digits(exponent),
         needed_bits(exponent)
     );
-    found.tally(&QUANTISED).remark = Some(Remark { weight, text });
+    found.tally(Kind::Quantised).remark = Some(Remark { weight, text });
 }
 
 /// The error of rounding, where the recipe of the normals is known. Angles are in degrees.
@@ -126,7 +122,7 @@ impl Measured {
             }
         };
         let [largest, rms] = [self.largest, self.rms].map(three_digits);
-        format!("off what their rule gives by up to {largest}°, {rms}° in the root mean square{which}; ")
+        format!("off their recipe by up to {largest}°, {rms}° in the root mean square{which}; ")
     }
 }
 

@@ -2,15 +2,10 @@
 
 use crate::num::UnitVec3;
 use crate::quality::angles::degrees_between;
-use crate::quality::definition::{Definition, Found};
-use crate::quality::element::Element;
+use crate::quality::catalogue::Kind;
+use crate::quality::counts::Found;
 use crate::quality::facts::Facts;
 use crate::quality::spot::{Measure, Spot};
-
-pub(crate) static TANGENTS: Definition =
-    Definition::warning("tangents-off-normals", Element::Corner, Some("--tangents regenerate"));
-pub(crate) static MORPH_NORMALS: Definition =
-    Definition::warning("wrong-morph-normals", Element::Corner, Some(""));
 
 /// Checks the tangents and morph targets of a part with stored normals.
 pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
@@ -37,9 +32,9 @@ fn search_tangents(facts: &Facts<'_>, found: &mut Found) {
         let is_unit = (direction.length() - 1.0).abs() <= thresholds.length && tangent.w.abs() == 1.0;
         let lean = (90.0 - degrees_between(direction, normal)).abs();
         if !is_unit {
-            found.add(&TANGENTS, Spot::corner(face, corner, 0.0).of(Measure::Order, 180.0), area);
+            found.add(Kind::Tangents, Spot::corner(face, corner, 0.0).of(Measure::Order, 180.0), area);
         } else if lean > thresholds.tangent.0 {
-            found.add(&TANGENTS, Spot::corner(face, corner, lean), area);
+            found.add(Kind::Tangents, Spot::corner(face, corner, lean), area);
         }
     }));
 }
@@ -63,7 +58,7 @@ fn search_morphs(facts: &Facts<'_>, target: usize, found: &mut Found) {
         let morphed = UnitVec3::new(stored + offset)
             .map_or(180.0, |normal| degrees_between(normal.get(), expected[slot as usize]));
         if morphed - own > facts.thresholds.deviation.0 {
-            found.add(&MORPH_NORMALS, Spot::corner(face, corner, morphed), facts.corner_area(face));
+            found.add(Kind::MorphNormals, Spot::corner(face, corner, morphed), facts.corner_area(face));
         }
     }));
 }

@@ -1,21 +1,16 @@
 //! Stored normals in another space of the node tree than their positions.
 
-use crate::io::{FileNode, Loaded, NodeTree};
+use crate::io::{FileNode, NodeTree};
 use crate::mesh::{Mesh, normal_matrix};
 use crate::num::UnitVec3;
 use crate::quality::angles::degrees_between;
-use crate::quality::counts::Remark;
-use crate::quality::definition::{Definition, Found};
-use crate::quality::element::Element;
+use crate::quality::catalogue::Kind;
+use crate::quality::counts::{Found, Remark};
 use crate::quality::estimate::recipe::Estimate;
 use crate::quality::facts::Facts;
 use crate::quality::findings::stored::rotated::{ALIKE, explains, least, worst};
 use glam::{DMat3, DVec3};
-use std::cell::OnceCell;
 use std::ops::Range;
-
-pub(crate) static UNTRANSFORMED: Definition =
-    Definition::error("untransformed-normals", Element::Mesh, Some(""));
 
 /// The most nodes that are tried for one mesh.
 const NODES: usize = 32;
@@ -26,54 +21,43 @@ const ROUNDING: f64 = 1e-6;
 /// About how many faces are sampled to compare mistakes.
 const SAMPLE: usize = 1 << 11;
 
-/// The node tree of a file, read when a part first needs it.
-pub(crate) struct Spaces<'a> {
-    loaded: &'a Loaded,
-    tree: OnceCell<Option<NodeTree<'a>>>,
-}
-
-impl<'a> Spaces<'a> {
-    pub(crate) fn new(loaded: &'a Loaded) -> Self {
-        Self { loaded, tree: OnceCell::new() }
+/// The most likely mistake with the matrices of the nodes that place a mesh, if there may be one. The node tree is read only if it is
+/// needed.
+pub(crate) fn find_mistake<'a>(
+    facts: &Facts<'_>,
+    nodes: &[&FileNode],
+    tree: &dyn Fn() -> Option<&'a NodeTree<'a>>,
+) -> Option<Mistake> {
+    facts.stored?;
+    let thresholds = facts.thresholds;
+    let of_node = |node: &&FileNode| Chain::new(node, tree()).mistakes(thresholds.rotation.0);
+    let possible: Vec<Vec<Candidate>> = nodes.iter().take(NODES).map(of_node).collect();
+    if possible.iter().all(Vec::is_empty) {
+        return None;
     }
-
-    fn tree(&self) -> Option<&NodeTree<'a>> {
-        self.tree.get_or_init(|| self.loaded.node_tree()).as_ref()
+    let mean = |agreement: &dyn Fn(DVec3, DVec3) -> f64| mean(facts, 1, agreement);
+    let either_way = mean(&|stored, expected| stored.dot(expected).abs());
+    // No matrix explains what is not wrong.
+    if 1.0 - either_way <= least(thresholds) {
+        return None;
     }
-
-    /// The most likely mistake with the matrices of the nodes that place a mesh, if there may be one.
-    pub(crate) fn mistake(&self, facts: &Facts<'_>, nodes: &[&FileNode]) -> Option<Mistake> {
-        facts.stored?;
-        let thresholds = facts.thresholds;
-        let of_node = |node: &&FileNode| Chain::new(node, self.tree()).mistakes(thresholds.rotation.0);
-        let possible: Vec<Vec<Candidate>> = nodes.iter().take(NODES).map(of_node).collect();
-        if possible.iter().all(Vec::is_empty) {
-            return None;
-        }
-        let mean = |agreement: &dyn Fn(DVec3, DVec3) -> f64| mean(facts, 1, agreement);
-        let either_way = mean(&|stored, expected| stored.dot(expected).abs());
-        // No matrix explains what is not wrong.
-        if 1.0 - either_way <= least(thresholds) {
-            return None;
-        }
-        let (best, is_only) = best_of(facts, &possible)?;
-        let matrix = normal_matrix(best.map)?;
-        let with = mean(&|stored, expected| stored.dot(matrix.apply(expected).unwrap_or(expected)));
-        let turn = facts.turn.unwrap_or_default();
-        let by_turn = || mean(&|stored, expected| stored.dot(turn * expected));
-        let is_certain = explains(with, either_way, thresholds) && by_turn() - with <= least(thresholds);
-        if !is_certain && with <= mean(&|stored, expected| stored.dot(expected)) {
-            return None;
-        }
-        let or = if is_only { "" } else { ", or something else that these matrices do not tell from it" };
-        let description = best.describe(|node| self.tree().map(|tree| tree.name(node)));
-        Some(Mistake {
-            taken_back: taken_back(facts.mesh, best.map),
-            turn: best.turn,
-            description: description.map(|description| description + or),
-            is_certain,
-        })
+    let (best, is_only) = best_of(facts, &possible)?;
+    let matrix = normal_matrix(best.map)?;
+    let with = mean(&|stored, expected| stored.dot(matrix.apply(expected).unwrap_or(expected)));
+    let rotation = facts.rotation.unwrap_or_default();
+    let by_rotation = || mean(&|stored, expected| stored.dot(rotation * expected));
+    let is_certain = explains(with, either_way, thresholds) && by_rotation() - with <= least(thresholds);
+    if !is_certain && with <= mean(&|stored, expected| stored.dot(expected)) {
+        return None;
     }
+    let or = if is_only { "" } else { ", or another mistake with the same effect" };
+    let description = best.describe(|node| tree().map(|tree| tree.name(node)));
+    Some(Mistake {
+        taken_back: taken_back(facts.mesh, best.map),
+        degrees: best.degrees,
+        description: description.map(|description| description + or),
+        is_certain,
+    })
 }
 
 /// Stored normals that matrices of nodes seem to have transformed.
@@ -81,7 +65,7 @@ pub(crate) struct Mistake {
     /// The mesh with its stored normals in its own space.
     pub(crate) taken_back: Mesh,
     /// The largest angle by which the matrices turn normals, in degrees.
-    turn: f64,
+    degrees: f64,
     /// Which nodes' matrices were mistaken, and how.
     description: Option<String>,
     /// Whether the normals then agree so well with the faces that no other proof is needed.
@@ -98,10 +82,10 @@ impl Mistake {
 
     /// Reports it, with the worst positions of the normals as stored.
     pub(crate) fn report(&self, stored: &Facts<'_>, found: &mut Found) {
-        found.add_mesh(&UNTRANSFORMED, stored.total_area, worst(stored));
-        let tally = found.tally(&UNTRANSFORMED);
-        tally.turn = Some(self.turn);
-        tally.remark = self.description.clone().map(|text| Remark { weight: self.turn, text });
+        found.add_mesh(Kind::Untransformed, stored.total_area, worst(stored));
+        let tally = found.tally(Kind::Untransformed);
+        tally.rotation_degrees = Some(self.degrees);
+        tally.remark = self.description.clone().map(|text| Remark { weight: self.degrees, text });
     }
 }
 
@@ -118,7 +102,7 @@ impl Chain {
         let links = matrices.map(|links| links.map(|(node, map)| (node, DMat3::from_mat4(map))).collect());
         let mut links: Vec<(usize, DMat3)> = links.unwrap_or_else(|| vec![(node.number, whole)]);
         // A mesh that is flattened has no normals.
-        links.retain(|&(_, map)| largest_turn(map) > ROUNDING && normal_matrix(whole).is_some());
+        links.retain(|&(_, map)| largest_rotation(map) > ROUNDING && normal_matrix(whole).is_some());
         Self { links, whole }
     }
 
@@ -128,7 +112,7 @@ impl Chain {
 
     /// All mistakes with the matrix of one node, or of those from the root to one or from one to the mesh, that turn normals by
     /// more than so many degrees; the likely ones first.
-    fn mistakes(&self, least_turn: f64) -> Vec<Candidate> {
+    fn mistakes(&self, least_rotation: f64) -> Vec<Candidate> {
         let count = self.links.len();
         let to_mesh = (0..count).map(|from| from..count);
         let from_root = (1..count).map(|to| 0..to);
@@ -145,9 +129,9 @@ impl Chain {
                 .into_iter()
                 .chain(within.into_iter().filter(|_| range.end < count));
             for (how, map, forward) in all {
-                let turn = largest_turn(forward);
-                if turn > least_turn && map.is_finite() {
-                    mistakes.push(Candidate { map, turn, ends, how });
+                let degrees = largest_rotation(forward);
+                if degrees > least_rotation && map.is_finite() {
+                    mistakes.push(Candidate { map, degrees, ends, how });
                 }
             }
         }
@@ -173,7 +157,7 @@ struct Candidate {
     /// The map of points whose normal matrix was applied to the normals.
     map: DMat3,
     /// The largest angle by which the matrices turn normals, in degrees.
-    turn: f64,
+    degrees: f64,
     /// The first and the last of the nodes.
     ends: [usize; 2],
     how: How,
@@ -188,12 +172,11 @@ impl Candidate {
         } else {
             (["the matrices", "are", "apply"], format!("of nodes `{}` to `{}`", name(first)?, name(last)?))
         };
-        let elsewhere = "is in them, in a space that it is not for";
         Some(match self.how {
-            How::Twice => format!("{matrices} {nodes} {is} in them already and {applies} twice"),
-            How::Missing => format!("{matrices} {nodes} {is} undone in them, as if there were none"),
-            How::Within => format!("the product of {matrices} {nodes} {elsewhere}"),
-            How::WithinInverse => format!("the inverse of {matrices} {nodes} {elsewhere}"),
+            How::Twice => format!("{matrices} {nodes} {is} already applied to them and {applies} twice"),
+            How::Missing => format!("{matrices} {nodes} {is} undone in them"),
+            How::Within => format!("{matrices} {nodes} {is} applied to them in the wrong space"),
+            How::WithinInverse => format!("{matrices} {nodes} {is} undone in them in the wrong space"),
         })
     }
 }
@@ -242,7 +225,7 @@ fn taken_back(mesh: &Mesh, map: DMat3) -> Mesh {
 }
 
 /// The largest angle by which a linear map turns normals, over the axes and the diagonals, in degrees.
-fn largest_turn(map: DMat3) -> f64 {
+fn largest_rotation(map: DMat3) -> f64 {
     let [across, up] = [DVec3::new(1.0, -1.0, 1.0), DVec3::new(1.0, 1.0, -1.0)];
     let directions = [DVec3::X, DVec3::Y, DVec3::Z, DVec3::ONE, across, up];
     let Some(matrix) = normal_matrix(map) else { return 0.0 };

@@ -1,9 +1,9 @@
 //! Normals that deviate from the recipe of the mesh: negated, against their face, outliers, or authored.
 
 use crate::quality::angles::{Limit, SAME, degrees_between};
-use crate::quality::counts::{Tallies, Tally};
-use crate::quality::definition::{Definition, Found};
-use crate::quality::element::{Element, Severity};
+use crate::quality::catalogue::Kind;
+use crate::quality::counts::{Found, Tallies, Tally};
+use crate::quality::element::Severity;
 use crate::quality::estimate::recipe::{EXACT, REPRODUCED};
 use crate::quality::facts::Facts;
 use crate::quality::findings::smoothing::edge::is_at_averaged;
@@ -14,14 +14,6 @@ use crate::quality::findings::stored::rotated;
 use crate::quality::input::part::Direction;
 use crate::quality::spot::Spot;
 use glam::DVec3;
-
-pub(crate) static INVERTED: Definition = Definition::error("inverted-normals", Element::Corner, Some(""));
-pub(crate) static FLIPPED: Definition =
-    Definition::error("flipped-normals", Element::Corner, Some("--when broken"));
-pub(crate) static AGAINST_FACE: Definition =
-    Definition::warning("normals-against-face", Element::Corner, Some("--when broken"));
-pub(crate) static OUTLIERS: Definition = Definition::warning("stray-normals", Element::Corner, Some(""));
-pub(crate) static CUSTOM: Definition = Definition::note("custom-normals", Element::Corner, None);
 
 /// From this angle, in degrees, a normal counts as the opposite of the expected one, and an edge as a fold.
 const OPPOSITE: f64 = 135.0;
@@ -37,7 +29,7 @@ const NEGATED: f64 = 0.05;
 #[derive(Clone, Copy, PartialEq)]
 enum Verdict {
     /// A finding, whatever the rest of the mesh is like.
-    Certain(&'static Definition),
+    Certain(Kind),
     /// The rest of the mesh decides.
     Open(Area, Class),
 }
@@ -82,20 +74,20 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
         // One cause explains all of them.
         return;
     }
-    let certain = [&FLIPPED, &AGAINST_FACE, &OUTLIERS, &CUSTOM];
+    let certain = [Kind::Flipped, Kind::AgainstFace, Kind::Outlier, Kind::Custom];
     let sound = (0..facts.mesh.face_count()).filter(|&face| facts.is_sound(face));
     let sound = sound.map(|face| facts.corners_of(face).len()).sum::<usize>() as f64;
-    let against: u64 = certain[..2].iter().map(|finding| verdicts.count(Verdict::Certain(finding))).sum();
+    let against: u64 = certain[..2].iter().map(|finding| verdicts.count(Verdict::Certain(*finding))).sum();
     let against = against + open_against(&verdicts, Area::Recipe) + open_against(&verdicts, Area::Region);
     let is_inverted = against as f64 >= ALL * sound;
     for finding in certain {
         let tally = verdicts.take(Verdict::Certain(finding));
-        found.absorb(if is_inverted { &INVERTED } else { finding }, tally);
+        found.absorb(if is_inverted { Kind::Inverted } else { finding }, tally);
     }
     if is_inverted {
         for area in [Area::Recipe, Area::Region] {
             for class in [Shared, OfRun, Flipped, Against, Opposite] {
-                found.absorb(&INVERTED, verdicts.take(Verdict::Open(area, class)));
+                found.absorb(Kind::Inverted, verdicts.take(Verdict::Open(area, class)));
             }
         }
     } else {
@@ -132,10 +124,10 @@ impl Corner<'_> {
         let finding = self.finding(face, corner, normal, off)?;
         let area = if self.regions.has(face) { Area::Region } else { Area::Recipe };
         let origin = Origin::of(facts, corner, normal);
-        let (is_outlier, is_flipped) = (finding == &OUTLIERS, finding == &FLIPPED);
+        let (is_outlier, is_flipped) = (finding == Kind::Outlier, finding == Kind::Flipped);
         let verdict = match origin {
             None => Verdict::Certain(finding),
-            Some(_) if is_outlier && off <= EXACT => Verdict::Certain(&CUSTOM),
+            Some(_) if is_outlier && off <= EXACT => Verdict::Certain(Kind::Custom),
             Some(Origin::Shared) if is_outlier => Verdict::Open(area, Shared),
             Some(Origin::Run) if is_outlier => Verdict::Open(area, OfRun),
             _ if is_flipped && area == Area::Recipe && is_alone(facts, face, corner) => {
@@ -164,13 +156,13 @@ impl Corner<'_> {
     }
 
     /// What is wrong with a normal that is off by so many degrees; `None` if an edge explains it.
-    fn finding(&self, face: usize, corner: usize, normal: DVec3, off: f64) -> Option<&'static Definition> {
+    fn finding(&self, face: usize, corner: usize, normal: DVec3, off: f64) -> Option<Kind> {
         let facts = self.facts;
         let from_face = degrees_between(normal, facts.face_normal(face));
         if from_face > 90.0 + facts.thresholds.against.0 {
             // Smoothed over a fold, as when a polygon that crosses itself was cut into triangles, it is right for one side.
             let is_folded = facts.corners_of(face).any(|corner| is_at_averaged(facts, corner, OPPOSITE));
-            let finding = if off > OPPOSITE { &FLIPPED } else { &AGAINST_FACE };
+            let finding = if off > OPPOSITE { Kind::Flipped } else { Kind::AgainstFace };
             return (!is_folded).then_some(finding);
         }
         // An edge that should be sharp explains its corners, and so does one that should not be. With two fans, the normal may be
@@ -179,7 +171,7 @@ impl Corner<'_> {
             || self.runs.as_ref().is_some_and(|runs| runs.of(corner as u32) != Run::default())
             || facts.has_two_fans(corner)
             || facts.is_shared_with_other_part(corner, normal);
-        (!is_explained).then_some(&OUTLIERS)
+        (!is_explained).then_some(Kind::Outlier)
     }
 }
 
@@ -223,7 +215,10 @@ fn grade_by_recipe(
     let is_rule = estimate.is_some_and(|estimate| estimate.is_rule());
     let is_departed_from = estimate.is_some_and(|estimate| estimate.is_departed_from());
     let faults = |found: &Found| {
-        [&FLIPPED, &AGAINST_FACE, &OUTLIERS].map(|finding| found.count(finding)).iter().sum::<u64>() as f64
+        [Kind::Flipped, Kind::AgainstFace, Kind::Outlier]
+            .map(|finding| found.count(finding))
+            .iter()
+            .sum::<u64>() as f64
     };
     let unexplained = (1.0 - estimate.map_or(0.0, |estimate| estimate.reproduced)) * sound;
     let left =
@@ -234,10 +229,10 @@ fn grade_by_recipe(
     let are_both = is_rule && are_most(shared.count + of_run.count);
     let are_shared = are_both || (is_departed_from && are_most(shared.count));
     for (tally, is_fault) in [(shared, are_shared), (of_run, are_both)] {
-        found.absorb(if is_fault { &OUTLIERS } else { &CUSTOM }, tally);
+        found.absorb(if is_fault { Kind::Outlier } else { Kind::Custom }, tally);
     }
     let faults = faults(found);
-    let outliers = found.tally(&OUTLIERS);
+    let outliers = found.tally(Kind::Outlier);
     outliers.remedy = estimate.map(|estimate| estimate.options());
     // Computing all normals is no remedy if others were made in another way.
     outliers.may_be_meant = !is_departed_from || faults < 0.5 * unexplained;
@@ -247,16 +242,18 @@ fn grade_by_recipe(
 fn grade_regions(facts: &Facts<'_>, verdicts: &mut Tallies<Verdict>, found: &mut Found) {
     let mut own = Tallies::new(facts.thresholds.places);
     grade_against(verdicts, Area::Region, false, &mut own);
-    if found.count(&AGAINST_FACE) > 0 {
-        let tally = own.take(&AGAINST_FACE);
-        own.absorb(&CUSTOM, tally);
+    if found.count(Kind::AgainstFace) > 0 {
+        let tally = own.take(Kind::AgainstFace);
+        own.absorb(Kind::Custom, tally);
     }
     for class in [Shared, OfRun] {
-        own.absorb(&CUSTOM, verdicts.take(Verdict::Open(Area::Region, class)));
+        own.absorb(Kind::Custom, verdicts.take(Verdict::Open(Area::Region, class)));
     }
     // The remedy of the others would change these.
-    let are_meant = own.count(&AGAINST_FACE) + own.count(&CUSTOM) > 0;
-    [&FLIPPED, &AGAINST_FACE].into_iter().for_each(|finding| found.tally(finding).may_be_meant |= are_meant);
+    let are_meant = own.count(Kind::AgainstFace) + own.count(Kind::Custom) > 0;
+    [Kind::Flipped, Kind::AgainstFace]
+        .into_iter()
+        .for_each(|finding| found.tally(finding).may_be_meant |= are_meant);
     found.merge(own);
 }
 
@@ -266,23 +263,24 @@ fn grade_regions(facts: &Facts<'_>, verdicts: &mut Tallies<Verdict>, found: &mut
 fn grade_against(verdicts: &mut Tallies<Verdict>, area: Area, is_departed_from: bool, found: &mut Found) {
     let [flipped, against, opposite] =
         [Flipped, Against, Opposite].map(|class| verdicts.take(Verdict::Open(area, class)));
-    let are_alone = found.count(&AGAINST_FACE) == 0;
+    let are_alone = found.count(Kind::AgainstFace) == 0;
     let are_negated = opposite.count as f64 >= NEGATED * (opposite.count + flipped.count) as f64;
     let (negated, leaning) =
         if are_negated { (opposite, Tally::default()) } else { (Tally::default(), opposite) };
-    found.absorb(&FLIPPED, negated);
-    for (finding, tally) in [(&FLIPPED, flipped), (&AGAINST_FACE, against), (&FLIPPED, leaning)] {
+    found.absorb(Kind::Flipped, negated);
+    for (finding, tally) in [(Kind::Flipped, flipped), (Kind::AgainstFace, against), (Kind::Flipped, leaning)]
+    {
         // Next to more exact opposites, what is nearly opposite was negated with them.
-        let is_negated = finding == &FLIPPED && found.count(finding) > tally.count;
+        let is_negated = finding == Kind::Flipped && found.count(finding) > tally.count;
         let graded = match (is_departed_from || is_negated, are_alone) {
             (true, _) => finding,
-            (false, true) => &AGAINST_FACE,
-            (false, false) => &CUSTOM,
+            (false, true) => Kind::AgainstFace,
+            (false, false) => Kind::Custom,
         };
         found.absorb(graded, tally);
     }
     if !is_departed_from && are_alone {
-        let against = found.tally(&AGAINST_FACE);
+        let against = found.tally(Kind::AgainstFace);
         against.severity = Some(Severity::Note);
         against.may_be_meant = true;
     }

@@ -4,8 +4,6 @@
 pub(crate) mod values;
 // Where a normal that deviates may come from.
 pub(crate) mod origin;
-// Connected faces whose normals were edited gradually.
-pub(crate) mod gradual_edits;
 // Regions whose normals were made in another way.
 pub(crate) mod regions;
 // Normals that are constant, or rotated or reflected as a whole.

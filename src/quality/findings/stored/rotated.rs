@@ -2,20 +2,15 @@
 
 use crate::mesh::are_same;
 use crate::num::Radians;
-use crate::quality::counts::Remark;
-use crate::quality::definition::{Definition, Found};
-use crate::quality::element::Element;
-use crate::quality::estimate::rotation::{are_spread, closest_turn, outer, rotation_angle};
+use crate::quality::catalogue::Kind;
+use crate::quality::counts::{Found, Remark};
+use crate::quality::estimate::rotation::{are_spread, closest_rotation, outer, rotation_angle};
 use crate::quality::facts::Facts;
 use crate::quality::spot::Spot;
 use crate::quality::thresholds::Thresholds;
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 use std::ops::Range;
-
-pub(crate) static CONSTANT: Definition = Definition::warning("constant-normals", Element::Mesh, Some(""));
-pub(crate) static SWAPPED_AXES: Definition = Definition::error("swapped-axes", Element::Mesh, Some(""));
-pub(crate) static ROTATED: Definition = Definition::error("rotated-normals", Element::Mesh, Some(""));
 
 /// The mean cosine from which a rotation explains the normals.
 const AGREES: f64 = 0.9;
@@ -37,7 +32,7 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) -> bool {
         // A flat mesh has one normal, and so has one for which none could be computed.
         let is_fault = [sums.faces, sums.expected].iter().all(|sum| (*sum / sums.weight).length() < 0.9);
         if is_fault {
-            found.add_mesh(&CONSTANT, area, worst(facts));
+            found.add_mesh(Kind::Constant, area, worst(facts));
         }
         return is_fault;
     }
@@ -45,8 +40,8 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) -> bool {
     if !are_spread((0..facts.mesh.faces().corner_count()).filter_map(|corner| facts.stored_unit(corner))) {
         return false;
     }
-    let closest = closest_turn(sums.correlation * (1.0 / sums.weight));
-    let Some(closest) = facts.turn.or(closest) else { return false };
+    let closest = closest_rotation(sums.correlation * (1.0 / sums.weight));
+    let Some(closest) = facts.rotation.or(closest) else { return false };
     let either_way = sums.either_way / sums.weight;
     let explains = |agreement: f64| explains(agreement, either_way, facts.thresholds);
     let changes: Vec<(DMat3, f64)> = axis_changes()
@@ -58,18 +53,18 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) -> bool {
         between.determinant() > 0.0 && rotation_angle(between) <= facts.thresholds.rotation.0
     };
     if let Some(text) = smallest_of_the_best(&changes, is_closest) {
-        found.add_mesh(&SWAPPED_AXES, area, worst(facts));
-        found.tally(&SWAPPED_AXES).remark = Some(Remark { weight: facts.mesh.face_count() as f64, text });
+        found.add_mesh(Kind::SwappedAxes, area, worst(facts));
+        found.tally(Kind::SwappedAxes).remark = Some(Remark { weight: facts.mesh.face_count() as f64, text });
         return true;
     }
     let angle = rotation_angle(closest);
-    let fits = facts.turn.is_some() || explains(sums.agreement(closest));
+    let fits = facts.rotation.is_some() || explains(sums.agreement(closest));
     let is_rotated = fits && angle > facts.thresholds.rotation.0;
     if is_rotated {
         let reversed = if closest.determinant() < 0.0 { ", and reversed" } else { "" };
-        found.add_mesh(&ROTATED, area, worst(facts));
-        let tally = found.tally(&ROTATED);
-        tally.turn = Some(angle);
+        found.add_mesh(Kind::Rotated, area, worst(facts));
+        let tally = found.tally(Kind::Rotated);
+        tally.rotation_degrees = Some(angle);
         tally.remark = Some(Remark { weight: angle, text: format!("by {angle:.1}°{reversed}") });
     }
     is_rotated
@@ -100,8 +95,8 @@ fn smallest_of_the_best(changes: &[(DMat3, f64)], is_closest: impl Fn(DMat3) -> 
     let smallest = describe(*alike.iter().min_by_key(changed)?);
     Some(match alike.len() - 1 {
         0 => smallest,
-        1 => format!("{smallest} (or another change that this shape does not tell from it)"),
-        others => format!("{smallest} (or one of {others} changes that this shape does not tell from it)"),
+        1 => format!("{smallest} (or another change with the same effect on this shape)"),
+        others => format!("{smallest} (or one of {others} changes with the same effect on this shape)"),
     })
 }
 
@@ -177,8 +172,8 @@ impl Sums {
     }
 
     /// The mean cosine between the stored normals and the expected ones, rotated.
-    fn agreement(&self, turn: DMat3) -> f64 {
-        let sum = |i: usize| turn.col(i).dot(self.correlation.col(i));
+    fn agreement(&self, rotation: DMat3) -> f64 {
+        let sum = |i: usize| rotation.col(i).dot(self.correlation.col(i));
         (sum(0) + sum(1) + sum(2)) / self.weight
     }
 }
@@ -201,5 +196,5 @@ fn describe(axes: DMat3) -> String {
     };
     let changes = ["x", "y", "z"].into_iter().zip([axes.x_axis, axes.y_axis, axes.z_axis]);
     let changed = changes.map(|(from, to)| (from, name(to))).filter(|(from, to)| from != to);
-    changed.map(|(from, to)| format!("{from} stands as {to}")).collect::<Vec<_>>().join(", ")
+    changed.map(|(from, to)| format!("{from} is stored as {to}")).collect::<Vec<_>>().join(", ")
 }

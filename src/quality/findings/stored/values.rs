@@ -1,22 +1,11 @@
 //! Normals that are missing, without a direction or not of unit length.
 
 use crate::quality::angles::degrees_between;
-use crate::quality::definition::{Definition, Found};
+use crate::quality::catalogue::Kind;
+use crate::quality::counts::Found;
 use crate::quality::effect::lost_light::{key_light_lost, key_light_scaled};
-use crate::quality::element::Element;
 use crate::quality::facts::Facts;
 use crate::quality::spot::{Measure, Spot};
-
-pub(crate) static NO_NORMALS: Definition = Definition::note("no-normals", Element::Mesh, Some(""));
-pub(crate) static MISSING_NORMALS: Definition =
-    Definition::warning("missing-normals", Element::Corner, Some("--when missing"));
-pub(crate) static NOT_FINITE: Definition =
-    Definition::error("not-finite-normals", Element::Corner, Some("--when broken"));
-pub(crate) static ZERO_NORMALS: Definition =
-    Definition::error("zero-normals", Element::Corner, Some("--when broken"));
-pub(crate) static NOT_UNIT: Definition =
-    Definition::warning("not-unit-normals", Element::Corner, Some("--when broken"));
-pub(crate) static LOOSE_LENGTH: Definition = Definition::note("loose-length", Element::Corner, Some(""));
 
 /// Reports a part without normals, with the corners at which flat normals, as glTF asks for, are farthest from smooth ones.
 pub(crate) fn report_none(facts: &Facts<'_>, found: &mut Found) {
@@ -35,7 +24,7 @@ pub(crate) fn report_none(facts: &Facts<'_>, found: &mut Found) {
         // A mesh without any direction: everywhere.
         worst.push(Spot::mesh().by(0.0));
     }
-    found.add_mesh(&NO_NORMALS, facts.total_area, worst);
+    found.add_mesh(Kind::NoNormals, facts.total_area, worst);
 }
 
 /// Checks the stored normals of all corners.
@@ -46,21 +35,21 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
         let Some(normal) = stored.get(corner, facts.vertex(corner)) else {
             // glTF asks for flat normals there.
             let flat = degrees_between(facts.face_normal(face), facts.expected(corner));
-            return found.add(&MISSING_NORMALS, spot.by(flat), area);
+            return found.add(Kind::MissingNormals, spot.by(flat), area);
         };
         let length = normal.length();
         let error = (length - 1.0).abs();
         if !normal.is_finite() {
-            found.add(&NOT_FINITE, spot.of(Measure::Steps, key_light_lost()), area);
+            found.add(Kind::NotFinite, spot.of(Measure::Steps, key_light_lost()), area);
         } else if length == 0.0 {
             // No normal is right at a corner of a face without direction.
             if facts.has_direction(face) {
-                found.add(&ZERO_NORMALS, spot.of(Measure::Steps, key_light_lost()), area);
+                found.add(Kind::ZeroNormals, spot.of(Measure::Steps, key_light_lost()), area);
             }
         } else if error > facts.thresholds.length {
-            found.add(&NOT_UNIT, spot.of(Measure::Steps, key_light_scaled(length)), area);
+            found.add(Kind::NotUnit, spot.of(Measure::Steps, key_light_scaled(length)), area);
         } else if error > facts.thresholds.strict_length {
-            found.add(&LOOSE_LENGTH, spot.of(Measure::Steps, key_light_scaled(length)), area);
+            found.add(Kind::LooseLength, spot.of(Measure::Steps, key_light_scaled(length)), area);
         }
     }));
 }

@@ -26,7 +26,7 @@ struct Document {
 }
 
 impl SceneFile {
-    /// A scene from the text of a TOML file that lies in the folder `base`; [`load`](crate::raster::load()) lists its keys.
+    /// A scene from the text of a TOML file that lies in the folder `base`; `docs/scenes.md` lists its keys.
     /// Meshes are looked for there, and in no place outside of it unless
     /// [`ReadOptions::root`](crate::io::ReadOptions::root) names one.
     ///

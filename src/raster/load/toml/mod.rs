@@ -1,6 +1,6 @@
 //! Scenes written in TOML.
 //!
-//! `data/scenes` of the repository has annotated examples; [`load`](crate::raster::load::load()) documents every key.
+//! `docs/scenes.md` of the repository describes every key; `data/scenes` has annotated examples.
 
 // The line and the key of an error.
 mod source;

@@ -2,21 +2,13 @@
 
 use crate::num::{angle_between, three_digits};
 use crate::quality::angles::Limit;
-use crate::quality::counts::Remark;
-use crate::quality::definition::{Definition, Found};
+use crate::quality::catalogue::Kind;
+use crate::quality::counts::{Found, Remark};
 use crate::quality::effect::highlight::Highlights;
 use crate::quality::effect::lost_light::slope_jump;
-use crate::quality::element::Element;
 use crate::quality::facts::Facts;
 use crate::quality::spot::{Measure, Spot};
 use glam::DVec3;
-
-pub(crate) static TERMINATOR: Definition = Definition::note("shading-terminator", Element::Corner, None);
-pub(crate) static MACH_BANDS: Definition =
-    Definition { unit: Some("grey steps a pixel"), ..Definition::note("mach-bands", Element::Edge, None) };
-pub(crate) static COARSE_OUTLINE: Definition =
-    Definition { unit: Some("pixels"), ..Definition::note("coarse-outline", Element::Edge, None) };
-pub(crate) static LOST_HIGHLIGHT: Definition = Definition::note("lost-highlight", Element::Face, None);
 
 /// The tangents of the turns of normals up to which the two bounds below hold.
 const SMALL_TURN: f64 = 0.3;
@@ -42,17 +34,17 @@ pub(crate) fn search(facts: &Facts<'_>, found: &mut Found) {
             }
         }
     }));
-    remark(found, &MACH_BANDS, |steps| {
+    remark(found, Kind::MachBands, |steps| {
         format!("the slope of brightness jumps by up to {steps} steps a pixel")
     });
     let size = three_digits(facts.thresholds.size);
-    remark(found, &COARSE_OUTLINE, |pixels| {
+    remark(found, Kind::CoarseOutline, |pixels| {
         format!("by up to {pixels} pixels where the mesh is {size} wide")
     });
 }
 
 /// Reports the amount at the worst position.
-fn remark(found: &mut Found, finding: &'static Definition, say: impl Fn(String) -> String) {
+fn remark(found: &mut Found, finding: Kind, say: impl Fn(String) -> String) {
     let tally = found.tally(finding);
     let worst = tally.worst.first().map(|worst| worst.weight);
     tally.remark = worst.map(|weight| Remark { weight, text: say(three_digits(weight)) });
@@ -64,14 +56,14 @@ fn check_corners(facts: &Facts<'_>, face: usize, terminator: Limit, highlight: L
     for corner in facts.corners_of(face) {
         let normal = facts.shaded(corner);
         if let Some(leaning) = terminator.exceeded(normal, facts.face_normal(face)).filter(|&it| it < 90.0) {
-            found.add(&TERMINATOR, Spot::corner(face, corner, leaning), facts.corner_area(face));
+            found.add(Kind::Terminator, Spot::corner(face, corner, leaning), facts.corner_area(face));
         }
         // A highlight between two corners is half as far from the nearer one.
         let next = facts.shaded(facts.topology.next(corner as u32) as usize);
         widest = widest.max(highlight.exceeded(normal, next).unwrap_or(0.0));
     }
     if widest > 0.0 {
-        found.add(&LOST_HIGHLIGHT, Spot::face(face).by(widest), facts.area[face]);
+        found.add(Kind::LostHighlight, Spot::face(face).by(widest), facts.area[face]);
     }
 }
 
@@ -101,7 +93,7 @@ fn check_edge(facts: &Facts<'_>, face: usize, half_edge: u32, found: &mut Found)
     let far = [half_edge, across].map(|half_edge| beyond_edge(facts, half_edge));
     let jump = band(normals[0] + normals[1], along, far, heights, thresholds.band);
     if jump > thresholds.band {
-        found.add(&MACH_BANDS, spot(jump), 0.0);
+        found.add(Kind::MachBands, spot(jump), 0.0);
     }
     let height = heights[0].min(heights[1]);
     let normals = [face, other].map(|face| facts.face_normal(face));
@@ -113,7 +105,7 @@ fn check_edge(facts: &Facts<'_>, face: usize, half_edge: u32, found: &mut Found)
     // An arc that turns by the dihedral angle over the height of the faces lies this far outside of its chord.
     let sagitta = 0.5 * height * libm::tan(angle_between(normals[0], normals[1]).0 / 4.0);
     if sagitta > thresholds.outline {
-        found.add(&COARSE_OUTLINE, spot(sagitta), 0.0);
+        found.add(Kind::CoarseOutline, spot(sagitta), 0.0);
     }
 }
 
