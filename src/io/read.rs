@@ -2,8 +2,7 @@
 
 use super::mesh_checks::face_notes;
 use super::text::without_byte_order_mark;
-use super::{Format, Limits, Loaded, Place, Problem, ReadError, ReadOptions};
-use super::{gltf, obj, ply, stl};
+use super::{Format, Limits, Loaded, Place, Problem, ReadError, ReadOptions, gltf, obj, ply, stl};
 #[cfg(unix)]
 use rayon::prelude::*;
 use std::fs;

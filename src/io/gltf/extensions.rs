@@ -1,6 +1,6 @@
 //! Extensions: which may be required, and which refer to the order of vertices or triangles.
 
-use crate::io::gltf::json::fields::Fields;
+use super::fields::Fields;
 use crate::io::{Note, Place, Problem, ReadError};
 use std::borrow::Cow;
 

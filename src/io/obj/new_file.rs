@@ -1,8 +1,8 @@
 //! A new OBJ from any meshes.
 
 use super::normal_numbers::NormalNumbers;
+use crate::io::mesh_checks::{Feature, unsupported_notes};
 use crate::io::text::{push_integer, push_row};
-use crate::io::unsupported_features::{Feature, unsupported_notes};
 use crate::io::{Emit, Note, Part, PartEdit, Place, WriteError, WriteOptions, Written};
 use crate::mesh::{FaceLabels, Mesh, NONE, Storage};
 use std::slice;

@@ -1,9 +1,10 @@
-//! The notes on a file, each once, with a count and the first places.
+//! The notes on a file, each once, with a count and the first places, and where bad references are.
 
 use super::cursor::Cursor;
-use crate::io::repeated_notes::{NoteKind, RepeatedNotes};
-use crate::io::text::{line_places, shown};
-use crate::io::{Note, Severity};
+use super::statements::{Keyword, statements};
+use crate::io::error::{NoteKind, RepeatedNotes};
+use crate::io::text::{Fault, line_places, shown};
+use crate::io::{Note, Problem, Severity};
 
 /// In the text of a note: the word of the file that it is about.
 const WORD: &str = "{word}";
@@ -57,4 +58,106 @@ pub(super) fn notes(found: &RepeatedNotes, text: &[u8]) -> Vec<Note> {
         Note { text: note.text.replace(WORD, &shown(cursor.token())), ..note }
     };
     notes.into_iter().map(with_word).collect()
+}
+
+/// How many vertices, texture coordinates and normals a file defines.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Counts {
+    pub vertices: usize,
+    pub uvs: usize,
+    pub normals: usize,
+}
+
+/// What a corner refers to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Target {
+    Vertex,
+    Uv,
+    Normal,
+}
+
+/// A reference to something that is not defined.
+pub(super) struct BadReference {
+    pub offset: usize,
+    spelled: i64,
+    defined_before: usize,
+}
+
+/// The first references of faces, lines and points to something that the whole file does not define, at most so many.
+pub(super) fn bad_references(text: &[u8], total: Counts, target: Target, most: usize) -> Vec<BadReference> {
+    let mut before = Counts::default();
+    let mut found = Vec::new();
+    for statement in statements(text) {
+        match statement.keyword {
+            Keyword::Vertex => before.vertices += 1,
+            Keyword::TextureCoordinate => before.uvs += 1,
+            Keyword::Normal => before.normals += 1,
+            // Only faces keep texture coordinates and normals.
+            Keyword::Line | Keyword::Point if target != Target::Vertex => {}
+            Keyword::Face | Keyword::Line | Keyword::Point => {
+                let known = found.len();
+                let corners = add_bad_corners(text, statement.arguments, (before, total), target, &mut found);
+                // Faces that are too short are skipped, whatever they refer to.
+                if statement.keyword == Keyword::Face && corners < 3 {
+                    found.truncate(known);
+                }
+                if found.len() >= most {
+                    found.truncate(most);
+                    break;
+                }
+            }
+            _ => {}
+        }
+    }
+    found
+}
+
+/// Adds the bad references of one statement and returns how many corners it has.
+fn add_bad_corners(
+    text: &[u8],
+    arguments: usize,
+    (before, total): (Counts, Counts),
+    target: Target,
+    found: &mut Vec<BadReference>,
+) -> usize {
+    let mut cursor = Cursor::new(text, arguments);
+    let mut corners = 0;
+    while let Some(offset) = cursor.next_argument() {
+        let Some(corner) = cursor.corner() else { break };
+        corners += 1;
+        let (spelled, defined_before, defined) = match target {
+            Target::Vertex => (Some(corner.vertex), before.vertices, total.vertices),
+            Target::Uv => (corner.uv, before.uvs, total.uvs),
+            Target::Normal => (corner.normal, before.normals, total.normals),
+        };
+        let is_bad = |spelled: &i64| match *spelled {
+            0 => true,
+            forward @ 1.. => forward as u64 > defined as u64,
+            back => back.unsigned_abs() > defined_before as u64,
+        };
+        let bad = spelled.filter(is_bad).map(|spelled| BadReference { offset, spelled, defined_before });
+        found.extend(bad);
+    }
+    corners
+}
+
+impl BadReference {
+    pub fn into_fault(self, total: Counts) -> Fault {
+        let found = match self.spelled {
+            back @ ..0 => format!(
+                "a reference {} vertices back, but only {} are defined before it",
+                back.unsigned_abs(),
+                self.defined_before
+            ),
+            index => format!("a reference to vertex {index}, but the file defines {}", total.vertices),
+        };
+        let advice = "correct the index, or add the missing vertices; perhaps the file was cut off or put together from parts";
+        Fault::new(Problem::Range, self.offset, found, advice)
+    }
+}
+
+/// Where the arguments of the `number`-th statement with a keyword start, counted from 0.
+pub(super) fn arguments_of(text: &[u8], keyword: Keyword, number: usize) -> Option<usize> {
+    let mut found = statements(text).filter(|statement| statement.keyword == keyword);
+    found.nth(number).map(|statement| statement.arguments)
 }

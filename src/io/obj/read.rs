@@ -3,9 +3,9 @@
 use super::cursor::Cursor;
 use super::document::ObjDocument;
 use super::merge::merge;
-use super::mtl_files;
-use super::piece::{self, Content};
+use super::piece::Content;
 use super::statements::{Keyword, pieces, statements};
+use super::{mtl, piece};
 use crate::io::mesh_checks::check_size;
 use crate::io::text::{Fault, line_and_column, line_place, shown};
 use crate::io::{Document, Format, Loaded, Part, Place, Problem, ReadError, ReadOptions};
@@ -46,9 +46,9 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
     let mut libraries = match base.or(options.root.as_deref()) {
         Some(base) => {
             let used = mesh.columns().materials.as_ref();
-            mtl_files::find(&bytes, &merged.libraries, used, base, options)
+            mtl::find(&bytes, &merged.libraries, used, base, options)
         }
-        None => mtl_files::out_of_reach(&bytes, &merged.libraries),
+        None => mtl::out_of_reach(&bytes, &merged.libraries),
     };
     notes.append(&mut libraries.notes);
     let name = match &mesh.columns().objects {

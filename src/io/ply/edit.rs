@@ -1,9 +1,8 @@
 //! Writing a PLY back into its own bytes.
 
-use super::document::PlyDocument;
+use super::document::{FaceRole, PlyDocument};
 use super::header::{Element, Kind, Property};
 use super::normal_properties::NormalProperties;
-use super::property_roles::FaceRole;
 use super::rows::{Row, Rows, damaged, read_corners};
 use super::scalar::{Encoding, Scalar};
 use crate::io::text::{Changes, Fault};

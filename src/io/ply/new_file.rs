@@ -1,7 +1,7 @@
 //! A new PLY from any meshes.
 
 use super::scalar::{Encoding, Scalar};
-use crate::io::unsupported_features::{Feature, needs_f64, unsupported_notes};
+use crate::io::mesh_checks::{Feature, needs_f64, unsupported_notes};
 use crate::io::{Emit, Note, Part, Place, WriteError, WriteOptions, Written};
 use crate::mesh::{Column, ColumnIndex, Mesh, NONE, VertexSplit, split_vertices};
 use glam::{DVec2, DVec3, DVec4};

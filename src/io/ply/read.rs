@@ -1,12 +1,12 @@
 //! Bytes to a PLY document and its mesh.
 
-use super::document::{Packed, PlyDocument};
-use super::header::{self, Element, Header, Kind};
-use super::property_roles::{FaceRole, Roles, VertexRole};
+use super::document::{FaceRole, Packed, PlyDocument, Roles, VertexRole};
+use super::header;
+use super::header::{Element, Header, Kind};
 use super::rows::{OVERLONG, Row, Rows, place, places, read_corners, vertex_index};
 use super::scalar::{Encoding, Scalar};
+use crate::io::error::{NoteKind, RepeatedNotes};
 use crate::io::mesh_checks::{build_part, check_size, non_finite_note};
-use crate::io::repeated_notes::{NoteKind, RepeatedNotes};
 use crate::io::text::{Fault, counted, restore_singles};
 use crate::io::{Document, Format, Loaded, Note, Place, Problem, ReadError, ReadOptions, Severity};
 use crate::mesh::{Column, Faces, MeshBuilder, MeshError, NONE, Storage};

@@ -2,7 +2,7 @@
 
 use super::header::{Element, Header, Kind};
 use super::scalar::{Encoding, Scalar};
-use crate::io::repeated_notes::{NoteKind, RepeatedNotes};
+use crate::io::error::{NoteKind, RepeatedNotes};
 use crate::io::text::{Fault, counted, line_end_length, line_place, line_places, next_word, shown};
 use crate::io::{Place, Problem, Severity};
 use crate::mesh::NONE;

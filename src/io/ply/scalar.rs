@@ -1,6 +1,7 @@
 //! The number types of PLY.
 
 use crate::io::text::{float, push_f32, push_f64, push_integer};
+use Scalar::{F32, F64, I8, I16, I32, U8, U16, U32};
 
 /// How the body of a file is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,8 +23,6 @@ pub(super) enum Scalar {
     F32,
     F64,
 }
-
-use Scalar::{F32, F64, I8, I16, I32, U8, U16, U32};
 
 /// Both styles of names: those of the first readers, and those with sizes.
 const NAMES: [(Scalar, &str, &str); 8] = [

@@ -1,7 +1,7 @@
 //! Ascii STL: words in any case, between blanks and line ends of any kind, with comments from `#` to the line's end.
 
+use crate::io::error::{NoteKind, RepeatedNotes};
 use crate::io::mesh_checks::{build_part, non_finite_note};
-use crate::io::repeated_notes::{NoteKind, RepeatedNotes};
 use crate::io::text::{
     Fault, Words, counted, float, is_blank, line_place, line_places, restore_singles, shown,
 };

@@ -1,12 +1,12 @@
 //! Writing an STL back into its own bytes.
 
 use super::ascii::{FacetText, SolidText, solids};
-use super::binary::VECTOR;
-use super::document::{FACET, FIRST, HEADER, Layout, StlDocument};
-use super::facet_edits::{FacetEdit, facet_edits};
 use super::new_file::vertex_normals_note;
+use super::read::{FACET, FIRST, HEADER, Layout, StlDocument, VECTOR};
 use crate::io::text::{Copier, line_end_length, push_f32};
 use crate::io::{Loaded, PartEdit, WriteError, WriteOptions, Written};
+use crate::mesh::Mesh;
+use glam::DVec3;
 use std::ops::Range;
 
 /// The document with the edit applied: facet normals, facets dropped and reversed. Everything else keeps its bytes.
@@ -108,4 +108,57 @@ fn facet_lines(copy: &Copier<'_>, facet: &FacetText) -> Range<usize> {
     let line_end = line_end_length(&behind[blanks..]);
     let starts_line = start == 0 || matches!(copy.text[start - 1], b'\n' | b'\r');
     if starts_line && line_end > 0 { start..facet.span.end + blanks + line_end } else { facet.span.clone() }
+}
+
+/// The edit of one facet of the document.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct FacetEdit {
+    pub dropped: bool,
+    pub reversed: bool,
+    /// Its new normal; `None` keeps the stored bytes.
+    pub normal: Option<[f32; 3]>,
+}
+
+/// One entry a facet, part by part.
+pub(super) fn facet_edits(loaded: &Loaded, edits: &[PartEdit]) -> Vec<Vec<FacetEdit>> {
+    let unchanged = PartEdit::default();
+    let edits = edits.iter().chain(std::iter::repeat(&unchanged));
+    loaded.parts.iter().zip(edits).map(|(part, edit)| part_edits(&part.mesh, edit)).collect()
+}
+
+fn part_edits(mesh: &Mesh, edit: &PartEdit) -> Vec<FacetEdit> {
+    let mut facets = vec![FacetEdit::default(); mesh.face_count()];
+    if let Some(normals) = &edit.face_normals {
+        for ((face, facet), &normal) in facets.iter_mut().enumerate().zip(normals) {
+            let normal = stored(normal);
+            // An equal number keeps its spelling.
+            facet.normal =
+                (!keeps(mesh, edit, face) && current(mesh, face) != Some(normal)).then_some(normal);
+        }
+    }
+    for &face in &edit.faces.dropped {
+        facets[face as usize].dropped = true;
+    }
+    for &face in &edit.faces.reversed {
+        facets[face as usize].reversed = true;
+    }
+    facets
+}
+
+/// A normal as STL stores it.
+pub(super) fn stored(normal: DVec3) -> [f32; 3] {
+    normal.as_vec3().to_array()
+}
+
+/// Whether the edit keeps the file's own normal at the corners of a facet.
+fn keeps(mesh: &Mesh, edit: &PartEdit, face: usize) -> bool {
+    let corner = mesh.faces().range(face).start;
+    let slot = edit.normals.as_ref().and_then(|normals| normals.slot(corner, mesh.faces().corners()[corner]));
+    slot.is_some_and(|slot| (slot as usize) < edit.kept)
+}
+
+/// The facet's normal in the file, rounded as [`stored`] does.
+fn current(mesh: &Mesh, face: usize) -> Option<[f32; 3]> {
+    let corner = mesh.faces().range(face).start;
+    mesh.columns().normals.as_ref()?.get(corner, mesh.faces().corners()[corner]).copied().map(stored)
 }

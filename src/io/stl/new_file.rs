@@ -1,8 +1,8 @@
 //! A new binary STL from any meshes.
 
-use super::document::{FACET, FIRST, HEADER};
-use super::facet_edits::stored;
-use crate::io::unsupported_features::{Feature, displacement_note, needs_f64, unsupported_notes};
+use super::edit::stored;
+use super::read::{FACET, FIRST, HEADER};
+use crate::io::mesh_checks::{Feature, displacement_note, needs_f64, unsupported_notes};
 use crate::io::{Emit, Note, Part, Place, WriteError, WriteOptions, Written};
 use crate::mesh::{Mesh, triangulate};
 use glam::DVec3;

@@ -1,6 +1,6 @@
 //! Coordinates in text that were printed from single precision, or with no more digits than that holds.
 
-use super::parse_number::{EXACT_POWERS, float};
+use super::numbers::{EXACT_POWERS, float};
 use crate::mesh::Storage;
 use crate::num;
 use glam::DVec3;

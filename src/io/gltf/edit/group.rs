@@ -1,16 +1,16 @@
-//! New normals for the primitives that share one set of vertices.
+//! New normals and tangents for the primitives that share one set of vertices.
 
-use crate::io::gltf::document::accessor::{Elements, Source};
-use crate::io::gltf::document::records::{Component, Format, VertexAccessors};
-use crate::io::gltf::edit::indices::{drop_draco, rewrite_indices};
-use crate::io::gltf::edit::member::Member;
-use crate::io::gltf::edit::rows::{Rows, SlotTables, Stored};
-use crate::io::gltf::edit::store::{NewData, Store};
-use crate::io::gltf::edit::tangents::{Corners, tangents};
-use crate::io::gltf::json::tree::Value;
-use crate::io::gltf::writer::data::Target;
+use super::member::{Member, drop_draco, rewrite_indices};
+use super::rows::{Rows, SlotTables, Stored};
+use super::store::{NewData, Store};
+use crate::io::gltf::accessor::{Elements, Source};
+use crate::io::gltf::data::Target;
+use crate::io::gltf::json::Value;
+use crate::io::gltf::records::{Component, Format, VertexAccessors};
 use crate::io::{ReadError, TangentPolicy, WriteError, WriteOptions};
 use crate::mesh::{NONE, VertexSplit, split_vertices};
+use bevy_mikktspace::{Geometry, Ops, TangentSpace, generate_tangents};
+use glam::Vec3;
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 
@@ -264,4 +264,111 @@ fn samples<'s>(split: &'s VertexSplit, of_corner: &'s [u32]) -> impl Iterator<It
 /// Reading checked every attribute, so that this only passes on what should not happen.
 fn unreadable(error: ReadError) -> WriteError {
     WriteError::Unsupported(error.to_string())
+}
+
+/// What tangents depend on, one entry a corner, three corners a triangle.
+pub struct Corners {
+    pub positions: Vec<[f32; 3]>,
+    pub normals: Vec<[f32; 3]>,
+    /// As stored, v counted from the top of the image.
+    pub uvs: Vec<[f32; 2]>,
+}
+
+/// The tangent of every corner, its handedness in `w`. Where uv have no direction it is some unit vector
+/// perpendicular to the normal.
+pub fn tangents(corners: Corners) -> Vec<[f32; 4]> {
+    let tangents = corners.normals.iter().map(|&normal| perpendicular(normal)).collect();
+    let mut surface = Surface { corners, tangents };
+    // The error type has no values.
+    let _ = generate_tangents(&mut surface);
+    surface.tangents
+}
+
+/// The same bits on every platform.
+struct Portable;
+
+impl Ops for Portable {
+    fn sqrt(x: f32) -> f32 {
+        x.sqrt()
+    }
+
+    fn acos(x: f32) -> f32 {
+        libm::acos(f64::from(x)) as f32
+    }
+}
+
+struct Surface {
+    corners: Corners,
+    tangents: Vec<[f32; 4]>,
+}
+
+impl Geometry<Portable> for Surface {
+    fn num_faces(&self) -> usize {
+        self.corners.positions.len() / 3
+    }
+
+    fn num_vertices_of_face(&self, _face: usize) -> usize {
+        3
+    }
+
+    fn position(&self, face: usize, vert: usize) -> [f32; 3] {
+        self.corners.positions[3 * face + vert]
+    }
+
+    fn normal(&self, face: usize, vert: usize) -> [f32; 3] {
+        self.corners.normals[3 * face + vert]
+    }
+
+    fn tex_coord(&self, face: usize, vert: usize) -> [f32; 2] {
+        self.corners.uvs[3 * face + vert]
+    }
+
+    fn set_tangent(&mut self, space: Option<TangentSpace>, face: usize, vert: usize) {
+        let Some([x, y, z, w]) = space.map(|space| space.tangent_encoded()) else { return };
+        let length = Vec3::new(x, y, z).length();
+        if (length - 1.0).abs() < 1e-3 {
+            // MikkTSpace counts v upwards.
+            self.tangents[3 * face + vert] = [x / length, y / length, z / length, -w];
+        }
+    }
+}
+
+fn perpendicular(normal: [f32; 3]) -> [f32; 4] {
+    let normal = Vec3::from_array(normal);
+    let axis = if normal.x.abs() < 0.5 { Vec3::X } else { Vec3::Y };
+    let [x, y, z] = axis.reject_from_normalized(normal).normalize_or(Vec3::X).to_array();
+    [x, y, z, 1.0]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn square(uvs: [[f32; 2]; 4]) -> Vec<[f32; 4]> {
+        let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+        let order = [0, 1, 2, 0, 2, 3];
+        tangents(Corners {
+            positions: order.map(|v: usize| points[v]).to_vec(),
+            normals: vec![[0.0, 0.0, 1.0]; 6],
+            uvs: order.map(|v: usize| uvs[v]).to_vec(),
+        })
+    }
+
+    #[test]
+    fn a_plain_picture_on_a_square() {
+        // glTF's v runs down the image: the picture is upright if v falls as y rises, and then the
+        // bitangent w · n × t points up.
+        let upright = square([[0.0, 1.0], [1.0, 1.0], [1.0, 0.0], [0.0, 0.0]]);
+        assert!(upright.iter().all(|&t| t == [1.0, 0.0, 0.0, 1.0]), "{upright:?}");
+        let mirrored = square([[1.0, 1.0], [0.0, 1.0], [0.0, 0.0], [1.0, 0.0]]);
+        assert!(mirrored.iter().all(|&t| t == [-1.0, 0.0, 0.0, -1.0]), "{mirrored:?}");
+    }
+
+    #[test]
+    fn without_a_direction_in_uv_a_tangent_is_still_a_unit_vector() {
+        for tangent in square([[0.5, 0.5]; 4]) {
+            let length = Vec3::new(tangent[0], tangent[1], tangent[2]).length();
+            assert!((length - 1.0).abs() < 1e-6 && tangent[3].abs() == 1.0 && tangent[2].abs() < 1e-6);
+        }
+    }
 }

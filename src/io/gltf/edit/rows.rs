@@ -1,9 +1,9 @@
 //! The values that a vertex can have: a stored normal and the deltas of each morph target, as bytes.
 
-use crate::io::gltf::document::accessor::{Source, float};
-use crate::io::gltf::document::records::{Format, VertexAccessors};
-use crate::io::gltf::edit::encode;
-use crate::io::gltf::edit::member::Member;
+use super::member::Member;
+use crate::io::gltf::accessor::{Source, float};
+use crate::io::gltf::data::{LENGTH_TOLERANCE, normal_format, push_floats, push_normal};
+use crate::io::gltf::records::{Format, VertexAccessors};
 use crate::io::{NormalFormat, ReadError};
 use crate::mesh::{Column, NONE};
 use glam::{DVec3, Vec3};
@@ -30,7 +30,7 @@ impl<'a> Stored<'a> {
     ) -> Result<Self, ReadError> {
         let elements = |set| vertices.of_set(set, "NORMAL").map(|number| source.elements(number)).transpose();
         let base = elements(0)?;
-        let format = encode::format(base.map(|base| base.format), wanted);
+        let format = normal_format(base.map(|base| base.format), wanted);
         let same = base.filter(|base| base.format == format).map(|base| base.raw());
         let targets = vertices.target_sets().filter(|_| morph);
         let deltas = targets.map(|set| Ok(elements(set)?.map(|deltas| deltas.floats(0.0))));
@@ -48,9 +48,9 @@ impl<'a> Stored<'a> {
         match (self.stored_bytes(vertex), &self.floats) {
             (Some(bytes), _) => out.extend_from_slice(bytes),
             (None, Some(floats)) => {
-                encode::push(Vec3::from_array(floats[vertex]).as_dvec3(), self.format, out)
+                push_normal(Vec3::from_array(floats[vertex]).as_dvec3(), self.format, out)
             }
-            (None, None) => encode::push(DVec3::Z, self.format, out),
+            (None, None) => push_normal(DVec3::Z, self.format, out),
         }
         for delta in &self.deltas {
             push_raw(delta.as_ref().map_or([0.0; 3], |delta| delta[vertex]), out);
@@ -63,7 +63,7 @@ impl<'a> Stored<'a> {
         let element = member.stored_element(slot);
         match element.and_then(|element| self.stored_bytes(element)) {
             Some(bytes) => out.extend_from_slice(bytes),
-            None => encode::push(normals.values[slot as usize], self.format, out),
+            None => push_normal(normals.values[slot as usize], self.format, out),
         }
         let written = self.decode(&out[start..]);
         for (target, delta) in self.deltas.iter().enumerate() {
@@ -72,7 +72,7 @@ impl<'a> Stored<'a> {
                 Some(element) => push_raw(delta.as_ref().map_or([0.0; 3], |delta| delta[element]), out),
                 None => {
                     let moved = member.edit.morph_normals[target][slot as usize];
-                    encode::push_floats(moved - written.as_dvec3(), out);
+                    push_floats(moved - written.as_dvec3(), out);
                 }
             }
         }
@@ -82,10 +82,10 @@ impl<'a> Stored<'a> {
     fn repair(&self, row: &mut [u8]) {
         let length = self.decode(row).as_dvec3().length();
         // Not a number is not within the tolerance either.
-        let is_unit = (length - 1.0).abs() < encode::LENGTH_TOLERANCE;
+        let is_unit = (length - 1.0).abs() < LENGTH_TOLERANCE;
         if !is_unit {
             let mut up = Vec::new();
-            encode::push(DVec3::Z, self.format, &mut up);
+            push_normal(DVec3::Z, self.format, &mut up);
             row[..up.len()].copy_from_slice(&up);
         }
     }

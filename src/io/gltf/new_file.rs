@@ -1,18 +1,16 @@
 //! A new glTF file from meshes.
 
-use crate::io::gltf::container::glb;
-use crate::io::gltf::container::uri;
-use crate::io::gltf::document::primitive::mode;
-use crate::io::gltf::document::records::{Component, Format as ElementFormat};
-use crate::io::gltf::edit::encode;
-use crate::io::gltf::extensions::QUANTIZATION;
-use crate::io::gltf::json::tree::quoted;
-use crate::io::gltf::writer::data::{Blob, Bounds, Bytes, Target, accessor_json, view_json};
-use crate::io::gltf::writer::material;
-use crate::io::gltf::writer::objects::pieces;
-use crate::io::gltf::writer::vertices::Shape;
+use super::buffers::address;
+use super::data::{Blob, Bounds, Bytes, Target, accessor_json, normal_format, steps, view_json};
+use super::extensions::QUANTIZATION;
+use super::json::quoted;
+use super::mesh::mode;
+use super::objects::pieces;
+use super::records::{Component, Format as ElementFormat};
+use super::vertices::Shape;
+use super::{glb, material};
+use crate::io::mesh_checks::{Feature, displacement_note, unsupported_notes};
 use crate::io::text::counted;
-use crate::io::unsupported_features::{Feature, displacement_note, unsupported_notes};
 use crate::io::{
     FileMaterial, Format, NormalFormat, Note, OutputContent, OutputFile, Part, Place, WriteError,
     WriteOptions, Written,
@@ -65,7 +63,7 @@ pub(in crate::io) fn write_with_materials(
         written.bytes = file.json(None).into_bytes();
     } else {
         let (name, data) = (options.stem.as_ref().map(|stem| format!("{stem}.bin")), pieces.concat());
-        written.bytes = file.json(Some(&uri::address(name.as_deref(), &data))).into_bytes();
+        written.bytes = file.json(Some(&address(name.as_deref(), &data))).into_bytes();
         let companion = name.map(|name| OutputFile { name, content: OutputContent::Bytes(data) });
         written.companions.extend(companion);
     }
@@ -171,18 +169,18 @@ impl<'a> File<'a> {
 
     /// Stores the normal of every vertex, +z where there is none.
     fn normals(&mut self, mesh: &Mesh, shape: &Shape<'_>, normals: &Column<DVec3>) -> usize {
-        let format = encode::format(None, self.normal_format);
+        let format = normal_format(None, self.normal_format);
         self.is_quantized |= format.normalized;
         // Elements begin at multiples of four bytes.
         let padded = |[x, y, z]: [i32; 3]| [x, y, z, 0];
         match format.component {
             Component::I16 => {
-                let coded = |n: &DVec3| padded(encode::steps(*n, i16::MAX.into())).map(|step| step as i16);
+                let coded = |n: &DVec3| padded(steps(*n, i16::MAX.into())).map(|step| step as i16);
                 let values = shape.values(mesh, normals, coded(&DVec3::Z), coded);
                 self.vertices(values, format, None)
             }
             Component::I8 => {
-                let coded = |n: &DVec3| padded(encode::steps(*n, i8::MAX.into())).map(|step| step as i8);
+                let coded = |n: &DVec3| padded(steps(*n, i8::MAX.into())).map(|step| step as i8);
                 let values = shape.values(mesh, normals, coded(&DVec3::Z), coded);
                 self.vertices(values, format, None)
             }

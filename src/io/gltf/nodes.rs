@@ -1,7 +1,7 @@
 //! The node tree: the place of every node in the world. Without recursion, since chains of any length load.
 
-use crate::io::gltf::json::fields::{At, Fields, checked_index};
-use crate::io::gltf::json::tree::{Json, Value};
+use super::fields::{At, Fields, checked_index};
+use super::json::{Json, Value};
 use crate::io::{FileNode, Note, Problem, ReadError, Severity};
 use crate::num::UnitVec3;
 use glam::{DMat3, DMat4, DQuat, DVec3, DVec4};

@@ -1,15 +1,14 @@
 //! Reading a glTF file.
 
-use crate::io::gltf::container::buffers::{check_images, load};
-use crate::io::gltf::container::glb::{Glb, is_glb};
-use crate::io::gltf::document::accessor::Source;
-use crate::io::gltf::document::gltf_document::GltfDocument;
-use crate::io::gltf::document::mesh::Assembler;
-use crate::io::gltf::document::nodes;
-use crate::io::gltf::document::records::Records;
-use crate::io::gltf::extensions;
-use crate::io::gltf::json::fields::Fields;
-use crate::io::gltf::json::tree::Json;
+use super::accessor::Source;
+use super::buffers::{check_images, load};
+use super::document::GltfDocument;
+use super::fields::Fields;
+use super::glb::{Glb, is_glb};
+use super::json::Json;
+use super::mesh::Assembler;
+use super::records::Records;
+use super::{extensions, nodes};
 use crate::io::mesh_checks::check_size;
 use crate::io::text::counted;
 use crate::io::{Document, Format, Loaded, Note, Place, Problem, ReadError, ReadOptions};

@@ -1,8 +1,8 @@
 //! The vertices of a part: positions and every column that meshes know.
 
-use crate::io::gltf::document::gltf_document::Layout;
-use crate::io::gltf::document::mesh::Assembler;
-use crate::io::gltf::json::fields::{At, out_of_range};
+use super::document::Layout;
+use super::fields::{At, out_of_range};
+use super::mesh::Assembler;
 use crate::io::mesh_checks::non_finite_note;
 use crate::io::text::counted;
 use crate::io::{NonFinite, Note, Problem, ReadError};

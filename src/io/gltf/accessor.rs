@@ -1,8 +1,8 @@
 //! Accessors to numbers. Every offset and count is checked against the bytes that are there.
 
-use crate::io::gltf::container::buffers::Buffers;
-use crate::io::gltf::document::records::{Component, Format, Records, Sparse};
-use crate::io::gltf::json::fields::{At, only_compressed, out_of_range};
+use super::buffers::Buffers;
+use super::fields::{At, only_compressed, out_of_range};
+use super::records::{Component, Format, Records, Sparse};
 use crate::io::text::counted;
 use crate::io::{Note, Place, Problem, ReadError};
 use std::borrow::Cow;

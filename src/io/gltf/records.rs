@@ -1,10 +1,11 @@
 //! The typed records of a glTF document that geometry needs, with their places in the JSON.
 
-use crate::io::gltf::json::fields::{At, Fields, checked_index};
-use crate::io::gltf::json::tree::{Json, Value};
+use super::fields::{At, Fields, checked_index};
+use super::json::{Json, Value};
 use crate::io::{Note, Problem, ReadError};
-pub use gltf::json::accessor::ComponentType as Component;
 use std::ops::Range;
+
+pub use gltf::json::accessor::ComponentType as Component;
 
 /// The extensions that compress buffer views.
 pub const MESHOPT: [&str; 2] = ["EXT_meshopt_compression", "KHR_meshopt_compression"];

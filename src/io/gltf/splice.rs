@@ -1,6 +1,6 @@
 //! Changes to a JSON text that leave every other byte alone.
 
-use crate::io::gltf::json::tree::{Json, Value, quoted};
+use super::json::{Json, Value, quoted};
 use std::collections::BTreeMap;
 use std::ops::Range;
 

@@ -1,6 +1,6 @@
 //! Typed access to the members of JSON objects, with errors that name the place.
 
-use crate::io::gltf::json::tree::{Json, Kind, Value};
+use super::json::{Json, Kind, Value};
 use crate::io::{Place, Problem, ReadError};
 use std::borrow::Cow;
 
