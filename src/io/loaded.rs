@@ -70,7 +70,7 @@ impl Loaded {
     /// ```
     pub fn appearance(&self) -> Appearance {
         match &self.document {
-            Document::Gltf(document) => super::gltf::appearance(document),
+            Document::Gltf(document) => gltf::appearance(document),
             document => Appearance { materials: document.materials().to_vec(), ..Appearance::default() },
         }
     }

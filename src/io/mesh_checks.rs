@@ -6,6 +6,11 @@ use crate::mesh::{Columns, Faces, Mesh, MeshBuilder, MeshError, Storage};
 use glam::DVec3;
 use rayon::prelude::*;
 
+/// What to do about positions that are not finite.
+pub(super) const DROP_ADVICE: &str = "correct it, or drop the faces at such vertices with `crease normals --force` (`crease render --force` draws the others)";
+/// What to do about a file that contradicts itself.
+pub(super) const DAMAGED: &str = "the file is damaged; export it again";
+
 /// Refuses a file that is larger than the limit.
 pub(super) fn check_size(bytes: &[u8], options: &ReadOptions) -> Result<(), ReadError> {
     if bytes.len() as u64 <= options.limits.bytes {
@@ -44,12 +49,9 @@ pub(super) fn build_part(
 ) -> Result<Part, ReadError> {
     let (mesh, non_finite_faces) = build_mesh(builder, options.non_finite).map_err(|error| {
         let (problem, advice) = match error {
-            MeshError::NonFinite { .. } => (
-                Problem::NonFinite,
-                "correct it (text beyond 1.8e308 reads as infinite), or drop the faces that use such vertices with `crease normals --force` (`crease render --force` draws the others)",
-            ),
+            MeshError::NonFinite { .. } => (Problem::NonFinite, DROP_ADVICE),
             MeshError::TooLarge { .. } => (Problem::Limit, "divide the mesh"),
-            _ => (Problem::Range, "the file is damaged, or its writer is at fault"),
+            _ => (Problem::Range, DAMAGED),
         };
         ReadError::new(problem, place(&error), error.to_string(), advice)
     })?;

@@ -1,7 +1,7 @@
 //! Materials, cameras and lights.
 
 use super::document::GltfDocument;
-use super::fields::{At, Fields, checked_index, out_of_range};
+use super::fields::{Fields, numbered, out_of_range};
 use super::json::{Json, Value};
 use super::nodes::{NodeTree, Placed};
 use crate::io::appearance::as_written;
@@ -25,8 +25,7 @@ pub(in crate::io) fn appearance(document: &GltfDocument) -> Appearance {
     let json = &records.json;
     let mut found = Appearance::default();
     for (name, &number) in &document.materials {
-        let fields = records.fields(records.materials[number], At::new("materials", number));
-        match material(&fields, name) {
+        match material(&records.fields(records.materials[number]), number, name) {
             Ok(material) => found.materials.push(material),
             Err(error) => found.notes.push(not_understood(error)),
         }
@@ -55,7 +54,7 @@ pub(in crate::io) fn appearance(document: &GltfDocument) -> Appearance {
 }
 
 fn not_understood(error: ReadError) -> Note {
-    Note::warning(error.place, format!("not understood and left out: {}", error.found))
+    Note::warning(error.place, format!("ignored: {}", error.found))
 }
 
 /// A value as a record of the `gltf` crate.
@@ -63,13 +62,14 @@ fn typed<T: DeserializeOwned>(json: &Json, value: Value, place: Place) -> Result
     serde_json::from_str(json.raw(value)).map_err(|error| out_of_range(place, error.to_string()))
 }
 
-fn material(fields: &Fields<'_>, name: &str) -> Result<FileMaterial, ReadError> {
-    let material: Material = typed(fields.json, fields.object, fields.at.place())?;
+fn material(fields: &Fields<'_>, number: usize, name: &str) -> Result<FileMaterial, ReadError> {
+    let place = || numbered("materials", number);
+    let material: Material = typed(fields.json, fields.object, place())?;
     let surface = &material.pbr_metallic_roughness;
     let [r, g, b, opacity] = surface.base_color_factor.0.map(as_written);
     let [metallic, roughness] = [surface.metallic_factor.0, surface.roughness_factor.0].map(as_written);
     if [r, g, b, opacity, metallic, roughness].iter().any(|factor| !(0.0..=1.0).contains(factor)) {
-        return Err(out_of_range(fields.at.place(), "factors of a material are numbers from 0 to 1"));
+        return Err(out_of_range(place(), "a factor of the material is not between 0 and 1"));
     }
     let unlit = fields.extension("KHR_materials_unlit").is_some();
     let textures = [
@@ -93,11 +93,12 @@ fn light(node: &Placed<'_>, extension: Value, lights: &[Value]) -> Result<FileLi
     let json = node.fields.json;
     let number = json.member(extension, "light").and_then(|light| json.integer(light));
     let Some(number) = number else {
-        return Err(out_of_range(node.fields.at.member("extensions"), "a light is named by its number"));
+        let place = Place::Json(format!("/nodes/{}/extensions/{LIGHTS}", node.number));
+        return Err(out_of_range(place, "the node has no number of a light"));
     };
     let place = Place::Json(format!("/extensions/{LIGHTS}/lights/{number}"));
     let value = usize::try_from(number).ok().and_then(|number| lights.get(number));
-    let value = value.ok_or_else(|| out_of_range(place.clone(), "it is not there"))?;
+    let value = value.ok_or_else(|| out_of_range(place.clone(), "no such light"))?;
     let light: Light = typed(json, *value, place.clone())?;
     let kind = match (&light.type_, &light.spot) {
         (Checked::Valid(LightType::Directional), _) => FileLightKind::Directional,
@@ -107,7 +108,7 @@ fn light(node: &Placed<'_>, extension: Value, lights: &[Value]) -> Result<FileLi
             outer: as_written(spot.outer_cone_angle),
         },
         _ => {
-            let found = "a light is directional, point or spot, and a spot says how wide";
+            let found = "the type of the light is not directional, point, or spot with its angles";
             return Err(out_of_range(place, found));
         }
     };
@@ -128,17 +129,20 @@ fn light(node: &Placed<'_>, extension: Value, lights: &[Value]) -> Result<FileLi
 /// What the standard does not allow, with the place and, if the camera has one, its name.
 fn camera_at(node: &Placed<'_>) -> Result<Option<FileCamera>, ReadError> {
     let json = node.fields.json;
-    let Some(number) = node.fields.index("camera")? else { return Ok(None) };
-    let all: Vec<_> = Fields::root(json).items("cameras")?.collect();
-    checked_index(number, all.len(), "camera", || node.fields.at.member("camera"))?;
-    let camera = Fields::new(json, all[number], At::new("cameras", number))?;
-    let name = camera.string("name")?.unwrap_or_default().into_owned();
+    let Some(value) = json.member(node.fields.object, "camera") else { return Ok(None) };
+    let number = json.integer(value).and_then(|number| usize::try_from(number).ok());
+    let Some(camera) = number.and_then(|number| json.items(json.root(), "cameras").nth(number)) else {
+        let place = Place::Json(format!("/nodes/{}/camera", node.number));
+        return Err(out_of_range(place, format!("the file has no camera {}", json.raw(value))));
+    };
+    let camera = Fields::new(json, camera)?;
+    let name = camera.name()?;
     let read = projection(&camera).and_then(|(projection, [near, far])| {
         check_rotation(node)?;
         let position = node.frame.world.w_axis.truncate();
         Ok(FileCamera {
             name: name.clone(),
-            place: camera.at.place(),
+            place: camera.place(),
             world_from_camera: DMat4::from_rotation_translation(node.frame.rotation, position),
             projection,
             near,
@@ -147,7 +151,7 @@ fn camera_at(node: &Placed<'_>) -> Result<Option<FileCamera>, ReadError> {
     });
     match read {
         Err(error) if !name.is_empty() => {
-            Err(ReadError { found: format!("the camera `{name}`: {}", error.found), ..error })
+            Err(ReadError { found: format!("camera `{name}`: {}", error.found), ..error })
         }
         read => read.map(Some),
     }
@@ -155,7 +159,7 @@ fn camera_at(node: &Placed<'_>) -> Result<Option<FileCamera>, ReadError> {
 
 /// The projection of a camera, and its near and far distances, the latter infinite if there is none.
 fn projection(camera: &Fields<'_>) -> Result<(FileProjection, [f64; 2]), ReadError> {
-    let kind = camera.string("type")?.ok_or_else(|| camera.missing("type"))?;
+    let kind = camera.required_string("type")?;
     let (lens, projection, is_near, near_range) = match &*kind {
         "perspective" => {
             let lens = camera.required_child("perspective")?;
@@ -167,16 +171,16 @@ fn projection(camera: &Fields<'_>) -> Result<(FileProjection, [f64; 2]), ReadErr
         }
         "orthographic" => {
             let lens = camera.required_child("orthographic")?;
-            let wanted = "half of what is seen, a length above 0";
+            let wanted = "half of the visible size, a length above 0";
             let whole = |name| Ok(2.0 * needed(&lens, name, |half| half > 0.0, wanted)?);
             let (width, height) = (whole("xmag")?, whole("ymag")?);
             let is_near: fn(f64) -> bool = |near| near >= 0.0;
             (lens, FileProjection::Orthographic { width, height }, is_near, "a distance of 0 or more")
         }
         kind => {
-            let found = format!("`type` is `{kind}`");
-            let advice = "make it `perspective` or `orthographic`";
-            return Err(ReadError::new(Problem::Range, camera.at.member("type"), found, advice));
+            let found = format!("unknown camera type `{kind}`");
+            let advice = "use `perspective` or `orthographic`";
+            return Err(ReadError::new(Problem::Range, camera.member("type"), found, advice));
         }
     };
     let near = needed(&lens, "znear", is_near, near_range)?;
@@ -207,8 +211,8 @@ fn optional(
 ) -> Result<Option<f64>, ReadError> {
     match lens.number(name)? {
         Some(number) if !is_allowed(number) => {
-            let found = format!("`{name}` is {number}");
-            Err(ReadError::new(Problem::Range, lens.at.member(name), found, format!("give {wanted}")))
+            let found = format!("`{name}` is {number}, which is out of range");
+            Err(ReadError::new(Problem::Range, lens.member(name), found, format!("give {wanted}")))
         }
         number => Ok(number),
     }
@@ -217,13 +221,11 @@ fn optional(
 fn check_rotation(node: &Placed<'_>) -> Result<(), ReadError> {
     let Some((at, member)) = node.frame.without_rotation else { return Ok(()) };
     let (what, advice) = match member {
-        "matrix" => {
-            ("a matrix without an inverse", "give `rotation`, `translation` and `scale` in its place")
-        }
-        _ => ("a rotation of zeros", "give a quaternion of length 1, such as 0, 0, 0, 1"),
+        "matrix" => ("a matrix without an inverse", "use `rotation`, `translation` and `scale` instead"),
+        _ => ("a rotation of zeros", "use a quaternion of length 1, such as 0, 0, 0, 1"),
     };
-    let found = format!("a camera stands here or below, and {what} gives it no orientation");
-    Err(ReadError::new(Problem::Range, At::new("nodes", at).member(member), found, advice))
+    let found = format!("{what} gives a camera at or below this node no orientation");
+    Err(ReadError::new(Problem::Range, Place::Json(format!("/nodes/{at}/{member}")), found, advice))
 }
 
 #[cfg(test)]

@@ -1,10 +1,10 @@
 //! The bytes behind `buffers`: the BIN chunk, data URIs, files.
 
-use super::fields::{At, Fields};
+use super::fields::Fields;
+use super::glb::TRUNCATED;
 use super::json::{Json, Value};
 use super::records::MESHOPT;
 use crate::io::companion_files::{Companions, Refusal};
-use crate::io::text::counted;
 use crate::io::{Note, Place, Problem, ReadError, ReadOptions, Severity};
 use base64::Engine;
 use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
@@ -72,22 +72,24 @@ pub fn load(
     let mut files = Files { base, options, left, known: FxHashMap::default() };
     let mut list = Vec::with_capacity(objects.len());
     for (number, &object) in objects.iter().enumerate() {
-        let fields = Fields { json, object, at: At::new("buffers", number) };
+        let fields = Fields { json, object };
         let length = fields.required("byteLength")?;
         let storage = match (fields.string("uri")?, &bin) {
-            (Some(uri), _) => files.storage(&uri, fields.at.member("uri"))?,
+            (Some(uri), _) => files.storage(&uri, || fields.member("uri"))?,
             (None, Some(bin)) if number == 0 => Storage::Bin(bin.clone()),
             _ if length == 0 || MESHOPT.iter().any(|name| fields.extension(name).is_some()) => {
                 Storage::Absent
             }
             _ if number == 0 && !file.is_empty() => {
-                let found = "the first buffer is the BIN chunk, which the file does not have";
-                let advice = "the file is cut off, or its writer is at fault; copy or export it again";
-                return Err(refused(fields.at.place(), found, advice));
+                return Err(refused(
+                    fields.place(),
+                    "the file has no BIN chunk for the first buffer",
+                    TRUNCATED,
+                ));
             }
             _ => {
-                let advice = "put the data beside the document and name it in `uri`";
-                return Err(refused(fields.at.member("uri"), "a buffer without data", advice));
+                let advice = "put the data next to the document and name it in `uri`";
+                return Err(refused(fields.member("uri"), "the buffer has no data", advice));
             }
         };
         let available = match &storage {
@@ -96,10 +98,8 @@ pub fn load(
             Storage::Absent => 0,
         };
         if length > available && !matches!(storage, Storage::Absent) {
-            let length = counted(length, "byte", "bytes");
-            let found = format!("a buffer of {length}, where {available} are there");
-            let advice = "the data are cut off; copy or export the file again";
-            return Err(ReadError::new(Problem::Truncated, fields.at.member("byteLength"), found, advice));
+            let found = format!("the buffer length is {length} bytes, but only {available} are there");
+            return Err(ReadError::new(Problem::Truncated, fields.member("byteLength"), found, TRUNCATED));
         }
         list.push(Buffer { storage, length: length.min(available) });
     }
@@ -121,31 +121,32 @@ struct Files<'a> {
 
 impl Files<'_> {
     /// The bytes at the address of a buffer.
-    fn storage(&mut self, uri: &str, place: Place) -> Result<Storage, ReadError> {
+    fn storage(&mut self, uri: &str, place: impl Fn() -> Place) -> Result<Storage, ReadError> {
         let name = match Uri::parse(uri) {
-            Uri::Data => return Ok(Storage::Embedded(Arc::new(decode_data(uri, place)?))),
+            Uri::Data => {
+                let broken = |found| ReadError::new(Problem::Syntax, place(), found, "export the file again");
+                return Ok(Storage::Embedded(Arc::new(decode_data(uri).map_err(broken)?)));
+            }
             Uri::Elsewhere => {
-                let found = format!("the buffer is at {:?}", uri.chars().take(100).collect::<String>());
-                let advice = "nothing is read from networks; download it and name the file";
-                return Err(refused(place, found, advice));
+                let uri: String = uri.chars().take(100).collect();
+                let found = format!("the buffer {uri:?} is not a relative file name");
+                let advice = "crease does not read from networks; download the file and use its name";
+                return Err(refused(place(), found, advice));
             }
             Uri::File(name) => name,
         };
         let path = companion(self.base, self.options, &name).map_err(|why| {
-            let advice = "put it beside the document; a stream has no folder, there it must be inside";
-            refused(place.clone(), format!("the buffer {name:?} {why}"), advice)
+            let advice = "put it next to the document; for a stream, name its folder with --root";
+            refused(place(), format!("the buffer {name:?} {why}"), advice)
         })?;
         if let Some(bytes) = self.known.get(&path) {
             return Ok(Storage::File { name, path, bytes: bytes.clone() });
         }
-        let failed = |problem, found| {
-            ReadError::new(problem, place.clone(), found, "put a readable file beside the document")
-        };
-        let io = |error| failed(Problem::Io, format!("{name:?} cannot be read ({error})"));
+        let failed = |problem, found| ReadError::new(problem, place(), found, "replace the file");
+        let io = |error| failed(Problem::Io, format!("{name:?} cannot be read: {error}"));
         let size = std::fs::metadata(&path).map_err(io)?.len();
         self.left = self.left.checked_sub(size).ok_or_else(|| {
-            let found = format!("{name:?} has {size} bytes, which goes beyond the limit for one input");
-            failed(Problem::Limit, found)
+            failed(Problem::Limit, format!("{name:?} has {size} bytes, more than the limit for one input"))
         })?;
         let bytes = Arc::new(std::fs::read(&path).map_err(io)?);
         self.known.insert(path.clone(), bytes.clone());
@@ -169,11 +170,10 @@ pub fn check_images(
     let mut present = Vec::new();
     let mut absent: Vec<(Place, String)> = Vec::new();
     for (number, object) in Fields::root(json).list("images")?.into_iter().enumerate() {
-        let fields = Fields { json, object, at: At::new("images", number) };
-        let Some(uri) = fields.string("uri")? else { continue };
+        let Some(uri) = (Fields { json, object }).string("uri")? else { continue };
         let why = match Uri::parse(&uri) {
             Uri::Data => continue,
-            Uri::Elsewhere => "is not a file of this folder, and is not looked at".to_owned(),
+            Uri::Elsewhere => "is not a file in this folder and was not checked".to_owned(),
             Uri::File(name) => match companion(base, options, &name) {
                 Ok(path) => {
                     present.push((name, path));
@@ -182,7 +182,7 @@ pub fn check_images(
                 Err(why) => format!("{name:?} {why}"),
             },
         };
-        absent.push((fields.at.member("uri"), why));
+        absent.push((Place::Json(format!("/images/{number}/uri")), why));
     }
     let text = absent.first().map(|(_, why)| format!("the image {why}")).unwrap_or_default();
     let count = absent.len() as u64;
@@ -216,20 +216,15 @@ impl Uri {
     }
 }
 
-/// The bytes of a data URI.
-pub fn decode_data(uri: &str, place: Place) -> Result<Vec<u8>, ReadError> {
-    let broken = |found: String| {
-        ReadError::new(Problem::Syntax, place.clone(), found, "the data URI is broken; export the file again")
-    };
-    let Some((head, data)) = uri.split_once(',') else {
-        return Err(broken("a data URI without a comma".into()));
-    };
+/// The bytes of a data URI, or what is wrong with it.
+fn decode_data(uri: &str) -> Result<Vec<u8>, String> {
+    let (head, data) = uri.split_once(',').ok_or("the data URI has no comma")?;
     if !head.to_ascii_lowercase().ends_with(";base64") {
         return Ok(percent_decoded(data));
     }
     let config = GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent);
     let engine = GeneralPurpose::new(&base64::alphabet::STANDARD, config);
-    engine.decode(data).map_err(|error| broken(format!("a data URI that is not base64 ({error})")))
+    engine.decode(data).map_err(|error| format!("the data URI is not base64: {error}"))
 }
 
 /// A data URI of raw bytes.
@@ -287,11 +282,11 @@ mod tests {
     #[test]
     fn data_round_trips() {
         let bytes: Vec<u8> = (0..=255).collect();
-        assert_eq!(decode_data(&encode_data(&bytes), Place::File).unwrap(), bytes);
-        assert_eq!(decode_data("data:,a%41%", Place::File).unwrap(), b"aA%");
-        assert_eq!(decode_data("data:x;base64,AAE", Place::File).unwrap(), [0, 1]);
-        assert!(decode_data("data:x;base64,A*", Place::File).is_err());
-        assert!(decode_data("data:x;base64", Place::File).is_err());
+        assert_eq!(decode_data(&encode_data(&bytes)).unwrap(), bytes);
+        assert_eq!(decode_data("data:,a%41%").unwrap(), b"aA%");
+        assert_eq!(decode_data("data:x;base64,AAE").unwrap(), [0, 1]);
+        assert!(decode_data("data:x;base64,A*").is_err());
+        assert!(decode_data("data:x;base64").is_err());
         assert_eq!(Uri::parse(&percent_encoded("ü 1.bin")), Uri::File("ü 1.bin".into()));
     }
 }

@@ -49,16 +49,15 @@ pub fn check(root: &Fields<'_>, notes: &mut Vec<Note>) -> Result<(), ReadError> 
     let required = names("extensionsRequired")?;
     if let Some(number) = required.iter().position(|name| !is_harmless(name)) {
         let advice = match required[number].as_ref() {
-            DRACO => "decode it first, for example with `gltf-transform copy`",
-            _ => "it may change what the geometry means; convert the file to plain glTF 2.0 first",
+            DRACO => "decompress the file first, for example with `gltf-transform copy`",
+            _ => "convert the file to plain glTF 2.0 first",
         };
-        let found =
-            format!("the document requires the extension {}, which is not supported", required[number]);
+        let found = format!("unsupported required extension {}", required[number]);
         let place = Place::Json(format!("/extensionsRequired/{number}"));
         return Err(ReadError::new(Problem::Unsupported, place, found, advice));
     }
     if names("extensionsUsed")?.iter().any(|name| name == "EXT_mesh_gpu_instancing") {
-        let text = "EXT_mesh_gpu_instancing: instances are kept, but stand only once where another format is written";
+        let text = "EXT_mesh_gpu_instancing: other formats than glTF get only one of the instances";
         notes.push(Note::warning(Place::File, text));
     }
     Ok(())

@@ -1,76 +1,45 @@
-//! Typed access to the members of JSON objects, with errors that name the place.
+//! Typed access to the members of JSON objects, with errors that name the position.
 
 use super::json::{Json, Kind, Value};
 use crate::io::{Place, Problem, ReadError};
 use std::borrow::Cow;
-
-/// The place of an object in a document: up to two numbered steps, such as `/meshes/3/primitives/1`, and up to two more by
-/// name.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct At {
-    steps: [Option<(&'static str, usize)>; 2],
-    names: [Option<&'static str>; 2],
-}
-
-impl At {
-    pub fn new(list: &'static str, number: usize) -> At {
-        At { steps: [Some((list, number)), None], names: [None; 2] }
-    }
-
-    pub fn then(self, list: &'static str, number: usize) -> At {
-        At { steps: [self.steps[0], Some((list, number))], names: [None; 2] }
-    }
-
-    /// The place of a member that is an object itself.
-    pub fn member_at(self, name: &'static str) -> At {
-        let [first, _] = self.names;
-        At { names: first.map_or([Some(name), None], |first| [Some(first), Some(name)]), ..self }
-    }
-
-    pub fn place(self) -> Place {
-        Place::Json(self.pointer())
-    }
-
-    pub fn member(self, name: &str) -> Place {
-        Place::Json(format!("{}/{name}", self.pointer()))
-    }
-
-    fn pointer(self) -> String {
-        let steps = self.steps.iter().flatten().map(|(list, number)| format!("/{list}/{number}"));
-        steps.chain(self.names.iter().flatten().map(|name| format!("/{name}"))).collect()
-    }
-}
 
 /// An object whose members are read by name and type.
 #[derive(Clone, Copy)]
 pub struct Fields<'a> {
     pub json: &'a Json,
     pub object: Value,
-    pub at: At,
 }
 
 impl<'a> Fields<'a> {
-    /// The fields of a whole document, which is known to be an object.
-    pub fn root(json: &'a Json) -> Self {
-        Self { json, object: json.root(), at: At::default() }
+    /// The fields of a value, which must be an object.
+    pub fn new(json: &'a Json, object: Value) -> Result<Self, ReadError> {
+        let is_object = json.kind(object) == Kind::Object;
+        if is_object { Ok(Self { json, object }) } else { Err(mismatch(json, object, "an object")) }
     }
 
-    /// The fields of a value, which must be an object.
-    pub fn new(json: &'a Json, object: Value, at: At) -> Result<Self, ReadError> {
-        if json.kind(object) == Kind::Object {
-            Ok(Self { json, object, at })
-        } else {
-            Err(mismatch(json, object, at.place(), "an object"))
-        }
+    /// The fields of a whole document, which is known to be an object.
+    pub fn root(json: &'a Json) -> Self {
+        Self { json, object: json.root() }
+    }
+
+    pub fn place(&self) -> Place {
+        self.json.place(self.object)
+    }
+
+    /// The position of a member, present or not.
+    pub fn member(&self, name: &str) -> Place {
+        Place::Json(format!("{}/{name}", self.json.pointer(self.object)))
     }
 
     /// The fields of a member, which must be an object.
-    pub fn child(&self, name: &'static str) -> Result<Option<Self>, ReadError> {
-        Ok(self.object(name)?.map(|object| Self { object, at: self.at.member_at(name), ..*self }))
+    pub fn child(&self, name: &str) -> Result<Option<Self>, ReadError> {
+        let object =
+            |value| (self.json.kind(value) == Kind::Object).then_some(Self { object: value, ..*self });
+        self.typed(name, "an object", object)
     }
 
-    /// The fields of a member that has to be there.
-    pub fn required_child(&self, name: &'static str) -> Result<Self, ReadError> {
+    pub fn required_child(&self, name: &str) -> Result<Self, ReadError> {
         self.child(name)?.ok_or_else(|| self.missing(name))
     }
 
@@ -79,21 +48,28 @@ impl<'a> Fields<'a> {
         self.typed(name, "a non-negative integer", |value| self.json.integer(value))
     }
 
-    /// The number of an element in another list.
-    pub fn index(&self, name: &str) -> Result<Option<usize>, ReadError> {
-        let index = self.integer(name)?;
-        Ok(index.map(|index| usize::try_from(index).unwrap_or(usize::MAX)))
+    pub fn required(&self, name: &str) -> Result<u64, ReadError> {
+        self.integer(name)?.ok_or_else(|| self.missing(name))
     }
 
     /// The number of one of `count` elements of another list, which are called `what`.
     pub fn reference(&self, name: &str, what: &str, count: usize) -> Result<Option<usize>, ReadError> {
-        let index = self.index(name)?;
-        index.map(|index| checked_index(index, count, what, || self.at.member(name))).transpose()
+        let index = self.integer(name)?;
+        index.map(|index| checked_index(index, count, what, || self.member(name))).transpose()
     }
 
-    /// A non-negative integer that has to be there.
-    pub fn required(&self, name: &str) -> Result<u64, ReadError> {
-        self.integer(name)?.ok_or_else(|| self.missing(name))
+    pub fn required_reference(&self, name: &str, what: &str, count: usize) -> Result<usize, ReadError> {
+        self.reference(name, what, count)?.ok_or_else(|| self.missing(name))
+    }
+
+    /// The numbers of elements of another list, as [`reference`](Self::reference); empty if there is no list.
+    pub fn references(&self, name: &str, what: &str, count: usize) -> Result<Vec<usize>, ReadError> {
+        let reference = |value| {
+            let index = self.json.integer(value);
+            let index = index.ok_or_else(|| mismatch(self.json, value, "a non-negative integer"))?;
+            checked_index(index, count, what, || self.member(name))
+        };
+        self.items(name)?.map(reference).collect()
     }
 
     pub fn boolean(&self, name: &str) -> Result<Option<bool>, ReadError> {
@@ -105,6 +81,15 @@ impl<'a> Fields<'a> {
         self.typed(name, "a string", |value| json.string(value))
     }
 
+    pub fn required_string(&self, name: &str) -> Result<Cow<'a, str>, ReadError> {
+        self.string(name)?.ok_or_else(|| self.missing(name))
+    }
+
+    /// The string `name`, or an empty one.
+    pub fn name(&self) -> Result<String, ReadError> {
+        Ok(self.string("name")?.unwrap_or_default().into_owned())
+    }
+
     /// A finite number.
     pub fn number(&self, name: &str) -> Result<Option<f64>, ReadError> {
         self.typed(name, "a finite number", |value| self.json.number(value).filter(|n| n.is_finite()))
@@ -112,7 +97,7 @@ impl<'a> Fields<'a> {
 
     /// A list of exactly `N` numbers, all finite.
     pub fn numbers<const N: usize>(&self, name: &str) -> Result<Option<[f64; N]>, ReadError> {
-        self.typed(name, "a list of finite numbers of the right length", |value| {
+        self.typed(name, &format!("a list of {N} finite numbers"), |value| {
             let mut numbers = [0.0; N];
             let mut elements = self.json.elements(value);
             for number in &mut numbers {
@@ -122,47 +107,26 @@ impl<'a> Fields<'a> {
         })
     }
 
-    pub fn object(&self, name: &str) -> Result<Option<Value>, ReadError> {
-        self.typed(name, "an object", |value| (self.json.kind(value) == Kind::Object).then_some(value))
-    }
-
-    pub fn array(&self, name: &str) -> Result<Option<Value>, ReadError> {
-        self.typed(name, "a list", |value| (self.json.kind(value) == Kind::Array).then_some(value))
-    }
-
     /// The elements of a list; none if there is none.
     pub fn items(&self, name: &str) -> Result<impl Iterator<Item = Value> + use<'a>, ReadError> {
         let json = self.json;
-        Ok(self.array(name)?.into_iter().flat_map(|array| json.elements(array)))
+        let array = self.typed(name, "a list", |value| (json.kind(value) == Kind::Array).then_some(value))?;
+        Ok(array.into_iter().flat_map(|array| json.elements(array)))
     }
 
-    /// All values of a top-level list, which must be objects, by number; empty if there is no list.
-    pub fn list(&self, name: &'static str) -> Result<Vec<Value>, ReadError> {
-        let values: Vec<Value> = self.items(name)?.collect();
-        for (number, &value) in values.iter().enumerate() {
-            Fields::new(self.json, value, At::new(name, number))?;
-        }
-        Ok(values)
-    }
-
-    /// A list of element numbers; empty if there is none.
-    pub fn indices(&self, name: &str) -> Result<Vec<usize>, ReadError> {
-        let index = |value| {
-            let index = self.json.integer(value).and_then(|index| usize::try_from(index).ok());
-            index.ok_or_else(|| mismatch(self.json, value, self.at.member(name), "a non-negative integer"))
-        };
-        self.items(name)?.map(index).collect()
+    /// The elements of a list, which must be objects; empty if there is no list.
+    pub fn list(&self, name: &str) -> Result<Vec<Value>, ReadError> {
+        self.items(name)?.map(|value| Ok(Fields::new(self.json, value)?.object)).collect()
     }
 
     /// An extension object by name, if there.
     pub fn extension(&self, name: &str) -> Option<Value> {
-        let extensions = self.json.member(self.object, "extensions")?;
-        self.json.member(extensions, name)
+        self.json.member(self.json.member(self.object, "extensions")?, name)
     }
 
     pub fn missing(&self, name: &str) -> ReadError {
-        let found = format!("no `{name}`, which glTF requires");
-        ReadError::new(Problem::Syntax, self.at.place(), found, "export the file again")
+        let found = format!("the required member `{name}` is missing");
+        ReadError::new(Problem::Syntax, self.place(), found, "export the file again")
     }
 
     fn typed<T>(
@@ -172,38 +136,39 @@ impl<'a> Fields<'a> {
         get: impl Fn(Value) -> Option<T>,
     ) -> Result<Option<T>, ReadError> {
         let Some(value) = self.json.member(self.object, name) else { return Ok(None) };
-        match get(value) {
-            Some(typed) => Ok(Some(typed)),
-            None => Err(mismatch(self.json, value, self.at.member(name), wanted)),
-        }
+        get(value).map(Some).ok_or_else(|| mismatch(self.json, value, wanted))
     }
 }
 
-fn mismatch(json: &Json, value: Value, place: Place, wanted: &str) -> ReadError {
+fn mismatch(json: &Json, value: Value, wanted: &str) -> ReadError {
     let raw = json.raw(value);
     let short: String = raw.chars().take(40).collect();
     let dots = if short.len() < raw.len() { "..." } else { "" };
-    let found = format!("{short}{dots} where {wanted} should be");
-    ReadError::new(Problem::Syntax, place, found, "export the file again")
+    let found = format!("{short}{dots} is not {wanted}");
+    ReadError::new(Problem::Syntax, json.place(value), found, "export the file again")
+}
+
+/// The position of an element of a top-level list.
+pub fn numbered(list: &str, number: usize) -> Place {
+    Place::Json(format!("/{list}/{number}"))
 }
 
 /// An index if it is that of one of `count` elements, which are called `what`.
 pub fn checked_index(
-    index: usize,
+    index: u64,
     count: usize,
     what: &str,
     place: impl FnOnce() -> Place,
 ) -> Result<usize, ReadError> {
-    if index < count {
-        return Ok(index);
-    }
-    let found = format!("{what} {index} is asked for, counted from 0, where the file has {count}");
-    Err(out_of_range(place(), found))
+    let checked = usize::try_from(index).ok().filter(|&index| index < count);
+    checked.ok_or_else(|| {
+        out_of_range(place(), format!("{what} {index} is out of range (the file has {count})"))
+    })
 }
 
 /// An error about a file that contradicts itself.
 pub fn out_of_range(place: Place, found: impl Into<String>) -> ReadError {
-    ReadError::new(Problem::Range, place, found, "the file is broken; export it again")
+    ReadError::new(Problem::Range, place, found, "the file is damaged; export it again")
 }
 
 /// An error about data that only an extension can decompress.

@@ -3,10 +3,10 @@
 use super::accessor::Source;
 use super::document::{Block, Layout, Piece};
 use super::extensions::DRACO;
-use super::fields::{At, only_compressed, out_of_range};
+use super::fields::{numbered, only_compressed, out_of_range};
 use super::records::{Component, Format, Primitive, VertexAccessors};
 use crate::io::text::counted;
-use crate::io::{NonFinite, Part, Problem, ReadError};
+use crate::io::{NonFinite, Part, Place, Problem, ReadError};
 use crate::mesh::{Columns, FaceLabels, NONE};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
@@ -16,8 +16,8 @@ use std::collections::hash_map::Entry;
 pub struct Assembler<'a> {
     pub source: Source<'a>,
     pub non_finite: NonFinite,
-    /// The mesh at hand.
-    pub at: At,
+    /// The number of the mesh that is read.
+    mesh: usize,
     /// The first primitive of each vertex source, as numbers of mesh and primitive.
     pub sources: Vec<(usize, usize)>,
     source_numbers: FxHashMap<&'a VertexAccessors, usize>,
@@ -31,7 +31,7 @@ impl<'a> Assembler<'a> {
         Self {
             source,
             non_finite,
-            at: At::default(),
+            mesh: 0,
             sources: Vec::new(),
             source_numbers: FxHashMap::default(),
             materials: BTreeMap::new(),
@@ -41,7 +41,7 @@ impl<'a> Assembler<'a> {
 
     /// Reads one mesh.
     pub fn part(&mut self, mesh: usize) -> Result<(Part, Layout), ReadError> {
-        self.at = At::new("meshes", mesh);
+        self.mesh = mesh;
         let record = &self.source.records.meshes[mesh];
         let mut layout = Layout::default();
         let mut blocks: FxHashMap<usize, usize> = FxHashMap::default();
@@ -49,15 +49,14 @@ impl<'a> Assembler<'a> {
         let mut columns = Columns::default();
         let mut vertices: u64 = 0;
         for (number, primitive) in record.primitives.iter().enumerate() {
-            let at = primitive.at;
             let Some(position) = primitive.vertices.get("POSITION") else {
-                self.source.warn(at.place(), "a primitive without positions; nothing can be drawn");
+                self.source.warn(primitive.place(), "a primitive without positions was skipped");
                 continue;
             };
             let source = self.vertex_source(mesh, number)?;
             let too_many = |what: &str, count: u64| {
-                let found = format!("{what}{count} vertices, more than 32-bit numbers can count");
-                ReadError::new(Problem::Limit, at.place(), found, "split the mesh")
+                let found = format!("{what}{count} vertices, more than 32-bit indices can count");
+                ReadError::new(Problem::Limit, primitive.place(), found, "split the mesh")
             };
             let count = self.source.records.accessors[position].count;
             if count >= u64::from(NONE) {
@@ -92,6 +91,11 @@ impl<'a> Assembler<'a> {
         Ok((Part { name: record.name.clone(), mesh, non_finite_faces }, layout))
     }
 
+    /// The position of the mesh that is read.
+    pub fn place(&self) -> Place {
+        numbered("meshes", self.mesh)
+    }
+
     /// The vertex accessors of a block.
     pub fn accessors(&self, block: &Block) -> &'a VertexAccessors {
         let (mesh, primitive) = self.sources[block.source];
@@ -117,22 +121,23 @@ impl<'a> Assembler<'a> {
         let count = records.accessors[primitive.vertices.position()].count;
         for (semantic, accessor) in primitive.vertices.sets.iter().flatten() {
             let elements = self.source.elements(*accessor)?;
-            let place = || At::new("accessors", *accessor).place();
+            let place = || numbered("accessors", *accessor);
             if elements.count as u64 != count {
-                let found = format!("{semantic} of {} vertices, where positions are {count}", elements.count);
+                let found =
+                    format!("{semantic} has {} elements, but there are {count} positions", elements.count);
                 return Err(out_of_range(place(), found));
             }
             let Format { component, width, .. } = elements.format;
             if !fits(semantic, elements.format) {
-                let found = format!("{semantic} of a type that glTF does not allow for it");
-                return Err(out_of_range(place(), format!("{found} ({component:?} × {width})")));
+                let found = format!("type {component:?} × {width} is not allowed for {semantic}");
+                return Err(out_of_range(place(), found));
             }
         }
         let is_stored = |&(_, accessor): &(String, usize)| records.accessors[accessor].view.is_some();
-        let compressed = records.fields(primitive.object, primitive.at).extension(DRACO);
+        let compressed = records.fields(primitive.object).extension(DRACO);
         if compressed.is_some() && !primitive.vertices.sets[0].iter().all(is_stored) {
-            let found = "vertices that are only there compressed by KHR_draco_mesh_compression";
-            return Err(only_compressed(primitive.at.place(), found));
+            let found = "the vertices are stored only compressed by KHR_draco_mesh_compression";
+            return Err(only_compressed(primitive.place(), found));
         }
         Ok(())
     }
@@ -163,8 +168,7 @@ impl<'a> Assembler<'a> {
             return Ok(name.clone());
         }
         let records = self.source.records;
-        let fields = records.fields(records.materials[material], At::new("materials", material));
-        let mut name = fields.string("name")?.unwrap_or_default().into_owned();
+        let mut name = records.fields(records.materials[material]).name()?;
         if name.is_empty() {
             name = format!("material{material}");
         }
@@ -216,13 +220,13 @@ pub fn draw(source: &Source<'_>, primitive: &Primitive, count: usize) -> Result<
             let elements = source.elements(accessor)?;
             check_format(elements.format, accessor)?;
             let expansion = if primitive.mode == mode::TRIANGLES { 1 } else { 8 };
-            source.spend(4 * expansion * elements.count as u64, primitive.at)?;
+            source.spend(4 * expansion * elements.count as u64, || primitive.place())?;
             let indices = elements.integers();
             check_range(&indices, elements.format, count, accessor)?;
             indices
         }
         None => {
-            source.spend(4 * count as u64, primitive.at)?;
+            source.spend(4 * count as u64, || primitive.place())?;
             (0..count as u32).collect()
         }
     };
@@ -235,8 +239,8 @@ pub fn draw(source: &Source<'_>, primitive: &Primitive, count: usize) -> Result<
             let rest = order.len() % 3;
             if rest > 0 {
                 let corners = counted(rest, "corner", "corners");
-                let text = format!("ignored, because whole triangles leave it over: {corners}");
-                source.warn(primitive.at.place(), text);
+                let text = format!("{corners} after the last whole triangle ignored");
+                source.warn(primitive.place(), text);
                 order.truncate(order.len() - rest);
             }
             Drawn::Triangles(order)
@@ -244,8 +248,8 @@ pub fn draw(source: &Source<'_>, primitive: &Primitive, count: usize) -> Result<
         mode::TRIANGLE_STRIP => Drawn::Triangles(strip(&order)),
         mode::TRIANGLE_FAN => Drawn::Triangles(fan(&order)),
         other => {
-            let found = format!("primitive mode {other}, where glTF has 0 to 6");
-            return Err(out_of_range(primitive.at.member("mode"), found));
+            let found = format!("mode {other} is out of range (0 to 6)");
+            return Err(out_of_range(primitive.place(), found));
         }
     };
     Ok(drawn)
@@ -274,18 +278,18 @@ fn check_format(format: Format, accessor: usize) -> Result<(), ReadError> {
     if unsigned && format.width == 1 {
         return Ok(());
     }
-    Err(out_of_range(At::new("accessors", accessor).place(), "indices that are not unsigned integers"))
+    Err(out_of_range(numbered("accessors", accessor), "the indices are not unsigned integers"))
 }
 
 fn check_range(indices: &[u32], format: Format, count: usize, accessor: usize) -> Result<(), ReadError> {
     let Some(position) = indices.iter().position(|&index| index as usize >= count) else { return Ok(()) };
     let index = indices[position];
     let found = if index == u32::MAX >> (32 - 8 * format.component.size()) {
-        format!("index number {position} is {index}, which restarts a primitive; glTF does not allow it")
+        format!("index {position}: the restart value {index} is not allowed")
     } else {
-        format!("index number {position} asks for vertex {index}, counted from 0, of {count}")
+        format!("index {position}: vertex {index} is out of range ({count} vertices)")
     };
-    Err(out_of_range(At::new("accessors", accessor).place(), found))
+    Err(out_of_range(numbered("accessors", accessor), found))
 }
 
 #[cfg(test)]

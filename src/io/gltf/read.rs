@@ -10,7 +10,6 @@ use super::mesh::Assembler;
 use super::records::Records;
 use super::{extensions, nodes};
 use crate::io::mesh_checks::check_size;
-use crate::io::text::counted;
 use crate::io::{Document, Format, Loaded, Note, Place, Problem, ReadError, ReadOptions};
 use std::cell::{Cell, RefCell};
 use std::path::Path;
@@ -27,9 +26,8 @@ fn check_primitive_count(records: &Records, bytes: u64) -> Result<(), ReadError>
         return Ok(());
     }
     let place = Place::Json("/meshes".into());
-    let primitives = counted(count, "primitive", "primitives");
-    let found = format!("{primitives} in {bytes} bytes; the limit for that size is {limit}");
-    Err(ReadError::new(Problem::Limit, place, found, "merge primitives, or divide the file"))
+    let found = format!("{count} primitives in {bytes} bytes (limit {limit})");
+    Err(ReadError::new(Problem::Limit, place, found, "merge primitives, or split the file"))
 }
 
 /// Reads a glTF document in either spelling. `base` is the folder of the file, where its buffers are looked for;
@@ -48,7 +46,7 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
         (Some(glb), json, bytes)
     } else {
         if bytes.starts_with(b"\xEF\xBB\xBF") {
-            let text = "a byte order mark, which glTF does not allow; it is kept";
+            let text = "glTF does not allow this byte order mark; it is kept";
             notes.push(Note::warning(Place::Byte(0), text));
         }
         (None, Json::parse(bytes, 0, options.limits.json_depth)?, Vec::new())

@@ -172,15 +172,14 @@ fn check_order(
     indices: &[u32],
     moved: bool,
 ) -> Result<(), WriteError> {
-    let at = member.primitive.at;
-    let primitive = document.records.fields(member.primitive.object, at);
-    let mesh = document.records.fields(document.records.meshes[member.part].object, at);
+    let primitive = document.records.fields(member.primitive.object);
+    let mesh = document.records.fields(document.records.meshes[member.part].object);
     let refuse = |name: &str, what: &str| {
         let text = format!(
             "{}: the extension {name} refers to {what} by number, and these would change; keep them as they are \
              (--crease off or --emit vertex splits none, --degenerate keep and no --flip or --orient keeps all \
              faces), or take the extension out first",
-            at.place()
+            primitive.place()
         );
         Err(WriteError::Unsupported(text))
     };
