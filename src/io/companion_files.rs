@@ -7,11 +7,9 @@ use std::path::{Component, Path, PathBuf};
 /// Why a companion is not read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Refusal {
-    /// It is named by a URL or a network path.
     Remote,
     /// It is outside the folder that companions may come from.
     Outside,
-    /// It is not there.
     Missing,
     /// It is there, but a folder or a device.
     NoFile,
@@ -20,15 +18,16 @@ pub(super) enum Refusal {
 impl fmt::Display for Refusal {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         out.write_str(match self {
-            Refusal::Remote => "is on a network or named by a URL, and was not read",
-            Refusal::Outside => "is outside the input's folder and was not read (--root widens it)",
+            Refusal::Remote => "is a network path or URL and was not read",
+            Refusal::Outside => {
+                "is outside the input's folder and was not read (--root allows another folder)"
+            }
             Refusal::Missing => "was not found",
-            Refusal::NoFile => "is a folder or no regular file, and was not read",
+            Refusal::NoFile => "is not a regular file and was not read",
         })
     }
 }
 
-/// The folders that are searched for companion files.
 pub(super) struct Companions {
     base: PathBuf,
     /// Where they may be: the base, and the root of the options.

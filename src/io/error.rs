@@ -19,7 +19,6 @@ pub enum Place {
 }
 
 impl Place {
-    /// Whether it is the file as a whole.
     fn is_file(&self) -> bool {
         *self == Place::File
     }
@@ -188,7 +187,7 @@ pub enum WriteError {
 impl WriteError {
     /// What was read, or kept of it, is not there to edit.
     pub(super) fn no_document() -> Self {
-        Self::Unsupported("no document was kept to edit; write a new file".to_owned())
+        Self::Unsupported("the file was not kept for editing; write another format".to_owned())
     }
 }
 
@@ -203,7 +202,6 @@ pub(super) struct RepeatedNotes(BTreeMap<NoteKind, Occurrences>);
 #[derive(Clone, Debug, Default)]
 struct Occurrences {
     count: u64,
-    /// No more than a note lists.
     offsets: Vec<usize>,
 }
 

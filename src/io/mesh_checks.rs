@@ -11,12 +11,11 @@ pub(super) const DROP_ADVICE: &str = "correct it, or drop the faces at such vert
 /// What to do about a file that contradicts itself.
 pub(super) const DAMAGED: &str = "the file is damaged; export it again";
 
-/// Refuses a file that is larger than the limit.
 pub(super) fn check_size(bytes: &[u8], options: &ReadOptions) -> Result<(), ReadError> {
     if bytes.len() as u64 <= options.limits.bytes {
         return Ok(());
     }
-    let found = format!("{} bytes, more than the limit of {}", bytes.len(), options.limits.bytes);
+    let found = format!("the file has {} bytes (limit {})", bytes.len(), options.limits.bytes);
     Err(ReadError::new(Problem::Limit, Place::File, found, "raise the limit"))
 }
 
@@ -24,10 +23,11 @@ pub(super) fn check_size(bytes: &[u8], options: &ReadOptions) -> Result<(), Read
 pub(super) fn non_finite_note(positions: &[DVec3], non_finite: NonFinite) -> Option<Note> {
     let is_bad = |position: &DVec3| !position.is_finite();
     let first = positions.iter().position(is_bad).filter(|_| non_finite == NonFinite::DropFaces)?;
-    let count = counted(positions.iter().filter(|position| is_bad(position)).count(), "vertex", "vertices");
+    let count = positions.iter().filter(|position| is_bad(position)).count();
+    let count = counted(count, "vertex has", "vertices have");
     let text = format!(
-        "no finite position: {count} (the first is vertex {first}, counted from 0); faces there are dropped, and what \
-         the file says stays where it is edited, but is the origin in a new file"
+        "{count} no finite position (first: vertex {first}); their faces are dropped; an edited file keeps the \
+         stored positions, a new file has the origin instead"
     );
     Some(Note::warning(Place::File, text))
 }
@@ -50,7 +50,7 @@ pub(super) fn build_part(
     let (mesh, non_finite_faces) = build_mesh(builder, options.non_finite).map_err(|error| {
         let (problem, advice) = match error {
             MeshError::NonFinite { .. } => (Problem::NonFinite, DROP_ADVICE),
-            MeshError::TooLarge { .. } => (Problem::Limit, "divide the mesh"),
+            MeshError::TooLarge { .. } => (Problem::Limit, "split the mesh"),
             _ => (Problem::Range, DAMAGED),
         };
         ReadError::new(problem, place(&error), error.to_string(), advice)
@@ -61,12 +61,12 @@ pub(super) fn build_part(
 /// Warnings about the faces of a file as a whole.
 pub(super) fn face_notes(parts: &[Part]) -> Vec<Note> {
     if parts.iter().all(|part| part.mesh.face_count() == 0) {
-        return vec![Note::warning(Place::File, "it has no faces, and so no normals")];
+        return vec![Note::warning(Place::File, "the file has no faces, so it has no normals")];
     }
     let repeating: usize = parts.iter().map(|part| repeating(part.mesh.faces())).sum();
     let text = || {
         let polygons = counted(repeating as u64, "polygon passes", "polygons pass");
-        format!("{polygons} through a vertex more than once; what they enclose counts")
+        format!("{polygons} through a vertex more than once; crease uses the enclosed area")
     };
     (repeating > 0).then(|| Note::warning(Place::File, text())).into_iter().collect()
 }
@@ -86,7 +86,6 @@ fn repeating(faces: &Faces) -> usize {
     (0..faces.len()).into_par_iter().map_init(Vec::new, repeats).filter(|&repeats| repeats).count()
 }
 
-/// Something that a mesh may have and a format may not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Feature {
     Uvs,
@@ -109,7 +108,7 @@ impl Feature {
             Feature::Materials => ("materials", columns.materials.is_some()),
             Feature::Objects => ("objects and groups", columns.objects.is_some()),
             Feature::Smoothing => ("smoothing groups", columns.smoothing.is_some()),
-            Feature::HardEdges => ("marks of hard edges", !columns.hard_edges.is_empty()),
+            Feature::HardEdges => ("hard edges", !columns.hard_edges.is_empty()),
             Feature::MorphTargets => ("morph targets", !columns.morph_targets.is_empty()),
             Feature::Points => ("points", !columns.points.is_empty()),
             Feature::Lines => ("lines", !columns.lines.is_empty()),
@@ -122,7 +121,7 @@ pub(super) fn unsupported_notes(format: &str, features: &[Feature], parts: &[Par
     let warning = |feature: &Feature| {
         let mut inspected = parts.iter().map(|part| feature.inspect(part.mesh.columns()));
         let (name, _) = inspected.find(|&(_, is_present)| is_present)?;
-        Some(Note::warning(Place::File, format!("{format} has no {name}: they were left out")))
+        Some(Note::warning(Place::File, format!("{format} has no {name}; they were omitted")))
     };
     features.iter().filter_map(warning).collect()
 }
@@ -145,7 +144,7 @@ pub(super) fn displacement_note(mesh: &Mesh) -> Option<Note> {
     (size > 0.0 && largest > size / f64::from(1 << 20)).then(|| {
         let text = format!(
             "rounding positions to 32-bit floats moves vertices by up to {largest:.3e}, {:.1e} of the model's size; \
-             move it nearer to the origin, or write PLY or OBJ",
+             move the model closer to the origin, or write PLY or OBJ",
             largest / size
         );
         Note::warning(Place::File, text)
@@ -163,7 +162,7 @@ mod tests {
             let loaded = read_bytes(text.into(), Some(Format::Obj), None, &ReadOptions::default()).unwrap();
             loaded.notes.iter().map(|note| note.text.clone()).collect::<Vec<_>>()
         };
-        assert_eq!(notes(""), ["it has no faces, and so no normals"]);
+        assert_eq!(notes(""), ["the file has no faces, so it has no normals"]);
         assert_eq!(notes("f 1 2 3 4\nf 1 2 3\n"), [] as [&str; 0]);
         let reported = "polygon passes through a vertex more than once; what they enclose counts";
         assert_eq!(notes("f 1 2 3 4\nf 1 2 3 5 3 4\n"), [format!("1 {reported}")]);

@@ -39,6 +39,21 @@ fn likely(bytes: &[u8]) -> Option<Format> {
     KEYWORDS.contains(&keyword).then_some(Format::Obj)
 }
 
+/// What a file of no known format starts like.
+fn likeness(bytes: &[u8]) -> &'static str {
+    const KNOWN: [(&[u8], &str); 8] = [
+        (b"\x89PNG", "; it starts like a PNG image"),
+        (b"\xff\xd8\xff", "; it starts like a JPEG image"),
+        (b"PK\x03\x04", "; it starts like a ZIP archive"),
+        (b"\x1f\x8b", "; it starts like gzip data"),
+        (b"Kaydara FBX", "; it starts like an FBX file"),
+        (b"BLENDER", "; it starts like a Blender file"),
+        (b"%PDF", "; it starts like a PDF"),
+        (b"<", "; it starts like XML or HTML"),
+    ];
+    KNOWN.iter().find(|(magic, _)| bytes.starts_with(magic)).map_or("", |(_, text)| text)
+}
+
 /// Reads a file. Without a format, content and name determine it ([`detect`]).
 ///
 /// # Errors
@@ -50,19 +65,18 @@ pub fn read(path: &Path, format: Option<Format>, options: &ReadOptions) -> Resul
     read_bytes(bytes, format, Some(path.parent().unwrap_or(path)), options)
 }
 
-/// The bytes of a file.
 pub(crate) fn read_whole(path: &Path, limits: &Limits) -> Result<Vec<u8>, ReadError> {
     let metadata = fs::metadata(path).map_err(|error| io_error(&error))?;
     if !metadata.is_file() {
         let (found, advice) = match metadata.is_dir() {
-            true => ("it is a folder", "name a file in it"),
+            true => ("this is a folder", "name a file in it"),
             // Opening a pipe may wait for ever.
-            false => ("it is no regular file", "read a stream from standard input with -"),
+            false => ("this is not a regular file", "read a stream from standard input with -"),
         };
         return Err(ReadError::new(Problem::Io, Place::File, found, advice));
     }
     if metadata.len() > limits.bytes {
-        let found = format!("{} bytes, more than the limit of {}", metadata.len(), limits.bytes);
+        let found = format!("the file has {} bytes (limit {})", metadata.len(), limits.bytes);
         return Err(ReadError::new(Problem::Limit, Place::File, found, "raise the limit"));
     }
     read_length(path, metadata.len()).map_err(|error| io_error(&error))
@@ -101,9 +115,9 @@ fn read_in_pieces(path: &Path, length: u64) -> std::io::Result<Option<Vec<u8>>> 
 
 fn io_error(error: &std::io::Error) -> ReadError {
     let (found, advice) = match error.kind() {
-        ErrorKind::NotFound => ("there is no such file".to_owned(), "check the name"),
-        ErrorKind::PermissionDenied => ("it may not be read".to_owned(), "check its permissions"),
-        ErrorKind::OutOfMemory => ("it does not fit into memory".to_owned(), "divide it"),
+        ErrorKind::NotFound => ("no such file".to_owned(), "check the name"),
+        ErrorKind::PermissionDenied => ("no permission to read it".to_owned(), "check its permissions"),
+        ErrorKind::OutOfMemory => ("the file does not fit into memory".to_owned(), "split it"),
         _ => (error.to_string(), "check the path"),
     };
     ReadError::new(Problem::Io, Place::File, found, advice)
@@ -121,7 +135,12 @@ pub fn read_bytes(
     options: &ReadOptions,
 ) -> Result<Loaded, ReadError> {
     let Some(format) = format.or_else(|| detect(&bytes, None)) else {
-        let found = if bytes.is_empty() { "the file is empty" } else { "the content tells no mesh format" };
+        let found = match bytes.is_empty() {
+            true => "the file is empty".to_owned(),
+            false => {
+                format!("not a mesh file that crease reads (OBJ, PLY, STL, glTF, GLB){}", likeness(&bytes))
+            }
+        };
         return Err(ReadError::new(Problem::Syntax, Place::File, found, "name the format with --format"));
     };
     let mut loaded = match format {
@@ -166,10 +185,10 @@ mod tests {
         let error = |path: &Path| read(path, None, &ReadOptions::default()).unwrap_err();
         assert!(error(folder.path()).found.contains("folder"));
         assert!(error(&folder.path().join("none")).found.contains("no such file"));
-        assert!(error(Path::new("/dev/null")).found.contains("no regular file"));
+        assert!(error(Path::new("/dev/null")).found.contains("not a regular file"));
         let path = folder.path().join("a.xyz");
         fs::write(&path, "???").unwrap();
-        assert!(error(&path).found.contains("tells no mesh format"));
+        assert!(error(&path).found.contains("not a mesh file"));
         fs::write(&path, "v 0 0 0\n").unwrap();
         assert_eq!(read(&path, None, &ReadOptions::default()).unwrap().format, Format::Obj);
         let mut options = ReadOptions::default();

@@ -32,8 +32,7 @@ pub fn write<'a>(
     }
     let mut notes = Vec::new();
     if !format.is_gltf() && options.normal_format != NormalFormat::Same {
-        let text =
-            format!("only glTF has a choice of how normals are stored; here they are as {format} has them");
+        let text = format!("{format} has no choice of normal formats; only glTF has one");
         notes.push(Note::warning(Place::File, text));
     }
     if format == loaded.format || format.is_gltf() && loaded.format.is_gltf() {
@@ -44,7 +43,7 @@ pub fn write<'a>(
     let parts = placed(loaded, edits, format, options, &mut notes)?;
     let left = loaded.document.outside_meshes();
     if !left.is_empty() {
-        let text = format!("a new file is made of the meshes alone; left out: {}", left.join(", "));
+        let text = format!("a new file has only the meshes; omitted: {}", left.join(", "));
         notes.push(Note::warning(Place::File, text));
     }
     if let Document::Gltf(document) = &loaded.document {
@@ -76,7 +75,6 @@ pub fn write_new(parts: &[Part], format: Format, options: &WriteOptions) -> Resu
     write_parts(format, parts, &[], options)
 }
 
-/// Writes a file again in its own format. glTF may change its container.
 fn edit(
     loaded: &Loaded,
     edits: &[PartEdit],
@@ -106,7 +104,6 @@ fn write_parts(
     }
 }
 
-/// The parts to write: edited, with the transforms of the nodes applied.
 fn placed(
     loaded: &Loaded,
     mut edits: Cow<'_, [PartEdit]>,
@@ -136,7 +133,7 @@ fn placed(
     let unused = uses.iter().filter(|&&uses| uses == 0).count();
     if unused > 0 {
         let meshes = counted(unused, "mesh", "meshes");
-        notes.push(Note::warning(Place::File, format!("left out, because no node shows it: {meshes}")));
+        notes.push(Note::warning(Place::File, format!("{meshes} without a node omitted")));
     }
     let mut flattened = 0;
     let mut parts = Vec::with_capacity(loaded.nodes.len());
@@ -147,9 +144,7 @@ fn placed(
             let had_normals = part.mesh.columns().normals.is_some();
             part.mesh = part.mesh.transformed(node.world_from_part).map_err(|TransformFault::Overflow| {
                 let name = &node.name;
-                let text = format!(
-                    "the node `{name}` moves a vertex beyond the range of numbers; correct its transform"
-                );
+                let text = format!("the transform of node `{name}` moves a vertex out of range; correct it");
                 WriteError::Unsupported(text)
             })?;
             flattened += usize::from(had_normals && part.mesh.columns().normals.is_none());
@@ -160,14 +155,13 @@ fn placed(
         parts.push(part);
     }
     if flattened > 0 {
-        let nodes = counted(flattened, "node", "nodes");
-        let text = format!("meshes that a node squeezes flat have no normals there: {nodes}");
+        let nodes = counted(flattened, "node transform", "node transforms");
+        let text = format!("{nodes} flatten their mesh, so it has no normals there");
         notes.push(Note::warning(Place::File, text));
     }
     Ok(parts)
 }
 
-/// The mesh with an edit applied.
 fn edited_mesh(mesh: &Mesh, edit: PartEdit, by_face: bool) -> Mesh {
     let normals = match edit.face_normals {
         Some(normals) if by_face => Some(Column::per_corner(normals, mesh.faces().owners())),
@@ -208,12 +202,11 @@ fn check_copies(
     if memory <= limit {
         return Ok(());
     }
-    let nodes = counted(loaded.nodes.len(), "node shows", "nodes show");
+    let nodes = counted(loaded.nodes.len(), "node", "nodes");
     let meshes = counted(uses.iter().filter(|uses| **uses > 0).count(), "mesh", "meshes");
     Err(WriteError::TooLarge(format!(
-        "{nodes} {meshes}: {format} has no instances, so {copies} copies with {faces} faces would take about {} MB of \
-         memory, and the limit for a file of this size is {} MB; write .glb or .gltf, which keep instances, or divide \
-         the scene",
+        "{format} has no instances: {copies} copies with {faces} faces for {nodes} of {meshes} need about {} MB of \
+         memory (limit for a file of this size: {} MB); write .glb or .gltf, which keep instances, or split the scene",
         memory.div_ceil(1_000_000),
         limit / 1_000_000,
     )))

@@ -17,7 +17,6 @@ pub struct Elements<'a> {
     stride: usize,
     pub count: usize,
     pub format: Format,
-    /// The exceptions, ascending.
     sparse: Option<Exceptions<'a>>,
 }
 
@@ -28,11 +27,9 @@ struct Exceptions<'a> {
     values: &'a [u8],
 }
 
-/// Reads the accessors of a document.
 pub struct Source<'a> {
     pub records: &'a Records,
     pub buffers: &'a Buffers,
-    /// The most elements of an accessor without stored data.
     pub implied_limit: u64,
     /// Bytes of memory that decoding may still take; one file's bytes can be asked for any number of times.
     pub memory: Cell<u64>,
@@ -40,7 +37,6 @@ pub struct Source<'a> {
 }
 
 impl<'a> Source<'a> {
-    /// Finds the elements of an accessor.
     pub fn elements(&self, accessor: usize) -> Result<Elements<'a>, ReadError> {
         let record = &self.records.accessors[accessor];
         let fields = self.records.fields(record.object);
@@ -103,7 +99,6 @@ impl<'a> Source<'a> {
         Ok(Exceptions { indices, component, values })
     }
 
-    /// Adds a warning to the notes.
     pub fn warn(&self, place: Place, text: impl Into<String>) {
         self.notes.borrow_mut().push(Note::warning(place, text));
     }
@@ -154,7 +149,6 @@ impl<'a> Source<'a> {
     }
 }
 
-/// Elements within a buffer view.
 #[derive(Clone, Copy)]
 struct Extent {
     offset: u64,
@@ -207,7 +201,6 @@ impl<'a> Elements<'a> {
             .collect()
     }
 
-    /// All elements as unsigned integers, first component only.
     pub fn integers(&self) -> Vec<u32> {
         let component = self.format.component;
         self.raw().chunks_exact(self.format.size()).map(|bytes| unsigned(bytes, component)).collect()

@@ -57,7 +57,6 @@ fn not_understood(error: ReadError) -> Note {
     Note::warning(error.place, format!("ignored: {}", error.found))
 }
 
-/// A value as a record of the `gltf` crate.
 fn typed<T: DeserializeOwned>(json: &Json, value: Value, place: Place) -> Result<T, ReadError> {
     serde_json::from_str(json.raw(value)).map_err(|error| out_of_range(place, error.to_string()))
 }
@@ -88,7 +87,6 @@ fn material(fields: &Fields<'_>, number: usize, name: &str) -> Result<FileMateri
     })
 }
 
-/// The light that an extension of a node refers to.
 fn light(node: &Placed<'_>, extension: Value, lights: &[Value]) -> Result<FileLight, ReadError> {
     let json = node.fields.json;
     let number = json.member(extension, "light").and_then(|light| json.integer(light));
@@ -192,7 +190,6 @@ fn projection(camera: &Fields<'_>) -> Result<(FileProjection, [f64; 2]), ReadErr
     Ok((projection, [near, far.unwrap_or(f64::INFINITY)]))
 }
 
-/// A number of a lens that has to be there.
 fn needed(
     lens: &Fields<'_>,
     name: &str,
@@ -202,7 +199,6 @@ fn needed(
     optional(lens, name, is_allowed, wanted)?.ok_or_else(|| lens.missing(name))
 }
 
-/// A number of a lens.
 fn optional(
     lens: &Fields<'_>,
     name: &str,

@@ -16,12 +16,13 @@ use std::sync::Arc;
 /// Where the bytes of a buffer are.
 #[derive(Clone, Debug)]
 pub enum Storage {
-    /// In the BIN chunk of the file itself.
     Bin(Range<usize>),
-    /// In the JSON, as a data URI.
     Embedded(Arc<Vec<u8>>),
-    /// In a file of its own.
-    File { name: String, path: PathBuf, bytes: Arc<Vec<u8>> },
+    File {
+        name: String,
+        path: PathBuf,
+        bytes: Arc<Vec<u8>>,
+    },
     /// Nowhere: only a compressed copy exists.
     Absent,
 }
@@ -33,7 +34,6 @@ pub struct Buffer {
     pub length: u64,
 }
 
-/// All buffers of a document.
 #[derive(Clone, Debug, Default)]
 pub struct Buffers {
     /// The file, for the BIN chunk; empty for `.gltf`.
@@ -59,7 +59,6 @@ impl Buffers {
     }
 }
 
-/// Finds the bytes of every buffer.
 pub fn load(
     json: &Json,
     objects: &[Value],
@@ -110,17 +109,14 @@ fn refused(place: Place, found: impl Into<String>, advice: &str) -> ReadError {
     ReadError::new(Problem::Companion, place, found, advice)
 }
 
-/// The files of a document, each read once.
 struct Files<'a> {
     base: Option<&'a Path>,
     options: &'a ReadOptions,
-    /// Bytes that may still be read.
     left: u64,
     known: FxHashMap<PathBuf, Arc<Vec<u8>>>,
 }
 
 impl Files<'_> {
-    /// The bytes at the address of a buffer.
     fn storage(&mut self, uri: &str, place: impl Fn() -> Place) -> Result<Storage, ReadError> {
         let name = match Uri::parse(uri) {
             Uri::Data => {
@@ -191,12 +187,9 @@ pub fn check_images(
     Ok(present)
 }
 
-/// What an address is.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Uri {
-    /// Data in the address itself.
     Data,
-    /// A file, relative to the document.
     File(String),
     /// An address with a scheme: a network, an absolute file.
     Elsewhere,
@@ -257,7 +250,6 @@ pub fn address(name: Option<&str>, data: &[u8]) -> String {
     name.map_or_else(|| encode_data(data), percent_encoded)
 }
 
-/// A file name as a relative address.
 pub fn percent_encoded(name: &str) -> String {
     let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-._~/".contains(&byte);
     let encoded =

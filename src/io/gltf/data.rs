@@ -26,7 +26,6 @@ impl Target {
     }
 }
 
-/// The content of a buffer view.
 pub trait Bytes {
     fn bytes(&self) -> &[u8];
 }
@@ -90,7 +89,6 @@ pub struct Blob<'a> {
 }
 
 impl<'a> Blob<'a> {
-    /// Adds a piece and returns where it begins.
     pub fn push(&mut self, piece: impl Bytes + 'a) -> u64 {
         let offset = self.length;
         self.length += padded(piece.bytes().len()) as u64;
@@ -128,7 +126,6 @@ pub fn push_normal(normal: DVec3, format: Format, out: &mut Vec<u8>) {
     }
 }
 
-/// Appends three floats.
 pub fn push_floats(vector: DVec3, out: &mut Vec<u8>) {
     out.extend(vector.as_vec3().to_array().iter().flat_map(|x| (x + 0.0).to_le_bytes()));
 }

@@ -18,7 +18,6 @@ use std::path::PathBuf;
 pub struct GltfDocument {
     pub(in crate::io::gltf) records: Records,
     pub(in crate::io::gltf) buffers: Buffers,
-    /// The chunks of the file, if it is a GLB.
     pub(in crate::io::gltf) glb: Option<Glb>,
     /// The primitives, by mesh and number, whose vertices no primitive before them has.
     pub(in crate::io::gltf) sources: Vec<(usize, usize)>,
@@ -36,7 +35,6 @@ impl GltfDocument {
         NodeTree::new(&self.records.json).ok()
     }
 
-    /// The file as it was read.
     pub(in crate::io) fn source(&self) -> &[u8] {
         match self.glb {
             Some(_) => &self.buffers.file,
@@ -49,19 +47,16 @@ impl GltfDocument {
         self.records.json.text().len() as u64 + self.buffers.total()
     }
 
-    /// The vertex accessors of a source.
     pub(in crate::io::gltf) fn vertex_accessors(&self, source: usize) -> &VertexAccessors {
         let (mesh, primitive) = self.sources[source];
         &self.records.meshes[mesh].primitives[primitive].vertices
     }
 
-    /// The strings of a top-level list.
     pub(in crate::io::gltf) fn strings(&self, list: &str) -> impl Iterator<Item = Cow<'_, str>> {
         let json = &self.records.json;
         json.items(json.root(), list).filter_map(|value| json.string(value))
     }
 
-    /// Whether a top-level list of strings contains a certain one.
     pub(in crate::io::gltf) fn lists(&self, list: &str, name: &str) -> bool {
         self.strings(list).any(|string| string == name)
     }
@@ -112,7 +107,6 @@ const KNOWN: [&str; 4] = ["POSITION", "NORMAL", "TEXCOORD_0", "COLOR_0"];
 /// Extensions of storage: once read, nothing of them is left.
 const OF_STORAGE: [&str; 4] = [QUANTIZATION, DRACO, MESHOPT[0], MESHOPT[1]];
 
-/// Lists of the document and how their elements are called.
 const LISTS: [(&str, &str, &str); 4] = [
     ("textures", "texture", "textures"),
     ("skins", "skin", "skins"),
@@ -148,7 +142,7 @@ impl GltfDocument {
         let materials = self.records.materials.len();
         if materials > 0 {
             let materials = counted(materials, "material", "materials");
-            left.push(format!("colours and other properties of {materials}"));
+            left.push(format!("properties of {materials}"));
         }
         for (list, one, many) in LISTS {
             let count = json.items(json.root(), list).count();
@@ -164,7 +158,7 @@ impl GltfDocument {
         let extensions = self.strings("extensionsUsed");
         let extensions: Vec<_> = extensions.filter(|name| !OF_STORAGE.contains(&name.as_ref())).collect();
         if !extensions.is_empty() {
-            left.push(format!("what the extensions {} say", extensions.join(", ")));
+            left.push(format!("the extensions {}", extensions.join(", ")));
         }
         left
     }
@@ -172,8 +166,7 @@ impl GltfDocument {
     /// Texture coordinates are written as they are stored, which a transform of textures would change.
     pub(in crate::io) fn texture_transform_note(&self, format: Format) -> Option<Note> {
         let has_uvs = matches!(format, Format::Obj | Format::Ply);
-        let text =
-            "texture coordinates are those of the file, without the KHR_texture_transform of its textures";
+        let text = "texture coordinates were written without KHR_texture_transform";
         (has_uvs && self.lists("extensionsUsed", "KHR_texture_transform"))
             .then(|| Note::warning(Place::File, text))
     }

@@ -43,7 +43,6 @@ impl<'a> Fields<'a> {
         self.child(name)?.ok_or_else(|| self.missing(name))
     }
 
-    /// A non-negative integer.
     pub fn integer(&self, name: &str) -> Result<Option<u64>, ReadError> {
         self.typed(name, "a non-negative integer", |value| self.json.integer(value))
     }
@@ -90,7 +89,6 @@ impl<'a> Fields<'a> {
         Ok(self.string("name")?.unwrap_or_default().into_owned())
     }
 
-    /// A finite number.
     pub fn number(&self, name: &str) -> Result<Option<f64>, ReadError> {
         self.typed(name, "a finite number", |value| self.json.number(value).filter(|n| n.is_finite()))
     }
@@ -107,7 +105,6 @@ impl<'a> Fields<'a> {
         })
     }
 
-    /// The elements of a list; none if there is none.
     pub fn items(&self, name: &str) -> Result<impl Iterator<Item = Value> + use<'a>, ReadError> {
         let json = self.json;
         let array = self.typed(name, "a list", |value| (json.kind(value) == Kind::Array).then_some(value))?;

@@ -20,13 +20,11 @@ pub struct Glb {
     chunks: Vec<(u32, Range<usize>)>,
 }
 
-/// Whether a file is in the binary container.
 pub fn is_glb(bytes: &[u8]) -> bool {
     bytes.starts_with(MAGIC)
 }
 
 impl Glb {
-    /// Reads the chunk table.
     pub fn parse(bytes: &[u8], notes: &mut Vec<Note>) -> Result<Glb, ReadError> {
         let error = |problem, at: usize, found: String, advice: &str| {
             Err(ReadError::new(problem, Place::Byte(at as u64), found, advice))
@@ -76,12 +74,10 @@ impl Glb {
         Ok(Glb { chunks })
     }
 
-    /// Where the JSON is.
     pub fn json(&self) -> Range<usize> {
         self.chunks[0].1.clone()
     }
 
-    /// Where the binary buffer is.
     pub fn bin(&self) -> Option<Range<usize>> {
         self.bin_chunk().map(|chunk| self.chunks[chunk].1.clone())
     }
@@ -116,7 +112,6 @@ pub fn glb(json: &str, bin: Vec<&[u8]>) -> Result<Vec<u8>, WriteError> {
     assemble(if has_bin { &chunks } else { &chunks[..1] })
 }
 
-/// A GLB file of chunks, each given in pieces.
 fn assemble(chunks: &[(u32, Vec<&[u8]>)]) -> Result<Vec<u8>, WriteError> {
     let size = |pieces: &[&[u8]]| pieces.iter().map(|piece| piece.len()).sum::<usize>();
     let length = 12 + chunks.iter().map(|(_, pieces)| 8 + padded(size(pieces))).sum::<usize>();

@@ -13,7 +13,6 @@ use std::ops::Range;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Value(u32);
 
-/// What a value is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     Object,
@@ -63,12 +62,10 @@ impl Json {
         Ok(Json { text, nodes })
     }
 
-    /// The whole text.
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// The outermost value.
     pub fn root(&self) -> Value {
         Value(0)
     }
@@ -77,18 +74,15 @@ impl Json {
         self.node(value).kind
     }
 
-    /// The bytes of the text that a value takes.
     pub fn span(&self, value: Value) -> Range<usize> {
         let node = self.node(value);
         node.start as usize..node.end as usize
     }
 
-    /// The text of a value.
     pub fn raw(&self, value: Value) -> &str {
         &self.text[self.span(value)]
     }
 
-    /// The position of a value.
     pub fn place(&self, value: Value) -> Place {
         Place::Json(self.pointer(value))
     }
@@ -161,7 +155,6 @@ impl Json {
         }
     }
 
-    /// A number; `None` for other values.
     pub fn number(&self, value: Value) -> Option<f64> {
         if self.kind(value) == Kind::Number { self.raw(value).parse().ok() } else { None }
     }
@@ -177,7 +170,6 @@ impl Json {
         })
     }
 
-    /// `true` or `false`; `None` for other values.
     pub fn boolean(&self, value: Value) -> Option<bool> {
         match self.raw(value) {
             "true" => Some(true),

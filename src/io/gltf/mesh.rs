@@ -16,7 +16,6 @@ use std::collections::hash_map::Entry;
 pub struct Assembler<'a> {
     pub source: Source<'a>,
     pub non_finite: NonFinite,
-    /// The number of the mesh that is read.
     mesh: usize,
     /// The first primitive of each vertex source, as numbers of mesh and primitive.
     pub sources: Vec<(usize, usize)>,
@@ -39,7 +38,6 @@ impl<'a> Assembler<'a> {
         }
     }
 
-    /// Reads one mesh.
     pub fn part(&mut self, mesh: usize) -> Result<(Part, Layout), ReadError> {
         self.mesh = mesh;
         let record = &self.source.records.meshes[mesh];
@@ -91,18 +89,15 @@ impl<'a> Assembler<'a> {
         Ok((Part { name: record.name.clone(), mesh, non_finite_faces }, layout))
     }
 
-    /// The position of the mesh that is read.
     pub fn place(&self) -> Place {
         numbered("meshes", self.mesh)
     }
 
-    /// The vertex accessors of a block.
     pub fn accessors(&self, block: &Block) -> &'a VertexAccessors {
         let (mesh, primitive) = self.sources[block.source];
         &self.source.records.meshes[mesh].primitives[primitive].vertices
     }
 
-    /// The number of the vertex source of a primitive.
     fn vertex_source(&mut self, mesh: usize, primitive: usize) -> Result<usize, ReadError> {
         let record = &self.source.records.meshes[mesh].primitives[primitive];
         if let Some(&number) = self.source_numbers.get(&record.vertices) {
@@ -142,7 +137,6 @@ impl<'a> Assembler<'a> {
         Ok(())
     }
 
-    /// The material of each face.
     fn labels(&mut self, primitives: &[Primitive], layout: &Layout) -> Result<Option<FaceLabels>, ReadError> {
         if layout.pieces.iter().all(|piece| primitives[piece.primitive].material.is_none()) {
             return Ok(None);
@@ -272,7 +266,6 @@ fn fan(order: &[u32]) -> Vec<u32> {
     rim.windows(2).flat_map(|edge| [edge[0], edge[1], centre]).collect()
 }
 
-/// Checks that indices are unsigned integers.
 fn check_format(format: Format, accessor: usize) -> Result<(), ReadError> {
     let unsigned = matches!(format.component, Component::U8 | Component::U16 | Component::U32);
     if unsigned && format.width == 1 {

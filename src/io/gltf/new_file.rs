@@ -83,11 +83,8 @@ struct File<'a> {
     material_numbers: FxHashMap<&'a str, usize>,
     /// What is known of materials, by name.
     known: FxHashMap<&'a str, &'a FileMaterial>,
-    /// Textures of the materials that are used.
     textures: usize,
-    /// How normals are stored.
     normal_format: NormalFormat,
-    /// Some are stored as integers.
     is_quantized: bool,
 }
 
@@ -262,7 +259,6 @@ impl<'a> File<'a> {
         }
     }
 
-    /// Stores a vertex attribute.
     fn vertices(&mut self, data: impl Bytes + 'a, format: ElementFormat, bounds: Option<&Bounds>) -> usize {
         self.store(data, format, Target::Vertices, bounds)
     }
@@ -284,19 +280,18 @@ impl<'a> File<'a> {
     }
 }
 
-/// Notes on what was omitted.
 fn notes(parts: &[Part], unused: usize, textures: usize) -> Vec<Note> {
     let mut notes = unsupported_notes("glTF", &NOT_HELD, parts);
     if parts.iter().any(|part| part.mesh.columns().smoothing.is_some()) {
-        notes.push(Note::remark("glTF has no smoothing groups: the normals keep what they say"));
+        notes.push(Note::remark("glTF has no smoothing groups; the normals keep their effect"));
     }
     if textures > 0 {
         let textures = counted(textures, "texture", "textures");
-        notes.push(Note::warning(Place::File, format!("left out, though materials name them: {textures}")));
+        notes.push(Note::warning(Place::File, format!("{textures} of materials omitted")));
     }
     if unused > 0 {
         let vertices = counted(unused, "vertex", "vertices");
-        notes.push(Note::remark(format!("left out, because no object uses them: {vertices}")));
+        notes.push(Note::remark(format!("{vertices} without an object omitted")));
     }
     notes
 }
@@ -328,9 +323,9 @@ fn positions(
         let vertex = rounded.iter().position(|p| p.iter().any(|x| x.is_infinite())).unwrap_or(0);
         let DVec3 { x, y, z } = mesh.positions()[vertex];
         let text = format!(
-            "vertex {vertex}, counted from 0, at ({x:e}, {y:e}, {z:e}) is beyond the range of the 32-bit floats of glTF"
+            "vertex {vertex} at ({x:e}, {y:e}, {z:e}) is out of the range of 32-bit floats; scale the model, or write PLY or OBJ"
         );
-        return Err(WriteError::Unsupported(format!("{text}; scale the model, or write PLY or OBJ")));
+        return Err(WriteError::Unsupported(text));
     }
     notes.extend(displacement_note(mesh));
     let double = |bound: [f32; 3]| bound.map(f64::from).to_vec();

@@ -32,7 +32,6 @@ pub fn read(json: &Json, meshes: usize, notes: &mut Vec<Note>) -> Result<Vec<Fil
     Ok(placed)
 }
 
-/// A node at its place.
 pub struct Placed<'a> {
     pub number: usize,
     pub fields: Fields<'a>,
@@ -58,7 +57,6 @@ impl Frame {
     const WORLD: Self = Self { world: DMat4::IDENTITY, rotation: DQuat::IDENTITY, without_rotation: None };
 }
 
-/// No node.
 const NO_NODE: u32 = u32::MAX;
 
 /// The nodes of a file and which are whose children. Numbers are small, since a file may have millions of nodes.

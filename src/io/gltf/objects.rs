@@ -129,7 +129,6 @@ impl<'a> Cutter<'a> {
         self.finish(faces, columns)
     }
 
-    /// Points and lines, if there are any.
     fn loose(&mut self) -> Option<Option<Mesh>> {
         let old = self.mesh.columns();
         if old.points.is_empty() && old.lines.is_empty() {

@@ -10,7 +10,6 @@ pub use gltf::json::accessor::ComponentType as Component;
 /// The extensions that compress buffer views.
 pub const MESHOPT: [&str; 2] = ["EXT_meshopt_compression", "KHR_meshopt_compression"];
 
-/// A `bufferView`.
 #[derive(Clone, Copy, Debug)]
 pub struct View {
     pub object: Value,
@@ -23,7 +22,6 @@ pub struct View {
     pub extended: bool,
 }
 
-/// An `accessor`.
 #[derive(Clone, Copy, Debug)]
 pub struct Accessor {
     pub object: Value,
@@ -46,7 +44,6 @@ pub struct Sparse {
     pub value_offset: u64,
 }
 
-/// The type of a number with a glTF code.
 fn component(code: u64) -> Option<Component> {
     use Component::{F32, I8, I16, U8, U16, U32};
     [I8, U8, I16, U16, U32, F32].into_iter().find(|component| u64::from(component.as_gl_enum()) == code)
@@ -86,7 +83,6 @@ impl Format {
     }
 }
 
-/// A primitive of a mesh.
 #[derive(Clone, Debug)]
 pub struct Primitive {
     pub object: Value,
@@ -116,12 +112,10 @@ pub struct VertexAccessors {
 }
 
 impl VertexAccessors {
-    /// The accessor of a semantic among the attributes.
     pub fn get(&self, semantic: &str) -> Option<usize> {
         self.of_set(0, semantic)
     }
 
-    /// The accessor of a semantic in a set.
     pub fn of_set(&self, set: usize, semantic: &str) -> Option<usize> {
         self.sets.get(set)?.iter().find(|(name, _)| name == semantic).map(|&(_, accessor)| accessor)
     }
@@ -137,7 +131,6 @@ impl VertexAccessors {
     }
 }
 
-/// A mesh and the JSON object that it is.
 #[derive(Clone, Debug)]
 pub struct MeshRecord {
     pub object: Value,
@@ -170,7 +163,6 @@ impl Records {
         Ok(Records { buffers, views, accessors, meshes, materials, json })
     }
 
-    /// The fields of an object of the document.
     pub fn fields(&self, object: Value) -> Fields<'_> {
         Fields { json: &self.json, object }
     }

@@ -27,12 +27,10 @@ impl<'a> Splices<'a> {
         self.change(object, vec![(name.to_owned(), Some(text.to_string()))]);
     }
 
-    /// Removes a member of an object, if it is there.
     pub fn remove(&mut self, object: Value, name: &str) {
         self.change(object, vec![(name.to_owned(), None)]);
     }
 
-    /// Makes several changes to an object.
     pub fn change(&mut self, object: Value, changes: Changes) {
         let old = self.objects.entry(object).or_default();
         for (name, text) in changes {
@@ -48,7 +46,6 @@ impl<'a> Splices<'a> {
         self.lists.entry(list).or_default().push(text);
     }
 
-    /// Whether no change was asked for.
     pub fn is_empty(&self) -> bool {
         self.objects.is_empty() && self.lists.is_empty()
     }

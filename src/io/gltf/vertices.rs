@@ -10,7 +10,6 @@ use std::borrow::Cow;
 /// Triangles that become one primitive.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Group {
-    /// The material of all its faces.
     pub label: u32,
     /// Some corner of its faces has no normal.
     pub flat: bool,
@@ -34,8 +33,7 @@ impl<'a> Shape<'a> {
             if !cut.failed.is_empty() {
                 let polygons = counted(cut.failed.len(), "polygon", "polygons");
                 let text = format!(
-                    "written as a fan, because it crosses itself or has no area: {polygons} (the first is face {}, \
-                     counted from 0)",
+                    "{polygons} without area or crossing themselves cut into fans (first: face {})",
                     cut.failed[0]
                 );
                 written.notes.push(Note::warning(Place::File, text));

@@ -83,7 +83,6 @@ impl<'a> Cursor<'a> {
         is_line_end(byte) || byte == b'#'
     }
 
-    /// Whether a token may end here.
     #[inline]
     pub fn at_token_end(&self) -> bool {
         let byte = self.peek();
@@ -106,7 +105,6 @@ impl<'a> Cursor<'a> {
         (!self.at_statement_end()).then_some(self.at)
     }
 
-    /// Takes the token that starts here; empty at the end of a statement.
     pub fn token(&mut self) -> &'a [u8] {
         let start = self.at;
         while !self.at_token_end() {
@@ -115,7 +113,6 @@ impl<'a> Cursor<'a> {
         &self.text[start..self.at]
     }
 
-    /// Goes to the next statement.
     #[inline]
     pub fn skip_statement(&mut self) {
         match self.peek() {
@@ -182,7 +179,6 @@ impl<'a> Cursor<'a> {
         self.at_token_end().then_some(CornerSpelling { vertex, uv, normal })
     }
 
-    /// Reads an index; the cursor stays if there is none.
     #[inline]
     pub fn index(&mut self) -> Option<i64> {
         let (value, length) = integer_prefix(&self.text[self.at..])?;
@@ -225,7 +221,6 @@ pub(super) fn checked_end(total: usize, offset: usize) -> Result<u32, Fault> {
     u32::try_from(total).map_err(|_| too_many("corners", total, offset))
 }
 
-/// The error for more items than 32-bit indices can count.
 pub(super) fn too_many(what: &str, count: usize, offset: usize) -> Fault {
     let found = format!("{count} {what}, more than 32-bit indices can count");
     Fault::new(Problem::Limit, offset, found, "split the file")
@@ -244,12 +239,12 @@ pub(super) fn next_corner(cursor: &mut Cursor<'_>) -> Result<Option<CornerSpelli
 #[cold]
 fn bad_corner(cursor: &mut Cursor<'_>, at: usize, is_zero: bool) -> Fault {
     if is_zero {
-        let advice = "vertices count from 1, or back from -1; correct the index";
-        return Fault::new(Problem::Range, at, "a reference to vertex 0", advice);
+        let advice = "indices start at 1, or count back from -1; correct the index";
+        return Fault::new(Problem::Range, at, "vertex 0 does not exist", advice);
     }
     cursor.at = at;
     let found = format!("`{}` is not a vertex reference", shown(cursor.token()));
-    Fault::new(Problem::Syntax, at, found, "write v, v/vt, v//vn or v/vt/vn with whole numbers")
+    Fault::new(Problem::Syntax, at, found, "write v, v/vt, v//vn or v/vt/vn with integers")
 }
 
 /// Reads the vertices of a line or of points; the document keeps the texture coordinates of lines.
@@ -290,7 +285,7 @@ fn unusual_number(cursor: &mut Cursor<'_>, start: usize) -> Result<f64, Fault> {
     let token = cursor.token();
     float(token).ok_or_else(|| {
         let advice = match token {
-            [.., b','] => "separate numbers by blanks alone",
+            [.., b','] => "separate numbers by blanks only",
             _ if token.contains(&b',') => "write decimals with a point",
             _ if token.contains(&b'd') || token.contains(&b'D') => "write exponents with an e",
             _ => "correct it, or remove the line",
@@ -301,7 +296,7 @@ fn unusual_number(cursor: &mut Cursor<'_>, start: usize) -> Result<f64, Fault> {
 
 #[cold]
 pub(super) fn too_few(cursor: &Cursor<'_>, what: &str, count: usize, needed: &str) -> Fault {
-    let found = format!("{what} with {}; {needed}", counted(count, "number", "numbers"));
-    let advice = "complete it, or remove the line; perhaps the file was cut off";
+    let found = format!("{what} has {}, but {needed}", counted(count, "number", "numbers"));
+    let advice = "complete or remove the line; the file may be cut off";
     Fault::new(Problem::Syntax, cursor.at, found, advice)
 }

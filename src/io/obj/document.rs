@@ -19,12 +19,10 @@ pub struct ObjDocument {
     pub(super) insertion: (usize, usize),
     /// Whether a free-form surface refers to normals by number, so that these must not change.
     pub(super) surface_normals: bool,
-    /// The material libraries.
     pub(super) libraries: Materials,
 }
 
 impl ObjDocument {
-    /// The file as it was read.
     pub(in crate::io) fn source(&self) -> Option<&[u8]> {
         self.text.as_deref()
     }
@@ -40,7 +38,6 @@ impl ObjDocument {
         self.text = None;
     }
 
-    /// The materials of the libraries.
     pub(in crate::io) fn materials(&self) -> &[FileMaterial] {
         &self.libraries.materials
     }
@@ -106,7 +103,6 @@ fn has_three_corners(text: &[u8], statement: &Statement) -> bool {
 /// The lines of items that are numbered in file order.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 struct Runs {
-    /// How many items there are.
     count: u32,
     /// The first number of each run, and its line; those behind it are on the lines behind that.
     starts: Vec<(u32, u64)>,

@@ -41,10 +41,9 @@ pub(in crate::io) fn edit(
         written.companions.clone_from(companions);
     } else if let Some(first) = companions.first() {
         let files = counted(companions.len(), "file", "files");
-        written.notes.push(Note::remark(format!(
-            "a stream has no folder for what the output refers to: {files}, such as `{}`",
-            first.name
-        )));
+        let text =
+            format!("{files} that the output refers to not copied to a stream (first: `{}`)", first.name);
+        written.notes.push(Note::remark(text));
     }
     Ok(written)
 }
@@ -71,7 +70,7 @@ fn edited(
     edit: &PartEdit,
 ) -> Result<Vec<u8>, WriteError> {
     if edit.normals.is_some() && document.surface_normals {
-        let text = "free-form surfaces of this OBJ refer to normals by number; write another format";
+        let text = "free-form surfaces of this OBJ refer to normals by number, and these would change; write another format";
         return Err(WriteError::Unsupported(text.to_owned()));
     }
     let (insertion, before) = document.insertion;

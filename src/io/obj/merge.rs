@@ -6,7 +6,7 @@ use super::notes::{Counts, SMOOTHING_NAME, Target, arguments_of, bad_references}
 use super::piece::{Content, Label};
 use super::statements::{Keyword, statements};
 use crate::io::error::RepeatedNotes;
-use crate::io::mesh_checks::{build_mesh, non_finite_note};
+use crate::io::mesh_checks::{DROP_ADVICE, build_mesh, non_finite_note};
 use crate::io::text::{Fault, float, integer_prefix, restore_singles, shown};
 use crate::io::{NonFinite, Note, Place, Problem};
 use crate::mesh::{Column, Columns, FaceLabels, Faces, Mesh, MeshBuilder, MeshError, NONE, SmoothingGroups};
@@ -14,7 +14,6 @@ use glam::DVec2;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
 
-/// A whole file.
 pub(super) struct Merged {
     pub mesh: Mesh,
     pub non_finite_faces: Vec<u32>,
@@ -23,7 +22,6 @@ pub(super) struct Merged {
     pub libraries: Vec<Range<usize>>,
 }
 
-/// Checks the whole file and makes the mesh.
 pub(super) fn merge(mut content: Content, text: &[u8], non_finite: NonFinite) -> Result<Merged, Fault> {
     let counts =
         Counts { vertices: content.positions.len(), uvs: content.uvs.len(), normals: content.normals.len() };
@@ -118,18 +116,18 @@ fn finish_colors(mut colors: Vec<[f32; 4]>, notes: &mut Vec<Note>) -> Option<Vec
     let is_missing = |color: &[f32; 4]| color.iter().all(|value| value.is_nan());
     let missing = colors.iter().filter(|color| is_missing(color)).count();
     if missing > 0 {
-        let text = format!("vertices without a colour get white: {missing} of {}", colors.len());
+        let text = format!("{missing} of {} vertices have no colour and are white", colors.len());
         notes.push(Note::remark(text));
     }
     let components = colors.iter_mut().filter(|color| !is_missing(color)).flatten();
     let not_finite = components.filter(|value| !value.is_finite()).map(|value| *value = 0.0).count();
     if not_finite > 0 {
-        let text = format!("components of vertex colours that are not finite were read as 0: {not_finite}");
+        let text = format!("{not_finite} components of vertex colours are not finite and were read as 0");
         notes.push(Note::warning(Place::File, text));
     }
     let is_bytes = colors.iter().flatten().any(|&value| value > 1.0);
     if is_bytes {
-        notes.push(Note::remark("vertex colours go beyond 1 and are taken as 0 to 255"));
+        notes.push(Note::remark("vertex colours exceed 1 and were read as 0 to 255"));
     }
     for value in colors.iter_mut().flatten() {
         *value = match *value {
@@ -158,8 +156,7 @@ fn mesh_fault(text: &[u8], error: &MeshError) -> Fault {
     }
     let what = if overflows { "beyond the range of doubles (1.8e308)" } else { "not finite" };
     let found = format!("vertex {} is at ({}), which is {what}", vertex + 1, spelled.join(", "));
-    let advice = "correct it, or drop the faces at such vertices with `crease normals --force` (`crease render --force` draws the others)";
-    Fault::new(Problem::NonFinite, offset, found, advice)
+    Fault::new(Problem::NonFinite, offset, found, DROP_ADVICE)
 }
 
 /// All label statements of a file, in order, with the faces of the whole file counted.

@@ -20,10 +20,8 @@ const MOST_FILES: usize = 1000;
 /// The most names of missing files that a note lists after the first.
 const MOST_NAMES: usize = 10;
 
-/// Largest library that is read.
 const MOST_BYTES: u64 = 64 << 20;
 
-/// The material libraries of a file.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Materials {
     /// Libraries and textures, to be copied along with an output in another folder.
@@ -67,8 +65,10 @@ pub(super) fn find(
 pub(super) fn out_of_reach(text: &[u8], statements: &[Range<usize>]) -> Materials {
     let note = |first: &Range<usize>| {
         let name = name_text(&text[first.clone()]);
-        let found =
-            format!("`{}` was not read: a stream has no folder (--root names one)", shown(name.as_bytes()));
+        let found = format!(
+            "`{}` was not read, because a stream has no folder (--root names one)",
+            shown(name.as_bytes())
+        );
         Note { more: statements.len() as u64 - 1, ..Note::warning(Place::File, found) }
     };
     Materials { notes: statements.first().map(note).into_iter().collect(), ..Materials::default() }
@@ -76,7 +76,6 @@ pub(super) fn out_of_reach(text: &[u8], statements: &[Range<usize>]) -> Material
 
 struct Search {
     companions: Companions,
-    /// How many files were searched for.
     searched: usize,
     files: BTreeMap<String, PathBuf>,
     /// Names of companions by the reason why they are not read; without a reason, they cannot be copied.
@@ -159,10 +158,9 @@ impl Search {
         let mut are_complete = true;
         for (missing, names) in &self.missing {
             let what = match missing {
-                Missing::NotRead(refusal) => format!("{refusal}; the output goes without it"),
+                Missing::NotRead(refusal) => format!("{refusal}; the output refers to it all the same"),
                 Missing::NotCopied => {
-                    let text =
-                        "cannot be copied along with an output in another folder: its name leads out of it";
+                    let text = "cannot be copied with the output, because its name leads out of the folder";
                     text.to_owned()
                 }
             };
@@ -180,14 +178,15 @@ impl Search {
             notes.push(Note::warning(Place::File, format!("{first} {what}{more}")));
         }
         if self.searched > MOST_FILES {
-            let text = "the file names very many material libraries and textures; not all were looked for";
+            let text =
+                "the file names more than 1000 material libraries and textures; the others were not checked";
             notes.push(Note::warning(Place::File, text));
         }
         // If a library is missing, the definition may be in it.
         if are_complete && !self.defined.is_empty() {
             let mut names = used.into_iter().flat_map(|labels| &labels.names);
             notes.extend(names.find(|name| !self.defined.contains(*name)).map(|name| {
-                Note::remark(format!("{} is used as a material, but no library defines it", quoted(name)))
+                Note::remark(format!("material {} is used, but no library defines it", quoted(name)))
             }));
         }
         notes
@@ -260,7 +259,6 @@ fn is_texture(word: &str) -> bool {
     word.starts_with("map_") || ["bump", "norm", "disp", "decal", "refl"].contains(&&*word)
 }
 
-/// A material as plain data.
 pub(super) fn file_material(material: &tobj::Material) -> FileMaterial {
     let colour = |colour: Option<[f32; 3]>| colour.map(|colour| colour.map(as_written));
     // Models 0 and 1 have no highlight.

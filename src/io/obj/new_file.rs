@@ -23,9 +23,8 @@ pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Wri
     Ok(Written { bytes: writer.out, notes: notes(parts), vertices: writer.vertices, ..Written::default() })
 }
 
-/// Refuses one normal a face.
 pub(super) fn check_emit(options: &WriteOptions) -> Result<(), WriteError> {
-    let text = "OBJ has no normals of faces; write those of corners";
+    let text = "OBJ has no face normals; use --emit corner or --emit vertex";
     if options.emit == Emit::Face { Err(WriteError::Unsupported(text.to_owned())) } else { Ok(()) }
 }
 
@@ -34,10 +33,10 @@ fn notes(parts: &[Part]) -> Vec<Note> {
     let mut notes = unsupported_notes("OBJ", &[Feature::MorphTargets, Feature::HardEdges], parts);
     let has_opacity = |mesh: &Mesh| mesh.columns().colors.iter().flatten().any(|color| color[3] != 1.0);
     if parts.iter().any(|part| has_opacity(&part.mesh)) {
-        notes.push(Note::warning(Place::File, "OBJ colours have no opacity: it was left out"));
+        notes.push(Note::warning(Place::File, "OBJ colours have no opacity; it was omitted"));
     }
     if parts.iter().any(|part| part.mesh.columns().materials.is_some()) {
-        notes.push(Note::remark("materials are named by usemtl; no material library was written"));
+        notes.push(Note::remark("usemtl names the materials, but no material library was written"));
     }
     notes
 }
@@ -53,7 +52,6 @@ struct Writer {
     labels: Option<Labels>,
 }
 
-/// Label statements that are in force.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct Labels {
     object: u32,

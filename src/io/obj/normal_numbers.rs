@@ -97,17 +97,14 @@ impl<'a> NormalNumbers<'a> {
         normal < self.kept && self.numbers[normal] != 0
     }
 
-    /// The number of a corner's normal, if it has one.
     pub fn of_corner(&self, corner: usize) -> Option<u32> {
         self.slot(corner).map(|slot| self.numbers[slot])
     }
 
-    /// How many lines the new normals need.
     pub fn new_lines(&self) -> u64 {
         self.new.len() as u64
     }
 
-    /// Appends the lines of the new normals.
     pub fn push_lines(&self, line_end: &[u8], out: &mut Vec<u8>) {
         for &slot in &self.new {
             push_row(out, "vn", self.storage, &self.normals.values[slot as usize].to_array());

@@ -20,32 +20,26 @@ pub(super) const FREE_FORM: NoteKind =
 pub(super) const WEIGHT: NoteKind = NoteKind(
     4,
     Severity::Note,
-    "a vertex has a fourth number, a weight for rational curves, which was ignored",
+    "a vertex has a fourth number (a weight for rational curves), which was ignored",
 );
 pub(super) const EXTRA_NUMBERS: NoteKind = NoteKind(
     5,
     Severity::Warning,
-    "a vertex has numbers behind its position that are no colour; they were ignored",
+    "a vertex has numbers after its position that are not a colour; they were ignored",
 );
 pub(super) const UV_OUT_OF_RANGE: NoteKind = NoteKind(
     6,
     Severity::Warning,
-    "a corner refers to a texture coordinate that does not exist; it is treated as having none",
+    "a corner refers to a texture coordinate that does not exist; the corner has none",
 );
-pub(super) const NORMAL_OUT_OF_RANGE: NoteKind = NoteKind(
-    7,
-    Severity::Warning,
-    "a corner refers to a normal that does not exist; it is treated as having none",
-);
-pub(super) const UV_NOT_FINITE: NoteKind = NoteKind(
-    8,
-    Severity::Warning,
-    "a texture coordinate is not finite; corners that use it are treated as having none",
-);
+pub(super) const NORMAL_OUT_OF_RANGE: NoteKind =
+    NoteKind(7, Severity::Warning, "a corner refers to a normal that does not exist; the corner has none");
+pub(super) const UV_NOT_FINITE: NoteKind =
+    NoteKind(8, Severity::Warning, "a texture coordinate is not finite; its corners have none");
 pub(super) const SMOOTHING_NAME: NoteKind = NoteKind(
     9,
     Severity::Warning,
-    "`{word}` is no number of a smoothing group (0 to 4294967294); it is treated as the name of a group of its own",
+    "`{word}` is not a number of a smoothing group (0 to 4294967294); it was read as the name of one",
 );
 
 /// The notes in order of their first places.
@@ -68,7 +62,6 @@ pub(super) struct Counts {
     pub normals: usize,
 }
 
-/// What a corner refers to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Target {
     Vertex,
@@ -76,7 +69,6 @@ pub(super) enum Target {
     Normal,
 }
 
-/// A reference to something that is not defined.
 pub(super) struct BadReference {
     pub offset: usize,
     spelled: i64,
@@ -145,13 +137,13 @@ impl BadReference {
     pub fn into_fault(self, total: Counts) -> Fault {
         let found = match self.spelled {
             back @ ..0 => format!(
-                "a reference {} vertices back, but only {} are defined before it",
+                "vertex -{} is out of range ({} vertices before this line)",
                 back.unsigned_abs(),
                 self.defined_before
             ),
-            index => format!("a reference to vertex {index}, but the file defines {}", total.vertices),
+            index => format!("vertex {index} is out of range ({} vertices)", total.vertices),
         };
-        let advice = "correct the index, or add the missing vertices; perhaps the file was cut off or put together from parts";
+        let advice = "correct the index, or add the missing vertices; the file may be cut off";
         Fault::new(Problem::Range, self.offset, found, advice)
     }
 }

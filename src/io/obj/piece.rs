@@ -21,7 +21,6 @@ pub(super) struct Label {
     pub keyword: Keyword,
     /// The number of faces before it.
     pub face: u32,
-    /// The bytes of its name in the file.
     pub name: Range<usize>,
 }
 

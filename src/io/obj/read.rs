@@ -96,7 +96,7 @@ fn check_encoding(bytes: &[u8]) -> Result<(), ReadError> {
         _ => return Ok(()),
     };
     let found = format!("the file is {name} text");
-    Err(ReadError::new(Problem::Unsupported, Place::File, found, "save it as UTF-8 or plain ASCII"))
+    Err(ReadError::new(Problem::Unsupported, Place::File, found, "save it as UTF-8 or ASCII"))
 }
 
 /// Refuses a file that has statements, but none of OBJ.
@@ -106,11 +106,11 @@ fn check_is_blank(text: &[u8]) -> Result<(), ReadError> {
     let mut cursor = Cursor::new(text, unknown.start);
     cursor.skip_blanks();
     let word = shown(cursor.token());
-    let found = format!("no OBJ statement in the whole file; it starts with `{word}`");
+    let found = format!("not an OBJ file; it starts with `{word}`");
     Err(ReadError::new(
         Problem::Syntax,
         line_place(text, unknown.start),
         found,
-        "check that the file is an OBJ, or name its format",
+        "name the format with --format",
     ))
 }

@@ -25,7 +25,6 @@ pub(super) struct Packed {
 }
 
 impl PlyDocument {
-    /// The file as it was read.
     pub(in crate::io) fn source(&self) -> &[u8] {
         &self.bytes
     }
@@ -69,7 +68,6 @@ pub(super) struct Roles {
     pub edge: Option<(usize, [usize; 2])>,
 }
 
-/// The properties of vertices.
 #[derive(Clone, Debug)]
 pub(super) struct VertexRole {
     pub element: usize,
@@ -80,12 +78,10 @@ pub(super) struct VertexRole {
     pub opacity: Option<usize>,
 }
 
-/// The properties of faces or strips.
 #[derive(Clone, Debug)]
 pub(super) struct FaceRole {
     pub element: usize,
     pub are_strips: bool,
-    /// The list of vertices.
     pub list: usize,
     pub normal: Option<[usize; 3]>,
     /// A list of two coordinates a corner.
@@ -109,8 +105,13 @@ impl Roles {
     pub fn of(header: &Header) -> Result<Roles, ReadError> {
         let named = |name: &str| header.elements.iter().position(|element| element.name == name);
         let Some(vertex) = named("vertex") else {
-            let advice = "name the element of vertices `vertex`";
-            return Err(ReadError::new(Problem::Syntax, Place::File, "there is no element `vertex`", advice));
+            let advice = "name the element with the vertices `vertex`";
+            return Err(ReadError::new(
+                Problem::Syntax,
+                Place::File,
+                "the header has no element `vertex`",
+                advice,
+            ));
         };
         let faces = named("face").map(|element| (element, false));
         let faces = faces.or_else(|| named("tristrips").map(|element| (element, true)));
@@ -140,7 +141,7 @@ impl Roles {
 fn vertex_role(header: &Header, number: usize) -> Result<VertexRole, ReadError> {
     let element = &header.elements[number];
     let Some(position) = element.scalars(["x", "y", "z"]) else {
-        let found = "the vertices have no properties `x`, `y` and `z`";
+        let found = "the vertices have no scalar properties `x`, `y` and `z`";
         return Err(ReadError::new(Problem::Syntax, Place::Line(element.line), found, "correct the header"));
     };
     let color = first_of(element, &COLORS);
@@ -161,7 +162,7 @@ fn face_role(header: &Header, number: usize, are_strips: bool) -> Result<FaceRol
         |&at: &usize| matches!(element.properties[at].kind, Kind::List { item, .. } if item.is_integer());
     let list = LISTS.iter().filter_map(|name| element.property(name)).find(is_index_list);
     let Some(list) = list else {
-        let found = format!("the element `{}` has no list of whole numbers `vertex_indices`", element.name);
+        let found = format!("the element `{}` has no integer list `vertex_indices`", element.name);
         return Err(ReadError::new(Problem::Syntax, Place::Line(element.line), found, "correct the header"));
     };
     let is_float_list = |&at: &usize| {

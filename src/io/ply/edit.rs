@@ -27,7 +27,7 @@ pub(in crate::io) fn edit(
     options: &WriteOptions,
 ) -> Result<Written, WriteError> {
     let (Some(part), unchanged) = (loaded.parts.first(), PartEdit::default()) else {
-        return Err(WriteError::Unsupported("a PLY file has one part".to_owned()));
+        return Err(WriteError::Unsupported("a PLY file has exactly one mesh".to_owned()));
     };
     let (mesh, edit) = (&part.mesh, edits.first().unwrap_or(&unchanged));
     let by_face = options.emit == Emit::Face;
@@ -271,12 +271,11 @@ impl Editor<'_> {
         Ok(())
     }
 
-    /// Replaces strips by faces.
     fn replace_strips(&mut self, element: &Element, role: &FaceRole) -> Result<(), Fault> {
         let list = &element.properties[role.list];
         let Kind::List { count, item } = list.kind else { return Ok(()) };
         if element.properties.len() > 1 || self.face_normals.is_some() {
-            let found = "triangle strips cannot have normals or other properties of single faces";
+            let found = "triangle strips cannot store normals or other properties of faces";
             return Err(damaged(Problem::Unsupported, 0, found));
         }
         let index_type = self.index_type(list, item);
@@ -288,13 +287,12 @@ impl Editor<'_> {
             push_list(&mut self.body, corners, count, index_type, self.document.header.encoding);
             self.end_line();
         }
-        let text = "triangle strips were made into faces, because these changed";
+        let text = "triangle strips became faces, because faces changed";
         self.notes.push(Note::warning(Place::Line(element.line), text));
         Ok(())
     }
 }
 
-/// Appends a list.
 fn push_list(out: &mut Vec<u8>, values: &[u32], count: Scalar, item: Scalar, encoding: Encoding) {
     count.push(out, values.len() as f64, encoding);
     for &value in values {

@@ -23,7 +23,7 @@ pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Wri
     let split: Vec<Split<'_>> = parts.iter().map(|part| Split::of(&part.mesh, by_face)).collect();
     let vertices: usize = split.iter().map(|part| part.split.source.len()).sum();
     if vertices >= NONE as usize {
-        let text = format!("{vertices} vertices are more than PLY's indices can count");
+        let text = format!("{vertices} vertices, more than the indices of PLY can count");
         return Err(WriteError::TooLarge(text));
     }
     let mut writer = Writer { out: layout.header(parts, vertices).into_bytes(), layout, without_normal: 0 };
@@ -238,11 +238,11 @@ fn notes(parts: &[Part], without_normal: u64) -> Vec<Note> {
     let mut notes = unsupported_notes("PLY", &UNSUPPORTED, parts);
     if parts.len() > 1 {
         let text =
-            format!("PLY has no parts: all {} were put into one mesh, their names left out", parts.len());
+            format!("PLY has one mesh: all {} meshes were merged, and their names omitted", parts.len());
         notes.push(Note::warning(Place::File, text));
     }
     if without_normal > 0 {
-        let text = format!("0 0 1 was written for normals that are not there: {without_normal}");
+        let text = format!("{without_normal} missing normals were written as 0 0 1");
         notes.push(Note::warning(Place::File, text));
     }
     let is_coarse = |value: &f32| {

@@ -38,7 +38,10 @@ impl NormalProperties {
         let Some(at) = present else {
             if let Some(part) = ["nx", "ny", "nz"].iter().find_map(|name| element.property(name)) {
                 let name = &element.properties[part].name;
-                let found = format!("`{}` has `{name}`, but not all of nx, ny, nz as numbers", element.name);
+                let found = format!(
+                    "element `{}` has `{name}`, but not all of nx, ny and nz as scalars",
+                    element.name
+                );
                 return Err(damaged(Problem::Unsupported, 0, found));
             }
             let place = element.properties[behind].line_end;
@@ -61,7 +64,7 @@ impl NormalProperties {
                 header.replace(property.type_at.clone(), |out| out.extend_from_slice(name.as_bytes()));
             }
             let (old, new) = (old[0].name(false), new.name(false));
-            let text = format!("normals of the type {old} are too coarse and were written as {new}");
+            let text = format!("normals of type {old} are too coarse and were written as {new}");
             notes.push(Note::warning(Place::Line(element.line), text));
         }
         Ok(Self { present, old, old_unit: largest(old[0]), new, new_unit: largest(new), behind })

@@ -14,8 +14,7 @@ use glam::{DVec2, DVec3};
 use std::collections::BTreeSet;
 use std::path::Path;
 
-const SHORT_FACE: NoteKind =
-    NoteKind(0, Severity::Warning, "a face with fewer than three corners was skipped");
+const SHORT_FACE: NoteKind = NoteKind(0, Severity::Warning, "a face with fewer than 3 corners was skipped");
 const NOT_FINITE: NoteKind =
     NoteKind(1, Severity::Warning, "a colour or texture coordinate that is not finite was read as 0");
 
@@ -291,14 +290,14 @@ fn notes(reading: &Reading, rows: &Rows<'_>, header: &Header) -> Vec<Note> {
     let rest = &rows.bytes[rows.at..];
     if !rest.trim_ascii().is_empty() {
         let bytes_left = counted(rest.len(), "byte", "bytes");
-        let text = format!("not read, because it is behind the last row: {bytes_left}");
+        let text = format!("{bytes_left} after the last row ignored");
         notes.push(Note::warning(place(rows.bytes, header.encoding, rows.at), text));
     }
     let mut names = BTreeSet::new();
     let repeated: Vec<&Element> =
         header.elements.iter().filter(|element| !names.insert(&element.name)).collect();
     let lines = repeated.iter().map(|element| Place::Line(element.line));
-    let text = "an element with a name that another has is only carried along";
+    let text = "a second element with the same name is kept, but not read";
     notes.extend(Note::for_all(Severity::Warning, repeated.len() as u64, lines, text));
     notes
 }

@@ -3,6 +3,7 @@
 use super::header::{Element, Header, Kind};
 use super::scalar::{Encoding, Scalar};
 use crate::io::error::{NoteKind, RepeatedNotes};
+use crate::io::mesh_checks::DAMAGED;
 use crate::io::text::{Fault, counted, line_end_length, line_place, line_places, next_word, shown};
 use crate::io::{Place, Problem, Severity};
 use crate::mesh::NONE;
@@ -10,15 +11,15 @@ use std::ops::Range;
 
 /// A row of ascii that has more words than properties.
 pub(super) const OVERLONG: NoteKind =
-    NoteKind(2, Severity::Warning, "a row has more values than the header says; they were skipped");
+    NoteKind(2, Severity::Warning, "a row has more values than the header defines; they were skipped");
 
 /// An error in the body.
 pub(super) fn damaged(problem: Problem, offset: usize, found: impl Into<String>) -> Fault {
-    Fault::new(problem, offset, found, "the file is damaged, or its writer is at fault")
+    Fault::new(problem, offset, found, DAMAGED)
 }
 
 fn truncated(offset: usize, found: impl Into<String>) -> Fault {
-    Fault::new(Problem::Truncated, offset, found, "the file was cut off, or its header counts wrong")
+    Fault::new(Problem::Truncated, offset, found, "the file is cut off, or a count in its header is wrong")
 }
 
 /// Where an offset is: a line in ascii, a byte in binary.
@@ -84,7 +85,7 @@ impl<'a> Rows<'a> {
         let needed = needed.saturating_sub(u64::from(self.encoding == Encoding::Ascii));
         if needed > rest {
             let found = format!(
-                "{} of `{}` need {} or more, where {rest} are left",
+                "{} of `{}` need at least {}, but only {rest} remain",
                 counted(element.count, "row", "rows"),
                 element.name,
                 counted(needed, "byte", "bytes"),
@@ -122,7 +123,6 @@ impl<'a> Rows<'a> {
         self.at += stride;
     }
 
-    /// Reads one row.
     pub fn next(&mut self, element: &Element, row: &mut Row) -> Result<(), Fault> {
         let start = self.at;
         row.fields.clear();
@@ -163,7 +163,7 @@ impl<'a> Rows<'a> {
         let counted = self.take(count.size())?;
         let number = count.read(&self.bytes[counted.clone()], self.encoding).unwrap_or(0.0);
         if number < 0.0 {
-            return Err(damaged(Problem::Range, counted.start, format!("a list of {number} numbers")));
+            return Err(damaged(Problem::Range, counted.start, format!("a list has {number} items")));
         }
         let items = self.take((number as usize).saturating_mul(item.size()))?;
         Ok(counted.start..items.end)
@@ -174,7 +174,7 @@ impl<'a> Rows<'a> {
         let Kind::List { count, .. } = kind else { return Ok(first) };
         let word = &self.bytes[first.clone()];
         let Some(number) = count.read(word, Encoding::Ascii).filter(|n| *n >= 0.0 && n.fract() == 0.0) else {
-            let found = format!("`{}` is no number of list items", shown(word));
+            let found = format!("`{}` is not a number of list items", shown(word));
             return Err(damaged(Problem::Syntax, first.start, found));
         };
         // Each number takes two bytes or more.
@@ -187,7 +187,6 @@ impl<'a> Rows<'a> {
         Ok(first.start..self.at)
     }
 
-    /// Takes the next word, on whatever line.
     fn word(&mut self) -> Result<Range<usize>, Fault> {
         let word = next_word(self.bytes, self.at).ok_or_else(|| self.cut_off())?;
         self.at = word.end;
@@ -210,7 +209,6 @@ impl<'a> Rows<'a> {
         self.at += length + line_end_length(&rest[length..]);
     }
 
-    /// The number in a field.
     #[inline]
     pub fn scalar(&self, field: &Range<usize>, scalar: Scalar) -> Result<f64, Fault> {
         let bytes = &self.bytes[field.clone()];
@@ -285,5 +283,5 @@ pub(super) fn vertex_index(value: f64, offset: usize) -> Result<u32, Fault> {
     if f64::from(number) == value && number != NONE {
         return Ok(number);
     }
-    Err(damaged(Problem::Range, offset, format!("{value} is no number of a vertex")))
+    Err(damaged(Problem::Range, offset, format!("{value} is not a vertex index")))
 }

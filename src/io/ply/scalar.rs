@@ -11,7 +11,6 @@ pub(super) enum Encoding {
     Big,
 }
 
-/// A number type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Scalar {
     I8,
@@ -73,7 +72,6 @@ impl Scalar {
         if sized { with_size } else { plain }
     }
 
-    /// Bytes of a binary number.
     pub fn size(self) -> usize {
         with_type!(self, Number => size_of::<Number>())
     }

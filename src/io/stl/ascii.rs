@@ -2,9 +2,7 @@
 
 use crate::io::error::{NoteKind, RepeatedNotes};
 use crate::io::mesh_checks::{build_part, non_finite_note};
-use crate::io::text::{
-    Fault, Words, counted, float, is_blank, line_place, line_places, restore_singles, shown,
-};
+use crate::io::text::{Fault, Words, float, is_blank, line_place, line_places, restore_singles, shown};
 use crate::io::{Note, Part, Place, Problem, ReadError, ReadOptions, Severity};
 use crate::mesh::{Column, Columns, Faces, MeshBuilder, MeshError, NONE, Storage};
 use glam::DVec3;
@@ -13,12 +11,13 @@ use std::ops::Range;
 /// The most solids of a file. Each becomes a part, which takes far more memory than the words that make one.
 const MOST_SOLIDS: usize = 1 << 16;
 
-const NO_SOLID: NoteKind = NoteKind(0, Severity::Warning, "no `solid` line before this");
-const NO_ENDSOLID: NoteKind = NoteKind(1, Severity::Warning, "a solid begins before `endsolid`");
-const UNKNOWN: NoteKind = NoteKind(2, Severity::Warning, "a line that is no STL was skipped");
-const NO_NORMAL: NoteKind = NoteKind(3, Severity::Warning, "a facet without a normal of three numbers");
+const NO_SOLID: NoteKind = NoteKind(0, Severity::Warning, "there is no `solid` line before this line");
+const NO_ENDSOLID: NoteKind =
+    NoteKind(1, Severity::Warning, "a solid begins before the `endsolid` of the last one");
+const UNKNOWN: NoteKind = NoteKind(2, Severity::Warning, "a line that is not STL was skipped");
+const NO_NORMAL: NoteKind = NoteKind(3, Severity::Warning, "a facet has no normal of three numbers");
 const POLYGON: NoteKind =
-    NoteKind(4, Severity::Warning, "a facet with more than three vertices was read as a polygon");
+    NoteKind(4, Severity::Warning, "a facet with more than 3 vertices was read as a polygon");
 
 /// Where the parts of a facet are in the text.
 #[derive(Clone, Debug, Default)]
@@ -44,7 +43,6 @@ pub(super) struct SolidText {
     normals: Vec<Option<DVec3>>,
 }
 
-/// Reads an ascii file.
 pub(super) fn read(text: &[u8], options: &ReadOptions) -> Result<(Vec<Part>, Vec<Note>), ReadError> {
     let mut parser = Parser::new(text);
     parser.run().map_err(|fault| {
@@ -130,7 +128,7 @@ impl<'a> Parser<'a> {
         if self.facet.is_some() || self.solid == Solid::Named {
             let found =
                 if self.facet.is_some() { "the file ends inside a facet" } else { "`endsolid` is missing" };
-            let advice = "the file was cut off; if nothing is missing, add the line `endsolid`";
+            let advice = "the file is cut off; if nothing is missing, add the line `endsolid`";
             return Err(Fault::new(Problem::Truncated, self.text.len(), found, advice));
         }
         Ok(())
@@ -150,8 +148,8 @@ impl<'a> Parser<'a> {
             (b"facet", None) => self.begin_facet(word),
             (b"outer", Some(Loops::None)) => {
                 if !self.next_is(b"loop") {
-                    let found = format!("`{}` without `loop` behind it", shown(&self.text[word.clone()]));
-                    return Err(damaged(word.start, found, "the line is damaged"));
+                    let found = format!("`{}` has no `loop` after it", shown(&self.text[word.clone()]));
+                    return Err(damaged(word.start, found, "correct the line"));
                 }
                 self.facet = Some(Loops::Open);
             }
@@ -159,8 +157,8 @@ impl<'a> Parser<'a> {
             (b"endloop", Some(Loops::Open)) => self.facet = Some(Loops::Closed),
             (b"endfacet", Some(Loops::Closed)) => self.end_facet(word)?,
             (b"solid" | b"endsolid" | b"facet" | b"outer" | b"vertex" | b"endloop" | b"endfacet", _) => {
-                let found = format!("`{}` does not belong here", shown(&self.text[word.clone()]));
-                return Err(damaged(word.start, found, "a line before it is missing or damaged"));
+                let found = format!("unexpected `{}`", shown(&self.text[word.clone()]));
+                return Err(damaged(word.start, found, "a line before this one is missing or damaged"));
             }
             // Colours and the like, each on a line of its own.
             _ => {
@@ -171,7 +169,6 @@ impl<'a> Parser<'a> {
         Ok(())
     }
 
-    /// Passes the next word if it is the expected one.
     fn next_is(&mut self, expected: &[u8]) -> bool {
         let start = self.words.at;
         let is_next = self.words.next().is_some_and(|word| self.text[word].eq_ignore_ascii_case(expected));
@@ -183,8 +180,8 @@ impl<'a> Parser<'a> {
 
     fn begin_solid(&mut self, start: usize) -> Result<(), Fault> {
         if self.solids.len() == MOST_SOLIDS {
-            let found = format!("more than {MOST_SOLIDS} solids");
-            return Err(Fault::new(Problem::Limit, start, found, "divide the file"));
+            let found = format!("too many solids (limit {MOST_SOLIDS})");
+            return Err(Fault::new(Problem::Limit, start, found, "split the file"));
         }
         if self.solid == Solid::Named {
             self.notes.add(NO_ENDSOLID, start);
@@ -238,7 +235,7 @@ impl<'a> Parser<'a> {
         let (span, values) = self.numbers();
         let Ok(values) = <[f64; 3]>::try_from(values) else {
             let next = self.words.next().map_or(String::new(), |next| shown(&self.text[next]));
-            let found = format!("a vertex needs three numbers, and `{next}` is none");
+            let found = format!("a vertex needs 3 numbers, but `{next}` is not a number");
             return Err(damaged(word.start, found, "correct the line"));
         };
         let solid = self.solid();
@@ -258,14 +255,13 @@ impl<'a> Parser<'a> {
             3 => {}
             4.. => self.notes.add(POLYGON, word.start),
             few => {
-                let found = format!("a facet with {}; it needs 3", counted(few, "vertex", "vertices"));
+                let found = format!("a facet needs 3 vertices, but has {few}");
                 return Err(damaged(word.start, found, "correct the facet"));
             }
         }
         Ok(())
     }
 
-    /// The solid that is open.
     fn solid(&mut self) -> &mut SolidText {
         self.solids.last_mut().expect("a facet opens a solid")
     }

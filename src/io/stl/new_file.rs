@@ -25,9 +25,9 @@ pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Wri
         if let Some(vertex) = mesh.positions().iter().position(is_far) {
             let DVec3 { x, y, z } = mesh.positions()[vertex];
             let text = format!(
-                "vertex {vertex}, counted from 0, at ({x:e}, {y:e}, {z:e}) is beyond the range of the 32-bit floats of STL"
+                "vertex {vertex} at ({x:e}, {y:e}, {z:e}) is out of the range of 32-bit floats; scale the model, or write PLY or OBJ"
             );
-            return Err(WriteError::Unsupported(format!("{text}; scale the model, or write PLY or OBJ")));
+            return Err(WriteError::Unsupported(text));
         }
         // One a face: a polygon has as many triangles as it takes to look at all of its corners.
         let normals: Vec<Option<DVec3>> =
@@ -47,7 +47,7 @@ pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Wri
         }
     }
     let counted = u32::try_from(count)
-        .map_err(|_| WriteError::TooLarge(format!("{count} facets are more than STL can count")))?;
+        .map_err(|_| WriteError::TooLarge(format!("{count} facets, more than STL can count")))?;
     bytes[HEADER..FIRST].copy_from_slice(&counted.to_le_bytes());
     let notes = notes(parts, without_normal, options);
     Ok(Written { bytes, notes, vertices: 3 * count, ..Written::default() })
@@ -97,23 +97,23 @@ fn notes(parts: &[Part], without_normal: u64, options: &WriteOptions) -> Vec<Not
     }
     let mut warn = |text: String| notes.push(Note::warning(Place::File, text));
     if without_normal > 0 {
-        warn(format!("0 0 0 was written for facets without a normal of their own: {without_normal}"));
+        warn(format!("{without_normal} facets without a normal were written with 0 0 0"));
     }
     if parts.len() > 1 {
-        warn(format!("STL has no parts: all {} were put into one solid", parts.len()));
+        warn(format!("a binary STL has one solid: all {} meshes were merged", parts.len()));
     }
     notes.extend(unsupported_notes("STL", &UNSUPPORTED, parts));
     let displaced: Vec<Note> = parts.iter().filter_map(|part| displacement_note(&part.mesh)).collect();
     if !displaced.is_empty() {
         notes.extend(displaced);
     } else if any(&needs_f64) {
-        notes.push(Note::remark("positions were rounded to 32-bit numbers"));
+        notes.push(Note::remark("positions were rounded to 32-bit floats"));
     }
     notes
 }
 
 /// The warning that vertex normals are lost, unless the caller asked for those of faces.
 pub(super) fn vertex_normals_note(options: &WriteOptions) -> Option<Note> {
-    let text = "STL cannot carry vertex normals: one normal a facet was written";
+    let text = "STL has no vertex normals; one normal per facet was written";
     (options.emit != Emit::Face).then(|| Note::warning(Place::File, text))
 }

@@ -15,7 +15,6 @@ pub struct StlDocument {
     pub(super) layout: Layout,
 }
 
-/// The two kinds of STL.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Layout {
     Ascii,
@@ -24,13 +23,10 @@ pub(super) enum Layout {
 
 /// Bytes of a binary header, behind which the number of facets is.
 pub(super) const HEADER: usize = 80;
-/// Where the first binary facet starts.
 pub(super) const FIRST: usize = 84;
-/// Bytes of a binary facet.
 pub(super) const FACET: usize = 50;
 
 impl StlDocument {
-    /// The file as it was read.
     pub(in crate::io) fn source(&self) -> &[u8] {
         &self.bytes
     }
@@ -86,15 +82,14 @@ pub(super) fn is_ascii(bytes: &[u8]) -> bool {
 /// Bytes of a normal or a vertex.
 pub(super) const VECTOR: usize = 12;
 
-/// The number of facets to read.
 pub(super) fn facet_count(bytes: &[u8]) -> Result<usize, ReadError> {
     let declared = declared_facets(bytes).unwrap_or(0);
     let rest = bytes.len().saturating_sub(FIRST);
     let present = rest / FACET;
     if declared as usize > present {
         let found =
-            format!("the header counts {}, but there are bytes for {present}", facets_of(declared as usize));
-        let advice = "the file was cut off, or it is no STL";
+            format!("the header has {}, but there is data for only {present}", facets_of(declared as usize));
+        let advice = "the file is cut off, or not an STL";
         return Err(ReadError::new(Problem::Truncated, Place::Byte(bytes.len() as u64), found, advice));
     }
     // Writers that stream leave the count at 0.
@@ -147,18 +142,18 @@ fn read_binary(
     let part = build_part(String::new(), builder, options, place)?;
     let declared = declared_facets(bytes).unwrap_or(0) as usize;
     if declared != count {
-        let text = format!("the header counts {}; all {count} that are there were read", facets_of(declared));
+        let text = format!("the header has {}; all {count} in the file were read", facets_of(declared));
         notes.push(Note::warning(Place::Byte(HEADER as u64), text));
     }
     match bytes.len() - end {
         0 => {}
         rest if rest < FACET => {
-            let left = counted(rest, "byte", "bytes");
-            notes.push(Note::remark(format!("not read, because it is behind the last facet: {left}")));
+            let rest = counted(rest, "byte", "bytes");
+            notes.push(Note::remark(format!("{rest} after the last facet ignored")));
         }
         rest => {
             let text = format!(
-                "the header counts {}; {rest} bytes behind that, room for {} more, were not read",
+                "the header has {}; {rest} bytes after them, enough for {} more, were ignored",
                 facets_of(count),
                 rest / FACET
             );
@@ -183,9 +178,9 @@ pub fn read(bytes: Vec<u8>, _base: Option<&Path>, options: &ReadOptions) -> Resu
     } else {
         let found = match bytes.len() {
             0 => "the file is empty".to_owned(),
-            length => format!("{} of neither ascii nor binary STL", counted(length, "byte", "bytes")),
+            length => format!("not an STL file ({})", counted(length, "byte", "bytes")),
         };
-        let advice = "check that the file is complete and an STL, or name its format";
+        let advice = "check that the file is complete, or name the format with --format";
         return Err(ReadError::new(Problem::Syntax, Place::File, found, advice));
     };
     let document = Document::Stl(Box::new(StlDocument { bytes, layout }));

@@ -33,7 +33,6 @@ pub(in crate::io) fn line_and_column(text: &[u8], offset: usize) -> (u64, usize)
     ((feeds + lone_returns + 1) as u64, before.len() - start + 1)
 }
 
-/// The line of an offset.
 pub(in crate::io) fn line_place(text: &[u8], offset: usize) -> Place {
     Place::Line(line_and_column(text, offset).0)
 }

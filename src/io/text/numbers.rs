@@ -173,7 +173,6 @@ fn push_trimmed(out: &mut Vec<u8>, text: &str) {
     out.extend_from_slice(text.strip_suffix(".0").unwrap_or(text).as_bytes());
 }
 
-/// Appends a whole number.
 pub(in crate::io) fn push_integer(out: &mut Vec<u8>, mut value: u64) {
     const LONGEST: usize = 20;
     let mut digits = [0; LONGEST];

@@ -3,7 +3,7 @@
 use super::group::Group;
 use super::member::Member;
 use super::rows::SlotTables;
-use super::store::{Changed, Store};
+use super::store::{Changed, Store, notes};
 use crate::io::companion_files::{leads_to, output_name};
 use crate::io::gltf::buffers::{Storage, address, encode_data, percent_encoded};
 use crate::io::gltf::document::GltfDocument;
@@ -51,24 +51,23 @@ pub fn edit(
             group.write_faces(&mut store)?;
         }
     }
-    let remarks = std::mem::take(&mut store.remarks);
-    if remarks.quantized {
+    let remarks = store.remarks;
+    if store.is_quantized {
         store.require(QUANTIZATION);
     }
     let mut written = package(document, store, to, options)?;
     let vertices: usize = loaded.parts.iter().map(|part: &Part| part.mesh.vertex_count()).sum();
     written.vertices = vertices as u64 + added;
     written.added_vertices = added;
-    remarks.add_to(&mut written.notes);
+    written.notes.extend(notes(remarks));
     let drops = edits.iter().any(|edit| !edit.faces.dropped.is_empty());
     if (added > 0 || drops) && document.lists("extensionsUsed", "FB_geometry_metadata") {
-        let text = "FB_geometry_metadata still counts the vertices and faces of the input";
+        let text = "FB_geometry_metadata still has the vertex and face counts of the input";
         written.notes.push(Note::warning(Place::File, text));
     }
     Ok(written)
 }
 
-/// Makes the output of a changed document.
 fn package(
     document: &GltfDocument,
     mut store: Store<'_>,
@@ -89,7 +88,6 @@ fn package(
     Ok(package.written)
 }
 
-/// The output of a document.
 struct Package<'a> {
     document: &'a GltfDocument,
     options: &'a WriteOptions,
@@ -230,7 +228,7 @@ impl Package<'_> {
                 json.members(*object).any(|(key, _)| !matches!(json.raw(key), "\"uri\"" | "\"byteLength\""))
             };
             if objects[1..].iter().any(named) {
-                let text = "buffers were merged into one; what the others said of themselves is lost";
+                let text = "buffers were merged; members of all but the first were omitted";
                 self.written.notes.push(Note::remark(text));
             }
         }
@@ -260,7 +258,7 @@ impl Package<'_> {
         }
         if glb.other_chunks() > 0 {
             let chunks = counted(glb.other_chunks(), "chunk", "chunks");
-            let text = format!("left out, because only a GLB can hold it: {chunks}");
+            let text = format!("{chunks} that only a GLB can store omitted");
             self.written.notes.push(Note::warning(Place::File, text));
         }
         self.written.bytes = unpadded(&splices.apply()).as_bytes().to_vec();
@@ -279,8 +277,7 @@ impl Package<'_> {
         }
         if let Some(first) = left.first() {
             let images = counted(left.len(), "image", "images");
-            let text =
-                format!("not copied, though the output refers to them: {images} (the first is {first:?})");
+            let text = format!("{images} that the output refers to not copied (first: {first:?})");
             self.written.notes.push(Note::warning(Place::File, text));
         }
     }

@@ -2,7 +2,7 @@
 
 use super::member::{Member, drop_draco, rewrite_indices};
 use super::rows::{Rows, SlotTables, Stored};
-use super::store::{NewData, Store};
+use super::store::{NewData, Remark, Store};
 use crate::io::gltf::accessor::{Elements, Source};
 use crate::io::gltf::data::Target;
 use crate::io::gltf::json::Value;
@@ -36,7 +36,7 @@ impl Group<'_, '_> {
         let stored =
             Stored::new(self.source, self.vertices, self.options.normal_format, morph).map_err(unreadable)?;
         let rows = Rows::new(&stored, self.members, tables);
-        store.remarks.without_normal += rows.missing;
+        store.remark(Remark::WithoutNormal, rows.missing);
 
         let count = self.members[0].block.count as usize;
         let locals: Vec<u32> = self.corners().map(|(member, corner)| member.vertex(corner)).collect();
@@ -48,7 +48,7 @@ impl Group<'_, '_> {
         }
         let has_normals = |set| self.vertices.of_set(set, "NORMAL").is_some();
         if !morph && target_sets.clone().any(has_normals) {
-            store.remarks.stale_deltas += self.members.len();
+            store.remark(Remark::StaleDeltas, self.members.len());
         }
         let new_tangents = self.tangents(&stored, &rows, &locals)?;
         let mut table = match &new_tangents {
@@ -60,9 +60,7 @@ impl Group<'_, '_> {
         };
         table.repair_unused(&stored, samples(&split, &rows.of_corner));
 
-        if stored.format.component != Component::F32 {
-            store.remarks.quantized = true;
-        }
+        store.is_quantized |= stored.format.component != Component::F32;
         self.put(store, 0, "NORMAL", stored.format, &table.normals(&stored), false);
         for (target, set) in target_sets.enumerate().take(stored.deltas.len()) {
             let deltas = table.deltas(&stored, target);
@@ -154,11 +152,13 @@ impl Group<'_, '_> {
                 vertices.map(|vertex| member.mesh.positions()[vertex as usize].as_vec3().to_array());
             let normals =
                 rows.of_corner[range.clone()].iter().map(|&row| stored.decode(rows.row(row)).to_array());
-            values.extend(tangents(Corners {
+            let surface = Surface {
                 positions: positions.collect(),
                 normals: normals.collect(),
                 uvs: locals[range].iter().map(|&vertex| finite(uvs[vertex as usize])).collect(),
-            }));
+                tangents: Vec::new(),
+            };
+            values.extend(surface.into_tangents());
         }
         let mut numbers: FxHashMap<[u32; 4], u32> = FxHashMap::default();
         let mut number = |tangent: &[f32; 4]| {
@@ -202,7 +202,7 @@ impl Group<'_, '_> {
             self.put(store, 0, "TANGENT", format, bytemuck::cast_slice(&values), false);
         } else if !keep {
             self.sites(0).into_iter().for_each(|site| store.splices.remove(site, "TANGENT"));
-            store.remarks.tangents_dropped += self.members.len();
+            store.remark(Remark::TangentsRemoved, self.members.len());
         }
         if !keep {
             let sets = self.vertices.target_sets();
@@ -211,7 +211,7 @@ impl Group<'_, '_> {
             let sites = had.iter().flat_map(|&set| self.sites(set));
             sites.for_each(|site| store.splices.remove(site, "TANGENT"));
             if new.is_some() && !had.is_empty() {
-                store.remarks.tangent_deltas_dropped += self.members.len();
+                store.remark(Remark::TangentDeltasRemoved, self.members.len());
             }
         }
         Ok(())
@@ -266,22 +266,24 @@ fn unreadable(error: ReadError) -> WriteError {
     WriteError::Unsupported(error.to_string())
 }
 
-/// What tangents depend on, one entry a corner, three corners a triangle.
-pub struct Corners {
-    pub positions: Vec<[f32; 3]>,
-    pub normals: Vec<[f32; 3]>,
+/// What tangents depend on, one entry a corner, three corners a triangle, and the tangents.
+struct Surface {
+    positions: Vec<[f32; 3]>,
+    normals: Vec<[f32; 3]>,
     /// As stored, v counted from the top of the image.
-    pub uvs: Vec<[f32; 2]>,
+    uvs: Vec<[f32; 2]>,
+    tangents: Vec<[f32; 4]>,
 }
 
-/// The tangent of every corner, its handedness in `w`. Where uv have no direction it is some unit vector
-/// perpendicular to the normal.
-pub fn tangents(corners: Corners) -> Vec<[f32; 4]> {
-    let tangents = corners.normals.iter().map(|&normal| perpendicular(normal)).collect();
-    let mut surface = Surface { corners, tangents };
-    // The error type has no values.
-    let _ = generate_tangents(&mut surface);
-    surface.tangents
+impl Surface {
+    /// The tangent of every corner by MikkTSpace (Mikkelsen, *Simulation of Wrinkled Surfaces Revisited*, 2008), its
+    /// handedness in `w`. Where uv have no direction it is some unit vector perpendicular to the normal.
+    fn into_tangents(mut self) -> Vec<[f32; 4]> {
+        self.tangents = self.normals.iter().map(|&normal| perpendicular(normal)).collect();
+        // The error type has no values.
+        let _ = generate_tangents(&mut self);
+        self.tangents
+    }
 }
 
 /// The same bits on every platform.
@@ -297,14 +299,9 @@ impl Ops for Portable {
     }
 }
 
-struct Surface {
-    corners: Corners,
-    tangents: Vec<[f32; 4]>,
-}
-
 impl Geometry<Portable> for Surface {
     fn num_faces(&self) -> usize {
-        self.corners.positions.len() / 3
+        self.positions.len() / 3
     }
 
     fn num_vertices_of_face(&self, _face: usize) -> usize {
@@ -312,15 +309,15 @@ impl Geometry<Portable> for Surface {
     }
 
     fn position(&self, face: usize, vert: usize) -> [f32; 3] {
-        self.corners.positions[3 * face + vert]
+        self.positions[3 * face + vert]
     }
 
     fn normal(&self, face: usize, vert: usize) -> [f32; 3] {
-        self.corners.normals[3 * face + vert]
+        self.normals[3 * face + vert]
     }
 
     fn tex_coord(&self, face: usize, vert: usize) -> [f32; 2] {
-        self.corners.uvs[3 * face + vert]
+        self.uvs[3 * face + vert]
     }
 
     fn set_tangent(&mut self, space: Option<TangentSpace>, face: usize, vert: usize) {
@@ -347,11 +344,13 @@ mod tests {
     fn square(uvs: [[f32; 2]; 4]) -> Vec<[f32; 4]> {
         let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
         let order = [0, 1, 2, 0, 2, 3];
-        tangents(Corners {
+        let surface = Surface {
             positions: order.map(|v: usize| points[v]).to_vec(),
             normals: vec![[0.0, 0.0, 1.0]; 6],
             uvs: order.map(|v: usize| uvs[v]).to_vec(),
-        })
+            tangents: Vec::new(),
+        };
+        surface.into_tangents()
     }
 
     #[test]

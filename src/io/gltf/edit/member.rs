@@ -1,6 +1,6 @@
 //! The primitives that an edit changes, and their new indices.
 
-use super::store::{NewData, Store};
+use super::store::{NewData, Remark, Store};
 use crate::io::gltf::data::Target;
 use crate::io::gltf::document::{Block, GltfDocument, Piece};
 use crate::io::gltf::extensions::{DRACO, ORDERED, has_implicit_features};
@@ -53,7 +53,6 @@ impl<'a> Member<'a> {
         members
     }
 
-    /// Whether the edit gives any corner a normal.
     pub fn has_normals(&self) -> bool {
         let Some(normals) = &self.edit.normals else { return false };
         self.corners.iter().any(|&corner| self.slot(normals, corner).is_some())
@@ -71,7 +70,6 @@ impl<'a> Member<'a> {
         self.mesh.faces().corners()[corner as usize] - self.block.first_vertex
     }
 
-    /// The number of the normal of a corner.
     pub fn slot(&self, normals: &Column<DVec3>, corner: u32) -> Option<u32> {
         normals.slot(corner as usize, self.mesh.faces().corners()[corner as usize])
     }
@@ -126,7 +124,7 @@ pub fn rewrite_indices(
     if indices.is_empty() {
         // glTF has no empty primitives, and taking this one out would renumber others.
         indices = vec![0; 3];
-        store.remarks.emptied += 1;
+        store.remark(Remark::Emptied, 1);
     }
     let old = primitive.indices.and_then(|accessor| store.document.records.accessors[accessor].format);
     let old = old.map_or(Component::U16, |format| format.component);
@@ -160,7 +158,7 @@ pub fn drop_draco(store: &mut Store<'_>, member: &Member<'_>) {
     let extensions = json.member(member.primitive.object, "extensions");
     if let Some(extensions) = extensions.filter(|&extensions| json.member(extensions, DRACO).is_some()) {
         store.splices.remove(extensions, DRACO);
-        store.remarks.draco_dropped += 1;
+        store.remark(Remark::DracoRemoved, 1);
     }
 }
 
@@ -176,9 +174,9 @@ fn check_order(
     let mesh = document.records.fields(document.records.meshes[member.part].object);
     let refuse = |name: &str, what: &str| {
         let text = format!(
-            "{}: the extension {name} refers to {what} by number, and these would change; keep them as they are \
-             (--crease off or --emit vertex splits none, --degenerate keep and no --flip or --orient keeps all \
-             faces), or take the extension out first",
+            "{}: the extension {name} refers to {what} by number, and these would change; remove the extension, or keep \
+             the mesh unchanged (--crease off or --emit vertex splits no vertices; --degenerate keep without --flip and \
+             --orient keeps all faces)",
             primitive.place()
         );
         Err(WriteError::Unsupported(text))

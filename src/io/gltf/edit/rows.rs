@@ -38,7 +38,6 @@ impl<'a> Stored<'a> {
         Ok(Self { format, same, floats: base.map(|base| base.floats(0.0)), deltas })
     }
 
-    /// Bytes of a row.
     fn size(&self) -> usize {
         self.format.size() + 12 * self.deltas.len()
     }
@@ -95,7 +94,6 @@ impl<'a> Stored<'a> {
         self.same.as_ref().map(|bytes| &bytes[vertex * size..(vertex + 1) * size])
     }
 
-    /// The normal of a row.
     pub fn decode(&self, row: &[u8]) -> Vec3 {
         let component = self.format.component;
         let number = |axis: usize| float(&row[component.size() * axis..], component, true);

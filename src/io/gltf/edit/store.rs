@@ -9,33 +9,26 @@ use crate::io::gltf::glb::padded;
 use crate::io::gltf::json::{Value, quoted};
 use crate::io::gltf::records::Format;
 use crate::io::gltf::splice::{Changes, Splices, changed_object};
-use crate::io::text::counted;
-use crate::io::{Note, Place};
+use crate::io::{Note, Place, text};
 use rustc_hash::FxHashSet;
 use std::borrow::Cow;
 
-/// Collects the changes to a document.
 pub struct Store<'a> {
     pub document: &'a GltfDocument,
     pub splices: Splices<'a>,
-    pub remarks: Remarks,
+    pub is_quantized: bool,
+    pub remarks: [usize; 6],
     refs: References,
     patches: Vec<Patch>,
     appended: Vec<u8>,
     /// The views of what is appended, in the order of their numbers where they are new.
     placed: Vec<Placed>,
-    home: Home,
+    /// The buffer that appended data go into, and where they begin in it.
+    home: (usize, usize),
+    /// Whether that is the BIN chunk. If not, it is a new buffer.
+    in_bin: bool,
     next_view: usize,
     next_accessor: usize,
-}
-
-/// Where appended data go.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Home {
-    /// Into the BIN chunk, from this byte on.
-    Bin(usize),
-    /// Into a buffer of their own with this number.
-    Buffer(usize),
 }
 
 /// Elements to write over those of the BIN chunk.
@@ -59,7 +52,6 @@ struct Placed {
 /// New elements of an accessor.
 pub struct NewData<'d> {
     pub format: Format,
-    /// Elements without gaps.
     pub bytes: Cow<'d, [u8]>,
     pub target: Target,
     /// The values are the old ones, only more of each, so that their bounds stay right.
@@ -86,26 +78,27 @@ pub struct Changed {
 impl<'a> Store<'a> {
     pub fn new(document: &'a GltfDocument) -> Self {
         let buffers = &document.buffers.list;
-        let home = match (&document.glb, buffers.first().map(|buffer| &buffer.storage)) {
-            (Some(_), Some(Storage::Bin(range))) => Home::Bin(padded(range.len())),
-            (Some(glb), None) if glb.bin().is_none() => Home::Bin(0),
-            _ => Home::Buffer(buffers.len()),
+        let (home, in_bin) = match (&document.glb, buffers.first().map(|buffer| &buffer.storage)) {
+            (Some(_), Some(Storage::Bin(range))) => ((0, padded(range.len())), true),
+            (Some(glb), None) if glb.bin().is_none() => ((0, 0), true),
+            _ => ((buffers.len(), 0), false),
         };
         Self {
             document,
             splices: Splices::new(&document.records.json),
-            remarks: Remarks::default(),
+            is_quantized: false,
+            remarks: [0; 6],
             refs: References::new(document),
             patches: Vec::new(),
             appended: Vec::new(),
             placed: Vec::new(),
             home,
+            in_bin,
             next_view: document.records.views.len(),
             next_accessor: document.records.accessors.len(),
         }
     }
 
-    /// Whether anything changed.
     pub fn is_empty(&self) -> bool {
         self.patches.is_empty() && self.splices.is_empty()
     }
@@ -246,7 +239,10 @@ impl<'a> Store<'a> {
         views.all(|(number, view)| !view.extended && (view.buffer != buffer || moved.contains(&number)))
     }
 
-    /// Makes the document use and require an extension.
+    pub fn remark(&mut self, remark: Remark, count: usize) {
+        self.remarks[remark as usize] += count;
+    }
+
     pub fn require(&mut self, name: &str) {
         for list in ["extensionsUsed", "extensionsRequired"] {
             if !self.document.lists(list, name) {
@@ -264,38 +260,33 @@ impl<'a> Store<'a> {
         let appended = std::mem::take(&mut self.appended);
         let replaced = stale.filter(|&buffer| self.is_deserted(buffer));
         let (mut bin, mut extra) = (None, None);
-        match self.home {
-            Home::Bin(base) => self.write_views(0, base),
-            Home::Buffer(buffer) => self.write_views(replaced.unwrap_or(buffer), 0),
-        }
-        match self.home {
-            _ if appended.is_empty() => {}
-            Home::Bin(base) => {
-                let length = base + appended.len();
-                match document.records.buffers.first() {
-                    Some(&buffer) => self.splices.set(buffer, "byteLength", length),
-                    None => self.splices.push("buffers", format!("{{\"byteLength\":{length}}}")),
-                }
-                let mut bytes = Vec::with_capacity(length);
-                bytes.extend_from_slice(old);
-                bytes.resize(base, 0);
-                bytes.extend_from_slice(&appended);
-                bin = Some(bytes);
+        let (buffer, base) = self.home;
+        self.write_views(replaced.filter(|_| !self.in_bin).unwrap_or(buffer), base);
+        if appended.is_empty() {
+        } else if self.in_bin {
+            let length = base + appended.len();
+            match document.records.buffers.first() {
+                Some(&buffer) => self.splices.set(buffer, "byteLength", length),
+                None => self.splices.push("buffers", format!("{{\"byteLength\":{length}}}")),
             }
-            Home::Buffer(_) => {
-                let (length, uri) = (appended.len(), uri(&appended).map(|uri| quoted(&uri)));
-                match (replaced.map(|buffer| document.records.buffers[buffer]), uri) {
-                    (Some(object), Some(uri)) => {
-                        self.splices.set(object, "uri", uri);
-                        self.splices.set(object, "byteLength", length);
-                    }
-                    (_, uri) => {
-                        let uri = uri.map_or(String::new(), |uri| format!(",\"uri\":{uri}"));
-                        self.splices.push("buffers", format!("{{\"byteLength\":{length}{uri}}}"));
-                    }
+            let mut bytes = Vec::with_capacity(length);
+            bytes.extend_from_slice(old);
+            bytes.resize(base, 0);
+            bytes.extend_from_slice(&appended);
+            bin = Some(bytes);
+        } else {
+            let (length, uri) = (appended.len(), uri(&appended).map(|uri| quoted(&uri)));
+            match (replaced.map(|buffer| document.records.buffers[buffer]), uri) {
+                (Some(object), Some(uri)) => {
+                    self.splices.set(object, "uri", uri);
+                    self.splices.set(object, "byteLength", length);
                 }
-                extra = Some(appended);
+                (_, uri) => {
+                    let uri = uri.map_or(String::new(), |uri| format!(",\"uri\":{uri}"));
+                    self.splices.push("buffers", format!("{{\"byteLength\":{length}{uri}}}"));
+                }
             }
+            extra = Some(appended);
         }
         if !self.patches.is_empty() {
             let bytes = bin.get_or_insert_with(|| old.to_vec());
@@ -324,58 +315,39 @@ fn bounds(bytes: &[u8], format: Format) -> Bounds {
     Bounds { low, high }
 }
 
-/// Counts of what an edit changed besides normals; each becomes one note.
-#[derive(Default)]
-pub struct Remarks {
-    /// Corners without a normal of their own among others that have one.
-    pub without_normal: usize,
-    /// Primitives whose morph targets have normal deltas that were not recomputed.
-    pub stale_deltas: usize,
-    /// Primitives whose tangents were omitted.
-    pub tangents_dropped: usize,
-    /// Primitives whose morph targets lost their tangents to new ones of the base.
-    pub tangent_deltas_dropped: usize,
-    /// Primitives that lost all their faces.
-    pub emptied: usize,
-    /// Primitives whose compressed copy was omitted.
-    pub draco_dropped: usize,
-    /// Normals are stored as integers.
-    pub quantized: bool,
+/// What an edit changes besides normals. Each becomes one note with a count.
+#[derive(Clone, Copy)]
+pub enum Remark {
+    WithoutNormal,
+    StaleDeltas,
+    TangentsRemoved,
+    TangentDeltasRemoved,
+    Emptied,
+    DracoRemoved,
 }
 
-impl Remarks {
-    /// Adds a note for each count.
-    pub fn add_to(&self, notes: &mut Vec<Note>) {
-        let (corners, primitives) = (["corner", "corners"], ["primitive", "primitives"]);
-        for (count, [one, many], text) in [
-            (
-                self.without_normal,
-                corners,
-                "without a normal to write, the stored one is kept, or +Z written",
-            ),
-            (self.stale_deltas, primitives, "normal deltas of morph targets still belong to the old normals"),
-            (
-                self.tangents_dropped,
-                primitives,
-                "tangents belonged to the old normals and were left out; viewers make them again (a validator then \
-                 reports MESH_PRIMITIVE_GENERATED_TANGENT_SPACE where there is a normal map), see --tangents",
-            ),
-            (
-                self.tangent_deltas_dropped,
-                primitives,
-                "morph targets had tangents for the old ones of the base, which were left out",
-            ),
-            (
-                self.emptied,
-                primitives,
-                "all faces are gone, and one triangle without area stands for them, as glTF needs one",
-            ),
-            (self.draco_dropped, primitives, "the Draco copy was left out and the plain data kept"),
-        ] {
-            if count > 0 {
-                let text = format!("{text}: {}", counted(count, one, many));
-                notes.push(Note::warning(Place::File, text));
-            }
-        }
-    }
+/// The notes in the order of [`Remark`].
+const REMARKS: [(&str, &str, &str); 6] = [
+    ("corner has", "corners have", "no new normal; the stored one was kept, or +Z written"),
+    ("primitive keeps", "primitives keep", "the normals of morph targets, which belong to the old normals"),
+    (
+        "primitive lost",
+        "primitives lost",
+        "the tangents of the old normals; viewers generate them (see --tangents)",
+    ),
+    ("primitive lost", "primitives lost", "the tangents of morph targets, which belong to the old tangents"),
+    (
+        "primitive has",
+        "primitives have",
+        "no faces left; one triangle without area was written, because glTF needs one",
+    ),
+    ("primitive lost", "primitives lost", "the Draco copy; the plain data were kept"),
+];
+
+/// The notes for how often each remark was made.
+pub fn notes(counts: [usize; 6]) -> impl Iterator<Item = Note> {
+    let counted = counts.into_iter().zip(REMARKS).filter(|&(count, _)| count > 0);
+    counted.map(|(count, (one, many, text))| {
+        Note::warning(Place::File, format!("{} {text}", text::counted(count, one, many)))
+    })
 }
