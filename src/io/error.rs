@@ -1,5 +1,6 @@
 //! Errors and notes, with the places that they are about.
 
+use super::text::counted;
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -144,6 +145,12 @@ impl Note {
     /// A remark about the file as a whole.
     pub fn remark(text: impl Into<String>) -> Self {
         Self::new(Severity::Note, Place::File, text)
+    }
+
+    /// A warning about the file as a whole that starts with a count; `None` if that is 0.
+    pub(super) fn counted(count: usize, [one, many]: [&str; 2], text: impl fmt::Display) -> Option<Self> {
+        let warning = || Self::warning(Place::File, format!("{} {text}", counted(count, one, many)));
+        (count > 0).then(warning)
     }
 
     /// The same note for `count` things, the first of which are at these places; `None` without any.

@@ -1,7 +1,6 @@
 //! What readers and writers of all formats check: sizes, positions, faces, and features that a format does not have.
 
-use super::text::counted;
-use super::{NonFinite, Note, Part, Place, Problem, ReadError, ReadOptions};
+use super::{Format, NonFinite, Note, Part, Place, Problem, ReadError, ReadOptions};
 use crate::mesh::{Columns, Faces, Mesh, MeshBuilder, MeshError, Storage};
 use glam::DVec3;
 use rayon::prelude::*;
@@ -24,12 +23,11 @@ pub(super) fn non_finite_note(positions: &[DVec3], non_finite: NonFinite) -> Opt
     let is_bad = |position: &DVec3| !position.is_finite();
     let first = positions.iter().position(is_bad).filter(|_| non_finite == NonFinite::DropFaces)?;
     let count = positions.iter().filter(|position| is_bad(position)).count();
-    let count = counted(count, "vertex has", "vertices have");
     let text = format!(
-        "{count} no finite position (first: vertex {first}); their faces are dropped; an edited file keeps the \
-         stored positions, a new file has the origin instead"
+        "no finite position (first: vertex {first}); their faces are dropped; an edited file keeps the stored \
+         positions, a new file has the origin instead"
     );
-    Some(Note::warning(Place::File, text))
+    Note::counted(count, ["vertex has", "vertices have"], text)
 }
 
 /// Builds a mesh; also returns the faces that use a vertex without a finite position.
@@ -63,12 +61,9 @@ pub(super) fn face_notes(parts: &[Part]) -> Vec<Note> {
     if parts.iter().all(|part| part.mesh.face_count() == 0) {
         return vec![Note::warning(Place::File, "the file has no faces, so it has no normals")];
     }
-    let repeating: usize = parts.iter().map(|part| repeating(part.mesh.faces())).sum();
-    let text = || {
-        let polygons = counted(repeating as u64, "polygon passes", "polygons pass");
-        format!("{polygons} through a vertex more than once; crease uses the enclosed area")
-    };
-    (repeating > 0).then(|| Note::warning(Place::File, text())).into_iter().collect()
+    let repeating = parts.iter().map(|part| repeating(part.mesh.faces())).sum();
+    let text = "through a vertex more than once; crease uses the enclosed area";
+    Note::counted(repeating, ["polygon passes", "polygons pass"], text).into_iter().collect()
 }
 
 /// How many faces of four corners or more pass through a vertex more than once. Triangles that do have no area and are
@@ -86,44 +81,30 @@ fn repeating(faces: &Faces) -> usize {
     (0..faces.len()).into_par_iter().map_init(Vec::new, repeats).filter(|&repeats| repeats).count()
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Feature {
-    Uvs,
-    Colors,
-    Materials,
-    Objects,
-    Smoothing,
-    HardEdges,
-    MorphTargets,
-    Points,
-    Lines,
-}
+/// What a mesh may have: its name, the formats that cannot store it, and whether columns have it.
+const FEATURES: [(&str, &[Format], fn(&Columns) -> bool); 9] = {
+    use Format::{Glb, Gltf, Obj, Ply, Stl};
+    [
+        ("texture coordinates", &[Stl], |columns| columns.uvs.is_some()),
+        ("colours", &[Stl], |columns| columns.colors.is_some()),
+        ("materials", &[Stl, Ply], |columns| columns.materials.is_some()),
+        ("objects and groups", &[Stl, Ply], |columns| columns.objects.is_some()),
+        ("smoothing groups", &[Stl, Ply], |columns| columns.smoothing.is_some()),
+        ("hard edges", &[Obj, Ply, Gltf, Glb], |columns| !columns.hard_edges.is_empty()),
+        ("morph targets", &Format::ALL, |columns| !columns.morph_targets.is_empty()),
+        ("points", &[Stl], |columns| !columns.points.is_empty()),
+        ("lines", &[Stl], |columns| !columns.lines.is_empty()),
+    ]
+};
 
-impl Feature {
-    /// Its name, and whether a mesh with these columns has it.
-    fn inspect(self, columns: &Columns) -> (&'static str, bool) {
-        match self {
-            Feature::Uvs => ("texture coordinates", columns.uvs.is_some()),
-            Feature::Colors => ("colours", columns.colors.is_some()),
-            Feature::Materials => ("materials", columns.materials.is_some()),
-            Feature::Objects => ("objects and groups", columns.objects.is_some()),
-            Feature::Smoothing => ("smoothing groups", columns.smoothing.is_some()),
-            Feature::HardEdges => ("hard edges", !columns.hard_edges.is_empty()),
-            Feature::MorphTargets => ("morph targets", !columns.morph_targets.is_empty()),
-            Feature::Points => ("points", !columns.points.is_empty()),
-            Feature::Lines => ("lines", !columns.lines.is_empty()),
-        }
-    }
-}
-
-/// A warning for each of the features that the format does not have and a part does.
-pub(super) fn unsupported_notes(format: &str, features: &[Feature], parts: &[Part]) -> Vec<Note> {
-    let warning = |feature: &Feature| {
-        let mut inspected = parts.iter().map(|part| feature.inspect(part.mesh.columns()));
-        let (name, _) = inspected.find(|&(_, is_present)| is_present)?;
-        Some(Note::warning(Place::File, format!("{format} has no {name}; they were omitted")))
-    };
-    features.iter().filter_map(warning).collect()
+/// A warning for each feature of the parts that a new file of this format cannot store.
+pub(super) fn unsupported_notes(format: Format, parts: &[Part]) -> Vec<Note> {
+    let title = if format.is_gltf() { "glTF".to_owned() } else { format.extension().to_ascii_uppercase() };
+    let lost = FEATURES.iter().filter(|(_, without, has)| {
+        without.contains(&format) && parts.iter().any(|part| has(part.mesh.columns()))
+    });
+    let text = |name| format!("{title} has no {name}; they were omitted");
+    lost.map(|(name, ..)| Note::warning(Place::File, text(name))).collect()
 }
 
 /// Whether any position of a mesh is not an `f32`.

@@ -98,7 +98,7 @@ fn write_parts(
 ) -> Result<Written, WriteError> {
     match format {
         Format::Obj => obj::write(parts, options),
-        Format::Gltf | Format::Glb => gltf::write_with_materials(parts, materials, format, options),
+        Format::Gltf | Format::Glb => gltf::write(parts, materials, format, options),
         Format::Stl => stl::write(parts, options),
         Format::Ply => ply::write(parts, options),
     }
@@ -131,10 +131,7 @@ fn placed(
         return Ok((0..loaded.parts.len()).map(|number| edited(number, true)).collect());
     }
     let unused = uses.iter().filter(|&&uses| uses == 0).count();
-    if unused > 0 {
-        let meshes = counted(unused, "mesh", "meshes");
-        notes.push(Note::warning(Place::File, format!("{meshes} without a node omitted")));
-    }
+    notes.extend(Note::counted(unused, ["mesh", "meshes"], "without a node omitted"));
     let mut flattened = 0;
     let mut parts = Vec::with_capacity(loaded.nodes.len());
     for node in &loaded.nodes {
@@ -154,11 +151,8 @@ fn placed(
         }
         parts.push(part);
     }
-    if flattened > 0 {
-        let nodes = counted(flattened, "node transform", "node transforms");
-        let text = format!("{nodes} flatten their mesh, so it has no normals there");
-        notes.push(Note::warning(Place::File, text));
-    }
+    let transforms = ["node transform flattens its mesh", "node transforms flatten their meshes"];
+    notes.extend(Note::counted(flattened, transforms, "and make normals undefined"));
     Ok(parts)
 }
 

@@ -51,7 +51,6 @@ mod edit;
 pub(super) use appearance::appearance;
 pub use document::GltfDocument;
 pub use edit::apply::edit;
-pub use new_file::write;
-pub(super) use new_file::write_with_materials;
+pub(super) use new_file::write;
 pub(crate) use nodes::NodeTree;
 pub use read::read;

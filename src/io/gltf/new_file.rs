@@ -9,11 +9,11 @@ use super::objects::pieces;
 use super::records::{Component, Format as ElementFormat};
 use super::vertices::Shape;
 use super::{glb, material};
-use crate::io::mesh_checks::{Feature, displacement_note, unsupported_notes};
+use crate::io::mesh_checks::{displacement_note, unsupported_notes};
 use crate::io::text::counted;
 use crate::io::{
-    FileMaterial, Format, NormalFormat, Note, OutputContent, OutputFile, Part, Place, WriteError,
-    WriteOptions, Written,
+    FileMaterial, Format, NormalFormat, Note, OutputContent, OutputFile, Part, WriteError, WriteOptions,
+    Written,
 };
 use crate::mesh::{Column, FaceLabels, Mesh, NONE, VertexSplit};
 use glam::DVec3;
@@ -22,11 +22,8 @@ use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 use std::fmt::Write as _;
 
-/// What glTF cannot hold. Smoothing groups live on in the normals that they led to.
-const NOT_HELD: [Feature; 2] = [Feature::HardEdges, Feature::MorphTargets];
-
 /// Writes a new `.glb` or `.gltf` of meshes: one mesh and one node a part, or an object of a part; one primitive a
-/// material.
+/// material, with its colour and roughness where `materials` has it.
 ///
 /// Positions are rounded to `f32`, normals to the format that is asked for. Vertices are split where corners differ in normal or uv; polygons
 /// are cut into triangles. Faces with a corner without a normal become a primitive without normals, which glTF
@@ -35,12 +32,7 @@ const NOT_HELD: [Feature; 2] = [Feature::HardEdges, Feature::MorphTargets];
 /// # Errors
 /// [`WriteError::Unsupported`] for a position beyond the range of `f32`; [`WriteError::TooLarge`] for a GLB
 /// beyond 4 GiB.
-pub fn write(parts: &[Part], to: Format, options: &WriteOptions) -> Result<Written, WriteError> {
-    write_with_materials(parts, &[], to, options)
-}
-
-/// As [`write`], with the colour and roughness of materials where they are known.
-pub(in crate::io) fn write_with_materials(
+pub(in crate::io) fn write(
     parts: &[Part],
     materials: &[FileMaterial],
     to: Format,
@@ -281,14 +273,11 @@ impl<'a> File<'a> {
 }
 
 fn notes(parts: &[Part], unused: usize, textures: usize) -> Vec<Note> {
-    let mut notes = unsupported_notes("glTF", &NOT_HELD, parts);
+    let mut notes = unsupported_notes(Format::Gltf, parts);
     if parts.iter().any(|part| part.mesh.columns().smoothing.is_some()) {
         notes.push(Note::remark("glTF has no smoothing groups; the normals keep their effect"));
     }
-    if textures > 0 {
-        let textures = counted(textures, "texture", "textures");
-        notes.push(Note::warning(Place::File, format!("{textures} of materials omitted")));
-    }
+    notes.extend(Note::counted(textures, ["texture", "textures"], "of materials omitted"));
     if unused > 0 {
         let vertices = counted(unused, "vertex", "vertices");
         notes.push(Note::remark(format!("{vertices} without an object omitted")));

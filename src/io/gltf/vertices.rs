@@ -1,7 +1,6 @@
 //! How the corners of a mesh become the triangles and vertices of a new file.
 
-use crate::io::text::counted;
-use crate::io::{Note, Place, Written};
+use crate::io::{Note, Written};
 use crate::mesh::{Column, ColumnIndex, Mesh, NONE, VertexSplit, split_vertices, triangulate};
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
@@ -30,13 +29,9 @@ impl<'a> Shape<'a> {
         let columns = mesh.columns();
         let triangles = (!mesh.faces().is_triangles()).then(|| {
             let cut = triangulate(mesh);
-            if !cut.failed.is_empty() {
-                let polygons = counted(cut.failed.len(), "polygon", "polygons");
-                let text = format!(
-                    "{polygons} without area or crossing themselves cut into fans (first: face {})",
-                    cut.failed[0]
-                );
-                written.notes.push(Note::warning(Place::File, text));
+            if let Some(first) = cut.failed.first() {
+                let text = format!("without area or with crossing edges cut into fans (first: face {first})");
+                written.notes.extend(Note::counted(cut.failed.len(), ["polygon", "polygons"], text));
             }
             (cut.triangles.into_flattened(), cut.source_face)
         });

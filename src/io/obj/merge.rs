@@ -8,7 +8,7 @@ use super::statements::{Keyword, statements};
 use crate::io::error::RepeatedNotes;
 use crate::io::mesh_checks::{DROP_ADVICE, build_mesh, non_finite_note};
 use crate::io::text::{Fault, float, integer_prefix, restore_singles, shown};
-use crate::io::{NonFinite, Note, Place, Problem};
+use crate::io::{NonFinite, Note, Problem};
 use crate::mesh::{Column, Columns, FaceLabels, Faces, Mesh, MeshBuilder, MeshError, NONE, SmoothingGroups};
 use glam::DVec2;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -121,10 +121,8 @@ fn finish_colors(mut colors: Vec<[f32; 4]>, notes: &mut Vec<Note>) -> Option<Vec
     }
     let components = colors.iter_mut().filter(|color| !is_missing(color)).flatten();
     let not_finite = components.filter(|value| !value.is_finite()).map(|value| *value = 0.0).count();
-    if not_finite > 0 {
-        let text = format!("{not_finite} components of vertex colours are not finite and were read as 0");
-        notes.push(Note::warning(Place::File, text));
-    }
+    let nouns = ["colour component is", "colour components are"];
+    notes.extend(Note::counted(not_finite, nouns, "not finite and read as 0"));
     let is_bytes = colors.iter().flatten().any(|&value| value > 1.0);
     if is_bytes {
         notes.push(Note::remark("vertex colours exceed 1 and were read as 0 to 255"));

@@ -9,7 +9,7 @@ use crate::mesh::FaceLabels;
 use rustc_hash::FxHashSet;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::io::{Cursor, Read};
+use std::io::Read;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -119,11 +119,11 @@ impl Search {
         }
         let folder = Path::new(name).parent().unwrap_or(Path::new("")).to_owned();
         for material in materials(&bytes) {
-            for texture in textures(&material) {
+            for texture in material.textures() {
                 self.file(&folder, texture);
             }
             if self.defined.insert(material.name.clone()) {
-                self.materials.push(file_material(&material));
+                self.materials.push(material.to_file_material());
             }
         }
     }
@@ -213,28 +213,72 @@ fn split_names(names: &str) -> Vec<&str> {
     }
 }
 
-/// The materials of a library. Only statements that are understood here are handed on, with the numbers that make
-/// sense: `tobj` panics at a colour with fewer than three, and gives up at bytes that are not UTF-8 and at numbers that
-/// are none.
-pub(super) fn materials(library: &[u8]) -> Vec<tobj::Material> {
-    let mut kept = String::new();
+/// A material of a library.
+#[derive(Default)]
+struct Material {
+    name: String,
+    ambient: Option<[f64; 3]>,
+    diffuse: Option<[f64; 3]>,
+    specular: Option<[f64; 3]>,
+    exponent: Option<f64>,
+    dissolve: Option<f32>,
+    transparency: Option<f32>,
+    is_matte: bool,
+    /// The argument of each kind of texture statement.
+    textures: BTreeMap<String, String>,
+}
+
+/// The materials of a library. Statements without the numbers that they need are ignored.
+fn materials(library: &[u8]) -> Vec<Material> {
+    let mut materials: Vec<Material> = Vec::new();
     for line in library.split(|&byte| matches!(byte, b'\n' | b'\r')) {
         let line = name_text(line.trim_ascii());
         let Some((word, argument)) = line.split_once(char::is_whitespace) else { continue };
         let argument = argument.trim();
-        let argument = match word {
-            _ if argument.is_empty() => None,
-            "newmtl" => Some(argument.to_owned()),
-            "Ka" | "Kd" | "Ks" => colour(argument),
-            "Ns" | "d" | "Tr" => numbers(argument).next().map(|number| number.to_string()),
-            "illum" => argument.parse::<u8>().ok().map(|model| model.to_string()),
-            word => is_texture(word).then(|| argument.to_owned()),
-        };
-        if let Some(argument) = argument {
-            kept.push_str(&format!("{word} {argument}\n"));
+        if word == "newmtl" && !argument.is_empty() {
+            materials.push(Material { name: argument.to_owned(), ..Material::default() });
+        }
+        let Some(material) = materials.last_mut() else { continue };
+        let number = || numbers(argument).next();
+        match word {
+            "Ka" => material.ambient = colour(argument).or(material.ambient),
+            "Kd" => material.diffuse = colour(argument).or(material.diffuse),
+            "Ks" => material.specular = colour(argument).or(material.specular),
+            "Ns" => material.exponent = number().map(as_written).or(material.exponent),
+            "d" => material.dissolve = number().or(material.dissolve),
+            "Tr" => material.transparency = number().or(material.transparency),
+            // Models 0 and 1 have no highlight.
+            "illum" => material.is_matte = argument.parse().map_or(material.is_matte, |model: u8| model < 2),
+            word if is_texture(word) && !argument.is_empty() => {
+                let kind = if word.eq_ignore_ascii_case("map_bump") { "bump" } else { word };
+                material.textures.insert(kind.to_owned(), argument.to_owned());
+            }
+            _ => {}
         }
     }
-    tobj::load_mtl_buf(&mut Cursor::new(kept)).map(|(materials, _)| materials).unwrap_or_default()
+    materials
+}
+
+impl Material {
+    /// The files of its textures, in a fixed order.
+    fn textures(&self) -> BTreeSet<&str> {
+        let names = self.textures.values().map(|argument| without_options(argument));
+        names.filter(|name| !name.is_empty()).collect()
+    }
+
+    fn to_file_material(&self) -> FileMaterial {
+        FileMaterial {
+            name: self.name.clone(),
+            reflection: FileReflection::Phong {
+                ambient: self.ambient,
+                diffuse: self.diffuse,
+                specular: if self.is_matte { Some([0.0; 3]) } else { self.specular },
+                exponent: self.exponent,
+            },
+            opacity: self.dissolve.or(self.transparency.map(|value| 1.0 - value)).map(as_written),
+            textures: self.textures().len(),
+        }
+    }
 }
 
 /// The finite numbers that are not negative, up to whatever else follows.
@@ -244,12 +288,12 @@ fn numbers(argument: &str) -> impl Iterator<Item = f32> {
 }
 
 /// Three numbers, or one for all three. Spectral files and CIE colours are not supported.
-fn colour(argument: &str) -> Option<String> {
+fn colour(argument: &str) -> Option<[f64; 3]> {
     let numbers: Vec<f32> = numbers(argument).collect();
     match numbers[..] {
         // Not if another word follows, which should be a number.
-        [grey] if argument.split_whitespace().count() == 1 => Some(format!("{grey} {grey} {grey}")),
-        [r, g, b, ..] => Some(format!("{r} {g} {b}")),
+        [grey] if argument.split_whitespace().count() == 1 => Some([as_written(grey); 3]),
+        [r, g, b, ..] => Some([r, g, b].map(as_written)),
         _ => None,
     }
 }
@@ -257,44 +301,6 @@ fn colour(argument: &str) -> Option<String> {
 fn is_texture(word: &str) -> bool {
     let word = word.to_ascii_lowercase();
     word.starts_with("map_") || ["bump", "norm", "disp", "decal", "refl"].contains(&&*word)
-}
-
-pub(super) fn file_material(material: &tobj::Material) -> FileMaterial {
-    let colour = |colour: Option<[f32; 3]>| colour.map(|colour| colour.map(as_written));
-    // Models 0 and 1 have no highlight.
-    let is_matte = material.illumination_model.is_some_and(|model| model < 2);
-    let transparency = material.unknown_param.get("Tr").and_then(|value| value.parse::<f32>().ok());
-    FileMaterial {
-        name: material.name.clone(),
-        reflection: FileReflection::Phong {
-            ambient: colour(material.ambient),
-            diffuse: colour(material.diffuse),
-            specular: if is_matte { Some([0.0; 3]) } else { colour(material.specular) },
-            exponent: material.shininess.map(as_written),
-        },
-        opacity: material.dissolve.or(transparency.map(|value| 1.0 - value)).map(as_written),
-        textures: textures(material).len(),
-    }
-}
-
-/// The texture files of a material, in a fixed order.
-pub(super) fn textures(material: &tobj::Material) -> BTreeSet<&str> {
-    let known = [
-        &material.ambient_texture,
-        &material.diffuse_texture,
-        &material.specular_texture,
-        &material.normal_texture,
-        &material.shininess_texture,
-        &material.dissolve_texture,
-    ];
-    let others = material.unknown_param.iter().filter(|(word, _)| is_texture(word)).map(|(_, value)| value);
-    known
-        .into_iter()
-        .flatten()
-        .chain(others)
-        .map(|value| without_options(value))
-        .filter(|name| !name.is_empty())
-        .collect()
 }
 
 /// The file name of a texture statement, which may have blanks and options such as `-bm 0.5` in front.
@@ -369,8 +375,8 @@ mod tests {
         let found = materials(library);
         let names: Vec<&str> = found.iter().map(|material| &*material.name).collect();
         assert_eq!(names, ["red", "grün"]);
-        assert_eq!(textures(&found[0]).into_iter().collect::<Vec<_>>(), ["b.png", "my tex.png", "r.png"]);
-        assert_eq!(textures(&found[1]).into_iter().collect::<Vec<_>>(), ["t.png"]);
+        assert_eq!(found[0].textures().into_iter().collect::<Vec<_>>(), ["b.png", "my tex.png", "r.png"]);
+        assert_eq!(found[1].textures().into_iter().collect::<Vec<_>>(), ["t.png"]);
     }
 
     #[test]
@@ -378,7 +384,7 @@ mod tests {
         let library = b"newmtl a\nKd 0.1 0.6 1 # red\nKa 0.5\nKs -1 0 0\nNs 1e40\nd 0.25\nillum 2\n\
             newmtl b\nKd spectral a.rfl\nKs 1 1 1\nNs 10\nillum 1\nmap_Kd t.png\nTr 0.25\n\
             newmtl c\nKd 1 nan 1\nKs 1 2\nillum 999\n";
-        let found: Vec<FileMaterial> = materials(library).iter().map(file_material).collect();
+        let found: Vec<FileMaterial> = materials(library).iter().map(Material::to_file_material).collect();
         let plain = |ambient, diffuse, specular, exponent| FileReflection::Phong {
             ambient,
             diffuse,

@@ -1,9 +1,9 @@
 //! A new OBJ from any meshes.
 
 use super::normal_numbers::NormalNumbers;
-use crate::io::mesh_checks::{Feature, unsupported_notes};
+use crate::io::mesh_checks::unsupported_notes;
 use crate::io::text::{push_integer, push_row};
-use crate::io::{Emit, Note, Part, PartEdit, Place, WriteError, WriteOptions, Written};
+use crate::io::{Emit, Format, Note, Part, PartEdit, Place, WriteError, WriteOptions, Written};
 use crate::mesh::{FaceLabels, Mesh, NONE, Storage};
 use std::slice;
 
@@ -30,7 +30,7 @@ pub(super) fn check_emit(options: &WriteOptions) -> Result<(), WriteError> {
 
 /// What OBJ cannot store.
 fn notes(parts: &[Part]) -> Vec<Note> {
-    let mut notes = unsupported_notes("OBJ", &[Feature::MorphTargets, Feature::HardEdges], parts);
+    let mut notes = unsupported_notes(Format::Obj, parts);
     let has_opacity = |mesh: &Mesh| mesh.columns().colors.iter().flatten().any(|color| color[3] != 1.0);
     if parts.iter().any(|part| has_opacity(&part.mesh)) {
         notes.push(Note::warning(Place::File, "OBJ colours have no opacity; it was omitted"));

@@ -1,13 +1,10 @@
 //! A new PLY from any meshes.
 
 use super::scalar::{Encoding, Scalar};
-use crate::io::mesh_checks::{Feature, needs_f64, unsupported_notes};
-use crate::io::{Emit, Note, Part, Place, WriteError, WriteOptions, Written};
+use crate::io::mesh_checks::{needs_f64, unsupported_notes};
+use crate::io::{Emit, Format, Note, Part, Place, WriteError, WriteOptions, Written};
 use crate::mesh::{Column, ColumnIndex, Mesh, NONE, VertexSplit, split_vertices};
 use glam::{DVec2, DVec3, DVec4};
-
-const UNSUPPORTED: [Feature; 5] =
-    [Feature::Materials, Feature::Objects, Feature::Smoothing, Feature::HardEdges, Feature::MorphTargets];
 
 /// A binary little-endian PLY of all parts in one, with polygons as they are and lines as edges.
 ///
@@ -172,7 +169,7 @@ struct Writer {
     out: Vec<u8>,
     layout: Layout,
     /// Used vertices or faces without a normal, for which +Z was written.
-    without_normal: u64,
+    without_normal: usize,
 }
 
 impl Writer {
@@ -187,7 +184,7 @@ impl Writer {
     }
 
     fn normal_or_z(&mut self, normal: Option<DVec3>, is_used: bool) -> DVec3 {
-        self.without_normal += u64::from(normal.is_none() && is_used);
+        self.without_normal += usize::from(normal.is_none() && is_used);
         normal.unwrap_or(DVec3::Z)
     }
 
@@ -234,17 +231,14 @@ impl Writer {
 }
 
 /// What PLY cannot store.
-fn notes(parts: &[Part], without_normal: u64) -> Vec<Note> {
-    let mut notes = unsupported_notes("PLY", &UNSUPPORTED, parts);
+fn notes(parts: &[Part], without_normal: usize) -> Vec<Note> {
+    let mut notes = unsupported_notes(Format::Ply, parts);
     if parts.len() > 1 {
-        let text =
-            format!("PLY has one mesh: all {} meshes were merged, and their names omitted", parts.len());
+        let text = format!("a PLY has one mesh: {} meshes were merged, and their names omitted", parts.len());
         notes.push(Note::warning(Place::File, text));
     }
-    if without_normal > 0 {
-        let text = format!("{without_normal} missing normals were written as 0 0 1");
-        notes.push(Note::warning(Place::File, text));
-    }
+    let nouns = ["missing normal was", "missing normals were"];
+    notes.extend(Note::counted(without_normal, nouns, "written as 0 0 1"));
     let is_coarse = |value: &f32| {
         let byte = value * 255.0;
         (byte - byte.round()).abs() > 0.01 || !(0.0..=255.0).contains(&byte)

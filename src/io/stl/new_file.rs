@@ -2,8 +2,8 @@
 
 use super::edit::stored;
 use super::read::{FACET, FIRST, HEADER};
-use crate::io::mesh_checks::{Feature, displacement_note, needs_f64, unsupported_notes};
-use crate::io::{Emit, Note, Part, Place, WriteError, WriteOptions, Written};
+use crate::io::mesh_checks::{displacement_note, needs_f64, unsupported_notes};
+use crate::io::{Emit, Format, Note, Part, Place, WriteError, WriteOptions, Written};
 use crate::mesh::{Mesh, triangulate};
 use glam::DVec3;
 
@@ -18,7 +18,7 @@ use glam::DVec3;
 pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Written, WriteError> {
     let mut bytes = header(parts);
     let mut count = 0_u64;
-    let mut without_normal = 0_u64;
+    let mut without_normal = 0;
     for part in parts {
         let mesh = &part.mesh;
         let is_far = |p: &DVec3| p.abs().max_element() > f64::from(f32::MAX);
@@ -37,7 +37,7 @@ pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Wri
         bytes.reserve(triangulation.triangles.len() * FACET);
         for (triangle, face) in triangulation.triangles.into_iter().zip(triangulation.source_face) {
             let normal = normals[face as usize];
-            without_normal += u64::from(normal.is_none());
+            without_normal += usize::from(normal.is_none());
             let corners = triangle.map(|corner| mesh.faces().corners()[corner as usize] as usize);
             let [a, b, c] = corners.map(|vertex| stored(mesh.positions()[vertex]));
             let vectors = [normal.map_or([0.0; 3], stored), a, b, c];
@@ -77,32 +77,19 @@ fn shared_normal(mesh: &Mesh, face: usize) -> Option<DVec3> {
     slots.all(|slot| slot == Some(first)).then(|| normals.values[first as usize])
 }
 
-const UNSUPPORTED: [Feature; 8] = [
-    Feature::Uvs,
-    Feature::Colors,
-    Feature::Materials,
-    Feature::Objects,
-    Feature::Smoothing,
-    Feature::MorphTargets,
-    Feature::Points,
-    Feature::Lines,
-];
-
 /// What STL cannot store.
-fn notes(parts: &[Part], without_normal: u64, options: &WriteOptions) -> Vec<Note> {
+fn notes(parts: &[Part], without_normal: usize, options: &WriteOptions) -> Vec<Note> {
     let mut notes = Vec::new();
     let any = |test: &dyn Fn(&Mesh) -> bool| parts.iter().any(|part| test(&part.mesh));
     if any(&|mesh| mesh.face_count() > 0) {
         notes.extend(vertex_normals_note(options));
     }
-    let mut warn = |text: String| notes.push(Note::warning(Place::File, text));
-    if without_normal > 0 {
-        warn(format!("{without_normal} facets without a normal were written with 0 0 0"));
-    }
+    notes.extend(Note::counted(without_normal, ["facet has", "facets have"], "no normal; 0 0 0 was written"));
     if parts.len() > 1 {
-        warn(format!("a binary STL has one solid: all {} meshes were merged", parts.len()));
+        let text = format!("a binary STL has one solid: {} meshes were merged", parts.len());
+        notes.push(Note::warning(Place::File, text));
     }
-    notes.extend(unsupported_notes("STL", &UNSUPPORTED, parts));
+    notes.extend(unsupported_notes(Format::Stl, parts));
     let displaced: Vec<Note> = parts.iter().filter_map(|part| displacement_note(&part.mesh)).collect();
     if !displaced.is_empty() {
         notes.extend(displaced);

@@ -12,7 +12,6 @@ use crate::io::gltf::glb;
 use crate::io::gltf::glb::Glb;
 use crate::io::gltf::json::{Json, Value, quoted};
 use crate::io::gltf::splice::{Splices, changed_object};
-use crate::io::text::counted;
 use crate::io::{
     Format, Loaded, Note, OutputContent, OutputFile, Part, PartEdit, Place, WriteError, WriteOptions, Written,
 };
@@ -256,11 +255,8 @@ impl Package<'_> {
             let content = || OutputContent::Bytes(bin.to_vec());
             self.written.companions.extend(name.map(|name| OutputFile { name, content: content() }));
         }
-        if glb.other_chunks() > 0 {
-            let chunks = counted(glb.other_chunks(), "chunk", "chunks");
-            let text = format!("{chunks} that only a GLB can store omitted");
-            self.written.notes.push(Note::warning(Place::File, text));
-        }
+        let text = "that only a GLB can store omitted";
+        self.written.notes.extend(Note::counted(glb.other_chunks(), ["chunk", "chunks"], text));
         self.written.bytes = unpadded(&splices.apply()).as_bytes().to_vec();
         Ok(())
     }
@@ -276,9 +272,8 @@ impl Package<'_> {
             }
         }
         if let Some(first) = left.first() {
-            let images = counted(left.len(), "image", "images");
-            let text = format!("{images} that the output refers to not copied (first: {first:?})");
-            self.written.notes.push(Note::warning(Place::File, text));
+            let text = format!("that the output refers to not copied (first: {first:?})");
+            self.written.notes.extend(Note::counted(left.len(), ["image", "images"], text));
         }
     }
 }

@@ -1,6 +1,7 @@
 //! New data for accessors, in the least invasive place: over the old bytes, or appended.
 
 use super::refs::References;
+use crate::io::Note;
 use crate::io::gltf::accessor::number;
 use crate::io::gltf::buffers::Storage;
 use crate::io::gltf::data::{Bounds, Target, accessor_json, number_list, view_json};
@@ -9,7 +10,6 @@ use crate::io::gltf::glb::padded;
 use crate::io::gltf::json::{Value, quoted};
 use crate::io::gltf::records::Format;
 use crate::io::gltf::splice::{Changes, Splices, changed_object};
-use crate::io::{Note, Place, text};
 use rustc_hash::FxHashSet;
 use std::borrow::Cow;
 
@@ -326,28 +326,20 @@ pub enum Remark {
     DracoRemoved,
 }
 
+const HAVE: [&str; 2] = ["primitive has", "primitives have"];
+const LOST: [&str; 2] = ["primitive lost", "primitives lost"];
+
 /// The notes in the order of [`Remark`].
-const REMARKS: [(&str, &str, &str); 6] = [
-    ("corner has", "corners have", "no new normal; the stored one was kept, or +Z written"),
-    ("primitive keeps", "primitives keep", "the normals of morph targets, which belong to the old normals"),
-    (
-        "primitive lost",
-        "primitives lost",
-        "the tangents of the old normals; viewers generate them (see --tangents)",
-    ),
-    ("primitive lost", "primitives lost", "the tangents of morph targets, which belong to the old tangents"),
-    (
-        "primitive has",
-        "primitives have",
-        "no faces left; one triangle without area was written, because glTF needs one",
-    ),
-    ("primitive lost", "primitives lost", "the Draco copy; the plain data were kept"),
+const REMARKS: [([&str; 2], &str); 6] = [
+    (["corner has", "corners have"], "no new normal; the stored one was kept, or +Z written"),
+    (HAVE, "morph targets with normals that belong to the old normals"),
+    (LOST, "the tangents of the old normals; viewers generate them (see --tangents)"),
+    (LOST, "the tangents of morph targets, which belong to the old tangents"),
+    (HAVE, "no faces left; one triangle without area was written, because glTF needs one"),
+    (LOST, "the Draco copy; the plain data were kept"),
 ];
 
 /// The notes for how often each remark was made.
 pub fn notes(counts: [usize; 6]) -> impl Iterator<Item = Note> {
-    let counted = counts.into_iter().zip(REMARKS).filter(|&(count, _)| count > 0);
-    counted.map(|(count, (one, many, text))| {
-        Note::warning(Place::File, format!("{} {text}", text::counted(count, one, many)))
-    })
+    counts.into_iter().zip(REMARKS).filter_map(|(count, (nouns, text))| Note::counted(count, nouns, text))
 }
