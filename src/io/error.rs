@@ -202,6 +202,12 @@ impl WriteError {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct NoteKind(pub u8, pub Severity, pub &'static str);
 
+impl NoteKind {
+    pub const fn warning(rank: u8, text: &'static str) -> Self {
+        Self(rank, Severity::Warning, text)
+    }
+}
+
 /// How often each kind of note is due, and at which byte offsets first.
 #[derive(Clone, Debug, Default)]
 pub(super) struct RepeatedNotes(BTreeMap<NoteKind, Occurrences>);

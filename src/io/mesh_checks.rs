@@ -66,8 +66,7 @@ pub(super) fn face_notes(parts: &[Part]) -> Vec<Note> {
     Note::counted(repeating, ["polygon passes", "polygons pass"], text).into_iter().collect()
 }
 
-/// How many faces of four corners or more pass through a vertex more than once. Triangles that do have no area and are
-/// counted as that.
+/// How many polygons pass through a vertex more than once. Triangles that do have no area and are counted as that.
 fn repeating(faces: &Faces) -> usize {
     if faces.is_triangles() {
         return 0;
@@ -113,8 +112,7 @@ pub(super) fn needs_f64(mesh: &Mesh) -> bool {
     mesh.storage() == Storage::F64 && mesh.positions().iter().any(is_rounded)
 }
 
-/// A warning if rounding to `f32` moves vertices far compared with the size of the model. Around the origin it moves them by at
-/// most 2⁻²⁵ of the size; far from the origin, or near the smallest numbers, it can destroy the shape.
+/// A warning if rounding to `f32` moves vertices far compared with the size of the model: usually by at most 2⁻²⁵ of it.
 pub(super) fn displacement_note(mesh: &Mesh) -> Option<Note> {
     if mesh.storage() != Storage::F64 {
         return None;

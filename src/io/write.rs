@@ -168,15 +168,11 @@ fn edited_mesh(mesh: &Mesh, edit: PartEdit, by_face: bool) -> Mesh {
     if edit.faces.is_empty() { mesh } else { mesh.with_faces(&edit.faces) }
 }
 
-/// Memory that copies may take whatever the size of the file, and for each of its bytes: with the file itself this
-/// keeps an input of 16 MiB within 512 MiB, and leaves room for a million instanced triangles in any file.
+/// Memory for copies in any file, and for each byte of the file: an input of 16 MiB stays within 512 MiB.
 const FREE: u64 = 256 << 20;
 const PER_BYTE: u64 = 16;
 
-/// Refuses a file whose copies would not fit; `uses` is how many nodes show each part.
-///
-/// # Errors
-/// [`WriteError::TooLarge`], with the counts.
+/// Refuses a file whose copies need too much memory; `uses` is how many nodes show each part.
 fn check_copies(
     loaded: &Loaded,
     edits: &[PartEdit],
@@ -206,8 +202,7 @@ fn check_copies(
     )))
 }
 
-/// Bytes of memory for one more copy of a mesh, in the lists of the mesh and in the output; measured, it takes two thirds
-/// to nine tenths of this.
+/// Bytes of memory for one more copy of a mesh and its output; measured, it takes two thirds to nine tenths of this.
 fn size_of_copy(mesh: &Mesh, edit: &PartEdit) -> u64 {
     /// Text of three numbers, and of a corner of a face.
     const LINE: usize = 48;

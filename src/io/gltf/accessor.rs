@@ -182,8 +182,7 @@ impl<'a> Elements<'a> {
         Cow::Owned(raw)
     }
 
-    /// All elements as `f32` vectors; normalised integers divided by their largest value, as the standard says.
-    /// Elements of fewer components are filled up with `fill`, those of more cut.
+    /// All elements as `f32` vectors, missing components filled up with `fill`.
     pub fn floats<const N: usize>(&self, fill: f32) -> Vec<[f32; N]> {
         let raw = self.raw();
         let (component, normalized) = (self.format.component, self.format.normalized);

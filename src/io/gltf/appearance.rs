@@ -18,8 +18,7 @@ use std::f64::consts::PI;
 
 const LIGHTS: &str = "KHR_lights_punctual";
 
-/// The materials, cameras and lights of a document. Materials and lights that the standard does not allow are omitted with
-/// a note.
+/// The materials, cameras and lights of a document. Invalid materials and lights are omitted with a note.
 pub(in crate::io) fn appearance(document: &GltfDocument) -> Appearance {
     let records = &document.records;
     let json = &records.json;
@@ -120,11 +119,8 @@ fn light(node: &Placed<'_>, extension: Value, lights: &[Value]) -> Result<FileLi
     })
 }
 
-/// The camera of a node; `None` if it has none. It looks along its node's −z with +y up. Scaling does not affect its
-/// orientation (glTF 2.0, §3.10.2): it has the position of its node, and the product of the rotations from the root on.
-///
-/// # Errors
-/// What the standard does not allow, with the place and, if the camera has one, its name.
+/// The camera of a node, or what is wrong with it; `None` if it has none. It looks along its node's −z with +y up. It has the
+/// position of its node, and the product of the rotations from the root on: scaling does not affect it (glTF 2.0, §3.10.2).
 fn camera_at(node: &Placed<'_>) -> Result<Option<FileCamera>, ReadError> {
     let json = node.fields.json;
     let Some(value) = json.member(node.fields.object, "camera") else { return Ok(None) };

@@ -4,7 +4,7 @@ use super::fields::Fields;
 use super::glb::TRUNCATED;
 use super::json::{Json, Value};
 use super::records::MESHOPT;
-use crate::io::companion_files::{Companions, Refusal};
+use crate::io::companion_files::{Refusal, find};
 use crate::io::{Note, Place, Problem, ReadError, ReadOptions, Severity};
 use base64::Engine;
 use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
@@ -152,11 +152,10 @@ impl Files<'_> {
 
 fn companion(base: Option<&Path>, options: &ReadOptions, name: &str) -> Result<PathBuf, Refusal> {
     let folder = base.or(options.root.as_deref()).ok_or(Refusal::Missing)?;
-    Companions::new(folder, options).find(Path::new(""), name)
+    find(folder, Path::new(""), name, options)
 }
 
-/// Warns of images that are not there, or that point where nothing is read. Images themselves are never opened.
-/// Returns the image files that are there, as relative name and path.
+/// Warns of images that cannot be found, and returns the name and path of the others. Images are never opened.
 pub fn check_images(
     json: &Json,
     base: Option<&Path>,

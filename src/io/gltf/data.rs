@@ -133,8 +133,7 @@ pub fn push_floats(vector: DVec3, out: &mut Vec<u8>) {
 /// The bound that the glTF validator puts on |length - 1|.
 pub const LENGTH_TOLERANCE: f64 = 0.00674;
 
-/// A unit vector in steps of 1/`most`: rounded, or where eight bits are too coarse for a unit length, the one of
-/// the eight grid points around it with a good length that is nearest.
+/// A unit vector in steps of 1/`most`: rounded, or if its length is then too far from 1, the nearest of the 8 grid points around.
 pub fn steps(normal: DVec3, most: i32) -> [i32; 3] {
     let scaled = normal * f64::from(most);
     let rounded = scaled.round();

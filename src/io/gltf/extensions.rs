@@ -63,8 +63,7 @@ pub fn check(root: &Fields<'_>, notes: &mut Vec<Note>) -> Result<(), ReadError> 
     Ok(())
 }
 
-/// The extensions of a primitive or mesh that refer to vertices by number, so that none may be split, and whether they also
-/// refer to triangles or their corners, so that none may be dropped or flipped.
+/// Extensions that refer to vertices by number, so that none may be split, and whether they also refer to triangles.
 pub const ORDERED: [(&str, bool); 3] = [
     ("CESIUM_primitive_outline", false),
     ("EXT_mesh_primitive_edge_visibility", true),

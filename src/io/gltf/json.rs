@@ -192,11 +192,7 @@ pub fn quoted(text: &str) -> String {
     serde_json::Value::from(text).to_string()
 }
 
-/// The values of a text from `at` on, in document order. The nodes of a text that is not JSON mean nothing, but are no more than it has
-/// bytes.
-///
-/// # Errors
-/// The offset of a container that is nested too deep.
+/// The values of a text from `at` on, in document order, or the offset of a container that is nested too deep.
 fn scan(text: &[u8], mut at: usize, max_depth: usize) -> Result<Vec<Node>, usize> {
     let mut nodes: Vec<Node> = Vec::new();
     let mut open: Vec<usize> = Vec::new();

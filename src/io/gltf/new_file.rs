@@ -22,16 +22,11 @@ use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 use std::fmt::Write as _;
 
-/// Writes a new `.glb` or `.gltf` of meshes: one mesh and one node a part, or an object of a part; one primitive a
-/// material, with its colour and roughness where `materials` has it.
+/// Writes a new `.glb` or `.gltf`: one mesh and one node a part, or an object of a part; one primitive a material.
 ///
-/// Positions are rounded to `f32`, normals to the format that is asked for. Vertices are split where corners differ in normal or uv; polygons
-/// are cut into triangles. Faces with a corner without a normal become a primitive without normals, which glTF
-/// draws flat. A `.gltf` keeps its data in a companion `<stem>.bin`, or inside if there is no stem.
-///
-/// # Errors
-/// [`WriteError::Unsupported`] for a position beyond the range of `f32`; [`WriteError::TooLarge`] for a GLB
-/// beyond 4 GiB.
+/// Positions are rounded to `f32`. Vertices are split where corners differ in normal or uv; polygons are cut into triangles.
+/// Faces with a corner without a normal become a primitive without normals, which glTF draws flat. A `.gltf` keeps its data in
+/// a companion `<stem>.bin`, or inside if there is no stem.
 pub(in crate::io) fn write(
     parts: &[Part],
     materials: &[FileMaterial],

@@ -47,8 +47,7 @@ pub struct Frame {
     pub world: DMat4,
     /// The product of the rotations of the node and of all above it: its orientation with all scaling ignored.
     pub rotation: DQuat,
-    /// The nearest node at or above it that has no rotation, and the member that should give it: a quaternion of length 0,
-    /// or a matrix without an inverse.
+    /// The nearest node at or above it without a rotation, and the member at fault: a zero quaternion or a singular matrix.
     pub without_rotation: Option<(usize, &'static str)>,
 }
 
@@ -118,17 +117,15 @@ impl<'a> NodeTree<'a> {
         if name.is_empty() { format!("#{node}") } else { name }
     }
 
-    /// The names of a node and of its ancestors, from the root on, as `body/arm/hand`. Of very deep ones only the names
-    /// nearest to the node.
+    /// The names of a node and its nearest ancestors, from the root on, as `body/arm/hand`.
     pub fn path(&self, node: usize) -> String {
         let (path, is_cut) = self.path_to(node);
         let names: Vec<String> = path.into_iter().map(|node| self.name(node)).collect();
         format!("{}{}", if is_cut { "…/" } else { "" }, names.join("/"))
     }
 
-    /// The matrices that place a mesh, each with the number of its node: those of its node and of all ancestors, from the root
-    /// on, from the node's space to its parent's. Of very deep nodes only the nearest; none for a skinned mesh, which only its
-    /// joints move.
+    /// The matrices that place a mesh, each with the number of its node: those of its node and its nearest ancestors, from the root
+    /// on, each from the node's space to its parent's. None for a skinned mesh, which only its joints move.
     pub(crate) fn chain(&self, node: usize) -> Vec<(usize, DMat4)> {
         let is_skinned = self.fields(node).integer("skin").is_ok_and(|skin| skin.is_some());
         let path = if is_skinned { Vec::new() } else { self.path_to(node).0 };
@@ -230,8 +227,7 @@ fn local(node: &Fields<'_>) -> Result<(DMat4, Result<DQuat, &'static str>), Read
     Ok((matrix, rotation.ok_or("rotation")))
 }
 
-/// The rotation of a matrix that is a translation times a rotation times a scaling, as the standard requires. A mirror is
-/// taken for a negative scale of x, as is usual: the matrix alone does not determine the axis.
+/// The rotation of a translation times a rotation times a scaling. A mirror counts as a negative scale of x.
 fn rotation_of(matrix: DMat4) -> Option<DQuat> {
     let axis = |axis: DVec4| UnitVec3::new(axis.truncate()).map(UnitVec3::get);
     let (x, y, z) = (axis(matrix.x_axis)?, axis(matrix.y_axis)?, axis(matrix.z_axis)?);

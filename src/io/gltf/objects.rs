@@ -6,10 +6,8 @@ use glam::DVec3;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-/// A part for each object, in the order of their first faces, and one for points and lines, which belong to none.
-/// Unused vertices are omitted, and counted. `None` if all faces are of one object, or of none.
-///
-/// Normals do not change: what was smoothed across objects stays smooth across them.
+/// A part for each object, in the order of their first faces, and one for points and lines; and the number of unused vertices,
+/// which are omitted. `None` if all faces are of one object. Normals do not change: objects stay smooth across their borders.
 pub fn by_object(part: &Part) -> Option<(Vec<Part>, usize)> {
     let mesh = &part.mesh;
     let labels = mesh.columns().objects.as_ref()?;

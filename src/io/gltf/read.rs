@@ -14,8 +14,7 @@ use crate::io::{Document, Format, Loaded, Note, Place, Problem, ReadError, ReadO
 use std::cell::{Cell, RefCell};
 use std::path::Path;
 
-/// So many primitives are fine in a file of any size; more only where each has as many bytes as the smallest of real ones. A
-/// primitive takes kilobytes in memory, so that very many of a few bytes would cost far more than their file.
+/// Primitives in a file of any size, and bytes of the file for each one more: a primitive takes kilobytes of memory.
 const PRIMITIVES_OF_ANY_SIZE: u64 = 1 << 16;
 const SMALLEST_PRIMITIVE: u64 = 256;
 
@@ -30,12 +29,10 @@ fn check_primitive_count(records: &Records, bytes: u64) -> Result<(), ReadError>
     Err(ReadError::new(Problem::Limit, place, found, "merge primitives, or split the file"))
 }
 
-/// Reads a glTF document in either spelling. `base` is the folder of the file, where its buffers are looked for;
-/// images are not opened.
+/// Reads a glTF document in either spelling. `base` is the folder of the file, where its buffers are searched for.
 ///
 /// # Errors
-/// A [`ReadError`] with a JSON pointer or a byte offset for what is broken, out of range, compressed without a
-/// plain copy, requires an unknown extension, or cannot be found.
+/// With a JSON pointer or a byte offset: damaged or compressed data, unknown required extensions, missing buffers.
 pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Result<Loaded, ReadError> {
     let mut notes = Vec::new();
     check_size(&bytes, options)?;

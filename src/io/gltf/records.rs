@@ -103,9 +103,8 @@ impl Primitive {
     }
 }
 
-/// The vertex accessors of a primitive. Primitives for which these are equal share their vertices.
-///
-/// Set 0 are the attributes, set n + 1 those of morph target n: pairs of semantic and accessor, sorted by semantic.
+/// The vertex accessors of a primitive, which shares its vertices with those that have equal ones. Set 0 are the attributes,
+/// set n + 1 those of morph target n: pairs of semantic and accessor, sorted by semantic.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct VertexAccessors {
     pub sets: Vec<Vec<(String, usize)>>,

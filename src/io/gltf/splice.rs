@@ -7,9 +7,7 @@ use std::ops::Range;
 /// Changes to the members of an object: a new text, or `None` to remove the member.
 pub type Changes = Vec<(String, Option<String>)>;
 
-/// Changes to objects and top-level lists of a text, to be made all at once.
-///
-/// New members and elements take over the blanks of the one before them, so that indented text stays indented.
+/// Changes to objects and top-level lists of a text. New members and elements are indented like the one before them.
 pub struct Splices<'a> {
     json: &'a Json,
     objects: BTreeMap<Value, Changes>,

@@ -147,8 +147,7 @@ impl<'a> Cursor<'a> {
         self.at += line_end_length(&self.text[self.at..]);
     }
 
-    /// Takes the rest of the statement as a name: whole, with blanks and `#` inside, because names of real files
-    /// have both. Blanks around it are not part of it.
+    /// Takes the rest of the statement as a name. Real names have blanks and `#` inside; blanks around it are not part of it.
     pub fn name(&mut self) -> Range<usize> {
         self.skip_blanks();
         let start = self.at;
@@ -162,8 +161,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Reads a corner, `v`, `v/vt`, `v//vn` or `v/vt/vn` (a number after a slash may be missing); `None` if there
-    /// is something else; the cursor is then somewhere in it.
+    /// Reads `v`, `v/vt`, `v//vn` or `v/vt/vn` (a number after a slash may be missing); `None` if there is something else.
     #[inline]
     pub fn corner(&mut self) -> Option<CornerSpelling> {
         let vertex = self.index()?;

@@ -17,11 +17,7 @@ use std::iter::Peekable;
 use std::ops::Range;
 use std::slice;
 
-/// The document with the edit applied.
-///
-/// # Errors
-/// [`WriteError::Unsupported`] for one normal a face, which OBJ does not have, and where free-form surfaces refer to
-/// normals by number.
+/// The document with the edit applied. Fails if free-form surfaces refer to normals by number, or for normals of faces.
 pub(in crate::io) fn edit(
     document: &ObjDocument,
     loaded: &Loaded,
@@ -168,8 +164,7 @@ impl Editor<'_> {
         }
     }
 
-    /// Writes the tokens of a face line with their new normals, or without normals if the mesh does not have the corners. A
-    /// reversed face keeps its first corner.
+    /// Writes a face line with its new normals, or without any if the mesh does not have it. A reversed face keeps its first corner.
     fn rewrite(&mut self, first_corner: Option<usize>, reversed: bool) {
         for (place, token) in self.tokens.iter().enumerate() {
             self.copy.skip(token.span.clone());

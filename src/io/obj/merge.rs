@@ -68,8 +68,7 @@ fn check_vertices(content: &Content, text: &[u8], counts: Counts) -> Result<(), 
         .map_or_else(|| too_many("vertices", counts.vertices, 0), |reference| reference.into_fault(counts)))
 }
 
-/// References to texture coordinates and normals that do not exist, and to texture coordinates that are not
-/// finite, become absent. Normals that are not finite stay: to find and replace them is this program's job.
+/// References to missing attributes and to texture coordinates that are not finite become absent. Such normals stay.
 fn remove_bad_attributes(content: &mut Content, text: &[u8], counts: Counts) {
     for (index, count, target, kind) in [
         (&mut content.corner_uvs.values, counts.uvs, Target::Uv, notes::UV_OUT_OF_RANGE),
@@ -203,11 +202,8 @@ impl<'a> Labels<'a> {
         self.names(Keyword::Object).or_else(|| self.names(Keyword::Group))
     }
 
-    /// The smoothing groups; `None` if the file has no statement about them.
-    ///
-    /// A group's number is a name. `off`, 0 and an empty name mean none; a number that fits is itself; any
-    /// other word (`on`, a fraction, a number of 2³² or more) is a group of its own by that name, numbered
-    /// from the top down.
+    /// The smoothing groups; `None` if the file has none. Groups are names: `off`, 0 and an empty name mean none, a number that fits
+    /// is itself, and any other word (`on`, a fraction, 2³² or more) is a group of its own, numbered from the top down.
     pub fn smoothing(&self, notes: &mut RepeatedNotes) -> Option<SmoothingGroups> {
         let statements = self.of(Keyword::Smoothing);
         let before_first = statements.clone().next()?.face as usize;

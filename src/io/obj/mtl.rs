@@ -2,7 +2,7 @@
 
 use super::cursor::name_text;
 use crate::io::appearance::as_written;
-use crate::io::companion_files::{Companions, Refusal, output_name};
+use crate::io::companion_files::{self, Refusal, output_name};
 use crate::io::text::shown;
 use crate::io::{FileMaterial, FileReflection, Note, OutputContent, OutputFile, Place, ReadOptions};
 use crate::mesh::FaceLabels;
@@ -13,8 +13,7 @@ use std::io::Read;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// The most libraries and textures that are searched for. Real files have a handful; a hostile one must not cost a million
-/// file look-ups.
+/// The most libraries and textures that are searched for. Real files have a handful.
 const MOST_FILES: usize = 1000;
 
 /// The most names of missing files that a note lists after the first.
@@ -39,12 +38,13 @@ pub(super) fn find(
     base: &Path,
     options: &ReadOptions,
 ) -> Materials {
-    let companions = Companions::new(base, options);
     let mut search = Search {
-        companions,
+        base,
+        options,
         searched: 0,
         files: BTreeMap::new(),
         missing: BTreeMap::new(),
+        not_copied: BTreeSet::new(),
         defined: FxHashSet::default(),
         materials: Vec::new(),
     };
@@ -74,27 +74,24 @@ pub(super) fn out_of_reach(text: &[u8], statements: &[Range<usize>]) -> Material
     Materials { notes: statements.first().map(note).into_iter().collect(), ..Materials::default() }
 }
 
-struct Search {
-    companions: Companions,
+struct Search<'a> {
+    base: &'a Path,
+    options: &'a ReadOptions,
+    /// How many files were searched for.
     searched: usize,
     files: BTreeMap<String, PathBuf>,
-    /// Names of companions by the reason why they are not read; without a reason, they cannot be copied.
-    missing: BTreeMap<Missing, BTreeSet<String>>,
+    /// Names of files by the reason why they are not read.
+    missing: BTreeMap<Refusal, BTreeSet<String>>,
+    /// Names of files whose copy would be outside the output's folder.
+    not_copied: BTreeSet<String>,
     defined: FxHashSet<String>,
     materials: Vec<FileMaterial>,
 }
 
-#[derive(PartialEq, Eq, PartialOrd, Ord)]
-enum Missing {
-    NotRead(Refusal),
-    /// A copy would be outside the output's folder.
-    NotCopied,
-}
-
-impl Search {
+impl Search<'_> {
     /// One `mtllib` statement: one name with blanks in it, if there is such a file, or else several names.
     fn libraries(&mut self, names: &str) {
-        if self.may_search() && self.companions.find(Path::new(""), names).is_ok() {
+        if self.may_search() && self.find(Path::new(""), names).is_ok() {
             return self.read_library(names);
         }
         for name in split_names(names) {
@@ -115,7 +112,7 @@ impl Search {
         let mut bytes = Vec::new();
         let read = fs::File::open(&path).and_then(|file| file.take(MOST_BYTES).read_to_end(&mut bytes));
         if read.is_err() {
-            return self.is_missing(Missing::NotRead(Refusal::Missing), name);
+            return self.is_missing(Refusal::Missing, name);
         }
         let folder = Path::new(name).parent().unwrap_or(Path::new("")).to_owned();
         for material in materials(&bytes) {
@@ -128,69 +125,74 @@ impl Search {
         }
     }
 
-    fn is_missing(&mut self, missing: Missing, name: &str) {
-        self.missing.entry(missing).or_default().insert(name.to_owned());
+    fn find(&self, folder: &Path, name: &str) -> Result<PathBuf, Refusal> {
+        companion_files::find(self.base, folder, name, self.options)
+    }
+
+    fn is_missing(&mut self, refusal: Refusal, name: &str) {
+        self.missing.entry(refusal).or_default().insert(name.to_owned());
     }
 
     fn file(&mut self, folder: &Path, name: &str) -> Option<PathBuf> {
         if !self.may_search() {
             return None;
         }
-        match (self.companions.find(folder, name), output_name(folder, name)) {
-            (Ok(path), Some(output)) => {
-                self.files.insert(output, path.clone());
-                Some(path)
+        let path = match self.find(folder, name) {
+            Ok(path) => path,
+            Err(refusal) => {
+                self.is_missing(refusal, name);
+                return None;
             }
-            (Ok(path), None) => {
-                self.is_missing(Missing::NotCopied, name);
-                Some(path)
-            }
-            (Err(refusal), _) => {
-                self.is_missing(Missing::NotRead(refusal), name);
-                None
-            }
+        };
+        match output_name(folder, name) {
+            Some(output) => drop(self.files.insert(output, path.clone())),
+            None => drop(self.not_copied.insert(name.to_owned())),
         }
+        Some(path)
     }
 
     fn notes(&self, used: Option<&FaceLabels>) -> Vec<Note> {
-        let quoted = |name: &String| format!("`{}`", shown(name.as_bytes()));
-        let mut notes = Vec::new();
-        let mut are_complete = true;
-        for (missing, names) in &self.missing {
-            let what = match missing {
-                Missing::NotRead(refusal) => format!("{refusal}; the output refers to it all the same"),
-                Missing::NotCopied => {
-                    let text = "cannot be copied with the output, because its name leads out of the folder";
-                    text.to_owned()
-                }
-            };
-            are_complete &= *missing == Missing::NotCopied;
-            let mut quoted = names.iter().map(quoted);
-            let first = quoted.next().unwrap_or_default();
-            let others: Vec<String> = quoted.take(MOST_NAMES).collect();
-            let more = match names.len() - 1 {
-                0 => String::new(),
-                more => {
-                    let rest = if more > others.len() { ", …" } else { "" };
-                    format!(" (and {more} more like it: {}{rest})", others.join(", "))
-                }
-            };
-            notes.push(Note::warning(Place::File, format!("{first} {what}{more}")));
-        }
+        let missing = self.missing.iter();
+        let missing =
+            missing.map(|(refusal, names)| (names, format!("{refusal}; the output still refers to it")));
+        let text = "cannot be copied with the output, because its name leads out of the folder";
+        let not_copied = Some((&self.not_copied, text.to_owned())).filter(|(names, _)| !names.is_empty());
+        let mut notes: Vec<Note> =
+            missing.chain(not_copied).map(|(names, text)| listed(names, &text)).collect();
         if self.searched > MOST_FILES {
             let text =
                 "the file names more than 1000 material libraries and textures; the others were not checked";
             notes.push(Note::warning(Place::File, text));
         }
         // If a library is missing, the definition may be in it.
-        if are_complete && !self.defined.is_empty() {
+        if self.missing.is_empty() && !self.defined.is_empty() {
             let mut names = used.into_iter().flat_map(|labels| &labels.names);
-            notes.extend(names.find(|name| !self.defined.contains(*name)).map(|name| {
-                Note::remark(format!("material {} is used, but no library defines it", quoted(name)))
-            }));
+            let undefined = names.find(|name| !self.defined.contains(*name));
+            let text =
+                |name| Note::remark(format!("material {} is used, but no library defines it", quoted(name)));
+            notes.extend(undefined.map(text));
         }
         notes
     }
+}
+
+fn quoted(name: &String) -> String {
+    format!("`{}`", shown(name.as_bytes()))
+}
+
+/// A warning about the first of some files, with the names of the next ones.
+fn listed(names: &BTreeSet<String>, text: &str) -> Note {
+    let mut quoted = names.iter().map(quoted);
+    let first = quoted.next().unwrap_or_default();
+    let others: Vec<String> = quoted.take(MOST_NAMES).collect();
+    let more = match names.len() - 1 {
+        0 => String::new(),
+        more => {
+            let rest = if more > others.len() { ", …" } else { "" };
+            format!(" (and {more} more like it: {}{rest})", others.join(", "))
+        }
+    };
+    Note::warning(Place::File, format!("{first} {text}{more}"))
 }
 
 /// Several names in one statement: each goes on to the next `.mtl`, or where there is none, to a blank.

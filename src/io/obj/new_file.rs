@@ -7,12 +7,7 @@ use crate::io::{Emit, Format, Note, Part, PartEdit, Place, WriteError, WriteOpti
 use crate::mesh::{FaceLabels, Mesh, NONE, Storage};
 use std::slice;
 
-/// An OBJ of all parts, each an object of its own, with `vn` shared where a mesh shares them.
-///
-/// Numbers are written with the digits that bring back the `f32` that positions were, or else the `f64`.
-///
-/// # Errors
-/// [`WriteError::Unsupported`] for one normal a face, which OBJ does not have.
+/// An OBJ of all parts, each an object of its own, with `vn` shared where a mesh shares them. Fails for normals of faces.
 pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Written, WriteError> {
     check_emit(options)?;
     let mut writer = Writer::default();

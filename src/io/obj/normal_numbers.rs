@@ -8,10 +8,9 @@ use rustc_hash::FxHashMap;
 use std::hash::Hash;
 use std::ops::Range;
 
-/// Which `vn` lines stay, which are new, and the number that each value gets.
+/// Which `vn` lines stay, which are new, and the number of each value: the index of its line in the output, from 1.
 ///
-/// The file's own normals that are still referred to keep their lines; the others are removed. New ones are put in
-/// one block among them, equal ones once. A number is the index of a line in the output, counted from 1.
+/// The file's own normals keep their lines while corners refer to them. New ones are one block among them, equal ones once.
 pub(super) struct NormalNumbers<'a> {
     mesh: &'a Mesh,
     normals: &'a Column<DVec3>,

@@ -9,36 +9,26 @@ use crate::io::{Note, Problem, Severity};
 /// In the text of a note: the word of the file that it is about.
 const WORD: &str = "{word}";
 
-pub(super) const SHORT_FACE: NoteKind =
-    NoteKind(0, Severity::Warning, "a face with fewer than 3 corners was skipped");
-pub(super) const SHORT_LINE: NoteKind =
-    NoteKind(1, Severity::Warning, "a line with fewer than 2 vertices was skipped");
-pub(super) const UNKNOWN: NoteKind =
-    NoteKind(2, Severity::Warning, "the unknown statement `{word}` was ignored");
+pub(super) const SHORT_FACE: NoteKind = NoteKind::warning(0, "a face with fewer than 3 corners was skipped");
+pub(super) const SHORT_LINE: NoteKind = NoteKind::warning(1, "a line with fewer than 2 vertices was skipped");
+pub(super) const UNKNOWN: NoteKind = NoteKind::warning(2, "the unknown statement `{word}` was ignored");
 pub(super) const FREE_FORM: NoteKind =
-    NoteKind(3, Severity::Warning, "the statement `{word}` of free-form curves and surfaces was ignored");
+    NoteKind::warning(3, "the statement `{word}` of free-form curves and surfaces was ignored");
 pub(super) const WEIGHT: NoteKind = NoteKind(
     4,
     Severity::Note,
     "a vertex has a fourth number (a weight for rational curves), which was ignored",
 );
-pub(super) const EXTRA_NUMBERS: NoteKind = NoteKind(
-    5,
-    Severity::Warning,
-    "a vertex has numbers after its position that are not a colour; they were ignored",
-);
-pub(super) const UV_OUT_OF_RANGE: NoteKind = NoteKind(
-    6,
-    Severity::Warning,
-    "a corner refers to a texture coordinate that does not exist; the corner has none",
-);
+pub(super) const EXTRA_NUMBERS: NoteKind =
+    NoteKind::warning(5, "a vertex has numbers after its position that are not a colour; they were ignored");
+pub(super) const UV_OUT_OF_RANGE: NoteKind =
+    NoteKind::warning(6, "a corner refers to a texture coordinate that does not exist; the corner has none");
 pub(super) const NORMAL_OUT_OF_RANGE: NoteKind =
-    NoteKind(7, Severity::Warning, "a corner refers to a normal that does not exist; the corner has none");
+    NoteKind::warning(7, "a corner refers to a normal that does not exist; the corner has none");
 pub(super) const UV_NOT_FINITE: NoteKind =
-    NoteKind(8, Severity::Warning, "a texture coordinate is not finite; its corners have none");
-pub(super) const SMOOTHING_NAME: NoteKind = NoteKind(
+    NoteKind::warning(8, "a texture coordinate is not finite; its corners have none");
+pub(super) const SMOOTHING_NAME: NoteKind = NoteKind::warning(
     9,
-    Severity::Warning,
     "`{word}` is not a number of a smoothing group (0 to 4294967294); it was read as the name of one",
 );
 

@@ -221,8 +221,7 @@ impl Content {
         self.face_offsets.len().checked_sub(1).unwrap_or(self.corners.values.len() / 3)
     }
 
-    /// Where new normals go, and how many `vn` lines are before that: behind the last one before the first face, or else
-    /// before that face.
+    /// Where new normals go, and how many `vn` lines are before that: after the last one before the first face, or before that face.
     pub fn insertion(&self) -> (usize, usize) {
         self.leading_normals.unwrap_or((self.first_face.unwrap_or(0), 0))
     }
@@ -306,8 +305,7 @@ fn check_count(what: &str, count: usize) -> Result<(), Fault> {
 /// In a list of indices: a reference to something that cannot exist. No count of a mesh reaches it.
 pub(super) const NOWHERE: u32 = NONE - 1;
 
-/// Zero-based indices. Negative indices of the file are kept relative to the start of the piece, as two's complement, and the
-/// ranges of such entries are listed.
+/// Zero-based indices. Negative ones are kept relative to the start of the piece, as two's complement, in listed ranges.
 #[derive(Debug, Default)]
 pub(super) struct Indices {
     pub values: Vec<u32>,

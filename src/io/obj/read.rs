@@ -17,14 +17,12 @@ use std::sync::OnceLock;
 /// Pieces that are parsed before they are appended.
 const BATCH: usize = 8;
 
-/// Reads an OBJ file. `base` is the folder that is searched for material libraries.
-///
-/// The mesh is one part, with positions in `f64`, or in `f32` where the digits show that they were printed from it
-/// ([`Storage`](crate::mesh::Storage)), and every `vn` of the file, referenced or not, in file order.
+/// Reads an OBJ file. `base` is the folder that is searched for material libraries. The mesh is one part, with every `vn` of the
+/// file in file order, and positions in `f32` if the digits show that they were printed from it.
 ///
 /// # Errors
-/// With the line: words that are not numbers, too few numbers, vertex indices out of range or 0, positions that are not
-/// finite (unless [`ReadOptions::non_finite`] allows them). Without: UTF-16 and UTF-32, and bytes that are not OBJ.
+/// With the line: words that are not numbers, vertex indices out of range, positions that are not finite (unless
+/// [`ReadOptions::non_finite`] allows them). Without: UTF-16 and UTF-32, and bytes that are not OBJ.
 pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Result<Loaded, ReadError> {
     check_encoding(&bytes)?;
     check_size(&bytes, options)?;

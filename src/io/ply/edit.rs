@@ -10,16 +10,11 @@ use crate::io::{Emit, Loaded, Note, PartEdit, Place, Problem, WriteError, WriteO
 use crate::mesh::{Column, ColumnIndex, Faces, Mesh, NONE, VertexSplit, split_vertices};
 use glam::DVec3;
 
-/// The document with the edit applied. Header lines, properties and elements that do not change, known or not, stay byte for
-/// byte.
+/// The document with the edit applied. Everything that does not change stays byte for byte.
 ///
-/// Normals are replaced where the file has them, in its own type, or added after `z`, as doubles if positions are.
-/// Types that cannot hold unit normals well (8-bit integers, integers that are not normalised) become floats.
-/// With [`Emit::Face`] the faces get [`PartEdit::face_normals`] instead of the vertices. New vertices
-/// of splits come after the others, with all of their properties.
-///
-/// # Errors
-/// [`WriteError::Unsupported`] if only some of `nx`, `ny`, `nz` are there.
+/// Normals are replaced where the file has them, or added after `z`. Types that cannot hold unit normals well become floats.
+/// With [`Emit::Face`] the faces get [`PartEdit::face_normals`] instead. New vertices of splits come after the others, with all
+/// of their properties. Fails if only some of `nx`, `ny`, `nz` are there.
 pub(in crate::io) fn edit(
     document: &PlyDocument,
     loaded: &Loaded,
@@ -199,8 +194,7 @@ impl Editor<'_> {
         splits || !self.edit.faces.is_empty() || self.face_normals.is_some()
     }
 
-    /// The type of vertex numbers: that of the file if it can hold the added vertices, else `int`, else `uint`. An ascii
-    /// word can be any number, but its readers may use the type of the header.
+    /// The type of vertex indices: that of the file if it can hold the added vertices, else `int`, else `uint`.
     fn index_type(&mut self, list: &Property, item: Scalar) -> Scalar {
         let largest = (self.split.source.len().saturating_sub(1)) as f64;
         let holds = |scalar: &Scalar| scalar.largest() >= largest;
@@ -303,8 +297,7 @@ fn push_list(out: &mut Vec<u8>, values: &[u32], count: Scalar, item: Scalar, enc
     }
 }
 
-/// Reverses a list of two numbers a corner, as [`FaceEdit`](crate::mesh::FaceEdit) reverses corners: the first stays.
-/// A list of another length is not changed.
+/// Reverses a list of two numbers a corner, except the first corner. A list of another length is not changed.
 fn reverse_pairs(rows: &Rows<'_>, row: &Row, list: usize, kind: Kind, corners: usize, changes: &mut Changes) {
     let items: Vec<_> = rows.items(&row.fields[list], kind).collect();
     if items.len() != 2 * corners {

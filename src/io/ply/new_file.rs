@@ -6,14 +6,10 @@ use crate::io::{Emit, Format, Note, Part, Place, WriteError, WriteOptions, Writt
 use crate::mesh::{Column, ColumnIndex, Mesh, NONE, VertexSplit, split_vertices};
 use glam::{DVec2, DVec3, DVec4};
 
-/// A binary little-endian PLY of all parts in one, with polygons as they are and lines as edges.
+/// A binary little-endian PLY of all parts in one, with polygons unchanged and lines as edges.
 ///
 /// Positions and normals are floats, or doubles if floats would change a position. Vertices are split where corners differ in
-/// normal or uv. With [`Emit::Face`] normals are those of faces, which the corners of each must share. If only some parts have
-/// normals, the others get +Z.
-///
-/// # Errors
-/// [`WriteError::TooLarge`] for more vertices than 32 bits count.
+/// normal or uv. With [`Emit::Face`] normals are those of faces. If only some parts have normals, the others get +Z.
 pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Written, WriteError> {
     let layout = Layout::of(parts, options);
     let by_face = options.emit == Emit::Face;

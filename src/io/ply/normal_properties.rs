@@ -70,8 +70,7 @@ impl NormalProperties {
         Ok(Self { present, old, old_unit: largest(old[0]), new, new_unit: largest(new), behind })
     }
 
-    /// Changes the normal in a row; `None` keeps the stored one, or is +Z where there is none. Equal numbers
-    /// keep their bytes.
+    /// Changes the normal in a row; `None` keeps the stored one, or is +Z where there is none. Equal numbers keep their bytes.
     pub fn change(
         &self,
         normal: Option<DVec3>,

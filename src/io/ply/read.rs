@@ -14,19 +14,16 @@ use glam::{DVec2, DVec3};
 use std::collections::BTreeSet;
 use std::path::Path;
 
-const SHORT_FACE: NoteKind = NoteKind(0, Severity::Warning, "a face with fewer than 3 corners was skipped");
+const SHORT_FACE: NoteKind = NoteKind::warning(0, "a face with fewer than 3 corners was skipped");
 const NOT_FINITE: NoteKind =
-    NoteKind(1, Severity::Warning, "a colour or texture coordinate that is not finite was read as 0");
+    NoteKind::warning(1, "a colour or texture coordinate that is not finite was read as 0");
 
-/// Reads a PLY file. It has no companion files, so the folder is not used.
-///
-/// Normals that are stored as whole numbers count as parts of the type's largest, if one of them is over 1. Colours
-/// are brought to 0..=1. Vertices without faces or edges are points.
+/// Reads a PLY file, which has no companion files. Normals stored as integers are divided by the largest of their type if one of
+/// them is over 1. Vertices without faces or edges are points.
 ///
 /// # Errors
-/// With the line (header, ascii) or the byte: an invalid header, a body that ends too early, words that are not
-/// numbers, faces that refer to vertices that do not exist, positions that are not finite (unless
-/// [`ReadOptions::non_finite`] allows them).
+/// With the line or the byte: an invalid header, a body that ends too early, words that are not numbers, vertex indices out of
+/// range, positions that are not finite (unless [`ReadOptions::non_finite`] allows them).
 pub fn read(bytes: Vec<u8>, _base: Option<&Path>, options: &ReadOptions) -> Result<Loaded, ReadError> {
     check_size(&bytes, options)?;
     let header = header::parse(&bytes)?;

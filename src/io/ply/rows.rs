@@ -11,7 +11,7 @@ use std::ops::Range;
 
 /// A row of ascii that has more words than properties.
 pub(super) const OVERLONG: NoteKind =
-    NoteKind(2, Severity::Warning, "a row has more values than the header defines; they were skipped");
+    NoteKind::warning(2, "a row has more values than the header defines; they were skipped");
 
 /// An error in the body.
 pub(super) fn damaged(problem: Problem, offset: usize, found: impl Into<String>) -> Fault {

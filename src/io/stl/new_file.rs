@@ -1,20 +1,13 @@
 //! A new binary STL from any meshes.
 
-use super::edit::stored;
 use super::read::{FACET, FIRST, HEADER};
 use crate::io::mesh_checks::{displacement_note, needs_f64, unsupported_notes};
 use crate::io::{Emit, Format, Note, Part, Place, WriteError, WriteOptions, Written};
 use crate::mesh::{Mesh, triangulate};
 use glam::DVec3;
 
-/// A binary STL of all parts, cut into triangles.
-///
-/// The normal of a facet is the one that the corners of its face share. Where they do not share one, 0 0 0 is
-/// written, by which the format leaves it to the reader.
-///
-/// # Errors
-/// [`WriteError::Unsupported`] for a position beyond the range of `f32`, [`WriteError::TooLarge`] for more facets
-/// than 32 bits count.
+/// A binary STL of all parts, cut into triangles. Facets without a normal that all corners of their face share have 0 0 0.
+/// Fails for a position beyond the range of `f32`, and for more facets than 32 bits count.
 pub(in crate::io) fn write(parts: &[Part], options: &WriteOptions) -> Result<Written, WriteError> {
     let mut bytes = header(parts);
     let mut count = 0_u64;
@@ -97,6 +90,11 @@ fn notes(parts: &[Part], without_normal: usize, options: &WriteOptions) -> Vec<N
         notes.push(Note::remark("positions were rounded to 32-bit floats"));
     }
     notes
+}
+
+/// A normal as STL stores it.
+pub(super) fn stored(normal: DVec3) -> [f32; 3] {
+    normal.as_vec3().to_array()
 }
 
 /// The warning that vertex normals are lost, unless the caller asked for those of faces.

@@ -163,11 +163,11 @@ fn read_binary(
     Ok((vec![part], notes))
 }
 
-/// Reads an STL file. It has no companion files, so the folder is not used.
+/// Reads an STL file, which has no companion files.
 ///
 /// # Errors
-/// With the line or the byte: a file that ends too early, facets without three vertices, words that are not numbers,
-/// positions that are not finite (unless [`ReadOptions::non_finite`] allows them), and bytes that are not STL.
+/// With the line or the byte: a file that ends too early, facets without three vertices, words that are not numbers, positions
+/// that are not finite (unless [`ReadOptions::non_finite`] allows them), and bytes that are not STL.
 pub fn read(bytes: Vec<u8>, _base: Option<&Path>, options: &ReadOptions) -> Result<Loaded, ReadError> {
     check_size(&bytes, options)?;
     let (layout, (parts, notes)) = if is_binary(&bytes) {

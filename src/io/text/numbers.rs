@@ -62,8 +62,7 @@ fn digits(text: &[u8], mut at: usize, mantissa: &mut u64) -> usize {
     }
 }
 
-/// The number at the front of a text and its length in bytes; `None` if there is none or if it is too unusual
-/// for the fast path, which is for [`float`] to find out.
+/// The number at the front of a text and its length; `None` if there is none, or if only [`float`] can read it.
 #[inline]
 pub(in crate::io) fn float_prefix(text: &[u8]) -> Option<(f64, usize)> {
     let first = *text.first()?;
@@ -92,8 +91,7 @@ pub(in crate::io) fn float_prefix(text: &[u8]) -> Option<(f64, usize)> {
     Some((if negative { -size } else { size }, at))
 }
 
-/// The number that a whole token spells, possibly infinite or not a number; `None` if it is no number. The C
-/// libraries' `nan(…)`, `-nan(ind)`, `1.#INF` and `-1.#IND` are accepted.
+/// The number that a whole token spells, C's `nan(…)`, `-nan(ind)`, `1.#INF` and `-1.#IND` included; `None` if it is none.
 pub(in crate::io) fn float(token: &[u8]) -> Option<f64> {
     if let Some((value, length)) = float_prefix(token)
         && length == token.len()
@@ -125,8 +123,7 @@ pub(in crate::io) fn float(token: &[u8]) -> Option<f64> {
     }
 }
 
-/// The integer at the front of a text, with or without a sign, and its length in bytes. What an `i64` cannot hold
-/// becomes the nearest that it can.
+/// The integer at the front of a text, with or without a sign, and its length. Beyond `i64` it is the nearest of that.
 #[inline]
 pub(in crate::io) fn integer_prefix(text: &[u8]) -> Option<(i64, usize)> {
     let first = *text.first()?;

@@ -18,11 +18,10 @@ use crate::io::{
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// Writes a document again with changes, one entry of `edits` a part, in the spelling `to`.
+/// Writes a document with changes, one entry of `edits` a part, in the spelling `to`. Everything else stays byte for byte.
 ///
-/// Normals replace the stored ones in place where nothing else uses those bytes, or are appended; vertices are
-/// split where corners need different normals, and then all their attributes are copied. Everything else stays
-/// byte for byte.
+/// Normals replace the stored ones in place where nothing else uses those bytes, or are appended. Vertices are split where
+/// corners need different normals, and then all their attributes are copied.
 ///
 /// # Errors
 /// [`WriteError::Unsupported`] where an extension refers to vertices or triangles by number and these change;
@@ -94,9 +93,8 @@ struct Package<'a> {
 }
 
 impl Package<'_> {
-    /// Lets the output find the buffers that are files: in its folder under the name that they have, or where they are if their
-    /// name leads there. Otherwise they get a name that does not lead out of the output's folder, or, in a stream, are stored in
-    /// the document itself.
+    /// Lets the output find the buffers that are files: by the same name if that is inside the output's folder or leads to the file,
+    /// by a new name otherwise. In a stream they are stored in the document.
     fn settle_buffers(&mut self, store: &mut Store<'_>) {
         let document = self.document;
         for (buffer, &object) in document.buffers.list.iter().zip(&document.records.buffers) {
@@ -161,8 +159,8 @@ impl Package<'_> {
         }
     }
 
-    /// The last buffer whose file an earlier edit of this document wrote, which the next may replace. The file itself gets
-    /// another name all the same: until the document is stored, the old one has to find what it refers to.
+    /// The last buffer whose file an earlier edit of this document wrote, which this one may replace. The new file has another
+    /// name all the same: until the document is stored, the old one needs its file.
     fn own_earlier(&self, stem: &str) -> Option<usize> {
         let is_own = |name: &str| {
             let number = name.strip_prefix(stem).and_then(|name| name.strip_prefix(".normals"));

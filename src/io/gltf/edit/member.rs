@@ -107,8 +107,7 @@ fn within<'a>(sorted: &'a [u32], range: &Range<u32>) -> &'a [u32] {
     &sorted[start..end]
 }
 
-/// Gives a primitive new triangles, as plain ones, if they are not what it has, and returns whether they are not. Their type
-/// is as wide as it was, or as it has to be for the number of vertices.
+/// Stores the new triangles of a primitive if they differ from the old ones, and returns whether they do.
 pub fn rewrite_indices(
     store: &mut Store<'_>,
     member: &Member<'_>,
@@ -162,8 +161,7 @@ pub fn drop_draco(store: &mut Store<'_>, member: &Member<'_>) {
     }
 }
 
-/// Refuses to break an extension that counts vertices or triangles. `indices` are the new ones; `moved` if
-/// some of them are of other vertices.
+/// Refuses to break an extension that refers to vertices or triangles by number; `moved` if some indices are of other vertices.
 fn check_order(
     document: &GltfDocument,
     member: &Member<'_>,
@@ -201,8 +199,7 @@ fn check_order(
     Ok(())
 }
 
-/// Whether triangles that `FB_ngon_encoding` makes into polygons still are, and no others: neighbours in the list
-/// belong together if they have the same first corner.
+/// Whether `FB_ngon_encoding` still makes the same polygons: neighbouring triangles with the same first corner are one.
 fn same_polygons(member: &Member<'_>, indices: &[u32]) -> bool {
     let first_corners = || member.corners.chunks_exact(3).zip(indices.chunks_exact(3));
     first_corners().zip(first_corners().skip(1)).all(|((old, new), (old_next, new_next))| {

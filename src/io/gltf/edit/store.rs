@@ -251,8 +251,7 @@ impl<'a> Store<'a> {
         }
     }
 
-    /// Makes all changes. An additional buffer gets the address that `uri` makes of its content; it takes the number
-    /// of the buffer `stale`, if nothing is left in that one.
+    /// Makes all changes. An additional buffer has the address that `uri` makes of its content; it replaces an unused `stale` one.
     pub fn finish(mut self, stale: Option<usize>, uri: impl FnOnce(&[u8]) -> Option<String>) -> Changed {
         let document = self.document;
         let bin = document.glb.as_ref().and_then(|glb| glb.bin());
