@@ -5,8 +5,8 @@
 //! in a backslash (a Windows path, say) does not swallow the statement after it. Lines end with LF, CR LF or CR.
 
 use super::piece::Indices;
-use crate::io::Problem;
-use crate::io::text::{Fault, counted, float, float_prefix, integer_prefix, line_end_length, shown};
+use crate::io::text::{at_byte, counted, float, float_prefix, integer_prefix, line_end_length, shown};
+use crate::io::{Problem, ReadError};
 use glam::DVec3;
 use memchr::{memchr2, memchr3};
 use std::ops::Range;
@@ -215,18 +215,18 @@ pub(super) fn refers_to_normals(cursor: &mut Cursor<'_>) -> bool {
 }
 
 /// A count as a 32-bit number. One statement can be as long as the file, so the length of a piece does not bound it.
-pub(super) fn checked_end(total: usize, offset: usize) -> Result<u32, Fault> {
+pub(super) fn checked_end(total: usize, offset: usize) -> Result<u32, ReadError> {
     u32::try_from(total).map_err(|_| too_many("corners", total, offset))
 }
 
-pub(super) fn too_many(what: &str, count: usize, offset: usize) -> Fault {
+pub(super) fn too_many(what: &str, count: usize, offset: usize) -> ReadError {
     let found = format!("{count} {what}, more than 32-bit indices can count");
-    Fault::new(Problem::Limit, offset, found, "split the file")
+    at_byte(Problem::Limit, offset, found, "split the file")
 }
 
 /// Reads the next corner of a face, or vertex of a line or of points; `None` at the end of the statement.
 #[inline]
-pub(super) fn next_corner(cursor: &mut Cursor<'_>) -> Result<Option<CornerSpelling>, Fault> {
+pub(super) fn next_corner(cursor: &mut Cursor<'_>) -> Result<Option<CornerSpelling>, ReadError> {
     let Some(at) = cursor.next_argument() else { return Ok(None) };
     match cursor.corner() {
         Some(corner) if corner.vertex != 0 => Ok(Some(corner)),
@@ -235,18 +235,22 @@ pub(super) fn next_corner(cursor: &mut Cursor<'_>) -> Result<Option<CornerSpelli
 }
 
 #[cold]
-fn bad_corner(cursor: &mut Cursor<'_>, at: usize, is_zero: bool) -> Fault {
+fn bad_corner(cursor: &mut Cursor<'_>, at: usize, is_zero: bool) -> ReadError {
     if is_zero {
         let advice = "indices start at 1, or count back from -1; correct the index";
-        return Fault::new(Problem::Range, at, "vertex 0 does not exist", advice);
+        return at_byte(Problem::Range, at, "vertex 0 does not exist", advice);
     }
     cursor.at = at;
     let found = format!("`{}` is not a vertex reference", shown(cursor.token()));
-    Fault::new(Problem::Syntax, at, found, "write v, v/vt, v//vn or v/vt/vn with integers")
+    at_byte(Problem::Syntax, at, found, "write v, v/vt, v//vn or v/vt/vn with integers")
 }
 
 /// Reads the vertices of a line or of points; the document keeps the texture coordinates of lines.
-pub(super) fn vertex_list(cursor: &mut Cursor<'_>, into: &mut Indices, count: usize) -> Result<(), Fault> {
+pub(super) fn vertex_list(
+    cursor: &mut Cursor<'_>,
+    into: &mut Indices,
+    count: usize,
+) -> Result<(), ReadError> {
     while let Some(corner) = next_corner(cursor)? {
         into.push(corner.vertex, count);
     }
@@ -254,7 +258,7 @@ pub(super) fn vertex_list(cursor: &mut Cursor<'_>, into: &mut Indices, count: us
 }
 
 #[inline]
-pub(super) fn three_numbers(cursor: &mut Cursor<'_>, what: &'static str) -> Result<DVec3, Fault> {
+pub(super) fn three_numbers(cursor: &mut Cursor<'_>, what: &'static str) -> Result<DVec3, ReadError> {
     let mut values = [0.0; 3];
     for (count, value) in values.iter_mut().enumerate() {
         if cursor.next_argument().is_none() {
@@ -266,7 +270,7 @@ pub(super) fn three_numbers(cursor: &mut Cursor<'_>, what: &'static str) -> Resu
 }
 
 #[inline]
-pub(super) fn number(cursor: &mut Cursor<'_>) -> Result<f64, Fault> {
+pub(super) fn number(cursor: &mut Cursor<'_>) -> Result<f64, ReadError> {
     let start = cursor.at;
     if let Some((value, length)) = float_prefix(&cursor.text[start..]) {
         cursor.at += length;
@@ -278,7 +282,7 @@ pub(super) fn number(cursor: &mut Cursor<'_>) -> Result<f64, Fault> {
 }
 
 #[cold]
-fn unusual_number(cursor: &mut Cursor<'_>, start: usize) -> Result<f64, Fault> {
+fn unusual_number(cursor: &mut Cursor<'_>, start: usize) -> Result<f64, ReadError> {
     cursor.at = start;
     let token = cursor.token();
     float(token).ok_or_else(|| {
@@ -288,13 +292,13 @@ fn unusual_number(cursor: &mut Cursor<'_>, start: usize) -> Result<f64, Fault> {
             _ if token.contains(&b'd') || token.contains(&b'D') => "write exponents with an e",
             _ => "correct it, or remove the line",
         };
-        Fault::new(Problem::Syntax, start, format!("`{}` is not a number", shown(token)), advice)
+        at_byte(Problem::Syntax, start, format!("`{}` is not a number", shown(token)), advice)
     })
 }
 
 #[cold]
-pub(super) fn too_few(cursor: &Cursor<'_>, what: &str, count: usize, needed: &str) -> Fault {
+pub(super) fn too_few(cursor: &Cursor<'_>, what: &str, count: usize, needed: &str) -> ReadError {
     let found = format!("{what} has {}, but {needed}", counted(count, "number", "numbers"));
     let advice = "complete or remove the line; the file may be cut off";
-    Fault::new(Problem::Syntax, cursor.at, found, advice)
+    at_byte(Problem::Syntax, cursor.at, found, advice)
 }

@@ -7,8 +7,8 @@ use super::piece::{Content, Label};
 use super::statements::{Keyword, statements};
 use crate::io::error::RepeatedNotes;
 use crate::io::mesh_checks::{DROP_ADVICE, build_mesh, non_finite_note};
-use crate::io::text::{Fault, float, integer_prefix, restore_singles, shown};
-use crate::io::{NonFinite, Note, Problem};
+use crate::io::text::{at_byte, float, integer_prefix, restore_singles, shown};
+use crate::io::{NonFinite, Note, Problem, ReadError};
 use crate::mesh::{Column, Columns, FaceLabels, Faces, Mesh, MeshBuilder, MeshError, NONE, SmoothingGroups};
 use glam::DVec2;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -22,7 +22,7 @@ pub(super) struct Merged {
     pub libraries: Vec<Range<usize>>,
 }
 
-pub(super) fn merge(mut content: Content, text: &[u8], non_finite: NonFinite) -> Result<Merged, Fault> {
+pub(super) fn merge(mut content: Content, text: &[u8], non_finite: NonFinite) -> Result<Merged, ReadError> {
     let counts =
         Counts { vertices: content.positions.len(), uvs: content.uvs.len(), normals: content.normals.len() };
     check_vertices(&content, text, counts)?;
@@ -51,13 +51,13 @@ pub(super) fn merge(mut content: Content, text: &[u8], non_finite: NonFinite) ->
     let storage = restore_singles(&mut [&mut positions]);
     let builder = MeshBuilder { positions, storage, faces, columns };
     let (mesh, non_finite_faces) =
-        build_mesh(builder, non_finite).map_err(|error| mesh_fault(text, &error))?;
+        build_mesh(builder, non_finite).map_err(|error| mesh_error(text, &error))?;
     let libraries = labels.all.into_iter().filter(|label| label.keyword == Keyword::Library);
     let libraries = libraries.map(|label| label.name).collect();
     Ok(Merged { mesh, non_finite_faces, notes: file_notes, libraries })
 }
 
-fn check_vertices(content: &Content, text: &[u8], counts: Counts) -> Result<(), Fault> {
+fn check_vertices(content: &Content, text: &[u8], counts: Counts) -> Result<(), ReadError> {
     let indices = content.corners.values.iter().chain(&content.points.values);
     let highest = indices.chain(content.polylines.iter().flatten()).max();
     if highest.is_none_or(|&vertex| (vertex as usize) < counts.vertices) {
@@ -65,7 +65,7 @@ fn check_vertices(content: &Content, text: &[u8], counts: Counts) -> Result<(), 
     }
     let first = bad_references(text, counts, Target::Vertex, 1).pop();
     Err(first
-        .map_or_else(|| too_many("vertices", counts.vertices, 0), |reference| reference.into_fault(counts)))
+        .map_or_else(|| too_many("vertices", counts.vertices, 0), |reference| reference.into_error(counts)))
 }
 
 /// References to missing attributes and to texture coordinates that are not finite become absent. Such normals stay.
@@ -136,9 +136,9 @@ fn finish_colors(mut colors: Vec<[f32; 4]>, notes: &mut Vec<Note>) -> Option<Vec
     Some(colors)
 }
 
-fn mesh_fault(text: &[u8], error: &MeshError) -> Fault {
+fn mesh_error(text: &[u8], error: &MeshError) -> ReadError {
     let MeshError::NonFinite { vertex, .. } = *error else {
-        return Fault::new(Problem::Limit, 0, error.to_string(), "split the file");
+        return at_byte(Problem::Limit, 0, error.to_string(), "split the file");
     };
     let offset = arguments_of(text, Keyword::Vertex, vertex).unwrap_or(0);
     let mut cursor = Cursor::new(text, offset);
@@ -153,7 +153,7 @@ fn mesh_fault(text: &[u8], error: &MeshError) -> Fault {
     }
     let what = if overflows { "beyond the range of doubles (1.8e308)" } else { "not finite" };
     let found = format!("vertex {} is at ({}), which is {what}", vertex + 1, spelled.join(", "));
-    Fault::new(Problem::NonFinite, offset, found, DROP_ADVICE)
+    at_byte(Problem::NonFinite, offset, found, DROP_ADVICE)
 }
 
 /// All label statements of a file, in order, with the faces of the whole file counted.

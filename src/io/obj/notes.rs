@@ -3,8 +3,8 @@
 use super::cursor::Cursor;
 use super::statements::{Keyword, statements};
 use crate::io::error::{NoteKind, RepeatedNotes};
-use crate::io::text::{Fault, line_places, shown};
-use crate::io::{Note, Problem, Severity};
+use crate::io::text::{at_byte, line_places, shown};
+use crate::io::{Note, Problem, ReadError, Severity};
 
 /// In the text of a note: the word of the file that it is about.
 const WORD: &str = "{word}";
@@ -124,7 +124,7 @@ fn add_bad_corners(
 }
 
 impl BadReference {
-    pub fn into_fault(self, total: Counts) -> Fault {
+    pub fn into_error(self, total: Counts) -> ReadError {
         let found = match self.spelled {
             back @ ..0 => format!(
                 "vertex -{} is out of range ({} vertices before this line)",
@@ -134,7 +134,7 @@ impl BadReference {
             index => format!("vertex {index} is out of range ({} vertices)", total.vertices),
         };
         let advice = "correct the index, or add the missing vertices; the file may be cut off";
-        Fault::new(Problem::Range, self.offset, found, advice)
+        at_byte(Problem::Range, self.offset, found, advice)
     }
 }
 

@@ -9,8 +9,9 @@ use super::cursor::{
 };
 use super::notes;
 use super::statements::Keyword;
+use crate::io::ReadError;
 use crate::io::error::RepeatedNotes;
-use crate::io::text::Fault;
+
 use crate::mesh::NONE;
 use glam::{DVec2, DVec3};
 use std::ops::Range;
@@ -59,7 +60,7 @@ pub(super) struct Content {
 pub(super) const NO_COLOR: [f32; 4] = [f32::NAN; 4];
 
 /// Parses the statements of `text` that start in `range`, which must begin and end at line starts.
-pub(super) fn parse(text: &[u8], range: Range<usize>) -> Result<Content, Fault> {
+pub(super) fn parse(text: &[u8], range: Range<usize>) -> Result<Content, ReadError> {
     let mut content = Content::default();
     let mut cursor = Cursor::new(&text[..range.end], range.start);
     while !cursor.is_done() {
@@ -76,7 +77,12 @@ pub(super) fn parse(text: &[u8], range: Range<usize>) -> Result<Content, Fault> 
 
 impl Content {
     #[inline]
-    fn statement(&mut self, cursor: &mut Cursor<'_>, keyword: Keyword, start: usize) -> Result<(), Fault> {
+    fn statement(
+        &mut self,
+        cursor: &mut Cursor<'_>,
+        keyword: Keyword,
+        start: usize,
+    ) -> Result<(), ReadError> {
         match keyword {
             Keyword::Vertex => self.vertex(cursor)?,
             Keyword::Face => {
@@ -106,7 +112,7 @@ impl Content {
     }
 
     #[inline]
-    fn vertex(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
+    fn vertex(&mut self, cursor: &mut Cursor<'_>) -> Result<(), ReadError> {
         let start = cursor.at;
         let position = three_numbers(cursor, "a vertex")?;
         self.positions.push(position);
@@ -120,7 +126,7 @@ impl Content {
     }
 
     /// What may follow x y z: `w`, a weight of rational curves; or `r g b`, or `r g b a`.
-    fn rest_of_vertex(&mut self, cursor: &mut Cursor<'_>, start: usize) -> Result<(), Fault> {
+    fn rest_of_vertex(&mut self, cursor: &mut Cursor<'_>, start: usize) -> Result<(), ReadError> {
         let (mut rest, mut count) = ([0.0; 4], 0);
         while cursor.next_argument().is_some() {
             let value = number(cursor)?;
@@ -149,7 +155,7 @@ impl Content {
         Ok(())
     }
 
-    fn uv(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
+    fn uv(&mut self, cursor: &mut Cursor<'_>) -> Result<(), ReadError> {
         if cursor.next_argument().is_none() {
             return Err(too_few(cursor, "a texture coordinate", 0, "1 to 3 are needed"));
         }
@@ -160,7 +166,7 @@ impl Content {
     }
 
     #[inline]
-    fn face(&mut self, cursor: &mut Cursor<'_>, start: usize) -> Result<(), Fault> {
+    fn face(&mut self, cursor: &mut Cursor<'_>, start: usize) -> Result<(), ReadError> {
         let first = self.corners.values.len();
         while let Some(corner) = next_corner(cursor)? {
             let place = self.corners.values.len();
@@ -193,7 +199,7 @@ impl Content {
         Ok(())
     }
 
-    fn line(&mut self, cursor: &mut Cursor<'_>, start: usize) -> Result<(), Fault> {
+    fn line(&mut self, cursor: &mut Cursor<'_>, start: usize) -> Result<(), ReadError> {
         let first = self.lines.values.len();
         vertex_list(cursor, &mut self.lines, self.positions.len())?;
         if self.lines.values.len() - first < 2 {
@@ -227,7 +233,7 @@ impl Content {
     }
 
     /// Appends the piece that follows in the file.
-    pub fn append(&mut self, mut next: Content) -> Result<(), Fault> {
+    pub fn append(&mut self, mut next: Content) -> Result<(), ReadError> {
         let (vertices, corners) = (self.positions.len(), self.corners.values.len());
         check_count("vertices", vertices + next.positions.len())?;
         check_count("corners", corners + next.corners.values.len())?;
@@ -298,7 +304,7 @@ fn append<T>(all: &mut Vec<T>, mut more: Vec<T>) {
 }
 
 /// Two indices are reserved: [`NOWHERE`] and the one above it, [`NONE`](crate::mesh::NONE).
-fn check_count(what: &str, count: usize) -> Result<(), Fault> {
+fn check_count(what: &str, count: usize) -> Result<(), ReadError> {
     if count < NOWHERE as usize { Ok(()) } else { Err(too_many(what, count, 0)) }
 }
 

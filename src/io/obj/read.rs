@@ -7,7 +7,7 @@ use super::piece::Content;
 use super::statements::{Keyword, pieces, statements};
 use super::{mtl, piece};
 use crate::io::mesh_checks::check_size;
-use crate::io::text::{Fault, line_and_column, line_place, shown};
+use crate::io::text::{line_and_column, line_place, shown};
 use crate::io::{Document, Format, Loaded, Part, Place, Problem, ReadError, ReadOptions};
 use rayon::prelude::*;
 use std::ops::Range;
@@ -26,13 +26,14 @@ const BATCH: usize = 8;
 pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Result<Loaded, ReadError> {
     check_encoding(&bytes)?;
     check_size(&bytes, options)?;
-    let place = |fault: Fault| {
-        let (line, column) = line_and_column(&bytes, fault.offset);
-        let found = match fault.problem {
-            Problem::Syntax => format!("column {column}: {}", fault.found),
-            _ => fault.found,
+    let place = |error: ReadError| {
+        let Place::Byte(offset) = error.place else { return error };
+        let (line, column) = line_and_column(&bytes, offset as usize);
+        let found = match error.problem {
+            Problem::Syntax => format!("column {column}: {}", error.found),
+            _ => error.found,
         };
-        Fault { found, ..fault }.at(Place::Line(line))
+        ReadError { found, place: Place::Line(line), ..error }
     };
     let content = parse(&bytes).map_err(place)?;
     if !content.has_statements {
@@ -61,8 +62,8 @@ pub fn read(bytes: Vec<u8>, base: Option<&Path>, options: &ReadOptions) -> Resul
 }
 
 /// Parses a batch of pieces on all threads while those parsed before are appended, so that memory holds little more than the mesh.
-fn parse(text: &[u8]) -> Result<Content, Fault> {
-    let parse_all = |pieces: &[Range<usize>]| -> Vec<Result<Content, Fault>> {
+fn parse(text: &[u8]) -> Result<Content, ReadError> {
+    let parse_all = |pieces: &[Range<usize>]| -> Vec<Result<Content, ReadError>> {
         pieces.par_iter().map(|piece| piece::parse(text, piece.clone())).collect()
     };
     let mut content = Content::default();

@@ -5,8 +5,8 @@ use super::header::{Element, Kind, Property};
 use super::normal_properties::NormalProperties;
 use super::rows::{Row, Rows, damaged, read_corners};
 use super::scalar::{Encoding, Scalar};
-use crate::io::text::{Changes, Fault};
-use crate::io::{Emit, Loaded, Note, PartEdit, Place, Problem, WriteError, WriteOptions, Written};
+use crate::io::text::Changes;
+use crate::io::{Emit, Loaded, Note, PartEdit, Place, Problem, ReadError, WriteError, WriteOptions, Written};
 use crate::mesh::{Column, ColumnIndex, Faces, Mesh, NONE, VertexSplit, split_vertices};
 use glam::DVec3;
 
@@ -55,8 +55,8 @@ pub(in crate::io) fn edit(
         body: Vec::with_capacity(document.bytes.len() + document.bytes.len() / 4),
         notes: Vec::new(),
     };
-    // The rows were read before, so a fault is an unsupported feature.
-    editor.run().map_err(|fault| WriteError::Unsupported(format!("{}; convert the file first", fault.found)))
+    // The rows were read before, so an error is an unsupported feature.
+    editor.run().map_err(|error| WriteError::Unsupported(format!("{}; convert the file first", error.found)))
 }
 
 struct Editor<'a> {
@@ -76,7 +76,7 @@ struct Editor<'a> {
 }
 
 impl Editor<'_> {
-    fn run(mut self) -> Result<Written, Fault> {
+    fn run(mut self) -> Result<Written, ReadError> {
         let document = self.document;
         let roles = &document.roles;
         let mut rows = Rows::new(&document.bytes, &document.header, document.shared_lines);
@@ -120,7 +120,7 @@ impl Editor<'_> {
         }
     }
 
-    fn write_vertices(&mut self, rows: &mut Rows<'_>, element: &Element) -> Result<(), Fault> {
+    fn write_vertices(&mut self, rows: &mut Rows<'_>, element: &Element) -> Result<(), ReadError> {
         let role = &self.document.roles.vertex;
         let [.., z] = role.position;
         let packed = self.document.packed.vertices;
@@ -206,7 +206,12 @@ impl Editor<'_> {
         new
     }
 
-    fn write_faces(&mut self, rows: &mut Rows<'_>, element: &Element, role: &FaceRole) -> Result<(), Fault> {
+    fn write_faces(
+        &mut self,
+        rows: &mut Rows<'_>,
+        element: &Element,
+        role: &FaceRole,
+    ) -> Result<(), ReadError> {
         let list = &element.properties[role.list];
         let Kind::List { count, item } = list.kind else { return Ok(()) };
         let index_type = self.index_type(list, item);
@@ -265,7 +270,7 @@ impl Editor<'_> {
         Ok(())
     }
 
-    fn replace_strips(&mut self, element: &Element, role: &FaceRole) -> Result<(), Fault> {
+    fn replace_strips(&mut self, element: &Element, role: &FaceRole) -> Result<(), ReadError> {
         let list = &element.properties[role.list];
         let Kind::List { count, item } = list.kind else { return Ok(()) };
         if element.properties.len() > 1 || self.face_normals.is_some() {

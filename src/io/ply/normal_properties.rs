@@ -4,8 +4,8 @@ use super::document::PlyDocument;
 use super::header::Element;
 use super::rows::{Row, Rows, damaged};
 use super::scalar::{Encoding, Scalar};
-use crate::io::text::{Changes, Fault};
-use crate::io::{Note, Place, Problem};
+use crate::io::text::Changes;
+use crate::io::{Note, Place, Problem, ReadError};
 use glam::DVec3;
 
 /// Where the normals of an element are, and the types that they have and get.
@@ -31,7 +31,7 @@ impl NormalProperties {
         behind: usize,
         header: &mut Changes,
         notes: &mut Vec<Note>,
-    ) -> Result<Self, Fault> {
+    ) -> Result<Self, ReadError> {
         let vertex = &document.roles.vertex;
         let position = &document.header.elements[vertex.element].properties[vertex.position[0]];
         let float = if position.kind.scalar() == Scalar::F64 { Scalar::F64 } else { Scalar::F32 };
@@ -77,7 +77,7 @@ impl NormalProperties {
         row: &Row,
         rows: &Rows<'_>,
         changes: &mut Changes,
-    ) -> Result<(), Fault> {
+    ) -> Result<(), ReadError> {
         let Some(present) = self.present else {
             let place = row.fields[self.behind].end;
             changes.replace(place..place, |out| {

@@ -7,7 +7,7 @@ use super::rows::{OVERLONG, Row, Rows, place, places, read_corners, vertex_index
 use super::scalar::{Encoding, Scalar};
 use crate::io::error::{NoteKind, RepeatedNotes};
 use crate::io::mesh_checks::{build_part, check_size, non_finite_note};
-use crate::io::text::{Fault, counted, restore_singles};
+use crate::io::text::{counted, in_text, restore_singles};
 use crate::io::{Document, Format, Loaded, Note, Place, Problem, ReadError, ReadOptions, Severity};
 use crate::mesh::{Column, Faces, MeshBuilder, MeshError, NONE, Storage};
 use glam::{DVec2, DVec3};
@@ -31,16 +31,16 @@ pub fn read(bytes: Vec<u8>, _base: Option<&Path>, options: &ReadOptions) -> Resu
     let place = |offset: usize| place(&bytes, header.encoding, offset);
     let mut rows = Rows::new(&bytes, &header, false);
     let mut reading = Reading::of(&mut rows, &header, &roles);
-    if reading.as_ref().is_err_and(|fault| fault.problem == Problem::Truncated) && rows.notes.has(OVERLONG) {
+    if reading.as_ref().is_err_and(|error| error.problem == Problem::Truncated) && rows.notes.has(OVERLONG) {
         // What was skipped behind rows may be rows.
         let mut shared = Rows::new(&bytes, &header, true);
         if let Ok(other) = Reading::of(&mut shared, &header, &roles) {
             (reading, rows) = (Ok(other), shared);
         }
     }
-    let reading = reading.map_err(|fault| {
-        let place = place(fault.offset);
-        fault.at(place)
+    let reading = reading.map_err(|error| match header.encoding {
+        Encoding::Ascii => in_text(error, &bytes),
+        _ => error,
     })?;
     let mut notes = notes(&reading, &rows, &header);
     notes.extend(non_finite_note(&reading.mesh.positions, options.non_finite));
@@ -71,7 +71,7 @@ struct Reading {
 }
 
 impl Reading {
-    fn of(rows: &mut Rows<'_>, header: &Header, roles: &Roles) -> Result<Self, Fault> {
+    fn of(rows: &mut Rows<'_>, header: &Header, roles: &Roles) -> Result<Self, ReadError> {
         let mut reading = Self::default();
         let vertex = &roles.vertex;
         let count = header.elements[vertex.element].count;
@@ -93,7 +93,12 @@ impl Reading {
         Ok(reading)
     }
 
-    fn vertices(&mut self, rows: &mut Rows<'_>, element: &Element, role: &VertexRole) -> Result<(), Fault> {
+    fn vertices(
+        &mut self,
+        rows: &mut Rows<'_>,
+        element: &Element,
+        role: &VertexRole,
+    ) -> Result<(), ReadError> {
         let kinds: Vec<Scalar> = element.properties.iter().map(|property| property.kind.scalar()).collect();
         let count = rows.plausible_count(element);
         let (mesh, notes, non_finite) = (&mut self.mesh, &mut self.notes, &mut self.non_finite);
@@ -152,7 +157,7 @@ impl Reading {
         role: &FaceRole,
         vertex: &VertexRole,
         vertex_count: u64,
-    ) -> Result<(), Fault> {
+    ) -> Result<(), ReadError> {
         let kind = element.properties[role.list].kind;
         let (mut corners, mut normals, mut uvs) = (Vec::new(), Vec::new(), CornerUvs::default());
         let mesh = &mut self.mesh;
@@ -190,7 +195,7 @@ impl Reading {
         Ok(())
     }
 
-    fn strips(&mut self, rows: &mut Rows<'_>, element: &Element, role: &FaceRole) -> Result<(), Fault> {
+    fn strips(&mut self, rows: &mut Rows<'_>, element: &Element, role: &FaceRole) -> Result<(), ReadError> {
         let kind = element.properties[role.list].kind;
         rows.each(element, |_, row, rows| {
             // The last two vertices, and whether the next triangle is reversed.
@@ -216,7 +221,7 @@ impl Reading {
         })
     }
 
-    fn edges(&mut self, rows: &mut Rows<'_>, element: &Element, ends: [usize; 2]) -> Result<(), Fault> {
+    fn edges(&mut self, rows: &mut Rows<'_>, element: &Element, ends: [usize; 2]) -> Result<(), ReadError> {
         rows.each(element, |_, row, rows| {
             let [a, b] = ends.map(|at| {
                 let field = &row.fields[at];
@@ -246,7 +251,7 @@ impl CornerUvs {
         kind: Kind,
         corners: usize,
         notes: &mut RepeatedNotes,
-    ) -> Result<(), Fault> {
+    ) -> Result<(), ReadError> {
         let first = self.values.len();
         let mut pending = None;
         for item in rows.items(&row.fields[at], kind) {

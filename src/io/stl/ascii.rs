@@ -2,8 +2,10 @@
 
 use crate::io::error::{NoteKind, RepeatedNotes};
 use crate::io::mesh_checks::{build_part, non_finite_note};
-use crate::io::text::{Fault, Words, float, is_blank, line_place, line_places, restore_singles, shown};
-use crate::io::{Note, Part, Place, Problem, ReadError, ReadOptions, Severity};
+use crate::io::text::{
+    Words, at_byte, float, in_text, is_blank, line_place, line_places, restore_singles, shown,
+};
+use crate::io::{Note, Part, Place, Problem, ReadError, ReadOptions};
 use crate::mesh::{Column, Columns, Faces, MeshBuilder, MeshError, NONE, Storage};
 use glam::DVec3;
 use std::ops::Range;
@@ -43,10 +45,7 @@ pub(super) struct SolidText {
 
 pub(super) fn read(text: &[u8], options: &ReadOptions) -> Result<(Vec<Part>, Vec<Note>), ReadError> {
     let mut parser = Parser::new(text);
-    parser.run().map_err(|fault| {
-        let place = line_place(text, fault.offset);
-        fault.at(place)
-    })?;
+    parser.run().map_err(|error| in_text(error, text))?;
     let Parser { notes, mut solids, .. } = parser;
     let mut notes: Vec<Note> =
         notes.notes(|offsets| line_places(text, offsets)).map(|(_, note)| note).collect();
@@ -112,7 +111,7 @@ impl<'a> Parser<'a> {
         Self { text, words: Words::new(text), solids, solid: Solid::None, notes }
     }
 
-    fn run(&mut self) -> Result<(), Fault> {
+    fn run(&mut self) -> Result<(), ReadError> {
         while let Some((keyword, word)) = self.keyword() {
             match keyword {
                 b"solid" => self.begin_solid(word.start)?,
@@ -146,11 +145,11 @@ impl<'a> Parser<'a> {
         }
     }
 
-    fn keyword_in_facet(&mut self) -> Result<(&'static [u8], Range<usize>), Fault> {
+    fn keyword_in_facet(&mut self) -> Result<(&'static [u8], Range<usize>), ReadError> {
         self.keyword().ok_or_else(|| self.truncated("the file ends inside a facet"))
     }
 
-    fn expect(&mut self, expected: &[u8]) -> Result<Range<usize>, Fault> {
+    fn expect(&mut self, expected: &[u8]) -> Result<Range<usize>, ReadError> {
         let (keyword, word) = self.keyword_in_facet()?;
         if keyword == expected { Ok(word) } else { Err(self.unexpected(word)) }
     }
@@ -165,20 +164,20 @@ impl<'a> Parser<'a> {
         is_next
     }
 
-    fn unexpected(&self, word: Range<usize>) -> Fault {
+    fn unexpected(&self, word: Range<usize>) -> ReadError {
         let found = format!("unexpected `{}`", shown(&self.text[word.clone()]));
         damaged(word.start, found, "a line before this one is missing or damaged")
     }
 
-    fn truncated(&self, found: &str) -> Fault {
+    fn truncated(&self, found: &str) -> ReadError {
         let advice = "the file is cut off; if nothing is missing, add the line `endsolid`";
-        Fault::new(Problem::Truncated, self.text.len(), found, advice)
+        at_byte(Problem::Truncated, self.text.len(), found, advice)
     }
 
-    fn begin_solid(&mut self, start: usize) -> Result<(), Fault> {
+    fn begin_solid(&mut self, start: usize) -> Result<(), ReadError> {
         if self.solids.len() == MOST_SOLIDS {
             let found = format!("too many solids (limit {MOST_SOLIDS})");
-            return Err(Fault::new(Problem::Limit, start, found, "split the file"));
+            return Err(at_byte(Problem::Limit, start, found, "split the file"));
         }
         if self.solid == Solid::Named {
             self.notes.add(NO_ENDSOLID, start);
@@ -189,7 +188,7 @@ impl<'a> Parser<'a> {
         Ok(())
     }
 
-    fn facet(&mut self, word: Range<usize>) -> Result<(), Fault> {
+    fn facet(&mut self, word: Range<usize>) -> Result<(), ReadError> {
         if self.solid == Solid::None {
             self.notes.add(NO_SOLID, word.start);
             self.solids.push(SolidText::default());
@@ -250,7 +249,7 @@ impl<'a> Parser<'a> {
         (span, values)
     }
 
-    fn vertex(&mut self, word: Range<usize>) -> Result<(), Fault> {
+    fn vertex(&mut self, word: Range<usize>) -> Result<(), ReadError> {
         let (span, values) = self.numbers();
         let Ok(values) = <[f64; 3]>::try_from(values) else {
             let next = self.words.next().map_or(String::new(), |next| shown(&self.text[next]));
@@ -268,8 +267,8 @@ impl<'a> Parser<'a> {
     }
 }
 
-fn damaged(offset: usize, found: String, advice: &'static str) -> Fault {
-    Fault::new(Problem::Syntax, offset, found, advice)
+fn damaged(offset: usize, found: String, advice: &'static str) -> ReadError {
+    at_byte(Problem::Syntax, offset, found, advice)
 }
 
 /// The name behind `solid`, without the comment behind that.

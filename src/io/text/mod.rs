@@ -14,6 +14,6 @@ mod message;
 pub(super) use changes::{Changes, Copier};
 pub(super) use f32_text::restore_singles;
 pub use message::shell_word;
-pub(super) use message::{Fault, counted, line_and_column, line_place, line_places, shown};
+pub(super) use message::{at_byte, counted, in_text, line_and_column, line_place, line_places, shown};
 pub(super) use numbers::{float, float_prefix, integer_prefix, push_f32, push_f64, push_integer, push_row};
 pub(super) use words::{Words, is_blank, line_end_length, next_word, without_byte_order_mark};
