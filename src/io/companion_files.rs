@@ -134,8 +134,8 @@ mod tests {
         fs::create_dir(&inner).unwrap();
         fs::write(outer.path().join("out.mtl"), "").unwrap();
         std::os::unix::fs::symlink(outer.path().join("out.mtl"), inner.join("link.mtl")).unwrap();
-        let companions = Companions::new(&inner, &ReadOptions::default());
-        assert_eq!(companions.find(Path::new(""), "link.mtl"), Err(Refusal::Outside));
+        let options = ReadOptions::default();
+        assert_eq!(find(&inner, Path::new(""), "link.mtl", &options), Err(Refusal::Outside));
     }
 
     #[test]

@@ -143,7 +143,7 @@ mod tests {
         };
         assert_eq!(notes(""), ["the file has no faces, so it has no normals"]);
         assert_eq!(notes("f 1 2 3 4\nf 1 2 3\n"), [] as [&str; 0]);
-        let reported = "polygon passes through a vertex more than once; what they enclose counts";
+        let reported = "polygon passes through a vertex more than once; crease uses the enclosed area";
         assert_eq!(notes("f 1 2 3 4\nf 1 2 3 5 3 4\n"), [format!("1 {reported}")]);
     }
 }

@@ -115,7 +115,7 @@ fn read_in_pieces(path: &Path, length: u64) -> std::io::Result<Option<Vec<u8>>> 
 
 fn io_error(error: &std::io::Error) -> ReadError {
     let (found, advice) = match error.kind() {
-        ErrorKind::NotFound => ("no such file".to_owned(), "check the name"),
+        ErrorKind::NotFound => ("there is no such file".to_owned(), "check the name"),
         ErrorKind::PermissionDenied => ("no permission to read it".to_owned(), "check its permissions"),
         ErrorKind::OutOfMemory => ("the file does not fit into memory".to_owned(), "split it"),
         _ => (error.to_string(), "check the path"),

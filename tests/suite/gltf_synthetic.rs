@@ -336,7 +336,7 @@ fn new_files_have_normals_in_the_format_that_is_asked_for() {
         }
         for format in [Format::Obj, Format::Ply] {
             let written = crease::io::write(&obj, vec![], format, &options).unwrap();
-            let reported = written.notes.iter().any(|note| note.text.contains("only glTF has a choice"));
+            let reported = written.notes.iter().any(|note| note.text.contains("only glTF has one"));
             assert_eq!(reported, normal_format != NormalFormat::Same, "{format}");
         }
     }

@@ -90,7 +90,7 @@ fn light(node: &Placed<'_>, extension: Value, lights: &[Value]) -> Result<FileLi
     let json = node.fields.json;
     let number = json.member(extension, "light").and_then(|light| json.integer(light));
     let Some(number) = number else {
-        let place = Place::Json(format!("/nodes/{}/extensions/{LIGHTS}", node.number));
+        let place = Place::Json(format!("/nodes/{}/extensions", node.number));
         return Err(out_of_range(place, "the node has no number of a light"));
     };
     let place = Place::Json(format!("/extensions/{LIGHTS}/lights/{number}"));
@@ -203,7 +203,7 @@ fn optional(
 ) -> Result<Option<f64>, ReadError> {
     match lens.number(name)? {
         Some(number) if !is_allowed(number) => {
-            let found = format!("`{name}` is {number}, which is out of range");
+            let found = format!("`{name}` is {number}");
             Err(ReadError::new(Problem::Range, lens.member(name), found, format!("give {wanted}")))
         }
         number => Ok(number),
@@ -292,20 +292,20 @@ mod tests {
                 r#""type": "fisheye""#,
                 ["/cameras/0/type", "fisheye", "orthographic"],
             ),
-            (r#""type": "perspective", "#, "", ["/cameras/0", "no `type`", "export"]),
-            (r#""perspective":"#, r#""lens":"#, ["/cameras/0", "no `perspective`", "export"]),
+            (r#""type": "perspective", "#, "", ["/cameras/0", "`type` is missing", "export"]),
+            (r#""perspective":"#, r#""lens":"#, ["/cameras/0", "`perspective` is missing", "export"]),
             (
                 r#""perspective": {"yfov": 0.6, "znear": 0.1}"#,
                 r#""perspective": 7"#,
-                [lens, "7 where an object", "export"],
+                [lens, "7 is not an object", "export"],
             ),
-            (r#""yfov": 0.6, "#, "", [lens, "no `yfov`", "export"]),
-            ("0.6", r#""x""#, ["/perspective/yfov", r#""x" where a finite number"#, "export"]),
+            (r#""yfov": 0.6, "#, "", [lens, "`yfov` is missing", "export"]),
+            ("0.6", r#""x""#, ["/perspective/yfov", r#""x" is not a finite number"#, "export"]),
             ("0.6", "0", ["/perspective/yfov", "`yfov` is 0", "above 0 and below π, in radians"]),
             ("0.6", "-0.5", ["/perspective/yfov", "`yfov` is -0.5", "above 0 and below π, in radians"]),
             ("0.6", "3.2", ["/perspective/yfov", "`yfov` is 3.2", "above 0 and below π, in radians"]),
-            ("0.6", "1e999", ["/perspective/yfov", "1e999 where a finite number", "export"]),
-            (r#", "znear": 0.1"#, "", [lens, "no `znear`", "export"]),
+            ("0.6", "1e999", ["/perspective/yfov", "1e999 is not a finite number", "export"]),
+            (r#", "znear": 0.1"#, "", [lens, "`znear` is missing", "export"]),
             ("0.1", "0", ["/perspective/znear", "`znear` is 0", "above 0"]),
             (
                 "0.1",
@@ -322,9 +322,9 @@ mod tests {
                 r#"0.1, "aspectRatio": -2"#,
                 ["/perspective/aspectRatio", "`aspectRatio` is -2", "or none"],
             ),
-            ("0.1}", r#"0.1}, "name": "eye", "type": "none""#, ["/cameras/0", "the camera `eye`", "none"]),
-            (perspective, "7", ["/cameras/0", "7 where an object", "export"]),
-            (perspective, "", ["/nodes/0/camera", "camera 0 is asked for", "where the file has 0"]),
+            ("0.1}", r#"0.1}, "name": "eye", "type": "none""#, ["/cameras/0", "camera `eye`", "none"]),
+            (perspective, "7", ["/cameras/0", "7 is not an object", "export"]),
+            (perspective, "", ["/nodes/0/camera", "no camera 0", "export"]),
         ] {
             assert!(perspective.contains(from));
             let error = at_camera(&perspective.replace(from, to), "").unwrap_err();
@@ -335,7 +335,7 @@ mod tests {
             (r#""xmag": 1"#, r#""xmag": -1"#, ["/orthographic/xmag", "`xmag` is -1", "above 0"]),
             (r#""znear": 0"#, r#""znear": -1"#, ["/orthographic/znear", "`znear` is -1", "0 or more"]),
             (r#""zfar": 9"#, r#""zfar": 0"#, ["/orthographic/zfar", "`zfar` is 0", "above `znear`"]),
-            (r#", "zfar": 9"#, "", ["/cameras/0/orthographic", "no `zfar`", "export"]),
+            (r#", "zfar": 9"#, "", ["/cameras/0/orthographic", "`zfar` is missing", "export"]),
         ] {
             assert!(orthographic.contains(from));
             let error = at_camera(&orthographic.replace(from, to), "").unwrap_err();

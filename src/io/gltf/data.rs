@@ -178,7 +178,7 @@ mod tests {
             assert_eq!((x * 127.0).round() as i32, step);
         }
         let mut bytes = Vec::new();
-        push(DVec3::new(-0.0, 0.0, 1.0), Format::vector(Component::F32, false, 3), &mut bytes);
+        push_normal(DVec3::new(-0.0, 0.0, 1.0), Format::vector(Component::F32, false, 3), &mut bytes);
         assert_eq!(bytes, [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 128, 63]);
     }
 
@@ -186,10 +186,10 @@ mod tests {
     fn the_format_follows_the_file_unless_specified() {
         let float = Format::vector(Component::F32, false, 3);
         let byte = Format::vector(Component::I8, true, 3);
-        assert_eq!(format(Some(byte), NormalFormat::Same), byte);
-        assert_eq!(format(Some(Format { normalized: false, ..byte }), NormalFormat::Same), float);
-        assert_eq!(format(Some(byte), NormalFormat::F32), float);
-        assert_eq!(format(None, NormalFormat::Same), float);
-        assert_eq!(format(Some(float), NormalFormat::I16).component, Component::I16);
+        assert_eq!(normal_format(Some(byte), NormalFormat::Same), byte);
+        assert_eq!(normal_format(Some(Format { normalized: false, ..byte }), NormalFormat::Same), float);
+        assert_eq!(normal_format(Some(byte), NormalFormat::F32), float);
+        assert_eq!(normal_format(None, NormalFormat::Same), float);
+        assert_eq!(normal_format(Some(float), NormalFormat::I16).component, Component::I16);
     }
 }

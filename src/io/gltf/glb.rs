@@ -62,7 +62,13 @@ impl Glb {
             let (start, size) = (at + 8, size as usize);
             let rest = length - start;
             if size > rest {
-                return truncated(at, format!("chunk length is {size} bytes, but only {rest} bytes remain"));
+                let found = format!("chunk length is {size} bytes, but only {rest} bytes remain");
+                return error(
+                    Problem::Truncated,
+                    at,
+                    found,
+                    "a length is wrong; copy or export the file again",
+                );
             }
             chunks.push((kind, start..start + size));
             at = start + size;
@@ -164,13 +170,15 @@ mod tests {
     fn what_is_wrong_with_lengths_is_distinguished() {
         let error = |file: &[u8]| Glb::parse(file, &mut Vec::new()).unwrap_err().to_string();
         let header = |length: u32| [&b"glTF\x02\0\0\0"[..], &length.to_le_bytes()].concat();
-        assert!(error(b"glTF\x02\0").contains("a GLB of 6 bytes"));
-        assert!(error(&header(12)).contains("a GLB of 12 bytes, where the headers of file and JSON take 20"));
-        assert!(error(&header(13)).contains("a header that states 13 bytes where the file has 12"));
+        assert!(error(b"glTF\x02\0").contains("the file has only 6"));
+        assert!(
+            error(&header(12)).contains("the length of the file is 12, but its headers alone have 20 bytes")
+        );
+        assert!(error(&header(13)).contains("the length of the file is 13, but it has only 12 bytes"));
         let mut file = glb("{}", vec![&b"1234"[..]]).unwrap();
         file[12] = 200;
         let error = error(&file);
-        assert!(error.contains("a chunk that states 200 bytes where the file has 16 more"), "{error}");
+        assert!(error.contains("chunk length is 200 bytes, but only 16 bytes remain"), "{error}");
         assert!(!error.contains("cut off"), "the file has the length that it states: {error}");
     }
 

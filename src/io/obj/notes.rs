@@ -127,11 +127,11 @@ impl BadReference {
     pub fn into_error(self, total: Counts) -> ReadError {
         let found = match self.spelled {
             back @ ..0 => format!(
-                "vertex -{} is out of range ({} vertices before this line)",
+                "vertex -{} is out of range ({} before this line)",
                 back.unsigned_abs(),
                 self.defined_before
             ),
-            index => format!("vertex {index} is out of range ({} vertices)", total.vertices),
+            index => format!("vertex {index} is out of range (the file has {})", total.vertices),
         };
         let advice = "correct the index, or add the missing vertices; the file may be cut off";
         at_byte(Problem::Range, self.offset, found, advice)
