@@ -183,21 +183,17 @@ impl<'a> Elements<'a> {
     }
 
     /// All elements as `f32` vectors, missing components filled up with `fill`.
-    pub fn floats<const N: usize>(&self, fill: f32) -> Vec<[f32; N]> {
-        let raw = self.raw();
-        let (component, normalized) = (self.format.component, self.format.normalized);
-        let size = component.size();
-        let width = self.format.width.min(N);
-        let elements = raw.chunks_exact(self.format.size());
-        elements
-            .map(|element| {
-                let mut vector = [fill; N];
-                for (number, bytes) in vector[..width].iter_mut().zip(element.chunks_exact(size)) {
-                    *number = float(bytes, component, normalized);
-                }
-                vector
-            })
-            .collect()
+    pub fn floats<const N: usize>(&self, fill: f32) -> impl ExactSizeIterator<Item = [f32; N]> + use<'a, N> {
+        let (raw, format) = (self.raw(), self.format);
+        let (whole, size, width) = (format.size(), format.component.size(), format.width.min(N));
+        (0..self.count).map(move |element| {
+            let mut vector = [fill; N];
+            let bytes = raw[element * whole..(element + 1) * whole].chunks_exact(size);
+            for (number, bytes) in vector[..width].iter_mut().zip(bytes) {
+                *number = float(bytes, format.component, format.normalized);
+            }
+            vector
+        })
     }
 
     pub fn integers(&self) -> Vec<u32> {

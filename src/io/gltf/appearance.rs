@@ -344,6 +344,6 @@ mod tests {
         let error = at_camera(perspective, r#", "rotation": [0, 0, 0, 0]"#).unwrap_err();
         assert!(error.starts_with("/nodes/0/rotation: ") && error.contains("0, 0, 0, 1"), "{error}");
         let error = at_camera(perspective, r#", "x": 0, "camera": "x""#).unwrap_err();
-        assert!(error.starts_with("/nodes/0/camera: \"x\" where"), "{error}");
+        assert!(error.starts_with("/nodes/0/camera: the file has no camera \"x\""), "{error}");
     }
 }

@@ -15,7 +15,7 @@ struct BlockColumn<T> {
     first: Vec<Option<u32>>,
 }
 
-impl Assembler<'_> {
+impl<'a> Assembler<'a> {
     /// Decodes the vertices of all blocks and builds the mesh. Also returns the faces that are dropped from it.
     pub fn fill(
         &self,
@@ -60,14 +60,14 @@ impl Assembler<'_> {
         ReadError::new(Problem::NonFinite, place, found, DROP_ADVICE)
     }
 
-    fn vectors(&self, accessor: usize) -> Result<impl Iterator<Item = DVec3> + use<>, ReadError> {
+    fn vectors(&self, accessor: usize) -> Result<impl Iterator<Item = DVec3> + use<'a>, ReadError> {
         let floats = self.source.elements(accessor)?.floats::<3>(0.0);
-        Ok(floats.into_iter().map(|[x, y, z]| DVec3::new(x.into(), y.into(), z.into())))
+        Ok(floats.map(|[x, y, z]| DVec3::new(x.into(), y.into(), z.into())))
     }
 
     /// The floats of texture coordinates or colours: those that are not finite become 0, with a warning.
     fn shown<const N: usize>(&self, accessor: usize) -> Result<Vec<[f32; N]>, ReadError> {
-        let mut floats = self.source.elements(accessor)?.floats::<N>(1.0);
+        let mut floats: Vec<[f32; N]> = self.source.elements(accessor)?.floats(1.0).collect();
         let broken = floats.as_flattened_mut().iter_mut().filter(|x| !x.is_finite());
         let count = broken.map(|x| *x = 0.0).count();
         if count > 0 {

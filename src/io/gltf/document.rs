@@ -128,7 +128,7 @@ impl GltfDocument {
         for block in &self.layouts[part].blocks {
             let accessor = self.vertex_accessors(block.source).of_set(set, semantic);
             match accessor.and_then(|accessor| source.elements(accessor).ok()) {
-                Some(elements) => all.extend(elements.floats::<N>(0.0).into_iter().map(|x| Some(value(x)))),
+                Some(elements) => all.extend(elements.floats::<N>(0.0).map(|x| Some(value(x)))),
                 None => all.extend(std::iter::repeat_n(None, block.count as usize)),
             }
         }

@@ -57,7 +57,7 @@ pub fn check(root: &Fields<'_>, notes: &mut Vec<Note>) -> Result<(), ReadError> 
         return Err(ReadError::new(Problem::Unsupported, place, found, advice));
     }
     if names("extensionsUsed")?.iter().any(|name| name == "EXT_mesh_gpu_instancing") {
-        let text = "EXT_mesh_gpu_instancing: other formats than glTF get only one of the instances";
+        let text = "EXT_mesh_gpu_instancing: only one of the instances is written to other formats";
         notes.push(Note::warning(Place::File, text));
     }
     Ok(())

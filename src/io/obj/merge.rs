@@ -2,7 +2,7 @@
 
 use super::cursor::{Cursor, name_text, too_many};
 use super::notes;
-use super::notes::{Counts, SMOOTHING_NAME, Target, arguments_of, bad_references};
+use super::notes::{SMOOTHING_NAME, arguments_of, bad_references};
 use super::piece::{Content, Label};
 use super::statements::{Keyword, statements};
 use crate::io::error::RepeatedNotes;
@@ -23,10 +23,8 @@ pub(super) struct Merged {
 }
 
 pub(super) fn merge(mut content: Content, text: &[u8], non_finite: NonFinite) -> Result<Merged, ReadError> {
-    let counts =
-        Counts { vertices: content.positions.len(), uvs: content.uvs.len(), normals: content.normals.len() };
-    check_vertices(&content, text, counts)?;
-    remove_bad_attributes(&mut content, text, counts);
+    check_vertices(&content, text)?;
+    remove_bad_attributes(&mut content, text);
     let corner_count = content.corners.values.len();
     let labels = Labels { text, faces: content.face_count(), all: std::mem::take(&mut content.labels) };
     let smoothing = labels.smoothing(&mut content.notes);
@@ -57,26 +55,36 @@ pub(super) fn merge(mut content: Content, text: &[u8], non_finite: NonFinite) ->
     Ok(Merged { mesh, non_finite_faces, notes: file_notes, libraries })
 }
 
-fn check_vertices(content: &Content, text: &[u8], counts: Counts) -> Result<(), ReadError> {
+fn check_vertices(content: &Content, text: &[u8]) -> Result<(), ReadError> {
+    let count = content.positions.len();
     let indices = content.corners.values.iter().chain(&content.points.values);
     let highest = indices.chain(content.polylines.iter().flatten()).max();
-    if highest.is_none_or(|&vertex| (vertex as usize) < counts.vertices) {
+    if highest.is_none_or(|&vertex| (vertex as usize) < count) {
         return Ok(());
     }
-    let first = bad_references(text, counts, Target::Vertex, 1).pop();
-    Err(first
-        .map_or_else(|| too_many("vertices", counts.vertices, 0), |reference| reference.into_error(counts)))
+    let first = bad_references(text, count, Keyword::Vertex, 1).pop();
+    Err(first.map_or_else(|| too_many("vertices", count, 0), |reference| reference.into_error(count)))
 }
 
 /// References to missing attributes and to texture coordinates that are not finite become absent. Such normals stay.
-fn remove_bad_attributes(content: &mut Content, text: &[u8], counts: Counts) {
+fn remove_bad_attributes(content: &mut Content, text: &[u8]) {
     for (index, count, target, kind) in [
-        (&mut content.corner_uvs.values, counts.uvs, Target::Uv, notes::UV_OUT_OF_RANGE),
-        (&mut content.corner_normals.values, counts.normals, Target::Normal, notes::NORMAL_OUT_OF_RANGE),
+        (
+            &mut content.corner_uvs.values,
+            content.uvs.len(),
+            Keyword::TextureCoordinate,
+            notes::UV_OUT_OF_RANGE,
+        ),
+        (
+            &mut content.corner_normals.values,
+            content.normals.len(),
+            Keyword::Normal,
+            notes::NORMAL_OUT_OF_RANGE,
+        ),
     ] {
         let bad = remove(index, |slot| slot as usize >= count);
         if bad > 0 {
-            let places = bad_references(text, counts, target, 1 + Note::MOST_PLACES);
+            let places = bad_references(text, count, target, 1 + Note::MOST_PLACES);
             content.notes.add_all(kind, bad, places.iter().map(|bad| bad.offset));
         }
     }

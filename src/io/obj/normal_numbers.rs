@@ -5,7 +5,6 @@ use crate::io::text::push_row;
 use crate::mesh::{Column, Mesh, Storage};
 use glam::DVec3;
 use rustc_hash::FxHashMap;
-use std::hash::Hash;
 use std::ops::Range;
 
 /// Which `vn` lines stay, which are new, and the number of each value: the index of its line in the output, from 1.
@@ -39,12 +38,7 @@ impl<'a> NormalNumbers<'a> {
         let is_used = numbering.used(edit);
         let before = before.min(kept);
         let next = numbering.number_kept(0..before, &is_used, 1);
-        let next = match storage {
-            Storage::F32 => {
-                numbering.number_new(&is_used, next, |n| n.as_vec3().to_array().map(f32::to_bits))
-            }
-            Storage::F64 => numbering.number_new(&is_used, next, |n| n.to_array().map(f64::to_bits)),
-        };
+        let next = numbering.number_new(&is_used, next);
         numbering.number_kept(before..kept, &is_used, next);
         numbering
     }
@@ -74,16 +68,16 @@ impl<'a> NormalNumbers<'a> {
         next
     }
 
-    /// Values of which `written` is the same share a line.
-    fn number_new<K: Hash + Eq>(
-        &mut self,
-        is_used: &[bool],
-        first: u32,
-        written: impl Fn(DVec3) -> K,
-    ) -> u32 {
-        let mut known: FxHashMap<K, u32> = FxHashMap::default();
+    /// Values that are written alike share a line.
+    fn number_new(&mut self, is_used: &[bool], first: u32) -> u32 {
+        let mut known: FxHashMap<[u64; 3], u32> = FxHashMap::default();
         for slot in (self.kept..is_used.len()).filter(|&slot| is_used[slot]) {
-            self.numbers[slot] = *known.entry(written(self.normals.values[slot])).or_insert_with(|| {
+            let normal = self.normals.values[slot];
+            let written = match self.storage {
+                Storage::F32 => normal.as_vec3().as_dvec3(),
+                Storage::F64 => normal,
+            };
+            self.numbers[slot] = *known.entry(written.to_array().map(f64::to_bits)).or_insert_with(|| {
                 self.new.push(slot as u32);
                 first + self.new.len() as u32 - 1
             });

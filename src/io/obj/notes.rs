@@ -44,38 +44,21 @@ pub(super) fn notes(found: &RepeatedNotes, text: &[u8]) -> Vec<Note> {
     notes.into_iter().map(with_word).collect()
 }
 
-/// How many vertices, texture coordinates and normals a file defines.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Counts {
-    pub vertices: usize,
-    pub uvs: usize,
-    pub normals: usize,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Target {
-    Vertex,
-    Uv,
-    Normal,
-}
-
 pub(super) struct BadReference {
     pub offset: usize,
     spelled: i64,
     defined_before: usize,
 }
 
-/// The first references of faces, lines and points to something that the whole file does not define, at most so many.
-pub(super) fn bad_references(text: &[u8], total: Counts, target: Target, most: usize) -> Vec<BadReference> {
-    let mut before = Counts::default();
-    let mut found = Vec::new();
+/// The first references of faces, lines and points to what statements of `target` define: vertices, texture coordinates or
+/// normals, if the whole file does not define so many; at most `most`.
+pub(super) fn bad_references(text: &[u8], total: usize, target: Keyword, most: usize) -> Vec<BadReference> {
+    let (mut before, mut found) = (0, Vec::new());
     for statement in statements(text) {
         match statement.keyword {
-            Keyword::Vertex => before.vertices += 1,
-            Keyword::TextureCoordinate => before.uvs += 1,
-            Keyword::Normal => before.normals += 1,
+            keyword if keyword == target => before += 1,
             // Only faces keep texture coordinates and normals.
-            Keyword::Line | Keyword::Point if target != Target::Vertex => {}
+            Keyword::Line | Keyword::Point if target != Keyword::Vertex => {}
             Keyword::Face | Keyword::Line | Keyword::Point => {
                 let known = found.len();
                 let corners = add_bad_corners(text, statement.arguments, (before, total), target, &mut found);
@@ -98,8 +81,8 @@ pub(super) fn bad_references(text: &[u8], total: Counts, target: Target, most: u
 fn add_bad_corners(
     text: &[u8],
     arguments: usize,
-    (before, total): (Counts, Counts),
-    target: Target,
+    (defined_before, total): (usize, usize),
+    target: Keyword,
     found: &mut Vec<BadReference>,
 ) -> usize {
     let mut cursor = Cursor::new(text, arguments);
@@ -107,14 +90,14 @@ fn add_bad_corners(
     while let Some(offset) = cursor.next_argument() {
         let Some(corner) = cursor.corner() else { break };
         corners += 1;
-        let (spelled, defined_before, defined) = match target {
-            Target::Vertex => (Some(corner.vertex), before.vertices, total.vertices),
-            Target::Uv => (corner.uv, before.uvs, total.uvs),
-            Target::Normal => (corner.normal, before.normals, total.normals),
+        let spelled = match target {
+            Keyword::TextureCoordinate => corner.uv,
+            Keyword::Normal => corner.normal,
+            _ => Some(corner.vertex),
         };
         let is_bad = |spelled: &i64| match *spelled {
             0 => true,
-            forward @ 1.. => forward as u64 > defined as u64,
+            forward @ 1.. => forward as u64 > total as u64,
             back => back.unsigned_abs() > defined_before as u64,
         };
         let bad = spelled.filter(is_bad).map(|spelled| BadReference { offset, spelled, defined_before });
@@ -124,14 +107,14 @@ fn add_bad_corners(
 }
 
 impl BadReference {
-    pub fn into_error(self, total: Counts) -> ReadError {
+    pub fn into_error(self, total: usize) -> ReadError {
         let found = match self.spelled {
             back @ ..0 => format!(
                 "vertex -{} is out of range ({} before this line)",
                 back.unsigned_abs(),
                 self.defined_before
             ),
-            index => format!("vertex {index} is out of range (the file has {})", total.vertices),
+            index => format!("vertex {index} is out of range (the file has {})", total),
         };
         let advice = "correct the index, or add the missing vertices; the file may be cut off";
         at_byte(Problem::Range, self.offset, found, advice)

@@ -2,7 +2,6 @@
 
 use super::group::Group;
 use super::member::Member;
-use super::rows::SlotTables;
 use super::store::{Changed, Store, notes};
 use crate::io::companion_files::{leads_to, output_name};
 use crate::io::gltf::buffers::{Storage, address, encode_data, percent_encoded};
@@ -15,6 +14,7 @@ use crate::io::gltf::splice::{Splices, changed_object};
 use crate::io::{
     Format, Loaded, Note, OutputContent, OutputFile, Part, PartEdit, Place, WriteError, WriteOptions, Written,
 };
+use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -35,7 +35,7 @@ pub fn edit(
 ) -> Result<Written, WriteError> {
     let mut store = Store::new(document);
     let source = document.accessors();
-    let mut tables = SlotTables::default();
+    let mut tables = FxHashMap::default();
     let mut groups: BTreeMap<(usize, bool), Vec<Member<'_>>> = BTreeMap::new();
     for member in Member::all(document, loaded, edits) {
         groups.entry((member.block.source, member.has_normals())).or_default().push(member);

@@ -1,7 +1,7 @@
 //! New normals and tangents for the primitives that share one set of vertices.
 
 use super::member::{Member, drop_draco, rewrite_indices};
-use super::rows::{Rows, SlotTables, Stored};
+use super::rows::{Rows, Stored};
 use super::store::{NewData, Remark, Store};
 use crate::io::gltf::accessor::{Elements, Source};
 use crate::io::gltf::data::Target;
@@ -30,7 +30,11 @@ struct CornerTangents {
 
 impl Group<'_, '_> {
     /// Writes what changes. Returns how many vertices were added.
-    pub fn write(&self, store: &mut Store<'_>, tables: &mut SlotTables) -> Result<u64, WriteError> {
+    pub fn write(
+        &self,
+        store: &mut Store<'_>,
+        tables: &mut FxHashMap<usize, Vec<u32>>,
+    ) -> Result<u64, WriteError> {
         let target_sets = self.vertices.target_sets();
         let morph = self.members.iter().all(|member| member.has_morph_normals(target_sets.len()));
         let stored =
@@ -144,6 +148,7 @@ impl Group<'_, '_> {
         let mut values: Vec<[f32; 4]> = Vec::with_capacity(locals.len());
         for (member, uv_set) in self.members.iter().zip(uv_sets) {
             let uvs = self.source.elements(uv_set).map_err(unreadable)?.floats::<2>(0.0);
+            let uvs: Vec<[f32; 2]> = uvs.collect();
             let range = values.len()..values.len() + member.corners.len();
             let finite = |uv: [f32; 2]| uv.map(|x| if x.is_finite() { x } else { 0.0 });
             let vertices =
@@ -193,6 +198,7 @@ impl Group<'_, '_> {
         let keep = self.options.tangents == TangentPolicy::Keep;
         if let Some(new) = new {
             let old = self.source.elements(accessor).map_err(unreadable)?.floats::<4>(0.0);
+            let old: Vec<[f32; 4]> = old.collect();
             let value = |(&sample, &source): (&u32, &u32)| match sample {
                 NONE => old[source as usize],
                 sample => new.values[sample as usize],
@@ -245,13 +251,12 @@ impl Group<'_, '_> {
 /// The elements with zeros for those that are not finite; `None` if all are.
 fn finite(elements: &Elements<'_>) -> Option<Vec<u8>> {
     let is_finite = |vector: &[f32; 3]| vector.iter().all(|x| x.is_finite());
-    let floats = elements.floats::<3>(0.0);
-    if floats.iter().all(is_finite) {
+    if elements.floats::<3>(0.0).all(|vector| is_finite(&vector)) {
         return None;
     }
     // Integers are finite, so these are floats.
-    let repaired: Vec<[f32; 3]> =
-        floats.into_iter().map(|v| if is_finite(&v) { v } else { [0.0; 3] }).collect();
+    let floats = elements.floats(0.0);
+    let repaired: Vec<[f32; 3]> = floats.map(|v| if is_finite(&v) { v } else { [0.0; 3] }).collect();
     Some(bytemuck::cast_slice(&repaired).to_vec())
 }
 

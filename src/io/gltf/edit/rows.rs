@@ -33,9 +33,9 @@ impl<'a> Stored<'a> {
         let format = normal_format(base.map(|base| base.format), wanted);
         let same = base.filter(|base| base.format == format).map(|base| base.raw());
         let targets = vertices.target_sets().filter(|_| morph);
-        let deltas = targets.map(|set| Ok(elements(set)?.map(|deltas| deltas.floats(0.0))));
+        let deltas = targets.map(|set| Ok(elements(set)?.map(|deltas| deltas.floats(0.0).collect())));
         let deltas = deltas.collect::<Result<_, ReadError>>()?;
-        Ok(Self { format, same, floats: base.map(|base| base.floats(0.0)), deltas })
+        Ok(Self { format, same, floats: base.map(|base| base.floats(0.0).collect()), deltas })
     }
 
     fn size(&self) -> usize {
@@ -116,12 +116,13 @@ pub struct Rows {
 }
 
 impl Rows {
-    pub fn new(stored: &Stored<'_>, members: &[Member<'_>], tables: &mut SlotTables) -> Rows {
+    pub fn new(stored: &Stored<'_>, members: &[Member<'_>], tables: &mut FxHashMap<usize, Vec<u32>>) -> Rows {
         let mut rows = Rows { bytes: Vec::new(), size: stored.size(), of_corner: Vec::new(), missing: 0 };
         let mut count = 0;
         for member in members {
             let Some(normals) = &member.edit.normals else { continue };
-            let table = tables.table(member.part, normals.values.len());
+            // From normal numbers to rows; kept empty between groups.
+            let table = tables.entry(member.part).or_insert_with(|| vec![NONE; normals.values.len()]);
             let mut seen = Vec::new();
             for &corner in &member.corners {
                 let slot = member.slot(normals, corner);
@@ -223,17 +224,5 @@ impl Table {
         let rows = self.bytes.chunks_exact(self.size);
         rows.for_each(|row| column.extend_from_slice(&row[start..start + size]));
         Cow::Owned(column)
-    }
-}
-
-/// For each part, a table from normal numbers to rows, kept empty between groups.
-#[derive(Default)]
-pub struct SlotTables {
-    tables: FxHashMap<usize, Vec<u32>>,
-}
-
-impl SlotTables {
-    fn table(&mut self, part: usize, slots: usize) -> &mut Vec<u32> {
-        self.tables.entry(part).or_insert_with(|| vec![NONE; slots])
     }
 }
