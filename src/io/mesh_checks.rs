@@ -81,7 +81,9 @@ fn repeating(faces: &Faces) -> usize {
 }
 
 /// What a mesh may have: its name, the formats that cannot store it, and whether columns have it.
-const FEATURES: [(&str, &[Format], fn(&Columns) -> bool); 9] = {
+type Feature = (&'static str, &'static [Format], fn(&Columns) -> bool);
+
+const FEATURES: [Feature; 9] = {
     use Format::{Glb, Gltf, Obj, Ply, Stl};
     [
         ("texture coordinates", &[Stl], |columns| columns.uvs.is_some()),
