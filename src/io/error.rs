@@ -1,6 +1,5 @@
 //! Errors and notes, with the places that they are about.
 
-use super::text::counted;
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -149,7 +148,8 @@ impl Note {
 
     /// A warning about the file as a whole that starts with a count; `None` if that is 0.
     pub(super) fn counted(count: usize, [one, many]: [&str; 2], text: impl fmt::Display) -> Option<Self> {
-        let warning = || Self::warning(Place::File, format!("{} {text}", counted(count, one, many)));
+        let noun = if count == 1 { one } else { many };
+        let warning = || Self::warning(Place::File, format!("{count} {noun} {text}"));
         (count > 0).then(warning)
     }
 

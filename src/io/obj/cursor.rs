@@ -4,7 +4,6 @@
 //! backslash at its end continues it on the next. Comments start at `#` and end with their line: one that ends
 //! in a backslash (a Windows path, say) does not swallow the statement after it. Lines end with LF, CR LF or CR.
 
-use super::piece::Indices;
 use crate::io::text::{at_byte, counted, float, float_prefix, integer_prefix, line_end_length, shown};
 use crate::io::{Problem, ReadError};
 use glam::DVec3;
@@ -243,18 +242,6 @@ fn bad_corner(cursor: &mut Cursor<'_>, at: usize, is_zero: bool) -> ReadError {
     cursor.at = at;
     let found = format!("`{}` is not a vertex reference", shown(cursor.token()));
     at_byte(Problem::Syntax, at, found, "write v, v/vt, v//vn or v/vt/vn with integers")
-}
-
-/// Reads the vertices of a line or of points; the document keeps the texture coordinates of lines.
-pub(super) fn vertex_list(
-    cursor: &mut Cursor<'_>,
-    into: &mut Indices,
-    count: usize,
-) -> Result<(), ReadError> {
-    while let Some(corner) = next_corner(cursor)? {
-        into.push(corner.vertex, count);
-    }
-    Ok(())
 }
 
 #[inline]

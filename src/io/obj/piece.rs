@@ -5,7 +5,6 @@
 
 use super::cursor::{
     Cursor, checked_end, next_corner, number, refers_to_normals, three_numbers, too_few, too_many,
-    vertex_list,
 };
 use super::notes;
 use super::statements::Keyword;
@@ -278,6 +277,14 @@ impl Content {
         self.has_statements |= next.has_statements;
         Ok(())
     }
+}
+
+/// Reads the vertices of a line or of points; the document keeps the texture coordinates of lines.
+fn vertex_list(cursor: &mut Cursor<'_>, into: &mut Indices, count: usize) -> Result<(), ReadError> {
+    while let Some(corner) = next_corner(cursor)? {
+        into.push(corner.vertex, count);
+    }
+    Ok(())
 }
 
 /// Appends the face offsets of so many `more` corners to those of so many `corners`.
